@@ -1,0 +1,1 @@
+"""jounce: from bench measurements to a validated suspension model, and from the model to decisions."""

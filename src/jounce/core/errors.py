@@ -1,0 +1,76 @@
+"""Error classes. Every message says where, what was found, what is allowed and what to do next."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+
+
+class JounceError(Exception):
+    """A mistake in what the user gave, or an outcome the user must know.
+
+    Parameters
+    ----------
+    what : str
+        What is wrong, as one sentence without a full stop.
+    where : str
+        File and line, path inside a description, or channel.
+    found : object
+        The offending value with its unit; left out of the text when None.
+    allowed : str
+        What would have been accepted.
+    hint : str
+        The next step for the reader.
+    """
+
+    def __init__(
+        self, what: str, *, where: str = "", found: object = None, allowed: str = "", hint: str = ""
+    ) -> None:
+        self.what, self.where, self.found, self.allowed, self.hint = what, where, found, allowed, hint
+        super().__init__(self._text())
+
+    def _text(self) -> str:
+        text = f"{self.where}: {self.what}" if self.where else self.what
+        if self.found is not None:
+            text += f"; found {self.found!r}" if isinstance(self.found, str) else f"; found {self.found}"
+        if self.allowed:
+            text += f"; allowed: {self.allowed}"
+        return f"{text}. {self.hint}" if self.hint else f"{text}."
+
+
+class DescriptionError(JounceError):
+    """A description (rig, road, trial, campaign) that cannot be understood."""
+
+
+class RecordingError(JounceError):
+    """A measured file that cannot be read or trusted."""
+
+
+class AssemblyError(JounceError):
+    """A model that cannot be put together."""
+
+
+class SimulationError(JounceError):
+    """A run that did not reach its end."""
+
+
+class FitError(JounceError):
+    """An estimate that cannot be made from the data given."""
+
+
+class OutputError(JounceError):
+    """A file that cannot be written without losing something."""
+
+
+def nearest(name: str, options: Iterable[str]) -> str:
+    """Return the sentence ``did you mean 'x'?``, or an empty text when nothing is near."""
+    match = difflib.get_close_matches(name, list(options), n=1, cutoff=0.6)
+    return f"Did you mean {match[0]!r}?" if match else ""
+
+
+def unknown(name: str, options: Iterable[str], *, what: str, where: str = "") -> DescriptionError:
+    """Build the error for a name that is not among ``options``."""
+    choices = sorted(options)
+    return DescriptionError(
+        f"unknown {what} {name!r}", where=where, allowed=", ".join(choices), hint=nearest(name, choices)
+    )

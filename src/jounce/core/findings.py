@@ -1,0 +1,33 @@
+"""Findings: advice as data, never a print."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+Severity = Literal["note", "warning", "problem"]
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One thing the reader of a result must know.
+
+    Attributes
+    ----------
+    place : str
+        File, path, channel or trial the finding is about.
+    severity : {"note", "warning", "problem"}
+        ``note``: good to know; ``warning``: weakens a result; ``problem``: a result is missing or not to be trusted.
+    message : str
+        One sentence that says what was found and what to do.
+    value : float or None
+        The number behind it, SI, where there is one.
+    """
+
+    place: str
+    severity: Severity
+    message: str
+    value: float | None = None
+
+    def __str__(self) -> str:
+        return f"{self.severity}: {self.place}: {self.message}"

@@ -1,0 +1,77 @@
+"""Signals as a chain of closed-form pieces, so that integrators can land on every edge.
+
+A road against distance and a base motion against time are both ``Segments``. This module holds the slow, readable
+evaluation; the kernel holds the compiled one.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+POLYNOMIAL, SINE, CIRCLE = 0, 1, 2
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Segments:
+    """Pieces of a height signal over an ascending coordinate (distance in m, or time in s).
+
+    On piece ``i`` the local coordinate is ``s = rate * (x - edges[i])`` in metres and the height is, by ``kind[i]``,
+
+    - POLYNOMIAL: ``c0 + c1 s + c2 s^2 + c3 s^3``,
+    - SINE: ``c0 + c1 sin(c2 s + c3)``,
+    - CIRCLE: ``c0 + c3 sqrt(c1^2 - (s - c2)^2)`` (``c1`` radius, ``c2`` centre, ``c3`` +1 or -1).
+
+    Attributes
+    ----------
+    edges : ndarray, shape (n + 1,)
+        Ascending piece borders; the first and the last piece go on beyond them.
+    kind : ndarray of int64, shape (n,)
+        What each piece is.
+    coefficients : ndarray, shape (n, 4)
+        ``c0 .. c3`` of each piece, SI.
+    rate : float
+        Metres of local coordinate for one unit of ``x``: 1 against distance, the speed in m/s against time.
+    """
+
+    edges: Array
+    kind: NDArray[np.int64]
+    coefficients: Array
+    rate: float = 1.0
+
+    def in_time(self, speed: float) -> Segments:
+        """Give the same heights against time for a constant ``speed`` in m/s."""
+        return replace(self, edges=self.edges / speed, rate=self.rate * speed)
+
+    def evaluate(self, x: Array) -> tuple[Array, Array]:
+        """Height (m) and derivative with respect to ``x`` at the points ``x``; at an edge the right-hand piece counts."""
+        x = np.asarray(x, dtype=float)
+        piece = np.clip(np.searchsorted(self.edges, x, side="right") - 1, 0, len(self.kind) - 1)
+        s = self.rate * (x - self.edges[piece])
+        c0, c1, c2, c3 = self.coefficients[piece].T
+        kind = self.kind[piece]
+        root = np.sqrt(np.maximum(c1**2 - (s - c2) ** 2, 0.0))
+        with np.errstate(divide="ignore", invalid="ignore"):
+            circle_slope = np.where(root > 0.0, -c3 * (s - c2) / root, 0.0)
+        height = np.choose(
+            kind, [c0 + s * (c1 + s * (c2 + s * c3)), c0 + c1 * np.sin(c2 * s + c3), c0 + c3 * root]
+        )
+        slope = np.choose(kind, [c1 + s * (2.0 * c2 + 3.0 * s * c3), c1 * c2 * np.cos(c2 * s + c3), circle_slope])
+        return height, self.rate * slope
+
+
+def flat(end: float, height: float = 0.0) -> Segments:
+    """One level piece from 0 to ``end``."""
+    return Segments(np.array([0.0, end]), np.zeros(1, dtype=np.int64), np.array([[height, 0.0, 0.0, 0.0]]))
+
+
+def piecewise_linear(x: Array, height: Array) -> Segments:
+    """Straight lines through the points (``x`` strictly ascending)."""
+    x, height = np.asarray(x, dtype=float), np.asarray(height, dtype=float)
+    coefficients = np.zeros((len(x) - 1, 4))
+    coefficients[:, 0] = height[:-1]
+    coefficients[:, 1] = np.diff(height) / np.diff(x)
+    return Segments(x, np.zeros(len(x) - 1, dtype=np.int64), coefficients)

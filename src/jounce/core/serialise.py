@@ -1,0 +1,63 @@
+"""Results as plain data and strict JSON, written without ever losing a file."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import math
+import os
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from jounce.core.errors import OutputError
+
+
+def to_plain(value: Any) -> Any:  # noqa: ANN401
+    """Turn a result into dicts, lists, text, finite numbers and None (for NaN and infinities)."""
+    if dataclasses.is_dataclass(value) and not isinstance(value, type):
+        return {field.name: to_plain(getattr(value, field.name)) for field in dataclasses.fields(value)}
+    if isinstance(value, Mapping):
+        return {str(key): to_plain(item) for key, item in value.items()}
+    if isinstance(value, np.ndarray):
+        return to_plain(value.tolist())
+    if isinstance(value, (list, tuple)):
+        return [to_plain(item) for item in value]
+    if isinstance(value, np.generic):
+        return to_plain(value.item())
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    return value if value is None or isinstance(value, (bool, int, str)) else str(value)
+
+
+def to_json(value: Any, *, indent: int | None = 2) -> str:  # noqa: ANN401
+    """Write a result as strict JSON text (no NaN)."""
+    return json.dumps(to_plain(value), indent=indent, allow_nan=False, ensure_ascii=False)
+
+
+def check_writable(path: Path | str, *, force: bool = False) -> Path:
+    """Refuse an output that exists (without ``force``) or whose folder is missing; give the path."""
+    file = Path(path)
+    if file.exists() and not force:
+        raise OutputError("the output exists", where=str(file), hint="Choose another name or allow it with --force.")
+    if not file.parent.is_dir():
+        raise OutputError("the folder of the output does not exist", where=str(file.parent), hint="Create it first.")
+    return file
+
+
+def write_atomically(path: Path | str, content: bytes | str, *, force: bool = False) -> Path:
+    """Write a file through a temporary one and a rename, so that nobody ever sees half of it."""
+    file = check_writable(path, force=force)
+    handle, name = tempfile.mkstemp(dir=file.parent, prefix=f".{file.name}.")
+    try:
+        with os.fdopen(handle, "wb") as stream:
+            stream.write(content.encode() if isinstance(content, str) else content)
+        os.chmod(name, 0o644)  # noqa: PTH101 - mkstemp made it private
+        os.replace(name, file)  # noqa: PTH105
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise
+    return file

@@ -1,0 +1,190 @@
+"""Units at the border: text with a unit in, SI floats inside."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from functools import cache, lru_cache
+from typing import Annotated, Any
+
+from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
+from pydantic_core import CoreSchema, PydanticCustomError, core_schema
+
+from jounce.core.errors import DescriptionError
+
+_NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*$")
+_DIMENSIONLESS = {"", "1", "-"}
+
+
+@cache
+def _registry() -> Any:  # noqa: ANN401 - pint has no useful static type
+    import pint
+
+    return pint.UnitRegistry(cache_folder=":auto:", autoconvert_offset_to_baseunit=True)
+
+
+@lru_cache(maxsize=512)
+def _factor(unit: str, si: str) -> float:
+    """Return what one ``unit`` is in ``si``; raise ValueError with the reason when it is none."""
+    registry = _registry()
+    name = {"%": "percent"}.get(unit, unit).replace("²", "^2").replace("³", "^3").replace("·", "*")
+    if unit == "g" and si == "m/s^2":
+        name = "standard_gravity"  # pint reads g as gram
+    target = registry.Unit(si if si not in _DIMENSIONLESS else "dimensionless")
+    try:
+        return float(registry.Quantity(1.0, registry.Unit(name)).to(target).magnitude)
+    except Exception as error:
+        raise ValueError(f"{unit!r} is not a unit of {si if si not in _DIMENSIONLESS else 'a plain number'}") from error
+
+
+def conversion_factor(unit: str, si: str, *, where: str = "") -> float:
+    """Give the factor that turns a number in ``unit`` into ``si``.
+
+    Parameters
+    ----------
+    unit : str
+        Unit as written by the user, e.g. ``"mm"``, ``"N*s/m"``, ``"g"`` (standard gravity when ``si`` is m/s^2).
+    si : str
+        SI unit wanted, e.g. ``"m"``; ``"1"`` for a plain number.
+    where : str
+        Place named in the error.
+
+    Returns
+    -------
+    float
+        SI value of one ``unit``.
+
+    Raises
+    ------
+    DescriptionError
+        When ``unit`` is unknown or measures something else.
+    """
+    try:
+        return _factor(unit.strip(), si)
+    except ValueError as error:
+        raise DescriptionError(
+            "wrong unit", where=where, found=unit, allowed=f"a unit that converts to {si}", hint=_unit_hint(unit)
+        ) from error
+
+
+def _unit_hint(unit: str) -> str:
+    if re.search(r"[A-Za-z]\.[A-Za-z]", unit):
+        return "Write products with * as in N*s/m."
+    return "Check spelling and case, e.g. 'mm', 'N/mm', 'N*s/m', 'MPa', 'deg', 'm/s^2'."
+
+
+def to_si(value: object, si: str, *, where: str = "") -> float:
+    """Read one physical value: text with its unit, or a bare number that is already SI.
+
+    Parameters
+    ----------
+    value : str, int or float
+        ``"22.73 N/mm"`` or ``22730.0``.
+    si : str
+        SI unit of the result; ``"1"`` for a plain number.
+    where : str
+        Place named in the error.
+
+    Returns
+    -------
+    float
+        The value in SI.
+
+    Raises
+    ------
+    DescriptionError
+        For a missing or wrong unit, or a value that is not a finite number.
+    """
+    if isinstance(value, bool) or not isinstance(value, (int, float, str)):
+        raise DescriptionError("not a physical value", where=where, found=value, allowed=f"'<number> <unit of {si}>'")
+    if not isinstance(value, str):
+        number = float(value)
+    else:
+        match = _NUMBER.match(value)
+        if match is None:
+            raise DescriptionError(
+                "not a number with a unit", where=where, found=value, allowed=f"'<number> {si}'"
+            )
+        number = float(match[1])
+        if match[2] == "" and si not in _DIMENSIONLESS:
+            raise DescriptionError(
+                "the unit is missing",
+                where=where,
+                found=value,
+                allowed=f"'{match[1]} {si}' (or a unit that converts to it), or the bare number {match[1]} in SI",
+            )
+        if match[2]:
+            number *= conversion_factor(match[2], si, where=where)
+    if not math.isfinite(number):
+        raise DescriptionError("not a finite number", where=where, found=value, allowed="a finite number")
+    return number
+
+
+@dataclass(frozen=True)
+class Unit:
+    """Pydantic annotation of a physical field: ``Annotated[float, Unit("m")]`` reads text with units into SI."""
+
+    si: str
+    above: float | None = None
+    at_least: float | None = None
+    at_most: float | None = None
+
+    def _read(self, value: object) -> float:
+        try:
+            number = to_si(value, self.si)
+        except DescriptionError as error:
+            raise PydanticCustomError(
+                "physical_value",
+                "{what}; found {found}; allowed: {allowed}. {hint}",
+                {"what": error.what, "found": repr(value), "allowed": error.allowed, "hint": error.hint},
+            ) from None
+        if not self._is_allowed(number):
+            raise PydanticCustomError(
+                "out_of_range",
+                "out of range; found {found}; allowed: {allowed}",
+                {"found": repr(value), "allowed": f"{self._range()} {self.si}"},
+            )
+        return number
+
+    def _is_allowed(self, number: float) -> bool:
+        return (
+            (self.above is None or number > self.above)
+            and (self.at_least is None or number >= self.at_least)
+            and (self.at_most is None or number <= self.at_most)
+        )
+
+    def _range(self) -> str:
+        bounds = [("above", self.above), ("at least", self.at_least), ("at most", self.at_most)]
+        return ", ".join(f"{word} {bound:g}" for word, bound in bounds if bound is not None)
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:  # noqa: ANN401
+        return core_schema.no_info_plain_validator_function(self._read)
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        return {
+            "anyOf": [{"type": "number"}, {"type": "string"}],
+            "description": f"text with a unit that converts to {self.si}, or a bare number in {self.si}",
+        }
+
+
+Length = Annotated[float, Unit("m")]
+PositiveLength = Annotated[float, Unit("m", above=0.0)]
+NonNegativeLength = Annotated[float, Unit("m", at_least=0.0)]
+Mass = Annotated[float, Unit("kg", above=0.0)]
+Time = Annotated[float, Unit("s")]
+PositiveTime = Annotated[float, Unit("s", above=0.0)]
+Speed = Annotated[float, Unit("m/s")]
+PositiveSpeed = Annotated[float, Unit("m/s", above=0.0)]
+Force = Annotated[float, Unit("N")]
+NonNegativeForce = Annotated[float, Unit("N", at_least=0.0)]
+Stiffness = Annotated[float, Unit("N/m")]
+PositiveStiffness = Annotated[float, Unit("N/m", above=0.0)]
+DampingCoefficient = Annotated[float, Unit("N*s/m")]
+NonNegativeDampingCoefficient = Annotated[float, Unit("N*s/m", at_least=0.0)]
+Acceleration = Annotated[float, Unit("m/s^2")]
+Angle = Annotated[float, Unit("rad")]
+Frequency = Annotated[float, Unit("Hz", above=0.0)]
+Pressure = Annotated[float, Unit("Pa", above=0.0)]
+Number = Annotated[float, Unit("1")]
+PositiveNumber = Annotated[float, Unit("1", above=0.0)]
