@@ -1,0 +1,85 @@
+# jounce: set-up, tests, gates. Everything lives in $(VENV); nothing else on the machine is touched.
+#
+#   make demo      set up and run the shipped campaign        make lint    style, types, import contract
+#   make setup     only prepare .venv                         make bench   times against peers
+#   make test      set up and run the tests                   make docs    the documentation, as HTML
+#   make test-all  the slow tests too                         make clean   remove what was made here
+#   make pins      compile requirements/*.txt again (needs uv)
+#
+# Another interpreter or folder: make test PYTHON=python3.13 VENV=.venv-3.13
+
+PYTHON ?= python3
+VENV ?= .venv
+UV ?= uv
+DEMO_ARGUMENTS ?=
+BIN := $(VENV)/bin
+
+# The pins are complete, so pip resolves nothing; wheels only, so that no unpinned build tool is fetched.
+INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes --no-deps --only-binary :all:
+PINS := runtime build test lint docs bench
+COMPILE := $(UV) pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header \
+           --no-emit-index-url --no-emit-find-links
+
+.PHONY: help setup demo test test-all lint format bench docs pins clean
+.DELETE_ON_ERROR:
+
+help:
+	@sed -n '2,/^$$/s/^# \{0,1\}//p' Makefile
+
+setup: $(VENV)/.runtime
+
+demo: setup
+	$(BIN)/jounce demo $(DEMO_ARGUMENTS)
+
+test: $(VENV)/.test
+	$(BIN)/python -m pytest
+
+test-all: $(VENV)/.test
+	$(BIN)/python -m pytest -m "slow or not slow"
+
+lint: $(VENV)/.lint
+	$(BIN)/ruff check
+	$(BIN)/ruff format --check
+	$(BIN)/mypy
+	$(BIN)/lint-imports --no-logo
+
+format: $(VENV)/.lint
+	$(BIN)/ruff check --fix
+	$(BIN)/ruff format
+
+bench: $(VENV)/.bench
+	$(BIN)/python benchmarks/run.py
+
+docs: $(VENV)/.docs
+	$(BIN)/python -m sphinx -W --keep-going -b html docs docs/_build/html
+	@echo "docs/_build/html/index.html"
+
+$(VENV)/.created:
+	@command -v $(PYTHON) >/dev/null || { echo "$(PYTHON) was not found: install Python 3.11 or later, or give PYTHON=..."; exit 1; }
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
+	  echo "jounce needs Python 3.11 or later; this is $$($(PYTHON) --version 2>&1). Give another one: make PYTHON=python3.11"; exit 1; }
+	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || { \
+	  echo "$(PYTHON) cannot make virtual environments. On Debian and Ubuntu: apt-get install python3-venv"; exit 1; }
+	$(PYTHON) -m venv --clear $(VENV)
+	@touch $@
+
+# The build tools come first: jounce itself is built with them, so nothing unpinned is fetched.
+$(VENV)/.runtime: $(VENV)/.created requirements/runtime.txt requirements/build.txt pyproject.toml
+	$(INSTALL) -r requirements/runtime.txt -r requirements/build.txt
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
+	@touch $@
+
+$(VENV)/.test $(VENV)/.lint $(VENV)/.docs $(VENV)/.bench: $(VENV)/.%: requirements/%.txt $(VENV)/.runtime
+	$(INSTALL) -r $<
+	@touch $@
+
+# Each list is compiled with the ones before it as constraints, so that they agree.
+pins:
+	@set -e; known=""; for name in $(PINS); do \
+	  source="--group $$name"; [ $$name = runtime ] && source=pyproject.toml; \
+	  echo "requirements/$$name.txt"; $(COMPILE) $$source $$known -o requirements/$$name.txt >/dev/null; \
+	  known="$$known -c requirements/$$name.txt"; done
+
+clean:
+	rm -rf .venv .venv-* build dist docs/_build .coverage .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
+	find src tests -name __pycache__ -type d -prune -exec rm -rf {} +
