@@ -14,16 +14,20 @@ from jounce.core.errors import DescriptionError, nearest
 D = TypeVar("D", bound="Description")
 
 
-class Description(BaseModel):
+class _DescriptionType(type(BaseModel)):  # type: ignore[misc]
+    """Raises jounce errors at the outermost construction only, so that nested parts keep their path."""
+
+    def __call__(cls, *arguments: Any, **fields: Any) -> Any:  # noqa: ANN401
+        try:
+            return super().__call__(*arguments, **fields)
+        except ValidationError as error:
+            raise description_error(error, cls) from None
+
+
+class Description(BaseModel, metaclass=_DescriptionType):
     """Base of all nouns: frozen, refuses unknown keys, reads physical values with units."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", populate_by_name=True, protected_namespaces=())
-
-    def __init__(self, **fields: Any) -> None:  # noqa: ANN401
-        try:
-            super().__init__(**fields)
-        except ValidationError as error:
-            raise description_error(error, type(self)) from None
 
     @classmethod
     def from_table(cls, table: dict[str, Any], *, where: str = "", text: str = "") -> Self:

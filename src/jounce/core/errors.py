@@ -35,7 +35,8 @@ class JounceError(Exception):
             text += f"; found {self.found!r}" if isinstance(self.found, str) else f"; found {self.found}"
         if self.allowed:
             text += f"; allowed: {self.allowed}"
-        return f"{text}. {self.hint}" if self.hint else f"{text}."
+        text = text if text.endswith((".", "?")) else f"{text}."
+        return f"{text} {self.hint}" if self.hint else text
 
 
 class DescriptionError(JounceError):

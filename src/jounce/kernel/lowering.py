@@ -1,0 +1,119 @@
+"""Lower CasADi SX functions to LLVM IR: one native function each, scalar, without branches."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import casadi as ca
+from llvmlite import ir
+
+_OPCODES = {getattr(ca, name): name for name in dir(ca) if name.startswith("OP_")}
+_FAST = ("contract", "reassoc", "nsz", "arcp")
+_DOUBLE, _INDEX = ir.DoubleType(), ir.IntType(64)
+_INTRINSICS = {
+    "OP_SIN": "sin",
+    "OP_COS": "cos",
+    "OP_SQRT": "sqrt",
+    "OP_EXP": "exp",
+    "OP_LOG": "log",
+    "OP_FABS": "fabs",
+    "OP_FLOOR": "floor",
+    "OP_CEIL": "ceil",
+    "OP_POW": "pow",
+    "OP_CONSTPOW": "pow",
+    "OP_FMIN": "minnum",
+    "OP_FMAX": "maxnum",
+    "OP_COPYSIGN": "copysign",
+}
+_LIBRARY = {
+    "OP_TAN": "tan",
+    "OP_TANH": "tanh",
+    "OP_SINH": "sinh",
+    "OP_COSH": "cosh",
+    "OP_ASIN": "asin",
+    "OP_ACOS": "acos",
+    "OP_ATAN": "atan",
+    "OP_ATAN2": "atan2",
+    "OP_LOG1P": "log1p",
+    "OP_EXPM1": "expm1",
+    "OP_HYPOT": "hypot",
+}
+_COMPARISONS = {"OP_LT": "<", "OP_LE": "<=", "OP_EQ": "==", "OP_NE": "!="}
+
+
+class Lowering:
+    """Builds one module; ``add`` appends ``void name(double* in0, ..., double* out0, ...)``."""
+
+    def __init__(self) -> None:
+        self.module = ir.Module(name="jounce")
+        self._externals: dict[str, ir.Function] = {}
+
+    def add(self, name: str, function: ca.Function) -> None:
+        """Append one function; inputs and outputs are dense arrays of doubles that do not overlap."""
+        pointers = [_DOUBLE.as_pointer()] * (function.n_in() + function.n_out())
+        native = ir.Function(self.module, ir.FunctionType(ir.VoidType(), pointers), name)
+        for argument in native.args:
+            argument.attributes.add("noalias")
+        builder = ir.IRBuilder(native.append_basic_block())
+        work: dict[int, ir.Value] = {}
+        for k in range(function.n_instructions()):
+            operation = _OPCODES[function.instruction_id(k)]
+            inputs, outputs = function.instruction_input(k), function.instruction_output(k)
+            if operation == "OP_CONST":
+                work[outputs[0]] = ir.Constant(_DOUBLE, function.instruction_constant(k))
+            elif operation == "OP_INPUT":
+                pointer = builder.gep(native.args[inputs[0]], [_INDEX(inputs[1])])
+                work[outputs[0]] = builder.load(pointer)
+            elif operation == "OP_OUTPUT":
+                pointer = builder.gep(native.args[function.n_in() + outputs[0]], [_INDEX(outputs[1])])
+                builder.store(work[inputs[0]], pointer)
+            else:
+                work[outputs[0]] = self._operation(builder, operation, [work[i] for i in inputs])
+        builder.ret_void()
+
+    def _operation(self, b: ir.IRBuilder, operation: str, x: list[ir.Value]) -> ir.Value:
+        one = ir.Constant(_DOUBLE, 1.0)
+        direct: dict[str, Callable[[], Any]] = {
+            "OP_ASSIGN": lambda: x[0],
+            "OP_ADD": lambda: b.fadd(*x, flags=_FAST),
+            "OP_SUB": lambda: b.fsub(*x, flags=_FAST),
+            "OP_MUL": lambda: b.fmul(*x, flags=_FAST),
+            "OP_DIV": lambda: b.fdiv(*x, flags=_FAST),
+            "OP_SQ": lambda: b.fmul(x[0], x[0], flags=_FAST),
+            "OP_TWICE": lambda: b.fadd(x[0], x[0], flags=_FAST),
+            "OP_NEG": lambda: b.fneg(x[0]),
+            "OP_INV": lambda: b.fdiv(one, x[0], flags=_FAST),
+            "OP_SIGN": lambda: self._sign(b, x[0]),
+            "OP_NOT": lambda: self._as_double(b, "==", x[0], ir.Constant(_DOUBLE, 0.0)),
+            "OP_AND": lambda: b.fmul(*x),
+            "OP_OR": lambda: self._call(b, "llvm.maxnum.f64", x),
+            "OP_IF_ELSE_ZERO": lambda: self._if_else_zero(b, *x),
+        }
+        if operation in direct:
+            return direct[operation]()
+        if operation in _COMPARISONS:
+            return self._as_double(b, _COMPARISONS[operation], *x)
+        if operation in _INTRINSICS:
+            return self._call(b, f"llvm.{_INTRINSICS[operation]}.f64", x)
+        if operation in _LIBRARY:
+            return self._call(b, _LIBRARY[operation], x)
+        raise NotImplementedError(f"the operation {operation} has no native form")
+
+    def _call(self, b: ir.IRBuilder, name: str, x: list[ir.Value]) -> ir.Value:
+        if name not in self._externals:
+            self._externals[name] = ir.Function(self.module, ir.FunctionType(_DOUBLE, [_DOUBLE] * len(x)), name)
+        return b.call(self._externals[name], x)
+
+    def _sign(self, b: ir.IRBuilder, x: ir.Value) -> ir.Value:
+        zero = ir.Constant(_DOUBLE, 0.0)
+        return b.fsub(self._as_double(b, ">", x, zero), self._as_double(b, "<", x, zero))
+
+    @staticmethod
+    def _as_double(b: ir.IRBuilder, comparison: str, x: ir.Value, y: ir.Value) -> ir.Value:
+        return b.uitofp(b.fcmp_ordered(comparison, x, y), _DOUBLE)
+
+    @staticmethod
+    def _if_else_zero(b: ir.IRBuilder, condition: ir.Value, x: ir.Value) -> ir.Value:
+        zero = ir.Constant(_DOUBLE, 0.0)
+        return b.select(b.fcmp_unordered("!=", condition, zero), x, zero)

@@ -1,0 +1,23 @@
+"""Outcomes of a run: every one is data with a text that helps."""
+
+from __future__ import annotations
+
+from enum import Enum
+
+
+class Status(Enum):
+    """How a run ended; ``help`` says what that means for the user."""
+
+    COMPLETED = (0, "the run reached its end")
+    NOT_FINITE = (1, "the solution is no longer a finite number: the model is unstable or an input is extreme")
+    STEP_TOO_SMALL = (2, "the step fell below what time can resolve: the model is too stiff or jumps without a switch")
+    TOO_MANY_STEPS = (3, "the step budget is used up: shorten the run, loosen the tolerance or soften the stiffest part")
+    CHATTER = (4, "contact switches on and off without time passing: add tyre damping or soften the law")
+
+    def __init__(self, code: int, text: str) -> None:
+        self.code, self.help = code, text
+
+    @classmethod
+    def of(cls, code: int) -> Status:
+        """Give the status of a loop's return code."""
+        return next(status for status in cls if status.code == code)

@@ -1,0 +1,110 @@
+"""Force laws as expressions, shared by every model. Compression and bump are positive.
+
+Each law takes the descriptions' shape (which branch, how many knots) and the paths of its numbers; the numbers
+themselves are parameters of the model.
+"""
+
+from __future__ import annotations
+
+import casadi as ca
+
+from jounce.mechanics.system import System
+from jounce.parts.curves import Curve, PolynomialCurve, PowerCurve, TableCurve
+from jounce.parts.elements import (
+    BilinearDamper,
+    BoucWenDamper,
+    BumpStop,
+    Damper,
+    Friction,
+    LinearDamper,
+    Spring,
+    TanhDamper,
+)
+
+
+def curve_force(system: System, curve: Curve, path: str, deflection: ca.SX) -> ca.SX:
+    """Force (N) of a curve at a deflection (m)."""
+    if isinstance(curve, PolynomialCurve):
+        force = ca.SX(0)
+        for i in reversed(range(len(curve.coefficients))):
+            force = (force + system.parameter(f"{path}.coefficients[{i}]")) * deflection
+        return force
+    if isinstance(curve, PowerCurve):
+        loaded = system.switch(f"{path} loaded", deflection)
+        positive = ca.fmax(deflection, 1e-300)
+        exponent = system.parameter(f"{path}.exponent")
+        return loaded * system.parameter(f"{path}.coefficient") * ca.exp(exponent * ca.log(positive))
+    assert isinstance(curve, TableCurve)
+    return table_force(system, path, "deflection", len(curve.deflection), deflection)
+
+
+def table_force(system: System, path: str, variable: str, points: int, x: ca.SX) -> ca.SX:
+    """Straight lines through the points ``path.variable[i]``, ``path.force[i]``, going on beyond the ends."""
+    knots = [system.parameter(f"{path}.{variable}[{i}]") for i in range(points)]
+    forces = [system.parameter(f"{path}.force[{i}]") for i in range(points)]
+    slopes = [(forces[i + 1] - forces[i]) / (knots[i + 1] - knots[i]) for i in range(points - 1)]
+    force = forces[0] + slopes[0] * (x - knots[0])
+    for i in range(1, points - 1):
+        beyond = x - knots[i]
+        force += system.switch(f"{path}.{variable}[{i}]", beyond) * (slopes[i] - slopes[i - 1]) * beyond
+    return force
+
+
+def spring_force(system: System, spring: Spring, path: str, deflection: ca.SX) -> ca.SX:
+    """Preload plus rate or curve (N)."""
+    preload = system.parameter(f"{path}.preload")
+    if spring.curve is not None:
+        return preload + curve_force(system, spring.curve, f"{path}.curve", deflection)
+    return preload + system.parameter(f"{path}.rate") * deflection
+
+
+def damper_force(system: System, damper: Damper, path: str, deflection: ca.SX, velocity: ca.SX) -> ca.SX:
+    """Damper force (N) at a deflection (m) and a deflection rate (m/s)."""
+
+    def number(name: str) -> ca.SX:
+        return system.parameter(f"{path}.{name}")
+
+    if isinstance(damper, LinearDamper):
+        return number("coefficient") * velocity
+    if isinstance(damper, BilinearDamper):
+        bump = system.switch(f"{path} bump", velocity)
+        rebound = number("rebound_coefficient")
+        return (rebound + bump * (number("bump_coefficient") - rebound)) * velocity
+    if isinstance(damper, TanhDamper):
+        lagged = velocity + number("displacement_coupling") * deflection
+        hysteresis = number("force") * ca.tanh(number("slope") * lagged)
+        return number("coefficient") * velocity + number("stiffness") * deflection + hysteresis + number("offset")
+    if isinstance(damper, BoucWenDamper):
+        z = _bouc_wen_state(system, path, velocity)
+        linear = number("coefficient") * velocity + number("stiffness") * deflection
+        return linear + number("hysteretic_force") * z + number("offset")
+    return table_force(system, path, "velocity", len(damper.velocity), velocity)
+
+
+def _bouc_wen_state(system: System, path: str, velocity: ca.SX) -> ca.SX:
+    """Normalised hysteretic state with its rate set; ``|z|^n`` by logarithm so that n may be fitted."""
+    name = f"{path} z"
+    z = system.internal_state(name)
+    rate, sigma, exponent = (system.parameter(f"{path}.{key}") for key in ("rate", "sigma", "exponent"))
+    size = ca.fabs(z)
+    power = ca.exp(exponent * ca.log(ca.fmax(size, 1e-150)))
+    turning = sigma * ca.fabs(velocity) * power * ca.sign(z)
+    system.set_internal_rate(name, rate * (velocity - turning + (sigma - 1.0) * velocity * power))
+    return z
+
+
+def friction_force(system: System, friction: Friction | None, path: str, velocity: ca.SX) -> ca.SX:
+    """Regularised Coulomb friction (N) that follows the velocity; zero without friction."""
+    if friction is None:
+        return ca.SX(0)
+    sharpness = velocity / system.parameter(f"{path}.regularisation_velocity")
+    return system.parameter(f"{path}.force") * ca.tanh(sharpness)
+
+
+def bump_stop_force(system: System, stop: BumpStop | None, path: str, deflection: ca.SX) -> ca.SX:
+    """Force (N) of a stop that is touched where the deflection exceeds its gap; zero without a stop."""
+    if stop is None:
+        return ca.SX(0)
+    depth = deflection - system.parameter(f"{path}.gap")
+    touching = system.switch(f"{path} touching", depth)
+    return touching * depth * (system.parameter(f"{path}.rate") + system.parameter(f"{path}.progression") * depth**2)

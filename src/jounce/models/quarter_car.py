@@ -1,0 +1,87 @@
+"""Quarter car: sprung and unsprung mass, strut at an angle, radial tyre (paper 2, eqs 1-4, extended).
+
+z = 0 of both masses is where all springs are undeformed and the road is level; compression is positive.
+"""
+
+from __future__ import annotations
+
+import casadi as ca
+
+from jounce.mechanics import Model, System
+from jounce.mechanics.elements import bump_stop_force, curve_force, damper_force, friction_force, spring_force
+from jounce.mechanics.system import Track
+from jounce.parts import QuarterCar
+from jounce.parts.curves import PolynomialCurve, PowerCurve
+
+
+def quarter_car(rig: QuarterCar) -> Model:
+    """Write the equations of a quarter car; the values in ``rig`` matter only through its structure."""
+    system = System()
+    road = system.track("road.z")
+    sprung, unsprung = system.coordinate("sprung.z"), system.coordinate("unsprung.z")
+    for body, z in (("sprung", sprung), ("unsprung", unsprung)):
+        mass = system.parameter(f"{body}.mass")
+        system.point_mass(mass, z)
+        system.force(z, -mass * system.parameter("gravity"))
+    _strut(system, rig, sprung, unsprung)
+    _tyre(system, rig, road, unsprung)
+    _motions(system, road, sprung, unsprung)
+    return system.finish()
+
+
+def _strut(system: System, rig: QuarterCar, sprung: ca.SX, unsprung: ca.SX) -> None:
+    strut = rig.strut
+    deflection = ca.cos(system.parameter("strut.angle")) * (unsprung - sprung)
+    velocity = system.rate_of(deflection)
+    spring = spring_force(system, strut.spring, "strut.spring", deflection)
+    damper = damper_force(system, strut.damper, "strut.damper", deflection, velocity)
+    friction = friction_force(system, strut.friction, "strut.friction", velocity)
+    stop = bump_stop_force(system, strut.bump_stop, "strut.bump_stop", deflection)
+    force = spring + damper + friction + stop
+    system.force(-deflection, force)
+    guide = friction_force(system, rig.guide.friction, "guide.friction", system.rate_of(sprung))
+    system.force(-sprung, guide)
+    system.output("strut.deflection", deflection, "m", "strut deflection, compression positive")
+    system.output("strut.velocity", velocity, "m/s", "strut deflection rate, bump positive")
+    system.output("strut.force", force, "N", "strut force, compression positive")
+    if rig.guide.friction is not None:
+        system.output("guide.force", -guide, "N", "guide friction on the sprung mass, up positive")
+
+
+def _tyre(system: System, rig: QuarterCar, road: Track, unsprung: ca.SX) -> None:
+    tyre = rig.tyre
+    deflection = road.value - unsprung
+    if tyre.curve is not None:
+        elastic = curve_force(system, tyre.curve, "tyre.curve", deflection)
+    else:
+        elastic = system.parameter("tyre.stiffness") * deflection
+    force = elastic + system.parameter("tyre.damping_coefficient") * system.rate_of(deflection)
+    if tyre.lift_off:
+        force *= system.switch("tyre contact", ca.fmin(force, _contact_stiffness(system, rig) * deflection))
+    system.force(-deflection, force)
+    system.output("tyre.deflection", deflection, "m", "tyre deflection from undeformed, compression positive")
+    system.output("tyre.force", force, "N", "contact force, compression positive")
+
+
+def _contact_stiffness(system: System, rig: QuarterCar) -> ca.SX:
+    """A stiffness (N/m) of the tyre's order that turns its deflection into newtons for the contact test."""
+    curve = rig.tyre.curve
+    if curve is None:
+        return system.parameter("tyre.stiffness")
+    if isinstance(curve, PolynomialCurve):
+        return ca.fabs(system.parameter("tyre.curve.coefficients[0]")) + 1.0
+    if isinstance(curve, PowerCurve):
+        return system.parameter("tyre.curve.coefficient")
+    last = len(curve.deflection) - 1
+    rise = system.parameter(f"tyre.curve.force[{last}]") - system.parameter("tyre.curve.force[0]")
+    return ca.fabs(rise) / (
+        system.parameter(f"tyre.curve.deflection[{last}]") - system.parameter("tyre.curve.deflection[0]")
+    )
+
+
+def _motions(system: System, road: Track, sprung: ca.SX, unsprung: ca.SX) -> None:
+    system.output("road.z", road.value, "m", "road height under the wheel")
+    for body, z in (("sprung", sprung), ("unsprung", unsprung)):
+        system.output(f"{body}.z", z, "m", f"{body} mass, height")
+        system.output(f"{body}.vz", system.rate_of(z), "m/s", f"{body} mass, vertical velocity")
+        system.output(f"{body}.az", system.acceleration_of(z), "m/s^2", f"{body} mass, vertical acceleration")

@@ -1,0 +1,6 @@
+"""Frozen, validated descriptions of what a suspension is made of, and the files they come from."""
+
+from jounce.parts.loading import changed_text, library, load, rig_from_table, rig_path
+from jounce.parts.rigs import QuarterCar, Rig
+
+__all__ = ["QuarterCar", "Rig", "changed_text", "library", "load", "rig_from_table", "rig_path"]

@@ -1,0 +1,102 @@
+"""Rig files: read, write back changed values, and the shipped library."""
+
+from __future__ import annotations
+
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+import tomlkit
+
+from jounce.core.description import read_toml
+from jounce.core.errors import DescriptionError, nearest, unknown
+from jounce.parts.parameters import split_path, unit_of
+from jounce.parts.rigs import RIGS, Rig
+
+
+def library() -> dict[str, Path]:
+    """Give the shipped rigs: name to file."""
+    folder = Path(str(resources.files("jounce.parts") / "library"))
+    return {file.stem: file for file in sorted(folder.glob("*.toml"))}
+
+
+def rig_path(name: str | Path) -> Path:
+    """Find the file of a rig: a path, or the name of a shipped one."""
+    if Path(name).suffix == ".toml" or Path(name).exists():
+        return Path(name)
+    shipped = library()
+    if str(name) not in shipped:
+        raise DescriptionError(
+            "no such file and no shipped rig of that name",
+            where=str(name),
+            allowed=f"a path to a .toml file, or one of {', '.join(shipped)}",
+            hint=nearest(str(name), shipped),
+        )
+    return shipped[str(name)]
+
+
+def load(name: str | Path) -> Rig:
+    """Load a rig from a TOML file or, by name, from the shipped library.
+
+    Parameters
+    ----------
+    name : str or Path
+        Path to a file, or the name of a shipped rig (see ``jounce library``).
+
+    Returns
+    -------
+    Rig
+        The frozen description.
+
+    Raises
+    ------
+    DescriptionError
+        With file, line, path, found value, what is allowed and the nearest match.
+
+    Examples
+    --------
+    >>> load("kart-quarter-car").sprung.mass
+    16.0
+    """
+    path = rig_path(name)
+    table, text = read_toml(path)
+    return rig_from_table(table, where=str(path), text=text)
+
+
+def rig_from_table(table: dict[str, Any], *, where: str = "", text: str = "") -> Rig:
+    """Build the rig that a TOML table describes; ``model`` selects its class."""
+    check_schema(table, "jounce.rig/1", where)
+    model = table.get("model")
+    if not isinstance(model, str):
+        raise DescriptionError("the key 'model' is missing", where=where, allowed=", ".join(RIGS))
+    if model not in RIGS:
+        raise unknown(model, RIGS, what="model", where=where)
+    return RIGS[model].from_table(table, where=where, text=text)
+
+
+def check_schema(table: dict[str, Any], expected: str, where: str) -> None:
+    """Refuse a file of another kind or version."""
+    found = table.get("schema")
+    if found != expected:
+        raise DescriptionError(
+            "the schema line is missing or another one",
+            where=where,
+            found=found,
+            allowed=f'schema = "{expected}"',
+            hint="Is this the right kind of file?",
+        )
+
+
+def changed_text(text: str, rig: Rig, values: dict[str, float]) -> str:
+    """Write new values into the text of a rig file; comments and everything else stay as they were."""
+    document = tomlkit.parse(text)
+    for path, value in values.items():
+        here: Any = document
+        *parents, last = split_path(path)
+        for part in parents:
+            if isinstance(part, str) and part not in here:
+                here[part] = tomlkit.inline_table()
+            here = here[part]
+        unit = unit_of(rig, path)
+        here[last] = value if unit == "1" else f"{value!r} {unit}"
+    return tomlkit.dumps(document)

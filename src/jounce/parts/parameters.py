@@ -1,0 +1,103 @@
+"""Numbers of a description by path: flatten them, change them, know their units."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from pydantic import BaseModel
+
+from jounce.core.errors import DescriptionError, nearest
+from jounce.core.units import Unit
+
+
+def parameters_of(description: BaseModel, prefix: str = "") -> dict[str, float]:
+    """Give every float of a description by its path, e.g. ``{"tyre.curve.coefficients[1]": 3.0e6}``, SI."""
+    found: dict[str, float] = {}
+    for name in type(description).model_fields:
+        _collect(getattr(description, name), f"{prefix}{name}", found)
+    return found
+
+
+def _collect(value: Any, path: str, found: dict[str, float]) -> None:  # noqa: ANN401
+    if isinstance(value, BaseModel):
+        found.update(parameters_of(value, f"{path}."))
+    elif isinstance(value, tuple):
+        for i, item in enumerate(value):
+            _collect(item, f"{path}[{i}]", found)
+    elif isinstance(value, float):
+        found[path] = value
+
+
+def structure_of(description: BaseModel) -> str:
+    """Text that is equal for descriptions that differ in numbers only, so that one compiled model serves them."""
+    return re.sub(r"-?\d+(\.\d+)?([eE][+-]?\d+)?(?=[,\]}])", "#", description.model_dump_json(exclude={"source", "estimated"}))
+
+
+def split_path(path: str) -> list[str | int]:
+    """Split ``tyre.curve.coefficients[1]`` into its keys and indices."""
+    parts: list[str | int] = []
+    for piece in path.split("."):
+        match = re.fullmatch(r"([\w-]+)((?:\[\d+\])*)", piece)
+        if match is None:
+            raise DescriptionError("not a path", where=path, allowed="names joined by dots, e.g. strut.spring.rate")
+        parts.append(match[1])
+        parts.extend(int(index) for index in re.findall(r"\[(\d+)\]", match[2]))
+    return parts
+
+
+def change_table(description: BaseModel, changes: dict[str, Any]) -> dict[str, Any]:
+    """Give the description as a table with the values at some paths replaced."""
+    table: dict[str, Any] = description.model_dump(by_alias=True, exclude_none=True)
+    known = parameters_of(description)
+    for path, value in changes.items():
+        _set(table, split_path(path), value, path, known)
+    return table
+
+
+def _set(table: Any, parts: list[str | int], value: Any, path: str, known: dict[str, float]) -> None:  # noqa: ANN401
+    *parents, last = parts
+    here = table
+    for i, part in enumerate(parents):
+        try:
+            if isinstance(here, dict) and part not in here and isinstance(parts[i + 1], str):
+                here[part] = {}
+            elif isinstance(here, dict) and isinstance(here[part], tuple):  # type: ignore[index]
+                here[part] = list(here[part])  # type: ignore[index]
+            here = here[part]
+        except (KeyError, IndexError, TypeError):
+            raise unknown_path(path, known) from None
+    if isinstance(here, list) and not (isinstance(last, int) and last < len(here)):
+        raise unknown_path(path, known)
+    if not isinstance(here, (dict, list)):
+        raise unknown_path(path, known)
+    here[last] = value  # type: ignore[index]
+
+
+def unknown_path(path: str, known: dict[str, float]) -> DescriptionError:
+    """Build the error for a path that the description does not have."""
+    return DescriptionError("no such parameter", where=path, allowed=", ".join(sorted(known)), hint=nearest(path, known))
+
+
+def unit_of(kind: BaseModel, path: str) -> str:
+    """SI unit of the number at ``path``, e.g. ``N/m``; ``1`` where it has none or it depends on the order."""
+    here: Any = kind
+    unit = "1"
+    for part in split_path(path):
+        if isinstance(part, int):
+            here = here[part]
+            continue
+        unit = _field_unit(type(here), part)
+        here = getattr(here, part)
+    return unit
+
+
+def _field_unit(kind: type[BaseModel], name: str) -> str:
+    field = kind.model_fields[name]
+    units = [item for item in field.metadata if isinstance(item, Unit)] or _units_in(field.annotation)
+    return units[0].si if units else "1"
+
+
+def _units_in(annotation: Any) -> list[Unit]:  # noqa: ANN401
+    own = [item for item in getattr(annotation, "__metadata__", ()) if isinstance(item, Unit)]
+    return own or [unit for part in getattr(annotation, "__args__", ()) for unit in _units_in(part)]

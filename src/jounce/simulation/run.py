@@ -1,0 +1,219 @@
+"""Simulate a rig on a trial."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import SimulationError
+from jounce.core.segments import Segments
+from jounce.kernel.explicit import Control, Engine, integrate
+from jounce.kernel.status import Status
+from jounce.kernel.tracks import flatten
+from jounce.models import build
+from jounce.parts import Rig
+from jounce.recordings.schema import recording
+from jounce.roads import Trial
+from jounce.simulation.compiled import Compiled, compile_model
+from jounce.simulation.statics import Rest, find_rest, state_scale
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+_MAX_STEPS = 5_000_000
+_STEP_SHARE = 0.01  # of the tolerance for one step: keeps the global error of the shipped models below it
+
+
+@dataclass(frozen=True)
+class Solution:
+    """Arrays of one run.
+
+    Attributes
+    ----------
+    time : ndarray, shape (n,)
+        Output times, s.
+    states, outputs : ndarray, shape (n, n_states), (n, n_outputs)
+        Rows at the output times, SI; with sensitivities, their columns follow, parameter by parameter.
+    status : Status
+        How the run ended.
+    steps, rejected, events : int
+        Work done.
+    """
+
+    time: Array
+    states: Array
+    outputs: Array
+    status: Status
+    steps: int
+    rejected: int
+    events: int
+
+
+def output_times(duration: float, output_step: float) -> Array:
+    """Times from 0 to ``duration`` (s), both included; the last step may be shorter."""
+    count = int(np.floor(duration / output_step + 1e-9))
+    times = np.arange(count + 1) * output_step
+    return times if duration - times[-1] < 1e-9 * duration else np.append(times, duration)
+
+
+def solve(
+    compiled: Compiled,
+    p: Array,
+    road: Segments,
+    times: Array,
+    *,
+    tolerance: float = 1e-5,
+    offset: Array | None = None,
+) -> Solution:
+    """Run the native integrator from static equilibrium at the road height of ``times[0]``.
+
+    Parameters
+    ----------
+    compiled : Compiled
+        Model with native code; its free parameters bring their sensitivities along.
+    p : ndarray, shape (n_parameters,)
+        Parameter values, SI.
+    road : Segments
+        Road height (m) against time (s).
+    times : ndarray, shape (n,)
+        Output times, s, ascending.
+    tolerance : float
+        Relative error of the displacements.
+    offset : ndarray, shape (n_states,), optional
+        Added to the equilibrium: where the run starts.
+    """
+    n, n_q = compiled.state_count, len(compiled.model.coordinates)
+    height, _ = road.evaluate(times[:1])
+    rest = find_rest(compiled, p, np.array([height[0], 0.0]))
+    x = rest.x if offset is None else rest.x + offset
+    modes = _modes(compiled, x, p, height[0]) if offset is not None else rest.modes.copy()
+    size = _motion_size(road, rest.x[:n_q], offset)
+    scale = state_scale(rest, n_q, size)
+    address, suffix = compiled.native.address, "_s" if compiled.free else ""
+    engine = Engine(
+        address[f"rate{suffix}"], address[f"output{suffix}"], address["switch"], address.get("switch_slope", 0)
+    )
+    band = _dead_band(compiled, p, rest, scale)
+    control = Control(_STEP_SHARE * tolerance, 0.1 * scale, band, _MAX_STEPS)
+    start = np.concatenate([x, _rest_sensitivity(compiled, p, rest, height[0])])
+    states = np.empty((len(times), len(start)))
+    outputs = np.empty((len(times), len(compiled.output_names) * (1 + len(compiled.free))))
+    counts = np.zeros(3, dtype=np.int64)
+    code = integrate(engine, control, flatten([road]), start, p, modes, times, states, outputs, counts)
+    assert states.shape[1] == n * (1 + len(compiled.free))
+    return Solution(times, states, outputs, Status.of(code), *(int(count) for count in counts))
+
+
+def simulate(
+    rig: Rig,
+    trial: Trial,
+    *,
+    output_step: float = 1e-3,
+    tolerance: float = 1e-5,
+    offset: dict[str, float] | None = None,
+    check: bool = True,
+) -> xr.Dataset:
+    """Simulate a rig over a trial, from static equilibrium.
+
+    Parameters
+    ----------
+    rig : Rig
+        What is tested.
+    trial : Trial
+        Road and speed, or a base motion, and the duration.
+    output_step : float
+        Distance of the output samples, s.
+    tolerance : float
+        Relative error of the displacements.
+    offset : dict, optional
+        Starts the run away from equilibrium: coordinate or ``"<coordinate> rate"`` to m or m/s, at rest otherwise.
+    check : bool
+        Raise when the run does not reach its end; otherwise ``attrs["status"]`` says how it ended.
+
+    Returns
+    -------
+    xarray.Dataset
+        One variable a channel on ``time`` (s), each with ``units`` (SI), ``long_name`` and ``place``. z is up,
+        deflections and forces are positive in compression, accelerations are kinematic (zero at rest).
+
+    Raises
+    ------
+    SimulationError
+        When there is no equilibrium or, with ``check``, when the run does not reach its end.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="1 s")
+    >>> run = jn.simulate(jn.load("kart-quarter-car"), trial)
+    >>> bool(run["tyre.force"].min() == 0.0)   # the tyre lifts off
+    True
+    """
+    compiled = compile_model(build(rig))
+    p = compiled.parameter_values(rig.parameters())
+    times = output_times(trial.length_in_time(), output_step)
+    solution = solve(compiled, p, trial.segments(), times, tolerance=tolerance, offset=_offset(compiled, offset))
+    reach = _check(solution) if check else len(times)
+    channels = {
+        output.name: (solution.outputs[:reach, i], output.unit, output.long_name)
+        for i, output in enumerate(compiled.model.outputs)
+    }
+    run = recording(times[:reach], channels)
+    run.attrs["status"] = solution.status.name.lower()
+    run.attrs["steps"], run.attrs["events"] = solution.steps, solution.events
+    return run
+
+
+def _check(solution: Solution) -> int:
+    if solution.status is not Status.COMPLETED:
+        raise SimulationError("the run did not reach its end", found=solution.status.help)
+    return len(solution.time)
+
+
+def _offset(compiled: Compiled, offset: dict[str, float] | None) -> Array | None:
+    if not offset:
+        return None
+    names = compiled.model.states
+    for name in offset:
+        if name not in names:
+            raise SimulationError("not a state of the model", where=name, allowed=", ".join(names))
+    return np.array([offset.get(name, 0.0) for name in names])
+
+
+def _motion_size(road: Segments, rest: Array, offset: Array | None) -> float:
+    """How far things will move, m: the road's range or the start offset, at least a thousandth of the static drop."""
+    first, last = road.edges[:-1], road.edges[1:]
+    points = np.concatenate([first, 0.5 * (first + last), np.nextafter(last, first)])
+    height, _ = road.evaluate(points)
+    moved = 0.0 if offset is None else float(np.max(np.abs(offset[: len(rest)])))
+    return max(float(np.ptp(height)), moved, 1e-3 * float(np.max(np.abs(rest))), 1e-9)
+
+
+def _modes(compiled: Compiled, x: Array, p: Array, height: float) -> Array:
+    modes = np.ones(len(compiled.model.switches))
+    values = compiled.evaluate("switch", x, np.array([height, 0.0]), p, modes)
+    return (values > 0.0).astype(float)
+
+
+def _dead_band(compiled: Compiled, p: Array, rest: Rest, scale: Array) -> Array:
+    """How far a switching function may be on the wrong side: 1e-9 of what a typical motion makes of it."""
+    if not compiled.model.switches:
+        return np.zeros(0)
+    u = np.zeros(2 * len(compiled.model.tracks))
+    moved = compiled.evaluate("switch", rest.x + scale, u, p, rest.modes)
+    still = compiled.evaluate("switch", rest.x, u, p, rest.modes)
+    return np.asarray(1e-9 * np.abs(moved - still) + 1e-14)
+
+
+def _rest_sensitivity(compiled: Compiled, p: Array, rest: Rest, height: float) -> Array:
+    """How the equilibrium moves with the free parameters (implicit function theorem), column after column."""
+    if not compiled.free:
+        return np.zeros(0)
+    u = np.array([height, 0.0])
+    by_parameter = compiled.evaluate("rate_p", rest.x, u, p, rest.modes)
+    columns = [compiled.model.parameters.index(path) for path in compiled.free]
+    return np.asarray(np.linalg.solve(rest.slope, -by_parameter[:, columns]).T.ravel())
