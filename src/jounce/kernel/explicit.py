@@ -19,10 +19,11 @@ from numpy.typing import NDArray
 
 from jounce.kernel import dop853
 from jounce.kernel.call import call_native
-from jounce.kernel.tracks import advance, evaluate
+from jounce.kernel.tracks import Tracks, advance, evaluate
 
+Array = NDArray[np.float64]
 _A, _B, _C, _D, _E3, _E5 = dop853.A, dop853.B, dop853.C, dop853.D, dop853.E3, dop853.E5
-_PROBES = np.array([0.25, 0.5, 0.75, 1.0])
+_PROBES = (0.25, 0.5, 0.75, 1.0)
 _COMPLETED, _NOT_FINITE, _STEP_TOO_SMALL, _TOO_MANY_STEPS, _CHATTER = 0, 1, 2, 3, 4
 
 
@@ -38,68 +39,93 @@ class Engine(NamedTuple):
 class Control(NamedTuple):
     """How a run is steered.
 
-    ``tolerance`` is relative to ``scale`` (typical size of each controlled state); ``dead_band`` is how far each
-    switching function may lie on the wrong side of its mode.
+    ``tolerance`` is relative to the size of each controlled state so far, at least ``scale``; ``dead_band`` is how far
+    each switching function may lie on the wrong side of its mode.
     """
 
     tolerance: float
-    scale: NDArray[np.float64]
-    dead_band: NDArray[np.float64]
+    scale: Array
+    dead_band: Array
     max_steps: int
 
 
-@njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
-def _rate(engine: Any, tracks: Any, piece: Any, t: float, x: Any, u: Any, p: Any, m: Any, out: Any) -> None:  # noqa: ANN401
-    evaluate(tracks, piece, t, u)
-    call_native(engine.rate, x, u, p, m, out)
+class Problem(NamedTuple):
+    """What is integrated: native functions, inputs, parameter values, modes (changed in place) and first state."""
+
+    engine: Engine
+    tracks: Tracks
+    piece: NDArray[np.int64]
+    p: Array
+    m: Array
+    x0: Array
 
 
-@njit(cache=True, error_model="numpy", fastmath={"contract"})  # type: ignore[untyped-decorator]
-def _combine(x: Any, k: Any, weights: Any, stages: int, h: float, out: Any) -> None:  # noqa: ANN401
-    for d in range(len(x)):
+class Work(NamedTuple):
+    """Scratch arrays: row 0 of ``x`` is the state, row 1 its value after the step, row 2 a trial."""
+
+    k: Array
+    dense: Array
+    x: Array
+    u: Array
+    g: Array
+    seen: Array
+    slope: Array
+    widest: Array
+
+
+_STATE, _END, _TRIAL = 0, 1, 2
+
+
+@njit(cache=True, error_model="numpy", inline="always")  # type: ignore[untyped-decorator]
+def _rate(problem: Any, work: Any, t: float, row: int, into: int) -> None:  # noqa: ANN401
+    evaluate(problem.tracks, problem.piece, t, work.u)
+    call_native(problem.engine.rate, work.x, row, work.u, problem.p, problem.m, work.k, into)
+
+
+@njit(cache=True, error_model="numpy", fastmath={"contract"}, inline="always")  # type: ignore[untyped-decorator]
+def _combine(x: Any, k: Any, weights: Any, stage: int, h: float, into: int) -> None:  # noqa: ANN401
+    for d in range(x.shape[1]):
         total = 0.0
-        for j in range(stages):
-            total += weights[j] * k[j, d]
-        out[d] = x[d] + h * total
+        for j in range(min(stage, 16)):
+            total += weights[stage, j] * k[j, d]
+        x[into, d] = x[_STATE, d] + h * total
 
 
 @njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
-def _step(engine: Any, tracks: Any, piece: Any, t: float, h: float, x: Any, p: Any, m: Any, work: Any) -> None:  # noqa: ANN401
-    """One step from ``x`` (its rate is in k[0]) to work.end, with the rate there in k[12]."""
-    k, trial, u = work.k, work.trial, work.u
+def _step(problem: Any, work: Any, t: float, h: float) -> None:  # noqa: ANN401
+    """One step from the state (its rate is in k[0]) to the end row, with the rate there in k[12]."""
     for i in range(1, 12):
-        _combine(x, k, _A[i], i, h, trial)
-        _rate(engine, tracks, piece, t + _C[i] * h, trial, u, p, m, k[i])
-    _combine(x, k, _B, 12, h, work.end)
-    _rate(engine, tracks, piece, t + h, work.end, u, p, m, k[12])
+        _combine(work.x, work.k, _A, i, h, _TRIAL)
+        _rate(problem, work, t + _C[i] * h, _TRIAL, i)
+    _combine(work.x, work.k, _A, 12, h, _END)
+    _rate(problem, work, t + h, _END, 12)
 
 
 @njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
-def _error(k: Any, h: float, controlled: int, bound: Any) -> float:  # noqa: ANN401
-    """Error of the controlled states relative to ``bound`` (DOP853's blend of fifth and third order)."""
-    fifth, third = 0.0, 0.0
-    for d in range(controlled):
+def _error(work: Any, h: float, tolerance: float) -> float:  # noqa: ANN401
+    """Error of the controlled states relative to what is allowed (DOP853's blend of fifth and third order)."""
+    fifth, third, k = 0.0, 0.0, work.k
+    for d in range(len(work.widest)):
         e5, e3 = 0.0, 0.0
         for j in range(12):
             e5 += _E5[j] * k[j, d]
             e3 += _E3[j] * k[j, d]
-        fifth += (e5 / bound[d]) ** 2
-        third += (e3 / bound[d]) ** 2
+        bound = tolerance * work.widest[d] + 1e-15 * abs(work.x[_STATE, d])
+        fifth += (e5 / bound) ** 2
+        third += (e3 / bound) ** 2
     blend = fifth + 0.01 * third
-    return 0.0 if blend == 0.0 else abs(h) * fifth / math.sqrt(blend * controlled)
+    return 0.0 if blend == 0.0 else abs(h) * fifth / math.sqrt(blend * len(work.widest))
 
 
 @njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
-def _prepare_dense(
-    engine: Any, tracks: Any, piece: Any, t: float, h: float, x: Any, p: Any, m: Any, work: Any  # noqa: ANN401
-) -> None:
+def _prepare_dense(problem: Any, work: Any, t: float, h: float) -> None:  # noqa: ANN401
     """Three more stages and the coefficients of the interpolant on this step."""
-    k, dense = work.k, work.dense
+    k, dense, x = work.k, work.dense, work.x
     for i in range(13, 16):
-        _combine(x, k, _A[i], i, h, work.trial)
-        _rate(engine, tracks, piece, t + _C[i] * h, work.trial, work.u, p, m, k[i])
-    for d in range(len(x)):
-        change = work.end[d] - x[d]
+        _combine(x, k, _A, i, h, _TRIAL)
+        _rate(problem, work, t + _C[i] * h, _TRIAL, i)
+    for d in range(x.shape[1]):
+        change = x[_END, d] - x[_STATE, d]
         dense[0, d] = change
         dense[1, d] = h * k[0, d] - change
         dense[2, d] = 2.0 * change - h * (k[12, d] + k[0, d])
@@ -110,71 +136,59 @@ def _prepare_dense(
             dense[3 + i, d] = h * total
 
 
-@njit(cache=True, error_model="numpy", fastmath={"contract"})  # type: ignore[untyped-decorator]
-def _interpolate(x: Any, dense: Any, theta: float, out: Any) -> None:  # noqa: ANN401
-    rest = 1.0 - theta
-    for d in range(len(x)):
+@njit(cache=True, error_model="numpy", fastmath={"contract"}, inline="always")  # type: ignore[untyped-decorator]
+def _interpolate(work: Any, theta: float, out: Any, row: int) -> None:  # noqa: ANN401
+    rest, dense, x = 1.0 - theta, work.dense, work.x
+    for d in range(x.shape[1]):
         y = dense[6, d] * theta
         y = (y + dense[5, d]) * rest
         y = (y + dense[4, d]) * theta
         y = (y + dense[3, d]) * rest
         y = (y + dense[2, d]) * theta
         y = (y + dense[1, d]) * rest
-        out[d] = x[d] + (y + dense[0, d]) * theta
+        out[row, d] = x[_STATE, d] + (y + dense[0, d]) * theta
 
 
 @njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
-def _switches_at(
-    engine: Any, tracks: Any, piece: Any, t: float, h: float, theta: float, x: Any, p: Any, m: Any, work: Any  # noqa: ANN401
-) -> None:
-    """Fill work.g with the switching functions at a fraction of the step."""
-    _interpolate(x, work.dense, theta, work.trial)
-    evaluate(tracks, piece, t + theta * h, work.u)
-    call_native(engine.switch, work.trial, work.u, p, m, work.g)
+def _switches_at(problem: Any, work: Any, t: float, h: float, theta: float) -> None:  # noqa: ANN401
+    """Fill g with the switching functions at a fraction of the step."""
+    _interpolate(work, theta, work.x, _TRIAL)
+    evaluate(problem.tracks, problem.piece, t + theta * h, work.u)
+    call_native(problem.engine.switch, work.x, _TRIAL, work.u, problem.p, problem.m, work.g, 0)
 
 
 @njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
-def _wrong_side(g: Any, m: Any, band: Any, i: int) -> bool:  # noqa: ANN401
-    return g[i] < -band[i] if m[i] > 0.5 else g[i] > band[i]
-
-
-@njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
-def _crossing(
-    engine: Any, tracks: Any, piece: Any, t: float, h: float, x: Any, p: Any, m: Any, band: Any, work: Any  # noqa: ANN401
-) -> tuple[float, int]:
+def _crossing(problem: Any, work: Any, band: Any, t: float, h: float) -> tuple[float, int]:  # noqa: ANN401
     """First fraction of the step at which a switch leaves its side, and which; (2, -1) when none does."""
-    before = 0.0
+    before, first, which = 0.0, 2.0, -1
     for probe in _PROBES:
-        _switches_at(engine, tracks, piece, t, h, probe, x, p, m, work)
-        first, which = 2.0, -1
-        work.seen[:] = work.g
-        for i in range(len(m)):
-            if _wrong_side(work.seen, m, band, i):
-                theta = _root(engine, tracks, piece, t, h, x, p, m, work, i, before, probe)
+        _switches_at(problem, work, t, h, probe)
+        work.seen[0, :] = work.g[0]
+        for i in range(len(problem.m)):
+            g = work.seen[0, i]
+            if g < -band[i] if problem.m[i] > 0.5 else g > band[i]:
+                theta = _root(problem, work, t, h, i, before, probe)
                 if theta < first:
                     first, which = theta, i
         if which >= 0:
-            return first, which
+            break
         before = probe
-    return 2.0, -1
+    return first, which
 
 
 @njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
-def _root(
-    engine: Any, tracks: Any, piece: Any, t: float, h: float, x: Any, p: Any, m: Any, work: Any,  # noqa: ANN401
-    i: int, low: float, high: float,
-) -> float:
+def _root(problem: Any, work: Any, t: float, h: float, i: int, low: float, high: float) -> float:  # noqa: ANN401
     """Locate the zero of switch ``i`` between two fractions of the step (Illinois variant of regula falsi)."""
-    _switches_at(engine, tracks, piece, t, h, low, x, p, m, work)
-    g_low = work.g[i]
-    _switches_at(engine, tracks, piece, t, h, high, x, p, m, work)
-    g_high = work.g[i]
+    _switches_at(problem, work, t, h, low)
+    g_low = work.g[0, i]
+    _switches_at(problem, work, t, h, high)
+    g_high = work.g[0, i]
     if g_low * g_high >= 0.0:
         return low
     for _ in range(60):
         theta = (low * g_high - high * g_low) / (g_high - g_low)
-        _switches_at(engine, tracks, piece, t, h, theta, x, p, m, work)
-        g = work.g[i]
+        _switches_at(problem, work, t, h, theta)
+        g = work.g[0, i]
         if g == 0.0 or abs(high - low) < 1e-13 or abs(theta - high) < 1e-14:
             return theta
         if g * g_high < 0.0:
@@ -186,19 +200,26 @@ def _root(
 
 
 @njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
-def _flip(engine: Any, tracks: Any, piece: Any, t: float, x: Any, p: Any, m: Any, which: int, n: int, work: Any) -> None:  # noqa: ANN401
-    """Flip one mode at an event; sensitivities behind the first ``n`` states jump by the saltation rule."""
-    u, before, after = work.u, work.k[1], work.k[0]
-    if len(x) > n:
-        _rate(engine, tracks, piece, t, x, u, p, m, before)
-        call_native(engine.switch_slope, x, u, p, m, work.slope)
-    m[which] = 1.0 - m[which]
-    _rate(engine, tracks, piece, t, x, u, p, m, after)
-    if len(x) == n:
-        return
-    columns = (len(x) - n) // n
-    row = work.slope[which]  # dg/dx (n), dg/dp (columns), dg/dt along the inputs
-    speed = row[n + columns]
+def _flip(problem: Any, work: Any, t: float, which: int) -> None:  # noqa: ANN401
+    """Flip one mode at an event; the rate just after it is left in k[0]."""
+    n, size = len(work.widest), work.x.shape[1]
+    if size > n:
+        _rate(problem, work, t, _STATE, 1)
+        call_native(problem.engine.switch_slope, work.x, _STATE, work.u, problem.p, problem.m, work.slope, 0)
+    problem.m[which] = 1.0 - problem.m[which]
+    _rate(problem, work, t, _STATE, 0)
+    if size > n:
+        _jump_sensitivities(work, which, n, (size - n) // n)
+        _rate(problem, work, t, _STATE, 0)
+
+
+@njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
+def _jump_sensitivities(work: Any, which: int, n: int, columns: int) -> None:  # noqa: ANN401
+    """Saltation: ``S+ = S- + (f+ - f-) (dg/dx S- + dg/dp) / (dg/dt)``, f- in k[1] and f+ in k[0]."""
+    x, before, after = work.x[_STATE], work.k[1], work.k[0]
+    width = n + columns + 1
+    row = work.slope[0, which * width : (which + 1) * width]
+    speed = row[width - 1]
     for d in range(n):
         speed += row[d] * before[d]
     if abs(speed) < 1e-300:
@@ -209,111 +230,118 @@ def _flip(engine: Any, tracks: Any, piece: Any, t: float, x: Any, p: Any, m: Any
             shift += row[d] * x[n + c * n + d]
         for d in range(n):
             x[n + c * n + d] += (after[d] - before[d]) * shift / speed
-    _rate(engine, tracks, piece, t, x, u, p, m, after)
-
-
-class _Work(NamedTuple):
-    k: NDArray[np.float64]
-    dense: NDArray[np.float64]
-    trial: NDArray[np.float64]
-    end: NDArray[np.float64]
-    u: NDArray[np.float64]
-    g: NDArray[np.float64]
-    seen: NDArray[np.float64]
-    slope: NDArray[np.float64]
-    bound: NDArray[np.float64]
-    widest: NDArray[np.float64]
 
 
 @njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
-def integrate(
-    engine: Any, control: Any, tracks: Any, x0: Any, p: Any, m: Any, times: Any, states: Any, outputs: Any, counts: Any  # noqa: ANN401
-) -> int:
+def _attempt(problem: Any, control: Any, work: Any, t: float, h: float, dense: bool) -> tuple[float, float, int]:  # noqa: ANN401
+    """Try one step; give (share of it that holds, factor for the next step, switch that ends it or -1).
+
+    A share of 0 with no switch means rejected; the dense output of an accepted step is prepared where wanted.
+    """
+    _step(problem, work, t, h)
+    error = _error(work, h, control.tolerance)
+    if not math.isfinite(error):
+        return 0.0, 0.1, -1
+    if error > 1.0:
+        return 0.0, max(0.2, 0.9 * error**-0.125), -1
+    grow = min(5.0, 0.9 * (error + 1e-12) ** -0.125)
+    if dense or len(problem.m) > 0:
+        _prepare_dense(problem, work, t, h)
+    if len(problem.m) > 0:
+        theta, which = _crossing(problem, work, control.dead_band, t, h)
+        if which >= 0:
+            if 0.0 < theta < 1.0:
+                _step(problem, work, t, theta * h)
+                _prepare_dense(problem, work, t, theta * h)
+            return theta, max(1.0 - theta, 0.1), which
+    return 1.0, grow, -1
+
+
+@njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
+def _sample(problem: Any, work: Any, t: float, h: float, until: float, times: Any, first: int, out: Any) -> int:  # noqa: ANN401
+    """Write states and outputs at all ``times`` before ``until`` on the step from ``t``; give the next sample."""
+    states, outputs = out
+    i = first
+    while i < len(times) and times[i] < until:
+        _interpolate(work, (times[i] - t) / h, states, i)
+        evaluate(problem.tracks, problem.piece, times[i], work.u)
+        call_native(problem.engine.output, states, i, work.u, problem.p, problem.m, outputs, i)
+        i += 1
+    return i
+
+
+@njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
+def _start(problem: Any, control: Any, t: float) -> Any:  # noqa: ANN401
+    """Scratch arrays with the first state and its rate."""
+    n, size, switches = len(control.scale), len(problem.x0), len(problem.m)
+    work = Work(
+        np.zeros((16, size)), np.zeros((7, size)), np.zeros((3, size)), np.zeros(2 * len(problem.piece)),
+        np.zeros((1, switches)), np.zeros((1, switches)), np.zeros((1, switches * (n + size // n))), control.scale.copy(),
+    )
+    work.x[_STATE] = problem.x0
+    _rate(problem, work, t, _STATE, 0)
+    return work
+
+
+@njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
+def _accept(problem: Any, work: Any) -> bool:  # noqa: ANN401
+    """Take over the end of the step; tell whether it is finite."""
+    work.x[_STATE, :] = work.x[_END]
+    work.k[0, :] = work.k[12]
+    finite = True
+    for d in range(len(work.widest)):
+        finite = finite and math.isfinite(work.x[_STATE, d])
+        work.widest[d] = max(work.widest[d], abs(work.x[_STATE, d] - problem.x0[d]))
+    return finite
+
+
+@njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
+def integrate(problem: Any, control: Any, times: Any, states: Any, outputs: Any, counts: Any) -> int:  # noqa: ANN401
     """Integrate from ``times[0]`` to ``times[-1]``; fill ``states`` and ``outputs`` at every time; give a status code.
 
-    ``m`` holds the modes and is left as at the end. ``counts`` gets steps, rejected steps and events.
+    At an input edge the samples are those just after it. ``counts`` gets steps, rejected steps and events.
     """
-    n, size = len(control.scale), len(x0)
-    piece = tracks.first[:-1].copy()
-    work = _Work(
-        np.zeros((16, size)), np.zeros((7, size)), np.zeros(size), np.zeros(size), np.zeros(2 * len(piece)),
-        np.zeros(len(m)), np.zeros(len(m)), np.zeros((len(m), n + size // n)), np.zeros(n), control.scale.copy(),
-    )
-    x, t, end = x0.copy(), times[0], times[-1]
+    t, end = times[0], times[-1]
     slack = 1e-12 * max(1.0, abs(end))
-    edge = advance(tracks, piece, t, slack)
-    _rate(engine, tracks, piece, t, x, work.u, p, m, work.k[0])
-    h, sample, flips = min(1e-3, end - t), 0, 0
+    edge = advance(problem.tracks, problem.piece, t, slack)
+    work = _start(problem, control, t)
+    h, sample, stalled = min(1e-3, end - t), 0, 0
     while t < end - slack:
         stop = min(edge, end)
         if counts[0] + counts[1] >= control.max_steps:
             return _TOO_MANY_STEPS
-        h = min(h, stop - t)
-        if stop - t - h < 0.1 * h:
-            h = stop - t
-        if h < 1e-14 * max(1.0, abs(t)):
+        tried = stop - t if stop - t < 1.1 * h else h
+        if tried < 1e-14 * max(1.0, abs(t)):
             return _STEP_TOO_SMALL
-        _step(engine, tracks, piece, t, h, x, p, m, work)
-        for d in range(n):
-            work.bound[d] = control.tolerance * work.widest[d] + 1e-15 * abs(x[d])
-        error = _error(work.k, h, n, work.bound)
-        if not math.isfinite(error):
-            counts[1] += 1
-            h *= 0.1
-            if h < 1e-12:
-                return _NOT_FINITE
-            continue
-        if error > 1.0:
-            counts[1] += 1
-            h *= max(0.2, 0.9 * error ** (-0.125))
-            continue
-        grow = min(5.0, 0.9 * (error + 1e-12) ** (-0.125))
-        wanted = sample < len(times) and times[sample] < t + h - slack
-        if wanted or len(m) > 0:
-            _prepare_dense(engine, tracks, piece, t, h, x, p, m, work)
-        which, new_h = -1, h
-        if len(m) > 0:
-            theta, which = _crossing(engine, tracks, piece, t, h, x, p, m, control.dead_band, work)
-            if which >= 0:
-                new_h = theta * h
-                if new_h <= 1e-13 * max(1.0, abs(t)):
-                    flips += 1
-                    if flips > 20 * len(m):
-                        return _CHATTER
-                    _flip(engine, tracks, piece, t, x, p, m, which, n, work)
-                    counts[2] += 1
-                    continue
-                if new_h < h:
-                    _step(engine, tracks, piece, t, new_h, x, p, m, work)
-                    _prepare_dense(engine, tracks, piece, t, new_h, x, p, m, work)
-        counts[0] += 1
-        flips = 0
-        while sample < len(times) and times[sample] < t + new_h - slack:
-            _interpolate(x, work.dense, (times[sample] - t) / new_h, states[sample])
-            evaluate(tracks, piece, times[sample], work.u)
-            call_native(engine.output, states[sample], work.u, p, m, outputs[sample])
-            sample += 1
-        t = t + new_h
-        if stop - t <= slack:
-            t = stop
-        x[:] = work.end
-        work.k[0, :] = work.k[12]
-        for d in range(n):
-            if not math.isfinite(x[d]):
-                return _NOT_FINITE
-            work.widest[d] = max(work.widest[d], abs(x[d] - x0[d]))
-        if edge <= t + slack:
-            edge = advance(tracks, piece, t, slack)
-            _rate(engine, tracks, piece, t, x, work.u, p, m, work.k[0])
-        if which >= 0:
-            _flip(engine, tracks, piece, t, x, p, m, which, n, work)
-            counts[2] += 1
-            h = max(h - new_h, 0.1 * h)
+        wanted = sample < len(times) and times[sample] < t + tried - slack
+        share, factor, which = _attempt(problem, control, work, t, tried, wanted)
+        h = tried * factor if which >= 0 or share == 0.0 or factor < 1.0 else max(h, tried * factor)
+        if share * tried <= slack * 1e-3:
+            if which < 0:
+                counts[1] += 1
+                if h < 1e-12 * max(1.0, abs(t)):
+                    return _NOT_FINITE if factor <= 0.1 else _STEP_TOO_SMALL
+                continue
+            stalled += 1
+            if stalled > 20 * len(problem.m):
+                return _CHATTER
+            h = tried
         else:
-            h = h * grow
-    evaluate(tracks, piece, t, work.u)
-    while sample < len(times):
-        states[sample] = x
-        call_native(engine.output, x, work.u, p, m, outputs[sample])
-        sample += 1
+            stalled = 0
+            counts[0] += 1
+            now = t + share * tried
+            now = stop if stop - now <= slack else now
+            sample = _sample(problem, work, t, share * tried, now - slack, times, sample, (states, outputs))
+            t = now
+            if not _accept(problem, work):
+                return _NOT_FINITE
+        if edge <= t + slack:
+            edge = advance(problem.tracks, problem.piece, t, slack)
+            _rate(problem, work, t, _STATE, 0)
+        if which >= 0:
+            _flip(problem, work, t, which)
+            counts[2] += 1
+    work.x[_END, :] = work.x[_STATE]
+    work.dense[:] = 0.0
+    _sample(problem, work, t, 1.0, np.inf, times, sample, (states, outputs))
     return _COMPLETED

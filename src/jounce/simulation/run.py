@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
 from jounce.core.segments import Segments
-from jounce.kernel.explicit import Control, Engine, integrate
+from jounce.kernel.explicit import Control, Engine, Problem, integrate
 from jounce.kernel.status import Status
 from jounce.kernel.tracks import flatten
 from jounce.models import build
@@ -103,7 +103,9 @@ def solve(
     states = np.empty((len(times), len(start)))
     outputs = np.empty((len(times), len(compiled.output_names) * (1 + len(compiled.free))))
     counts = np.zeros(3, dtype=np.int64)
-    code = integrate(engine, control, flatten([road]), start, p, modes, times, states, outputs, counts)
+    tracks = flatten([road])
+    problem = Problem(engine, tracks, tracks.first[:-1].copy(), p, modes, start)
+    code = integrate(problem, control, times, states, outputs, counts)
     assert states.shape[1] == n * (1 + len(compiled.free))
     return Solution(times, states, outputs, Status.of(code), *(int(count) for count in counts))
 
