@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 from pathlib import Path
-from typing import Any, Self, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, Self, TypeVar, cast, get_origin
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
@@ -14,14 +14,20 @@ from jounce.core.errors import DescriptionError, nearest
 D = TypeVar("D", bound="Description")
 
 
-class _DescriptionType(type(BaseModel)):  # type: ignore[misc]
+if TYPE_CHECKING:
+    from pydantic._internal._model_construction import ModelMetaclass
+else:
+    ModelMetaclass = type(BaseModel)
+
+
+class _DescriptionType(ModelMetaclass):
     """Raises jounce errors at the outermost construction only, so that nested parts keep their path."""
 
-    def __call__(cls, *arguments: Any, **fields: Any) -> Any:  # noqa: ANN401
+    def __call__(cls, *arguments: Any, **fields: Any) -> Any:  # noqa: ANN401, N805
         try:
             return super().__call__(*arguments, **fields)
         except ValidationError as error:
-            raise description_error(error, cls) from None
+            raise description_error(error, cast("type[BaseModel]", cls)) from None
 
 
 class Description(BaseModel, metaclass=_DescriptionType):
@@ -30,12 +36,14 @@ class Description(BaseModel, metaclass=_DescriptionType):
     model_config = ConfigDict(frozen=True, extra="forbid", populate_by_name=True, protected_namespaces=())
 
     @classmethod
-    def from_table(cls, table: dict[str, Any], *, where: str = "", text: str = "") -> Self:
-        """Build from a TOML table; ``where`` and ``text`` (the file's content) place the errors."""
+    def from_table(
+        cls, table: dict[str, Any], *, where: str = "", text: str = "", path: tuple[str | int, ...] = ()
+    ) -> Self:
+        """Build from a TOML table; ``where``, ``text`` (the file's content) and ``path`` (in it) place the errors."""
         try:
             return cls.model_validate(table)
         except ValidationError as error:
-            raise description_error(error, cls, where=where, text=text) from None
+            raise description_error(error, cls, where=where, text=text, path=path) from None
 
 
 def read_toml(path: Path | str) -> tuple[dict[str, Any], str]:
@@ -106,25 +114,37 @@ def dotted(path: tuple[str | int, ...]) -> str:
 
 
 def description_error(
-    error: ValidationError, kind: type[BaseModel], *, where: str = "", text: str = ""
+    error: ValidationError,
+    kind: type[BaseModel],
+    *,
+    where: str = "",
+    text: str = "",
+    path: tuple[str | int, ...] = (),
 ) -> DescriptionError:
-    """Turn pydantic's report into one jounce message, at most five lines."""
-    problems = [_problem(item, kind, where, text) for item in error.errors()]
+    """Turn pydantic's report into one jounce message, at most five lines; ``path`` is where ``kind`` lies."""
+    problems = [_problem(item, kind, where, text, path) for item in error.errors()]
     more = f"\n(and {len(problems) - 5} more)" if len(problems) > 5 else ""
     return DescriptionError("\n".join(problems[:5]) + more)
 
 
-def _problem(item: Any, kind: type[BaseModel], where: str, text: str) -> str:  # noqa: ANN401
-    path = tuple(part for part in item["loc"] if not (isinstance(part, str) and part.startswith(("function-", "tagged-"))))
+def _problem(item: Any, kind: type[BaseModel], where: str, text: str, above: tuple[str | int, ...]) -> str:  # noqa: ANN401
+    within, models = _walked(kind, item["loc"][:-1] if item["type"] == "extra_forbidden" else item["loc"])
+    path = (*above, *within, *(item["loc"][-1:] if item["type"] == "extra_forbidden" else ()))
     place = dotted(path)
     line = line_of(text, path) if text else None
     prefix = f"{where}, line {line}" if where and line else where
     start = f"{prefix}: {place}" if prefix and place else (prefix or place or kind.__name__)
     if item["type"] == "extra_forbidden":
-        fields = _fields_at(kind, path[:-1])
+        fields = {field.alias or name for model in models for name, field in model.model_fields.items()}
         return f"{start}: unknown key; allowed: {', '.join(sorted(fields))}. {nearest(str(path[-1]), fields)}".rstrip()
     if item["type"] == "missing":
         return f"{start}: the key is missing and has no default"
+    if item["type"] == "union_tag_invalid":
+        tags = [tag.strip(" '") for tag in item["ctx"]["expected_tags"].split(",")]
+        key, found = item["ctx"]["discriminator"].strip("'"), item["ctx"]["tag"]
+        return f"{start}: unknown {key} {found!r}; allowed: {', '.join(tags)}. {nearest(found, tags)}".rstrip()
+    if item["type"] == "union_tag_not_found":
+        return f"{start}: the key {item['ctx']['discriminator']} is missing; it says what this is"
     if item["type"] in ("physical_value", "out_of_range"):
         return f"{start}: {item['msg']}".rstrip()
     message = item["msg"].removeprefix("Value error, ")
@@ -132,15 +152,27 @@ def _problem(item: Any, kind: type[BaseModel], where: str, text: str) -> str:  #
     return f"{start}: {message[0].lower()}{message[1:]}{found}"
 
 
-def _fields_at(kind: type[BaseModel], path: tuple[str | int, ...]) -> set[str]:
-    """Names allowed at ``path`` inside ``kind`` (aliases included)."""
+def _walked(kind: type[BaseModel], loc: tuple[str | int, ...]) -> tuple[tuple[str | int, ...], list[type[BaseModel]]]:
+    """Path as the user wrote it, without pydantic's own names, and the descriptions that may stand there."""
     current: list[type[BaseModel]] = [kind]
-    for part in path:
-        if isinstance(part, int):
+    path: list[str | int] = []
+    for part in loc:
+        if isinstance(part, str) and part.startswith(("function-", "tagged-")):
             continue
-        step = [found for model in current for found in _models_of(_annotation(model, part))]
-        current = step or current
-    return {field.alias or name for model in current for name, field in model.model_fields.items()}
+        chosen = [model for model in current if len(current) > 1 and part in _tags(model)]
+        if chosen:  # pydantic names the member of a union by its tag
+            current = chosen
+            continue
+        path.append(part)
+        if isinstance(part, str):
+            step = [found for model in current for found in _models_of(_annotation(model, part))]
+            current = step or current
+    return tuple(path), current
+
+
+def _tags(model: type[BaseModel]) -> set[str]:
+    literals = (field.default for field in model.model_fields.values() if get_origin(field.annotation) is Literal)
+    return {default for default in literals if isinstance(default, str)}
 
 
 def _annotation(model: type[BaseModel], name: str) -> Any:  # noqa: ANN401

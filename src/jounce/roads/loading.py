@@ -1,0 +1,197 @@
+"""Road files and the roads of a campaign, with their names resolved; the shipped courses."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+from jounce.core.description import dotted, line_of, read_toml
+from jounce.core.errors import DescriptionError, nearest, unknown
+from jounce.roads.measured import Crg, Table
+from jounce.roads.road import Road
+from jounce.roads.train import ROADS
+
+SCHEMA = "jounce.road/1"
+_SUFFIXES = (".toml", ".crg", ".csv", ".txt", ".tsv")
+
+
+def road_library() -> dict[str, Path]:
+    """Give the shipped measured courses: name to file.
+
+    Examples
+    --------
+    >>> list(road_library())
+    ['detrended_rms_course_1in']
+    """
+    folder = Path(str(resources.files("jounce.roads") / "library"))
+    return {file.stem: file for file in sorted(folder.glob("*.crg"))}
+
+
+def load_road(path: Path | str) -> Road:
+    """Read a road from a file, or a shipped course by its name.
+
+    Parameters
+    ----------
+    path : Path or str
+        A TOML file with one road table at top level, an OpenCRG file (``.crg``, at lateral offset 0), a text table
+        (``.csv``, ``.txt``, ``.tsv``) with the columns ``x`` and ``z``, or a name of `road_library`.
+
+    Returns
+    -------
+    Road
+        The frozen description.
+
+    Raises
+    ------
+    DescriptionError
+        With file, line and path when the description is wrong or the kind of file unknown.
+    RecordingError
+        When a measured file is damaged or missing.
+
+    Examples
+    --------
+    >>> course = load_road("detrended_rms_course_1in")
+    >>> round(course.end(), 9)
+    504.75
+    """
+    shipped = road_library()
+    file = shipped.get(str(path), Path(path))
+    suffix = file.suffix.lower()
+    if not file.is_file():
+        raise DescriptionError(
+            "no such file and no shipped road of that name",
+            where=str(path),
+            allowed=f"a path to a file, or one of {', '.join(shipped)}",
+            hint=nearest(str(path), shipped),
+        )
+    if suffix == ".crg":
+        return Crg(file=file)
+    if suffix == ".toml":
+        table, text = read_toml(file)
+        return _Reader({}, str(file), text, file.parent).road(_without_schema(table, str(file)), ())
+    if suffix in _SUFFIXES:
+        return Table(file=file)
+    raise DescriptionError("not a road file", where=str(file), found=suffix, allowed=", ".join(_SUFFIXES))
+
+
+def read_roads(
+    tables: Mapping[str, Any],
+    *,
+    where: str = "",
+    text: str = "",
+    folder: Path | str = ".",
+    path: tuple[str, ...] = ("roads",),
+) -> dict[str, Road]:
+    """Build named roads; a train's ``of`` may name another of them, in any order.
+
+    Parameters
+    ----------
+    tables : mapping of str to dict
+        Road tables by name; ``kind`` selects what each is.
+    where, text : str
+        File and its content, for the places in errors.
+    folder : Path or str
+        Folder that relative ``file`` entries start from.
+    path : tuple of str
+        Where the tables lie in the file.
+
+    Returns
+    -------
+    dict of str to Road
+        In the order of ``tables``.
+
+    Raises
+    ------
+    DescriptionError
+        For wrong fields, unknown kinds and names (with the nearest match), and trains that contain themselves.
+
+    Examples
+    --------
+    >>> roads = read_roads({
+    ...     "B": {"kind": "train", "of": "A", "count": 5, "pitch": "0.10 m"},
+    ...     "A": {"kind": "half-sine", "height": "10 mm", "length": "60 mm"},
+    ... })
+    >>> roads["B"].end()
+    0.46
+    """
+    reader = _Reader(tables, where, text, Path(folder), path)
+    return {name: reader.named(name, ()) for name in tables}
+
+
+def _without_schema(table: dict[str, Any], where: str) -> dict[str, Any]:
+    found = table.get("schema", SCHEMA)
+    if found != SCHEMA:
+        raise DescriptionError("not a road file", where=where, found=found, allowed=f'schema = "{SCHEMA}", or none')
+    return {key: value for key, value in table.items() if key != "schema"}
+
+
+class _Reader:
+    """Builds the roads of one file; remembers those already built."""
+
+    def __init__(
+        self, tables: Mapping[str, Any], where: str, text: str, folder: Path, above: tuple[str, ...] = ()
+    ) -> None:
+        self.tables, self.where, self.text, self.folder, self.above = tables, where, text, folder, above
+        self.built: dict[str, Road] = {}
+
+    def named(self, name: str, asked_by: tuple[str, ...]) -> Road:
+        """Build the road of that name; ``asked_by`` are the names being built now."""
+        if name in asked_by:
+            circle = " of ".join(repr(step) for step in (*asked_by[asked_by.index(name) :], name))
+            raise DescriptionError(
+                f"the train contains itself: {circle}",
+                where=self._place((*self.above, name, "of")),
+                hint="Break the circle.",
+            )
+        if name not in self.built:
+            self.built[name] = self.road(self.tables[name], (*self.above, name), (*asked_by, name))
+        return self.built[name]
+
+    def road(self, table: Any, path: tuple[str, ...], asked_by: tuple[str, ...] = ()) -> Road:  # noqa: ANN401
+        """Build the road of one table that lies at ``path``."""
+        resolved = self._resolved(table, path, asked_by)
+        kind = ROADS[resolved["kind"]]
+        return kind.from_table(resolved, where=self.where, text=self.text, path=path)
+
+    def _resolved(self, table: Any, path: tuple[str, ...], asked_by: tuple[str, ...]) -> dict[str, Any]:  # noqa: ANN401
+        """Give the table with its kind checked, ``of`` built where it is a name, ``file`` from the right folder."""
+        if not isinstance(table, dict):
+            place = self._place(path)
+            raise DescriptionError("not a road table", where=place, found=table, allowed='{kind = "...", ...}')
+        kind = table.get("kind")
+        if kind is None:
+            kinds = ", ".join(sorted(ROADS))
+            raise DescriptionError("the key 'kind' is missing", where=self._place(path), allowed=kinds)
+        if not isinstance(kind, str) or kind not in ROADS:
+            raise unknown(str(kind), ROADS, what="kind of road", where=self._place((*path, "kind")))
+        resolved = dict(table)
+        if isinstance(table.get("file"), str):
+            resolved["file"] = self.folder / table["file"]
+        if kind == "train" and "of" in table:
+            resolved["of"] = self._obstacle(table["of"], (*path, "of"), asked_by)
+        return resolved
+
+    def _obstacle(self, of: Any, path: tuple[str, ...], asked_by: tuple[str, ...]) -> Any:  # noqa: ANN401
+        if isinstance(of, dict):
+            return self._resolved(of, path, asked_by)
+        if not isinstance(of, str):
+            raise DescriptionError(
+                "not a road", where=self._place(path), found=of, allowed='the name of a road, or {kind = "...", ...}'
+            )
+        if of not in self.tables:
+            if not self.tables:
+                raise DescriptionError(
+                    "a road file has no other roads to name",
+                    where=self._place(path),
+                    found=of,
+                    allowed='of = {kind = "...", ...}',
+                )
+            raise unknown(of, self.tables, what="road", where=self._place(path))
+        return self.named(of, asked_by)
+
+    def _place(self, path: tuple[str, ...]) -> str:
+        line = line_of(self.text, path) if self.text else None
+        prefix = f"{self.where}, line {line}" if self.where and line else self.where
+        return ": ".join(part for part in (prefix, dotted(path)) if part)

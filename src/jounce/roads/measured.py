@@ -1,0 +1,155 @@
+"""Roads given by points: tables in the description or in a file, and measured OpenCRG courses."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from itertools import pairwise
+from pathlib import Path
+from typing import Annotated, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import BeforeValidator
+
+from jounce.core.columns import read_columns_csv
+from jounce.core.errors import RecordingError
+from jounce.core.units import Length, Unit
+from jounce.roads.opencrg import read_crg_profile
+from jounce.roads.profile import Profile, cubic_profile, linear_profile
+from jounce.roads.road import Road
+
+Array = NDArray[np.float64]
+Interpolation = Literal["linear", "cubic"]
+FEWEST = {"linear": 2, "cubic": 4}
+
+
+def _plain(value: object) -> object:
+    return value.tolist() if isinstance(value, np.ndarray) else value
+
+
+Lengths = Annotated[tuple[Annotated[float, Unit("m")], ...], BeforeValidator(_plain)]
+Times = Annotated[tuple[Annotated[float, Unit("s")], ...], BeforeValidator(_plain)]
+
+
+class Table(Road):
+    """Heights at given points, with lines or a cubic spline between them.
+
+    Before the first point its height holds, after the last point the last one's (`end` says where that is).
+
+    Attributes
+    ----------
+    x, height : tuple of float
+        Points in m: distance from ``start``, strictly ascending, and height. Either these or ``file``.
+    file : Path or None
+        Text file with the columns ``x`` and ``z``, each with its unit, e.g. ``x [m], z [mm]``.
+    interpolation : {"linear", "cubic"}
+        Lines, or a not-a-knot cubic spline (at least 4 points).
+    start : float
+        Distance in m at which x = 0 lies; negative when the drive begins inside the table.
+
+    Examples
+    --------
+    >>> road = Table(x=["0 m", "0.5 m", "2 m"], height=["0 mm", "10 mm", "0 mm"])
+    >>> float(road.height_at(0.25)), road.end()
+    (0.005, 2.0)
+    """
+
+    kind: Literal["table"] = "table"
+    start: Length = 0.0
+    x: Lengths = ()
+    height: Lengths = ()
+    file: Path | None = None
+    interpolation: Interpolation = "linear"
+
+    def check(self) -> None:
+        """Refuse points that are missing, given twice, or do not ascend."""
+        check_source(self.file, {"x": self.x, "height": self.height}, self.interpolation)
+        if self.file is not None:
+            self.profile()
+
+    def profile(self) -> Profile:
+        """Pieces through the points."""
+        if self.file is not None:
+            return file_profile(self.file, {"x": "m", "z": "m"}, self.interpolation)
+        return point_profile(self.x, self.height, self.interpolation)
+
+
+class Crg(Road):
+    """Measured straight course from an OpenCRG file, at one lateral offset.
+
+    Attributes
+    ----------
+    file : Path
+        The ``.crg`` file.
+    v : float
+        Lateral offset in m from the reference line, left positive.
+    start : float
+        Distance in m at which the course begins; negative when the drive begins inside it.
+    """
+
+    kind: Literal["crg"] = "crg"
+    start: Length = 0.0
+    file: Path
+    v: Length = 0.0
+
+    def check(self) -> None:
+        """Read the file, so that whatever is wrong with it is said at once."""
+        self.profile()
+
+    def profile(self) -> Profile:
+        """Lines between the cross sections; the last height holds afterwards."""
+        return linear_profile(*read_crg_profile(self.file, self.v))
+
+
+def check_source(file: Path | None, points: dict[str, tuple[float, ...]], interpolation: str) -> None:
+    """Refuse (ValueError) a mixture of file and points, lists of unequal length, too few points, x not ascending."""
+    (x_name, x), (y_name, y) = points.items()
+    if file is not None:
+        if x or y:
+            raise ValueError(f"points and a file are both given; give either {x_name} and {y_name} or file")
+        return
+    if not x and not y:
+        raise ValueError(f"no points; give {x_name} and {y_name}, or file")
+    if len(x) != len(y):
+        raise ValueError(f"{x_name} has {len(x)} values and {y_name} has {len(y)}; give as many of both")
+    if len(x) < FEWEST[interpolation]:
+        raise ValueError(f"{len(x)} points; {interpolation} interpolation needs at least {FEWEST[interpolation]}")
+    for i, (a, b) in enumerate(pairwise(x)):
+        if b <= a:
+            raise ValueError(f"{x_name}[{i + 1}] = {b:g} does not lie above {x_name}[{i}] = {a:g}; sort the points")
+
+
+def point_profile(x: tuple[float, ...], height: tuple[float, ...], interpolation: str) -> Profile:
+    """Pieces through points that are known to ascend; ``x`` in m (or s), ``height`` in m."""
+    make = linear_profile if interpolation == "linear" else cubic_profile
+    return make(np.asarray(x, dtype=float), np.asarray(height, dtype=float))
+
+
+def file_profile(file: Path, columns: dict[str, str], interpolation: str, fewest: int = 2) -> Profile:
+    """Pieces through the two columns (name to SI unit) of a text file with at least ``fewest`` rows."""
+    if not file.is_file():
+        raise RecordingError("no such file", where=str(file), hint="Check the path and the name.")
+    status = file.stat()
+    rows = max(fewest, FEWEST[interpolation])
+    return _file_profile(str(file), tuple(columns.items()), interpolation, rows, status.st_mtime_ns, status.st_size)
+
+
+@lru_cache(maxsize=16)
+def _file_profile(
+    file: str, columns: tuple[tuple[str, str], ...], interpolation: str, fewest: int, _changed: int, _size: int
+) -> Profile:
+    table = read_columns_csv(file)
+    x, height = (table[name].in_si(si) for name, si in columns)
+    name, unit = columns[0]
+    if len(x) < fewest:
+        raise RecordingError("too few rows", where=file, found=len(x), allowed=f"at least {fewest}")
+    stays = np.flatnonzero(np.diff(x) <= 0.0)
+    if len(stays):
+        i = int(stays[0])
+        raise RecordingError(
+            f"{name} does not ascend from row {i + 1} to row {i + 2}",
+            where=f"{file}: column {table[name].label!r}",
+            found=f"{x[i]:g} {unit}, then {x[i + 1]:g} {unit}",
+            hint="Sort the rows, and remove repeated ones.",
+        )
+    return (linear_profile if interpolation == "linear" else cubic_profile)(x, height)

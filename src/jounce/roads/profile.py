@@ -1,0 +1,164 @@
+"""Closed-form profiles of one obstacle, and how they are laid along a road."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE, Segments
+
+Array = NDArray[np.float64]
+Piece = tuple[float, int, tuple[float, float, float, float]]
+SHORTEST = 1e-12  # pieces below this length (relative to 1 m, or to the coordinate) are rounding
+
+
+@dataclass(frozen=True)
+class Profile:
+    """Pieces of one obstacle over its own coordinate, and the levels it joins.
+
+    Attributes
+    ----------
+    edges : ndarray, shape (n + 1,)
+        Ascending borders in m (or s); one edge and no piece for a bare step.
+    kind : ndarray of int64, shape (n,)
+        Piece kinds of `jounce.core.segments`.
+    coefficients : ndarray, shape (n, 4)
+        Their coefficients, SI.
+    before, after : float
+        Height in m on either side.
+    """
+
+    edges: Array
+    kind: NDArray[np.int64]
+    coefficients: Array
+    before: float = 0.0
+    after: float = 0.0
+
+    @property
+    def span(self) -> float:
+        """Length from the first to the last edge, in m (or s)."""
+        return float(self.edges[-1] - self.edges[0])
+
+
+def profile(*pieces: Piece, after: float = 0.0) -> Profile:
+    """Profile that starts at 0 from level 0; a piece is (length in m, kind, coefficients), empty ones are left out."""
+    kept = [piece for piece in pieces if piece[0] > SHORTEST]
+    lengths = [piece[0] for piece in kept]
+    return Profile(
+        edges=np.concatenate([[0.0], np.cumsum(lengths)]),
+        kind=np.array([piece[1] for piece in kept], dtype=np.int64),
+        coefficients=np.array([piece[2] for piece in kept], dtype=float).reshape(len(kept), 4),
+        after=after,
+    )
+
+
+def linear_profile(x: Array, height: Array) -> Profile:
+    """Straight lines through the points (``x`` strictly ascending, m or s; heights in m), joined where they go on."""
+    slope = np.diff(height) / np.diff(x)
+    bends = np.concatenate([[True], np.diff(slope) != 0.0])
+    coefficients = np.zeros((int(bends.sum()), 4))
+    coefficients[:, 0] = height[:-1][bends]
+    coefficients[:, 1] = slope[bends]
+    edges = np.append(x[:-1][bends], x[-1])
+    kind = np.zeros(len(coefficients), dtype=np.int64)
+    return Profile(edges, kind, coefficients, float(height[0]), float(height[-1]))
+
+
+def cubic_profile(x: Array, height: Array) -> Profile:
+    """Cubic spline (not-a-knot) through the points; ``x`` strictly ascending, m or s; heights in m."""
+    from scipy.interpolate import CubicSpline
+
+    coefficients = np.ascontiguousarray(CubicSpline(x, height).c[::-1].T)
+    kind = np.zeros(len(coefficients), dtype=np.int64)
+    return Profile(np.asarray(x, dtype=float), kind, coefficients, float(height[0]), float(height[-1]))
+
+
+def repeated(one: Profile, count: int, pitch: float) -> Profile:
+    """Lay ``count`` profiles with ``pitch`` in m from start to start, each on the level the last one left."""
+    if count == 1:
+        return one
+    rise = one.after - one.before
+    places = [(k * pitch, k * rise) for k in range(count)]
+    laid = laid_out(one, places, float(one.edges[0]), (count - 1) * pitch + float(one.edges[-1]))
+    return Profile(laid.edges, laid.kind, laid.coefficients, one.before, one.after + (count - 1) * rise)
+
+
+def laid_out(one: Profile, places: Iterable[tuple[float, float]], low: float, high: float) -> Segments:
+    """Heights over [``low``, ``high``] of the profile laid at ascending ``places``.
+
+    Parameters
+    ----------
+    one : Profile
+        The obstacle.
+    places : iterable of (position, lift)
+        Where its coordinate 0 lies and how much it is raised, both in m (position in s for a motion).
+    low, high : float
+        Window, in m (or s).
+
+    Returns
+    -------
+    Segments
+        Level pieces fill the gaps; the level before the first place is the profile's own.
+    """
+    starts: list[Array] = []
+    kinds: list[NDArray[np.int64]] = []
+    coefficients: list[Array] = []
+    cursor, level = low, one.before
+
+    def fill(until: float) -> None:
+        if until - cursor > SHORTEST * max(1.0, abs(until)):
+            starts.append(np.array([cursor]))
+            kinds.append(np.array([POLYNOMIAL]))
+            coefficients.append(np.array([[level, 0.0, 0.0, 0.0]]))
+
+    for position, lift in places:
+        begin, end = position + float(one.edges[0]), position + float(one.edges[-1])
+        if begin >= high:
+            break
+        if end > low or (len(one.kind) == 0 and begin >= low):
+            fill(begin)
+            starts.append(position + one.edges[:-1])
+            kinds.append(one.kind)
+            coefficients.append(one.coefficients + np.array([lift, 0.0, 0.0, 0.0]))
+            cursor = end
+        level = one.after + lift
+    fill(high)
+    return _windowed(np.concatenate(starts), np.concatenate(kinds), np.concatenate(coefficients), low, high)
+
+
+def _windowed(starts: Array, kind: NDArray[np.int64], coefficients: Array, low: float, high: float) -> Segments:
+    """Cut the pieces to [low, high]; a piece cut at its front keeps its heights."""
+    first = max(int(np.searchsorted(starts, low, side="right")) - 1, 0)
+    last = max(int(np.searchsorted(starts, high, side="left")), first + 1)
+    starts, kind, coefficients = starts[first:last].copy(), kind[first:last], coefficients[first:last].copy()
+    coefficients[0] = _advanced(int(kind[0]), coefficients[0], low - float(starts[0]))
+    starts[0] = low
+    return Segments(np.append(starts, high), kind, coefficients)
+
+
+def _advanced(kind: int, c: Array, by: float) -> Array:
+    """Coefficients of the same curve with the local coordinate's zero moved forward by ``by``."""
+    if kind == SINE:
+        return np.array([c[0], c[1], c[2], c[3] + c[2] * by])
+    if kind == CIRCLE:
+        return np.array([c[0], c[1], c[2] - by, c[3]])
+    return np.array(
+        [
+            c[0] + by * (c[1] + by * (c[2] + by * c[3])),
+            c[1] + by * (2.0 * c[2] + 3.0 * by * c[3]),
+            c[2] + 3.0 * by * c[3],
+            c[3],
+        ]
+    )
+
+
+def passes(first: float, recurrence: float | None, high: float) -> Iterable[tuple[float, float]]:
+    """Places of an obstacle that starts at ``first`` and comes again every ``recurrence`` metres, up to ``high``."""
+    if recurrence is None:
+        return [(first, 0.0)]
+    count = max(1, math.ceil((high - first) / recurrence) + 1)
+    return ((first + k * recurrence, 0.0) for k in range(count))
