@@ -38,6 +38,11 @@ class Compiled:
         """Channel names in the order of the outputs."""
         return tuple(output.name for output in self.model.outputs)
 
+    @cached_property
+    def is_linear(self) -> bool:
+        """Whether the model is affine in states and inputs and nothing switches."""
+        return self.model.is_linear()
+
     def evaluate(self, name: str, x: Array, u: Array, p: Array, m: Array) -> Array:
         """Value of a native function, in the shape of its expression (vectors flat)."""
         rows, columns = self.functions[name].size_out(0)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
 from jounce.core.segments import Segments
+from jounce.kernel import linear
 from jounce.kernel.explicit import Control, Engine, Problem, integrate
 from jounce.kernel.status import Status
 from jounce.kernel.tracks import flatten
@@ -105,9 +106,26 @@ def solve(
     counts = np.zeros(3, dtype=np.int64)
     tracks = flatten([road])
     problem = Problem(engine, tracks, tracks.first[:-1].copy(), p, modes, start)
-    code = integrate(problem, control, times, states, outputs, counts)
+    code = _propagate_exactly(compiled, problem, times, states, outputs)
+    if code is None:
+        code = integrate(problem, control, times, states, outputs, counts)
     assert states.shape[1] == n * (1 + len(compiled.free))
     return Solution(times, states, outputs, Status.of(code), *(int(count) for count in counts))
+
+
+def _propagate_exactly(
+    compiled: Compiled, problem: Problem, times: Array, states: Array, outputs: Array
+) -> int | None:
+    """Fill the arrays by exact propagation and give the status code; None when the model or the road is not for it."""
+    if compiled.free or not compiled.is_linear:
+        return None
+    steps = linear.plan(problem.tracks, times)
+    if steps is None:
+        return None
+    zero, still = np.zeros(compiled.state_count), np.zeros(2)
+    slope, offset, by_input = (compiled.evaluate(name, zero, still, problem.p, problem.m) for name in ("rate_x", "rate", "rate_u"))
+    matrices = linear.transitions(steps, slope, offset, by_input)
+    return int(linear.propagate(problem, steps, matrices, times, states, outputs))
 
 
 def simulate(

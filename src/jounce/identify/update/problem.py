@@ -1,0 +1,256 @@
+"""The residuals of several trials against scaled parameters, with exact sensitivities.
+
+Scaling: ``p_i = p_i0 + half_range_i * s_i`` with ``s_i`` from -1 to +1 between the bounds, as paper 1 does for its
++-10 % bounds. The objective of its Eq. 2 is the plain sum of squares over all channels and samples.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from jounce.core.errors import FitError, SimulationError
+from jounce.kernel.status import Status
+from jounce.models import build
+from jounce.parts import Rig
+from jounce.recordings.sensors import Sensor, apply_bias, filter_signals
+from jounce.roads import Trial
+from jounce.simulation.compiled import Compiled, compile_model
+from jounce.simulation.run import Solution, solve
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class FitTrial:
+    """One trial to fit: how it was run and what was measured.
+
+    Attributes
+    ----------
+    name : str
+        Names the trial in results and messages.
+    rig : Rig
+        The rig as set up for this trial (strut angle, tyre pressure), with its start values.
+    trial : Trial
+        Road and speed, or base motion.
+    measured : xarray.Dataset
+        Recording; every variable that is also an output of the model is compared.
+    sensors : dict
+        Channel to sensor: applied to the simulation before it is compared.
+    """
+
+    name: str
+    rig: Rig
+    trial: Trial
+    measured: xr.Dataset
+    sensors: Mapping[str, Sensor] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Free:
+    """One free parameter: its path, start value and bounds, SI."""
+
+    path: str
+    initial: float
+    lower: float
+    upper: float
+
+    @property
+    def half_range(self) -> float:
+        """Value of one scaled unit."""
+        return 0.5 * (self.upper - self.lower)
+
+    def value(self, scaled: float) -> float:
+        """Value at a scaled coordinate."""
+        return 0.5 * (self.upper + self.lower) + self.half_range * scaled
+
+    def scaled(self, value: float) -> float:
+        """Scaled coordinate of a value."""
+        return (value - 0.5 * (self.upper + self.lower)) / self.half_range
+
+
+@dataclass(frozen=True)
+class Channel:
+    """One compared channel of one trial, ready to be evaluated."""
+
+    name: str
+    column: int
+    measured: Array
+    sensor: Sensor | None
+    weight: float
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """One trial with its native model, output times and channels."""
+
+    source: FitTrial
+    compiled: Compiled
+    times: Array
+    rate: float
+    channels: tuple[Channel, ...]
+    start: Array
+    factors: Array
+
+    def solve(self, values: Array, tolerance: float) -> Solution:
+        """Simulate with the free parameters at ``values`` (in the units of the first trial's start values)."""
+        p = self.start.copy()
+        for column, path in enumerate(self.compiled.free):
+            p[self.compiled.model.parameters.index(path)] = values[column] * self.factors[column]
+        solution = solve(self.compiled, p, self.source.trial.segments(), self.times, tolerance=tolerance)
+        if solution.status is not Status.COMPLETED:
+            raise SimulationError("the simulation diverged", where=self.source.name, found=solution.status.help)
+        return solution
+
+
+@dataclass(frozen=True)
+class Residuals:
+    """Residuals (weighted, measured minus simulated) and their derivatives; one block a trial and channel."""
+
+    vector: Array
+    jacobian: Array
+    blocks: tuple[slice, ...]
+
+
+class UpdateProblem:
+    """Residuals and exact Jacobian of all trials as functions of the scaled parameters (and lags)."""
+
+    def __init__(
+        self,
+        trials: Sequence[FitTrial],
+        free: Sequence[Free],
+        *,
+        channels: Sequence[str] | None,
+        weights: str | Mapping[str, float],
+        align: bool,
+        lag_bound: float,
+        tolerance: float,
+    ) -> None:
+        self.free, self.align, self.lag_bound, self.tolerance = tuple(free), align, lag_bound, tolerance
+        self.trials = tuple(_prepare(trial, self.free, channels, weights) for trial in trials)
+        self.evaluations = 0
+        count = sum(len(c.measured) for trial in self.trials for c in trial.channels)
+        if count < self.size:
+            raise FitError(
+                "fewer data than parameters", found=f"{count} samples", allowed=f"at least {self.size}",
+                hint="Give longer recordings or free fewer parameters.",
+            )
+        self._last: tuple[bytes, Residuals] | None = None
+
+    @property
+    def size(self) -> int:
+        """Number of unknowns: free parameters, and one lag a trial when aligned."""
+        return len(self.free) + (len(self.trials) if self.align else 0)
+
+    def values(self, scaled: Array) -> Array:
+        """Parameter values (SI) at scaled coordinates."""
+        return np.array([free.value(s) for free, s in zip(self.free, scaled[: len(self.free)], strict=True)])
+
+    def lags(self, scaled: Array) -> Array:
+        """Lag of the recording behind the simulation for each trial, s."""
+        return scaled[len(self.free) :] * self.lag_bound
+
+    def residuals(self, scaled: Array) -> Residuals:
+        """Evaluate residuals and Jacobian with respect to the scaled unknowns."""
+        key = np.asarray(scaled).tobytes()
+        if self._last is None or self._last[0] != key:
+            self._last = (key, self._evaluate(np.asarray(scaled, dtype=float)))
+            self.evaluations += 1
+        return self._last[1]
+
+    def objective(self, scaled: Array) -> tuple[float, Array]:
+        """Sum of squared residuals (Eq. 2 when unweighted) and its gradient."""
+        r = self.residuals(scaled)
+        return float(r.vector @ r.vector), 2.0 * (r.jacobian.T @ r.vector)
+
+    def _evaluate(self, scaled: Array) -> Residuals:
+        values = self.values(scaled)
+        lags = self.lags(scaled) if self.align else np.zeros(len(self.trials))
+        vectors, jacobians, blocks, at = [], [], [], 0
+        for i, trial in enumerate(self.trials):
+            solution = trial.solve(values, self.tolerance)
+            for channel in trial.channels:
+                signal, slopes = self._channel(trial, channel, solution, lags[i])
+                rows = np.zeros((len(signal), self.size))
+                scales = [free.half_range * factor for free, factor in zip(self.free, trial.factors, strict=True)]
+                rows[:, : len(self.free)] = -slopes[:, : len(self.free)] * scales
+                if self.align:
+                    rows[:, len(self.free) + i] = -slopes[:, -1] * self.lag_bound
+                vectors.append(channel.weight * (channel.measured - signal))
+                jacobians.append(channel.weight * rows)
+                blocks.append(slice(at, at + len(signal)))
+                at += len(signal)
+        return Residuals(np.concatenate(vectors), np.vstack(jacobians), tuple(blocks))
+
+    def _channel(self, trial: Prepared, channel: Channel, solution: Solution, lag: float) -> tuple[Array, Array]:
+        """Simulated reading of one channel and its derivatives (parameters, then lag where aligned)."""
+        stride = len(trial.compiled.output_names)
+        columns = [channel.column + stride * k for k in range(1 + len(self.free))]
+        table = solution.outputs[:, columns]
+        if channel.sensor is not None:
+            table = filter_signals(table, trial.rate, channel.sensor)
+        if self.align:
+            table = _shifted(trial.times, table, lag)
+        signal = table[:, 0] if channel.sensor is None else apply_bias(table[:, 0], channel.sensor)
+        first = len(trial.times) - len(channel.measured)
+        return signal[first:], table[first:, 1:]
+
+
+def _shifted(times: Array, table: Array, lag: float) -> Array:
+    """The signals read ``lag`` earlier, with their derivative with respect to the lag as last column."""
+    from scipy.interpolate import CubicSpline
+
+    spline = CubicSpline(times, table, axis=0)
+    at = np.clip(times - lag, times[0], times[-1])
+    return np.column_stack([spline(at), -spline(at, 1)[:, 0]])
+
+
+def _prepare(
+    trial: FitTrial, free: tuple[Free, ...], names: Sequence[str] | None, weights: str | Mapping[str, float]
+) -> Prepared:
+    paths = tuple(item.path for item in free)
+    compiled = compile_model(build(trial.rig), paths)
+    values = trial.rig.parameters()
+    time = trial.measured["time"].to_numpy()
+    times = time if time[0] <= 0.0 else np.concatenate([[0.0], time])
+    if time[-1] < trial.trial.obstacle_end():
+        raise FitError(
+            "the recording ends before the obstacle pass does", where=trial.name, found=f"{time[-1]:.4g} s",
+            allowed=f"at least {trial.trial.obstacle_end():.4g} s", hint="Check speed and start, or record longer.",
+        )
+    common = [name for name in compiled.output_names if name in trial.measured and (names is None or name in names)]
+    if not common:
+        raise FitError(
+            "the recording holds no channel that the model gives", where=trial.name,
+            found=", ".join(str(name) for name in trial.measured.data_vars), allowed=", ".join(compiled.output_names),
+            hint="Map the columns, e.g. columns = {\"sprung.az\" = \"acc1 [g]\"}.",
+        )
+    channels = []
+    for name in common:
+        measured = trial.measured[name].to_numpy()
+        channels.append(
+            Channel(name, compiled.output_names.index(name), measured, trial.sensors.get(name), _weight(weights, name, measured))
+        )
+    factors = np.array([values[item.path] / item.initial if item.initial else 1.0 for item in free])
+    return Prepared(
+        trial, compiled, times, 1.0 / float(np.median(np.diff(time))), tuple(channels),
+        compiled.parameter_values(values), factors,
+    )
+
+
+def _weight(weights: str | Mapping[str, float], name: str, measured: Array) -> float:
+    """Weight of a channel's residuals: 1 (Eq. 2 as printed), 1 over its r.m.s. and root length, or as given."""
+    if weights == "printed":
+        return 1.0
+    if weights == "normalised":
+        spread = float(np.std(measured))
+        if spread == 0.0:
+            raise FitError("the channel is constant and cannot be normalised", where=name, hint="Leave it out.")
+        return 1.0 / (spread * np.sqrt(len(measured)))
+    if isinstance(weights, str):
+        raise FitError("unknown weighting", found=weights, allowed="printed, normalised, or {channel: weight}")
+    return float(np.sqrt(weights.get(name, 0.0)))

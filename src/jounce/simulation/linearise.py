@@ -1,0 +1,170 @@
+"""Linear models about equilibrium: matrices, modes, frequency response."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from jounce.models import build
+from jounce.parts import Rig
+from jounce.simulation.compiled import Compiled, compile_model
+from jounce.simulation.statics import Rest, find_rest
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class LinearModel:
+    """``dx/dt = A x + B u``, ``y = C x + D u`` for small motions about static equilibrium, SI.
+
+    Attributes
+    ----------
+    states, inputs, outputs : tuple of str
+        Names; for each track the inputs are its value and its time derivative.
+    A, B, C, D : ndarray
+        Matrices in that order of rows and columns.
+    equilibrium : dict
+        Static value of each state.
+    """
+
+    states: tuple[str, ...]
+    inputs: tuple[str, ...]
+    outputs: tuple[str, ...]
+    A: Array
+    B: Array
+    C: Array
+    D: Array
+    equilibrium: dict[str, float]
+
+    def frequency_response(self, frequency: ArrayLike, output: str, track: str = "road.z") -> NDArray[np.complex128]:
+        """Complex amplitude of an output for unit harmonic motion of a track.
+
+        Parameters
+        ----------
+        frequency : array_like, shape (n,)
+            Hz.
+        output : str
+            Channel name.
+        track : str
+            Input track.
+
+        Returns
+        -------
+        ndarray of complex, shape (n,)
+            Output unit per metre.
+        """
+        row, first = self.outputs.index(output), self.inputs.index(track)
+        found = []
+        for s in 2j * np.pi * np.atleast_1d(np.asarray(frequency, dtype=float)):
+            drive = np.array([1.0, s])
+            x = np.linalg.solve(s * np.eye(len(self.states)) - self.A, self.B[:, first : first + 2] @ drive)
+            found.append(self.C[row] @ x + self.D[row, first : first + 2] @ drive)
+        return np.array(found)
+
+
+@dataclass(frozen=True)
+class Mode:
+    """One eigenmode: ``frequency_hz`` is |eigenvalue|/2 pi; ``shape`` the complex coordinates, largest set to 1."""
+
+    frequency_hz: float
+    damped_frequency_hz: float
+    damping_ratio: float
+    shape: dict[str, tuple[float, float]]
+
+
+def linearise(rig: Rig, road_height: float = 0.0) -> LinearModel:
+    """Linearise a rig about static equilibrium.
+
+    Parameters
+    ----------
+    rig : Rig
+        What is tested.
+    road_height : float
+        Height of the road under the wheel, m.
+
+    Raises
+    ------
+    SimulationError
+        When there is no static equilibrium.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> model = jn.linearise(jn.load("kart-quarter-car"))
+    >>> bool(abs(model.frequency_response([1e-3], "sprung.z")[0] - 1.0) < 1e-3)   # quasi-static: the body follows
+    True
+    """
+    compiled, p, rest, u = _at_rest(rig, road_height)
+    model = compiled.model
+    symbols = [model.x, model.u, model.p, model.m]
+    slopes = ca.Function("slopes", symbols, [ca.jacobian(model.output, model.x), ca.jacobian(model.output, model.u)])
+    c, d = (part.full() for part in slopes(rest.x, u, p, rest.modes))
+    inputs = tuple(name for track in model.tracks for name in (track, f"{track} rate"))
+    b = compiled.evaluate("rate_u", rest.x, u, p, rest.modes)
+    equilibrium = dict(zip(model.states, map(float, rest.x), strict=True))
+    return LinearModel(model.states, inputs, compiled.output_names, rest.slope, b, c, d, equilibrium)
+
+
+def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
+    """Oscillating modes of a rig about static equilibrium, by rising frequency.
+
+    Parameters
+    ----------
+    rig : Rig
+        What is tested.
+    road_height : float
+        Height of the road under the wheel, m.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> body_bounce, wheel_hop = jn.modes(jn.load("kart-quarter-car"))
+    >>> round(body_bounce.frequency_hz, 1), round(wheel_hop.frequency_hz, 1)
+    (5.1, 28.1)
+    """
+    compiled, _, rest, _ = _at_rest(rig, road_height)
+    values, vectors = np.linalg.eig(rest.slope)
+    names = compiled.model.coordinates
+    found = []
+    for value, vector in zip(values, vectors.T, strict=True):
+        if value.imag > 1e-9 * abs(value):
+            shape = vector[: len(names)] / vector[np.argmax(np.abs(vector[: len(names)]))]
+            shapes = {name: (float(z.real), float(z.imag)) for name, z in zip(names, shape, strict=True)}
+            found.append(
+                Mode(abs(value) / (2 * np.pi), value.imag / (2 * np.pi), float(-value.real / abs(value)), shapes)
+            )
+    return tuple(sorted(found, key=lambda mode: mode.frequency_hz))
+
+
+def equilibrium(rig: Rig, road_height: float = 0.0) -> dict[str, float]:
+    """Static equilibrium of a rig: every state and output channel by name, SI.
+
+    Parameters
+    ----------
+    rig : Rig
+        What is tested.
+    road_height : float
+        Height of the road under the wheel, m.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> round(jn.equilibrium(jn.load("kart-quarter-car"))["tyre.force"], 2)   # (16 + 5) kg * 9.81 m/s^2
+    206.01
+    """
+    compiled, p, rest, u = _at_rest(rig, road_height)
+    outputs = compiled.evaluate("output", rest.x, u, p, rest.modes)
+    return {
+        **dict(zip(compiled.model.states, map(float, rest.x), strict=True)),
+        **dict(zip(compiled.output_names, map(float, outputs), strict=True)),
+    }
+
+
+def _at_rest(rig: Rig, road_height: float) -> tuple[Compiled, Array, Rest, Array]:
+    compiled = compile_model(build(rig))
+    p = compiled.parameter_values(rig.parameters())
+    u = np.array([road_height, 0.0] * len(compiled.model.tracks))
+    return compiled, p, find_rest(compiled, p, u), u
