@@ -1,0 +1,285 @@
+"""Force-deflection trials: zero, loading and unloading branch, hysteresis."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from jounce.core.errors import FitError
+from jounce.core.findings import Finding
+from jounce.identify.regression import linear_least_squares
+
+Array = NDArray[np.float64]
+Branch = Literal["loading", "unloading", "both"]
+
+_FREE_TRAVEL_SHARE = 0.03  # free travel shorter than this share of the stroke is taken as curvature, not as a gap
+_FORCE_THRESHOLD = 0.002  # of the largest force
+
+
+@dataclass(frozen=True)
+class ForceDeflectionTrial:
+    """One trial on a test machine, in the order it was measured.
+
+    Attributes
+    ----------
+    deflection : array (n,)
+        Imposed deflection, compression positive [m].
+    force : array (n,)
+        Measured force, compression positive [N].
+    name : str
+        File or number of the trial, used in results and messages.
+    """
+
+    deflection: ArrayLike
+    force: ArrayLike
+    name: str = "trial"
+
+    def arrays(self) -> tuple[Array, Array]:
+        """Give deflection [m] and force [N] as float arrays of shape (n,) after checking them.
+
+        Raises
+        ------
+        FitError
+            For unequal lengths, fewer than three points, NaN, or a deflection that never changes.
+        """
+        deflection, force = np.asarray(self.deflection, float), np.asarray(self.force, float)
+        if deflection.ndim != 1 or deflection.shape != force.shape:
+            raise FitError(
+                "deflection and force are not two columns of the same length",
+                where=self.name,
+                found=f"shapes {deflection.shape} and {force.shape}",
+            )
+        bad = np.flatnonzero(~(np.isfinite(deflection) & np.isfinite(force)))
+        if len(bad):
+            raise FitError(
+                "a value is missing or not finite",
+                where=self.name,
+                found=f"point {bad[0] + 1}",
+                allowed="finite numbers",
+                hint="Remove the incomplete rows.",
+            )
+        if len(deflection) < 3:
+            raise FitError("too few points", where=self.name, found=len(deflection), allowed="at least 3")
+        if np.ptp(deflection) == 0.0:
+            raise FitError(
+                "the deflection never changes",
+                where=self.name,
+                found=f"{deflection[0]:g} m throughout",
+                hint="Is the column the imposed deflection?",
+            )
+        return deflection, force
+
+
+@dataclass(frozen=True)
+class SeatedTrial:
+    """A trial with compression positive and its zero at first contact.
+
+    Attributes
+    ----------
+    name : str
+        Name of the trial.
+    deflection, force : array (n,)
+        From first contact on [m], [N].
+    turn : int
+        Index of the largest deflection: the loading branch ends and the unloading branch begins there.
+    zero : tuple of float
+        What was subtracted: deflection [m] and force [N].
+    """
+
+    name: str
+    deflection: Array
+    force: Array
+    turn: int
+    zero: tuple[float, float]
+
+    def branch(self, which: Branch) -> tuple[Array, Array]:
+        """Give deflection [m] and force [N] of the loading, the unloading or both branches, as measured in time."""
+        back = int(np.flatnonzero(self.deflection == self.deflection[self.turn])[-1])
+        part = {"loading": slice(0, self.turn + 1), "unloading": slice(back, None), "both": slice(None)}[which]
+        return self.deflection[part], self.force[part]
+
+    def has_unloading(self) -> bool:
+        """Tell whether the trial comes back to less than half of its largest deflection."""
+        return float(self.deflection[self.turn :].min()) < 0.5 * float(self.deflection[self.turn])
+
+
+def seat(trial: ForceDeflectionTrial, *, zero: Literal["first-contact", "none"]) -> tuple[SeatedTrial, list[Finding]]:
+    """Turn a trial to compression positive and put its zero at first contact.
+
+    A record whose deflection goes negative is turned round; so is a force that falls while the deflection grows.
+    With ``zero="first-contact"`` a leading stretch of free travel (at least eight points over more than 3 % of the
+    stroke, whose slope is surely below a tenth of the mean stiffness) is cut off: its mean force is the zero
+    of the force, and the zero of the deflection is where the line through the first points after it meets that force.
+    Without free travel the first deflection becomes zero if the trial starts there unloaded (force below 2 % of the
+    largest); a trial that starts already loaded is left as it is, with a finding.
+
+    Parameters
+    ----------
+    trial : ForceDeflectionTrial
+        Deflection [m] and force [N] as recorded.
+    zero : {"first-contact", "none"}
+        ``"none"`` takes deflection and force as they are (but for the sign).
+
+    Returns
+    -------
+    SeatedTrial
+        Compression positive.
+    findings : list of Finding
+        What was changed.
+    """
+    deflection, force = trial.arrays()
+    findings: list[Finding] = []
+    deflection, force = _compression_positive(deflection, force, trial.name, findings)
+    shift, offset, start = 0.0, 0.0, 0
+    if zero == "first-contact":
+        shift, offset, start = _first_contact(deflection, force, trial.name, findings)
+    deflection, force = deflection[start:] - shift, force[start:] - offset
+    seated = SeatedTrial(trial.name, deflection, force, int(np.argmax(deflection)), (shift, offset))
+    if deflection[seated.turn] > 1.0:
+        findings.append(
+            Finding(
+                trial.name,
+                "problem",
+                "the deflection exceeds 1 m: check that it was read in the right unit.",
+                float(deflection[seated.turn]),
+            )
+        )
+    _report_non_monotone(seated, findings)
+    return seated, findings
+
+
+def _compression_positive(deflection: Array, force: Array, name: str, findings: list[Finding]) -> tuple[Array, Array]:
+    away = deflection - deflection[0]
+    if -away.min() > away.max():
+        deflection = -deflection
+        findings.append(
+            Finding(name, "note", "the deflection was recorded negative in compression; its sign was turned.")
+        )
+    turn = int(np.argmax(deflection))
+    loading = slice(0, max(turn, 1) + 1)
+    if np.polyfit(deflection[loading] - deflection[0], force[loading], 1)[0] < 0.0:
+        force = -force
+        findings.append(Finding(name, "note", "the force was recorded negative in compression; its sign was turned."))
+    return deflection, force
+
+
+def _first_contact(deflection: Array, force: Array, name: str, findings: list[Finding]) -> tuple[float, float, int]:
+    turn = int(np.argmax(deflection))
+    largest = float(np.abs(force).max())
+    head = max(3, int(0.01 * turn))
+    base = float(force[:head].mean())
+    threshold = max(_FORCE_THRESHOLD * (float(force.max()) - base), 4.0 * float(force[:head].std()))
+    below = np.flatnonzero(force[: turn + 1] <= base + threshold)
+    last = int(below[-1]) if len(below) else 0
+    if _is_free_travel(deflection, force, last, turn):
+        offset = float(force[: last + 1].mean())
+        near = slice(last + 1, last + 1 + max(3, (turn - last) // 10))
+        slope, level = np.polyfit(deflection[near], force[near], 1)
+        met = (offset - level) / slope if slope > 0.0 else deflection[last]
+        contact = float(np.clip(met, deflection[last - 1], deflection[last + 1]))
+        findings.append(
+            Finding(
+                name,
+                "note",
+                f"{1e3 * (contact - deflection[0]):.3g} mm of free travel before first contact and a "
+                f"load-cell zero of {offset:.3g} N were removed.",
+                contact - float(deflection[0]),
+            )
+        )
+        return contact, offset, last + 1
+    if abs(force[0]) > 0.02 * largest:
+        findings.append(
+            Finding(
+                name,
+                "warning",
+                f"the trial starts already loaded with {force[0]:.3g} N, so first contact was not "
+                "seen and the deflection zero is the recorded one.",
+                float(force[0]),
+            )
+        )
+        return 0.0, 0.0, 0
+    return float(deflection[0]), 0.0, 0
+
+
+def _is_free_travel(deflection: Array, force: Array, last: int, turn: int) -> bool:
+    """Tell whether the points up to ``last`` are surely flat: a soft start must not be taken for a gap."""
+    stroke = float(deflection[turn] - deflection[0])
+    travel = float(deflection[last] - deflection[0])
+    if last < 7 or turn - last < 3 or travel <= _FREE_TRAVEL_SHARE * stroke:
+        return False
+    flat = slice(0, last + 1)
+    regressors = np.column_stack([deflection[flat], np.ones(last + 1)])
+    found, _, spread = linear_least_squares(regressors, force[flat])
+    upper = float(found[0]) + 2.0 * float(np.sqrt(spread.covariance[0, 0]))
+    return upper < 0.1 * float(np.ptp(force[: turn + 1])) / stroke
+
+
+def _report_non_monotone(trial: SeatedTrial, findings: list[Finding]) -> None:
+    deflection, force = trial.branch("loading")
+    drop = float((np.maximum.accumulate(force) - force).max())
+    span = float(np.ptp(force))
+    if span > 0.0 and drop > 0.03 * span:
+        findings.append(
+            Finding(
+                trial.name,
+                "warning",
+                f"the force falls by {drop:.3g} N while the deflection grows: slip, buckling "
+                "or a loose seat; look at the curve.",
+                drop,
+            )
+        )
+    back = float((np.maximum.accumulate(deflection) - deflection).max())
+    if back > 0.02 * float(np.ptp(deflection)):
+        findings.append(
+            Finding(
+                trial.name,
+                "note",
+                f"the loading branch goes back by {1e3 * back:.3g} mm on its way; all its points are used.",
+                back,
+            )
+        )
+
+
+def hysteresis(trial: SeatedTrial) -> tuple[float | None, float | None]:
+    """Give the energy lost in a load cycle and the loss factor.
+
+    Parameters
+    ----------
+    trial : SeatedTrial
+        A trial with both branches.
+
+    Returns
+    -------
+    energy : float or None
+        Area between loading and unloading branch over the deflections that both cover [J]; None without unloading.
+    loss_factor : float or None
+        ``energy / (2 pi W_max)``, W_max being the work of the loading branch over the same range [1].
+    """
+    if not trial.has_unloading():
+        return None, None
+    up, down = _sorted(*trial.branch("loading")), _sorted(*trial.branch("unloading"))
+    low, high = max(up[0][0], down[0][0]), min(up[0][-1], down[0][-1])
+    grid = np.union1d(np.union1d(up[0], down[0]), [low, high])
+    grid = grid[(grid >= low) & (grid <= high)]
+    work = float(np.trapezoid(np.interp(grid, *up), grid))
+    energy = work - float(np.trapezoid(np.interp(grid, *down), grid))
+    return energy, energy / (2.0 * math.pi * work) if work > 0.0 else None
+
+
+def _sorted(deflection: Array, force: Array) -> tuple[Array, Array]:
+    """Order by deflection, averaging points at the same deflection."""
+    values, inverse = np.unique(deflection, return_inverse=True)
+    return values, np.bincount(inverse, force) / np.bincount(inverse)
+
+
+def renamed(trials: list[ForceDeflectionTrial]) -> list[ForceDeflectionTrial]:
+    """Number trials that share a name, so that messages can tell them apart."""
+    names = [trial.name for trial in trials]
+    return [
+        replace(trial, name=f"{trial.name} {index}") if names.count(trial.name) > 1 else trial
+        for index, trial in enumerate(trials, 1)
+    ]

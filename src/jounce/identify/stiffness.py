@@ -1,0 +1,434 @@
+"""Stiffness from several force-deflection trials, with its uncertainty and its limits."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import FitError, unknown
+from jounce.core.findings import Finding
+from jounce.identify.estimate import Estimate, mean_of_replicates
+from jounce.identify.force_deflection import (
+    Branch,
+    ForceDeflectionTrial,
+    SeatedTrial,
+    hysteresis,
+    renamed,
+    seat,
+)
+from jounce.identify.regression import linear_least_squares, r_squared
+from jounce.identify.stiffness_curves import LAWS, CurveFit, FittedCurve, Law, fit_curve
+
+Array = NDArray[np.float64]
+Intercept = Literal["drop", "shift", "keep"]
+
+
+@dataclass(frozen=True)
+class TrialStiffness:
+    """What one trial says by itself.
+
+    Attributes
+    ----------
+    name : str
+        Name of the trial.
+    stiffness : Estimate
+        As in :class:`StiffnessResult`, from this trial alone [N/m].
+    intercept : Estimate or None
+        Force of the fitted line at zero deflection [N]; None for laws without one.
+    loss_factor : float or None
+        Energy lost / (2 pi work of loading) [1]; None without an unloading branch.
+    hysteresis_energy : float or None
+        Energy lost in the cycle [J].
+    rms_residual : float
+        Root mean square of measured minus fitted force [N].
+    points : int
+        Number of points used.
+    """
+
+    name: str
+    stiffness: Estimate
+    intercept: Estimate | None
+    loss_factor: float | None
+    hysteresis_energy: float | None
+    rms_residual: float
+    points: int
+
+
+@dataclass(frozen=True)
+class StiffnessResult:
+    """Stiffness of a spring or a tyre.
+
+    Attributes
+    ----------
+    law : str
+        Force law that was fitted.
+    stiffness : Estimate
+        Linear law: the slope. Other laws: the tangent at ``operating_force``, or at the middle of the fitted range when
+        no operating force was given [N/m]. The interval treats the trials as the replicates.
+    intercept : Estimate or None
+        Force of the fitted line at zero deflection [N]; None for laws that pass through the origin.
+    intercept_choice : {"drop", "shift", "keep"}
+        What ``curve`` does with it.
+    coefficients : tuple of Estimate
+        Parameters of the law: slope [N/m]; a_i [N/m^i]; a [N/m^b] and b [1]; forces at the knots [N].
+    curve : FittedCurve
+        The law as numbers; ``curve.to_table(limit)`` writes it as a rig file does.
+    fitted_range : (float, float)
+        Smallest and largest deflection used [m].
+    force_range : (float, float)
+        Smallest and largest measured force used [N].
+    r2 : float
+        Share of the force's variance explained by the pooled fit [1].
+    repeatability : float or None
+        Standard deviation of the stiffness between trials [N/m]; None for one trial.
+    loss_factor, hysteresis_energy : float or None
+        Means over the trials that have an unloading branch [1], [J].
+    operating_deflection : float or None
+        Deflection at which the trials reach ``operating_force`` [m].
+    tangent_stiffness : Estimate or None
+        Slope of the *measured* loading branches around that deflection, discarded points included [N/m].
+    trials : tuple of TrialStiffness
+        One entry per trial.
+    findings : tuple of Finding
+        What weakens the result.
+    """
+
+    law: Law
+    stiffness: Estimate
+    intercept: Estimate | None
+    intercept_choice: Intercept
+    coefficients: tuple[Estimate, ...]
+    curve: FittedCurve
+    fitted_range: tuple[float, float]
+    force_range: tuple[float, float]
+    r2: float
+    repeatability: float | None
+    loss_factor: float | None
+    hysteresis_energy: float | None
+    operating_deflection: float | None
+    tangent_stiffness: Estimate | None
+    trials: tuple[TrialStiffness, ...]
+    findings: tuple[Finding, ...]
+
+
+@dataclass(frozen=True)
+class _Choices:
+    law: Law
+    degree: int
+    discard_below: float
+    intercept: Intercept
+    branch: Branch
+
+
+def fit_stiffness(
+    trials: Sequence[ForceDeflectionTrial],
+    *,
+    law: Law = "linear",
+    degree: int = 3,
+    discard_below: float = 0.0,
+    intercept: Intercept = "drop",
+    branch: Branch = "loading",
+    operating_force: float | None = None,
+    zero: Literal["first-contact", "none"] = "first-contact",
+) -> StiffnessResult:
+    """Fit a force law to repeated force-deflection trials.
+
+    The points of all trials are fitted together; the uncertainty comes from the scatter *between* trials, because the
+    points of one trial repeat each other's errors. A single trial is judged by its residuals, with a finding.
+
+    Parameters
+    ----------
+    trials : sequence of ForceDeflectionTrial
+        Deflection [m] and force [N], compression positive (records with turned signs are turned, with a finding).
+    law : {"linear", "polynomial", "power", "monotone-spline"}
+        F = k x + b; F = sum of a_i x^i for i = 1...``degree`` (no constant); F = a x^b; or a monotone cubic through bin
+        means that starts at the origin.
+    degree : int
+        Degree of the polynomial law [1], 1 to 9.
+    discard_below : float
+        Points with a smaller deflection after the zero correction are not fitted [m], e.g. 0.002 for a tyre that
+        first settles on its support.
+    intercept : {"drop", "shift", "keep"}
+        Linear law only: k and b are always both fitted. ``drop``: the curve is F = k x, only the slope goes on into a
+        model. ``shift``: the curve is F = k (x - x0) with x0 = -b/k, deflection is counted from there.
+        ``keep``: the curve is F = b + k x, b being a preload.
+    branch : {"loading", "unloading", "both"}
+        Which part of each trial is fitted; loading ends at the largest deflection.
+    operating_force : float or None
+        Static force the part will carry [N]; a finding tells when that point lies outside the fitted range.
+    zero : {"first-contact", "none"}
+        See :func:`jounce.identify.force_deflection.seat`.
+
+    Returns
+    -------
+    StiffnessResult
+        Stiffness in N/m with a 95 % interval.
+
+    Raises
+    ------
+    FitError
+        No trials, fewer points than the law needs, NaN, unequal lengths, ``discard_below`` beyond the data, a force
+        that does not grow.
+    DescriptionError
+        An unknown law, branch or intercept.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> x = np.linspace(0.0, 0.015, 31)
+    >>> trials = [ForceDeflectionTrial(x, k * x, f"spring {k}") for k in (22700.0, 22730.0, 22760.0)]
+    >>> result = fit_stiffness(trials)
+    >>> round(result.stiffness.value), round(result.repeatability)
+    (22730, 30)
+    """
+    _check(trials, law, degree, discard_below, intercept, branch)
+    choices = _Choices(law, degree, discard_below, intercept, branch)
+    seated, findings = [], []
+    for trial in renamed(list(trials)):
+        one, notes = seat(trial, zero=zero)
+        seated.append(one)
+        findings += notes
+    points = [_used(one, choices) for one in seated]
+    x, force = (np.concatenate(column) for column in zip(*points, strict=True))
+    pooled = fit_curve(x, force, law=law, degree=degree, intercept=intercept, where="all trials")
+    alone = [
+        fit_curve(a, b, law=law, degree=degree, intercept=intercept, where=one.name)
+        for one, (a, b) in zip(seated, points, strict=True)
+    ]
+    operating, tangent = _operating_point(
+        seated, pooled.curve, operating_force, float(x.max()), findings, float(x.min())
+    )
+    at = operating if operating is not None else 0.5 * float(x.min() + x.max())
+    rows = tuple(_row(one, fit, at) for one, fit in zip(seated, alone, strict=True))
+    _advise(pooled, x, force, choices, rows, findings)
+    return _result(choices, pooled, alone, rows, x, force, at, operating, tangent, findings)
+
+
+def _check(
+    trials: Sequence[ForceDeflectionTrial], law: str, degree: int, discard_below: float, intercept: str, branch: str
+) -> None:
+    if not trials:
+        raise FitError("no trials to fit", allowed="at least one force-deflection trial")
+    for value, options, what in (
+        (law, LAWS, "law"),
+        (intercept, ("drop", "shift", "keep"), "intercept"),
+        (branch, ("loading", "unloading", "both"), "branch"),
+    ):
+        if value not in options:
+            raise unknown(str(value), options, what=what)
+    if law == "polynomial" and not 1 <= degree <= 9:
+        raise FitError("unusable degree of the polynomial", found=degree, allowed="1 to 9")
+    if not (np.isfinite(discard_below) and discard_below >= 0.0):
+        raise FitError("discard_below is not a deflection", found=f"{discard_below} m", allowed="0 m or more")
+    if law != "linear" and intercept != "drop":
+        raise FitError(
+            f"the law {law!r} passes through the origin and has no intercept", found=intercept, allowed="'drop'"
+        )
+
+
+def _used(trial: SeatedTrial, choices: _Choices) -> tuple[Array, Array]:
+    deflection, force = trial.branch(choices.branch)
+    use = deflection >= choices.discard_below
+    if np.count_nonzero(use) < 2:
+        raise FitError(
+            "discarding leaves nothing to fit" if choices.discard_below > 0.0 else "the branch holds too few points",
+            where=trial.name,
+            found=f"{np.count_nonzero(use)} of {len(use)} points at or beyond {1e3 * choices.discard_below:g} mm; "
+            f"the {choices.branch} branch reaches {1e3 * float(deflection.max()):.4g} mm",
+            allowed="at least 2 points",
+            hint="Discard less, or check the unit of the deflection.",
+        )
+    return deflection[use], force[use]
+
+
+def _row(trial: SeatedTrial, fit: CurveFit, at: float) -> TrialStiffness:
+    energy, loss = hysteresis(trial)
+    rms = float(np.sqrt(np.mean(fit.residual**2)))
+    return TrialStiffness(trial.name, _stiffness(fit, at), _intercept(fit), loss, energy, rms, len(fit.residual))
+
+
+def _stiffness(fit: CurveFit, at: float) -> Estimate:
+    """Tangent at deflection ``at`` [m] with its residual-based uncertainty."""
+    value = float(fit.curve.tangent(at + fit.curve.origin if fit.curve.origin else at))
+    if fit.uncertainty is None:
+        return Estimate(value)
+    return fit.uncertainty.derived(value, _tangent_gradient(fit, at))
+
+
+def _tangent_gradient(fit: CurveFit, at: float) -> Array:
+    if fit.curve.kind == "power":
+        a, b = fit.curve.coefficients
+        x = max(at, 1e-12)
+        return np.array([b * x ** (b - 1.0), a * x ** (b - 1.0) * (1.0 + b * np.log(x))])
+    powers = np.arange(1, len(fit.curve.coefficients) + 1)
+    gradient = powers * at ** (powers - 1.0)
+    return np.append(gradient, 0.0) if len(fit.parameters) > len(gradient) else gradient
+
+
+def _has_intercept(fit: CurveFit) -> bool:
+    return fit.curve.kind == "polynomial" and len(fit.parameters) > len(fit.curve.coefficients)
+
+
+def _intercept(fit: CurveFit) -> Estimate | None:
+    return fit.uncertainty.estimates(fit.parameters)[-1] if _has_intercept(fit) and fit.uncertainty else None
+
+
+def _operating_point(
+    trials: list[SeatedTrial],
+    curve: FittedCurve,
+    force: float | None,
+    reach: float,
+    findings: list[Finding],
+    low: float,
+) -> tuple[float | None, Estimate | None]:
+    """Deflection at which the trials carry ``force``, and the slope measured there."""
+    if force is None:
+        return None, None
+    deflections, slopes = [], []
+    for trial in trials:
+        x, f = trial.branch("loading")
+        above = np.flatnonzero(f >= force)
+        if not len(above) or above[0] == 0:
+            continue
+        here = float(np.interp(force, f[above[0] - 1 : above[0] + 1], x[above[0] - 1 : above[0] + 1]))
+        deflections.append(here)
+        near = np.abs(x - here) <= max(0.03 * reach, 2.5 * float(np.median(np.abs(np.diff(x)))))
+        if np.count_nonzero(near) >= 3 and np.ptp(x[near]) > 0.0:
+            slopes.append(float(linear_least_squares(np.column_stack([x[near], np.ones(near.sum())]), f[near])[0][0]))
+    at = float(np.mean(deflections)) if deflections else curve.deflection_at(force, 10.0 * reach)
+    tangent = mean_of_replicates(slopes) if slopes else None
+    if at is None or not low <= at <= reach:
+        place = "is never reached by the trials" if at is None else f"lies at {1e3 * at:.3g} mm"
+        slope = f"; the slope measured there is {tangent.value:.4g} N/m" if tangent else ""
+        findings.append(
+            Finding(
+                "operating point",
+                "warning",
+                f"the static force of {force:.4g} N {place}, outside the fitted range of {1e3 * low:.3g} to "
+                f"{1e3 * reach:.3g} mm{slope}. The fit is an extrapolation there: fit a law that covers it, or compare "
+                "both stiffnesses in the model.",
+                at,
+            )
+        )
+    return at, tangent
+
+
+def _advise(
+    pooled: CurveFit,
+    x: Array,
+    force: Array,
+    choices: _Choices,
+    rows: tuple[TrialStiffness, ...],
+    findings: list[Finding],
+) -> None:
+    if len(rows) == 1:
+        findings.append(
+            Finding(
+                "trials",
+                "warning",
+                "only one trial: the interval comes from its residuals, which repeat each "
+                "other's errors, and says nothing about repeatability. Measure at least three.",
+            )
+        )
+    if all(row.loss_factor is None for row in rows):
+        findings.append(
+            Finding("trials", "note", "no trial has an unloading branch: no hysteresis energy, no loss factor.")
+        )
+    if any(row.points < 10 for row in rows):
+        few = min(rows, key=lambda row: row.points)
+        findings.append(Finding(few.name, "warning", f"only {few.points} points are left to fit.", float(few.points)))
+    if choices.law == "linear" and len(np.unique(x)) > 3:
+        _advise_curvature(x, force, findings)
+    intercept = _intercept(pooled)
+    if choices.intercept == "keep" and intercept is not None and intercept.value < 0.0:
+        findings.append(
+            Finding(
+                "intercept",
+                "warning",
+                f"the kept intercept is {intercept.value:.4g} N: a negative preload is free "
+                "travel, which 'shift' describes better.",
+                intercept.value,
+            )
+        )
+    if (
+        float(pooled.curve.tangent(np.linspace(x.min(), x.max(), 200)).min()) <= 0.0
+        and choices.law != "monotone-spline"
+    ):
+        findings.append(Finding("curve", "problem", "the fitted curve does not rise everywhere; lower the degree."))
+
+
+def _advise_curvature(x: Array, force: Array, findings: list[Finding]) -> None:
+    span = float(np.ptp(x))
+    u = (x - x.mean()) / span
+    found, _, spread = linear_least_squares(np.column_stack([u**2, u, np.ones_like(u)]), force)
+    bend = spread.estimates(found)[0]
+    share = 2.0 * bend.value / found[1]  # change of slope over the range / mean slope
+    if bend.interval and not bend.interval[0] <= 0.0 <= bend.interval[1] and abs(share) > 0.03:
+        findings.append(
+            Finding(
+                "linear law",
+                "warning",
+                f"the slope changes by {100 * share:.0f} % over the fitted range: the "
+                "law is not linear; try 'polynomial', 'power' or 'monotone-spline'.",
+                float(share),
+            )
+        )
+
+
+def _result(
+    choices: _Choices,
+    pooled: CurveFit,
+    alone: list[CurveFit],
+    rows: tuple[TrialStiffness, ...],
+    x: Array,
+    force: Array,
+    at: float,
+    operating: float | None,
+    tangent: Estimate | None,
+    findings: list[Finding],
+) -> StiffnessResult:
+    values = [row.stiffness.value for row in rows]
+    several = len(rows) > 1
+    own = _stiffness(pooled, at)
+    losses = [(row.loss_factor, row.hysteresis_energy) for row in rows if row.loss_factor is not None]
+    intercept = _intercept(pooled)
+    if intercept is not None and several:
+        intercept = mean_of_replicates([float(fit.parameters[-1]) for fit in alone], value=intercept.value)
+    return StiffnessResult(
+        law=choices.law,
+        stiffness=mean_of_replicates(values, value=own.value) if several else own,
+        intercept=intercept,
+        intercept_choice=choices.intercept,
+        coefficients=_coefficients(pooled, alone),
+        curve=replace(pooled.curve),
+        fitted_range=(float(x.min()), float(x.max())),
+        force_range=(float(force.min()), float(force.max())),
+        r2=r_squared(force, pooled.residual),
+        repeatability=float(np.std(values, ddof=1)) if several else None,
+        loss_factor=float(np.mean([loss for loss, _ in losses])) if losses else None,
+        hysteresis_energy=float(np.mean([energy for _, energy in losses])) if losses else None,
+        operating_deflection=operating,
+        tangent_stiffness=tangent,
+        trials=rows,
+        findings=tuple(findings),
+    )
+
+
+def _coefficients(pooled: CurveFit, alone: list[CurveFit]) -> tuple[Estimate, ...]:
+    if pooled.curve.kind == "table":
+        knots = np.array(pooled.curve.deflection)
+        return tuple(
+            mean_of_replicates([float(fit.curve(knot)) for fit in alone], value=value)
+            for knot, value in zip(knots, pooled.curve.force, strict=True)
+        )
+    count = len(pooled.curve.coefficients)
+    if len(alone) == 1 and pooled.uncertainty is not None:
+        return pooled.uncertainty.estimates(pooled.parameters)[:count]
+    return tuple(
+        mean_of_replicates([float(fit.parameters[i]) for fit in alone], value=float(pooled.parameters[i]))
+        for i in range(count)
+    )

@@ -1,0 +1,244 @@
+"""Stiffness from force-deflection trials."""
+
+import math
+
+import numpy as np
+import pytest
+
+from jounce.core.errors import DescriptionError, FitError
+from jounce.core.serialise import to_json
+from jounce.identify.stiffness import ForceDeflectionTrial, fit_stiffness
+
+STROKE = np.linspace(0.0, 0.010, 101)
+
+
+def messages(result):
+    return " | ".join(finding.message for finding in result.findings)
+
+
+def line(k, b=0.0, name="trial"):
+    return ForceDeflectionTrial(STROKE, k * STROKE + b, name)
+
+
+def settling_tyre(stiffness, settle=0.002):
+    """Force that grows quadratically while the tread settles and with ``stiffness`` afterwards."""
+    return np.where(settle > STROKE, stiffness * STROKE**2 / (2 * settle), stiffness * (STROKE - settle / 2))
+
+
+def test_exact_lines_give_their_slope_and_intercept():
+    result = fit_stiffness([line(k, 5.0) for k in (22700.0, 22730.0, 22760.0)])
+    assert result.stiffness.value == pytest.approx(22730.0, rel=1e-12)
+    assert result.intercept.value == pytest.approx(5.0, rel=1e-9)
+    assert result.repeatability == pytest.approx(30.0, rel=1e-9)
+    assert result.stiffness.standard_error == pytest.approx(30.0 / math.sqrt(3.0), rel=1e-9)
+    assert result.r2 > 0.9999
+
+
+def test_peak_forces_of_the_papers_springs():
+    # domain A5: 791.6 N and 341.0 N at the end of the 15 mm stroke
+    x = np.linspace(0.0, 0.015, 61)
+    for k, peak in ((52775.0, 791.6), (22730.0, 341.0)):
+        result = fit_stiffness([ForceDeflectionTrial(x, k * x)])
+        assert float(result.curve(0.015)) == pytest.approx(peak, abs=0.06)
+
+
+@pytest.mark.parametrize("intercept", ["drop", "shift", "keep"])
+def test_the_choice_about_the_intercept_changes_the_curve_and_not_the_slope(intercept):
+    result = fit_stiffness([line(1e5, -100.0)], intercept=intercept, zero="none")
+    assert result.stiffness.value == pytest.approx(1e5)
+    assert result.intercept.value == pytest.approx(-100.0)
+    force = {"drop": 500.0, "shift": 400.0, "keep": 400.0}[intercept]
+    assert float(result.curve(0.005)) == pytest.approx(force)
+    assert result.curve.origin == pytest.approx(0.001 if intercept == "shift" else 0.0)
+    assert result.curve.preload == pytest.approx(-100.0 if intercept == "keep" else 0.0)
+    assert ("negative preload" in messages(result)) == (intercept == "keep")
+
+
+def test_discarding_the_settling_zone_gives_the_stiffness_beyond_it():
+    # paper 1 section 8: points below 2 mm are discarded, then one line through the rest of all trials
+    trials = [ForceDeflectionTrial(STROKE, settling_tyre(k), str(k)) for k in (138000.0, 138468.0, 138936.0)]
+    result = fit_stiffness(trials, discard_below=0.002)
+    assert result.stiffness.value == pytest.approx(138468.0, rel=1e-9)
+    assert result.fitted_range == pytest.approx((0.002, 0.010))
+    assert fit_stiffness(trials).stiffness.value < 0.97 * 138468.0
+
+
+def test_operating_point_in_the_discarded_zone_is_reported_with_the_slope_there():
+    trials = [ForceDeflectionTrial(STROKE, settling_tyre(138468.0), str(i)) for i in range(3)]
+    result = fit_stiffness(trials, discard_below=0.002, operating_force=100.0)
+    assert result.operating_deflection == pytest.approx(math.sqrt(100.0 * 0.004 / 138468.0), rel=1e-3)
+    assert result.tangent_stiffness.value == pytest.approx(138468.0 * result.operating_deflection / 0.002, rel=0.02)
+    assert "outside the fitted range" in messages(result)
+    inside = fit_stiffness(trials, discard_below=0.002, operating_force=500.0)
+    assert "outside the fitted range" not in messages(inside)
+
+
+def test_the_papers_static_deflection_lies_below_two_millimetres():
+    # domain A5: 16 * 9.81 / 138468 = 1.13 mm
+    result = fit_stiffness([line(138468.0)], discard_below=0.002, operating_force=16 * 9.81)
+    assert 1e3 * result.operating_deflection == pytest.approx(1.13, abs=0.005)
+    assert "outside the fitted range" in messages(result)
+
+
+def test_polynomial_recovers_its_coefficients():
+    truth = (50e3, 12e6, -300e6)
+    force = sum(a * STROKE**i for i, a in enumerate(truth, 1))
+    result = fit_stiffness([ForceDeflectionTrial(STROKE, force)], law="polynomial", degree=3)
+    assert [c.value for c in result.coefficients] == pytest.approx(truth, rel=1e-8)
+    assert result.curve.to_table(0.01) == {"kind": "polynomial", "coefficients": pytest.approx(truth, rel=1e-8)}
+    assert result.stiffness.value == pytest.approx(truth[0] + 2 * truth[1] * 0.005 + 3 * truth[2] * 0.005**2)
+    assert result.intercept is None
+
+
+def test_power_law_recovers_its_parameters_and_its_tangent():
+    rng = np.random.default_rng(2)
+    force = 4e5 * STROKE**1.3 + rng.normal(0.0, 0.2, len(STROKE))
+    result = fit_stiffness([ForceDeflectionTrial(STROKE, force)], law="power")
+    a, b = result.coefficients
+    assert a.has(4e5)
+    assert b.has(1.3)
+    assert 0.0 < b.standard_error < 0.01
+    assert result.stiffness.value == pytest.approx(4e5 * 1.3 * 0.005**0.3, rel=0.005)
+    table = result.curve.to_table(0.01)
+    assert np.interp(0.005, table["deflection"], table["force"]) == pytest.approx(4e5 * 0.005**1.3, rel=0.01)
+
+
+def test_monotone_spline_follows_a_knee_and_never_falls():
+    rng = np.random.default_rng(4)
+    trials = [
+        ForceDeflectionTrial(STROKE, settling_tyre(1.3e5) + rng.normal(0.0, 4.0, len(STROKE)), str(i)) for i in range(3)
+    ]
+    result = fit_stiffness(trials, law="monotone-spline")
+    grid = np.linspace(0.0, 0.010, 500)
+    assert np.all(np.diff(result.curve(grid)) >= -1e-9)
+    assert np.allclose(result.curve(STROKE), settling_tyre(1.3e5), atol=8.0)
+    assert float(result.curve(0.0)) == 0.0
+    table = result.curve.to_table(0.01)
+    assert table["kind"] == "table"
+    assert len(table["deflection"]) == len(table["force"]) == len(result.coefficients)
+    assert result.curve.tangent(0.008) == pytest.approx(1.3e5, rel=0.05)
+
+
+def test_free_travel_and_load_cell_zero_are_removed():
+    rng = np.random.default_rng(1)
+    x = np.linspace(0.037, 0.052, 151)
+    force = 22730.0 * np.maximum(x - 0.040, 0.0) + 3.0 + rng.normal(0.0, 0.1, 151)
+    result = fit_stiffness([ForceDeflectionTrial(x, force)])
+    assert "free travel" in messages(result)
+    assert result.fitted_range[1] == pytest.approx(0.012, abs=2e-5)
+    assert abs(result.intercept.value) < 0.3
+    assert result.stiffness.value == pytest.approx(22730.0, rel=1e-3)
+
+
+def test_a_soft_start_is_not_taken_for_free_travel():
+    rng = np.random.default_rng(0)
+    trial = ForceDeflectionTrial(STROKE, settling_tyre(138468.0) + rng.normal(0.0, 1.0, 101))
+    assert "free travel" not in messages(fit_stiffness([trial]))
+
+
+def test_a_start_under_load_keeps_the_recorded_zero():
+    result = fit_stiffness([ForceDeflectionTrial(STROKE + 0.001, 1e5 * STROKE + 100.0)])
+    assert "already loaded" in messages(result)
+    assert result.fitted_range[0] == pytest.approx(0.001)
+
+
+@pytest.mark.parametrize(("turn_x", "turn_f"), [(-1, -1), (-1, 1), (1, -1)])
+def test_turned_signs_are_found_and_reported(turn_x, turn_f):
+    result = fit_stiffness([ForceDeflectionTrial(turn_x * STROKE, turn_f * 2e4 * STROKE)])
+    assert result.stiffness.value == pytest.approx(2e4)
+    assert "sign was turned" in messages(result)
+
+
+def test_hysteresis_of_a_known_loop():
+    # loading F = k x, unloading F = 0.8 k x: energy 0.2 W, loss factor 0.2 / 2 pi
+    x = np.concatenate([STROKE, STROKE[::-1]])
+    force = 1e5 * x * np.repeat([1.0, 0.8], len(STROKE))
+    result = fit_stiffness([ForceDeflectionTrial(x, force)])
+    assert result.hysteresis_energy == pytest.approx(0.2 * 0.5 * 1e5 * 0.010**2, rel=1e-6)
+    assert result.loss_factor == pytest.approx(0.2 / (2 * math.pi), rel=1e-6)
+    assert fit_stiffness([ForceDeflectionTrial(x, force)], branch="unloading").stiffness.value == pytest.approx(8e4)
+    assert 8e4 < fit_stiffness([ForceDeflectionTrial(x, force)], branch="both").stiffness.value < 1e5
+
+
+def test_without_unloading_there_is_no_loss_factor_but_a_finding():
+    result = fit_stiffness([line(2e4)])
+    assert result.loss_factor is None
+    assert result.hysteresis_energy is None
+    assert "has an unloading branch: no hysteresis" in messages(result)
+
+
+def test_curvature_under_a_linear_law_is_reported():
+    assert "not linear" in messages(fit_stiffness([ForceDeflectionTrial(STROKE, settling_tyre(1e5))]))
+    assert "not linear" not in messages(fit_stiffness([line(1e5)]))
+
+
+def test_a_force_that_falls_on_the_way_is_reported():
+    force = 2e4 * STROKE
+    force[60:70] -= 40.0
+    assert "falls by" in messages(fit_stiffness([ForceDeflectionTrial(STROKE, force)]))
+
+
+def test_pooled_interval_honours_the_scatter_between_trials():
+    hits, naive = 0, 0
+    for seed in range(200):
+        rng = np.random.default_rng(seed)
+        trials = [
+            ForceDeflectionTrial(STROKE, rng.normal(22730.0, 200.0) * STROKE + rng.normal(0.0, 0.5, 101), str(i))
+            for i in range(5)
+        ]
+        result = fit_stiffness(trials)
+        hits += result.stiffness.has(22730.0)
+        x = np.tile(STROKE, 5)
+        force = np.concatenate([t.force for t in trials])
+        found, covariance = np.polyfit(x, force, 1, cov="unscaled")
+        error = math.sqrt(covariance[0, 0] * np.sum((force - np.polyval(found, x)) ** 2) / (len(x) - 2))
+        naive += abs(found[0] - 22730.0) < 1.96 * error
+    assert 0.91 <= hits / 200 <= 0.985
+    assert naive / 200 < 0.6  # what the residuals of all points together would have claimed
+
+
+def test_one_trial_has_a_residual_interval_and_a_warning():
+    rng = np.random.default_rng(5)
+    result = fit_stiffness([ForceDeflectionTrial(STROKE, 2e4 * STROKE + rng.normal(0.0, 1.0, 101))])
+    assert result.stiffness.has(2e4)
+    assert result.repeatability is None
+    assert "only one trial" in messages(result)
+
+
+def test_millimetres_read_as_metres_are_noticed():
+    assert "right unit" in messages(fit_stiffness([ForceDeflectionTrial(1e3 * STROKE, 20.0 * 1e3 * STROKE)]))
+
+
+def test_trials_of_the_same_name_are_told_apart():
+    assert [row.name for row in fit_stiffness([line(1e4), line(2e4)]).trials] == ["trial 1", "trial 2"]
+
+
+def test_result_is_plain_data():
+    assert "22730" in to_json(fit_stiffness([line(22730.0), line(22731.0)], operating_force=20.0))
+
+
+@pytest.mark.parametrize(
+    ("trials", "options", "text"),
+    [
+        ([], {}, "no trials"),
+        ([ForceDeflectionTrial([0, 1e-3], [0, 1], "a")], {}, "too few points"),
+        ([ForceDeflectionTrial([0, 1e-3, 2e-3], [0, 1], "a")], {}, "same length"),
+        ([ForceDeflectionTrial([0, 1e-3, math.nan], [0, 1, 2], "a")], {}, "not finite; found .point 3"),
+        ([ForceDeflectionTrial([1e-3] * 5, [0, 1, 2, 3, 4], "a")], {}, "never changes"),
+        ([line(1e4, name="a")], {"discard_below": 0.02}, "a: discarding leaves nothing to fit"),
+        ([line(1e4)], {"discard_below": -1e-3}, "discard_below"),
+        ([line(1e4)], {"law": "polynomial", "degree": 0}, "degree"),
+        ([ForceDeflectionTrial(STROKE[:4], 1e4 * STROKE[:4])], {"law": "polynomial", "degree": 5}, "fewer points"),
+        ([line(1e4)], {"law": "power", "intercept": "keep"}, "no intercept"),
+        ([ForceDeflectionTrial(STROKE, 0 * STROKE)], {}, "does not grow"),
+    ],
+)
+def test_unusable_data_are_refused(trials, options, text):
+    with pytest.raises(FitError, match=text):
+        fit_stiffness(trials, **options)
+
+
+@pytest.mark.parametrize("wrong", [{"law": "lineer"}, {"intercept": "dropp"}, {"branch": "up"}])
+def test_unknown_choices_are_refused(wrong):
+    with pytest.raises(DescriptionError, match="unknown"):
+        fit_stiffness([line(1e4)], **wrong)
