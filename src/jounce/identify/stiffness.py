@@ -296,9 +296,8 @@ def _operating_point(
             continue
         here = float(np.interp(force, f[above[0] - 1 : above[0] + 1], x[above[0] - 1 : above[0] + 1]))
         deflections.append(here)
-        near = np.abs(x - here) <= max(0.03 * reach, 2.5 * float(np.median(np.abs(np.diff(x)))))
-        if np.count_nonzero(near) >= 3 and np.ptp(x[near]) > 0.0:
-            slopes.append(float(linear_least_squares(np.column_stack([x[near], np.ones(near.sum())]), f[near])[0][0]))
+        slope = _slope_at(x - here, f, max(0.03 * reach, 2.5 * float(np.median(np.abs(np.diff(x))))))
+        slopes += [] if slope is None else [slope]
     at = float(np.mean(deflections)) if deflections else curve.deflection_at(force, 10.0 * reach)
     tangent = mean_of_replicates(slopes) if slopes else None
     if at is None or not low <= at <= reach:
@@ -315,6 +314,15 @@ def _operating_point(
             )
         )
     return at, tangent
+
+
+def _slope_at(x: Array, force: Array, width: float) -> float | None:
+    """Slope [N/m] at x = 0 of a parabola (a line when points are few) through the points within ``width`` [m]."""
+    near = np.abs(x) <= width
+    degree = 2 if len(np.unique(x[near])) >= 5 else 1
+    if len(np.unique(x[near])) < 2:
+        return None
+    return float(np.polyfit(x[near] / width, force[near], degree)[-2] / width)
 
 
 def _advise(
