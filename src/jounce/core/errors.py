@@ -23,9 +23,7 @@ class JounceError(Exception):
         The next step for the reader.
     """
 
-    def __init__(
-        self, what: str, *, where: str = "", found: object = None, allowed: str = "", hint: str = ""
-    ) -> None:
+    def __init__(self, what: str, *, where: str = "", found: object = None, allowed: str = "", hint: str = "") -> None:
         self.what, self.where, self.found, self.allowed, self.hint = what, where, found, allowed, hint
         super().__init__(self._text())
 

@@ -47,7 +47,7 @@ class Segments:
         return replace(self, edges=self.edges / speed, rate=self.rate * speed)
 
     def evaluate(self, x: Array) -> tuple[Array, Array]:
-        """Height (m) and derivative with respect to ``x`` at the points ``x``; at an edge the right-hand piece counts."""
+        """Height (m) and its derivative (m per unit of ``x``) at ``x``; at an edge the right-hand piece counts."""
         x = np.asarray(x, dtype=float)
         piece = np.clip(np.searchsorted(self.edges, x, side="right") - 1, 0, len(self.kind) - 1)
         s = self.rate * (x - self.edges[piece])
@@ -56,9 +56,7 @@ class Segments:
         root = np.sqrt(np.maximum(c1**2 - (s - c2) ** 2, 0.0))
         with np.errstate(divide="ignore", invalid="ignore"):
             circle_slope = np.where(root > 0.0, -c3 * (s - c2) / root, 0.0)
-        height = np.choose(
-            kind, [c0 + s * (c1 + s * (c2 + s * c3)), c0 + c1 * np.sin(c2 * s + c3), c0 + c3 * root]
-        )
+        height = np.choose(kind, [c0 + s * (c1 + s * (c2 + s * c3)), c0 + c1 * np.sin(c2 * s + c3), c0 + c3 * root])
         slope = np.choose(kind, [c1 + s * (2.0 * c2 + 3.0 * s * c3), c1 * c2 * np.cos(c2 * s + c3), circle_slope])
         return height, self.rate * slope
 

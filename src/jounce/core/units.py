@@ -103,9 +103,7 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
     else:
         match = _NUMBER.match(value)
         if match is None:
-            raise DescriptionError(
-                "not a number with a unit", where=where, found=value, allowed=f"'<number> {si}'"
-            )
+            raise DescriptionError("not a number with a unit", where=where, found=value, allowed=f"'<number> {si}'")
         number = float(match[1])
         if match[2] == "" and si not in _DIMENSIONLESS:
             raise DescriptionError(

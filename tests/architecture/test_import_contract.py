@@ -1,0 +1,53 @@
+"""The import contract of pyproject.toml holds, and breaking it is noticed."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from rules import CONFIGURATION, ROOT, packages_below
+
+RUN = "from importlinter.cli import lint_imports_command as run; run(['--no-cache', '--no-logo'])"
+
+
+def lint_imports(folder: Path, **environment: str) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-c", RUN]
+    return subprocess.run(
+        command, cwd=folder, capture_output=True, text=True, check=False, env={**os.environ, **environment}
+    )
+
+
+def test_contract_holds() -> None:
+    done = lint_imports(ROOT)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "2 kept, 0 broken" in done.stdout
+
+
+def test_everything_below_the_kernel_but_core_is_forbidden_to_it() -> None:
+    forbidden = CONFIGURATION["tool"]["importlinter"]["contracts"][1]["forbidden_modules"]
+    assert set(forbidden) == {f"jounce.{name}" for name in packages_below("kernel")} - {"jounce.core"}
+
+
+@pytest.mark.parametrize(
+    ("importer", "imported", "contract"),
+    [
+        ("core", "studies", "A package imports only packages that stand before it BROKEN"),
+        ("roads", "kernel", "A package imports only packages that stand before it BROKEN"),
+        ("kernel", "parts", "The kernel knows numbers only BROKEN"),
+    ],
+)
+def test_broken_contract_is_noticed(tmp_path: Path, importer: str, imported: str, contract: str) -> None:
+    (tmp_path / "pyproject.toml").write_text((ROOT / "pyproject.toml").read_text(encoding="utf-8"), encoding="utf-8")
+    for package in ("core", "parts", "roads", "recordings", "control", "mechanics", "models", "kernel", "studies"):
+        (tmp_path / "jounce" / package).mkdir(parents=True)
+        (tmp_path / "jounce" / package / "__init__.py").write_text("", encoding="utf-8")
+    (tmp_path / "jounce" / "__init__.py").write_text("", encoding="utf-8")
+    code = f"def later():\n    from jounce.{imported} import anything\n"
+    (tmp_path / "jounce" / importer / "work.py").write_text(code, encoding="utf-8")
+    done = lint_imports(tmp_path, PYTHONPATH=str(tmp_path))
+    assert done.returncode == 1
+    assert contract in done.stdout

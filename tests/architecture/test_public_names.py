@@ -1,0 +1,74 @@
+"""The public namespace: every name resolves, loads lazily, and a misspelt one says what was meant."""
+
+from __future__ import annotations
+
+import ast
+import subprocess
+import sys
+import types
+
+import pytest
+
+import jounce
+from rules import ROOT, SOURCE, modules, packages_below
+
+HEAVY = ["casadi", "h5py", "jinja2", "llvmlite", "matplotlib", "numba", "numpy", "pandas", "pint", "pydantic", "rich"]
+HEAVY += ["scipy", "typer", "xarray"]
+FACES = ["click", "jinja2", "matplotlib", "rich", "typer", "typst"]
+
+
+def run_python(code: str) -> str:
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, cwd=ROOT)
+    assert done.returncode == 0, done.stderr
+    return done.stdout.strip()
+
+
+def loaded_after(statement: str) -> set[str]:
+    names = run_python(f"import sys\n{statement}\nprint(*sys.modules)").splitlines()[-1].split()
+    return {name.partition(".")[0] for name in names}
+
+
+@pytest.mark.parametrize("name", [*sorted(jounce._PUBLIC), "__version__"])
+def test_public_name_resolves(name: str) -> None:
+    value = getattr(jounce, name)
+    assert value is not None
+    if not isinstance(value, (types.ModuleType, str)):
+        assert value.__name__ == name
+    assert name in dir(jounce)
+
+
+def test_unknown_name_names_the_nearest() -> None:
+    with pytest.raises(AttributeError, match=r"no attribute 'JounceErorr'\. Did you mean 'JounceError'\?"):
+        jounce.JounceErorr  # noqa: B018
+
+
+def test_names_for_type_checkers_are_the_same() -> None:
+    tree = ast.parse((SOURCE / "__init__.py").read_text(encoding="utf-8"))
+    block = next(node for node in tree.body if isinstance(node, ast.If))
+    seen = {}
+    for node in block.body:
+        if isinstance(node, ast.ImportFrom):
+            is_module = node.module == "jounce"
+            seen |= {alias.asname: f"jounce.{alias.name}" if is_module else node.module for alias in node.names}
+    assert seen == jounce._PUBLIC
+
+
+def test_import_loads_nothing_heavy() -> None:
+    assert loaded_after("import jounce") & set(HEAVY) == set()
+    assert "numpy" in loaded_after("import jounce, numpy"), "the check itself sees what is loaded"
+
+
+def test_core_needs_no_faces() -> None:
+    code = f"import sys, importlib\nsys.modules.update(dict.fromkeys({FACES}))\n"
+    core = [name for name in modules() if name.startswith("jounce.core")]
+    assert run_python(code + f"for name in {core}: importlib.import_module(name)\nprint('done')") == "done"
+    with pytest.raises(AssertionError, match="ModuleNotFoundError"):
+        run_python(code + "import rich.table")
+
+
+def test_everything_below_the_plots_needs_no_faces() -> None:
+    below = set(packages_below("plots"))
+    names = [name for name in modules() if name.count(".") and name.split(".")[1] in below]
+    assert names
+    code = f"import sys, importlib\nsys.modules.update(dict.fromkeys({FACES}))\n"
+    assert run_python(code + f"for name in {names}: importlib.import_module(name)\nprint('done')") == "done"
