@@ -175,7 +175,7 @@ def simulate(
     """
     compiled = compile_model(build(rig))
     p = compiled.parameter_values(rig.parameters())
-    times = output_times(trial.length_in_time(), output_step)
+    times = output_times(trial.duration, output_step)
     solution = solve(compiled, p, trial.segments(), times, tolerance=tolerance, offset=_offset(compiled, offset))
     reach = _check(solution) if check else len(times)
     channels = {

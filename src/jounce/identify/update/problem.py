@@ -17,7 +17,8 @@ from jounce.core.errors import FitError, SimulationError
 from jounce.kernel.status import Status
 from jounce.models import build
 from jounce.parts import Rig
-from jounce.recordings.sensors import Sensor, apply_bias, filter_signals
+from jounce.recordings.alignment import shift_with_derivative
+from jounce.recordings.sensors import Sensor, bias_of, filter_signals
 from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_model
 from jounce.simulation.run import Solution, solve
@@ -81,6 +82,7 @@ class Channel:
     column: int
     measured: Array
     sensor: Sensor | None
+    bias: float
     weight: float
 
 
@@ -191,22 +193,43 @@ class UpdateProblem:
         stride = len(trial.compiled.output_names)
         columns = [channel.column + stride * k for k in range(1 + len(self.free))]
         table = solution.outputs[:, columns]
-        if channel.sensor is not None:
-            table = filter_signals(table, trial.rate, channel.sensor)
-        if self.align:
-            table = _shifted(trial.times, table, lag)
-        signal = table[:, 0] if channel.sensor is None else apply_bias(table[:, 0], channel.sensor)
         first = len(trial.times) - len(channel.measured)
-        return signal[first:], table[first:, 1:]
+        table = table[first:]
+        if channel.sensor is not None:
+            table = filter_signals(table, trial.rate, channel.sensor, where=channel.name)
+        if self.align:
+            shifted, slope = shift_with_derivative(table, trial.rate, lag)
+            table = np.column_stack([shifted, slope[:, 0]])
+        return table[:, 0] + channel.bias, table[:, 1:]
 
 
-def _shifted(times: Array, table: Array, lag: float) -> Array:
-    """The signals read ``lag`` earlier, with their derivative with respect to the lag as last column."""
-    from scipy.interpolate import CubicSpline
+def readings(trial: FitTrial, *, lag: float = 0.0, tolerance: float = 1e-6) -> dict[str, tuple[Array, Array, Array]]:
+    """Simulate a trial with its rig's own values and read it through its sensors.
 
-    spline = CubicSpline(times, table, axis=0)
-    at = np.clip(times - lag, times[0], times[-1])
-    return np.column_stack([spline(at), -spline(at, 1)[:, 0]])
+    Parameters
+    ----------
+    trial : FitTrial
+        The trial and its recording.
+    lag : float
+        Lag of the recording behind the simulation, s.
+    tolerance : float
+        Relative error of the simulated displacements.
+
+    Returns
+    -------
+    dict
+        Channel to (time in s, measured, simulated), in the channel's SI unit.
+    """
+    problem = UpdateProblem(
+        [trial], (), channels=None, weights="printed", align=True, lag_bound=1.0, tolerance=tolerance
+    )
+    prepared = problem.trials[0]
+    solution = prepared.solve(np.zeros(0), tolerance)
+    time = trial.measured["time"].to_numpy()
+    return {
+        channel.name: (time, channel.measured, problem._channel(prepared, channel, solution, lag)[0])
+        for channel in prepared.channels
+    }
 
 
 def _prepare(
@@ -217,10 +240,10 @@ def _prepare(
     values = trial.rig.parameters()
     time = trial.measured["time"].to_numpy()
     times = time if time[0] <= 0.0 else np.concatenate([[0.0], time])
-    if time[-1] < trial.trial.obstacle_end():
+    if time[-1] < trial.trial.end():
         raise FitError(
             "the recording ends before the obstacle pass does", where=trial.name, found=f"{time[-1]:.4g} s",
-            allowed=f"at least {trial.trial.obstacle_end():.4g} s", hint="Check speed and start, or record longer.",
+            allowed=f"at least {trial.trial.end():.4g} s", hint="Check speed and start, or record longer.",
         )
     common = [name for name in compiled.output_names if name in trial.measured and (names is None or name in names)]
     if not common:
@@ -229,17 +252,19 @@ def _prepare(
             found=", ".join(str(name) for name in trial.measured.data_vars), allowed=", ".join(compiled.output_names),
             hint="Map the columns, e.g. columns = {\"sprung.az\" = \"acc1 [g]\"}.",
         )
-    channels = []
-    for name in common:
-        measured = trial.measured[name].to_numpy()
-        channels.append(
-            Channel(name, compiled.output_names.index(name), measured, trial.sensors.get(name), _weight(weights, name, measured))
-        )
+    channels = [_channel(trial, compiled, name, weights) for name in common]
     factors = np.array([values[item.path] / item.initial if item.initial else 1.0 for item in free])
     return Prepared(
         trial, compiled, times, 1.0 / float(np.median(np.diff(time))), tuple(channels),
         compiled.parameter_values(values), factors,
     )
+
+
+def _channel(trial: FitTrial, compiled: Compiled, name: str, weights: str | Mapping[str, float]) -> Channel:
+    column, sensor = compiled.output_names.index(name), trial.sensors.get(name)
+    measured = trial.measured[name].to_numpy()
+    bias = 0.0 if sensor is None else bias_of(sensor, compiled.model.outputs[column].unit, where=name)
+    return Channel(name, column, measured, sensor, bias, _weight(weights, name, measured))
 
 
 def _weight(weights: str | Mapping[str, float], name: str, measured: Array) -> float:

@@ -1,0 +1,1 @@
+"""Whole jobs: they return results, the faces write them."""

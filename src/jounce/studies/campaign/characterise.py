@@ -1,0 +1,236 @@
+"""From bench files to the values a rig starts from; a bench table that fails does not stop the others."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from jounce.core.errors import JounceError, RecordingError
+from jounce.core.findings import Finding
+from jounce.core.units import to_si
+from jounce.identify.decay import DecayResult, combine_decays, fit_decay
+from jounce.identify.force_deflection import ForceDeflectionTrial
+from jounce.identify.stiffness import StiffnessResult, fit_stiffness
+from jounce.identify.tyre_pressure import PressureStiffness, stiffness_against_pressure
+from jounce.parts import Rig
+from jounce.recordings import read_columns, read_recording
+from jounce.studies.campaign.description import Bench, DecayBench, StiffnessBench
+from jounce.studies.campaign.setup import Knowledge, with_tyre
+
+
+@dataclass(frozen=True)
+class Replaced:
+    """One rig value that a measurement replaced, SI."""
+
+    path: str
+    described: float | None
+    measured: float
+    standard_error: float | None
+    source: str
+
+
+@dataclass
+class Characterisation:
+    """What the bench says: results of each table, and which rig values they replaced."""
+
+    spring: StiffnessResult | None = None
+    tyre: dict[str, StiffnessResult] = field(default_factory=dict)
+    tyre_polynomial: dict[str, StiffnessResult] = field(default_factory=dict)
+    pressure: PressureStiffness | None = None
+    decay: DecayResult | None = None
+    decays: tuple[DecayResult, ...] = ()
+    replaced: list[Replaced] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=list)
+    failed: list[str] = field(default_factory=list)
+
+
+def characterise(rig: Rig, bench: Bench, folder: Path) -> tuple[Characterisation, Knowledge]:
+    """Evaluate all bench tables of a campaign.
+
+    Parameters
+    ----------
+    rig : Rig
+        Values as described; the measured ones replace them.
+    bench : Bench
+        Tables of the campaign file.
+    folder : Path
+        Folder the file patterns are relative to.
+
+    Returns
+    -------
+    Characterisation
+        Results, SI.
+    Knowledge
+        The rig with measured values, and its tyre by pressure.
+    """
+    found = Characterisation()
+    knowledge = Knowledge(rig)
+    steps = [(_spring, "bench.spring", bench.spring), (_tyre, "bench.tyre", bench.tyre), (_decay, "bench.decay", bench.decay)]
+    for step, place, table in steps:
+        if not table:
+            continue
+        try:
+            knowledge = step(found, knowledge, table, folder)
+        except JounceError as error:
+            found.failed.append(place)
+            text = f"{error} The described value is used instead."
+            found.findings.append(Finding(place, "problem", text))
+    return found, knowledge
+
+
+def files_of(patterns: tuple[str, ...], folder: Path, where: str) -> list[Path]:
+    """Find the files of a table; every pattern must match at least one."""
+    found: list[Path] = []
+    for pattern in patterns:
+        matches = sorted(folder.glob(pattern)) if not Path(pattern).is_absolute() else [Path(pattern)]
+        if not matches:
+            raise RecordingError(
+                "no file matches", where=where, found=pattern, hint=f"The pattern is relative to {folder}."
+            )
+        found += matches
+    return found
+
+
+def read_force_deflection(files: list[Path], columns: dict[str, str]) -> tuple[list[ForceDeflectionTrial], list[Finding]]:
+    """Read trials of a test machine: columns ``displacement`` (m) and ``force`` (N), compression positive."""
+    trials, findings = [], []
+    for file in files:
+        table, notes = read_columns(file, {"displacement": "m", "force": "N"}, columns=columns or None)
+        trials.append(ForceDeflectionTrial(table["displacement"], table["force"], file.name))
+        findings += notes
+    return trials, findings
+
+
+def _fit(
+    table: StiffnessBench, folder: Path, where: str, load: float, found: Characterisation, **choice: Any  # noqa: ANN401
+) -> StiffnessResult:
+    trials, findings = read_force_deflection(files_of(table.files, folder, where), table.columns)
+    settings: dict[str, Any] = {
+        "law": table.law, "degree": table.degree, "discard_below": table.discard_below,
+        "intercept": table.intercept, "branch": table.branch, "operating_force": load, **choice,
+    }
+    result = fit_stiffness(trials, **settings)
+    found.findings += [Finding(f"{where}: {f.place}", f.severity, f.message, f.value) for f in (*findings, *result.findings)]
+    return result
+
+
+def _spring(found: Characterisation, knowledge: Knowledge, table: StiffnessBench, folder: Path) -> Knowledge:
+    rig = knowledge.rig
+    values = rig.parameters()
+    load = values["sprung.mass"] * values["gravity"] / math.cos(values.get("strut.angle", 0.0))
+    result = found.spring = _fit(table, folder, "bench.spring", load, found)
+    dump = rig.model_dump(by_alias=True, exclude_none=True)
+    spring: dict[str, Any] = {"preload": values.get("strut.spring.preload", 0.0)}
+    if result.law == "linear":
+        spring["rate"] = result.stiffness.value
+        if result.intercept_choice == "keep" and result.intercept is not None:
+            spring["preload"] = result.intercept.value
+    else:
+        spring["curve"] = result.curve.to_table(result.fitted_range[1])
+    dump["strut"]["spring"] = spring
+    found.replaced.append(
+        Replaced("strut.spring.rate", values.get("strut.spring.rate"), result.stiffness.value,
+                 result.stiffness.standard_error, "bench.spring")
+    )
+    return Knowledge(type(rig).from_table(dump), knowledge.tyres, knowledge.between)
+
+
+def _tyre(found: Characterisation, knowledge: Knowledge, tables: dict[str, StiffnessBench], folder: Path) -> Knowledge:
+    values = knowledge.rig.parameters()
+    load = (values["sprung.mass"] + values["unsprung.mass"]) * values["gravity"]
+    tyres = {}
+    for name, table in tables.items():
+        place, pressure = f'bench.tyre."{name}"', to_si(name, "Pa", where="bench.tyre")
+        result = found.tyre[name] = _fit(table, folder, place, load, found)
+        tyres[pressure] = _tyre_table(result)
+        found.replaced.append(
+            Replaced("tyre.stiffness", values.get("tyre.stiffness"), result.stiffness.value,
+                     result.stiffness.standard_error, place)
+        )
+    points = [(to_si(name, "Pa"), result.stiffness) for name, result in found.tyre.items()]
+    found.pressure = stiffness_against_pressure(points)
+    found.findings += found.pressure.findings
+    linear = all(result.law == "linear" for result in found.tyre.values())
+
+    def between(pressure: float) -> dict[str, Any]:
+        if not linear or found.pressure is None:
+            nearest = min(tyres, key=lambda known: abs(known - pressure))
+            return tyres[nearest]
+        stiffness, notes = found.pressure.at(pressure)
+        found.findings += [note for note in notes if note not in found.findings]
+        return {"stiffness": stiffness.value}
+
+    first = next(iter(tyres.values()))
+    return Knowledge(with_tyre(knowledge.rig, first), tyres, between)
+
+
+def polynomial_tyres(bench: Bench, knowledge: Knowledge, folder: Path, found: Characterisation) -> Knowledge:
+    """Knowledge with the tyre's measured curve (cubic through the origin, all points) instead of its stiffness."""
+    values = knowledge.rig.parameters()
+    load = (values["sprung.mass"] + values["unsprung.mass"]) * values["gravity"]
+    tyres = {}
+    for name, table in bench.tyre.items():
+        if name not in found.tyre_polynomial:
+            found.tyre_polynomial[name] = _fit(
+                table, folder, f'bench.tyre."{name}" as polynomial', load, found, law="polynomial", discard_below=0.0
+            )
+        tyres[to_si(name, "Pa")] = _tyre_table(found.tyre_polynomial[name])
+    if not tyres:
+        raise RecordingError(
+            "tyre_law = \"polynomial\" needs measured tyre curves", where="update", allowed='a [bench.tyre."P"] table'
+        )
+
+    def between(pressure: float) -> dict[str, Any]:
+        return tyres[min(tyres, key=lambda known: abs(known - pressure))]
+
+    return Knowledge(with_tyre(knowledge.rig, next(iter(tyres.values()))), tyres, between)
+
+
+def _tyre_table(result: StiffnessResult) -> dict[str, Any]:
+    if result.law == "linear":
+        return {"stiffness": result.stiffness.value}
+    return {"curve": result.curve.to_table(result.fitted_range[1])}
+
+
+def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, folder: Path) -> Knowledge:
+    """Damping at the strut from free decays of the sprung mass.
+
+    On its tyre, strut and tyre act in series: the decay sees ``c_w (k_t / (k_w + k_t))^2`` of the wheel-referred
+    damping ``c_w = c cos(angle)^2``; with the hub blocked it sees ``c_w``.
+    """
+    rig = knowledge.rig
+    values = rig.parameters()
+    lever = math.cos(values.get("strut.angle", 0.0)) ** 2
+    wheel_rate = values.get("strut.spring.rate", math.nan) * lever
+    share = 1.0
+    if table.support == "tyre" and "tyre.stiffness" in values:
+        share = values["tyre.stiffness"] / (wheel_rate + values["tyre.stiffness"])
+    stiffness = wheel_rate * share if math.isfinite(wheel_rate) else None
+    results = []
+    for file in files_of(table.files, folder, "bench.decay"):
+        data, notes = read_recording(file, columns=table.columns or None)
+        found.findings += notes
+        if table.channel not in data:
+            raise RecordingError(
+                "the channel is missing", where=file.name, found=", ".join(map(str, data.data_vars)), allowed=table.channel
+            )
+        results.append(
+            fit_decay(data["time"].to_numpy(), data[table.channel].to_numpy(), mass=values["sprung.mass"], stiffness=stiffness)
+        )
+    found.decays = tuple(results)
+    found.decay = combine_decays(results) if len(results) > 1 else results[0]
+    found.findings += [Finding(f"bench.decay: {f.place}", f.severity, f.message, f.value) for f in found.decay.findings]
+    if "strut.damper.coefficient" not in values:
+        text = "the rig's damper is no plain coefficient; the decay is reported and does not replace it"
+        found.findings.append(Finding("bench.decay", "note", text))
+        return knowledge
+    factor = 1.0 / (lever * share**2)
+    seen = found.decay.damping_coefficient
+    error = None if seen.standard_error is None else seen.standard_error * factor
+    found.replaced.append(
+        Replaced("strut.damper.coefficient", values["strut.damper.coefficient"], seen.value * factor, error, "bench.decay")
+    )
+    changed = rig.with_changes({"strut.damper.coefficient": max(seen.value * factor, 0.0)})
+    return Knowledge(changed, knowledge.tyres, knowledge.between)

@@ -1,0 +1,142 @@
+"""Campaign files: what was measured on the bench, which trials were run, what is to be updated."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, field_validator, model_validator
+
+from jounce.core.description import Description, read_toml
+from jounce.core.units import NonNegativeLength, PositiveSpeed, PositiveTime, Unit, to_si
+from jounce.parts.loading import check_schema
+from jounce.recordings import Sensor
+
+Angle = Annotated[float, Unit("rad")]
+Pressure = Annotated[float, Unit("Pa", above=0.0)]
+
+
+class StiffnessBench(Description):
+    """Force-deflection trials of one component; columns ``displacement`` and ``force``."""
+
+    files: tuple[str, ...] = Field(min_length=1)
+    columns: dict[str, str] = {}
+    law: Literal["linear", "polynomial", "power", "monotone-spline"] = "linear"
+    degree: Annotated[int, Field(ge=1, le=6)] = 3
+    discard_below: NonNegativeLength = 0.0
+    intercept: Literal["drop", "shift", "keep"] = "drop"
+    branch: Literal["loading", "unloading", "both"] = "loading"
+
+
+class DecayBench(Description):
+    """Free decays of the sprung mass. ``support``: the wheel stands on its tyre, or the hub is blocked."""
+
+    files: tuple[str, ...] = Field(min_length=1)
+    columns: dict[str, str] = {}
+    channel: str = "sprung.z"
+    support: Literal["tyre", "blocked"] = "tyre"
+
+
+class Bench(Description):
+    """Component measurements; every table is optional. Tyre tables are named by their pressure."""
+
+    spring: StiffnessBench | None = None
+    tyre: dict[str, StiffnessBench] = {}
+    decay: DecayBench | None = None
+
+    @field_validator("tyre")
+    @classmethod
+    def _named_by_pressure(cls, tables: dict[str, StiffnessBench]) -> dict[str, StiffnessBench]:
+        for name in tables:
+            to_si(name, "Pa", where="bench.tyre")
+        return tables
+
+
+class TrialEntry(Description):
+    """One run over the obstacle course (or on a shaker) and its recording."""
+
+    number: int
+    speed: PositiveSpeed | None = None
+    road: str | None = None
+    excitation: str | None = None
+    strut_angle: Angle | None = None
+    tyre_pressure: Pressure | None = None
+    recording: str
+    columns: dict[str, str] = {}
+    use: Literal["fit", "hold-out"] = "hold-out"
+    duration: PositiveTime | None = None
+    changes: dict[str, Any] = {}
+
+    @model_validator(mode="after")
+    def _road_or_excitation(self) -> TrialEntry:
+        if (self.excitation is None) == (self.road is None):
+            raise ValueError("give either road and speed, or excitation")
+        if self.road is not None and self.speed is None:
+            raise ValueError("the speed is missing; a road is driven over at a speed")
+        return self
+
+
+class UpdateEntry(Description):
+    """One updating strategy: which parameters are free, within which bounds, on which trials."""
+
+    name: str
+    free: dict[str, Any]
+    trials: tuple[int, ...] | Literal["fit"] = "fit"
+    method: Literal["bfgs", "least-squares"] = "least-squares"
+    start_from: str | None = None
+    tyre_law: Literal["as-rig", "polynomial"] = "as-rig"
+    weights: Literal["printed", "normalised"] | dict[str, float] = "printed"
+    channels: tuple[str, ...] | None = None
+    align: Literal["lag"] | None = None
+    starts: Annotated[int, Field(ge=1, le=1000)] = 1
+
+
+class Campaign(Description):
+    """A whole bench campaign."""
+
+    schema_: Literal["jounce.campaign/1"] = Field(alias="schema")
+    title: str = "Bench campaign"
+    synthetic: str = ""
+    rig: str
+    bench: Bench = Bench()
+    sensors: dict[str, Sensor] = {}
+    roads: dict[str, Any] = {}
+    trial: tuple[TrialEntry, ...] = Field(min_length=1)
+    update: tuple[UpdateEntry, ...] = ()
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Campaign:
+        numbers = [entry.number for entry in self.trial]
+        twice = {number for number in numbers if numbers.count(number) > 1}
+        if twice:
+            raise ValueError(f"trial number {min(twice)} is given twice")
+        names: list[str] = []
+        for entry in self.update:
+            if entry.name in names:
+                raise ValueError(f"two updates are named {entry.name!r}")
+            if entry.start_from is not None and entry.start_from not in names:
+                earlier = ", ".join(names) or "none"
+                raise ValueError(f"update {entry.name!r} starts from {entry.start_from!r}; earlier updates: {earlier}")
+            if isinstance(entry.trials, tuple) and set(entry.trials) - set(numbers):
+                missing = min(set(entry.trials) - set(numbers))
+                raise ValueError(f"update {entry.name!r} uses trial {missing}, which does not exist")
+            names.append(entry.name)
+        return self
+
+
+def load_campaign(path: Path | str) -> tuple[Campaign, str]:
+    """Read a campaign file; give it with its text.
+
+    Parameters
+    ----------
+    path : path
+        TOML file; the files it names are relative to its folder.
+
+    Raises
+    ------
+    DescriptionError
+        With file, line, path, found value and what is allowed.
+    """
+    table, text = read_toml(path)
+    check_schema(table, "jounce.campaign/1", str(path))
+    return Campaign.from_table(table, where=str(path), text=text), text

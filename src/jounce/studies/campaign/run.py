@@ -1,0 +1,216 @@
+"""Run a campaign: characterise, update strategy by strategy, hold every trial against the model."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import xarray as xr
+
+from jounce.core.errors import FitError, JounceError, unknown
+from jounce.core.findings import Finding
+from jounce.identify.update import FitTrial, update_model
+from jounce.parts import Rig, changed_text, load, rig_path
+from jounce.parts.parameters import parameters_of
+from jounce.recordings import read_recording
+from jounce.roads import Road, Train, Trial, read_roads
+from jounce.studies.campaign.characterise import characterise, polynomial_tyres
+from jounce.studies.campaign.description import Campaign, TrialEntry, UpdateEntry, load_campaign
+from jounce.studies.campaign.result import CampaignResult, StrategyResult, TrialResult
+from jounce.studies.campaign.setup import Knowledge
+from jounce.studies.campaign.validation import Signals, TrialComparison, compare_trial
+
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class _Loaded:
+    """A trial whose road and recording could be read."""
+
+    entry: TrialEntry
+    trial: Trial
+    measured: xr.Dataset
+
+
+def run_campaign(path: Path | str, *, progress: Progress = lambda text: None) -> CampaignResult:
+    """Evaluate a whole bench campaign.
+
+    Parameters
+    ----------
+    path : path
+        Campaign TOML; files it names are relative to its folder.
+    progress : callable
+        Called with one line of text as the work goes on.
+
+    Returns
+    -------
+    CampaignResult
+        Nothing is written; see :func:`jounce.report.write_campaign`. What fails (a bench table, a trial, an update)
+        is a finding of severity ``problem``; the rest is done.
+
+    Raises
+    ------
+    DescriptionError
+        When the campaign, rig or road tables cannot be understood.
+    """
+    file = Path(path)
+    campaign, text = load_campaign(file)
+    rig_file = _rig_file(campaign.rig, file.parent)
+    rig = load(rig_file)
+    roads = read_roads(campaign.roads, where=str(file), text=text, folder=file.parent)
+    _check_references(campaign, roads, file)
+    progress("bench: " + ", ".join(name for name in ("spring", "tyre", "decay") if getattr(campaign.bench, name)))
+    bench, knowledge = characterise(rig, campaign.bench, file.parent)
+    findings = list(bench.findings)
+    loaded = _load_trials(campaign, roads, file.parent, findings)
+    runner = _Runner(campaign, file.parent, loaded, rig_file.read_text(encoding="utf-8"), bench, findings, progress)
+    strategies = runner.update_all(knowledge)
+    trials = runner.compare_all(knowledge, strategies)
+    return CampaignResult(
+        campaign, file.parent, rig, knowledge.rig, bench, tuple(strategies), tuple(trials), tuple(_unique(findings))
+    )
+
+
+def _rig_file(name: str, folder: Path) -> Path:
+    beside = folder / name
+    return beside if beside.suffix == ".toml" else rig_path(name)
+
+
+def _check_references(campaign: Campaign, roads: dict[str, Road], file: Path) -> None:
+    for i, entry in enumerate(campaign.trial):
+        if entry.road is not None and entry.road not in roads:
+            raise unknown(entry.road, roads, what="road", where=f"{file}: trial[{i}].road (number {entry.number})")
+
+
+def _load_trials(campaign: Campaign, roads: dict[str, Road], folder: Path, findings: list[Finding]) -> dict[int, _Loaded]:
+    loaded = {}
+    for entry in campaign.trial:
+        place = f"trial {entry.number}"
+        try:
+            measured, notes = read_recording(folder / entry.recording, columns=entry.columns or None)
+            duration = entry.duration or float(measured["time"][-1])
+            if entry.excitation is not None:
+                trial = Trial(excitation=folder / entry.excitation, duration=duration)
+            else:
+                trial = Trial(road=roads[str(entry.road)], speed=entry.speed, duration=duration)
+            _check_length(trial, measured)
+            loaded[entry.number] = _Loaded(entry, trial, measured.sel(time=slice(None, duration)))
+        except JounceError as error:
+            findings.append(Finding(place, "problem", f"{error} The trial is left out."))
+        else:
+            findings += [Finding(f"{place}: {note.place}", note.severity, note.message, note.value) for note in notes]
+    return loaded
+
+
+def _check_length(trial: Trial, measured: xr.Dataset) -> None:
+    last = float(measured["time"][-1])
+    if trial.road is not None and last < trial.end():
+        raise FitError(
+            "the recording is shorter than the obstacle pass", found=f"{last:.4g} s", allowed=f"at least {trial.end():.4g} s",
+            hint="Check speed, start and length of the obstacle, or record longer.",
+        )
+
+
+@dataclass
+class _Runner:
+    campaign: Campaign
+    folder: Path
+    loaded: dict[int, _Loaded]
+    rig_text: str
+    bench: object
+    findings: list[Finding]
+    progress: Progress
+
+    def fit_trial(self, item: _Loaded, knowledge: Knowledge) -> FitTrial:
+        entry = item.entry
+        rig = knowledge.rig_for(entry.strut_angle, entry.tyre_pressure, entry.changes)
+        return FitTrial(f"trial {entry.number}", rig, item.trial, item.measured, self.campaign.sensors)
+
+    def update_all(self, start: Knowledge) -> list[StrategyResult]:
+        done: dict[str, StrategyResult] = {}
+        for entry in self.campaign.update:
+            try:
+                self.progress(f"update: {entry.name}")
+                done[entry.name] = self._update(entry, start, done)
+            except JounceError as error:
+                self.findings.append(Finding(entry.name, "problem", f"{error} The update is left out."))
+        return list(done.values())
+
+    def _update(self, entry: UpdateEntry, start: Knowledge, done: dict[str, StrategyResult]) -> StrategyResult:
+        knowledge = start
+        if entry.start_from is not None:
+            if entry.start_from not in done:
+                raise FitError("the update it starts from failed", found=entry.start_from)
+            knowledge = done[entry.start_from].knowledge
+        if entry.tyre_law == "polynomial":
+            knowledge = polynomial_tyres(self.campaign.bench, knowledge, self.folder, self.bench)  # type: ignore[arg-type]
+        chosen = self._chosen(entry)
+        trials = [self.fit_trial(item, knowledge) for item in chosen]
+        result = update_model(
+            trials, entry.free, name=entry.name, method=entry.method, weights=entry.weights, channels=entry.channels,
+            align=entry.align, starts=entry.starts,
+        )
+        self.findings += [Finding(f"{entry.name}: {f.place}", f.severity, f.message, f.value) for f in result.findings]
+        after = knowledge.after(result.parameters, [item.entry.tyre_pressure for item in chosen])
+        return StrategyResult(result, after, tuple(item.entry.number for item in chosen), self._text(after.rig))
+
+    def _chosen(self, entry: UpdateEntry) -> list[_Loaded]:
+        if entry.trials == "fit":
+            return [item for item in self.loaded.values() if item.entry.use == "fit"]
+        lost = [number for number in entry.trials if number not in self.loaded]
+        if lost:
+            raise FitError("a trial it needs could not be used", found=f"trial {lost[0]}")
+        return [self.loaded[number] for number in entry.trials]
+
+    def _text(self, rig: Rig) -> str:
+        """Rig file with the values of ``rig``, comments kept where only numbers changed."""
+        described = parameters_of(load_text(self.rig_text))
+        values = parameters_of(rig)
+        changed = {path: value for path, value in values.items() if described.get(path) != value}
+        return changed_text(self.rig_text, rig, changed)
+
+    def compare_all(self, start: Knowledge, strategies: list[StrategyResult]) -> list[TrialResult]:
+        final = strategies[-1].knowledge if strategies else start
+        lags = {name: lag for strategy in strategies for name, lag in strategy.update.lags.items()}
+        aligned = any(entry.align for entry in self.campaign.update)
+        return [self._compare(entry, start, final, lags, aligned) for entry in self.campaign.trial]
+
+    def _compare(
+        self, entry: TrialEntry, start: Knowledge, final: Knowledge, lags: dict[str, float], aligned: bool
+    ) -> TrialResult:
+        name = f"trial {entry.number}"
+        item = self.loaded.get(entry.number)
+        if item is None:
+            return TrialResult(entry, None, None, None, {}, {})
+        self.progress(f"compare: {name}")
+        lag = lags.get(name, None if aligned else 0.0)
+        pitch = item.trial.road.pitch if isinstance(item.trial.road, Train) else None
+        compared: list[tuple[TrialComparison | None, dict[str, Signals]]] = []
+        for knowledge in (start, final):
+            try:
+                comparison, signals, notes = compare_trial(self.fit_trial(item, knowledge), lag)
+                self.findings += notes
+                compared.append((comparison, signals))
+            except JounceError as error:
+                self.findings.append(Finding(name, "problem", str(error)))
+                compared.append((None, {}))
+        (before, curves_before), (after, curves) = compared
+        return TrialResult(entry, pitch, before, after, curves_before, curves)
+
+
+def load_text(text: str) -> Rig:
+    """Read a rig from the text of its file."""
+    import tomllib
+
+    from jounce.parts import rig_from_table
+
+    return rig_from_table(tomllib.loads(text))
+
+
+def _unique(findings: list[Finding]) -> list[Finding]:
+    """Each finding once, in order; the same sentence about many places becomes one."""
+    seen: dict[tuple[str, str], Finding] = {}
+    for finding in findings:
+        seen.setdefault((finding.place, finding.message), finding)
+    return list(seen.values())
