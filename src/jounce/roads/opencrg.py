@@ -14,6 +14,7 @@ from jounce.core.errors import RecordingError
 
 Array = NDArray[np.float64]
 _HARMLESS = re.compile(r"^unknown (keyword|data channel)|white space byte|header values used$")
+HIGHEST = 1e4  # m; no road lies above
 _EDGE = 1e-9  # m; rounding of the lateral range
 
 
@@ -71,6 +72,9 @@ def _profile(file: str, offset: float, _changed: int, _size: int) -> tuple[Array
         raise RecordingError("the option border_smooth is not supported", where=file, hint="Remove it from the file.")
     height = _grid_height(road, offset, file) + road.zr + road.banking * offset
     u = np.asarray(road.u - road.u_start, dtype=float)
+    if np.nanmax(np.abs(height), initial=0.0) > HIGHEST:
+        problem = "the OpenCRG file is damaged: heights above 10 km"
+        raise RecordingError(problem, where=file, hint="Use an original copy.")
     if not np.isfinite(height).all():
         bad = int(np.flatnonzero(~np.isfinite(height))[0])
         raise RecordingError(
@@ -86,21 +90,36 @@ def _read(file: str) -> Any:  # noqa: ANN401 - pyopencrg has no types
     import pyopencrg
 
     try:
-        road = pyopencrg.read(file, check=False)
-        problems = list(road.check().errors)
-        if road.mods and not problems:
-            road = road.apply_mods()
+        with np.errstate(all="ignore"):  # damaged numbers overflow
+            road = pyopencrg.read(file, check=False)
+            problems = [*road.check().errors, *_overlong_rows(file)]
+            if road.mods and not problems:
+                road = road.apply_mods()
     except FileNotFoundError as error:
         raise RecordingError(_one_line(error, file), where=file, hint="Put it there or change the name.") from None
     except (ValueError, OSError, IndexError, KeyError, ArithmeticError, TypeError, MemoryError) as error:
         raise RecordingError(f"not a readable OpenCRG file: {_one_line(error, file)}", where=file) from None
     problems += [text for text in road.read_warnings if not _HARMLESS.search(text)]
     if problems:
-        text = "; ".join(problem.removeprefix("(reading) ") for problem in problems[:2])
+        text = "; ".join(problem.removeprefix("(reading) ") for problem in dict.fromkeys(problems[:2]))
         raise RecordingError(
             f"the OpenCRG file is damaged or contradicts itself: {text}", where=file, hint="Use an original copy."
         )
     return road
+
+
+def _overlong_rows(file: str) -> list[str]:
+    """Text rows that hold more values than the header defines (pyopencrg ignores the rest)."""
+    from pyopencrg.io import read_ipl
+
+    header = read_ipl(file, meta_only=True)
+    width = {"LRFI": 10, "LDFI": 20}.get(header.fmt)
+    if width is None or not header.kd_def:
+        return []
+    rows = Path(file).read_bytes()[header.data_offset :].splitlines()
+    longest = width * min(len(header.kd_def), 80 // width)
+    bad = [number for number, row in enumerate(rows, 1) if len(row.rstrip()) > longest]
+    return [f"row {bad[0]} of the data holds more than the {len(header.kd_def)} channels of the header"] if bad else []
 
 
 def _one_line(error: Exception, file: str) -> str:

@@ -110,16 +110,16 @@ def laid_out(one: Profile, places: Iterable[tuple[float, float]], low: float, hi
     cursor, level = low, one.before
 
     def fill(until: float) -> None:
-        if until - cursor > SHORTEST * max(1.0, abs(until)):
+        if until - cursor > _rounding(until):
             starts.append(np.array([cursor]))
             kinds.append(np.array([POLYNOMIAL]))
             coefficients.append(np.array([[level, 0.0, 0.0, 0.0]]))
 
     for position, lift in places:
         begin, end = position + float(one.edges[0]), position + float(one.edges[-1])
-        if begin >= high:
+        if begin > high - _rounding(high):
             break
-        if end > low or (len(one.kind) == 0 and begin >= low):
+        if end > low + _rounding(low):
             fill(begin)
             starts.append(position + one.edges[:-1])
             kinds.append(one.kind)
@@ -130,10 +130,14 @@ def laid_out(one: Profile, places: Iterable[tuple[float, float]], low: float, hi
     return _windowed(np.concatenate(starts), np.concatenate(kinds), np.concatenate(coefficients), low, high)
 
 
+def _rounding(x: float) -> float:
+    return SHORTEST * max(1.0, abs(x))
+
+
 def _windowed(starts: Array, kind: NDArray[np.int64], coefficients: Array, low: float, high: float) -> Segments:
     """Cut the pieces to [low, high]; a piece cut at its front keeps its heights."""
-    first = max(int(np.searchsorted(starts, low, side="right")) - 1, 0)
-    last = max(int(np.searchsorted(starts, high, side="left")), first + 1)
+    first = max(int(np.searchsorted(starts, low + _rounding(low), side="right")) - 1, 0)
+    last = max(int(np.searchsorted(starts, high - _rounding(high), side="left")), first + 1)
     starts, kind, coefficients = starts[first:last].copy(), kind[first:last], coefficients[first:last].copy()
     coefficients[0] = _advanced(int(kind[0]), coefficients[0], low - float(starts[0]))
     starts[0] = low

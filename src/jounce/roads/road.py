@@ -126,7 +126,8 @@ class Road(Description, ABC):
         if not np.isfinite(at).all():
             raise DescriptionError("not a distance", found="NaN or infinity", allowed="finite distances in m")
         low, high = (float(at.min()), float(at.max())) if at.size else (0.0, 0.0)
-        return self._between(min(low, 0.0) - 1.0, max(high, 0.0) + 1.0).evaluate(at)
+        height, slope = self._between(min(low, 0.0) - 1.0, max(high, 0.0) + 1.0).evaluate(at.ravel())
+        return height.reshape(at.shape), slope.reshape(at.shape)
 
 
 def _check_recurrence(one: Profile, recurrence: float) -> None:

@@ -1,0 +1,104 @@
+"""What holds for every road: slope = derivative, edges ascend, windows agree."""
+
+from __future__ import annotations
+
+import numpy as np
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from jounce.roads import (
+    CircularSegment,
+    HalfCylinder,
+    HalfSine,
+    Ramp,
+    Rectangle,
+    Step,
+    Table,
+    Train,
+    Trapezoid,
+    Trial,
+    Triangle,
+    Versine,
+)
+
+heights = st.floats(-0.05, 0.05)
+lengths = st.floats(0.02, 2.0)
+starts = st.floats(0.0, 3.0)
+
+
+@st.composite
+def obstacles(draw):
+    height, length, start = draw(heights), draw(lengths), draw(starts)
+    common = {"height": height, "length": length, "start": start}
+    points = sorted(draw(st.sets(st.integers(0, 400), min_size=5, max_size=9)))
+    table = {
+        "x": [0.01 * point for point in points],
+        "height": [draw(heights) for _ in points],
+        "start": start,
+        "interpolation": draw(st.sampled_from(["linear", "cubic"])),
+    }
+    return draw(
+        st.sampled_from(
+            [
+                HalfSine(**common),
+                Versine(**common),
+                Rectangle(**common),
+                Triangle(**common),
+                Trapezoid(**common, ramp=0.3 * length),
+                HalfCylinder(radius=0.5 * length, start=start),
+                CircularSegment(length=length, height=0.49 * length * height / 0.05, start=start),
+                Ramp(**common, shape=draw(st.sampled_from(["linear", "cosine"]))),
+                Step(height=height, start=start),
+                Table(**table),
+            ]
+        )
+    )
+
+
+@st.composite
+def roads(draw):
+    one = draw(obstacles())
+    if draw(st.booleans()):
+        pitch = one.profile().span + draw(st.sampled_from([0.0, 0.3]))
+        one = Train(of=one, count=draw(st.integers(1, 4)), pitch=max(pitch, 0.1))
+    whole = one.profile()
+    if abs(whole.after - whole.before) < 1e-9 and draw(st.booleans()):
+        one = one.model_copy(update={"recurrence": max(whole.span, 0.1) + draw(st.sampled_from([0.0, 1.0]))})
+    return one
+
+
+@settings(deadline=None, max_examples=200)
+@given(roads(), st.floats(0.5, 30.0))
+def test_slope_is_the_derivative_of_the_height_between_edges(road, distance) -> None:
+    segments = road.segments(distance)
+    left, right = segments.edges[:-1], segments.edges[1:]
+    for share in (0.25, 0.5, 0.8):
+        x = left + share * (right - left)
+        step = 1e-4 * (right - left)
+        x, step = x[step > 1e-9], step[step > 1e-9]
+        numeric = (segments.evaluate(x + step)[0] - segments.evaluate(x - step)[0]) / (2.0 * step)
+        slope = segments.evaluate(x)[1]
+        np.testing.assert_allclose(slope, numeric, rtol=1e-4, atol=1e-6 + 1e-15 / step.min(initial=1.0))
+
+
+@settings(deadline=None, max_examples=200)
+@given(roads(), st.floats(0.5, 30.0), st.floats(0.2, 40.0))
+def test_edges_ascend_and_every_view_gives_the_same_heights(road, distance, speed) -> None:
+    segments = road.segments(distance)
+    assert segments.edges[0] == 0.0
+    assert segments.edges[-1] == distance
+    assert (np.diff(segments.edges) > 0.0).all()
+    assert len(segments.kind) == len(segments.coefficients) == len(segments.edges) - 1
+    x = 0.5 * (segments.edges[:-1] + segments.edges[1:])  # never at a jump
+    heights_there = segments.evaluate(x)[0]
+    np.testing.assert_allclose(road.height_at(x), heights_there, rtol=0, atol=1e-9)
+    trial = Trial(road=road, speed=speed, duration=distance / speed)
+    np.testing.assert_allclose(trial.segments().evaluate(x / speed)[0], heights_there, rtol=0, atol=1e-9)
+
+
+@settings(deadline=None, max_examples=100)
+@given(obstacles(), st.floats(0.01, 1.0))
+def test_after_the_end_the_road_is_level(road, beyond) -> None:
+    after = road.profile().after
+    assert road.height_at(road.end() + beyond) == after
+    assert road.slope_at(road.end() + beyond) == 0.0
