@@ -88,11 +88,14 @@ class ColumnTable:
         Lines before the header that start with ``#``, without the ``#``.
     file : str
         Where they come from.
+    lines : tuple of int
+        Line of each row in a text file, from 1; empty for other files.
     """
 
     columns: tuple[Column, ...]
     comments: tuple[str, ...] = ()
     file: str = ""
+    lines: tuple[int, ...] = ()
 
     def __iter__(self) -> Iterator[Column]:
         return iter(self.columns)
@@ -117,6 +120,10 @@ class ColumnTable:
     def names(self) -> tuple[str, ...]:
         """Names without units, in file order."""
         return tuple(column.name for column in self.columns)
+
+    def name_row(self, row: int) -> str:
+        """Name a row (from 0) for error messages: by its line where there is one."""
+        return f"line {self.lines[row]}" if self.lines else f"row {row + 1}"
 
 
 def read_columns_csv(path: Path | str) -> ColumnTable:
@@ -171,7 +178,18 @@ def read_columns_csv(path: Path | str) -> ColumnTable:
         Column(name, unit, np.ascontiguousarray(column), str(file))
         for (name, unit), column in zip(names, values.T, strict=True)
     )
-    return ColumnTable(columns, comments, str(file))
+    return ColumnTable(columns, comments, str(file), tuple(numbers))
+
+
+def parse_header(header: str) -> list[tuple[str, str]]:
+    """Split ``"displacement [mm], force [N]"`` into names and units (empty where there is none).
+
+    Examples
+    --------
+    >>> parse_header("displacement [mm], force [N], slip")
+    [('displacement', 'mm'), ('force', 'N'), ('slip', '')]
+    """
+    return [_name_and_unit(cell) for cell in header.split(_separator(header))]
 
 
 def _text_of(file: Path) -> str:

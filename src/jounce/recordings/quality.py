@@ -1,0 +1,194 @@
+"""Whether a measured record can be trusted: its time, and each of its channels."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import RecordingError
+from jounce.core.findings import Finding
+from jounce.recordings.schema import quantity_of
+
+Array = NDArray[np.float64]
+LARGEST_JITTER = 0.01
+ROUNDING = 1e-6
+FEWEST_SAMPLES = 8
+CLIPPED_RUN = 3
+FEWEST_CLIPPED = 6
+_NEVER_CLIPPED = {"slope", "command", "adhesion"}
+_DRIVEN_PLACES = ("road", "platform")
+
+
+def row_number(row: int) -> str:
+    """Name a row of numbers (from 0) when the lines of the file are not known."""
+    return f"row {row + 1}"
+
+
+def check_time(time: Array, *, where: str, name_row: Callable[[int], str] = row_number) -> tuple[Array, list[Finding]]:
+    """Check the time of a record and give the uniform time it should be on.
+
+    Parameters
+    ----------
+    time : ndarray, shape (n,)
+        Instants in s as recorded.
+    where : str
+        File named in errors and findings.
+    name_row : callable
+        Names a row (from 0) in errors, e.g. by its line in the file.
+
+    Returns
+    -------
+    time : ndarray, shape (n,)
+        Uniform instants in s, from the first to the last recorded one. ``time`` itself is uniform when there are no
+        findings, apart from rounding.
+    findings : list of Finding
+        One warning when the steps differ by more than rounding: the channels must then be resampled.
+
+    Raises
+    ------
+    RecordingError
+        For too few samples, values that are not finite, time that is all zero or does not ascend strictly, or steps
+        that differ from the median step by more than 1 %; with the row.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> time, findings = check_time(np.arange(10) * 0.001, where="a.csv")
+    >>> len(findings)
+    0
+    """
+    at = f"{where}: time"
+    _check_finite(time, at, name_row)
+    if time.size > 1 and not np.any(time):
+        raise RecordingError("time is zero in every row", where=at, hint="Was the clock column exported?")
+    steps = np.diff(time)
+    if np.any(steps <= 0.0):
+        row = int(np.argmax(steps <= 0.0)) + 1
+        raise RecordingError(
+            f"time does not ascend at {name_row(row)}",
+            where=at,
+            found=f"{time[row]:.9g} s after {time[row - 1]:.9g} s",
+            allowed="strictly ascending time",
+        )
+    if time.size < FEWEST_SAMPLES:
+        raise RecordingError("too few samples", where=at, found=str(time.size), allowed=f"at least {FEWEST_SAMPLES}")
+    step = float(np.median(steps))
+    jitter = np.abs(steps - step)
+    largest = float(jitter.max()) / step
+    if largest > LARGEST_JITTER:
+        raise _jitter_error(time, int(np.argmax(jitter)) + 1, step, largest, at, name_row)
+    uniform = np.linspace(time[0], time[-1], time.size)
+    if largest <= ROUNDING + 4.0 * np.finfo(float).eps * float(np.abs(time).max()) / step:
+        return uniform, []
+    text = (
+        f"the time step varies by up to {100.0 * largest:.2g} % of {step:.6g} s (allowed: 1 %); "
+        f"all channels were resampled to {time.size} instants in constant steps"
+    )
+    return uniform, [Finding(at, "warning", text, largest)]
+
+
+def _jitter_error(
+    time: Array, row: int, step: float, largest: float, at: str, name_row: Callable[[int], str]
+) -> RecordingError:
+    missing = round(float(time[row] - time[row - 1]) / step) - 1
+    hint = f"{missing} samples are missing there." if missing > 0 else "Was time written with too few digits?"
+    return RecordingError(
+        f"the time step jitters by {100.0 * largest:.3g} % at {name_row(row)}",
+        where=at,
+        found=f"a step of {time[row] - time[row - 1]:.6g} s",
+        allowed=f"{step:.6g} s within 1 %",
+        hint=hint,
+    )
+
+
+def _check_finite(values: Array, at: str, name_row: Callable[[int], str]) -> None:
+    finite = np.isfinite(values)
+    if not finite.all():
+        row = int(np.argmin(finite))
+        raise RecordingError(
+            f"not a finite number at {name_row(row)}",
+            where=at,
+            found=str(values[row]),
+            hint="Fill the gap or cut it off.",
+        )
+
+
+def check_channels(
+    channels: Mapping[str, Array],
+    *,
+    where: str,
+    name_row: Callable[[int], str] = row_number,
+    clipping: bool = True,
+) -> list[Finding]:
+    """Look for channels that hold no signal or lost a part of it.
+
+    Parameters
+    ----------
+    channels : mapping of str to ndarray of shape (n,)
+        Signals in SI by channel name.
+    where : str
+        File named in errors and findings.
+    name_row : callable
+        Names a row (from 0) in errors, e.g. by its line in the file.
+    clipping : bool
+        Look for clipped channels too; only sensible for signals over time.
+
+    Returns
+    -------
+    list of Finding
+        A warning for each channel that is constant, or clipped: several flat pieces of at least 3 equal samples at its
+        largest or smallest value, entered by a jump. Flat pieces at 0, at either end of the record, and in what was
+        driven (``road``, ``platform``) do not count.
+
+    Raises
+    ------
+    RecordingError
+        For a value that is not finite, with row and channel.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> wave = np.sin(np.arange(200) * 0.1)
+    >>> [str(f) for f in check_channels({"sprung.az": np.clip(wave, -0.9, 0.9)}, where="a.csv")]
+    ['warning: a.csv: sprung.az: the channel looks clipped: 22 % of its samples lie at its limits (-0.9 and 0.9)']
+    """
+    findings = []
+    for name, values in channels.items():
+        at = f"{where}: {name}"
+        _check_finite(values, at, name_row)
+        if values.size > 1 and np.ptp(values) == 0.0:
+            text = f"the channel is constant ({values[0]:g}); was the sensor connected?"
+            findings.append(Finding(at, "warning", text, float(values[0])))
+        elif clipping and not (name.startswith(_DRIVEN_PLACES) or quantity_of(name) in _NEVER_CLIPPED):
+            findings += _clipping(values, at)
+    return findings
+
+
+def _clipping(values: Array, at: str) -> list[Finding]:
+    resolution = np.diff(np.unique(values))
+    smallest = float(resolution.min())
+    limits = {
+        float(limit): _flat_samples(values, float(limit), 1.5 * smallest) for limit in (values.min(), values.max())
+    }
+    clipped = {limit: count for limit, count in limits.items() if count >= FEWEST_CLIPPED and limit != 0.0}
+    if not clipped:
+        return []
+    share = sum(clipped.values()) / values.size
+    text = (
+        f"the channel looks clipped: {100.0 * share:.2g} % of its samples lie at its limits "
+        f"({' and '.join(f'{limit:g}' for limit in clipped)})"
+    )
+    return [Finding(at, "warning", text, share)]
+
+
+def _flat_samples(values: Array, limit: float, jump: float) -> int:
+    """Count samples in inner runs at ``limit`` that begin and end by more than ``jump``."""
+    flags = np.concatenate(([False], values == limit, [False])).astype(np.int8)
+    edges = np.diff(flags)
+    starts, ends = np.flatnonzero(edges == 1), np.flatnonzero(edges == -1)
+    inner = (starts > 0) & (ends < values.size) & (ends - starts >= CLIPPED_RUN)
+    starts, ends = starts[inner], ends[inner]
+    steep = (np.abs(values[starts - 1] - limit) > jump) & (np.abs(values[ends] - limit) > jump)
+    return int((ends - starts)[steep].sum())

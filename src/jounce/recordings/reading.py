@@ -1,0 +1,265 @@
+"""Measured files into recordings in SI: find the columns, convert, check, put on uniform time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.columns import Column, ColumnTable, parse_header
+from jounce.core.errors import RecordingError, nearest
+from jounce.core.findings import Finding
+from jounce.core.units import conversion_factor, to_si
+from jounce.recordings.quality import FEWEST_SAMPLES, check_channels, check_time
+from jounce.recordings.readers import READERS, Reader, ReaderOptions, SignalTable
+from jounce.recordings.schema import channel_unit, quantity_of, recording
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+Columns = Mapping[str, str] | str | None
+
+
+def read_recording(
+    path: Path | str,
+    *,
+    columns: Columns = None,
+    sample_time: float | str | None = None,
+    variable: str = "",
+) -> tuple[xr.Dataset, list[Finding]]:
+    r"""Read a measured or simulated recording, whatever its format, units and column order.
+
+    Parameters
+    ----------
+    path : Path or str
+        File of a format in ``READERS``, chosen by its suffix.
+    columns : mapping of str to str, or str, optional
+        Where channels are in the file: jounce name to name of the column, with a unit where the file gives none, e.g.
+        ``{"time": "t_ms [ms]", "sprung.az": "AccBody [g]"}``. Columns that are not mentioned are found by their own
+        names. As one text: names and units of the file's columns (or of a matrix) in their order.
+    sample_time : float or str, optional
+        Constant step in s (or text with unit) of a file without time; replaces the file's time where there is one.
+    variable : str
+        Matrix variable (``.mat``) or group (``.tdms``) to read.
+
+    Returns
+    -------
+    dataset : xarray.Dataset
+        Channels in SI on uniform ``time`` (s).
+    findings : list of Finding
+        Columns that are no channel, resampling, constant and clipped channels.
+
+    Raises
+    ------
+    RecordingError
+        For a missing, unreadable or empty file, a missing column or unit, time that does not ascend or jitters, values
+        that are not finite, or no channel at all.
+    DescriptionError
+        For a unit that does not fit the channel.
+
+    Examples
+    --------
+    >>> import tempfile, pathlib
+    >>> file = pathlib.Path(tempfile.mkdtemp()) / "pass.csv"
+    >>> _ = file.write_text("t [ms], sprung.az [g]\n" + "\n".join(f"{i}, {i % 3}" for i in range(10)))
+    >>> run, findings = read_recording(file, columns={"time": "t"})
+    >>> float(run["sprung.az"].max()), float(run["time"][1]), findings
+    (19.6133, 0.001, [])
+    """
+    file = Path(path)
+    signals = _read_table(file, columns, variable)
+    mapping = dict(columns) if isinstance(columns, Mapping) else {}
+    located, findings = _locate_channels(signals, mapping, needs_time=sample_time is None)
+    name_row = signals.columns.name_row
+    time, time_findings, recorded = _time(located, signals.columns, sample_time, file)
+    values = {name: in_si(column, channel_unit(name)) for name, column in located.items() if name != "time"}
+    findings += check_channels(values, where=str(file), name_row=name_row)
+    if time_findings:
+        values = _resampled(recorded, values, time)
+    channels = {
+        name: (array, channel_unit(name), signals.long_names.get(located[name].name, ""))
+        for name, array in values.items()
+    }
+    return recording(time, channels, attributes=signals.attributes), findings + time_findings
+
+
+def read_columns(
+    path: Path | str, wanted: Mapping[str, str], *, columns: Columns = None, variable: str = ""
+) -> tuple[dict[str, Array], list[Finding]]:
+    r"""Read named columns from a file that need not have time, e.g. force against displacement.
+
+    Parameters
+    ----------
+    path : Path or str
+        File of a format in ``READERS``, chosen by its suffix.
+    wanted : mapping of str to str
+        Name and SI unit of each column needed, e.g. ``{"displacement": "m", "force": "N"}``.
+    columns : mapping of str to str, or str, optional
+        As in ``read_recording``.
+    variable : str
+        Matrix variable (``.mat``) or group (``.tdms``) to read.
+
+    Returns
+    -------
+    values : dict of str to ndarray of shape (n,)
+        Columns in SI, in the order of ``wanted``.
+    findings : list of Finding
+        Constant columns.
+
+    Raises
+    ------
+    RecordingError
+        For a missing, unreadable or empty file, a missing column or unit, or values that are not finite.
+    DescriptionError
+        For a unit that does not fit.
+
+    Examples
+    --------
+    >>> import tempfile, pathlib
+    >>> file = pathlib.Path(tempfile.mkdtemp()) / "spring.csv"
+    >>> _ = file.write_text("F [kN]; displacement [mm]\n0; 0\n0.2273; 10\n")
+    >>> values, _ = read_columns(file, {"displacement": "m", "force": "N"}, columns={"force": "F"})
+    >>> values["force"].tolist()
+    [0.0, 227.3]
+    """
+    file = Path(path)
+    signals = _read_table(file, columns, variable)
+    mapping = dict(columns) if isinstance(columns, Mapping) else {}
+    for name in mapping:
+        if name not in wanted:
+            raise RecordingError(
+                f"columns names {name!r}, which is not read here",
+                where=str(file),
+                allowed=", ".join(wanted),
+                hint=nearest(name, wanted),
+            )
+    located = {name: locate(signals.columns, mapping.get(name, name)) for name in wanted}
+    values = {name: in_si(column, wanted[name]) for name, column in located.items()}
+    return values, check_channels(values, where=str(file), name_row=signals.columns.name_row, clipping=False)
+
+
+def reader_of(path: Path) -> Reader:
+    """Give the reader for a file by its suffix."""
+    for reader in READERS:
+        if path.suffix.lower() in reader.suffixes:
+            return reader
+    known = sorted(suffix for reader in READERS for suffix in reader.suffixes)
+    raise RecordingError(
+        "the file's suffix is of no known format", where=str(path), found=path.suffix, allowed=", ".join(known)
+    )
+
+
+def _read_table(path: Path, columns: Columns, variable: str) -> SignalTable:
+    if not path.is_file():
+        what = "a folder, not a file" if path.is_dir() else "no such file"
+        raise RecordingError(what, where=str(path), hint="Check the path and the name.")
+    if path.stat().st_size == 0:
+        raise RecordingError("the file is empty", where=str(path))
+    header = columns if isinstance(columns, str) else ""
+    return reader_of(path).read(path, ReaderOptions(variable=variable, header=header))
+
+
+def locate(table: ColumnTable, spec: str) -> Column:
+    """Find the column ``"name"`` or ``"name [unit]"``; the given unit counts where the file has none.
+
+    Raises
+    ------
+    RecordingError
+        When there is no such column, or the file gives it another unit.
+    """
+    for column in table:
+        if spec in (column.label, column.name):
+            return column
+    name, unit = parse_header(spec)[0] if "[" in spec else (spec, "")
+    column = table[name]
+    if unit and column.unit and unit != column.unit:
+        raise RecordingError("the column has another unit", where=column.where, found=column.unit, allowed=unit)
+    return Column(column.name, unit or column.unit, column.values, column.file)
+
+
+def in_si(column: Column, si: str) -> Array:
+    """Give a column in SI; text such as ``-`` or a missing unit is accepted for plain numbers."""
+    if not column.unit and si != "1":
+        raise RecordingError(
+            "the column has no unit",
+            where=column.where,
+            allowed=f"{column.name} [{si}], or a unit that converts to it",
+            hint=f"Write it into the header, or map it with columns: '{column.name} [{si}]'.",
+        )
+    factor = conversion_factor(column.unit, si, where=column.where) if column.unit else 1.0
+    return np.asarray(column.values * factor, dtype=float)
+
+
+def _locate_channels(
+    signals: SignalTable, mapping: Mapping[str, str], *, needs_time: bool
+) -> tuple[dict[str, Column], list[Finding]]:
+    """Columns by channel: the mapped ones, then those whose own name is a channel's."""
+    table, located = signals.columns, dict[str, Column]()
+    for name, spec in mapping.items():
+        channel_unit(name)
+        located[name] = locate(table, spec)
+    used = {column.name for column in located.values()}
+    ignored = []
+    for column in table:
+        if column.name in used or column.name in located:
+            continue
+        if quantity_of(column.name):
+            located[column.name] = column
+        else:
+            ignored.append(column.label)
+    if needs_time and "time" not in located:
+        raise RecordingError(
+            "no column 'time'",
+            where=table.file,
+            found=", ".join(column.label for column in table),
+            allowed="time [s], or any unit of time",
+            hint=nearest("time", table.names) or "Map it with columns, or give the sample time.",
+        )
+    if not set(located) - {"time"}:
+        raise RecordingError(
+            "no channel was found",
+            where=table.file,
+            found=", ".join(column.label for column in table),
+            allowed="columns such as 'sprung.az [m/s^2]'",
+            hint="Map columns to channels with columns.",
+        )
+    return located, _left_out(table.file, ignored, signals.left_out)
+
+
+def _left_out(file: str, ignored: list[str], others: tuple[str, ...]) -> list[Finding]:
+    findings = []
+    if ignored:
+        text = f"columns that are no known channel were left out: {', '.join(ignored)}; map them with columns if needed"
+        findings.append(Finding(file, "note", text))
+    if others:
+        text = f"signals of another length or on other instants were left out: {', '.join(others)}"
+        findings.append(Finding(file, "note", text))
+    return findings
+
+
+def _time(
+    located: Mapping[str, Column], table: ColumnTable, sample_time: float | str | None, file: Path
+) -> tuple[Array, list[Finding], Array]:
+    """Uniform time, findings (only when channels must be resampled), and the time as recorded."""
+    if sample_time is None:
+        recorded = in_si(located["time"], "s")
+        return *check_time(recorded, where=str(file), name_row=table.name_row), recorded
+    step = to_si(sample_time, "s", where=f"{file}: sample time")
+    rows = next(iter(located.values())).values.size
+    if step <= 0.0:
+        raise RecordingError("the sample time is not positive", where=str(file), found=f"{step:g} s")
+    if rows < FEWEST_SAMPLES:
+        raise RecordingError("too few samples", where=str(file), found=str(rows), allowed=f"at least {FEWEST_SAMPLES}")
+    time = np.asarray(np.arange(rows) * step, dtype=float)
+    return time, [], time
+
+
+def _resampled(recorded: Array, values: Mapping[str, Array], time: Array) -> dict[str, Array]:
+    from scipy.interpolate import CubicSpline
+
+    together = CubicSpline(recorded, np.stack(list(values.values()), axis=1))(time)
+    return {name: np.ascontiguousarray(column) for name, column in zip(values, together.T, strict=True)}

@@ -1,0 +1,234 @@
+"""What a recording is: channels on a common time, each with its unit, its name in words and its place."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from jounce.core.errors import RecordingError, nearest
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+QUANTITIES: dict[str, tuple[str, str]] = {
+    "x": ("m", "longitudinal position"),
+    "y": ("m", "lateral position"),
+    "z": ("m", "vertical position"),
+    "vx": ("m/s", "longitudinal velocity"),
+    "vy": ("m/s", "lateral velocity"),
+    "vz": ("m/s", "vertical velocity"),
+    "ax": ("m/s^2", "longitudinal acceleration"),
+    "ay": ("m/s^2", "lateral acceleration"),
+    "az": ("m/s^2", "vertical acceleration"),
+    "acceleration": ("m/s^2", "acceleration"),
+    "adhesion": ("1", "minimum over static contact force"),
+    "angle": ("rad", "angle"),
+    "camber": ("rad", "camber angle"),
+    "command": ("1", "controller command"),
+    "current": ("A", "electric current"),
+    "deflection": ("m", "deflection"),
+    "deflection_velocity": ("m/s", "deflection velocity"),
+    "displacement": ("m", "displacement"),
+    "distance": ("m", "distance"),
+    "energy": ("J", "energy"),
+    "force": ("N", "force"),
+    "frequency": ("Hz", "frequency"),
+    "height": ("m", "height"),
+    "length": ("m", "length"),
+    "load": ("N", "load"),
+    "moment": ("N*m", "moment"),
+    "phase_angle": ("rad", "phase angle"),
+    "pitch": ("rad", "pitch angle"),
+    "pitch_acceleration": ("rad/s^2", "pitch acceleration"),
+    "pitch_rate": ("rad/s", "pitch rate"),
+    "position": ("m", "position"),
+    "power": ("W", "power"),
+    "pressure": ("Pa", "pressure"),
+    "roll": ("rad", "roll angle"),
+    "roll_acceleration": ("rad/s^2", "roll acceleration"),
+    "roll_rate": ("rad/s", "roll rate"),
+    "slope": ("1", "slope"),
+    "speed": ("m/s", "speed"),
+    "steer": ("rad", "steer angle"),
+    "stroke": ("m", "stroke"),
+    "time": ("s", "time"),
+    "toe": ("rad", "toe angle"),
+    "torque": ("N*m", "torque"),
+    "travel": ("m", "travel"),
+    "velocity": ("m/s", "velocity"),
+    "violation": ("1", "constraint violation"),
+    "voltage": ("V", "voltage"),
+    "yaw": ("rad", "yaw angle"),
+    "yaw_rate": ("rad/s", "yaw rate"),
+}
+"""SI unit and name in words of every known quantity, by the last word of a channel's name."""
+
+
+def place_of(name: str) -> str:
+    """Give the place of a channel: its name without the last word (``sprung`` for ``sprung.az``)."""
+    return name.rpartition(".")[0]
+
+
+def quantity_of(name: str) -> str:
+    """Give the known quantity a channel measures, or an empty text.
+
+    Examples
+    --------
+    >>> quantity_of("front_left.wheel.az"), quantity_of("suspension_deflection"), quantity_of("sprung.colour")
+    ('az', 'deflection', '')
+    """
+    last = name.rpartition(".")[2]
+    while last and last not in QUANTITIES:
+        last = last.partition("_")[2]
+    return last
+
+
+def channel_unit(name: str) -> str:
+    """Give the SI unit a channel must have, by the last word of its name.
+
+    Parameters
+    ----------
+    name : str
+        ``<place>.<part>.<quantity>``, e.g. ``"sprung.az"``.
+
+    Returns
+    -------
+    str
+        SI unit; ``"1"`` for a plain number.
+
+    Raises
+    ------
+    RecordingError
+        When the last word is no known quantity.
+
+    Examples
+    --------
+    >>> channel_unit("sprung.az"), channel_unit("tyre.force"), channel_unit("pitch_rate")
+    ('m/s^2', 'N', 'rad/s')
+    """
+    quantity = quantity_of(name)
+    if not quantity:
+        last = name.rpartition(".")[2]
+        raise RecordingError(
+            "the last word of the channel's name is no known quantity",
+            where=name or "channel",
+            found=last,
+            allowed=", ".join(QUANTITIES),
+            hint=nearest(last, QUANTITIES),
+        )
+    return QUANTITIES[quantity][0]
+
+
+def describe(name: str) -> str:
+    """Give a channel's name in words, e.g. ``"vertical acceleration, sprung"``."""
+    quantity = quantity_of(name)
+    words = QUANTITIES[quantity][1] if quantity else name.rpartition(".")[2].replace("_", " ")
+    place = place_of(name).replace("_", " ").replace(".", " ")
+    return f"{words}, {place}" if place else words
+
+
+def recording(
+    time: ArrayLike,
+    channels: Mapping[str, tuple[ArrayLike, str, str]],
+    *,
+    attributes: Mapping[str, object] | None = None,
+) -> xr.Dataset:
+    """Put signals together as a recording.
+
+    Parameters
+    ----------
+    time : array_like, shape (n,)
+        Time of the samples in s.
+    channels : mapping of str to (array_like of shape (n,), str, str)
+        Values in SI, SI unit, and name in words (empty: derived from the name) of each channel. Float arrays are kept
+        without a copy.
+    attributes : mapping, optional
+        Facts about the whole recording.
+
+    Returns
+    -------
+    xarray.Dataset
+        One variable per channel with ``units``, ``long_name`` and ``place`` on the coordinate ``time`` (s).
+
+    Raises
+    ------
+    RecordingError
+        When a channel has not as many samples as ``time``.
+
+    Examples
+    --------
+    >>> run = recording([0.0, 0.001], {"sprung.az": ([0.0, 1.5], "m/s^2", "")})
+    >>> run["sprung.az"].attrs["place"], run["sprung.az"].attrs["long_name"], float(run["sprung.az"].max())
+    ('sprung', 'vertical acceleration, sprung', 1.5)
+    """
+    import xarray as xr
+
+    instants = np.asarray(time, dtype=float)
+    variables = {}
+    for name, (values, unit, long_name) in channels.items():
+        samples = np.asarray(values, dtype=float)
+        if samples.shape != instants.shape:
+            raise RecordingError(
+                "the channel has not as many samples as time",
+                where=name,
+                found=f"shape {samples.shape}",
+                allowed=f"shape {instants.shape}",
+            )
+        attrs = {"units": unit, "long_name": long_name or describe(name), "place": place_of(name)}
+        variables[name] = xr.Variable(("time",), samples, attrs, fastpath=True)
+    clock = xr.Variable(("time",), instants, {"units": "s", "long_name": "time"})
+    return xr.Dataset(variables, coords={"time": clock}, attrs=attributes)
+
+
+def check_recording(dataset: xr.Dataset, *, where: str = "recording") -> None:
+    """Refuse a Dataset that is not a recording.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        Anything; nothing is changed.
+    where : str
+        Place named in the errors.
+
+    Raises
+    ------
+    RecordingError
+        For a missing ``time`` in s, time that does not ascend, a channel on another axis, without unit or in another
+        unit than the SI unit of its quantity, or values that are not finite.
+
+    Examples
+    --------
+    >>> check_recording(recording([0.0, 0.001], {"tyre.force": ([200.0, 201.0], "N", "")}))
+    """
+    if "time" not in dataset.coords or dataset["time"].dims != ("time",):
+        raise RecordingError("no time coordinate", where=where, allowed="a coordinate 'time' in s")
+    if dataset["time"].attrs.get("units") != "s":
+        raise RecordingError(
+            "time has another unit", where=where, found=dataset["time"].attrs.get("units"), allowed="s"
+        )
+    time = np.asarray(dataset["time"].values)
+    if not bool(np.all(np.diff(time) > 0.0)):
+        raise RecordingError("time does not ascend strictly", where=where)
+    for name, variable in dataset.data_vars.items():
+        _check_channel(str(name), variable, where)
+
+
+def _check_channel(name: str, variable: xr.DataArray, where: str) -> None:
+    at = f"{where}: {name}"
+    if variable.dims != ("time",):
+        raise RecordingError("the channel is not a signal over time", where=at, found=f"dimensions {variable.dims}")
+    unit = variable.attrs.get("units")
+    if unit is None:
+        raise RecordingError("the channel has no unit", where=at, allowed="an attribute 'units'")
+    if quantity_of(name) and unit != channel_unit(name):
+        raise RecordingError("the channel has another unit", where=at, found=unit, allowed=channel_unit(name))
+    finite = np.isfinite(variable.values)
+    if not finite.all():
+        sample = int(np.argmin(finite))
+        raise RecordingError(
+            f"sample {sample + 1} is not a finite number", where=at, found=float(variable.values[sample])
+        )

@@ -1,0 +1,258 @@
+"""What a measuring chain does to a signal, so that a simulation can be compared with a record like with like."""
+
+from __future__ import annotations
+
+import math
+import zlib
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Annotated, Literal, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from pydantic import BeforeValidator, model_validator
+
+from jounce.core.description import Description
+from jounce.core.errors import DescriptionError, unknown
+from jounce.core.units import Frequency, Number, to_si
+from jounce.recordings.filters import check_frequency
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+Initial = Literal["steady", "zero"]
+
+
+def _physical(value: object) -> object:
+    """Accept a finite number or text that starts with one; the unit is checked against the channel later."""
+    if isinstance(value, bool) or not isinstance(value, (int, float, str)):
+        raise ValueError("not a physical value; allowed: a number in SI or text with a unit")
+    if isinstance(value, str):
+        try:
+            float(value.strip().partition(" ")[0])
+        except ValueError:
+            raise ValueError("not a number with a unit; allowed: '<number> <unit of the channel>'") from None
+    elif not math.isfinite(value):
+        raise ValueError("not a finite number")
+    return value
+
+
+ChannelValue = Annotated[float | str, BeforeValidator(_physical)]
+
+
+class Sensor(Description):
+    """A sensor with its conditioner: what is recorded is a filtered, scaled, noisy image of the motion.
+
+    The chain is: ``orientation * gain``, AC coupling, band limit, then ``bias`` and ``noise`` are added.
+
+    Attributes
+    ----------
+    high_pass : float or None
+        Corner of the first-order AC coupling of a piezo conditioner, Hz (-3 dB); None: coupled down to 0 Hz.
+    low_pass : float or None
+        Corner of the band limit, Hz (-3 dB): a causal second-order Butterworth filter, so it delays by about
+        ``0.225 / low_pass`` s; None: no limit.
+    bias : float or str
+        Constant added to the record, in the channel's unit, e.g. ``"0.2 m/s^2"``.
+    noise : float or str
+        Standard deviation of white noise added to every sample, in the channel's unit; only when a seed is given.
+    gain : float
+        Recorded over true size, 1 by default.
+    orientation : {1, -1}
+        -1 for a sensor mounted upside down.
+
+    Examples
+    --------
+    >>> Sensor(high_pass="0.5 Hz", noise="0.05 g").high_pass
+    0.5
+    """
+
+    high_pass: Frequency | None = None
+    low_pass: Frequency | None = None
+    bias: ChannelValue = 0.0
+    noise: ChannelValue = 0.0
+    gain: Number = 1.0
+    orientation: Literal[1, -1] = 1
+
+    @model_validator(mode="after")
+    def _is_possible(self) -> Self:
+        if self.gain == 0.0:
+            raise ValueError("a gain of 0 removes the signal; allowed: any other number")
+        if self.high_pass is not None and self.low_pass is not None and self.high_pass >= self.low_pass:
+            raise ValueError(f"high_pass ({self.high_pass:g} Hz) is not below low_pass ({self.low_pass:g} Hz)")
+        return self
+
+    @property
+    def is_ideal(self) -> bool:
+        """Whether the record is the motion itself (apart from noise)."""
+        return self == Sensor(noise=self.noise)
+
+
+def sections_of(sensor: Sensor, sample_rate: float, *, where: str = "sensor") -> Array:
+    """Give the sensor's filters as second-order sections.
+
+    Parameters
+    ----------
+    sensor : Sensor
+        Description of the chain.
+    sample_rate : float
+        Samples per second in Hz.
+    where : str
+        Channel named in errors.
+
+    Returns
+    -------
+    ndarray, shape (0 to 2, 6)
+        Sections ``b0 b1 b2 a0 a1 a2`` by bilinear transform, exact at the corner frequencies; gain and orientation not
+        included.
+
+    Raises
+    ------
+    RecordingError
+        When a corner frequency is not below half the sample rate.
+
+    Examples
+    --------
+    >>> sections_of(Sensor(low_pass=100.0), 1000.0).shape
+    (1, 6)
+    """
+    sections = []
+    if sensor.high_pass is not None:
+        check_frequency(sensor.high_pass, sample_rate, where=f"{where}: high_pass")
+        w = math.tan(math.pi * sensor.high_pass / sample_rate)
+        sections.append([1.0 / (1.0 + w), -1.0 / (1.0 + w), 0.0, 1.0, -(1.0 - w) / (1.0 + w), 0.0])
+    if sensor.low_pass is not None:
+        check_frequency(sensor.low_pass, sample_rate, where=f"{where}: low_pass")
+        w = math.tan(math.pi * sensor.low_pass / sample_rate)
+        scale = 1.0 + math.sqrt(2.0) * w + w * w
+        b = w * w / scale
+        sections.append([b, 2.0 * b, b, 1.0, 2.0 * (w * w - 1.0) / scale, (1.0 - math.sqrt(2.0) * w + w * w) / scale])
+    return np.array(sections, dtype=float).reshape(-1, 6)
+
+
+def filter_signals(
+    values: ArrayLike, sample_rate: float, sensor: Sensor, *, initial: Initial = "steady", where: str = "sensor"
+) -> Array:
+    """Send signals through the linear part of a sensor: orientation, gain and filters, without bias and noise.
+
+    Linear in ``values``, so the same call turns a motion into its record and the motion's derivatives with respect to
+    parameters into the record's derivatives.
+
+    Parameters
+    ----------
+    values : array_like, shape (n,) or (n, k)
+        Signals, or derivatives of signals, at a constant rate, samples along the first axis.
+    sample_rate : float
+        Samples per second in Hz.
+    sensor : Sensor
+        Description of the chain.
+    initial : {"steady", "zero"}
+        ``"steady"``: the filters have seen the first sample for ever, so a signal at rest starts without a transient;
+        ``"zero"``: they have seen nothing.
+    where : str
+        Channel named in errors.
+
+    Returns
+    -------
+    ndarray, shape of ``values``
+        Filtered signals in the same unit.
+
+    Raises
+    ------
+    RecordingError
+        When a corner frequency is not below half the sample rate.
+
+    Examples
+    --------
+    >>> filter_signals([1.0, 1.0, 2.0], 1000.0, Sensor(gain=2.0, orientation=-1)).tolist()
+    [-2.0, -2.0, -4.0]
+    >>> filter_signals([1.0, 1.0, 1.0], 1000.0, Sensor(high_pass="1 Hz")).tolist()
+    [0.0, 0.0, 0.0]
+    """
+    signals = np.asarray(values, dtype=float) * (sensor.gain * sensor.orientation)
+    sections = sections_of(sensor, sample_rate, where=where)
+    if len(sections) == 0:
+        return signals
+    from scipy import signal
+
+    if signals.shape[0] == 0:
+        return signals
+    shape = (len(sections), 2) + (1,) * (signals.ndim - 1)
+    state = np.zeros((len(sections), 2, *signals.shape[1:]))
+    if initial == "steady":
+        state = state + _steady_state(sections).reshape(shape) * signals[0]
+    return np.asarray(signal.sosfilt(sections, signals, axis=0, zi=state)[0], dtype=float)
+
+
+def _steady_state(sections: Array) -> Array:
+    """States of the sections after a constant 1, in transposed direct form II; shape (sections, 2)."""
+    states, level = np.zeros((len(sections), 2)), 1.0
+    for index, (b0, b1, b2, _, a1, a2) in enumerate(sections.tolist()):
+        settled = level * (b0 + b1 + b2) / (1.0 + a1 + a2)
+        states[index] = settled - b0 * level, b2 * level - a2 * settled
+        level = settled
+    return states
+
+
+def bias_of(sensor: Sensor, unit: str, *, where: str = "bias") -> float:
+    """Give the sensor's bias in the channel's SI ``unit``; it has no derivative with respect to model parameters."""
+    return to_si(sensor.bias, unit, where=where)
+
+
+def noise_of(sensor: Sensor, unit: str, *, where: str = "noise") -> float:
+    """Give the standard deviation of the sensor's noise in the channel's SI ``unit``."""
+    noise = to_si(sensor.noise, unit, where=where)
+    if noise < 0.0:
+        raise DescriptionError(
+            "negative noise", where=where, found=sensor.noise, allowed="a standard deviation, at least 0"
+        )
+    return noise
+
+
+def apply_sensors(dataset: xr.Dataset, sensors: Mapping[str, Sensor], *, seed: int | None = None) -> xr.Dataset:
+    """Turn a simulated motion into what the sensors would have recorded.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        A recording on uniform time (s).
+    sensors : mapping of str to Sensor
+        Sensor of each channel that has one; the other channels stay as they are.
+    seed : int, optional
+        Seed of the noise; without it no noise is added. The noise of a channel depends on the seed and its name only.
+
+    Returns
+    -------
+    xarray.Dataset
+        A new recording; nothing in ``dataset`` is changed.
+
+    Raises
+    ------
+    DescriptionError
+        For a sensor on a channel that the recording does not have, or a bias or noise in another kind of unit.
+    RecordingError
+        When a corner frequency is not below half the sample rate.
+
+    Examples
+    --------
+    >>> from jounce.recordings.schema import recording
+    >>> run = recording([0.0, 0.001, 0.002], {"sprung.az": ([0.0, 1.0, 2.0], "m/s^2", "")})
+    >>> apply_sensors(run, {"sprung.az": Sensor(bias="1 g", orientation=-1)})["sprung.az"].values.round(9).tolist()
+    [9.80665, 8.80665, 7.80665]
+    """
+    names = [str(name) for name in dataset.data_vars]
+    time = dataset["time"].values
+    rate = (time.size - 1) / float(time[-1] - time[0]) if time.size > 1 else 1.0
+    changed = {}
+    for name, sensor in sensors.items():
+        if name not in names:
+            raise unknown(name, names, what="channel", where="sensors")
+        variable = dataset[name].variable
+        values = filter_signals(variable.values, rate, sensor, where=f"sensor of {name}")
+        values = values + bias_of(sensor, variable.attrs["units"], where=f"sensor of {name}: bias")
+        deviation = noise_of(sensor, variable.attrs["units"], where=f"sensor of {name}: noise")
+        if seed is not None and deviation > 0.0:
+            generator = np.random.default_rng([seed, zlib.crc32(name.encode())])
+            values = values + deviation * generator.standard_normal(values.shape)
+        changed[name] = (variable.dims, values, dict(variable.attrs))
+    return dataset.assign(changed)
