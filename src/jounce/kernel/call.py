@@ -9,6 +9,12 @@ from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic
 
+_POINTER = ir.DoubleType().as_pointer()
+
+
+def _data(context: Any, builder: Any, signature: Any, arguments: Any, i: int) -> Any:  # noqa: ANN401
+    return context.make_array(signature.args[i])(context, builder, arguments[i])
+
 
 @intrinsic  # type: ignore[untyped-decorator]
 def call_native(
@@ -21,18 +27,36 @@ def call_native(
     signature = types.void(types.int64, x, types.int64, u, p, m, out, types.int64)
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:  # noqa: ANN401
-        pointer = ir.DoubleType().as_pointer()
-        function = ir.FunctionType(ir.VoidType(), [pointer] * 5).as_pointer()
+        function = ir.FunctionType(ir.VoidType(), [_POINTER] * 5).as_pointer()
 
-        def start(i: int, row: int | None = None) -> Any:  # noqa: ANN401
-            array = context.make_array(signature.args[i])(context, builder, arguments[i])
-            if row is None:
-                return array.data
+        def row(i: int, at: int) -> Any:  # noqa: ANN401
+            array = _data(context, builder, signature, arguments, i)
             width = builder.extract_value(array.shape, 1)
-            return builder.gep(array.data, [builder.mul(arguments[row], width)])
+            return builder.gep(array.data, [builder.mul(arguments[at], width)])
 
-        inputs = [start(1, 2), start(3), start(4), start(5), start(6, 7)]
-        builder.call(builder.inttoptr(arguments[0], function), inputs)
+        between = [_data(context, builder, signature, arguments, i).data for i in (3, 4, 5)]
+        builder.call(builder.inttoptr(arguments[0], function), [row(1, 2), *between, row(6, 7)])
+        return cgutils.get_null_value(ir.IntType(8).as_pointer())
+
+    return signature, generate
+
+
+@intrinsic  # type: ignore[untyped-decorator]
+def call_many(
+    typing_context: Any, address: Any, x: Any, u: Any, p: Any, m: Any, out: Any, first: Any, count: Any  # noqa: ANN401, ARG001
+) -> Any:  # noqa: ANN401
+    """Call ``void f(x, u, p, m, out, int64 total, int64 first, int64 count)`` at an address.
+
+    ``x``, ``u`` and ``out`` are C-ordered matrices with one row an element and one column a sample.
+    """
+    signature = types.void(types.int64, x, u, p, m, out, types.int64, types.int64)
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:  # noqa: ANN401
+        function = ir.FunctionType(ir.VoidType(), [_POINTER] * 5 + [ir.IntType(64)] * 3).as_pointer()
+        arrays = [_data(context, builder, signature, arguments, i) for i in range(1, 6)]
+        total = builder.extract_value(arrays[0].shape, 1)
+        pointers = [array.data for array in arrays]
+        builder.call(builder.inttoptr(arguments[0], function), [*pointers, total, arguments[6], arguments[7]])
         return cgutils.get_null_value(ir.IntType(8).as_pointer())
 
     return signature, generate

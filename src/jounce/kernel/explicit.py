@@ -18,7 +18,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from jounce.kernel import dop853
-from jounce.kernel.call import call_native
+from jounce.kernel.call import call_many, call_native
 from jounce.kernel.tracks import Tracks, advance, evaluate
 
 Array = NDArray[np.float64]
@@ -60,6 +60,15 @@ class Problem(NamedTuple):
     x0: Array
 
 
+class Samples(NamedTuple):
+    """Where the run is sampled and the arrays it fills: one row an element, one column a sample."""
+
+    times: Array
+    states: Array
+    inputs: Array
+    outputs: Array
+
+
 class Work(NamedTuple):
     """Scratch arrays: row 0 of ``x`` is the state, row 1 its value after the step, row 2 a trial."""
 
@@ -78,7 +87,7 @@ _STATE, _END, _TRIAL = 0, 1, 2
 
 @njit(cache=True, error_model="numpy", inline="always")  # type: ignore[untyped-decorator]
 def _rate(problem: Any, work: Any, t: float, row: int, into: int) -> None:  # noqa: ANN401
-    evaluate(problem.tracks, problem.piece, t, work.u)
+    evaluate(problem.tracks, problem.piece, t, work.u, 0)
     call_native(problem.engine.rate, work.x, row, work.u, problem.p, problem.m, work.k, into)
 
 
@@ -137,23 +146,24 @@ def _prepare_dense(problem: Any, work: Any, t: float, h: float) -> None:  # noqa
 
 
 @njit(cache=True, error_model="numpy", fastmath={"contract"}, inline="always")  # type: ignore[untyped-decorator]
-def _interpolate(work: Any, theta: float, out: Any, row: int) -> None:  # noqa: ANN401
-    rest, dense, x = 1.0 - theta, work.dense, work.x
-    for d in range(x.shape[1]):
-        y = dense[6, d] * theta
-        y = (y + dense[5, d]) * rest
-        y = (y + dense[4, d]) * theta
-        y = (y + dense[3, d]) * rest
-        y = (y + dense[2, d]) * theta
-        y = (y + dense[1, d]) * rest
-        out[row, d] = x[_STATE, d] + (y + dense[0, d]) * theta
+def _interpolated(work: Any, d: int, theta: float) -> float:  # noqa: ANN401
+    """State ``d`` at a fraction of the step."""
+    rest, dense = 1.0 - theta, work.dense
+    y = dense[6, d] * theta
+    y = (y + dense[5, d]) * rest
+    y = (y + dense[4, d]) * theta
+    y = (y + dense[3, d]) * rest
+    y = (y + dense[2, d]) * theta
+    y = (y + dense[1, d]) * rest
+    return work.x[_STATE, d] + (y + dense[0, d]) * theta
 
 
 @njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
 def _switches_at(problem: Any, work: Any, t: float, h: float, theta: float) -> None:  # noqa: ANN401
     """Fill g with the switching functions at a fraction of the step."""
-    _interpolate(work, theta, work.x, _TRIAL)
-    evaluate(problem.tracks, problem.piece, t + theta * h, work.u)
+    for d in range(work.x.shape[1]):
+        work.x[_TRIAL, d] = _interpolated(work, d, theta)
+    evaluate(problem.tracks, problem.piece, t + theta * h, work.u, 0)
     call_native(problem.engine.switch, work.x, _TRIAL, work.u, problem.p, problem.m, work.g, 0)
 
 
@@ -257,17 +267,18 @@ def _attempt(problem: Any, control: Any, work: Any, t: float, h: float, dense: b
     return 1.0, grow, -1
 
 
-@njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
-def _sample(problem: Any, work: Any, t: float, h: float, until: float, times: Any, first: int, out: Any) -> int:  # noqa: ANN401
-    """Write states and outputs at all ``times`` before ``until`` on the step from ``t``; give the next sample."""
-    states, outputs = out
-    i = first
-    while i < len(times) and times[i] < until:
-        _interpolate(work, (times[i] - t) / h, states, i)
-        evaluate(problem.tracks, problem.piece, times[i], work.u)
-        call_native(problem.engine.output, states, i, work.u, problem.p, problem.m, outputs, i)
-        i += 1
-    return i
+@njit(cache=True, error_model="numpy", fastmath={"contract"})  # type: ignore[untyped-decorator]
+def _sample(problem: Any, work: Any, t: float, h: float, until: float, first: int, out: Any) -> int:  # noqa: ANN401
+    """Write states, inputs and outputs at all times before ``until`` on the step from ``t``; give the next sample."""
+    last = first
+    while last < len(out.times) and out.times[last] < until:
+        evaluate(problem.tracks, problem.piece, out.times[last], out.inputs, last)
+        last += 1
+    for d in range(work.x.shape[1]):
+        for i in range(first, last):
+            out.states[d, i] = _interpolated(work, d, (out.times[i] - t) / h)
+    call_many(problem.engine.output, out.states, out.inputs, problem.p, problem.m, out.outputs, first, last - first)
+    return last
 
 
 @njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
@@ -275,7 +286,7 @@ def _start(problem: Any, control: Any, t: float) -> Any:  # noqa: ANN401
     """Scratch arrays with the first state and its rate."""
     n, size, switches = len(control.scale), len(problem.x0), len(problem.m)
     work = Work(
-        np.zeros((16, size)), np.zeros((7, size)), np.zeros((3, size)), np.zeros(2 * len(problem.piece)),
+        np.zeros((16, size)), np.zeros((7, size)), np.zeros((3, size)), np.zeros((2 * len(problem.piece), 1)),
         np.zeros((1, switches)), np.zeros((1, switches)), np.zeros((1, switches * (n + size // n))), control.scale.copy(),
     )
     work.x[_STATE] = problem.x0
@@ -296,11 +307,12 @@ def _accept(problem: Any, work: Any) -> bool:  # noqa: ANN401
 
 
 @njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
-def integrate(problem: Any, control: Any, times: Any, states: Any, outputs: Any, counts: Any) -> int:  # noqa: ANN401
-    """Integrate from ``times[0]`` to ``times[-1]``; fill ``states`` and ``outputs`` at every time; give a status code.
+def integrate(problem: Any, control: Any, out: Any, counts: Any) -> int:  # noqa: ANN401
+    """Integrate from the first to the last sample; fill the arrays at every sample; give a status code.
 
     At an input edge the samples are those just after it. ``counts`` gets steps, rejected steps and events.
     """
+    times = out.times
     t, end = times[0], times[-1]
     slack = 1e-12 * max(1.0, abs(end))
     edge = advance(problem.tracks, problem.piece, t, slack)
@@ -331,7 +343,7 @@ def integrate(problem: Any, control: Any, times: Any, states: Any, outputs: Any,
             counts[0] += 1
             now = t + share * tried
             now = stop if stop - now <= slack else now
-            sample = _sample(problem, work, t, share * tried, now - slack, times, sample, (states, outputs))
+            sample = _sample(problem, work, t, share * tried, now - slack, sample, out)
             t = now
             if not _accept(problem, work):
                 return _NOT_FINITE
@@ -343,5 +355,5 @@ def integrate(problem: Any, control: Any, times: Any, states: Any, outputs: Any,
             counts[2] += 1
     work.x[_END, :] = work.x[_STATE]
     work.dense[:] = 0.0
-    _sample(problem, work, t, 1.0, np.inf, times, sample, (states, outputs))
+    _sample(problem, work, t, 1.0, np.inf, sample, out)
     return _COMPLETED

@@ -14,7 +14,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from jounce.kernel.call import call_native
+from jounce.kernel.call import call_many
 from jounce.kernel.tracks import Tracks, advance, evaluate
 
 Array = NDArray[np.float64]
@@ -100,42 +100,40 @@ def transitions(plan: Plan, slope: Array, offset: Array, input_slope: Array) -> 
 
 
 @njit(cache=True, error_model="numpy", fastmath={"contract", "reassoc"})  # type: ignore[untyped-decorator]
-def _advance_state(matrix: Any, states: Any, row: int, signal: Any, out: Any) -> None:  # noqa: ANN401
+def _advance_state(matrix: Any, here: Any, signal: Any, out: Any) -> None:  # noqa: ANN401
     n = len(out)
     for d in range(n):
         total = matrix[d, n] + matrix[d, n + 1] * signal[0] + matrix[d, n + 2] * signal[1] + matrix[d, n + 3] * signal[2]
         for j in range(n):
-            total += matrix[d, j] * states[row, j]
+            total += matrix[d, j] * here[j]
         out[d] = total
 
 
 @njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
-def propagate(problem: Any, plan: Any, matrices: Any, times: Any, states: Any, outputs: Any) -> int:  # noqa: ANN401
-    """Fill ``states`` and ``outputs`` at every time; give a status code (0 completed, 1 not finite)."""
-    tracks, piece = problem.tracks, problem.piece
-    n = states.shape[1]
+def propagate(problem: Any, plan: Any, matrices: Any, out: Any) -> int:  # noqa: ANN401
+    """Fill the arrays at every sample; give a status code (0 completed, 1 not finite)."""
+    tracks, piece, times, u = problem.tracks, problem.piece, out.times, np.zeros((2, 1))
+    n = out.states.shape[0]
     slack = 1e-12 * max(1.0, abs(times[-1]))
-    signal, u, out = np.zeros(3), np.zeros(2), np.zeros(n)
-    here = np.zeros((1, n))
-    here[0] = problem.x0
+    signal, after, here = np.zeros(3), np.zeros(n), problem.x0.copy()
     t, sample = times[0], 0
     for step in range(len(plan.grid) + 1):
         advance(tracks, piece, t, slack)
-        evaluate(tracks, piece, t, u)
+        evaluate(tracks, piece, t, u, 0)
         if step == 0 or plan.keep[step - 1]:
-            states[sample] = here[0]
-            call_native(problem.engine.output, states, sample, u, problem.p, problem.m, outputs, sample)
+            out.states[:, sample] = here
+            out.inputs[0, sample], out.inputs[1, sample] = u[0, 0], u[1, 0]
             sample += 1
         if step == len(plan.grid):
             break
         i = piece[0]
-        signal[0], signal[1] = u[0], u[1]
+        signal[0], signal[1] = u[0, 0], u[1, 0]
         if tracks.kind[i] == 0:
             signal[2] = 2.0 * tracks.coefficients[i, 2] * tracks.rate[0] ** 2
         else:
-            signal[2] = -(plan.frequencies[plan.transition[step]] ** 2) * (u[0] - tracks.coefficients[i, 0])
-        _advance_state(matrices[plan.transition[step]], here, 0, signal, out)
-        here[0, :] = out
+            signal[2] = -(plan.frequencies[plan.transition[step]] ** 2) * (signal[0] - tracks.coefficients[i, 0])
+        _advance_state(matrices[plan.transition[step]], here, signal, after)
+        here[:] = after
         t = plan.grid[step]
-    return 0 if math.isfinite(here[0].sum()) else 1
-
+    call_many(problem.engine.output, out.states, out.inputs, problem.p, problem.m, out.outputs, 0, len(times))
+    return 0 if math.isfinite(here.sum()) else 1

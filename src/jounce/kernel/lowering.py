@@ -43,19 +43,63 @@ _COMPARISONS = {"OP_LT": "<", "OP_LE": "<=", "OP_EQ": "==", "OP_NE": "!="}
 
 
 class Lowering:
-    """Builds one module; ``add`` appends ``void name(double* in0, ..., double* out0, ...)``."""
+    """Builds one module of native functions from CasADi functions with inputs (x, u, p, m) and one output."""
 
     def __init__(self) -> None:
         self.module = ir.Module(name="jounce")
         self._externals: dict[str, ir.Function] = {}
 
     def add(self, name: str, function: ca.Function) -> None:
-        """Append one function; inputs and outputs are dense arrays of doubles that do not overlap."""
-        pointers = [_DOUBLE.as_pointer()] * (function.n_in() + function.n_out())
-        native = ir.Function(self.module, ir.FunctionType(ir.VoidType(), pointers), name)
-        for argument in native.args:
-            argument.attributes.add("noalias")
+        """Append ``void name(double* x, double* u, double* p, double* m, double* out)``; arrays must not overlap."""
+        native = self._declare(name, [_DOUBLE.as_pointer()] * 5)
         builder = ir.IRBuilder(native.append_basic_block())
+        self._body(
+            builder, function,
+            load=lambda argument, element: builder.load(builder.gep(native.args[argument], [_INDEX(element)])),
+            store=lambda value, element: builder.store(value, builder.gep(native.args[4], [_INDEX(element)])),
+        )
+        builder.ret_void()
+
+    def add_many(self, name: str, function: ca.Function) -> None:
+        """Append ``void name(x, u, p, m, out, int64 total, int64 first, int64 count)`` for ``count`` samples.
+
+        ``x``, ``u`` and ``out`` hold one row of ``total`` samples for each element, so that LLVM can vectorise the
+        loop over the samples; ``p`` and ``m`` are the same for all of them.
+        """
+        native = self._declare(name, [_DOUBLE.as_pointer()] * 5 + [_INDEX] * 3)
+        total, first, count = native.args[5:]
+        entry, loop, leave = (native.append_basic_block(part) for part in ("entry", "loop", "leave"))
+        builder = ir.IRBuilder(entry)
+        end = builder.add(first, count)
+        builder.cbranch(builder.icmp_signed("<", first, end), loop, leave)
+        builder.position_at_end(loop)
+        sample = builder.phi(_INDEX)
+        sample.add_incoming(first, entry)
+
+        def place(argument: int, element: int) -> ir.Value:
+            offset = builder.add(builder.mul(_INDEX(element), total), sample)
+            return builder.gep(native.args[argument], [offset if argument in (0, 1, 4) else _INDEX(element)])
+
+        self._body(
+            builder, function,
+            load=lambda argument, element: builder.load(place(argument, element)),
+            store=lambda value, element: builder.store(value, place(4, element)),
+        )
+        following = builder.add(sample, _INDEX(1))
+        sample.add_incoming(following, builder.block)
+        builder.cbranch(builder.icmp_signed("<", following, end), loop, leave)
+        ir.IRBuilder(leave).ret_void()
+
+    def _declare(self, name: str, arguments: list[Any]) -> ir.Function:
+        native = ir.Function(self.module, ir.FunctionType(ir.VoidType(), arguments), name)
+        for argument in native.args[:5]:
+            argument.attributes.add("noalias")
+        return native
+
+    def _body(
+        self, builder: ir.IRBuilder, function: ca.Function,
+        load: Callable[[int, int], ir.Value], store: Callable[[ir.Value, int], Any],
+    ) -> None:
         work: dict[int, ir.Value] = {}
         for k in range(function.n_instructions()):
             operation = _OPCODES[function.instruction_id(k)]
@@ -63,14 +107,11 @@ class Lowering:
             if operation == "OP_CONST":
                 work[outputs[0]] = ir.Constant(_DOUBLE, function.instruction_constant(k))
             elif operation == "OP_INPUT":
-                pointer = builder.gep(native.args[inputs[0]], [_INDEX(inputs[1])])
-                work[outputs[0]] = builder.load(pointer)
+                work[outputs[0]] = load(inputs[0], inputs[1])
             elif operation == "OP_OUTPUT":
-                pointer = builder.gep(native.args[function.n_in() + outputs[0]], [_INDEX(outputs[1])])
-                builder.store(work[inputs[0]], pointer)
+                store(work[inputs[0]], outputs[1])
             else:
                 work[outputs[0]] = self._operation(builder, operation, [work[i] for i in inputs])
-        builder.ret_void()
 
     def _operation(self, b: ir.IRBuilder, operation: str, x: list[ir.Value]) -> ir.Value:
         one = ir.Constant(_DOUBLE, 1.0)

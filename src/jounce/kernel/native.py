@@ -19,8 +19,9 @@ from numpy.typing import NDArray
 
 from jounce.kernel.lowering import Lowering
 
-_FORMAT = "jounce-kernel-2"
-_PROTOTYPE = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5)
+_FORMAT = "jounce-kernel-3"
+MANY = ("output", "output_s")
+_PROTOTYPE = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5, *[ctypes.c_int64] * 3)
 
 
 class Native:
@@ -39,7 +40,7 @@ class Native:
         """Call one function ``f(x, u, p, m)`` from Python; matrices come column-major, as CasADi stores them."""
         out = np.empty(shape, order="F")
         arrays = [np.ascontiguousarray(value, dtype=np.float64) for value in inputs]
-        self._calls[name](*(array.ctypes.data for array in arrays), out.ctypes.data)
+        self._calls[name](*(array.ctypes.data for array in arrays), out.ctypes.data, 1, 0, 1)
         return out
 
 
@@ -87,10 +88,11 @@ def _key(functions: dict[str, ca.Function]) -> str:
 def _emit(functions: dict[str, ca.Function]) -> bytes:
     lowering = Lowering()
     for name, function in functions.items():
-        lowering.add(name, function)
+        (lowering.add_many if name in MANY else lowering.add)(name, function)
     module = llvm.parse_assembly(str(lowering.module))
     module.verify()
-    tuning = llvm.create_pipeline_tuning_options(speed_level=2)
+    tuning = llvm.create_pipeline_tuning_options(speed_level=3)
+    tuning.loop_vectorization = tuning.slp_vectorization = True
     builder = llvm.create_pass_builder(_machine(), tuning)
     builder.getModulePassManager().run(module, builder)
     return bytes(_machine().emit_object(module))

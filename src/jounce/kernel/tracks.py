@@ -51,9 +51,9 @@ def advance(tracks: Any, piece: Any, t: float, slack: float) -> float:  # noqa: 
     return edge
 
 
-@njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
-def evaluate(tracks: Any, piece: Any, t: float, u: Any) -> None:  # noqa: ANN401
-    """Fill ``u`` with (value, time derivative) of every track at ``t``, on the pieces given."""
+@njit(cache=True, error_model="numpy", inline="always")  # type: ignore[untyped-decorator]
+def evaluate(tracks: Any, piece: Any, t: float, u: Any, column: int) -> None:  # noqa: ANN401
+    """Fill one column of ``u`` with (value, time derivative) of every track at ``t``, on the pieces given."""
     for k in range(len(piece)):
         i = piece[k]
         rate = tracks.rate[k]
@@ -61,12 +61,12 @@ def evaluate(tracks: Any, piece: Any, t: float, u: Any) -> None:  # noqa: ANN401
         c0, c1 = tracks.coefficients[i, 0], tracks.coefficients[i, 1]
         c2, c3 = tracks.coefficients[i, 2], tracks.coefficients[i, 3]
         if tracks.kind[i] == 0:
-            u[2 * k] = c0 + s * (c1 + s * (c2 + s * c3))
-            u[2 * k + 1] = rate * (c1 + s * (2.0 * c2 + 3.0 * s * c3))
+            u[2 * k, column] = c0 + s * (c1 + s * (c2 + s * c3))
+            u[2 * k + 1, column] = rate * (c1 + s * (2.0 * c2 + 3.0 * s * c3))
         elif tracks.kind[i] == 1:
-            u[2 * k] = c0 + c1 * math.sin(c2 * s + c3)
-            u[2 * k + 1] = rate * c1 * c2 * math.cos(c2 * s + c3)
+            u[2 * k, column] = c0 + c1 * math.sin(c2 * s + c3)
+            u[2 * k + 1, column] = rate * c1 * c2 * math.cos(c2 * s + c3)
         else:
             root = math.sqrt(max(c1 * c1 - (s - c2) ** 2, 0.0))
-            u[2 * k] = c0 + c3 * root
-            u[2 * k + 1] = -rate * c3 * (s - c2) / root if root > 0.0 else 0.0
+            u[2 * k, column] = c0 + c3 * root
+            u[2 * k + 1, column] = -rate * c3 * (s - c2) / root if root > 0.0 else 0.0

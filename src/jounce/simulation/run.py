@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from jounce.core.errors import SimulationError
 from jounce.core.segments import Segments
 from jounce.kernel import linear
-from jounce.kernel.explicit import Control, Engine, Problem, integrate
+from jounce.kernel.explicit import Control, Engine, Problem, Samples, integrate
 from jounce.kernel.status import Status
 from jounce.kernel.tracks import flatten
 from jounce.models import build
@@ -37,8 +37,8 @@ class Solution:
     ----------
     time : ndarray, shape (n,)
         Output times, s.
-    states, outputs : ndarray, shape (n, n_states), (n, n_outputs)
-        Rows at the output times, SI; with sensitivities, their columns follow, parameter by parameter.
+    states, outputs : ndarray, shape (n_states, n), (n_outputs, n)
+        One row a signal, SI; with sensitivities, their rows follow, parameter by parameter.
     status : Status
         How the run ended.
     steps, rejected, events : int
@@ -101,31 +101,32 @@ def solve(
     band = _dead_band(compiled, p, rest, scale)
     control = Control(_STEP_SHARE * tolerance, 0.1 * scale, band, _MAX_STEPS)
     start = np.concatenate([x, _rest_sensitivity(compiled, p, rest, height[0])])
-    states = np.empty((len(times), len(start)))
-    outputs = np.empty((len(times), len(compiled.output_names) * (1 + len(compiled.free))))
+    rows = 1 + len(compiled.free)
+    out = Samples(
+        times, np.empty((n * rows, len(times))), np.empty((2, len(times))), np.empty((len(compiled.output_names) * rows, len(times)))
+    )
     counts = np.zeros(3, dtype=np.int64)
     tracks = flatten([road])
     problem = Problem(engine, tracks, tracks.first[:-1].copy(), p, modes, start)
-    code = _propagate_exactly(compiled, problem, times, states, outputs)
+    code = _propagate_exactly(compiled, problem, out)
     if code is None:
-        code = integrate(problem, control, times, states, outputs, counts)
-    assert states.shape[1] == n * (1 + len(compiled.free))
-    return Solution(times, states, outputs, Status.of(code), *(int(count) for count in counts))
+        code = integrate(problem, control, out, counts)
+    return Solution(times, out.states, out.outputs, Status.of(code), *(int(count) for count in counts))
 
 
 def _propagate_exactly(
-    compiled: Compiled, problem: Problem, times: Array, states: Array, outputs: Array
+    compiled: Compiled, problem: Problem, out: Samples
 ) -> int | None:
     """Fill the arrays by exact propagation and give the status code; None when the model or the road is not for it."""
     if compiled.free or not compiled.is_linear:
         return None
-    steps = linear.plan(problem.tracks, times)
+    steps = linear.plan(problem.tracks, out.times)
     if steps is None:
         return None
     zero, still = np.zeros(compiled.state_count), np.zeros(2)
     slope, offset, by_input = (compiled.evaluate(name, zero, still, problem.p, problem.m) for name in ("rate_x", "rate", "rate_u"))
     matrices = linear.transitions(steps, slope, offset, by_input)
-    return int(linear.propagate(problem, steps, matrices, times, states, outputs))
+    return int(linear.propagate(problem, steps, matrices, out))
 
 
 def simulate(
@@ -179,7 +180,7 @@ def simulate(
     solution = solve(compiled, p, trial.segments(), times, tolerance=tolerance, offset=_offset(compiled, offset))
     reach = _check(solution) if check else len(times)
     channels = {
-        output.name: (solution.outputs[:reach, i], output.unit, output.long_name)
+        output.name: (solution.outputs[i, :reach], output.unit, output.long_name)
         for i, output in enumerate(compiled.model.outputs)
     }
     run = recording(times[:reach], channels)

@@ -192,7 +192,7 @@ class UpdateProblem:
         """Simulated reading of one channel and its derivatives (parameters, then lag where aligned)."""
         stride = len(trial.compiled.output_names)
         columns = [channel.column + stride * k for k in range(1 + len(self.free))]
-        table = solution.outputs[:, columns]
+        table = solution.outputs[columns].T
         first = len(trial.times) - len(channel.measured)
         table = table[first:]
         if channel.sensor is not None:
