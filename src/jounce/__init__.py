@@ -20,18 +20,82 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.core.errors import RecordingError as RecordingError
     from jounce.core.errors import SimulationError as SimulationError
     from jounce.core.findings import Finding as Finding
+    from jounce.identify.stiffness import fit_stiffness as fit_stiffness
+    from jounce.identify.update import FitTrial as FitTrial
+    from jounce.identify.update import UpdatedParameter as UpdatedParameter
+    from jounce.identify.update import UpdateResult as UpdateResult
+    from jounce.identify.update import update_model as update_model
+    from jounce.parts import QuarterCar as QuarterCar
+    from jounce.parts import Rig as Rig
+    from jounce.parts import load as load
+    from jounce.recordings import read_recording as read_recording
+    from jounce.recordings import write_recording as write_recording
+    from jounce.roads import CircularSegment as CircularSegment
+    from jounce.roads import Crg as Crg
+    from jounce.roads import Excitation as Excitation
+    from jounce.roads import Flat as Flat
+    from jounce.roads import HalfCylinder as HalfCylinder
+    from jounce.roads import HalfSine as HalfSine
+    from jounce.roads import Ramp as Ramp
+    from jounce.roads import Rectangle as Rectangle
+    from jounce.roads import Step as Step
+    from jounce.roads import Table as Table
+    from jounce.roads import Train as Train
+    from jounce.roads import Trapezoid as Trapezoid
+    from jounce.roads import Trial as Trial
+    from jounce.roads import Triangle as Triangle
+    from jounce.roads import Versine as Versine
+    from jounce.roads import load_road as load_road
+    from jounce.simulation import LinearModel as LinearModel
+    from jounce.simulation import Mode as Mode
+    from jounce.simulation import equilibrium as equilibrium
+    from jounce.simulation import linearise as linearise
+    from jounce.simulation import modes as modes
+    from jounce.simulation import simulate as simulate
 
     __version__: str
 
 _PUBLIC = {  # public name -> module that defines it; a module itself is its own value
     "AssemblyError": "jounce.core.errors",
+    "CircularSegment": "jounce.roads",
+    "Crg": "jounce.roads",
     "DescriptionError": "jounce.core.errors",
+    "Excitation": "jounce.roads",
     "Finding": "jounce.core.findings",
     "FitError": "jounce.core.errors",
+    "FitTrial": "jounce.identify.update",
+    "Flat": "jounce.roads",
+    "HalfCylinder": "jounce.roads",
+    "HalfSine": "jounce.roads",
     "JounceError": "jounce.core.errors",
+    "LinearModel": "jounce.simulation",
+    "Mode": "jounce.simulation",
     "OutputError": "jounce.core.errors",
+    "QuarterCar": "jounce.parts",
+    "Ramp": "jounce.roads",
     "RecordingError": "jounce.core.errors",
+    "Rectangle": "jounce.roads",
+    "Rig": "jounce.parts",
     "SimulationError": "jounce.core.errors",
+    "Step": "jounce.roads",
+    "Table": "jounce.roads",
+    "Train": "jounce.roads",
+    "Trapezoid": "jounce.roads",
+    "Trial": "jounce.roads",
+    "Triangle": "jounce.roads",
+    "UpdateResult": "jounce.identify.update",
+    "UpdatedParameter": "jounce.identify.update",
+    "Versine": "jounce.roads",
+    "equilibrium": "jounce.simulation",
+    "fit_stiffness": "jounce.identify.stiffness",
+    "linearise": "jounce.simulation",
+    "load": "jounce.parts",
+    "load_road": "jounce.roads",
+    "modes": "jounce.simulation",
+    "read_recording": "jounce.recordings",
+    "simulate": "jounce.simulation",
+    "update_model": "jounce.identify.update",
+    "write_recording": "jounce.recordings",
 }
 
 

@@ -88,9 +88,9 @@ def line_of(text: str, path: tuple[str | int, ...]) -> int | None:
             if key is None:
                 continue
         here = table if header else [*table, *_split_key(key[1])]  # type: ignore[index]
-        if array_seen.get(table[0] if table else "", None) is not None and indices:
-            if keys[:1] == table[:1] and array_seen[table[0]] != indices[0]:
-                continue
+        array = array_seen.get(table[0]) if table else None
+        if array is not None and indices and keys[:1] == table[:1] and array != indices[0]:
+            continue
         depth = _common_length(here, keys)
         if depth == len(here) and depth > best_depth:
             best, best_depth = number, depth

@@ -1,0 +1,47 @@
+"""Configuration of the documentation; the page of public names is written from the public namespace itself."""
+
+from __future__ import annotations
+
+import inspect
+import types
+from pathlib import Path
+
+import jounce
+
+project = "jounce"
+author = "jounce contributors"
+copyright = "2026, jounce contributors"
+version = release = jounce.__version__
+
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinxcontrib.bibtex"]
+exclude_patterns = ["_build"]
+html_theme = "furo"
+html_title = f"jounce {release}"
+html_show_sphinx = False
+bibtex_bibfiles = ["../references.bib"]
+bibtex_default_style = "unsrt"
+autodoc_typehints = "none"  # the sections say type, unit and shape
+autodoc_default_options = {"members": True, "inherited-members": False}
+napoleon_google_docstring = False
+napoleon_use_ivar = True
+suppress_warnings = ["bibtex.missing_field"]
+
+
+def write_public_names(folder: Path) -> None:
+    """Write one page with everything that ``import jounce`` offers."""
+    lines = ["# Public names", "", "Everything here is an attribute of `jounce`.", ""]
+    for name in sorted(set(dir(jounce)) - {"__version__", "__doc__", "__name__"}, key=str.lower):
+        value = getattr(jounce, name)
+        if isinstance(value, types.ModuleType):
+            directive, target = "automodule", value.__name__
+        else:
+            directive = "autoclass" if inspect.isclass(value) else "autofunction"
+            target = f"{value.__module__}.{value.__qualname__}"
+        lines += [f"## {name}", "", "```{eval-rst}", f".. {directive}:: {target}", "```", ""]
+    page = folder / "public-names.md"
+    text = "\n".join(lines)
+    if not page.is_file() or page.read_text(encoding="utf-8") != text:
+        page.write_text(text, encoding="utf-8")
+
+
+write_public_names(Path(__file__).parent)
