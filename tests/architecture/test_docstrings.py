@@ -193,6 +193,19 @@ class Outcome:
 
 
 @dataclass(frozen=True)
+class OutcomeInSi:
+    """What came out, all in SI.
+
+    Attributes
+    ----------
+    peak : float
+        The largest one.
+    """
+
+    peak: float
+
+
+@dataclass(frozen=True)
 class Undocumented:
     peak: float
 
@@ -221,6 +234,7 @@ class Lump(Description):
         (sentence, Level.PUBLIC, ["'mass' is not documented", "no Returns section", "no example"]),
         (vague_sentence, Level.INSIDE, []),
         (other_argument, Level.INSIDE, ["documents 'rates', which", "'rate' is not documented"]),
+        (OutcomeInSi, Level.PUBLIC, []),
         (Outcome, Level.PACKAGE, ["'count' is not documented", "no unit is given for 'peak'"]),
     ],
     ids=lambda value: getattr(value, "__name__", None),

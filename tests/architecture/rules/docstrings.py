@@ -92,7 +92,8 @@ def docstring_problems(name: str, thing: Any, level: Level) -> list[str]:
     problems = [f"{name}: the docstring only repeats the name"] if _repeats(name, parts[""]) else []
     problems += _name_problems(name, thing, entries, level)
     if level >= Level.PACKAGE:
-        problems += _unit_problems(name, arguments_of(thing), entries, text)
+        all_si = isinstance(thing, type) and re.search(r"\bSI\b", parts[""])
+        problems += [] if all_si else _unit_problems(name, arguments_of(thing), entries, text)
     if level >= Level.PACKAGE and not isinstance(thing, type):
         problems += _return_problems(name, thing, parts, level)
     if level == Level.PUBLIC and not isinstance(thing, type) and ">>>" not in text:
