@@ -15,13 +15,15 @@ version = release = jounce.__version__
 
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinxcontrib.bibtex"]
 exclude_patterns = ["_build"]
+myst_enable_extensions = ["deflist"]
 html_theme = "furo"
 html_title = f"jounce {release}"
 html_show_sphinx = False
 bibtex_bibfiles = ["../references.bib"]
 bibtex_default_style = "unsrt"
 autodoc_typehints = "none"  # the sections say type, unit and shape
-autodoc_default_options = {"members": True, "inherited-members": False}
+autodoc_default_options = {"members": True, "inherited-members": False, "exclude-members": "model_config"}
+add_module_names = False
 napoleon_google_docstring = False
 napoleon_use_ivar = True
 suppress_warnings = ["bibtex.missing_field"]
