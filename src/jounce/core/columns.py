@@ -173,7 +173,7 @@ def read_columns_csv(path: Path | str) -> ColumnTable:
     if not rows:
         raise RecordingError("a header but no rows of numbers", where=f"{file}, line {start + 1}")
     values = _values(rows, numbers, header, file, separator)
-    names = [_name_and_unit(cell) for cell in header[: values.shape[1]]]
+    names = [name_and_unit(cell) for cell in header[: values.shape[1]]]
     columns = tuple(
         Column(name, unit, np.ascontiguousarray(column), str(file))
         for (name, unit), column in zip(names, values.T, strict=True)
@@ -189,7 +189,7 @@ def parse_header(header: str) -> list[tuple[str, str]]:
     >>> parse_header("displacement [mm], force [N], slip")
     [('displacement', 'mm'), ('force', 'N'), ('slip', '')]
     """
-    return [_name_and_unit(cell) for cell in header.split(_separator(header))]
+    return [name_and_unit(cell) for cell in header.split(_separator(header))]
 
 
 def _text_of(file: Path) -> str:
@@ -226,7 +226,8 @@ def _cells(line: str, separator: str) -> list[str]:
     return [cell.strip() for cell in next(csv.reader([line], delimiter=separator, skipinitialspace=True))]
 
 
-def _name_and_unit(cell: str) -> tuple[str, str]:
+def name_and_unit(cell: str) -> tuple[str, str]:
+    """Split one header ``"force [N]"`` into its name and its unit (empty where there is none)."""
     match = _HEADER.match(cell)
     return (match[1], match[2] or "") if match else (cell, "")
 
@@ -248,7 +249,7 @@ def _check_header(header: list[str], file: Path, line: int, separator: str) -> N
     named = header[:-1] if header[-1] == "" else header
     seen: set[str] = set()
     for position, cell in enumerate(named, 1):
-        name, _ = _name_and_unit(cell)
+        name, _ = name_and_unit(cell)
         if not name:
             raise RecordingError(f"column {position} has no name", where=where, found=cell, allowed="'name [unit]'")
         if name in seen:

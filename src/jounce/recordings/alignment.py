@@ -17,7 +17,7 @@ def shift_signals(values: ArrayLike, sample_rate: float, lag: float) -> Array:
     Parameters
     ----------
     values : array_like, shape (n,) or (n, k)
-        Signals in any unit, at a constant rate, samples along the first axis.
+        Signals in SI or any other unit, at a constant rate, samples along the first axis.
     sample_rate : float
         Samples per second in Hz.
     lag : float
@@ -26,8 +26,8 @@ def shift_signals(values: ArrayLike, sample_rate: float, lag: float) -> Array:
     Returns
     -------
     ndarray, shape of ``values``
-        Cubic spline through the samples, read at the shifted instants; before the first and after the last sample the
-        signal keeps that sample's value.
+        Cubic spline through the samples in the same unit, read at the shifted instants; before the first and after the
+        last sample the signal keeps that sample's value.
 
     Examples
     --------
@@ -43,7 +43,7 @@ def shift_with_derivative(values: ArrayLike, sample_rate: float, lag: float) -> 
     Parameters
     ----------
     values : array_like, shape (n,) or (n, k)
-        Signals in any unit, at a constant rate, samples along the first axis.
+        Signals in SI or any other unit, at a constant rate, samples along the first axis.
     sample_rate : float
         Samples per second in Hz.
     lag : float

@@ -39,7 +39,7 @@ def band_limit(
     Parameters
     ----------
     values : array_like, shape (n,) or (n, k)
-        Signals in any unit, at a constant rate, samples along the first axis.
+        Signals in SI or any other unit, at a constant rate, samples along the first axis.
     sample_rate : float
         Samples per second in Hz.
     above : float, optional
@@ -142,7 +142,7 @@ def cfc_filter(values: ArrayLike, sample_rate: float, channel_class: float) -> A
     Parameters
     ----------
     values : array_like, shape (n,) or (n, k)
-        Signals in any unit, at a constant rate, samples along the first axis.
+        Signals in SI or any other unit, at a constant rate, samples along the first axis.
     sample_rate : float
         Samples per second in Hz, at least 10 times the class.
     channel_class : float
@@ -176,7 +176,7 @@ def resample(time: ArrayLike, values: ArrayLike, sample_rate: float) -> tuple[Ar
     time : array_like, shape (n,)
         Strictly ascending time in s; need not be uniform unless the rate is reduced.
     values : array_like, shape (n,) or (n, k)
-        Signals in any unit, samples along the first axis.
+        Signals in SI or any other unit, samples along the first axis.
     sample_rate : float
         Wanted samples per second in Hz.
 
@@ -226,7 +226,8 @@ def derivative(values: ArrayLike, sample_rate: float) -> Array:
     Parameters
     ----------
     values : array_like, shape (n,) or (n, k)
-        Signals at a constant rate, samples along the first axis, n >= 3. Band-limit measured displacements first.
+        Signals in SI or any other unit, at a constant rate, samples along the first axis, n >= 3.
+        Band-limit measured displacements first.
     sample_rate : float
         Samples per second in Hz.
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from jounce.core.columns import Column, ColumnTable, parse_header
+from jounce.core.columns import Column, ColumnTable, name_and_unit
 from jounce.core.errors import RecordingError, nearest
 from jounce.core.findings import Finding
 from jounce.core.units import conversion_factor, to_si
@@ -174,7 +174,7 @@ def locate(table: ColumnTable, spec: str) -> Column:
     for column in table:
         if spec in (column.label, column.name):
             return column
-    name, unit = parse_header(spec)[0] if "[" in spec else (spec, "")
+    name, unit = name_and_unit(spec)
     column = table[name]
     if unit and column.unit and unit != column.unit:
         raise RecordingError("the column has another unit", where=column.where, found=column.unit, allowed=unit)

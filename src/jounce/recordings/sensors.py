@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import math
+import re
 import zlib
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Literal, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from pydantic import BeforeValidator, model_validator
+from pydantic import model_validator
+from pydantic_core import PydanticCustomError
 
 from jounce.core.description import Description
-from jounce.core.errors import DescriptionError, unknown
-from jounce.core.units import Frequency, Number, to_si
+from jounce.core.errors import unknown
+from jounce.core.units import Frequency, Number, Unit, to_si
 from jounce.recordings.filters import check_frequency
 
 if TYPE_CHECKING:
@@ -21,23 +24,31 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 Initial = Literal["steady", "zero"]
+_LEADING_NUMBER = re.compile(r"\s*[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?(?![\d.])")
 
 
-def _physical(value: object) -> object:
-    """Accept a finite number or text that starts with one; the unit is checked against the channel later."""
-    if isinstance(value, bool) or not isinstance(value, (int, float, str)):
-        raise ValueError("not a physical value; allowed: a number in SI or text with a unit")
-    if isinstance(value, str):
-        try:
-            float(value.strip().partition(" ")[0])
-        except ValueError:
-            raise ValueError("not a number with a unit; allowed: '<number> <unit of the channel>'") from None
-    elif not math.isfinite(value):
-        raise ValueError("not a finite number")
-    return value
+@dataclass(frozen=True)
+class ChannelUnit(Unit):
+    """Annotation of a value in the unit of the channel it is for: kept as written until the channel is known."""
 
+    si: str = "the channel's SI unit"
 
-ChannelValue = Annotated[float | str, BeforeValidator(_physical)]
+    def _read(self, value: object) -> float | str:  # type: ignore[override]  # text stays text
+        text = value if isinstance(value, str) else repr(value)
+        match = _LEADING_NUMBER.match(text)
+        if isinstance(value, bool) or not isinstance(value, (int, float, str)) or match is None:
+            raise PydanticCustomError(
+                "physical_value",
+                "not a physical value; found {found}; allowed: '<number> <unit of the channel>' or a number in SI",
+                {"found": repr(value)},
+            )
+        if self.at_least is not None and float(match[0]) < self.at_least:
+            raise PydanticCustomError(
+                "out_of_range",
+                "out of range; found {found}; allowed: {allowed}",
+                {"found": repr(value), "allowed": f"at least {self.at_least:g}"},
+            )
+        return value
 
 
 class Sensor(Description):
@@ -69,8 +80,8 @@ class Sensor(Description):
 
     high_pass: Frequency | None = None
     low_pass: Frequency | None = None
-    bias: ChannelValue = 0.0
-    noise: ChannelValue = 0.0
+    bias: Annotated[float | str, ChannelUnit()] = 0.0
+    noise: Annotated[float | str, ChannelUnit(at_least=0.0)] = 0.0
     gain: Number = 1.0
     orientation: Literal[1, -1] = 1
 
@@ -141,7 +152,7 @@ def filter_signals(
     Parameters
     ----------
     values : array_like, shape (n,) or (n, k)
-        Signals, or derivatives of signals, at a constant rate, samples along the first axis.
+        Signals, or derivatives of signals, in SI or any other unit, at a constant rate, samples along the first axis.
     sample_rate : float
         Samples per second in Hz.
     sensor : Sensor
@@ -201,12 +212,7 @@ def bias_of(sensor: Sensor, unit: str, *, where: str = "bias") -> float:
 
 def noise_of(sensor: Sensor, unit: str, *, where: str = "noise") -> float:
     """Give the standard deviation of the sensor's noise in the channel's SI ``unit``."""
-    noise = to_si(sensor.noise, unit, where=where)
-    if noise < 0.0:
-        raise DescriptionError(
-            "negative noise", where=where, found=sensor.noise, allowed="a standard deviation, at least 0"
-        )
-    return noise
+    return to_si(sensor.noise, unit, where=where)
 
 
 def apply_sensors(dataset: xr.Dataset, sensors: Mapping[str, Sensor], *, seed: int | None = None) -> xr.Dataset:

@@ -35,7 +35,7 @@ def read(path: Path, options: ReaderOptions) -> SignalTable:
             columns += [
                 Column(n, u, np.ascontiguousarray(v), str(path)) for (n, u), v in zip(named, array.T, strict=True)
             ]
-    left_out = tuple(name for name, array in arrays.items() if array.shape[0] not in (1, rows))
+    left_out = tuple(name for name, array in arrays.items() if not chosen and array.shape[0] not in (1, rows))
     return SignalTable(ColumnTable(tuple(columns), (), str(path)), left_out=left_out)
 
 

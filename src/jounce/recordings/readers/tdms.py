@@ -48,7 +48,7 @@ def _group(file: Any, name: str, path: Path) -> Any:  # noqa: ANN401 - nptdms is
         raise RecordingError(
             f"no group {name!r}" if name else "not exactly one group",
             where=str(path),
-            found=", ".join(groups) or "none",
+            found=", ".join(sorted(groups)) or "none",
             hint="Say which one with variable.",
         )
     return next(iter(groups.values()))

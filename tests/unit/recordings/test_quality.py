@@ -1,0 +1,94 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from jounce.core.errors import RecordingError
+from jounce.recordings.quality import check_channels, check_time
+
+STEPS = np.arange(200)
+
+
+def test_uniform_time_passes_with_rounding() -> None:
+    recorded = np.array([float(f"{t:.6f}") for t in STEPS * 0.001])
+    time, findings = check_time(recorded, where="a.csv")
+    assert findings == []
+    np.testing.assert_allclose(time, STEPS * 0.001, rtol=0.0, atol=1e-15)
+
+
+def test_late_start_is_kept_and_rounding_of_large_times_is_no_jitter() -> None:
+    time, findings = check_time(1.7e9 + STEPS * 1e-4, where="a.csv")  # a clock in seconds since 1970
+    assert findings == []
+    assert time[0] == 1.7e9
+
+
+def test_small_jitter_is_a_finding() -> None:
+    recorded = STEPS * 0.001
+    recorded[50] += 8e-6
+    time, findings = check_time(recorded, where="a.csv")
+    assert [f.severity for f in findings] == ["warning"]
+    assert "resampled" in findings[0].message
+    assert findings[0].value == pytest.approx(0.008, rel=1e-6)
+    np.testing.assert_allclose(time, STEPS * 0.001, rtol=0.0, atol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda t: np.where(STEPS == 50, t + 12e-6, t), r"jitters by 1\.2 % at row 51"),
+        (lambda t: np.delete(t, [70, 71]), r"at row 71.*allowed: 0\.001 s within 1 %.*2 samples missing there"),
+        (lambda t: np.where(STEPS == 9, t[8], t), r"time does not ascend at row 10; found '0\.008 s after 0\.008 s'"),
+        (lambda t: t[::-1].copy(), "time does not ascend at row 2"),
+        (lambda t: t * 0.0, "time is zero in every row"),
+        (lambda t: np.where(STEPS == 3, np.nan, t), "a.csv: time: not a finite number at row 4; found 'nan'"),
+        (lambda t: t[:7], "too few samples; found '7'; allowed: at least 8"),
+        (lambda t: t[:1], "too few samples"),
+        (lambda t: t[:0], "too few samples"),
+        (lambda t: np.round(t * 1.37, 4), "too few digits"),
+    ],
+)
+def test_bad_time(change: object, message: str) -> None:
+    with pytest.raises(RecordingError, match=message):
+        check_time(change(STEPS * 0.001), where="a.csv")  # type: ignore[operator]
+
+
+def test_rows_are_named_by_the_caller() -> None:
+    with pytest.raises(RecordingError, match="at line 12"):
+        check_time(np.where(STEPS == 10, 0.0, STEPS * 0.001), where="a.csv", name_row=lambda row: f"line {row + 2}")
+
+
+def test_good_channels_have_no_findings() -> None:
+    wave = np.sin(STEPS * 0.1)
+    assert check_channels({"sprung.az": wave, "sprung.z": np.concatenate((np.zeros(50), wave))}, where="a") == []
+
+
+def test_not_a_number_names_channel_and_row() -> None:
+    with pytest.raises(RecordingError, match=r"a\.csv: sprung\.az: not a finite number at row 6; found 'inf'"):
+        check_channels({"sprung.az": np.where(STEPS == 5, np.inf, 0.1 * STEPS)}, where="a.csv")
+
+
+def test_constant_channel() -> None:
+    (finding,) = check_channels({"sprung.az": np.full(20, 0.3)}, where="a.csv")
+    assert (finding.place, finding.severity, finding.value) == ("a.csv: sprung.az", "warning", 0.3)
+    assert "constant" in finding.message
+
+
+def test_clipped_channel() -> None:
+    wave = np.clip(np.sin(STEPS * 0.1), -0.9, 2.0)
+    (finding,) = check_channels({"sprung.az": wave}, where="a.csv")
+    assert "clipped" in finding.message
+    assert finding.value == pytest.approx(np.mean(wave == -0.9), abs=1e-12)
+    assert check_channels({"sprung.az": wave}, where="a.csv", clipping=False) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "values"),
+    [
+        ("sprung.az", np.round(np.sin(STEPS * 0.02) * 100.0) / 100.0),  # coarse but unclipped: enters by one step
+        ("tyre.force", np.maximum(np.sin(STEPS * 0.1) * 300.0, 0.0)),  # lift-off
+        ("sprung.z", np.concatenate((np.full(30, -0.05), -0.05 + 0.01 * (1.0 - np.cos(STEPS * 0.1))))),  # rest first
+        ("road.z", np.where((STEPS > 50) & (STEPS < 90), 0.01, 0.0)),  # a rectangular obstacle
+    ],
+)
+def test_flat_pieces_that_are_not_clipping(name: str, values: np.ndarray) -> None:
+    assert check_channels({name: values}, where="a.csv") == []
