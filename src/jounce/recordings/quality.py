@@ -93,7 +93,11 @@ def _jitter_error(
     time: Array, row: int, step: float, largest: float, at: str, name_row: Callable[[int], str]
 ) -> RecordingError:
     missing = round(float(time[row] - time[row - 1]) / step) - 1
-    hint = f"{missing} sample{'s' * (missing > 1)} missing there." if missing > 0 else "Was time written with too few digits?"
+    hint = (
+        f"{missing} sample{'s' * (missing > 1)} missing there."
+        if missing > 0
+        else "Was time written with too few digits?"
+    )
     return RecordingError(
         f"the time step jitters by {100.0 * largest:.3g} % at {name_row(row)}",
         where=at,

@@ -111,7 +111,7 @@ def test_bad_files(tmp_path: Path) -> None:
 
 
 def test_small_jitter_is_resampled(tmp_path: Path) -> None:
-    jittered = TIME + 4e-6 * np.sin(TIME * 3000.0) * (TIME > 0.0) * (TIME < TIME[-1])
+    jittered = TIME + 4e-6 * np.sin(TIME * 3000.0) * np.sign(TIME * (TIME[-1] - TIME))
     file = write(tmp_path / "a.csv", "time [s], sprung.az [m/s^2]", jittered, np.sin(jittered * 200.0))
     run, findings = read_recording(file)
     assert "resampled" in findings[0].message
@@ -230,5 +230,5 @@ def test_registry_rows_are_complete() -> None:
     suffixes = [suffix for reader in READERS for suffix in reader.suffixes]
     assert len(set(suffixes)) == len(suffixes)
     for reader in READERS:
-        assert reader.name and reader.label and reader.source and reader.example
+        assert all((reader.name, reader.label, reader.source, reader.example))
         assert all(suffix.startswith(".") and suffix == suffix.lower() for suffix in reader.suffixes)

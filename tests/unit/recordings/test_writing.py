@@ -31,7 +31,7 @@ def test_missing_folder_and_unknown_format(tmp_path: Path) -> None:
 
 def test_failure_leaves_nothing(tmp_path: Path) -> None:
     bad = RUN.assign({"sprung.az": ("time", np.array([{}] * 9, dtype=object))})
-    with pytest.raises(Exception, match="object|dtype|type"):
+    with pytest.raises(Exception, match=r"object|dtype|type"):
         write_recording(bad, tmp_path / "run.nc")
     assert list(tmp_path.iterdir()) == []
 
