@@ -38,6 +38,8 @@ class Uncertainty:
 
     def derived(self, value: float, gradient: Array) -> Estimate:
         """Give the estimate of a quantity computed from the parameters (first-order propagation)."""
+        if not np.all(np.isfinite(self.covariance)):
+            return Estimate(value)
         variance = float(gradient @ self.covariance @ gradient)
         return estimate(value, math.sqrt(max(variance, 0.0)), self.degrees_of_freedom)
 

@@ -302,13 +302,13 @@ def _operating_point(
     tangent = mean_of_replicates(slopes) if slopes else None
     if at is None or not low <= at <= reach:
         place = "is never reached by the trials" if at is None else f"lies at {1e3 * at:.3g} mm"
-        slope = f"; the slope measured there is {tangent.value:.4g} N/m" if tangent else ""
+        remark = f"; the slope measured there is {tangent.value:.4g} N/m" if tangent else ""
         findings.append(
             Finding(
                 "operating point",
                 "warning",
                 f"the static force of {force:.4g} N {place}, outside the fitted range of {1e3 * low:.3g} to "
-                f"{1e3 * reach:.3g} mm{slope}. The fit is an extrapolation there: fit a law that covers it, or compare "
+                f"{1e3 * reach:.3g} mm{remark}. The fit is an extrapolation there: fit a law that covers it, or compare "
                 "both stiffnesses in the model.",
                 at,
             )

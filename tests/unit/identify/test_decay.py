@@ -1,0 +1,212 @@
+"""Results and refusals of the decay fit."""
+
+import math
+
+import numpy as np
+import pytest
+
+from jounce.core.errors import DescriptionError, FitError
+from jounce.core.serialise import to_json
+from jounce.identify.combination import combine, combine_decays
+from jounce.identify.decay import fit_decay
+from jounce.identify.decay_response import DecayParameters, decay_response
+from jounce.identify.estimate import Estimate
+
+MASS, STIFFNESS = 16.0, 18362.0
+TIME = np.arange(0.0, 2.0, 1e-3)
+
+
+def truth(c=120.0, friction=15.0, offset=0.003, release=0.2, deflection=0.020):
+    omega = math.sqrt(STIFFNESS / MASS)
+    return DecayParameters(
+        omega, c / (2 * math.sqrt(STIFFNESS * MASS)), friction / STIFFNESS, offset, release, deflection
+    )
+
+
+def record(noise=0.0, seed=0, time=TIME, quantity="displacement", **changes):
+    clean = decay_response(time, truth(**changes), quantity)
+    return clean + np.random.default_rng(seed).normal(0.0, 1.0, len(time)) * noise
+
+
+def messages(result):
+    return " | ".join(finding.message for finding in result.findings)
+
+
+def test_exact_decay_gives_its_parameters():
+    result = fit_decay(TIME, record(), mass=MASS)
+    assert result.damping_coefficient.value == pytest.approx(120.0, rel=1e-6)
+    assert result.coulomb_force.value == pytest.approx(15.0, rel=1e-6)
+    assert result.damping_ratio.value == pytest.approx(0.1106958, abs=1e-6)
+    assert result.natural_frequency_hz.value == pytest.approx(5.39163, abs=1e-5)
+    assert result.equilibrium.value == pytest.approx(0.003, abs=1e-9)
+    assert result.stiffness.value == pytest.approx(STIFFNESS, rel=1e-7)
+    assert result.parameters.release_time == pytest.approx(0.2, abs=1e-7)
+    assert result.r2 == pytest.approx(1.0, abs=1e-9)
+
+
+def test_naive_decrement_depends_on_the_amplitude():
+    # domain A6: full-cycle log-dec gives 0.1530, 0.1834, 0.2612 instead of 0.1107
+    result = fit_decay(TIME, record(), mass=MASS)
+    assert result.naive_damping_ratios == pytest.approx([0.1530, 0.1834, 0.2612], abs=3e-4)
+    assert result.decrements[0] == pytest.approx(math.log(20.0 / 7.559395), abs=1e-4)
+    assert result.cycles == pytest.approx(2.0)
+    assert "dry friction; use the combined estimate" in messages(result)
+    assert result.logarithmic_decrement.value > 2 * math.pi * 0.1107 / math.sqrt(1 - 0.1107**2)
+
+
+def test_without_friction_the_decrement_is_the_textbook_one():
+    result = fit_decay(TIME, record(friction=0.0, noise=2e-5), mass=MASS)
+    assert result.coulomb_force.interval[0] == 0.0
+    assert result.coulomb_force.interval[1] < 0.05
+    # delta = 2 pi zeta / sqrt(1 - zeta^2) at zeta = 0.110696
+    assert result.logarithmic_decrement.value == pytest.approx(0.69983, rel=0.02)
+    assert "use the combined" not in messages(result)
+
+
+def test_negative_friction_is_reported_as_none():
+    for seed in range(20):
+        result = fit_decay(TIME, record(friction=0.0, noise=1e-4, seed=seed), mass=MASS)
+        assert result.coulomb_force.value >= 0.0
+        if result.parameters.friction_deflection < 0.0:
+            assert result.coulomb_force.value == 0.0
+            assert "no dry friction" in messages(result)
+            return
+    pytest.fail("no seed made the friction negative: the test shows nothing")
+
+
+def test_rest_position_is_not_taken_for_the_equilibrium():
+    result = fit_decay(TIME, record(noise=2e-5), mass=MASS)
+    rest = record()[-1]
+    assert abs(rest - 0.003) > 0.4e-3
+    assert result.equilibrium.has(0.003)
+
+
+@pytest.mark.parametrize("quantity", ["velocity", "acceleration"])
+def test_other_quantities_give_the_same_damping(quantity):
+    result = fit_decay(TIME, record(quantity=quantity, offset=0.0), mass=MASS, quantity=quantity)
+    assert result.damping_coefficient.value == pytest.approx(120.0, rel=1e-4)
+    assert result.coulomb_force.value == pytest.approx(15.0, rel=1e-4)
+    assert result.equilibrium is None
+
+
+def test_record_that_starts_in_motion():
+    moving = TIME > 0.23
+    result = fit_decay(TIME[moving], record(noise=2e-5)[moving], mass=MASS)
+    assert result.damping_coefficient.has(120.0)
+    assert result.coulomb_force.has(15.0)
+
+
+def test_impulse_in_the_middle_of_the_record():
+    # at rest in equilibrium, then an initial velocity at 0.5 s; integrated independently of the closed form
+    from scipy.integrate import solve_ivp
+
+    def rate(_, state):
+        force = -120.0 * state[1] - 4.0 * np.tanh(state[1] / 1e-5) - STIFFNESS * state[0]
+        return [state[1], force / MASS]
+
+    t = TIME[TIME >= 0.5]
+    moved = solve_ivp(rate, (0.5, 2.0), [0.0, 0.8], method="LSODA", t_eval=t, rtol=1e-8, atol=1e-11)
+    signal = np.concatenate([np.zeros(len(TIME) - len(t)), moved.y[0]])
+    signal += np.random.default_rng(0).normal(0.0, 1e-5, len(signal))
+    result = fit_decay(TIME, signal, mass=MASS)
+    assert result.damping_coefficient.value == pytest.approx(120.0, rel=0.01)
+    assert result.coulomb_force.value == pytest.approx(4.0, rel=0.03)
+
+
+def test_larger_friction_at_rest_does_not_spoil_the_damping():
+    clean = record()
+    stop = 0.2 + 4 * math.pi / (math.sqrt(STIFFNESS / MASS) * math.sqrt(1 - 0.1107**2))
+    stuck = np.where(stop < TIME, clean[np.searchsorted(TIME, stop)], clean)  # rests one half swing too early
+    stuck += np.random.default_rng(0).normal(0.0, 1e-5, len(TIME))
+    result = fit_decay(TIME, stuck, mass=MASS)
+    assert result.damping_coefficient.value == pytest.approx(120.0, rel=0.03)
+    assert result.coulomb_force.value == pytest.approx(15.0, rel=0.03)
+
+
+@pytest.mark.parametrize(("c", "friction"), [(400.0, 10.0), (500.0, 15.0), (600.0, 0.0)])
+def test_few_swings_still_give_covering_intervals_and_a_warning(c, friction):
+    result = fit_decay(TIME, record(noise=2e-5, c=c, friction=friction), mass=MASS)
+    assert result.damping_coefficient.has(c)
+    assert result.coulomb_force.has(friction)
+    assert result.cycles <= 1.5
+    assert ("hardly be told apart" in messages(result)) == (result.cycles < 1.5)
+
+
+def test_given_stiffness_is_compared():
+    assert "from the given" not in messages(fit_decay(TIME, record(), mass=MASS, stiffness=1.02 * STIFFNESS))
+    assert "-9.1 % from the given" in messages(fit_decay(TIME, record(), mass=MASS, stiffness=1.1 * STIFFNESS))
+
+
+def test_coarse_sampling_is_reported():
+    time = np.arange(0.0, 2.0, 0.0125)
+    assert "samples per cycle" in messages(fit_decay(time, record(time=time), mass=MASS))
+
+
+def test_a_beat_is_not_taken_for_a_decay():
+    t = np.arange(0.0, 4.0, 1e-3)
+    beat = 0.01 * np.exp(-0.3 * t) * (np.cos(30.0 * t) + 0.9 * np.cos(36.0 * t))
+    assert "explains only" in messages(fit_decay(t, beat, mass=MASS))
+
+
+def test_result_is_plain_data():
+    assert "damping_ratio" in to_json(fit_decay(TIME, record(noise=1e-5), mass=MASS))
+
+
+@pytest.mark.parametrize(
+    ("time", "signal", "options", "text"),
+    [
+        (TIME[:-1], record(), {}, "same length"),
+        (TIME[:10], record()[:10], {}, "too few samples"),
+        (TIME, np.where(TIME[7] == TIME, np.nan, record()), {}, "sample 8"),
+        (np.zeros_like(TIME), record(), {}, "does not increase"),
+        (TIME[::-1], record(), {}, "does not increase"),
+        (TIME, 0.0 * TIME, {}, "never changes"),
+        (TIME, record(), {"mass": -1.0}, "mass is not positive"),
+        (TIME, record(), {"stiffness": 0.0}, "stiffness is not positive"),
+        (TIME, 0.02 * np.exp(-5.0 * TIME), {}, "no oscillation"),
+    ],
+)
+def test_unusable_records_are_refused(time, signal, options, text):
+    with pytest.raises(FitError, match=text):
+        fit_decay(time, signal, **{"mass": MASS, "name": "decay.csv", **options})
+
+
+def test_unknown_quantity_is_refused():
+    with pytest.raises(DescriptionError, match="Did you mean 'velocity'"):
+        fit_decay(TIME, record(), mass=MASS, quantity="velocty")
+
+
+def test_combining_honours_the_scatter_between_runs():
+    # by hand: equal errors 1, values 8, 10, 12: Q = 8, tau^2 = (8 - 2) / 2 = 3, error = sqrt((1 + 3) / 3)
+    found = combine([Estimate(8.0, 1.0), Estimate(10.0, 1.0), Estimate(12.0, 1.0)])
+    assert found.value == pytest.approx(10.0)
+    assert found.standard_error == pytest.approx(math.sqrt(4.0 / 3.0))
+    assert found.interval[1] == pytest.approx(10.0 + 4.3027 * math.sqrt(4.0 / 3.0), rel=1e-4)
+
+
+def test_combining_agreeing_runs_weights_by_their_errors():
+    found = combine([Estimate(10.0, 1.0), Estimate(10.2, 2.0)])
+    assert found.value == pytest.approx(10.04)
+    assert found.standard_error == pytest.approx(1.0 / math.sqrt(1.25))
+
+
+def test_combining_without_errors_uses_the_scatter():
+    assert combine([Estimate(1.0), Estimate(3.0)]).standard_error == pytest.approx(1.0)
+
+
+def test_several_decays_become_one():
+    runs = [fit_decay(TIME, record(noise=5e-5, seed=seed), mass=MASS) for seed in range(3)]
+    found = combine_decays(runs)
+    assert found.runs == 3
+    assert found.cycles == pytest.approx(sum(run.cycles for run in runs))
+    assert found.damping_coefficient.has(120.0)
+    assert found.equilibrium.has(0.003)
+    assert combine_decays(runs[:1]).damping_coefficient == runs[0].damping_coefficient
+    with pytest.raises(FitError, match="no decays"):
+        combine_decays([])
+
+
+def test_runs_of_different_systems_are_noticed():
+    other = fit_decay(TIME, record(), mass=MASS)
+    faster = fit_decay(0.8 * TIME, record(), mass=MASS)
+    assert "was something changed" in messages(combine_decays([other, faster]))

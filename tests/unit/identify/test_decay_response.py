@@ -1,0 +1,99 @@
+"""The closed-form decay with viscous damping and dry friction."""
+
+import math
+
+import numpy as np
+import pytest
+
+from jounce.identify.decay_peaks import Peaks, find_peaks, noise_of, ratio_from_decrement, regress_peaks
+from jounce.identify.decay_response import DecayParameters, decay_response, turning_points
+
+MASS, STIFFNESS, DAMPING, FRICTION = 16.0, 18362.0, 120.0, 15.0
+# domain A6, verified there by integration; the last value is on the side of the one before it
+A6_SEQUENCE_MM = [20.0, -12.702389, 7.559395, -3.934868, 1.380481, 0.419723]
+
+
+def system(c=DAMPING, friction=FRICTION, offset=0.0, release=0.0, deflection=0.020):
+    omega = math.sqrt(STIFFNESS / MASS)
+    ratio = c / (2 * math.sqrt(STIFFNESS * MASS))
+    return DecayParameters(omega, ratio, friction / STIFFNESS, offset, release, deflection)
+
+
+def test_turning_points_are_those_of_the_reference():
+    assert system().damping_ratio == pytest.approx(0.110696, abs=5e-7)
+    assert 1e3 * turning_points(system(), 50) == pytest.approx(A6_SEQUENCE_MM, abs=1e-6)
+
+
+def test_pure_friction_takes_four_friction_deflections_per_cycle():
+    # domain A6: pure Coulomb, loss per cycle 4 F_c / k
+    points = np.abs(turning_points(system(c=0.0), 50))
+    assert points[:-2] - points[2:] == pytest.approx(4 * FRICTION / STIFFNESS, rel=1e-12)
+
+
+@pytest.mark.parametrize("deflection", [0.020, -0.020])
+def test_response_solves_the_equation_of_motion(deflection):
+    p = system(offset=0.003, release=0.05, deflection=deflection)
+    t = np.linspace(0.0, 1.2, 2401)
+    x = decay_response(t, p, "displacement") - 0.003
+    v, a = (decay_response(t, p, q) - 0.003 for q in ("velocity", "acceleration"))
+    moving = np.abs(v) > 1e-6
+    force = MASS * a + DAMPING * v + FRICTION * np.sign(v) + STIFFNESS * x
+    assert np.max(np.abs(force[moving])) < 1e-7
+    assert np.allclose(x[t < 0.05], deflection)
+    assert np.max(np.abs(np.gradient(x, t) - v)) < 0.01
+    assert np.count_nonzero(moving) > 800
+
+
+def test_response_agrees_with_an_integration():
+    from scipy.integrate import solve_ivp
+
+    def rate(_, state):
+        force = -DAMPING * state[1] - FRICTION * np.tanh(state[1] / 1e-6) - STIFFNESS * state[0]
+        return [state[1], force / MASS]
+
+    t = np.linspace(0.0, 0.35, 200)
+    found = solve_ivp(rate, (0.0, 0.35), [0.020, 0.0], method="LSODA", t_eval=t, rtol=1e-9, atol=1e-12)
+    assert np.max(np.abs(found.y[0] - decay_response(t, system(), "displacement"))) < 2e-8
+
+
+def test_a_mass_released_inside_the_friction_band_stays():
+    p = system(deflection=0.5e-3)
+    t = np.linspace(0.0, 1.0, 50)
+    assert np.all(decay_response(t, p, "displacement") == 0.5e-3)
+    assert np.all(decay_response(t, p, "acceleration") == 0.0)
+
+
+@pytest.mark.parametrize(
+    ("ratio", "decrement"),
+    # domain A6
+    [(0.05, 0.314553), (0.10, 0.631484), (0.13, 0.823805), (0.20, 1.282550), (0.30, 1.975970)],
+)
+def test_damping_ratio_of_a_decrement(ratio, decrement):
+    assert ratio_from_decrement(decrement) == pytest.approx(ratio, abs=5e-7)
+
+
+def test_regression_separates_viscous_from_dry_damping():
+    found = regress_peaks(Peaks(np.arange(6.0), np.array(A6_SEQUENCE_MM) + 3.0))
+    assert found.damping_ratio == pytest.approx(0.110696, abs=2e-6)
+    assert found.friction_deflection == pytest.approx(0.8169, abs=1e-4)
+    assert found.equilibrium == pytest.approx(3.0, abs=1e-5)
+
+
+def test_regression_of_three_turning_points_takes_no_friction():
+    found = regress_peaks(Peaks(np.arange(3.0), np.array([1.0, -0.5, 0.25])))
+    assert found.friction_deflection == 0.0
+    assert found.damping_ratio == pytest.approx(ratio_from_decrement(2 * math.log(2.0)))
+    assert found.equilibrium == pytest.approx(0.0, abs=1e-12)
+
+
+def test_peaks_are_found_between_samples():
+    t = np.arange(0.0, 1.0, 0.004)
+    peaks = find_peaks(t, decay_response(t, system(), "displacement"), 0.0)
+    assert 1e3 * peaks.value[1:5] == pytest.approx(A6_SEQUENCE_MM[1:5], abs=0.02)
+    assert peaks.half_period() == pytest.approx(math.pi / math.sqrt(STIFFNESS / MASS * (1 - 0.110696**2)), rel=0.01)
+
+
+def test_noise_is_measured_under_a_motion():
+    t = np.arange(0.0, 2.0, 1e-3)
+    noise = np.random.default_rng(0).normal(0.0, 2e-4, len(t))
+    assert noise_of(decay_response(t, system(), "displacement") + noise) == pytest.approx(2e-4, rel=0.1)
