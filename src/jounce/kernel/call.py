@@ -60,3 +60,18 @@ def call_many(
         return cgutils.get_null_value(ir.IntType(8).as_pointer())
 
     return signature, generate
+
+
+@intrinsic  # type: ignore[untyped-decorator]
+def sine_and_cosine(typing_context: Any, angle: Any) -> Any:  # noqa: ANN401, ARG001
+    """Sine and cosine by calls that the optimiser may not move out of their branch, as it does with ``math.sin``."""
+    signature = types.UniTuple(types.float64, 2)(types.float64)
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:  # noqa: ANN401
+        kind = ir.FunctionType(ir.DoubleType(), [ir.DoubleType()])
+        values = [
+            builder.call(cgutils.get_or_insert_function(builder.module, kind, name), arguments) for name in ("sin", "cos")
+        ]
+        return context.make_tuple(builder, signature.return_type, values)
+
+    return signature, generate

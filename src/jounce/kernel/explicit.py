@@ -22,7 +22,7 @@ from jounce.kernel.call import call_many, call_native
 from jounce.kernel.tracks import Tracks, advance, evaluate
 
 Array = NDArray[np.float64]
-_A, _B, _C, _D, _E3, _E5 = dop853.A, dop853.B, dop853.C, dop853.D, dop853.E3, dop853.E5
+_C = dop853.C
 _PROBES = (0.25, 0.5, 0.75, 1.0)
 _COMPLETED, _NOT_FINITE, _STEP_TOO_SMALL, _TOO_MANY_STEPS, _CHATTER = 0, 1, 2, 3, 4
 
@@ -34,6 +34,9 @@ class Engine(NamedTuple):
     output: int
     switch: int
     switch_slope: int
+    stages: NDArray[np.int64]
+    dense: int
+    error: int
 
 
 class Control(NamedTuple):
@@ -74,6 +77,9 @@ class Work(NamedTuple):
 
     k: Array
     dense: Array
+    step: Array
+    none: Array
+    errors: Array
     x: Array
     u: Array
     g: Array
@@ -91,70 +97,52 @@ def _rate(problem: Any, work: Any, t: float, row: int, into: int) -> None:  # no
     call_native(problem.engine.rate, work.x, row, work.u, problem.p, problem.m, work.k, into)
 
 
-@njit(cache=True, error_model="numpy", fastmath={"contract"}, inline="always")  # type: ignore[untyped-decorator]
-def _combine(x: Any, k: Any, weights: Any, stage: int, h: float, into: int) -> None:  # noqa: ANN401
-    for d in range(x.shape[1]):
-        total = 0.0
-        for j in range(min(stage, 16)):
-            total += weights[stage, j] * k[j, d]
-        x[into, d] = x[_STATE, d] + h * total
+@njit(cache=True, error_model="numpy", inline="always")  # type: ignore[untyped-decorator]
+def _place(problem: Any, work: Any, stage: int, into: int) -> None:  # noqa: ANN401
+    """Fill a row of x with where a stage evaluates the rates."""
+    call_native(problem.engine.stages[stage], work.x, _STATE, work.k, work.step, work.none, work.x, into)
 
 
 @njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
 def _step(problem: Any, work: Any, t: float, h: float) -> None:  # noqa: ANN401
     """One step from the state (its rate is in k[0]) to the end row, with the rate there in k[12]."""
+    work.step[0] = h
     for i in range(1, 12):
-        _combine(work.x, work.k, _A, i, h, _TRIAL)
+        _place(problem, work, i, _TRIAL)
         _rate(problem, work, t + _C[i] * h, _TRIAL, i)
-    _combine(work.x, work.k, _A, 12, h, _END)
+    _place(problem, work, 12, _END)
     _rate(problem, work, t + h, _END, 12)
 
 
 @njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
-def _error(work: Any, h: float, tolerance: float) -> float:  # noqa: ANN401
+def _error(problem: Any, work: Any) -> float:  # noqa: ANN401
     """Error of the controlled states relative to what is allowed (DOP853's blend of fifth and third order)."""
-    fifth, third, k = 0.0, 0.0, work.k
-    for d in range(len(work.widest)):
-        e5, e3 = 0.0, 0.0
-        for j in range(12):
-            e5 += _E5[j] * k[j, d]
-            e3 += _E3[j] * k[j, d]
-        bound = tolerance * work.widest[d] + 1e-15 * abs(work.x[_STATE, d])
-        fifth += (e5 / bound) ** 2
-        third += (e3 / bound) ** 2
+    call_native(problem.engine.error, work.x, _STATE, work.k, work.step, work.widest, work.errors, 0)
+    fifth, third = work.errors[0, 0], work.errors[0, 1]
     blend = fifth + 0.01 * third
-    return 0.0 if blend == 0.0 else abs(h) * fifth / math.sqrt(blend * len(work.widest))
+    return 0.0 if blend == 0.0 else abs(work.step[0]) * fifth / math.sqrt(blend * len(work.widest))
 
 
 @njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
 def _prepare_dense(problem: Any, work: Any, t: float, h: float) -> None:  # noqa: ANN401
     """Three more stages and the coefficients of the interpolant on this step."""
-    k, dense, x = work.k, work.dense, work.x
     for i in range(13, 16):
-        _combine(x, k, _A, i, h, _TRIAL)
+        _place(problem, work, i, _TRIAL)
         _rate(problem, work, t + _C[i] * h, _TRIAL, i)
-    for d in range(x.shape[1]):
-        change = x[_END, d] - x[_STATE, d]
-        dense[0, d] = change
-        dense[1, d] = h * k[0, d] - change
-        dense[2, d] = 2.0 * change - h * (k[12, d] + k[0, d])
-        for i in range(4):
-            total = 0.0
-            for j in range(16):
-                total += _D[i, j] * k[j, d]
-            dense[3 + i, d] = h * total
+    call_native(problem.engine.dense, work.x, _STATE, work.k, work.step, work.x[_END], work.dense, 0)
 
 
 @njit(cache=True, error_model="numpy", fastmath={"contract"}, inline="always")  # type: ignore[untyped-decorator]
 def _interpolated(work: Any, d: int, theta: float) -> float:  # noqa: ANN401
     """State ``d`` at a fraction of the step."""
     rest, dense = 1.0 - theta, work.dense
-    y = dense[6, d] * theta
-    y = (y + dense[5, d]) * rest
-    y = (y + dense[4, d]) * theta
-    y = (y + dense[3, d]) * rest
-    y = (y + dense[2, d]) * theta
-    y = (y + dense[1, d]) * rest
+    size = work.x.shape[1]
+    y = dense[0, 6 * size + d] * theta
+    y = (y + dense[0, 5 * size + d]) * rest
+    y = (y + dense[0, 4 * size + d]) * theta
+    y = (y + dense[0, 3 * size + d]) * rest
+    y = (y + dense[0, 2 * size + d]) * theta
+    y = (y + dense[0, size + d]) * rest
     return work.x[_STATE, d] + (y + dense[0, d]) * theta
 
 
@@ -171,12 +159,14 @@ def _switches_at(problem: Any, work: Any, t: float, h: float, theta: float) -> N
 def _crossing(problem: Any, work: Any, band: Any, t: float, h: float) -> tuple[float, int]:  # noqa: ANN401
     """First fraction of the step at which a switch leaves its side, and which; (2, -1) when none does."""
     before, first, which = 0.0, 2.0, -1
+    seen, now, modes = work.seen, work.g, problem.m
     for probe in _PROBES:
         _switches_at(problem, work, t, h, probe)
-        work.seen[0, :] = work.g[0]
-        for i in range(len(problem.m)):
-            g = work.seen[0, i]
-            if g < -band[i] if problem.m[i] > 0.5 else g > band[i]:
+        for i in range(len(modes)):
+            seen[i] = now[0, i]
+        for i in range(len(modes)):
+            g = seen[i]
+            if g < -band[i] if modes[i] > 0.5 else g > band[i]:
                 theta = _root(problem, work, t, h, i, before, probe)
                 if theta < first:
                     first, which = theta, i
@@ -249,7 +239,7 @@ def _attempt(problem: Any, control: Any, work: Any, t: float, h: float, dense: b
     A share of 0 with no switch means rejected; the dense output of an accepted step is prepared where wanted.
     """
     _step(problem, work, t, h)
-    error = _error(work, h, control.tolerance)
+    error = _error(problem, work)
     if not math.isfinite(error):
         return 0.0, 0.1, -1
     if error > 1.0:
@@ -286,10 +276,11 @@ def _start(problem: Any, control: Any, t: float) -> Any:  # noqa: ANN401
     """Scratch arrays with the first state and its rate."""
     n, size, switches = len(control.scale), len(problem.x0), len(problem.m)
     work = Work(
-        np.zeros((16, size)), np.zeros((7, size)), np.zeros((3, size)), np.zeros((2 * len(problem.piece), 1)),
-        np.zeros((1, switches)), np.zeros((1, switches)), np.zeros((1, switches * (n + size // n))), control.scale.copy(),
+        np.zeros((16, size)), np.zeros((1, 7 * size)), np.zeros(2), np.zeros(1), np.zeros((1, 2)), np.zeros((3, size)), np.zeros((2 * len(problem.piece), 1)),
+        np.zeros((1, switches)), np.zeros(switches), np.zeros((1, switches * (n + size // n))), control.scale.copy(),
     )
-    work.x[_STATE] = problem.x0
+    work.x[_STATE, :] = problem.x0
+    work.step[1] = control.tolerance
     _rate(problem, work, t, _STATE, 0)
     return work
 
@@ -297,8 +288,9 @@ def _start(problem: Any, control: Any, t: float) -> Any:  # noqa: ANN401
 @njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
 def _accept(problem: Any, work: Any) -> bool:  # noqa: ANN401
     """Take over the end of the step; tell whether it is finite."""
-    work.x[_STATE, :] = work.x[_END]
-    work.k[0, :] = work.k[12]
+    for d in range(work.x.shape[1]):
+        work.x[_STATE, d] = work.x[_END, d]
+        work.k[0, d] = work.k[12, d]
     finite = True
     for d in range(len(work.widest)):
         finite = finite and math.isfinite(work.x[_STATE, d])

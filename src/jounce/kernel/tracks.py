@@ -10,6 +10,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from jounce.core.segments import Segments
+from jounce.kernel.call import sine_and_cosine
 
 Array = NDArray[np.float64]
 
@@ -64,9 +65,10 @@ def evaluate(tracks: Any, piece: Any, t: float, u: Any, column: int) -> None:  #
             u[2 * k, column] = c0 + s * (c1 + s * (c2 + s * c3))
             u[2 * k + 1, column] = rate * (c1 + s * (2.0 * c2 + 3.0 * s * c3))
         elif tracks.kind[i] == 1:
-            u[2 * k, column] = c0 + c1 * math.sin(c2 * s + c3)
-            u[2 * k + 1, column] = rate * c1 * c2 * math.cos(c2 * s + c3)
+            sine, cosine = sine_and_cosine(c2 * s + c3)
+            u[2 * k, column] = c0 + c1 * sine
+            u[2 * k + 1, column] = rate * c1 * c2 * cosine
         else:
-            root = math.sqrt(max(c1 * c1 - (s - c2) ** 2, 0.0))
+            root = math.sqrt(max(c1 * c1 - (s - c2) * (s - c2), 0.0))
             u[2 * k, column] = c0 + c3 * root
             u[2 * k + 1, column] = -rate * c3 * (s - c2) / root if root > 0.0 else 0.0

@@ -10,7 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
+from jounce.kernel.explicit import Engine
 from jounce.kernel.native import Native, compile_functions
+from jounce.kernel.stages import STAGE_NAMES, step_functions
 from jounce.mechanics import Model
 
 Array = NDArray[np.float64]
@@ -37,6 +39,16 @@ class Compiled:
     def output_names(self) -> tuple[str, ...]:
         """Channel names in the order of the outputs."""
         return tuple(output.name for output in self.model.outputs)
+
+    @cached_property
+    def engine(self) -> Engine:
+        """Addresses of the native functions, with sensitivities where there are free parameters."""
+        address, suffix = self.native.address, "_s" if self.free else ""
+        stages = np.array([address[name] for name in STAGE_NAMES])
+        return Engine(
+            address[f"rate{suffix}"], address[f"output{suffix}"], address["switch"], address.get("switch_slope", 0),
+            stages, address["dense"], address["error"],
+        )
 
     @cached_property
     def is_linear(self) -> bool:
@@ -76,7 +88,13 @@ def compile_model(model: Model, free: tuple[str, ...] = ()) -> Compiled:
         for path in free:
             if path not in model.parameters:
                 raise SimulationError("not a parameter of the model", where=path, allowed=", ".join(model.parameters))
-        functions = {**_plain(model), **_statics(model), **(_sensitive(model, free) if free else {})}
+        states = model.x.shape[0]
+        functions = {
+            **_plain(model),
+            **_statics(model),
+            **(_sensitive(model, free) if free else {}),
+            **step_functions(states * (1 + len(free)), states),
+        }
         _compiled[key] = Compiled(model, free, functions, compile_functions(functions))
     return _compiled[key]
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from jounce.core.errors import SimulationError
 from jounce.core.segments import Segments
 from jounce.kernel import linear
-from jounce.kernel.explicit import Control, Engine, Problem, Samples, integrate
+from jounce.kernel.explicit import Control, Problem, Samples, integrate
 from jounce.kernel.status import Status
 from jounce.kernel.tracks import flatten
 from jounce.models import build
@@ -94,10 +94,6 @@ def solve(
     modes = _modes(compiled, x, p, height[0]) if offset is not None else rest.modes.copy()
     size = _motion_size(road, rest.x[:n_q], offset)
     scale = state_scale(rest, n_q, size)
-    address, suffix = compiled.native.address, "_s" if compiled.free else ""
-    engine = Engine(
-        address[f"rate{suffix}"], address[f"output{suffix}"], address["switch"], address.get("switch_slope", 0)
-    )
     band = _dead_band(compiled, p, rest, scale)
     control = Control(_STEP_SHARE * tolerance, 0.1 * scale, band, _MAX_STEPS)
     start = np.concatenate([x, _rest_sensitivity(compiled, p, rest, height[0])])
@@ -107,7 +103,7 @@ def solve(
     )
     counts = np.zeros(3, dtype=np.int64)
     tracks = flatten([road])
-    problem = Problem(engine, tracks, tracks.first[:-1].copy(), p, modes, start)
+    problem = Problem(compiled.engine, tracks, tracks.first[:-1].copy(), p, modes, start)
     code = _propagate_exactly(compiled, problem, out)
     if code is None:
         code = integrate(problem, control, out, counts)
