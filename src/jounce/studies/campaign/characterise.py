@@ -10,7 +10,8 @@ from typing import Any
 from jounce.core.errors import JounceError, RecordingError
 from jounce.core.findings import Finding
 from jounce.core.units import to_si
-from jounce.identify.decay import DecayResult, combine_decays, fit_decay
+from jounce.identify.combination import combine_decays
+from jounce.identify.decay import DecayResult, fit_decay
 from jounce.identify.force_deflection import ForceDeflectionTrial
 from jounce.identify.stiffness import StiffnessResult, fit_stiffness
 from jounce.identify.tyre_pressure import PressureStiffness, stiffness_against_pressure

@@ -11,13 +11,13 @@ import xarray as xr
 from jounce.core.errors import FitError, JounceError, unknown
 from jounce.core.findings import Finding
 from jounce.identify.update import FitTrial, update_model
-from jounce.parts import Rig, changed_text, load, rig_path
-from jounce.parts.parameters import parameters_of
+from jounce.parts import load, rig_path
 from jounce.recordings import read_recording
 from jounce.roads import Road, Train, Trial, read_roads
 from jounce.studies.campaign.characterise import characterise, polynomial_tyres
 from jounce.studies.campaign.description import Campaign, TrialEntry, UpdateEntry, load_campaign
 from jounce.studies.campaign.result import CampaignResult, StrategyResult, TrialResult
+from jounce.studies.campaign.rig_text import updated_text
 from jounce.studies.campaign.setup import Knowledge
 from jounce.studies.campaign.validation import Signals, TrialComparison, compare_trial
 
@@ -153,7 +153,8 @@ class _Runner:
         )
         self.findings += [Finding(f"{entry.name}: {f.place}", f.severity, f.message, f.value) for f in result.findings]
         after = knowledge.after(result.parameters, [item.entry.tyre_pressure for item in chosen])
-        return StrategyResult(result, after, tuple(item.entry.number for item in chosen), self._text(after.rig))
+        numbers = tuple(item.entry.number for item in chosen)
+        return StrategyResult(result, after, numbers, updated_text(self.rig_text, after.rig))
 
     def _chosen(self, entry: UpdateEntry) -> list[_Loaded]:
         if entry.trials == "fit":
@@ -162,13 +163,6 @@ class _Runner:
         if lost:
             raise FitError("a trial it needs could not be used", found=f"trial {lost[0]}")
         return [self.loaded[number] for number in entry.trials]
-
-    def _text(self, rig: Rig) -> str:
-        """Rig file with the values of ``rig``, comments kept where only numbers changed."""
-        described = parameters_of(load_text(self.rig_text))
-        values = parameters_of(rig)
-        changed = {path: value for path, value in values.items() if described.get(path) != value}
-        return changed_text(self.rig_text, rig, changed)
 
     def compare_all(self, start: Knowledge, strategies: list[StrategyResult]) -> list[TrialResult]:
         final = strategies[-1].knowledge if strategies else start
@@ -197,15 +191,6 @@ class _Runner:
                 compared.append((None, {}))
         (before, curves_before), (after, curves) = compared
         return TrialResult(entry, pitch, before, after, curves_before, curves)
-
-
-def load_text(text: str) -> Rig:
-    """Read a rig from the text of its file."""
-    import tomllib
-
-    from jounce.parts import rig_from_table
-
-    return rig_from_table(tomllib.loads(text))
 
 
 def _unique(findings: list[Finding]) -> list[Finding]:
