@@ -1,0 +1,5 @@
+"""The command line: thin faces over the public functions. Each command returns a `Reply`; `main` prints it."""
+
+from jounce.cli.entry import main
+
+__all__ = ["main"]

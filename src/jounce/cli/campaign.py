@@ -1,0 +1,121 @@
+"""``jounce campaign``: a whole bench campaign, and a commented one to start from."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from jounce.cli.options import AsJson, Force, output_folder
+from jounce.cli.reply import DONE, FAILED, Reply, progress
+from jounce.cli.tables import show_findings, table
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from jounce.core.findings import Finding
+    from jounce.studies.campaign import CampaignResult
+
+app = typer.Typer(no_args_is_help=True, help="Evaluate a folder of bench measurements, or begin one.")
+
+
+@app.command("run")
+def run(
+    campaign: Annotated[Path, typer.Argument(metavar="CAMPAIGN.toml", help="What was measured, and what to update.")],
+    out: Annotated[Path, typer.Option(help="Folder for report, figures, updated rigs and results.json.")],
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Characterise, update the model, hold every trial against it, write the report.
+
+    Exit code 1 says that something failed; everything else is done and written all the same.
+
+    Example: jounce campaign run campaign.toml --out results
+    """
+    folder = output_folder(out, force=force)
+    with progress() as say:
+        from jounce.report import write_campaign
+        from jounce.studies.campaign import run_campaign
+
+        result = run_campaign(campaign, progress=say)
+        say("writing the report")
+        write_campaign(result, folder, force=force)
+    return campaign_reply(result, folder, as_json=as_json)
+
+
+@app.command("new")
+def new(
+    folder: Annotated[Path, typer.Argument(metavar="DIR", help="Folder to make.")],
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Write a commented campaign to start from.
+
+    Example: jounce campaign new my-campaign
+    """
+    from jounce.studies.campaign.template import new_campaign
+
+    output_folder(folder, force=force)
+    new_campaign(folder, force=force)
+    made = sorted(str(file.relative_to(folder)) for file in folder.rglob("*") if file.is_file())
+    campaign = folder / "campaign.toml"
+
+    def draw(console: Console) -> None:
+        console.print(f"{folder}: {', '.join(made)}")
+        console.print(f"Next: put your measurements there, edit campaign.toml, then\n  jounce check {campaign}")
+        console.print(f"  jounce campaign run {campaign} --out results")
+
+    return Reply({"folder": str(folder), "files": made}, draw, as_json)
+
+
+def campaign_reply(result: CampaignResult, folder: Path, *, as_json: bool) -> Reply:
+    """Answer of a campaign that was run and written to ``folder``."""
+    plain = {**result.to_dict(), "is_complete": result.is_complete, "out": str(folder)}
+    exit_code = DONE if result.is_complete else FAILED
+    return Reply(plain, lambda console: _draw(console, plain, result.findings, folder), as_json, exit_code)
+
+
+def _draw(out: Console, plain: dict[str, Any], findings: tuple[Finding, ...], folder: Path) -> None:
+    if plain["synthetic"]:
+        out.print(plain["synthetic"], style="yellow")
+    replaced = plain["characterisation"]["replaced"]
+    if replaced:
+        rows = [
+            (item["source"], item["path"], item["described"], item["measured"], item["standard_error"])
+            for item in replaced
+        ]
+        header = ("measured", "parameter", "described", "measured", "standard error")
+        out.print(table("Characterisation (SI)", header, rows, text=(0, 1)))
+    if plain["updates"]:
+        _draw_updates(out, plain["updates"])
+    _draw_trials(out, plain["trials"])
+    show_findings(out, findings)
+    out.print(f"written: {folder}" + (f", open {folder / 'report.html'}" if (folder / "report.html").exists() else ""))
+    failed = sum(finding.severity == "problem" for finding in findings)
+    if failed:
+        out.print(f"{failed} problem{'s' if failed > 1 else ''}: see above; everything else is done.", style="bold red")
+
+
+def _draw_updates(out: Console, updates: list[dict[str, Any]]) -> None:
+    header = ("update", "objective before", "after", "reduction %", "iterations", "evaluations")
+    keys = ("name", "objective_before", "objective_after", "reduction_percent", "iterations", "evaluations")
+    out.print(table("Updates", header, [[update[key] for key in keys] for update in updates]))
+    rows = [
+        (update["name"], path, *(fitted[key] for key in ("initial", "value", "standard_error", "at_bound")))
+        for update in updates
+        for path, fitted in update["parameters"].items()
+    ]
+    header = ("update", "parameter", "initial", "value", "standard error", "at bound")
+    out.print(table("Parameters (SI)", header, rows, text=(0, 1)))
+
+
+def _draw_trials(out: Console, trials: list[dict[str, Any]]) -> None:
+    keys = ("nrmse", "r2", "peak_error", "iso18571")
+    rows = []
+    for trial in trials:
+        start = (trial["number"], trial["use"], trial["speed"])
+        channels = trial["channels"].items() or [("–", {})]
+        rows += [(*start, name, *(numbers.get(key) for key in keys), trial["verdict"]) for name, numbers in channels]
+    header = ("trial", "use", "speed m/s", "channel", "NRMSE", "R2", "peak error", "ISO 18571", "verdict")
+    out.print(table("Trials", header, rows, text=(1, 3, 8)))

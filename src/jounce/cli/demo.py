@@ -1,0 +1,30 @@
+"""``jounce demo``: the shipped campaign, from measurements to the report."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from jounce.cli.campaign import campaign_reply
+from jounce.cli.options import AsJson, Force, output_folder
+from jounce.cli.reply import Reply, progress
+
+
+def demo(
+    out: Annotated[Path | None, typer.Option(help="Folder to write; without it a new numbered one.")] = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Copy the shipped campaign (synthetic measurements) into a folder and run it.
+
+    Example: jounce demo --out jounce-demo
+    """
+    if out is not None:
+        output_folder(out, force=force)
+    with progress() as say:
+        from jounce.studies.demo import run_demo
+
+        result = run_demo(out, progress=say)
+    return campaign_reply(result, out, as_json=as_json)  # type: ignore[arg-type]

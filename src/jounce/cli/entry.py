@@ -1,0 +1,144 @@
+"""The entry point: find the command, run it, print its reply, turn every error into one message and an exit code."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sys
+import traceback
+from collections.abc import Sequence
+from typing import Any
+
+import typer
+
+from jounce.cli import campaign, check, demo, fit, library, modes, plot, simulate
+from jounce.cli.options import AsJson
+from jounce.cli.reply import FAILED, PIPE_CLOSED, REFUSED, STOPPED, Reply, complain, refuse
+from jounce.core.errors import JounceError, OutputError, nearest
+
+EPILOG = 'Values carry their units: --speed "1.95 m/s"; bare numbers are SI. --debug shows the traceback of a crash.'
+_CLICK_ERROR: type[Exception] = next(kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException")
+
+
+def application() -> typer.Typer:
+    """Put the commands together."""
+    app = typer.Typer(
+        name="jounce",
+        help="From bench measurements to a validated suspension model, and from the model to decisions.",
+        epilog=EPILOG,
+        no_args_is_help=True,
+        add_completion=False,
+        rich_markup_mode="rich",
+    )
+    app.command("demo")(demo.demo)
+    app.add_typer(campaign.app, name="campaign")
+    app.command("simulate")(simulate.simulate)
+    app.command("modes")(modes.modes)
+    app.command("plot")(plot.plot)
+    app.command("check")(check.check)
+    app.command("library")(library.library)
+    app.add_typer(fit.app, name="fit")
+    app.command("version")(version)
+    return app
+
+
+def version(as_json: AsJson = False) -> Reply:
+    """Print the version of jounce and of what it runs on.
+
+    Example: jounce version
+    """
+    import platform
+    from importlib import metadata
+
+    plain = {"jounce": metadata.version("jounce"), "python": platform.python_version(), "system": platform.platform()}
+    return Reply(plain, lambda out: out.print(*(f"{name} {value}" for name, value in plain.items()), sep="\n"), as_json)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command line.
+
+    Parameters
+    ----------
+    arguments : sequence of str, optional
+        Words after ``jounce``; by default those of this process.
+
+    Returns
+    -------
+    int
+        Exit code: 0 done, 1 something failed, 2 the request is wrong, 130 interrupted.
+    """
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    debug = "--debug" in words
+    words = [word for word in words if word != "--debug"]
+    as_json = "--json" in words
+    try:
+        exit_code = _answer(words)
+        sys.stdout.flush()
+    except (KeyboardInterrupt, typer.Abort):
+        sys.stderr.write("jounce: stopped; nothing was left half-written.\n")
+        return STOPPED
+    except BrokenPipeError:
+        return _silence()
+    except _CLICK_ERROR as error:
+        return _misused(error, as_json=as_json)
+    except JounceError as error:
+        return refuse(error, as_json=as_json)
+    except OSError as error:
+        return refuse(_file_error(error), as_json=as_json)
+    except Exception as error:  # noqa: BLE001 - the last resort says how to report it
+        return _crashed(error, as_json=as_json, debug=debug)
+    return exit_code
+
+
+def _answer(words: list[str]) -> int:
+    command = typer.main.get_command(application())
+    with contextlib.redirect_stdout(sys.stderr) if "--json" in words else contextlib.nullcontext():
+        try:
+            with command.make_context("jounce", words) as context:
+                reply = command.invoke(context)
+        except typer.Exit as end:  # after --help
+            return end.exit_code
+    return reply.show() if isinstance(reply, Reply) else 0
+
+
+def _misused(error: Any, *, as_json: bool) -> int:  # noqa: ANN401
+    """Explain a command line that cannot be understood."""
+    context = getattr(error, "ctx", None)
+    path = context.command_path if context is not None else "jounce"
+    message = error.format_message()
+    if type(error).__name__ == "NoArgsIsHelpError":
+        if not as_json:
+            sys.stderr.write(f"{message}\n" if message else "")
+            return REFUSED
+        message = "no command is given"
+    option = getattr(error, "option_name", None)
+    if type(error).__name__ == "NoSuchOption" and option and context is not None:
+        known = [name for parameter in context.command.params for name in parameter.opts]
+        message = f"no such option: {option}. {nearest(option, known)}".rstrip()
+    hint = f"See `{path} --help`."
+    message = message if message.endswith((".", "?")) else f"{message}."
+    plain = {"kind": "UsageError", "message": f"{message} {hint}", "where": path, "what": message, "hint": hint}
+    return complain(plain, REFUSED, as_json=as_json)
+
+
+def _file_error(error: OSError) -> OutputError:
+    return OutputError(
+        error.strerror or str(error), where=str(error.filename or ""), hint="Check the path, the rights and the space."
+    )
+
+
+def _crashed(error: Exception, *, as_json: bool, debug: bool) -> int:
+    if debug:
+        traceback.print_exc()
+    what = f"this should not have happened: {type(error).__name__}: {error}"
+    hint = "Please report it with the command and its files; --debug shows where it happened."
+    return complain(
+        {"kind": "unexpected", "message": f"{what}. {hint}", "what": what, "hint": hint}, FAILED, as_json=as_json
+    )
+
+
+def _silence() -> int:
+    """Leave quietly when nobody reads any more; what Python flushes at its end goes nowhere."""
+    with contextlib.suppress(OSError, ValueError, AttributeError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return PIPE_CLOSED

@@ -1,0 +1,193 @@
+"""``jounce fit``: stiffness, decays and damper laws from measured files."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from jounce.cli.options import AsJson, Columns, columns, files, optional_quantity, positive_quantity, quantity
+from jounce.cli.reply import Reply
+from jounce.cli.tables import estimates, show_findings, table
+from jounce.core.errors import RecordingError, nearest
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from rich.console import Console
+
+    from jounce.core.findings import Finding
+    from jounce.identify.combination import CombinedDecay
+    from jounce.identify.decay import DecayResult
+    from jounce.identify.stiffness import StiffnessResult
+
+app = typer.Typer(no_args_is_help=True, help="Find stiffness, damping and damper laws from measurements.")
+
+_QUANTITIES = {"m": "displacement", "m/s": "velocity", "m/s^2": "acceleration"}
+_DECAY_ESTIMATES = (
+    ("damping_ratio", "1"),
+    ("damping_coefficient", "N*s/m"),
+    ("coulomb_force", "N"),
+    ("natural_frequency_hz", "Hz"),
+    ("equilibrium", "m"),
+    ("stiffness", "N/m"),
+)
+
+
+@app.command("stiffness")
+def stiffness(
+    measured: Annotated[
+        list[str], typer.Argument(metavar="FILES", help="Force-deflection trials: columns displacement and force.")
+    ],
+    law: Annotated[str, typer.Option(help="linear, polynomial, power or monotone-spline.")] = "linear",
+    degree: Annotated[int, typer.Option(help="Degree of the polynomial.")] = 3,
+    discard_below: Annotated[str, typer.Option(help='Leave out smaller deflections, e.g. "2 mm".')] = "0 mm",
+    intercept: Annotated[
+        str,
+        typer.Option(help="Of the line: drop (F = k x), shift (F = k (x - x0)) or keep (F = k x + b, a preload)."),
+    ] = "drop",
+    branch: Annotated[str, typer.Option(help="loading, unloading or both.")] = "loading",
+    load: Annotated[
+        str | None, typer.Option(help='Static force the part will carry, e.g. "206 N": is that point in the fit?')
+    ] = None,
+    columns_: Columns = None,
+    as_json: AsJson = False,
+) -> Reply:
+    """Fit the stiffness of a spring or a tyre to repeated force-deflection trials.
+
+    Example: jounce fit stiffness tyre_031_*.csv --discard-below "2 mm" --intercept drop --load "206 N"
+    """
+    from jounce.core.serialise import to_plain
+    from jounce.identify.stiffness import fit_stiffness
+    from jounce.studies.campaign.characterise import read_force_deflection
+
+    choice: dict[str, Any] = {
+        "law": law,
+        "degree": degree,
+        "discard_below": quantity(discard_below, "m", "--discard-below"),
+        "intercept": intercept,
+        "branch": branch,
+        "operating_force": optional_quantity(load, "N", "--load"),
+    }
+    found = files(measured, "FILES")
+    trials, notes = read_force_deflection(found, columns(columns_) or {})
+    result = fit_stiffness(trials, **choice)
+    findings = (*notes, *result.findings)
+    plain = {"files": [str(file) for file in found], **to_plain(result), "findings": to_plain(findings)}
+    return Reply(plain, lambda out: _draw_stiffness(out, result, findings), as_json)
+
+
+@app.command("decay")
+def decay(
+    measured: Annotated[
+        list[str], typer.Argument(metavar="FILE...", help="Recording of a free decay; several are combined.")
+    ],
+    channel: Annotated[str, typer.Option(help="Displacement, velocity or acceleration, e.g. sprung.z.")],
+    mass: Annotated[str, typer.Option(help='Oscillating mass, e.g. "16 kg".')],
+    stiffness_: Annotated[
+        str | None, typer.Option("--stiffness", help="Known stiffness, compared with what mass and frequency give.")
+    ] = None,
+    columns_: Columns = None,
+    as_json: AsJson = False,
+) -> Reply:
+    """Tell viscous damping and dry friction apart in a free decay.
+
+    Example: jounce fit decay decay_1.csv --channel sprung.z --mass "16 kg"
+    """
+    from jounce.identify.combination import combine_decays
+    from jounce.identify.decay import fit_decay
+    from jounce.recordings import read_recording
+
+    moving = positive_quantity(mass, "kg", "--mass")
+    known = None if stiffness_ is None else positive_quantity(stiffness_, "N/m", "--stiffness")
+    results: list[DecayResult] = []
+    notes: list[Finding] = []
+    for file in files(measured, "FILE"):
+        data, found = read_recording(file, columns=columns(columns_))
+        notes += found
+        record, kind = _decay_record(data, channel, str(file))
+        results.append(
+            fit_decay(
+                data["time"].to_numpy(),
+                record,
+                mass=moving,
+                stiffness=known,
+                quantity=kind,  # type: ignore[arg-type]
+                name=file.name,
+            )
+        )
+    result = results[0] if len(results) == 1 else combine_decays(results)
+    findings = (*notes, *result.findings)
+    return Reply(
+        _decay_plain(result, measured, channel, findings), lambda out: _draw_decay(out, result, findings), as_json
+    )
+
+
+def _decay_record(data: xr.Dataset, channel: str, file: str) -> tuple[Any, str]:
+    """Samples of the channel, and whether they are displacement, velocity or acceleration."""
+    names = [str(name) for name in data.data_vars]
+    if channel not in names:
+        raise RecordingError(
+            f"no channel {channel!r}",
+            where=file,
+            found=", ".join(names),
+            hint=nearest(channel, names) or "See --columns.",
+        )
+    unit = data[channel].attrs["units"]
+    if unit not in _QUANTITIES:
+        raise RecordingError(
+            "not a motion", where=f"{file}: {channel}", found=unit, allowed="a displacement, velocity or acceleration"
+        )
+    return data[channel].to_numpy(), _QUANTITIES[unit]
+
+
+def _decay_plain(
+    result: DecayResult | CombinedDecay, measured: list[str], channel: str, findings: tuple[Finding, ...]
+) -> dict[str, Any]:
+    from jounce.core.serialise import to_plain
+
+    unknown = {"value": None, "standard_error": None, "interval": None}
+    plain = {name: to_plain(getattr(result, name)) or unknown for name, _ in _DECAY_ESTIMATES}
+    naive = result.logarithmic_decrement
+    return {
+        "files": list(measured),
+        "channel": channel,
+        **plain,
+        "logarithmic_decrement": naive.value,
+        "logarithmic_decrement_standard_error": naive.standard_error,
+        "decrements": list(getattr(result, "decrements", ())),
+        "cycles": result.cycles,
+        "r2": getattr(result, "r2", None),
+        "findings": to_plain(findings),
+    }
+
+
+def _draw_stiffness(out: Console, result: StiffnessResult, findings: tuple[Finding, ...]) -> None:
+    low, high = (1e3 * end for end in result.fitted_range)
+    rows = [("stiffness", result.stiffness, "N/m"), (f"intercept ({result.intercept_choice})", result.intercept, "N")]
+    if result.tangent_stiffness is not None:
+        rows.append(("measured slope at the static load", result.tangent_stiffness, "N/m"))
+    if result.law != "linear":
+        rows += [(f"coefficient {i}", item, "SI") for i, item in enumerate(result.coefficients, 1)]
+    out.print(estimates(f"{result.law} law, {low:.4g} to {high:.4g} mm, R2 = {result.r2:.6f}", rows))
+    header = ("trial", "stiffness N/m", "intercept N", "loss factor", "rms residual N", "points")
+    trials: list[tuple[object, ...]] = [
+        (
+            trial.name,
+            trial.stiffness.value,
+            trial.intercept and trial.intercept.value,
+            trial.loss_factor,
+            trial.rms_residual,
+            trial.points,
+        )
+        for trial in result.trials
+    ]
+    trials.append(("standard deviation between trials", result.repeatability, None, None, None, None))
+    out.print(table("Trials", header, trials))
+    show_findings(out, findings)
+
+
+def _draw_decay(out: Console, result: DecayResult | CombinedDecay, findings: tuple[Finding, ...]) -> None:
+    rows = [(name.replace("_hz", "").replace("_", " "), getattr(result, name), unit) for name, unit in _DECAY_ESTIMATES]
+    rows.append(("logarithmic decrement (naive)", result.logarithmic_decrement, "1"))
+    out.print(estimates(f"Free decay, {result.cycles:g} cycles", rows))
+    show_findings(out, findings)

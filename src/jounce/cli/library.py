@@ -1,0 +1,98 @@
+"""``jounce library``: what comes with the program."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from jounce.cli.options import AsJson
+from jounce.cli.reply import Reply
+from jounce.cli.tables import table
+from jounce.core.errors import unknown
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+
+def library(
+    name: Annotated[str | None, typer.Argument(help="Print this rig file or describe this road.")] = None,
+    as_json: AsJson = False,
+) -> Reply:
+    """List the shipped rigs and roads, or print one of them.
+
+    Example: jounce library kart-quarter-car > my-rig.toml
+    """
+    from jounce.parts import library as rigs
+    from jounce.roads import road_library as roads
+
+    shipped_rigs, shipped_roads = rigs(), roads()
+    if name is None:
+        plain = {
+            "rigs": [_rig(*item) for item in shipped_rigs.items()],
+            "roads": [_road(*item) for item in shipped_roads.items()],
+        }
+        return Reply(plain, lambda out: _draw_list(out, plain), as_json)
+    if name in shipped_rigs:
+        text = shipped_rigs[name].read_text(encoding="utf-8")
+        return Reply({**_rig(name, shipped_rigs[name]), "text": text}, lambda _: _print_raw(text), as_json)
+    if name in shipped_roads:
+        road = _road(name, shipped_roads[name])
+        return Reply(road, lambda out: _draw_road(out, road), as_json)
+    raise unknown(name, [*shipped_rigs, *shipped_roads], what="name", where="NAME")
+
+
+def _rig(name: str, file: Path) -> dict[str, Any]:
+    from jounce.parts import load
+
+    rig = load(file)
+    return {
+        "name": name,
+        "kind": "rig",
+        "what": getattr(rig, "model", ""),
+        "source": rig.source,
+        "estimated": list(rig.estimated),
+        "file": str(file),
+    }
+
+
+def _road(name: str, file: Path) -> dict[str, Any]:
+    from jounce.roads import load_road
+
+    road = load_road(file)
+    points = road.segments(road.end()).evaluate(road.segments(road.end()).edges)[0]
+    return {
+        "name": name,
+        "kind": "road",
+        "what": f"measured course of {road.end():g} m, heights {1e3 * points.min():.3g} to {1e3 * points.max():.3g} mm",
+        "length": road.end(),
+        "lowest": float(points.min()),
+        "highest": float(points.max()),
+        "source": _source_of(file),
+        "file": str(file),
+    }
+
+
+def _source_of(file: Path) -> str:
+    """What the list of sources beside a file says about it: its cells, joined."""
+    sources = file.parent / "SOURCE.md"
+    lines = sources.read_text(encoding="utf-8").splitlines() if sources.is_file() else []
+    about = [line for line in lines if file.name in line]
+    return "; ".join(cell.replace("`", "").strip() for cell in about[0].strip("|").split("|")[1:]) if about else ""
+
+
+def _print_raw(text: str) -> None:
+    sys.stdout.write(text)
+
+
+def _draw_list(out: Console, plain: dict[str, Any]) -> None:
+    for title, kind in (("Rigs", "rigs"), ("Roads", "roads")):
+        rows = [(item["name"], item["what"], item["source"]) for item in plain[kind]]
+        out.print(table(title, ("name", "what", "source"), rows, text=(0, 1, 2)))
+    out.print("jounce library NAME prints one; give a name wherever a rig or a road is asked for.")
+
+
+def _draw_road(out: Console, road: dict[str, Any]) -> None:
+    out.print(f"{road['name']}: {road['what']}\nfile: {road['file']}\n\n{road['source']}")

@@ -1,0 +1,119 @@
+"""Options that several commands share, and how their text becomes values."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from jounce.core.errors import DescriptionError
+
+AsJson = Annotated[bool, typer.Option("--json", help="Print exactly one JSON object (SI) instead of tables.")]
+Force = Annotated[bool, typer.Option("--force", help="Overwrite what exists.")]
+Changes = Annotated[
+    list[str] | None,
+    typer.Option("--set", metavar="PATH=VALUE", help='Change a value of the rig: strut.spring.rate="25 N/mm".'),
+]
+Columns = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--columns",
+        metavar="NAME=COLUMN",
+        help='Where a quantity is in the file, with its unit if the header has none: force="F (kN)" is written '
+        r'force="F \[kN]".',
+    ),
+]
+RigName = Annotated[str, typer.Argument(metavar="RIG", help="A rig file, or a name of `jounce library`.")]
+
+
+def quantity(text: str, unit: str, option: str) -> float:
+    """Read the value of an option into SI; a bare number is SI, as in the files."""
+    from jounce.core.units import to_si
+
+    return to_si(_bare_number(text), unit, where=option)
+
+
+def optional_quantity(text: str | None, unit: str, option: str) -> float | None:
+    """Read the value of an option that may be left out."""
+    return None if text is None else quantity(text, unit, option)
+
+
+def positive_quantity(text: str, unit: str, option: str) -> float:
+    """Read the value of an option that must be above 0."""
+    value = quantity(text, unit, option)
+    if value <= 0.0:
+        raise DescriptionError("out of range", where=option, found=text, allowed=f"above 0 {unit}")
+    return value
+
+
+def pairs(texts: Sequence[str] | None, option: str, example: str) -> dict[str, str]:
+    """Split ``NAME=VALUE`` texts."""
+    found: dict[str, str] = {}
+    for text in texts or ():
+        name, equals, value = text.partition("=")
+        name, value = name.strip(), value.strip()
+        if not (equals and name and value):
+            raise DescriptionError("not NAME=VALUE", where=option, found=text, allowed=f"e.g. {example}")
+        if name in found:
+            raise DescriptionError(f"{name!r} is given twice", where=option, found=text)
+        found[name] = value
+    return found
+
+
+def changes(texts: Sequence[str] | None) -> dict[str, Any]:
+    """Values by path from ``--set``: text with a unit, or anything that TOML writes on one line."""
+    given = pairs(texts, "--set", 'strut.spring.rate="25 N/mm"')
+    return {path: _toml_value(value) for path, value in given.items()}
+
+
+def columns(texts: Sequence[str] | None) -> dict[str, str] | None:
+    """Columns by quantity from ``--columns``; None when nothing is mapped."""
+    return pairs(texts, "--columns", 'force="F [kN]"') or None
+
+
+def files(names: Sequence[str], option: str) -> list[Path]:
+    """Paths as given; patterns that no shell has expanded are expanded here."""
+    from jounce.core.errors import RecordingError
+
+    found: list[Path] = []
+    for name in names:
+        path = Path(name)
+        if path.exists() or not any(mark in name for mark in "*?["):
+            found.append(path)
+            continue
+        matches = sorted(Path(path.anchor or ".").glob(str(path.relative_to(path.anchor))))
+        if not matches:
+            raise RecordingError("no file matches", where=option, found=name, hint="Check the folder and the pattern.")
+        found += matches
+    return found
+
+
+def output_folder(path: Path, *, force: bool) -> Path:
+    """Refuse a folder that holds something (without ``force``) or is a file; give it."""
+    from jounce.core.errors import OutputError
+
+    if path.exists() and not path.is_dir():
+        raise OutputError("the output folder is a file", where=str(path), hint="Choose another name.")
+    if path.is_dir() and any(path.iterdir()) and not force:
+        raise OutputError(
+            "the output folder is not empty", where=str(path), hint="Choose another one or allow it with --force."
+        )
+    return path
+
+
+def _bare_number(text: str) -> str | float:
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def _toml_value(text: str) -> Any:  # noqa: ANN401
+    try:
+        value = tomllib.loads(f"value = {text}")["value"]
+    except tomllib.TOMLDecodeError:
+        return text
+    return float(value) if isinstance(value, int) and not isinstance(value, bool) else value

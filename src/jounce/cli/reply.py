@@ -1,0 +1,107 @@
+"""What a command answers, and how it reaches the reader: one JSON object or tables, errors, progress."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from jounce.core.errors import JounceError
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+PIPED_WIDTH = 140
+DONE, FAILED, REFUSED, STOPPED, PIPE_CLOSED = 0, 1, 2, 130, 141
+"""Exit codes: all is well; something failed; the request is wrong; interrupted; the reader of the output went away."""
+
+
+@dataclass(frozen=True)
+class Reply:
+    """Answer of one command.
+
+    Attributes
+    ----------
+    plain : mapping
+        What ``--json`` prints: names to plain values in SI.
+    draw : callable
+        Prints the same for people on the console it is given.
+    as_json : bool
+        Which of the two is wanted.
+    exit_code : int
+        What the process ends with.
+    """
+
+    plain: Mapping[str, Any]
+    draw: Callable[[Console], None]
+    as_json: bool = False
+    exit_code: int = DONE
+
+    def show(self) -> int:
+        """Print to stdout; give the exit code."""
+        if self.as_json:
+            print_json(self.plain)
+        else:
+            self.draw(console())
+        return self.exit_code
+
+
+def console(*, stderr: bool = False) -> Console:
+    """Console that prints text as it is; what is piped gets wide lines, so that tables stay whole."""
+    from rich.console import Console
+
+    class HonestConsole(Console):
+        """Leaves a closed pipe to `main`."""
+
+        def on_broken_pipe(self) -> None:
+            raise BrokenPipeError
+
+    stream = sys.stderr if stderr else sys.stdout
+    width = None if stream.isatty() else PIPED_WIDTH
+    return HonestConsole(stderr=stderr, markup=False, highlight=False, emoji=False, width=width)
+
+
+def print_json(plain: Mapping[str, Any]) -> None:
+    """Print one strict JSON object to stdout."""
+    from jounce.core.serialise import to_json
+
+    sys.stdout.write(to_json(plain) + "\n")
+
+
+def refuse(error: JounceError, *, as_json: bool) -> int:
+    """Say what is wrong on stderr (and as JSON on stdout); give the exit code."""
+    return complain(
+        {
+            "kind": type(error).__name__,
+            "message": str(error),
+            "where": error.where or None,
+            "what": error.what,
+            "found": error.found,
+            "allowed": error.allowed or None,
+            "hint": error.hint or None,
+        },
+        REFUSED,
+        as_json=as_json,
+    )
+
+
+def complain(error: Mapping[str, Any], exit_code: int, *, as_json: bool) -> int:
+    """Print an error as one message on stderr and, when asked for, as ``{"error": ...}`` on stdout."""
+    sys.stderr.write(f"jounce: {error['message']}\n")
+    if as_json:
+        print_json({"error": error})
+    return exit_code
+
+
+@contextmanager
+def progress() -> Iterator[Callable[[str], None]]:
+    """Give a function that shows one line of text as the work goes on: on stderr, and only on a terminal."""
+    if not sys.stderr.isatty():
+        yield lambda _: None
+        return
+    from rich.markup import escape
+
+    with console(stderr=True).status("starting") as status:
+        yield lambda text: status.update(escape(text))

@@ -1,0 +1,63 @@
+"""Tables and sentences for people."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.table import Table
+
+    from jounce.core.findings import Finding
+    from jounce.identify.estimate import Estimate
+
+ROUNDING = 1e-12  # SI values of this size are what is left of zero
+SEVERITY_STYLES = {"note": "dim", "warning": "yellow", "problem": "bold red"}
+
+
+def table(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]], *, text: Sequence[int] = (0,)) -> Table:
+    """Build a table; columns are numbers and stand to the right but those listed in ``text``."""
+    from rich import box
+    from rich.table import Table
+
+    built = Table(title=title or None, title_justify="left", title_style="bold", box=box.SIMPLE_HEAD, pad_edge=False)
+    for index, column in enumerate(columns):
+        built.add_column(column, justify="left" if index in text else "right", overflow="fold")
+    for row in rows:
+        built.add_row(*(cell(item) for item in row))
+    return built
+
+
+def cell(value: object) -> str:
+    """Text of one cell: numbers with five digits, None as a dash."""
+    if value is None:
+        return "–"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if not isinstance(value, float):
+        return str(value)
+    return "0" if abs(value) < ROUNDING else f"{value:.5g}"
+
+
+def estimate_row(name: str, found: Estimate | None, unit: str) -> tuple[object, ...]:
+    """Name, value, standard error, 95 % interval and unit of an estimate."""
+    if found is None:
+        return name, None, None, None, unit
+    interval = None if found.interval is None else f"{found.interval[0]:.5g} … {found.interval[1]:.5g}"
+    return name, found.value, found.standard_error, interval, unit
+
+
+def estimates(title: str, rows: Iterable[tuple[str, Estimate | None, str]]) -> Table:
+    """Table of estimates: name, estimate and unit in each row."""
+    header = ("quantity", "value", "standard error", "95 % interval", "unit")
+    return table(title, header, (estimate_row(*row) for row in rows), text=(0, 4))
+
+
+def show_findings(out: Console, findings: Iterable[Finding]) -> None:
+    """Print what the reader must know, one sentence each."""
+    from rich.text import Text
+
+    for finding in findings:
+        line = Text(f"{finding.severity}: ", style=SEVERITY_STYLES[finding.severity])
+        out.print(line.append(f"{finding.place}: {finding.message}", style="default"))

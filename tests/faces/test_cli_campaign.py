@@ -1,0 +1,85 @@
+"""``jounce campaign`` and ``demo``: the whole way, and what happens when a part of it fails."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+
+def test_run(cli, campaign: Path, tmp_path: Path) -> None:
+    outcome = cli("campaign", "run", campaign, "--out", "results", "--json")
+    assert outcome.exit_code == 0, outcome.err
+    assert outcome.err == ""
+    found = outcome.json
+    fitted = found["updates"][0]["parameters"]["strut.damper.coefficient"]
+    assert fitted["value"] == pytest.approx(180.0, rel=1e-3)  # what the recordings were made with
+    assert found["updates"][0]["reduction_percent"] > 99.0
+    assert [trial["number"] for trial in found["trials"]] == [1, 2]
+    written = json.loads((tmp_path / "results" / "results.json").read_text(encoding="utf-8"))
+    assert written["updates"] == found["updates"]
+    assert (tmp_path / "results" / "report.html").stat().st_size > 1000
+
+
+def test_table_for_people(cli, campaign: Path) -> None:
+    outcome = cli("campaign", "run", campaign, "--out", "results")
+    assert outcome.exit_code == 0
+    for word in ("strut.damper.coefficient", "hold-out", "sprung.az", "report.html"):
+        assert word in outcome.out
+
+
+def test_one_bad_trial_does_not_lose_the_others(cli, campaign: Path, tmp_path: Path) -> None:
+    (tmp_path / "trial_2.csv").write_text("time [s], sprung.az [m/s^2]\n0, 1\n0, 2\n", encoding="utf-8")
+    outcome = cli("campaign", "run", campaign, "--out", "results", "--json")
+    assert outcome.exit_code == 1
+    found = outcome.json
+    assert found["is_complete"] is False
+    assert found["updates"][0]["reduction_percent"] > 99.0
+    assert found["trials"][1]["verdict"] == "not usable"
+    assert any(item["severity"] == "problem" and item["place"] == "trial 2" for item in found["findings"])
+    assert (tmp_path / "results" / "results.json").exists()
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ('road = "A"', 'road = "a"', "unknown road 'a'; allowed: A"),
+        ("number = 2", 'number = "two"', "campaign.toml, line 17: trial[1].number"),
+        ("[bench.spring]", "[bench.sprng]", "Did you mean 'spring'?"),
+        ('"rig.toml"', '"gone.toml"', "gone.toml: no such file"),
+    ],
+)
+def test_bad_campaigns_write_nothing(old: str, new: str, message: str, cli, campaign: Path, tmp_path: Path) -> None:
+    campaign.write_text(campaign.read_text(encoding="utf-8").replace(old, new), encoding="utf-8")
+    outcome = cli("campaign", "run", campaign, "--out", "results")
+    assert outcome.exit_code == 2
+    assert message in outcome.err
+    assert not (tmp_path / "results").exists()
+
+
+def test_existing_results_are_kept(cli, campaign: Path, tmp_path: Path) -> None:
+    (tmp_path / "results").mkdir()
+    mine = tmp_path / "results" / "report.html"
+    mine.write_text("mine", encoding="utf-8")
+    outcome = cli("campaign", "run", campaign, "--out", "results")
+    assert outcome.exit_code == 2
+    assert "--force" in outcome.err
+    assert mine.read_text(encoding="utf-8") == "mine"
+    assert cli("campaign", "run", campaign, "--out", "results", "--force").exit_code == 0
+    assert mine.read_text(encoding="utf-8") != "mine"
+    onto_a_file = cli("campaign", "run", campaign, "--out", "rig.toml")
+    assert onto_a_file.exit_code == 2
+    assert "rig.toml: the output folder is a file" in onto_a_file.err
+
+
+def test_new_campaign_can_be_checked(cli, tmp_path: Path) -> None:
+    outcome = cli("campaign", "new", "mine", "--json")
+    assert outcome.exit_code == 0, outcome.err
+    assert "campaign.toml" in outcome.json["files"]
+    assert sorted(outcome.json["files"]) == sorted(
+        str(file.relative_to(tmp_path / "mine")) for file in (tmp_path / "mine").rglob("*") if file.is_file()
+    )
+    again = cli("campaign", "new", "mine")
+    assert again.exit_code == 2
+    assert "mine: the output folder is not empty" in again.err

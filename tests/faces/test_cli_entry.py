@@ -1,0 +1,181 @@
+"""The command line as a process: help, usage errors, exit codes, what stdout holds."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from jounce.cli import entry, main, simulate
+from jounce.cli.reply import PIPE_CLOSED
+
+HEAVY = {"casadi", "matplotlib", "numba", "numpy", "pandas", "pint", "pydantic", "scipy", "xarray", "tomlkit"}
+COMMANDS = [
+    ("demo",),
+    ("campaign", "run"),
+    ("campaign", "new"),
+    ("simulate",),
+    ("modes",),
+    ("plot",),
+    ("check",),
+    ("library",),
+    ("fit", "stiffness"),
+    ("fit", "decay"),
+    ("fit", "damper"),
+    ("bench", "speed"),
+    ("bench", "drive"),
+    ("bench", "scale"),
+    ("bench", "springs"),
+    ("version",),
+]
+SCRIPT = Path(sys.executable).with_name("jounce")
+
+
+def jounce(*words: object, folder: Path | None = None) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([SCRIPT, *map(str, words)], capture_output=True, text=True, check=False, cwd=folder)
+
+
+def plain(text: str) -> str:
+    return re.sub(r"\s+", " ", re.sub(r"\x1b\[[0-9;]*m|[│╭╮╰╯─]", " ", text))
+
+
+def test_help_lists_every_command_and_loads_nothing_heavy() -> None:
+    code = "import sys; from jounce.cli import main; main(['--help']); print(*sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    *help_text, names = done.stdout.splitlines()
+    assert {name.partition(".")[0] for name in names.split()} & HEAVY == set()
+    assert {words[0] for words in COMMANDS} <= set(plain("\n".join(help_text)).split())
+
+
+@pytest.mark.parametrize("words", COMMANDS, ids=" ".join)
+def test_every_command_has_json_and_an_example(words: tuple[str, ...], cli) -> None:
+    outcome = cli(*words, "--help")
+    text = plain(outcome.out)
+    assert outcome.exit_code == 0
+    assert "--json" in text
+    assert f"Example: jounce {' '.join(words)}" in text
+    assert "[default: ...]" not in text
+
+
+def test_text_in_brackets_survives_the_help(cli) -> None:
+    assert 'force="F [kN]"' in plain(cli("fit", "stiffness", "--help").out)
+
+
+def test_version_as_a_process() -> None:
+    done = jounce("version", "--json")
+    assert done.returncode == 0
+    assert json.loads(done.stdout)["jounce"]
+    assert done.stderr == ""
+
+
+def test_bad_input_as_a_process(tmp_path: Path) -> None:
+    done = jounce("modes", "no-such-rig.toml", "--json", folder=tmp_path)
+    assert done.returncode == 2
+    assert done.stderr == "jounce: no-such-rig.toml: no such file. Check the path and the name.\n"
+    error = json.loads(done.stdout)["error"]
+    assert (error["kind"], error["where"]) == ("DescriptionError", "no-such-rig.toml")
+    assert error["what"] == "no such file"
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (("simulate", "kart-quarter-car", "--sped", "2"), "no such option: --sped. Did you mean '--speed'?"),
+        (("simulatte",), "Did you mean 'simulate'?"),
+        (("fit", "stifness"), "Did you mean 'stiffness'?"),
+        (("fit", "decay", "x.csv", "--chanel", "z"), "Did you mean '--channel'?"),
+        (("simulate",), "Missing argument"),
+        (("campaign", "run", "campaign.toml"), "Missing option '--out'"),
+        (("fit", "stiffness", "a.csv", "--degree", "two"), "--degree"),
+    ],
+)
+def test_misuse_is_explained(words: tuple[str, ...], message: str, cli) -> None:
+    outcome = cli(*words)
+    assert outcome.exit_code == 2
+    assert message in outcome.err
+    assert "--help`" in outcome.err
+    assert outcome.out == ""
+    as_json = cli(*words, "--json")
+    assert as_json.exit_code == 2
+    assert as_json.json["error"]["kind"] == "UsageError"
+    assert message in as_json.json["error"]["message"]
+
+
+def test_groups_without_a_command_show_their_help(cli) -> None:
+    for words in ((), ("fit",), ("bench",), ("campaign",)):
+        outcome = cli(*words)
+        assert outcome.exit_code == 2
+        assert "Usage:" in outcome.out + outcome.err
+
+
+def test_crash_asks_for_a_report(cli, monkeypatch: pytest.MonkeyPatch) -> None:
+    def crash(*words: object) -> None:
+        raise ZeroDivisionError("by hand")
+
+    monkeypatch.setattr("jounce.parts.load", crash)
+    outcome = cli("modes", "kart-quarter-car", "--json")
+    assert outcome.exit_code == 1
+    assert "ZeroDivisionError: by hand" in outcome.err
+    assert "Please report it" in outcome.err
+    assert outcome.json["error"]["kind"] == "unexpected"
+
+
+def test_debug_shows_the_traceback(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    def crash(*words: object) -> None:
+        raise ZeroDivisionError("by hand")
+
+    monkeypatch.setattr("jounce.parts.load", crash)
+    assert main(["modes", "kart-quarter-car", "--debug"]) == 1
+    assert "Traceback" in capsys.readouterr().err
+
+
+def test_interrupted_run_leaves_nothing(cli, bump: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupt(*words: object, **options: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("jounce.simulation.simulate", interrupt)
+    outcome = cli("simulate", "kart-quarter-car", "--road", bump, "--speed", 2, "--duration", 1, "--out", "run.nc")
+    assert outcome.exit_code == 130
+    assert "nothing was left half-written" in outcome.err
+    assert [file.name for file in tmp_path.iterdir()] == ["bump.toml"]
+
+
+def test_reader_that_goes_away_is_no_error() -> None:
+    read, write = os.pipe()
+    os.close(read)
+    done = subprocess.run([SCRIPT, "library"], stdout=write, stderr=subprocess.PIPE, text=True, check=False)
+    os.close(write)
+    assert done.stderr == ""
+    assert done.returncode == PIPE_CLOSED
+
+
+def test_file_that_cannot_be_written_is_explained(cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(*words: object, **options: object) -> None:
+        raise OSError(28, "No space left on device", "run.nc")
+
+    monkeypatch.setattr(simulate, "_trial", full)
+    outcome = cli("simulate", "kart-quarter-car")
+    assert outcome.exit_code == 2
+    assert "run.nc: No space left on device" in outcome.err
+
+
+def test_json_is_alone_on_stdout(cli, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a library prints meanwhile goes to stderr."""
+
+    def chatter(*words: object) -> dict[str, float]:
+        print("chatter")  # noqa: T201
+        return {}
+
+    monkeypatch.setattr("jounce.simulation.equilibrium", chatter)
+    outcome = cli("modes", "kart-quarter-car", "--json")
+    assert outcome.json["equilibrium"] == {}
+    assert "chatter" in outcome.err
+
+
+def test_application_is_built_once_per_call() -> None:
+    assert entry.application() is not entry.application()

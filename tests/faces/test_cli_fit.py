@@ -1,0 +1,178 @@
+"""``jounce fit``: what the JSON holds, and every damaged measurement."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+ESTIMATE = {"value", "standard_error", "interval"}
+
+
+def test_stiffness(cli, spring_files: list[Path]) -> None:
+    outcome = cli("fit", "stiffness", *spring_files, "--load", "175 N", "--json")
+    assert outcome.exit_code == 0
+    found = outcome.json
+    assert {"stiffness", "intercept", "loss_factor", "trials", "findings"} <= set(found)
+    assert set(found["stiffness"]) == ESTIMATE == set(found["intercept"])
+    assert found["stiffness"]["value"] == pytest.approx(22730.0, rel=1e-6)
+    assert found["stiffness"]["interval"][0] < 22730.0 < found["stiffness"]["interval"][1]
+    assert found["repeatability"] == pytest.approx(30.0, rel=1e-6)  # of 22700, 22730, 22760 N/m
+    assert found["loss_factor"] == pytest.approx(0.0, abs=1e-9)  # both branches are one line
+    assert [trial["name"] for trial in found["trials"]] == [file.name for file in spring_files]
+    assert found["operating_deflection"] == pytest.approx(175.0 / 22730.0, rel=1e-3)
+
+
+def test_stiffness_as_a_table(cli, spring_files: list[Path]) -> None:
+    outcome = cli("fit", "stiffness", *spring_files, "--law", "polynomial", "--degree", 2)
+    assert outcome.exit_code == 0
+    assert "polynomial law" in outcome.out
+    assert "spring_2.csv" in outcome.out
+    assert "coefficient 2" in outcome.out
+
+
+def test_patterns_that_no_shell_expanded(cli, spring_files: list[Path]) -> None:
+    assert len(cli("fit", "stiffness", "spring_*.csv", "--json").json["trials"]) == len(spring_files)
+    outcome = cli("fit", "stiffness", "tyre_*.csv")
+    assert outcome.exit_code == 2
+    assert "no file matches; found 'tyre_*.csv'" in outcome.err
+
+
+def test_columns_are_mapped(cli, tmp_path: Path) -> None:
+    rows = "\n".join(f"{0.02273 * i}; {i}" for i in range(16))
+    (tmp_path / "bench.csv").write_text(f"F; way [mm]\n{rows}\n", encoding="utf-8")
+    words = ("fit", "stiffness", "bench.csv", "--columns", "displacement=way", "--json")
+    found = cli(*words, "--columns", "force=F [kN]").json
+    assert found["stiffness"]["value"] == pytest.approx(22730.0, rel=1e-6)
+    without = cli(*words, "--columns", "force=F")
+    assert without.exit_code == 2
+    assert "the column has no unit" in without.err
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (("--law", "polynomal"), "Did you mean 'polynomial'?"),
+        (("--intercept", "dorp"), "Did you mean 'drop'?"),
+        (("--branch", "up"), "allowed: both, loading, unloading"),
+        (("--discard-below", "2"), "discarding leaves nothing to fit"),  # 2 m
+        (("--discard-below", "2 N"), "--discard-below: wrong unit"),
+        (("--columns", "strain=x [mm]"), "allowed: displacement, force"),
+        (("--columns", "force"), "--columns: not NAME=VALUE"),
+    ],
+)
+def test_bad_choices(words: tuple[str, ...], message: str, cli, spring_files: list[Path]) -> None:
+    outcome = cli("fit", "stiffness", *spring_files, *words)
+    assert outcome.exit_code == 2
+    assert message in outcome.err
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (None, "bench.csv: no such file"),
+        ("", "bench.csv: the file is empty"),
+        ("displacement [mm], force [N]\n", "bench.csv, line 1: a header but no rows of numbers"),
+        ("displacement [mm], load [N]\n0, 0\n1, 22\n", "bench.csv: no column 'force'"),
+        ("displacement [mm], force\n0, 0\n1, 22\n2, 44\n", "bench.csv: column 'force': the column has no unit"),
+        ("displacement [mm], force [mm]\n0, 0\n1, 22\n2, 44\n", "bench.csv: column 'force [mm]': wrong unit"),
+        ("displacement [mm], force [N]\n0, 0\n1, nan\n2, 44\n", "bench.csv, line 3"),
+        ("displacement [mm], force [N]\n0, 0\n1, much\n2, 44\n", "bench.csv, line 3"),
+        ("displacement [mm], force [N]\n0, 0,\n1, 22,\n2, 44,\n", "bench.csv, line 2"),
+        ("displacement [mm], force [N]\n0; 0\n1; 22\n2; 44\n", "bench.csv, line 2"),
+        ("0, 0\n1, 22\n2, 44\n", "bench.csv, line 1: the header is missing"),
+        ("displacement [mm], force [N]\n1, 0\n1, 22\n1, 44\n", "the deflection never changes"),
+        ("displacement [mm], force [N]\n0, 0\n1, 22\n", "too few points"),
+    ],
+)
+def test_damaged_trials(content: str | None, message: str, cli, tmp_path: Path) -> None:
+    if content is not None:
+        (tmp_path / "bench.csv").write_text(content, encoding="utf-8")
+    outcome = cli("fit", "stiffness", "bench.csv", "--json")
+    assert outcome.exit_code == 2
+    assert message in outcome.err
+    assert outcome.err.count("\n") == 1
+    assert message in outcome.json["error"]["message"]
+
+
+def test_decay(cli, decay_file: Path) -> None:
+    outcome = cli("fit", "decay", decay_file, "--channel", "sprung.z", "--mass", "16 kg", "--json")
+    assert outcome.exit_code == 0
+    found = outcome.json
+    keys = ("damping_ratio", "damping_coefficient", "coulomb_force", "natural_frequency_hz", "equilibrium")
+    assert all(set(found[key]) == ESTIMATE for key in keys)
+    assert found["damping_ratio"]["value"] == pytest.approx(0.11, rel=1e-6)
+    assert found["coulomb_force"]["value"] == pytest.approx(16 * 33.9**2 * 0.8e-3, rel=1e-6)  # m w^2 x_c
+    assert found["damping_coefficient"]["value"] == pytest.approx(2 * 0.11 * 33.9 * 16, rel=1e-6)
+    assert found["logarithmic_decrement"] > 0.70  # friction makes it larger than 2 pi 0.11 / sqrt(1 - 0.11^2) = 0.695
+    assert found["cycles"] >= 2
+    assert isinstance(found["findings"], list)
+
+
+def test_decay_as_a_table_with_a_known_stiffness(cli, decay_file: Path) -> None:
+    words = ("fit", "decay", decay_file, "--channel", "sprung.z", "--mass", "16 kg", "--stiffness")
+    outcome = cli(*words, "25 N/mm")
+    assert outcome.exit_code == 0
+    assert "coulomb force" in outcome.out
+    assert "check mass, stiffness at the wheel" in outcome.out  # 16 kg (33.9 rad/s)^2 = 18.4 N/mm
+    assert "check mass, stiffness at the wheel" not in cli(*words, "18.39 N/mm").out
+
+
+def test_several_decays_are_combined(cli, decay_file: Path, tmp_path: Path) -> None:
+    other = tmp_path / "again.csv"
+    other.write_bytes(decay_file.read_bytes())
+    found = cli("fit", "decay", decay_file, other, "--channel", "sprung.z", "--mass", "16 kg", "--json").json
+    assert found["damping_ratio"]["value"] == pytest.approx(0.11, rel=1e-6)
+    assert found["files"] == [str(decay_file), str(other)]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("time [s]", "time [m]", "column 'time [m]': wrong unit"),
+        ("time [s]", "clock [s]", "no column 'time'"),
+        ("sprung.z [mm]", "sprung.z", "column 'sprung.z': the column has no unit"),
+        ("sprung.z [mm]", "unsprung.z [mm]", "no channel 'sprung.z'; found 'unsprung.z'. Did you mean 'unsprung.z'?"),
+        ("0.0030, ", "0.0010, ", "decay.csv"),  # time runs back
+        ("0.0030, ", "0.0034, ", "decay.csv"),  # 40 % of the step
+        ("0.0030, ", "nan, ", "decay.csv, line 5"),
+        ("0.0030, ", "soon, ", "decay.csv, line 5"),
+    ],
+)
+def test_damaged_decays(old: str, new: str, message: str, cli, decay_file: Path) -> None:
+    decay_file.write_text(decay_file.read_text(encoding="utf-8").replace(old, new, 1), encoding="utf-8")
+    outcome = cli("fit", "decay", decay_file, "--channel", "sprung.z", "--mass", "16 kg")
+    assert outcome.exit_code == 2
+    assert outcome.out == ""
+    assert message in outcome.err
+
+
+def test_all_zero_time(cli, tmp_path: Path) -> None:
+    rows = "\n".join(f"0, {i % 7}" for i in range(50))
+    (tmp_path / "decay.csv").write_text(f"time [s], sprung.z [mm]\n{rows}\n", encoding="utf-8")
+    outcome = cli("fit", "decay", "decay.csv", "--channel", "sprung.z", "--mass", "16 kg")
+    assert outcome.exit_code == 2
+    assert "decay.csv: time" in outcome.err
+    assert "zero in every row" in outcome.err
+
+
+@pytest.mark.parametrize(
+    ("mass", "message"),
+    [
+        ("-16 kg", "--mass: out of range; found '-16 kg'; allowed: above 0 kg"),
+        ("16 N", "--mass: wrong unit; found 'N'; allowed: a unit that converts to kg"),
+        ("heavy", "--mass: not a number with a unit"),
+    ],
+)
+def test_bad_mass(mass: str, message: str, cli, decay_file: Path) -> None:
+    outcome = cli("fit", "decay", decay_file, "--channel", "sprung.z", "--mass", mass)
+    assert outcome.exit_code == 2
+    assert message in outcome.err
+
+
+def test_channel_that_is_no_motion(cli, tmp_path: Path) -> None:
+    rows = "\n".join(f"{0.001 * i:.3f}, {i % 7}" for i in range(50))
+    (tmp_path / "force.csv").write_text(f"time [s], tyre.force [N]\n{rows}\n", encoding="utf-8")
+    outcome = cli("fit", "decay", "force.csv", "--channel", "tyre.force", "--mass", "16 kg")
+    assert outcome.exit_code == 2
+    assert "not a motion; found 'N'" in outcome.err
