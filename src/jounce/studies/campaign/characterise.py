@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from jounce.core.errors import JounceError, RecordingError
 from jounce.core.findings import Finding
@@ -16,7 +16,7 @@ from jounce.identify.force_deflection import ForceDeflectionTrial
 from jounce.identify.stiffness import StiffnessResult, fit_stiffness
 from jounce.identify.tyre_pressure import PressureStiffness, stiffness_against_pressure
 from jounce.parts import Rig
-from jounce.recordings import read_columns, read_recording
+from jounce.recordings import channel_unit, read_columns, read_recording
 from jounce.studies.campaign.description import Bench, DecayBench, StiffnessBench
 from jounce.studies.campaign.setup import Knowledge, with_tyre
 
@@ -40,7 +40,7 @@ class Characterisation:
     tyre: dict[str, StiffnessResult] = field(default_factory=dict)
     tyre_polynomial: dict[str, StiffnessResult] = field(default_factory=dict)
     pressure: PressureStiffness | None = None
-    decay: DecayResult | None = None
+    decay: DecayResult | CombinedDecay | None = None
     decays: tuple[DecayResult, ...] = ()
     replaced: list[Replaced] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
@@ -218,7 +218,10 @@ def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, fol
                 "the channel is missing", where=file.name, found=", ".join(map(str, data.data_vars)), allowed=table.channel
             )
         results.append(
-            fit_decay(data["time"].to_numpy(), data[table.channel].to_numpy(), mass=values["sprung.mass"], stiffness=stiffness)
+            fit_decay(
+                data["time"].to_numpy(), data[table.channel].to_numpy(), mass=values["sprung.mass"], stiffness=stiffness,
+                quantity=_quantity(table.channel), name=file.name,
+            )
         )
     found.decays = tuple(results)
     found.decay = combine_decays(results) if len(results) > 1 else results[0]
@@ -235,3 +238,9 @@ def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, fol
     )
     changed = rig.with_changes({"strut.damper.coefficient": max(seen.value * factor, 0.0)})
     return Knowledge(changed, knowledge.tyres, knowledge.between)
+
+
+def _quantity(channel: str) -> Literal["displacement", "velocity", "acceleration"]:
+    """What a decay channel measures, by its unit."""
+    unit = channel_unit(channel)
+    return "velocity" if unit == "m/s" else "acceleration" if unit == "m/s^2" else "displacement"
