@@ -1,0 +1,136 @@
+"""Native code computes what CasADi computes: every operation, and random graphs of them."""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from jounce.kernel.lowering import _OPCODES, Lowering
+from jounce.kernel.native import compile_functions
+
+UNARY = {
+    "sin": ca.sin, "cos": ca.cos, "tan": ca.tan, "sqrt": ca.sqrt, "exp": ca.exp, "log": ca.log, "fabs": ca.fabs,
+    "floor": ca.floor, "ceil": ca.ceil, "sign": ca.sign, "tanh": ca.tanh, "sinh": ca.sinh, "cosh": ca.cosh,
+    "asin": ca.asin, "acos": ca.acos, "atan": ca.atan, "log1p": ca.log1p, "expm1": ca.expm1, "not": ca.logic_not,
+    "negative": lambda x: -x, "square": lambda x: x**2, "inverse": lambda x: 1 / x, "twice": lambda x: 2 * x,
+    "power of a constant": lambda x: x**2.5, "assign": lambda x: x + 0, "constant": lambda x: ca.SX(0.1) + 0 * x,
+}  # fmt: skip
+BINARY = {
+    "plus": lambda x, y: x + y, "minus": lambda x, y: x - y, "times": lambda x, y: x * y, "over": lambda x, y: x / y,
+    "less": lambda x, y: x < y, "at most": lambda x, y: x <= y, "equal": lambda x, y: x == y, "other": lambda x, y: x != y,
+    "fmin": ca.fmin, "fmax": ca.fmax, "copysign": ca.copysign, "atan2": ca.atan2, "hypot": ca.hypot, "power": ca.power,
+    "and": lambda x, y: ca.logic_and(x > 0, y > 0), "or": lambda x, y: ca.logic_or(x > 0, y > 0),
+    "if else": lambda x, y: ca.if_else(x < y, x, 3 * y), "if": lambda x, y: ca.if_else(x, y, 0),
+}  # fmt: skip
+X = ca.SX.sym("x", 2)
+OTHERS = [ca.SX.sym(name, 1) for name in "upm"]
+ONE = np.ones(1)
+VALUES = [-2.5, -1.0, -0.3, -0.0, 0.0, 1e-300, 0.3, 0.5, 1.0, 2.0, 700.0]
+
+
+def native_and_reference(expressions, points):
+    """Values of the expressions at the points, by native code and by CasADi."""
+    expression = ca.vertcat(*expressions)
+    function = ca.Function("f", [X, *OTHERS], [ca.densify(expression)])
+    native = compile_functions({"f": function})
+    shape = (expression.shape[0],)
+    found = np.array([native.evaluate("f", shape, np.array(point, dtype=float), ONE, ONE, ONE) for point in points])
+    return found, np.array([function(point, 1, 1, 1).full().ravel() for point in points])
+
+
+@pytest.mark.parametrize("name", UNARY)
+def test_unary(name):
+    points = [(value, 1.0) for value in VALUES]
+    found, expected = native_and_reference([UNARY[name](X[0])], points)
+    np.testing.assert_allclose(found, expected, rtol=3e-15, atol=0.0)
+
+
+@pytest.mark.parametrize("name", BINARY)
+def test_binary(name):
+    points = [(a, b) for a in VALUES for b in VALUES]
+    found, expected = native_and_reference([BINARY[name](X[0], X[1])], points)
+    np.testing.assert_allclose(found, expected, rtol=3e-15, atol=0.0)
+
+
+@pytest.mark.parametrize("name", ["sin", "exp", "tanh", "negative", "square"])
+def test_what_is_no_number_stays_none(name):
+    found, _ = native_and_reference([UNARY[name](X[0])], [(np.nan, 1.0)])
+    assert np.isnan(found).all()
+
+
+@pytest.mark.xfail(strict=True, reason="logical operations are taken to have 0 or 1 as operands")
+@pytest.mark.parametrize("operation", [ca.logic_and, ca.logic_or])
+def test_logic_of_any_number(operation):
+    found, expected = native_and_reference([operation(X[0], X[1])], [(2.0, 3.0), (0.3, -0.7), (-2.5, 0.0)])
+    np.testing.assert_array_equal(found, expected)
+
+
+@pytest.mark.xfail(strict=True, reason="the sign of NaN is 0, so that a diverging run could look healthy")
+def test_sign_of_what_is_no_number():
+    found, _ = native_and_reference([ca.sign(X[0])], [(np.nan, 1.0)])
+    assert np.isnan(found).all()
+
+
+@pytest.mark.parametrize("operation", [ca.erf, ca.asinh, lambda x: ca.fmod(x, 2.0)])
+def test_an_operation_without_native_form_is_named(operation):
+    with pytest.raises(NotImplementedError, match=r"OP_(ERF|ASINH|FMOD) has no native form"):
+        native_and_reference([operation(X[0])], [(1.0, 1.0)])
+
+
+def test_every_operation_tried_here_is_the_one_meant():
+    """The graphs above really contain the operations (CasADi simplifies some expressions away)."""
+    found = set()
+    for expression in [*(f(X[0]) for f in UNARY.values()), *(f(X[0], X[1]) for f in BINARY.values())]:
+        function = ca.Function("f", [X], [expression])
+        found |= {_OPCODES[function.instruction_id(k)] for k in range(function.n_instructions())}
+    assert {"OP_SIGN", "OP_CONSTPOW", "OP_POW", "OP_IF_ELSE_ZERO", "OP_COPYSIGN", "OP_SQ", "OP_TWICE", "OP_INV"} <= found
+    assert {"OP_NOT", "OP_AND", "OP_OR", "OP_LT", "OP_LE", "OP_EQ", "OP_NE", "OP_HYPOT", "OP_EXPM1"} <= found
+
+
+SMOOTH = [ca.sin, ca.cos, ca.tanh, ca.atan, lambda x: x**2 / (1 + x**2), lambda x: ca.sqrt(1 + x**2), lambda x: -x]
+JOINED = [
+    lambda x, y: x + y, lambda x, y: x - y, lambda x, y: x * y / 3, ca.fmin, ca.fmax, ca.hypot,
+    lambda x, y: x / (2 + y**2), lambda x, y: ca.atan2(x, 1 + y**2),
+]  # fmt: skip
+
+
+@given(st.integers(0, 2**32 - 1))
+def test_random_graphs(seed):
+    """Forty operations at random on two numbers, at five points: equal to rounding."""
+    generator = np.random.default_rng(seed)
+    pool = [X[0], X[1], ca.if_else(X[0] < X[1], X[0], 0.5), ca.SX(0.7)]
+    for _ in range(40):
+        if generator.random() < 0.4:
+            pool.append(SMOOTH[generator.integers(len(SMOOTH))](pool[generator.integers(len(pool))]))
+        else:
+            a, b = (pool[i] for i in generator.integers(len(pool), size=2))
+            pool.append(JOINED[generator.integers(len(JOINED))](a, b))
+    found, expected = native_and_reference(pool[-12:], generator.normal(0.0, 2.0, (5, 2)))
+    np.testing.assert_allclose(found, expected, rtol=1e-11, atol=1e-11)
+
+
+def test_several_functions_and_outputs_share_a_module():
+    f = ca.Function("f", [X, *OTHERS], [ca.vertcat(X[0] + OTHERS[0], X[1] * OTHERS[1])])
+    g = ca.Function("g", [X, *OTHERS], [ca.densify(ca.jacobian(X[0] ** 2 * X[1], X))])
+    native = compile_functions({"f": f, "g": g})
+    point = np.array([2.0, 3.0])
+    assert native.evaluate("f", (2,), point, 5 * ONE, 7 * ONE, ONE).tolist() == [7.0, 21.0]
+    assert native.evaluate("g", (1, 2), point, ONE, ONE, ONE).tolist() == [[12.0, 4.0]]
+
+
+def test_matrices_are_column_major():
+    matrix = ca.SX([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]) * X[0]
+    native = compile_functions({"f": ca.Function("f", [X, *OTHERS], [matrix])})
+    found = native.evaluate("f", (2, 3), np.array([10.0, 0.0]), ONE, ONE, ONE)
+    assert found.tolist() == [[10.0, 20.0, 30.0], [40.0, 50.0, 60.0]]
+
+
+def test_code_has_no_branches():
+    lowering = Lowering()
+    lowering.add("f", ca.Function("f", [X], [ca.if_else(X[0] < X[1], ca.fabs(X[0]), ca.sign(X[1]))]))
+    text = str(lowering.module)
+    assert " br " not in text
+    assert text.count("define ") == 1
