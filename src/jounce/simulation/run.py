@@ -61,16 +61,36 @@ def output_times(duration: float, output_step: float) -> Array:
     return times if duration - times[-1] < 1e-9 * duration else np.append(times, duration)
 
 
-def solve(
-    compiled: Compiled,
-    p: Array,
-    road: Segments,
-    times: Array,
-    *,
-    tolerance: float = 1e-5,
-    offset: Array | None = None,
-) -> Solution:
-    """Run the native integrator from static equilibrium at the road height of ``times[0]``.
+@dataclass(frozen=True)
+class Prepared:
+    """A run with everything laid out: ``run`` only computes, into ``out``, as often as wanted."""
+
+    compiled: Compiled
+    problem: Problem
+    control: Control
+    out: Samples
+    exact: tuple[linear.Plan, Array] | None
+    modes: Array
+    tolerance: float
+
+    def run(self) -> Solution:
+        """Fill the arrays and say how the run ended."""
+        counts = np.zeros(3, dtype=np.int64)
+        self.problem.piece[:] = self.problem.tracks.first[:-1]
+        self.problem.m[:] = self.modes
+        if self.exact is not None:
+            code = linear.propagate(self.problem, *self.exact, self.out)
+        else:
+            code = integrate(self.problem, self.control, self.out, counts)
+        return Solution(
+            self.out.times, self.out.states, self.out.outputs, Status.of(code), *(int(count) for count in counts)
+        )
+
+
+def prepare(
+    compiled: Compiled, p: Array, road: Segments, times: Array, *, tolerance: float = 1e-5, offset: Array | None = None
+) -> Prepared:
+    """Lay out a run from static equilibrium at the road height of ``times[0]``.
 
     Parameters
     ----------
@@ -88,41 +108,40 @@ def solve(
         Added to the equilibrium: where the run starts.
     """
     n, n_q = compiled.state_count, len(compiled.model.coordinates)
-    height, _ = road.evaluate(times[:1])
-    rest = find_rest(compiled, p, np.array([height[0], 0.0]))
+    height = float(road.evaluate(times[:1])[0][0])
+    rest = find_rest(compiled, p, np.array([height, 0.0]))
     x = rest.x if offset is None else rest.x + offset
-    modes = _modes(compiled, x, p, height[0]) if offset is not None else rest.modes.copy()
-    size = _motion_size(road, rest.x[:n_q], offset)
-    scale = state_scale(rest, n_q, size)
+    modes = rest.modes if offset is None else _modes(compiled, x, p, height)
+    scale = state_scale(rest, n_q, _motion_size(road, rest.x[:n_q], offset))
     band = _dead_band(compiled, p, rest, scale)
     control = Control(_STEP_SHARE * tolerance, 0.1 * scale, band, _MAX_STEPS)
-    start = np.concatenate([x, _rest_sensitivity(compiled, p, rest, height[0])])
-    rows = 1 + len(compiled.free)
-    out = Samples(
-        times, np.empty((n * rows, len(times))), np.empty((2, len(times))), np.empty((len(compiled.output_names) * rows, len(times)))
-    )
-    counts = np.zeros(3, dtype=np.int64)
+    start = np.concatenate([x, _rest_sensitivity(compiled, p, rest, height)])
+    rows, count = 1 + len(compiled.free), len(times)
+    outputs = np.empty((len(compiled.output_names) * rows, count))
+    out = Samples(times, np.empty((n * rows, count)), np.empty((2, count)), outputs)
     tracks = flatten([road])
-    problem = Problem(compiled.engine, tracks, tracks.first[:-1].copy(), p, modes, start)
-    code = _propagate_exactly(compiled, problem, out)
-    if code is None:
-        code = integrate(problem, control, out, counts)
-    return Solution(times, out.states, out.outputs, Status.of(code), *(int(count) for count in counts))
+    problem = Problem(compiled.engine, tracks, tracks.first[:-1].copy(), p, modes.copy(), start)
+    return Prepared(compiled, problem, control, out, _exact(compiled, problem, times), modes, tolerance)
 
 
-def _propagate_exactly(
-    compiled: Compiled, problem: Problem, out: Samples
-) -> int | None:
-    """Fill the arrays by exact propagation and give the status code; None when the model or the road is not for it."""
+def solve(
+    compiled: Compiled, p: Array, road: Segments, times: Array, *, tolerance: float = 1e-5, offset: Array | None = None
+) -> Solution:
+    """Run a model once; arguments as for :func:`prepare`."""
+    return prepare(compiled, p, road, times, tolerance=tolerance, offset=offset).run()
+
+
+def _exact(compiled: Compiled, problem: Problem, times: Array) -> tuple[linear.Plan, Array] | None:
+    """Plan and matrices of exact propagation; None when the model or the road is not for it."""
     if compiled.free or not compiled.is_linear:
         return None
-    steps = linear.plan(problem.tracks, out.times)
-    if steps is None:
+    plan = linear.plan(problem.tracks, times)
+    if plan is None:
         return None
     zero, still = np.zeros(compiled.state_count), np.zeros(2)
-    slope, offset, by_input = (compiled.evaluate(name, zero, still, problem.p, problem.m) for name in ("rate_x", "rate", "rate_u"))
-    matrices = linear.transitions(steps, slope, offset, by_input)
-    return int(linear.propagate(problem, steps, matrices, out))
+    names = ("rate_x", "rate", "rate_u")
+    slope, offset, by_input = (compiled.evaluate(name, zero, still, problem.p, problem.m) for name in names)
+    return plan, linear.transitions(plan, slope, offset, by_input)
 
 
 def simulate(

@@ -1,0 +1,52 @@
+"""Times and the table they go into."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Row:
+    """One measured way; times in s, ``ratio`` to jounce in the same run."""
+
+    problem: str
+    way: str
+    median: float
+    error: float | None = None
+    ratio: float | None = None
+    target: str = ""
+    note: str = ""
+
+
+def median_time(run: Callable[[], object], *, repeats: int = 15, budget: float = 6.0) -> float:
+    """Median wall time of a call in s, after one warm-up; fewer repeats where the budget (s) runs out."""
+    run()
+    times, begin = [], time.perf_counter()
+    while len(times) < repeats and (time.perf_counter() - begin < budget or len(times) < 3):
+        start = time.perf_counter()
+        run()
+        times.append(time.perf_counter() - start)
+    return float(np.median(times))
+
+
+def shown(seconds: float) -> str:
+    """A time with three digits in a fitting unit."""
+    for unit, size in (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6)):
+        if seconds >= size:
+            return f"{seconds / size:.3g} {unit}"
+    return f"{seconds:.2g} s"
+
+
+def markdown(rows: list[Row]) -> str:
+    """The rows as a table for the documentation."""
+    lines = ["| problem | way | median | × jounce | displacement error | target |", "|---|---|---:|---:|---:|---|"]
+    for row in rows:
+        ratio = "" if row.ratio is None else f"{row.ratio:.3g}"
+        error = "" if row.error is None else f"{row.error:.1e}"
+        way = f"{row.way} ({row.note})" if row.note else row.way
+        lines.append(f"| {row.problem} | {way} | {shown(row.median)} | {ratio} | {error} | {row.target} |")
+    return "\n".join(lines)

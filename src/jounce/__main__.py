@@ -1,0 +1,5 @@
+"""``python -m jounce`` is the command ``jounce``."""
+
+from jounce.cli import main
+
+main()
