@@ -110,11 +110,11 @@ def find_peaks(time: Array, signal: Array, noise: float) -> Peaks:
         When the signal does not turn after the release: no oscillation to work on.
     """
     reach = float(np.ptp(signal))
-    coarse = _zigzag(_smooth(signal, noise), max(12.0 * noise, 0.03 * reach))
+    coarse = zigzag(_smooth(signal, noise), max(12.0 * noise, 0.03 * reach))
     half = _half_period(time, coarse)
     width = max(1, round(half / 12.0 / float(np.median(np.diff(time)))))
     smooth = _averaged(signal, width | 1)
-    turns = _zigzag(smooth, max(8.0 * noise / math.sqrt(width), 2e-4 * reach))
+    turns = zigzag(smooth, max(8.0 * noise / math.sqrt(width), 2e-4 * reach))
     turns = [0, *(turn for turn in turns[1:] if turn >= coarse[1] - width)]
     refined = [(float(time[turns[0]]), float(smooth[turns[0]]))]
     refined += [_parabola(time, signal, smooth, index, half) for index in turns[1:]]
@@ -137,8 +137,21 @@ def _half_period(time: Array, turns: list[int]) -> float:
     return float(np.median(gaps[1:] if len(gaps) > 1 else gaps))
 
 
-def _zigzag(signal: Array, threshold: float) -> list[int]:
-    """Indices of turning points from which the signal comes back by more than ``threshold``."""
+def zigzag(signal: Array, threshold: float) -> list[int]:
+    """Give the indices of the first sample and of turning points.
+
+    Parameters
+    ----------
+    signal : array (n,)
+        Any unit.
+    threshold : float
+        A turning point counts when the signal comes back from it by more than this, unit of the signal.
+
+    Examples
+    --------
+    >>> zigzag(np.array([0.0, 3.0, 2.9, 3.1, 0.0, 1.0]), 0.5)
+    [0, 3, 4]
+    """
     turns, extreme, direction = [0], 0, 0
     for index in range(1, len(signal)):
         step = signal[index] - signal[extreme]

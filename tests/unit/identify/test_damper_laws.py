@@ -1,0 +1,269 @@
+"""Damper laws, the Bouc-Wen path, and checks of damper records."""
+
+import itertools
+import math
+
+import numpy as np
+import pytest
+
+from jounce.core.errors import DescriptionError, FitError
+from jounce.core.serialise import to_json
+from jounce.identify.damper_fit import damper_curve, fit_damper
+from jounce.identify.damper_laws import damper_law
+from jounce.identify.damper_motion import read_motion
+from jounce.identify.hysteresis_path import bouc_wen_path
+
+TIME = np.arange(0.0, 6.0, 0.005)
+X = 0.020 * np.sin(2 * math.pi * TIME) + 0.004 * np.sin(2 * math.pi * 2.3 * TIME)
+V = 2 * math.pi * (0.020 * np.cos(2 * math.pi * TIME) + 0.004 * 2.3 * np.cos(2 * math.pi * 2.3 * TIME))
+
+
+def messages(result):
+    return " | ".join(finding.message for finding in result.findings)
+
+
+def values(result):
+    return {key: one.value for key, one in result.parameters.items()}
+
+
+@pytest.mark.parametrize("exponent", [1.0, 2.0])
+@pytest.mark.parametrize("sigma", [0.5, 1.0, 5.0, 120.0])
+def test_path_agrees_with_the_closed_form(exponent, sigma):
+    # one way from z = -1 + small: n = 1: u' = 1 - u (u > 0), 1 - b u (u < 0), b = 2 sigma - 1; n = 2: tanh and tan
+    rate, start, b = 300.0, -0.6, 2 * sigma - 1
+    x = np.linspace(0.0, 0.012, 400)
+    z = bouc_wen_path(x, rate, sigma, exponent, start)
+    s = rate * x
+    if exponent == 1.0:
+        zero = 0.6 if b == 0.0 else math.log(1 + b * 0.6) / b
+        below = -(zero - s) if b == 0.0 else (1 - np.exp(b * (zero - s))) / b
+        exact = np.where(s < zero, below, 1 - np.exp(-np.maximum(s - zero, 0.0)))
+    else:
+        root = math.sqrt(b)
+        zero = 0.6 if b == 0.0 else math.atan(root * 0.6) / root
+        below = s - zero if b == 0.0 else np.tan(np.minimum(root * (s - zero), 0.0)) / max(root, 1e-9)
+        exact = np.where(s < zero, below, np.tanh(np.maximum(s - zero, 0.0)))
+    assert np.max(np.abs(z - exact)) < 2e-4
+
+
+def test_path_is_the_same_with_turned_signs_and_stays_bounded():
+    z = bouc_wen_path(X, 400.0, 3.0, 1.6, 0.0)
+    assert np.allclose(bouc_wen_path(-X, 400.0, 3.0, 1.6, 0.0), -z, atol=1e-12)
+    assert np.abs(z).max() <= 1.0
+    assert np.abs(z).max() > 0.99
+
+
+def test_path_depends_on_the_way_and_not_on_its_division():
+    coarse = np.array([0.0, 0.004, -0.002, 0.001])
+    fine = np.concatenate([np.linspace(a, b, 50) for a, b in itertools.pairwise(coarse)])
+    assert bouc_wen_path(fine, 500.0, 2.0, 1.5, 0.0)[-1] == pytest.approx(
+        bouc_wen_path(coarse, 500.0, 2.0, 1.5, 0.0)[-1], abs=1e-5
+    )
+
+
+def test_linear():
+    result = fit_damper(X, V, 1500.0 * V + 20.0, TIME)
+    assert values(result) == pytest.approx({"coefficient": 1500.0, "offset": 20.0}, rel=1e-9)
+    assert result.damper == {"coefficient": pytest.approx(1500.0)}
+    assert result.r2 == pytest.approx(1.0)
+    assert "put it into the preload" in messages(result)
+
+
+def test_energy_of_a_viscous_damper_per_cycle():
+    # E = pi c omega X^2 for a sine
+    x, v = 0.02 * np.sin(2 * math.pi * TIME), 0.04 * math.pi * np.cos(2 * math.pi * TIME)
+    result = fit_damper(x, v, 1000.0 * v, TIME)
+    assert result.energy_per_cycle == pytest.approx(math.pi * 1000.0 * 2 * math.pi * 0.02**2, rel=2e-3)
+    assert result.cycles == pytest.approx(6.0, abs=0.01)
+    assert result.fitted_energy_per_cycle == pytest.approx(result.energy_per_cycle, rel=1e-9)
+
+
+def test_bilinear_with_dry_friction():
+    motion = read_motion(X, V, V, TIME)[0]
+    slow = 0.01 * motion.peak_velocity
+    force = np.where(V > 0, 400.0, 1200.0) * V + 30.0 * np.tanh(V / slow) - 5.0
+    result = fit_damper(X, V, force, TIME, law="bilinear", friction=True)
+    expected = {"bump_coefficient": 400.0, "rebound_coefficient": 1200.0, "friction_force": 30.0, "offset": -5.0}
+    assert values(result) == pytest.approx(expected, rel=1e-6)
+    assert result.damper == {"bump_coefficient": pytest.approx(400.0), "rebound_coefficient": pytest.approx(1200.0)}
+    assert result.friction == {"force": pytest.approx(30.0), "regularisation_velocity": pytest.approx(slow)}
+    without = fit_damper(X, V, force, TIME, law="bilinear")
+    assert "dry friction" in messages(without)
+    assert without.friction is None
+    assert "dry friction" not in messages(result)
+
+
+@pytest.mark.parametrize("odd", [False, True])
+def test_polynomial(odd):
+    force = 900.0 * V + (0.0 if odd else 800.0) * V**2 + 5e3 * V**3
+    result = fit_damper(X, V, force, TIME, law="polynomial", degree=3, odd=odd)
+    assert set(result.parameters) == ({"a1", "a3", "offset"} if odd else {"a1", "a2", "a3", "offset"})
+    assert values(result)["a3"] == pytest.approx(5e3, rel=1e-6)
+    speed, table = np.array(result.damper["velocity"]), np.array(result.damper["force"])
+    assert np.interp(0.0, speed, table) == pytest.approx(0.0, abs=1e-6)
+    assert table == pytest.approx(
+        900.0 * speed + (0.0 if odd else 800.0) * speed**2 + 5e3 * speed**3, rel=1e-5, abs=1e-4
+    )
+
+
+def test_a_curve_that_falls_is_reported():
+    force = 2000.0 * V - 4e4 * V**3
+    assert "falls with rising velocity" in messages(fit_damper(X, V, force, TIME, law="polynomial"))
+
+
+def test_tanh_hysteretic_recovers_its_parameters():
+    force = 300.0 * V + 2e3 * X + 150.0 * np.tanh(40.0 * (V + 1.5 * X)) + 12.0
+    result = fit_damper(X, V, force, TIME, law="tanh-hysteretic")
+    centred = result.displacement_centre
+    found = values(result)
+    assert centred == pytest.approx(0.5 * (X.max() + X.min()))
+    assert found["slope"] == pytest.approx(40.0, rel=0.02)
+    assert found["displacement_coupling"] == pytest.approx(1.5, rel=0.05)
+    assert found["force"] == pytest.approx(150.0, rel=0.01)
+    assert set(result.damper) == {
+        "kind",
+        "coefficient",
+        "stiffness",
+        "force",
+        "slope",
+        "displacement_coupling",
+        "offset",
+    }
+    assert result.nrmse < 2e-3
+
+
+def test_bouc_wen_recovers_its_parameters():
+    z = bouc_wen_path(X, 600.0, 2.5, 1.6, 0.0)
+    result = fit_damper(X, V, 250.0 * V + 1500.0 * X + 180.0 * z + 10.0, TIME, law="bouc-wen")
+    expected = {
+        "coefficient": 250.0,
+        "stiffness": 1500.0,
+        "hysteretic_force": 180.0,
+        "rate": 600.0,
+        "sigma": 2.5,
+        "exponent": 1.6,
+    }
+    found = values(result)
+    for key, value in expected.items():
+        assert found[key] == pytest.approx(value, rel=0.01), key
+    assert found["offset"] == pytest.approx(10.0 + 1500.0 * result.displacement_centre, rel=0.02)
+    assert result.damper["kind"] == "bouc-wen"
+    assert set(result.damper) == {
+        "kind",
+        "coefficient",
+        "stiffness",
+        "hysteretic_force",
+        "rate",
+        "sigma",
+        "exponent",
+        "offset",
+    }
+    assert result.nrmse < 1e-3
+
+
+def test_tables_are_accepted_by_a_rig():
+    from pydantic import TypeAdapter
+
+    from jounce.parts.elements import Damper
+
+    force = (
+        np.where(V > 0, 400.0, 1200.0) * V + 60.0 * np.tanh(V / 0.005) + 0.5 * bouc_wen_path(X, 600.0, 2.5, 1.6, 0.0)
+    )
+    for law in ("linear", "bilinear", "polynomial", "tanh-hysteretic", "bouc-wen"):
+        TypeAdapter(Damper).validate_python(fit_damper(X, V, force, TIME, law=law).damper)
+
+
+def test_factors_that_cannot_be_negative_are_not():
+    result = fit_damper(X, V, -30.0 * V + 200.0 * np.tanh(30.0 * V), TIME, law="tanh-hysteretic")
+    assert result.parameters["coefficient"].value == 0.0
+    assert result.parameters["coefficient"].interval is None
+    assert "limit of its range" in messages(result)
+
+
+def test_hysteresis_under_a_velocity_law_is_reported():
+    force = 200.0 * V + 100.0 * bouc_wen_path(X, 300.0, 1.0, 1.5, 0.0)
+    assert "hysteresis" in messages(fit_damper(X, V, force, TIME))
+    assert "hysteresis" not in messages(fit_damper(X, V, 900.0 * V, TIME))
+
+
+def test_missing_velocity_is_derived():
+    result = fit_damper(X, None, 1500.0 * V, TIME)
+    assert result.parameters["coefficient"].value == pytest.approx(1500.0, rel=2e-3)
+    assert "derivative of the displacement is used" in messages(result)
+
+
+def test_backward_difference_is_recognised():
+    late = np.concatenate([[V[0]], np.diff(X) / 0.005])
+    result = fit_damper(X, late, 1500.0 * V, TIME)
+    assert "2.5 ms (0.50 samples) late" in messages(result)
+    better = fit_damper(X, late, 1500.0 * V, TIME, velocity_from="displacement")
+    assert better.nrmse < 0.3 * result.nrmse
+    assert "samples) late" not in messages(better)
+
+
+def test_wrong_unit_or_sign_of_the_velocity_is_a_problem():
+    assert "1e+03 times the derivative" in messages(fit_damper(X, 1e3 * V, V, TIME))
+    assert "-1 times the derivative" in messages(fit_damper(X, -V, V, TIME))
+
+
+def test_force_of_the_other_sign_is_turned():
+    result = fit_damper(X, V, -1500.0 * V, TIME)
+    assert result.parameters["coefficient"].value == pytest.approx(1500.0)
+    assert "recorded with the other sign" in messages(result)
+
+
+def test_quantised_velocity_is_reported():
+    assert "in steps of 5 mm/s" in messages(fit_damper(X, np.round(V / 0.005) * 0.005, 1500.0 * V, TIME))
+
+
+def test_rest_is_left_out():
+    rest = np.zeros(200)
+    t = np.arange(len(TIME) + 200) * 0.005
+    x, v = np.concatenate([rest + X[0], X]), np.concatenate([rest, V])
+    result = fit_damper(x, v, np.concatenate([rest - 300.0, 1500.0 * V]), t)
+    assert result.parameters["coefficient"].value == pytest.approx(1500.0, rel=1e-2)
+    assert "samples at rest" in messages(result)
+    assert result.samples < len(TIME) + 5
+
+
+def test_law_on_another_record():
+    z = bouc_wen_path(X, 600.0, 2.5, 1.6, 0.0)
+    force = 250.0 * V + 180.0 * z
+    half = len(TIME) // 2
+    result = fit_damper(X[:half], V[:half], force[:half], TIME[:half], law="bouc-wen")
+    curve = damper_curve(result, X[half:], V[half:], force[half:], TIME[half:])
+    assert np.sqrt(np.mean((curve.fitted - curve.measured)[100:] ** 2)) < 0.03 * np.ptp(force)
+
+
+def test_result_is_plain_data():
+    assert "coefficient" in to_json(fit_damper(X, V, 1500.0 * V, TIME))
+
+
+@pytest.mark.parametrize(
+    ("columns", "options", "text"),
+    [
+        ((X[:-1], V, V, TIME), {}, "not of the same length"),
+        ((X[:20], V[:20], V[:20], TIME[:20]), {}, "too few samples"),
+        ((X, V, np.where(TIME[4] == TIME, np.inf, V), TIME), {}, "force, sample 5"),
+        ((X, V, V, np.zeros_like(TIME)), {}, "does not increase"),
+        ((0 * X, V, V, TIME), {}, "never changes"),
+        ((X, V, 0 * V, TIME), {}, "never changes"),
+        ((X[:80], V[:80], V[:80], TIME[:80]), {}, "less than one cycle"),
+        ((X, V, V, TIME), {"law": "polynomial", "degree": 12}, "degree"),
+        ((X, V, V, TIME), {"law": "bouc-wen", "friction": True}, "contains dry friction"),
+    ],
+)
+def test_unusable_records_are_refused(columns, options, text):
+    with pytest.raises(FitError, match=text):
+        fit_damper(*columns, **options)
+
+
+@pytest.mark.parametrize("wrong", [{"law": "bouc-wenn"}, {"velocity_from": "recordet"}])
+def test_unknown_choices_are_refused(wrong):
+    with pytest.raises(DescriptionError, match="Did you mean"):
+        fit_damper(X, V, V, TIME, **wrong)
+
+
+def test_an_unknown_law_is_refused_by_the_law_itself():
+    with pytest.raises(DescriptionError, match="unknown damper law"):
+        damper_law("viscous", read_motion(X, V, V, TIME)[0])
