@@ -68,7 +68,8 @@ CHANNELS = (
 def long_road(seed: int = 0) -> tuple[Array, Array]:
     """Ten seconds of a random road, a height (m) each millisecond (s)."""
     time = np.arange(10001) * 1e-3
-    return time, 1e-4 * np.cumsum(np.random.default_rng(seed).normal(size=len(time)))
+    height = 1e-4 * np.cumsum(np.random.default_rng(seed).normal(size=len(time)))
+    return time, height - height[0]
 
 
 def channels_of(states: Array, road: Array, car: QuarterCar, *, lift_off: bool) -> Array:
