@@ -61,3 +61,17 @@ def write_atomically(path: Path | str, content: bytes | str, *, force: bool = Fa
         Path(name).unlink(missing_ok=True)
         raise
     return file
+
+
+def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, force: bool = False) -> list[Path]:
+    """Write files below a folder, which is made; when one of them exists (without ``force``), none is written."""
+    root = Path(folder)
+    if root.exists() and not root.is_dir():
+        raise OutputError("a file stands where the folder should be", where=str(root), hint="Choose another name.")
+    files = {root / name: content for name, content in contents.items()}
+    for file in files:
+        if file.exists() and not force:
+            check_writable(file)
+    for file in files:
+        file.parent.mkdir(parents=True, exist_ok=True)
+    return [write_atomically(file, content, force=force) for file, content in files.items()]

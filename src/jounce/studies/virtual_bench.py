@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from jounce.core.serialise import write_atomically
+from jounce.core.serialise import write_files
 from jounce.recordings import Sensor, apply_sensors
 from jounce.roads import HalfSine, Road, Train, Trial
 from jounce.simulation import simulate
@@ -104,7 +104,7 @@ def make_measurements(
     Parameters
     ----------
     folder : path
-        Existing folder; ``bench/``, ``trials/`` and ``truth.toml`` are made in it.
+        Folder; ``bench/``, ``trials/`` and ``truth.toml`` are made in it.
     plan : BenchPlan, optional
         What is measured; by default everything the paper did: five spring trials of 15 mm, three tyre trials of 10 mm
         at each of two pressures, free decays, and the sixteen obstacle passes of its Table 2, 3 s each at 1 kHz.
@@ -121,7 +121,7 @@ def make_measurements(
     Raises
     ------
     OutputError
-        For an existing file without ``force``.
+        For an existing file without ``force``; then nothing is written.
 
     Examples
     --------
@@ -130,19 +130,22 @@ def make_measurements(
     >>> [file.name for file in make_measurements(tempfile.mkdtemp(), plan)]
     ['spring_1.csv', 'truth.toml']
     """
-    plan, root, report = plan or BenchPlan(), Path(folder), progress or _silent
-    for name in ("bench", "trials"):
-        (root / name).mkdir(exist_ok=True)
-    texts: dict[str, str] = {}
+    plan = plan or BenchPlan()
+    texts = measurement_texts(plan, progress=progress)
+    return write_files(folder, {**texts, "truth.toml": truth_text(plan)}, force=force)
+
+
+def measurement_texts(plan: BenchPlan, *, progress: Progress | None = None) -> dict[str, str]:
+    """Give the measurement files of a plan: name below the campaign's folder to text."""
+    report = progress or _silent
     report("virtual bench: spring and tyre on the test machine")
-    texts |= _springs(plan) | _tyres(plan)
+    texts = _springs(plan) | _tyres(plan)
     report("virtual bench: free decays")
     texts |= _decays(plan)
     for row in plan.trials:
         report(f"virtual bench: trial {row.number}")
         texts[f"trials/{row.number:02d}.csv"] = _pass(row, plan)
-    texts["truth.toml"] = _truth(plan)
-    return [write_atomically(root / name, text, force=force) for name, text in texts.items()]
+    return texts
 
 
 def course(row: Table2Row, *, shift: float = 0.0) -> Road:
@@ -230,7 +233,8 @@ def _generator(seed: int, name: str) -> np.random.Generator:
     return np.random.default_rng([seed, zlib.crc32(name.encode())])
 
 
-def _truth(plan: BenchPlan) -> str:
+def truth_text(plan: BenchPlan) -> str:
+    """Give the values behind a plan's files as TOML, SI."""
     import tomlkit
 
     document = tomlkit.document()
