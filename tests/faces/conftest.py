@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import jounce as jn
 from jounce.cli import main
 
 Cli = Callable[..., "Outcome"]
@@ -119,12 +120,13 @@ trials = [1]
 
 
 @pytest.fixture
-def campaign(cli: Cli, bump: Path, spring_files: list[Path], rig_text: str, tmp_path: Path) -> Path:
+def campaign(bump: Path, spring_files: list[Path], rig_text: str, tmp_path: Path) -> Path:
     """A small campaign whose recordings come from a rig with another damper."""
     (tmp_path / "rig.toml").write_text(rig_text, encoding="utf-8")
+    rig = jn.load(tmp_path / "rig.toml").with_changes({"strut.damper.coefficient": 180.0})
     for number, speed in ((1, "1.95 m/s"), (2, "3.79 m/s")):
-        words = ("--road", bump, "--speed", speed, "--duration", "0.5 s", "--out", f"trial_{number}.csv")
-        assert cli("simulate", "rig.toml", *words, "--set", "strut.damper.coefficient=180").exit_code == 0
+        run = jn.simulate(rig, jn.Trial(road=jn.load_road(bump), speed=speed, duration="0.4 s"))
+        jn.write_recording(run[["sprung.az", "unsprung.az"]], tmp_path / f"trial_{number}.csv")
     file = tmp_path / "campaign.toml"
     file.write_text(CAMPAIGN, encoding="utf-8")
     return file

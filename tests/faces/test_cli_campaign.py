@@ -22,13 +22,6 @@ def test_run(cli, campaign: Path, tmp_path: Path) -> None:
     assert (tmp_path / "results" / "report.html").stat().st_size > 1000
 
 
-def test_table_for_people(cli, campaign: Path) -> None:
-    outcome = cli("campaign", "run", campaign, "--out", "results")
-    assert outcome.exit_code == 0
-    for word in ("strut.damper.coefficient", "hold-out", "sprung.az", "report.html"):
-        assert word in outcome.out
-
-
 def test_one_bad_trial_does_not_lose_the_others(cli, campaign: Path, tmp_path: Path) -> None:
     (tmp_path / "trial_2.csv").write_text("time [s], sprung.az [m/s^2]\n0, 1\n0, 2\n", encoding="utf-8")
     outcome = cli("campaign", "run", campaign, "--out", "results", "--json")
@@ -66,20 +59,38 @@ def test_existing_results_are_kept(cli, campaign: Path, tmp_path: Path) -> None:
     assert outcome.exit_code == 2
     assert "--force" in outcome.err
     assert mine.read_text(encoding="utf-8") == "mine"
-    assert cli("campaign", "run", campaign, "--out", "results", "--force").exit_code == 0
+    forced = cli("campaign", "run", campaign, "--out", "results", "--force")
+    assert forced.exit_code == 0
+    for word in ("strut.damper.coefficient", "hold-out", "sprung.az", "report.html"):
+        assert word in forced.out
     assert mine.read_text(encoding="utf-8") != "mine"
     onto_a_file = cli("campaign", "run", campaign, "--out", "rig.toml")
     assert onto_a_file.exit_code == 2
-    assert "rig.toml: the output folder is a file" in onto_a_file.err
+    assert "rig.toml: the output is a file, not a folder" in onto_a_file.err
 
 
 def test_new_campaign_can_be_checked(cli, tmp_path: Path) -> None:
     outcome = cli("campaign", "new", "mine", "--json")
     assert outcome.exit_code == 0, outcome.err
     assert "campaign.toml" in outcome.json["files"]
+    assert cli("check", "mine/campaign.toml", "mine/rig.toml").exit_code == 0
     assert sorted(outcome.json["files"]) == sorted(
         str(file.relative_to(tmp_path / "mine")) for file in (tmp_path / "mine").rglob("*") if file.is_file()
     )
+    (tmp_path / "mine" / "rig.toml").write_text("mine", encoding="utf-8")
     again = cli("campaign", "new", "mine")
     assert again.exit_code == 2
-    assert "mine: the output folder is not empty" in again.err
+    assert "the output exists" in again.err
+    assert (tmp_path / "mine" / "rig.toml").read_text(encoding="utf-8") == "mine"
+
+
+@pytest.mark.slow
+def test_demo_makes_numbered_folders(cli, tmp_path: Path) -> None:
+    outcome = cli("demo", "--json")
+    assert outcome.exit_code == 0
+    assert outcome.json["out"].endswith("demo-1")
+    assert "synthetic" in outcome.json["synthetic"]
+    assert (tmp_path / "demo-1" / "report.html").exists()
+    refused = cli("demo", "--out", "demo-1")
+    assert refused.exit_code == 2
+    assert "--force" in refused.err

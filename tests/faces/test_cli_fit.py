@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
@@ -176,3 +177,65 @@ def test_channel_that_is_no_motion(cli, tmp_path: Path) -> None:
     outcome = cli("fit", "decay", "force.csv", "--channel", "tyre.force", "--mass", "16 kg")
     assert outcome.exit_code == 2
     assert "not a motion; found 'N'" in outcome.err
+
+
+@pytest.fixture
+def damper_file(tmp_path: Path) -> Path:
+    """A bilinear damper of 300 N s/m in bump and 900 in rebound, at 6 rad/s and 20 mm."""
+    rows = ["time [s], displacement [mm], velocity [mm/s], force [N]"]
+    for i in range(400):
+        t = 0.01 * i
+        velocity = 0.12 * math.cos(6.0 * t)
+        force = (300.0 if velocity > 0.0 else 900.0) * velocity
+        rows.append(f"{t:.2f}, {20.0 * math.sin(6.0 * t):.9g}, {1e3 * velocity:.9g}, {force:.9g}")
+    file = tmp_path / "damper.csv"
+    file.write_text("\n".join(rows), encoding="utf-8")
+    return file
+
+
+def test_damper(cli, damper_file: Path) -> None:
+    found = cli("fit", "damper", damper_file, "--law", "bilinear", "--json").json
+    assert found["parameters"]["bump_coefficient"]["value"] == pytest.approx(300.0, rel=1e-6)
+    assert found["parameters"]["rebound_coefficient"]["value"] == pytest.approx(900.0, rel=1e-6)
+    assert found["units"]["bump_coefficient"] == "N*s/m"
+    assert found["r2"] == pytest.approx(1.0, abs=1e-9)
+    linear = cli("fit", "damper", damper_file, "--json").json
+    assert 0.9 < linear["r2"] < 0.97
+
+
+def test_fitted_damper_can_be_set(cli, damper_file: Path, bump: Path) -> None:
+    text = cli("fit", "damper", damper_file, "--law", "bilinear").out
+    table = next(line for line in text.splitlines() if "damper = {" in line).partition("= ")[2]
+    words = ("--road", bump, "--speed", "2 m/s", "--duration", "0.2 s", "--set", f"strut.damper={table}")
+    assert cli("simulate", "kart-quarter-car", *words).exit_code == 0
+
+
+def test_damper_record_from_matlab(cli) -> None:
+    """A record of Labcontrol: displacement, velocity and force are the columns of one matrix without units."""
+    file = Path(__file__).parent.parent / "files" / "mr_damper_labcontrol" / "ensaio.A.1.mat"
+    where = "time=Tout [s], displacement=x_F(:,1) [mm], velocity=x_F(:,2) [mm/s], force=x_F(:,3) [N]"
+    found = cli("fit", "damper", file, "--columns", where, "--law", "tanh-hysteretic", "--json").json
+    assert 0.98 < found["r2"] < 1.0
+    assert found["damper"]["kind"] == "tanh"
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (("--law", "bilinaer"), "Did you mean 'bilinear'?"),
+        (("--columns", "force=load [N]"), "damper.csv: no column 'load'"),
+        (("--velocity-from", "record"), "Did you mean 'recorded'?"),
+        (("--law", "polynomial", "--degree", "0"), "degree"),
+    ],
+)
+def test_bad_damper_choices(words: tuple[str, ...], message: str, cli, damper_file: Path) -> None:
+    outcome = cli("fit", "damper", damper_file, *words)
+    assert outcome.exit_code == 2
+    assert message in outcome.err
+
+
+def test_damper_record_without_force(cli, decay_file: Path) -> None:
+    outcome = cli("fit", "damper", decay_file)
+    assert outcome.exit_code == 2
+    assert "decay.csv: no column 'displacement'" in outcome.err
+    assert "--columns displacement='COLUMN [unit]'" in outcome.err

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.options import AsJson, Force, output_folder
+from jounce.cli.options import AsJson, Force
 from jounce.cli.reply import DONE, FAILED, Reply, progress
 from jounce.cli.tables import show_findings, table
 
@@ -33,15 +33,17 @@ def run(
 
     Example: jounce campaign run campaign.toml --out results
     """
-    folder = output_folder(out, force=force)
+    from jounce.report.folder import check_folder
+
+    check_folder(out, force=force)
     with progress() as say:
         from jounce.report import write_campaign
         from jounce.studies.campaign import run_campaign
 
         result = run_campaign(campaign, progress=say)
         say("writing the report")
-        write_campaign(result, folder, force=force)
-    return campaign_reply(result, folder, as_json=as_json)
+        write_campaign(result, out, force=force)
+    return campaign_reply(result, out, as_json=as_json)
 
 
 @app.command("new")
@@ -56,10 +58,8 @@ def new(
     """
     from jounce.studies.campaign.template import new_campaign
 
-    output_folder(folder, force=force)
-    new_campaign(folder, force=force)
+    campaign = new_campaign(folder, force=force)
     made = sorted(str(file.relative_to(folder)) for file in folder.rglob("*") if file.is_file())
-    campaign = folder / "campaign.toml"
 
     def draw(console: Console) -> None:
         console.print(f"{folder}: {', '.join(made)}")
@@ -85,7 +85,7 @@ def _draw(out: Console, plain: dict[str, Any], findings: tuple[Finding, ...], fo
             (item["source"], item["path"], item["described"], item["measured"], item["standard_error"])
             for item in replaced
         ]
-        header = ("measured", "parameter", "described", "measured", "standard error")
+        header = ("source", "parameter", "described", "measured", "standard error")
         out.print(table("Characterisation (SI)", header, rows, text=(0, 1)))
     if plain["updates"]:
         _draw_updates(out, plain["updates"])

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from jounce.cli.campaign import campaign_reply
-from jounce.cli.options import AsJson, Force, output_folder
+from jounce.cli.options import AsJson, Force
 from jounce.cli.reply import Reply, progress
 
 
@@ -21,10 +21,15 @@ def demo(
 
     Example: jounce demo --out jounce-demo
     """
+    from jounce.report.folder import check_folder
+
     if out is not None:
-        output_folder(out, force=force)
+        check_folder(out, force=force)
     with progress() as say:
+        from jounce.report import write_campaign
         from jounce.studies.demo import run_demo
 
-        result = run_demo(out, progress=say)
-    return campaign_reply(result, out, as_json=as_json)  # type: ignore[arg-type]
+        folder, result = run_demo(out, force=force, progress=say)
+        say("writing the report")
+        write_campaign(result, folder, force=True)  # it holds the campaign by now, and nothing else of these names
+    return campaign_reply(result, folder, as_json=as_json)

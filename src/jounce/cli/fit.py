@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from jounce.cli.fit_damper import damper
 from jounce.cli.options import AsJson, Columns, columns, files, optional_quantity, positive_quantity, quantity
 from jounce.cli.reply import Reply
 from jounce.cli.tables import estimates, show_findings, table
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from jounce.identify.stiffness import StiffnessResult
 
 app = typer.Typer(no_args_is_help=True, help="Find stiffness, damping and damper laws from measurements.")
+app.command("damper")(damper)
 
 _QUANTITIES = {"m": "displacement", "m/s": "velocity", "m/s^2": "acceleration"}
 _DECAY_ESTIMATES = (
@@ -189,5 +191,7 @@ def _draw_stiffness(out: Console, result: StiffnessResult, findings: tuple[Findi
 def _draw_decay(out: Console, result: DecayResult | CombinedDecay, findings: tuple[Finding, ...]) -> None:
     rows = [(name.replace("_hz", "").replace("_", " "), getattr(result, name), unit) for name, unit in _DECAY_ESTIMATES]
     rows.append(("logarithmic decrement (naive)", result.logarithmic_decrement, "1"))
-    out.print(estimates(f"Free decay, {result.cycles:g} cycles", rows))
+    runs = getattr(result, "runs", 1)
+    title = "Free decay" if runs == 1 else f"{runs} free decays together"
+    out.print(estimates(f"{title}, {result.cycles:g} cycles", rows))
     show_findings(out, findings)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Sequence
 from pathlib import Path
@@ -22,8 +23,7 @@ Columns = Annotated[
     typer.Option(
         "--columns",
         metavar="NAME=COLUMN",
-        help='Where a quantity is in the file, with its unit if the header has none: force="F (kN)" is written '
-        r'force="F \[kN]".',
+        help=r'Where a quantity is in the file, with its unit if the header has none: force="F \[kN]". Repeat it.',
     ),
 ]
 RigName = Annotated[str, typer.Argument(metavar="RIG", help="A rig file, or a name of `jounce library`.")]
@@ -70,8 +70,9 @@ def changes(texts: Sequence[str] | None) -> dict[str, Any]:
 
 
 def columns(texts: Sequence[str] | None) -> dict[str, str] | None:
-    """Columns by quantity from ``--columns``; None when nothing is mapped."""
-    return pairs(texts, "--columns", 'force="F [kN]"') or None
+    """Columns by quantity from ``--columns``, one or several in each text; None when nothing is mapped."""
+    split = [part for text in texts or () for part in re.split(r",\s*(?=[\w.]+\s*=)", text)]
+    return pairs(split, "--columns", 'force="F [kN]"') or None
 
 
 def files(names: Sequence[str], option: str) -> list[Path]:
@@ -89,19 +90,6 @@ def files(names: Sequence[str], option: str) -> list[Path]:
             raise RecordingError("no file matches", where=option, found=name, hint="Check the folder and the pattern.")
         found += matches
     return found
-
-
-def output_folder(path: Path, *, force: bool) -> Path:
-    """Refuse a folder that holds something (without ``force``) or is a file; give it."""
-    from jounce.core.errors import OutputError
-
-    if path.exists() and not path.is_dir():
-        raise OutputError("the output folder is a file", where=str(path), hint="Choose another name.")
-    if path.is_dir() and any(path.iterdir()) and not force:
-        raise OutputError(
-            "the output folder is not empty", where=str(path), hint="Choose another one or allow it with --force."
-        )
-    return path
 
 
 def _bare_number(text: str) -> str | float:

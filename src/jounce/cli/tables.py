@@ -35,16 +35,27 @@ def cell(value: object) -> str:
         return "–"
     if isinstance(value, bool):
         return "yes" if value else "no"
-    if not isinstance(value, float):
-        return str(value)
-    return "0" if abs(value) < ROUNDING else f"{value:.5g}"
+    return number(value) if isinstance(value, float) else str(value)
+
+
+def number(value: float) -> str:
+    """Write a number with five significant digits, without an exponent from 0.0001 up to ten million.
+
+    Examples
+    --------
+    >>> number(138891.4), number(22730.0), number(-1.5), number(1e-15), number(2.5e9)
+    ('138891', '22730', '-1.5', '0', '2.5e+09')
+    """
+    if abs(value) < ROUNDING:
+        return "0"
+    return f"{value:.0f}" if 1e5 <= abs(value) < 1e7 else f"{value:.5g}"
 
 
 def estimate_row(name: str, found: Estimate | None, unit: str) -> tuple[object, ...]:
     """Name, value, standard error, 95 % interval and unit of an estimate."""
     if found is None:
         return name, None, None, None, unit
-    interval = None if found.interval is None else f"{found.interval[0]:.5g} … {found.interval[1]:.5g}"
+    interval = None if found.interval is None else f"{number(found.interval[0])} … {number(found.interval[1])}"
     return name, found.value, found.standard_error, interval, unit
 
 
