@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-import jounce.parts as parts
+from jounce import parts
 from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE, Segments
 from jounce.models import build
 from jounce.simulation.compiled import compile_model
@@ -30,8 +30,13 @@ RIGS = {
     },
     "tanh damper": {
         "strut.damper": {
-            "kind": "tanh", "coefficient": 80.0, "force": 20.0, "slope": 30.0, "displacement_coupling": 3.0,
-            "stiffness": 500.0, "offset": 4.0,
+            "kind": "tanh",
+            "coefficient": 80.0,
+            "force": 20.0,
+            "slope": 30.0,
+            "displacement_coupling": 3.0,
+            "stiffness": 500.0,
+            "offset": 4.0,
         }
     },
     "friction": {
@@ -40,13 +45,13 @@ RIGS = {
     },
     "bump stop": {"strut.bump_stop": {"gap": 0.012, "rate": 6e4, "progression": 3e8}},
     "bump stop closed at rest": {"strut.bump_stop": {"gap": 0.005, "rate": 6e4, "progression": 3e8}},
-    "polynomial tyre": {
-        "tyre.stiffness": None, "tyre.curve": {"kind": "polynomial", "coefficients": [6e4, 2e7, -1e8]}
-    },
+    "polynomial tyre": {"tyre.stiffness": None, "tyre.curve": {"kind": "polynomial", "coefficients": [6e4, 2e7, -1e8]}},
     "table tyre": {
         "tyre.stiffness": None,
         "tyre.curve": {
-            "kind": "table", "deflection": [0.0, 0.001, 0.002, 0.004, 0.01], "force": [0.0, 60.0, 150.0, 420.0, 1400.0]
+            "kind": "table",
+            "deflection": [0.0, 0.001, 0.002, 0.004, 0.01],
+            "force": [0.0, 60.0, 150.0, 420.0, 1400.0],
         },
     },
     "spring curve and preload": {
@@ -61,16 +66,17 @@ RIGS = {
     "upright strut and preload": {"strut.angle": 0.0, "strut.spring.preload": 100.0},
     "strut at 10 deg": {"strut.angle": "10 deg"},
     "no damping at all": {"strut.damper.coefficient": 0.0},
-}  # fmt: skip
+}
 
 
 def obstacle(kind: int, coefficients: list[float], *, length: float = 0.06, start: float = 0.1) -> Segments:
     """Flat, one piece, flat: against distance."""
     flat = [0.0] * 4
     return Segments(
-        np.array([0.0, start, start + length, 100.0]), np.array([POLYNOMIAL, kind, POLYNOMIAL]),
+        np.array([0.0, start, start + length, 100.0]),
+        np.array([POLYNOMIAL, kind, POLYNOMIAL]),
         np.array([flat, coefficients, flat]),
-    )  # fmt: skip
+    )
 
 
 HALF_SINE = obstacle(SINE, [0.0, 0.01, np.pi / 0.06, 0.0])
@@ -124,7 +130,9 @@ def test_passenger_car(twin):
 
 def test_everything_at_once(twin):
     changes = {**RIGS["friction"], **RIGS["bump stop"], **RIGS["table tyre"], **RIGS["velocity table"]}
-    compare(twin, KART.with_changes({**changes, "tyre.damping_coefficient": 30.0}), HALF_SINE.in_time(1.95), allowed=3e-7)
+    compare(
+        twin, KART.with_changes({**changes, "tyre.damping_coefficient": 30.0}), HALF_SINE.in_time(1.95), allowed=3e-7
+    )
 
 
 @pytest.mark.xfail(strict=True, reason="the rest state winds the hysteresis up by 1e-5 (least squares of mixed units)")
@@ -137,9 +145,15 @@ def test_bouc_wen_coarsely(twin):
 
 
 BOUC_WEN = {
-    "kind": "bouc-wen", "coefficient": 80.0, "hysteretic_force": 20.0, "rate": 800.0, "sigma": 0.8, "exponent": 1.6,
-    "stiffness": 300.0, "offset": -3.0,
-}  # fmt: skip
+    "kind": "bouc-wen",
+    "coefficient": 80.0,
+    "hysteretic_force": 20.0,
+    "rate": 800.0,
+    "sigma": 0.8,
+    "exponent": 1.6,
+    "stiffness": 300.0,
+    "offset": -3.0,
+}
 
 
 @pytest.mark.xfail(strict=True, reason="no static equilibrium is found on a power law that starts without slope")
@@ -170,9 +184,14 @@ def test_a_jump_is_the_limit_of_steep_ramps():
     compiled = compile_model(build(rig))
     p, times = compiled.parameter_values(rig.parameters()), output_times(0.4, 1e-3)
     ramp = 1e-6
-    steep = Segments(np.array([0.0, 0.1, 0.1 + ramp, 100.0]), np.zeros(3, dtype=np.int64), np.array(
-        [[0.0] * 4, [0.0, 0.01 / ramp, 0.0, 0.0], [0.01, 0.0, 0.0, 0.0]]))  # fmt: skip
-    jump = Segments(np.array([0.0, 0.1, 100.0]), np.zeros(2, dtype=np.int64), np.array([[0.0] * 4, [0.01, 0.0, 0.0, 0.0]]))
+    steep = Segments(
+        np.array([0.0, 0.1, 0.1 + ramp, 100.0]),
+        np.zeros(3, dtype=np.int64),
+        np.array([[0.0] * 4, [0.0, 0.01 / ramp, 0.0, 0.0], [0.01, 0.0, 0.0, 0.0]]),
+    )
+    jump = Segments(
+        np.array([0.0, 0.1, 100.0]), np.zeros(2, dtype=np.int64), np.array([[0.0] * 4, [0.01, 0.0, 0.0, 0.0]])
+    )
     limit, found = (solve(compiled, p, road.in_time(1.95), times, tolerance=1e-8).states for road in (steep, jump))
     assert np.max(np.abs(found[:2] - limit[:2])) < 1e-4 * 0.01
 

@@ -15,15 +15,25 @@ KART = parts.load("kart-quarter-car")
 BUMP = HalfSine(height=0.01, length=0.06, start=0.1)
 CLEAT = Rectangle(height=0.01, length=0.06, start=0.1)
 BASIC = (
-    "sprung.mass", "unsprung.mass", "gravity", "strut.angle", "strut.spring.rate", "strut.damper.coefficient",
+    "sprung.mass",
+    "unsprung.mass",
+    "gravity",
+    "strut.angle",
+    "strut.spring.rate",
+    "strut.damper.coefficient",
     "tyre.stiffness",
 )
 DAMPED = {"tyre.damping_coefficient": 60.0}
 TABLE = {"strut.damper": {"velocity": [-1.0, -0.2, 0.0, 0.3, 1.0], "force": [-120.0, -60.0, 0.0, 30.0, 60.0]}}
 TANH = {
     "strut.damper": {
-        "kind": "tanh", "coefficient": 80.0, "force": 20.0, "slope": 30.0, "displacement_coupling": 3.0,
-        "stiffness": 500.0, "offset": 4.0,
+        "kind": "tanh",
+        "coefficient": 80.0,
+        "force": 20.0,
+        "slope": 30.0,
+        "displacement_coupling": 3.0,
+        "stiffness": 500.0,
+        "offset": 4.0,
     }
 }
 FRICTION = {"strut.friction": {"force": 12.0}, "guide.friction": {"force": 6.0, "regularisation_velocity": 0.005}}
@@ -111,7 +121,9 @@ def test_states_are_those_of_a_run_without_sensitivities():
     assert np.max(np.abs(a - b)) < 1e-12
 
 
-@pytest.mark.xfail(strict=True, reason="a switch thrown by an edge of the road (its time is fixed) gets a saltation jump")
+@pytest.mark.xfail(
+    strict=True, reason="a switch thrown by an edge of the road (its time is fixed) gets a saltation jump"
+)
 @pytest.mark.parametrize(
     ("changes", "road"),
     [
@@ -126,5 +138,12 @@ def test_contact_lost_at_an_edge_of_the_road(changes, road):
 
 @pytest.mark.xfail(strict=True, raises=np.linalg.LinAlgError, reason="the hysteresis has no slope of its own at rest")
 def test_bouc_wen():
-    damper = {"kind": "bouc-wen", "coefficient": 80.0, "hysteretic_force": 20.0, "rate": 800.0, "sigma": 0.8, "exponent": 2.0}
+    damper = {
+        "kind": "bouc-wen",
+        "coefficient": 80.0,
+        "hysteretic_force": 20.0,
+        "rate": 800.0,
+        "sigma": 0.8,
+        "exponent": 2.0,
+    }
     compare({"strut.damper": damper}, BUMP, ("strut.damper.hysteretic_force", "strut.damper.rate"), allowed=1e-4)

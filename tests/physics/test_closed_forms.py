@@ -103,10 +103,15 @@ def test_one_mass_on_a_moving_base(ratio):
     frequency = 5.0
     natural = 2 * np.pi * frequency / ratio
     stiffness, zeta = 16.0 * natural**2, 0.2
-    rig = LINEAR.with_changes({
-        "strut.angle": 0.0, "strut.spring.rate": stiffness, "strut.damper.coefficient": 2 * zeta * natural * 16.0,
-        "unsprung.mass": 1e-4, "tyre.stiffness": 1e10,
-    })  # fmt: skip
+    rig = LINEAR.with_changes(
+        {
+            "strut.angle": 0.0,
+            "strut.spring.rate": stiffness,
+            "strut.damper.coefficient": 2 * zeta * natural * 16.0,
+            "unsprung.mass": 1e-4,
+            "tyre.stiffness": 1e10,
+        }
+    )
     times, out = run(rig, shaken(frequency, 1e-3, 12.0), 12.0)
     found = abs(harmonic(times, out["sprung.z"], frequency)) / 1e-3
     part = (2 * zeta * ratio) ** 2
@@ -116,17 +121,26 @@ def test_one_mass_on_a_moving_base(ratio):
 
 
 def test_free_decay_of_one_mass():
-    """Peaks of each side fall by exp(-2 pi zeta / sqrt(1 - zeta^2)) a cycle, the time between them is the damped period."""
+    """Peaks of a side fall by exp(-2 pi zeta / sqrt(1 - zeta^2)) a cycle; between them lies the damped period."""
     stiffness, zeta = 18362.0, 0.15
     natural = np.sqrt(stiffness / 16.0)
-    rig = LINEAR.with_changes({
-        "strut.angle": 0.0, "strut.spring.rate": stiffness, "strut.damper.coefficient": 2 * zeta * natural * 16.0,
-        "unsprung.mass": 1e-4, "tyre.stiffness": 1e10,
-    })  # fmt: skip
+    rig = LINEAR.with_changes(
+        {
+            "strut.angle": 0.0,
+            "strut.spring.rate": stiffness,
+            "strut.damper.coefficient": 2 * zeta * natural * 16.0,
+            "unsprung.mass": 1e-4,
+            "tyre.stiffness": 1e10,
+        }
+    )
     times, out = run(rig, flat(2.0), 1.0, offset=np.array([0.02, 0.0, 0.0, 0.0]), step=1e-4)
     z = out["sprung.z"] + 16.0 * 9.81 / stiffness + 16.0001 * 9.81 / 1e10
     damped = natural * np.sqrt(1 - zeta**2)
-    expected = 0.02 * np.exp(-zeta * natural * times) * (np.cos(damped * times) + zeta * natural / damped * np.sin(damped * times))
+    expected = (
+        0.02
+        * np.exp(-zeta * natural * times)
+        * (np.cos(damped * times) + zeta * natural / damped * np.sin(damped * times))
+    )
     assert np.max(np.abs(z - expected)) < 2e-5 * 0.02  # the tyre's own give
 
 

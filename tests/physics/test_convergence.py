@@ -23,7 +23,11 @@ RIGS = {
 def states(rig, segments, duration, tolerance):
     compiled = compile_model(build(rig))
     solution = solve(
-        compiled, compiled.parameter_values(rig.parameters()), segments, output_times(duration, 1e-3), tolerance=tolerance
+        compiled,
+        compiled.parameter_values(rig.parameters()),
+        segments,
+        output_times(duration, 1e-3),
+        tolerance=tolerance,
     )
     assert solution.status.name == "COMPLETED"
     return solution

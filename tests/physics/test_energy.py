@@ -30,10 +30,13 @@ def stored(rig, out):
     tyre = np.maximum(deflection, 0.0) if rig.tyre.lift_off else deflection
     strut = out["strut.deflection"]
     return (
-        0.5 * rig.sprung.mass * out["sprung.vz"] ** 2 + 0.5 * rig.unsprung.mass * out["unsprung.vz"] ** 2
+        0.5 * rig.sprung.mass * out["sprung.vz"] ** 2
+        + 0.5 * rig.unsprung.mass * out["unsprung.vz"] ** 2
         + rig.gravity * (rig.sprung.mass * out["sprung.z"] + rig.unsprung.mass * out["unsprung.z"])
-        + 0.5 * rig.strut.spring.rate * strut**2 + rig.strut.spring.preload * strut + 0.5 * rig.tyre.stiffness * tyre**2
-    )  # fmt: skip
+        + 0.5 * rig.strut.spring.rate * strut**2
+        + rig.strut.spring.preload * strut
+        + 0.5 * rig.tyre.stiffness * tyre**2
+    )
 
 
 @pytest.mark.parametrize("lift_off", [False, True])

@@ -71,7 +71,9 @@ def test_errors_are_near_the_tolerance(kart_errors, tolerance):
     assert max(found) > 1e-3
 
 
-@pytest.mark.xfail(strict=False, reason="missed on some: interpolant of long steps, sharp friction (worst 1.5 .. 5 times)")
+@pytest.mark.xfail(
+    strict=False, reason="missed on some: interpolant of long steps, sharp friction (worst 1.5 .. 5 times)"
+)
 @pytest.mark.parametrize("tolerance", ASKED)
 def test_tolerance_is_met(kart_errors, tolerance):
     too_large = {case: error[tolerance] for case, error in kart_errors.items() if error[tolerance] > 1.0}

@@ -125,9 +125,15 @@ class QuarterCarTwin:
             if end > start:
                 wanted = times[(times >= start) & (times < end)]
                 done = solve_ivp(
-                    self._rate(height, rate), (start, end), x, method="DOP853", rtol=tolerance, max_step=max_step,
-                    atol=tolerance * np.array([1e-3, 1e-3, 1e-1, 1e-1, 1.0]), t_eval=[*wanted, end],
-                )  # fmt: skip
+                    self._rate(height, rate),
+                    (start, end),
+                    x,
+                    method="DOP853",
+                    rtol=tolerance,
+                    max_step=max_step,
+                    atol=tolerance * np.array([1e-3, 1e-3, 1e-1, 1e-1, 1.0]),
+                    t_eval=[*wanted, end],
+                )
                 assert done.success, done.message
                 for t, state in zip(wanted, done.y.T[:-1], strict=True):
                     self._store(rows, state, height(t), rate(t))
@@ -155,10 +161,21 @@ class QuarterCarTwin:
         d, v, strut, delta, tyre = self.forces(x, height, rate)
         body, wheel = self.accelerations(x, strut, tyre)
         names = {
-            "strut.deflection": d, "strut.velocity": v, "strut.force": strut, "tyre.deflection": delta,
-            "tyre.force": tyre, "road.z": height, "sprung.z": x[0], "sprung.vz": x[2], "sprung.az": body,
-            "unsprung.z": x[1], "unsprung.vz": x[3], "unsprung.az": wheel, "hysteresis": x[4], "guide.force": -coulomb(self.rig.guide.friction, x[2]),
-        }  # fmt: skip
+            "strut.deflection": d,
+            "strut.velocity": v,
+            "strut.force": strut,
+            "tyre.deflection": delta,
+            "tyre.force": tyre,
+            "road.z": height,
+            "sprung.z": x[0],
+            "sprung.vz": x[2],
+            "sprung.az": body,
+            "unsprung.z": x[1],
+            "unsprung.vz": x[3],
+            "unsprung.az": wheel,
+            "hysteresis": x[4],
+            "guide.force": -coulomb(self.rig.guide.friction, x[2]),
+        }
         for name, value in names.items():
             rows.setdefault(name, []).append(float(value))
 

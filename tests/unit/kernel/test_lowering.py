@@ -12,19 +12,53 @@ from jounce.kernel.lowering import _OPCODES, Lowering
 from jounce.kernel.native import compile_functions
 
 UNARY = {
-    "sin": ca.sin, "cos": ca.cos, "tan": ca.tan, "sqrt": ca.sqrt, "exp": ca.exp, "log": ca.log, "fabs": ca.fabs,
-    "floor": ca.floor, "ceil": ca.ceil, "sign": ca.sign, "tanh": ca.tanh, "sinh": ca.sinh, "cosh": ca.cosh,
-    "asin": ca.asin, "acos": ca.acos, "atan": ca.atan, "log1p": ca.log1p, "expm1": ca.expm1, "not": ca.logic_not,
-    "negative": lambda x: -x, "square": lambda x: x**2, "inverse": lambda x: 1 / x, "twice": lambda x: 2 * x,
-    "power of a constant": lambda x: x**2.5, "assign": lambda x: x + 0, "constant": lambda x: ca.SX(0.1) + 0 * x,
-}  # fmt: skip
+    "sin": ca.sin,
+    "cos": ca.cos,
+    "tan": ca.tan,
+    "sqrt": ca.sqrt,
+    "exp": ca.exp,
+    "log": ca.log,
+    "fabs": ca.fabs,
+    "floor": ca.floor,
+    "ceil": ca.ceil,
+    "sign": ca.sign,
+    "tanh": ca.tanh,
+    "sinh": ca.sinh,
+    "cosh": ca.cosh,
+    "asin": ca.asin,
+    "acos": ca.acos,
+    "atan": ca.atan,
+    "log1p": ca.log1p,
+    "expm1": ca.expm1,
+    "not": ca.logic_not,
+    "negative": lambda x: -x,
+    "square": lambda x: x**2,
+    "inverse": lambda x: 1 / x,
+    "twice": lambda x: 2 * x,
+    "power of a constant": lambda x: x**2.5,
+    "assign": lambda x: x + 0,
+    "constant": lambda x: ca.SX(0.1) + 0 * x,
+}
 BINARY = {
-    "plus": lambda x, y: x + y, "minus": lambda x, y: x - y, "times": lambda x, y: x * y, "over": lambda x, y: x / y,
-    "less": lambda x, y: x < y, "at most": lambda x, y: x <= y, "equal": lambda x, y: x == y, "other": lambda x, y: x != y,
-    "fmin": ca.fmin, "fmax": ca.fmax, "copysign": ca.copysign, "atan2": ca.atan2, "hypot": ca.hypot, "power": ca.power,
-    "and": lambda x, y: ca.logic_and(x > 0, y > 0), "or": lambda x, y: ca.logic_or(x > 0, y > 0),
-    "if else": lambda x, y: ca.if_else(x < y, x, 3 * y), "if": lambda x, y: ca.if_else(x, y, 0),
-}  # fmt: skip
+    "plus": lambda x, y: x + y,
+    "minus": lambda x, y: x - y,
+    "times": lambda x, y: x * y,
+    "over": lambda x, y: x / y,
+    "less": lambda x, y: x < y,
+    "at most": lambda x, y: x <= y,
+    "equal": lambda x, y: x == y,
+    "other": lambda x, y: x != y,
+    "fmin": ca.fmin,
+    "fmax": ca.fmax,
+    "copysign": ca.copysign,
+    "atan2": ca.atan2,
+    "hypot": ca.hypot,
+    "power": ca.power,
+    "and": lambda x, y: ca.logic_and(x > 0, y > 0),
+    "or": lambda x, y: ca.logic_or(x > 0, y > 0),
+    "if else": lambda x, y: ca.if_else(x < y, x, 3 * y),
+    "if": lambda x, y: ca.if_else(x, y, 0),
+}
 X = ca.SX.sym("x", 2)
 OTHERS = [ca.SX.sym(name, 1) for name in "upm"]
 ONE = np.ones(1)
@@ -86,15 +120,30 @@ def test_every_operation_tried_here_is_the_one_meant():
     for expression in [*(f(X[0]) for f in UNARY.values()), *(f(X[0], X[1]) for f in BINARY.values())]:
         function = ca.Function("f", [X], [expression])
         found |= {_OPCODES[function.instruction_id(k)] for k in range(function.n_instructions())}
-    assert {"OP_SIGN", "OP_CONSTPOW", "OP_POW", "OP_IF_ELSE_ZERO", "OP_COPYSIGN", "OP_SQ", "OP_TWICE", "OP_INV"} <= found
+    assert {
+        "OP_SIGN",
+        "OP_CONSTPOW",
+        "OP_POW",
+        "OP_IF_ELSE_ZERO",
+        "OP_COPYSIGN",
+        "OP_SQ",
+        "OP_TWICE",
+        "OP_INV",
+    } <= found
     assert {"OP_NOT", "OP_AND", "OP_OR", "OP_LT", "OP_LE", "OP_EQ", "OP_NE", "OP_HYPOT", "OP_EXPM1"} <= found
 
 
 SMOOTH = [ca.sin, ca.cos, ca.tanh, ca.atan, lambda x: x**2 / (1 + x**2), lambda x: ca.sqrt(1 + x**2), lambda x: -x]
 JOINED = [
-    lambda x, y: x + y, lambda x, y: x - y, lambda x, y: x * y / 3, ca.fmin, ca.fmax, ca.hypot,
-    lambda x, y: x / (2 + y**2), lambda x, y: ca.atan2(x, 1 + y**2),
-]  # fmt: skip
+    lambda x, y: x + y,
+    lambda x, y: x - y,
+    lambda x, y: x * y / 3,
+    ca.fmin,
+    ca.fmax,
+    ca.hypot,
+    lambda x, y: x / (2 + y**2),
+    lambda x, y: ca.atan2(x, 1 + y**2),
+]
 
 
 @given(st.integers(0, 2**32 - 1))

@@ -58,7 +58,7 @@ def test_other_numbers_in_the_graph_are_another_entry(folder, emitted):
 
 
 DAMAGES = {
-    "emptied": lambda content: b"",
+    "emptied": lambda _: b"",
     "cut in the checksum": lambda content: content[:20],
     "cut after the checksum": lambda content: content[:32],
     "cut in half": lambda content: content[: len(content) // 2],
@@ -66,7 +66,7 @@ DAMAGES = {
     "byte flipped in the code": lambda content: content[:200] + bytes([content[200] ^ 1]) + content[201:],
     "byte flipped in the checksum": lambda content: bytes([content[0] ^ 1]) + content[1:],
     "something appended": lambda content: content + b"\0",
-    "text": lambda content: b"not an object file at all, but long enough to have a checksum and a rest",
+    "text": lambda _: b"not an object file at all, but long enough to have a checksum and a rest",
 }
 
 
