@@ -67,7 +67,19 @@ class LinearModel:
 
 @dataclass(frozen=True)
 class Mode:
-    """One eigenmode: ``frequency_hz`` is |eigenvalue|/2 pi; ``shape`` the complex coordinates, largest set to 1."""
+    """One oscillating eigenmode of the linearised rig.
+
+    Attributes
+    ----------
+    frequency_hz : float
+        Undamped natural frequency, magnitude of the eigenvalue over 2 pi, Hz.
+    damped_frequency_hz : float
+        Imaginary part of the eigenvalue over 2 pi, Hz.
+    damping_ratio : float
+        Of critical (1).
+    shape : dict
+        Coordinate to (real, imaginary) part (1) of the eigenvector, the largest coordinate set to 1.
+    """
 
     frequency_hz: float
     damped_frequency_hz: float
@@ -84,6 +96,11 @@ def linearise(rig: Rig, road_height: float = 0.0) -> LinearModel:
         What is tested.
     road_height : float
         Height of the road under the wheel, m.
+
+    Returns
+    -------
+    LinearModel
+        Matrices, SI.
 
     Raises
     ------
@@ -118,12 +135,17 @@ def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
     road_height : float
         Height of the road under the wheel, m.
 
+    Returns
+    -------
+    tuple of Mode
+        By rising undamped natural frequency.
+
     Examples
     --------
     >>> import jounce as jn
     >>> body_bounce, wheel_hop = jn.modes(jn.load("kart-quarter-car"))
     >>> round(body_bounce.frequency_hz, 1), round(wheel_hop.frequency_hz, 1)
-    (5.1, 28.1)
+    (5.1, 28.2)
     """
     compiled, _, rest, _ = _at_rest(rig, road_height)
     values, vectors = np.linalg.eig(rest.slope)
@@ -134,7 +156,9 @@ def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
             shape = vector[: len(names)] / vector[np.argmax(np.abs(vector[: len(names)]))]
             shapes = {name: (float(z.real), float(z.imag)) for name, z in zip(names, shape, strict=True)}
             found.append(
-                Mode(abs(value) / (2 * np.pi), value.imag / (2 * np.pi), float(-value.real / abs(value)), shapes)
+                Mode(
+                    float(abs(value)) / (2 * np.pi), float(value.imag) / (2 * np.pi), float(-value.real / abs(value)), shapes
+                )
             )
     return tuple(sorted(found, key=lambda mode: mode.frequency_hz))
 
@@ -148,6 +172,11 @@ def equilibrium(rig: Rig, road_height: float = 0.0) -> dict[str, float]:
         What is tested.
     road_height : float
         Height of the road under the wheel, m.
+
+    Returns
+    -------
+    dict
+        State or channel to static value, SI.
 
     Examples
     --------

@@ -13,6 +13,7 @@ from jounce.identify.update.problem import UpdateProblem
 Array = NDArray[np.float64]
 METHODS = ("bfgs", "least-squares")
 _BOUND = 1.0 - 1e-6
+_SMALL_GAIN, _PERFECT = 1e-6, 1e-12
 
 
 @dataclass(frozen=True)
@@ -30,10 +31,23 @@ class Optimum:
 def minimise(problem: UpdateProblem, start: Array, method: str) -> Optimum:
     """Run one optimisation from ``start`` (scaled) within -1..+1."""
     before = problem.evaluations
-    x, iterations, message, converged = _METHODS[method](problem, start)
+    x, iterations, message = _METHODS[method](problem, start)
     x = np.clip(x, -1.0, 1.0)
     objective, _ = problem.objective(x)
-    return Optimum(x, objective, iterations, problem.evaluations - before, message, converged)
+    return Optimum(x, objective, iterations, problem.evaluations - before, message, is_stationary(problem, x))
+
+
+def is_stationary(problem: UpdateProblem, x: Array) -> bool:
+    """Tell whether a Gauss-Newton step from ``x``, within the bounds, would lower the objective by less than 1e-6 of it."""
+    residuals = problem.residuals(x)
+    gradient = residuals.jacobian.T @ residuals.vector
+    held = (np.abs(x) > 1.0 - 1e-5) & (gradient * x < 0.0)
+    if held.all():
+        return True
+    curvature = residuals.jacobian[:, ~held].T @ residuals.jacobian[:, ~held]
+    gain = gradient[~held] @ np.linalg.pinv(curvature, hermitian=True) @ gradient[~held]
+    objective = float(residuals.vector @ residuals.vector)
+    return bool(gain <= _SMALL_GAIN * objective or objective <= _PERFECT * problem.data_energy)
 
 
 def minimise_from_many(problem: UpdateProblem, start: Array, method: str, starts: int, seed: int) -> list[Optimum]:
@@ -46,7 +60,7 @@ def minimise_from_many(problem: UpdateProblem, start: Array, method: str, starts
     return sorted((minimise(problem, point, method) for point in points), key=lambda optimum: optimum.objective)
 
 
-def _bfgs(problem: UpdateProblem, start: Array) -> tuple[Array, int, str, bool]:
+def _bfgs(problem: UpdateProblem, start: Array) -> tuple[Array, int, str]:
     """L-BFGS-B: the paper's BFGS, with the bounds inside the method."""
     from scipy.optimize import minimize
 
@@ -62,12 +76,12 @@ def _bfgs(problem: UpdateProblem, start: Array) -> tuple[Array, int, str, bool]:
         jac=True,
         method="L-BFGS-B",
         bounds=[(-1.0, 1.0)] * problem.size,
-        options={"ftol": 1e-15, "gtol": 1e-12, "maxiter": 200, "maxcor": 20},
+        options={"ftol": 1e-13, "gtol": 1e-12, "maxiter": 200, "maxcor": 20},
     )
-    return result.x, int(result.nit), str(result.message), result.status == 0 or result.fun < 1e-10
+    return result.x, int(result.nit), str(result.message)
 
 
-def _least_squares(problem: UpdateProblem, start: Array) -> tuple[Array, int, str, bool]:
+def _least_squares(problem: UpdateProblem, start: Array) -> tuple[Array, int, str]:
     from scipy.optimize import least_squares
 
     inside = np.clip(start, -_BOUND, _BOUND)
@@ -82,7 +96,7 @@ def _least_squares(problem: UpdateProblem, start: Array) -> tuple[Array, int, st
         gtol=1e-12,
         max_nfev=200,
     )
-    return result.x, int(result.njev), str(result.message), result.status > 0
+    return result.x, int(result.njev), str(result.message)
 
 
 _METHODS = {"bfgs": _bfgs, "least-squares": _least_squares}

@@ -148,6 +148,11 @@ class UpdateProblem:
         """Number of unknowns: free parameters, and one lag a trial when aligned."""
         return len(self.free) + (len(self.trials) if self.align else 0)
 
+    @property
+    def data_energy(self) -> float:
+        """Weighted sum of squares of the measured signals."""
+        return sum(float(np.sum((c.weight * c.measured) ** 2)) for trial in self.trials for c in trial.channels)
+
     def values(self, scaled: Array) -> Array:
         """Parameter values (SI) at scaled coordinates."""
         return np.array([free.value(s) for free, s in zip(self.free, scaled[: len(self.free)], strict=True)])

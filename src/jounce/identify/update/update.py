@@ -23,7 +23,21 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class UpdatedParameter:
-    """One fitted parameter, SI; no standard error where it lies on a bound or the data do not fix it."""
+    """One fitted parameter, all values in the SI unit of its path.
+
+    Attributes
+    ----------
+    initial, value : float
+        Start value and estimate, in SI.
+    standard_error : float or None
+        In SI; None where the estimate lies on a bound.
+    interval : tuple of float or None
+        95 % interval, in SI.
+    lower, upper : float
+        Bounds, in SI.
+    at_bound : bool
+        Whether the estimate lies on a bound.
+    """
 
     initial: float
     value: float
@@ -50,7 +64,7 @@ class UpdateResult:
     parameters : dict
         Path to ``UpdatedParameter``.
     correlation : tuple
-        Correlation matrix of the estimates, in the order of ``parameters`` (then lags).
+        Correlation matrix (1) of the estimates, in the order of ``parameters`` (then lags).
     lags : dict
         Trial to lag of its recording behind the simulation, s; empty when not aligned.
     identifiability : Identifiability
@@ -89,7 +103,7 @@ def update_model(
     lag_bound: float = 0.02,
     starts: int = 1,
     seed: int = 1,
-    tolerance: float = 1e-7,
+    tolerance: float = 1e-8,
 ) -> UpdateResult:
     """Fit parameters of a rig to the recordings of one or several trials.
 
@@ -130,6 +144,17 @@ def update_model(
         No trial, no free parameter, fewer data than parameters, bounds that exclude the start, an optimiser that stalls.
     SimulationError
         A simulation that diverges.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> rig = jn.load("kart-quarter-car")
+    >>> trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="1 s")
+    >>> truth = rig.with_changes({"strut.spring.rate": "24 N/mm"})
+    >>> measured = jn.simulate(truth, trial, tolerance=1e-8)[["sprung.az"]]
+    >>> result = jn.update_model([jn.FitTrial("one", rig, trial, measured)], {"strut.spring.rate": "10 %"})
+    >>> round(result.parameters["strut.spring.rate"].value, 3)
+    24000.0
     """
     check_method(method)
     if not trials:
