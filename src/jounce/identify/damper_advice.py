@@ -92,7 +92,7 @@ def _advise_velocity_law(
     offset = result.parameters["offset"]
     if offset.interval and not offset.interval[0] <= 0.0 <= offset.interval[1]:
         text = (
-            f"the force has an offset of {offset.value:.3g} N (gas pressure, spring, load-cell zero), which is not part "
+            f"the force has an offset of {offset.value:.3g} N (gas pressure, spring, load-cell zero), not part "
             "of the damper table: put it into the preload."
         )
         findings.append(Finding(name, "note", text, offset.value))

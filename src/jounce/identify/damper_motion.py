@@ -149,7 +149,7 @@ def _check_velocity(
         findings.append(Finding(name, "problem", text, gain))
     elif abs(delay) > 0.2 * step and source == "recorded":
         text = (
-            f"the recorded velocity is {1e3 * delay:.3g} ms ({delay / step:.2f} samples) late against the displacement, "
+            f"the recorded velocity is {1e3 * delay:.3g} ms ({delay / step:.2f} samples) behind the displacement, "
             "as a backward difference is; compare with velocity_from='displacement', a central difference."
         )
         findings.append(Finding(name, "warning", text, delay))

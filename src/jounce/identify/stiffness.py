@@ -307,9 +307,9 @@ def _operating_point(
             Finding(
                 "operating point",
                 "warning",
-                f"the static force of {force:.4g} N {place}, outside the fitted range of {1e3 * low:.3g} to "
-                f"{1e3 * reach:.3g} mm{remark}. The fit is an extrapolation there: fit a law that covers it, or compare "
-                "both stiffnesses in the model.",
+                f"the static force of {force:.4g} N {place}, outside the fitted range of {1e3 * low:.3g} "
+                f"to {1e3 * reach:.3g} mm{remark}. The fit is an extrapolation there: fit a law that covers it, or "
+                "compare both stiffnesses in the model.",
                 at,
             )
         )

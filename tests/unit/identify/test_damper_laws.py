@@ -195,10 +195,10 @@ def test_missing_velocity_is_derived():
 def test_backward_difference_is_recognised():
     late = np.concatenate([[V[0]], np.diff(X) / 0.005])
     result = fit_damper(X, late, 1500.0 * V, TIME)
-    assert "2.5 ms (0.50 samples) late" in messages(result)
+    assert "2.5 ms (0.50 samples) behind" in messages(result)
     better = fit_damper(X, late, 1500.0 * V, TIME, velocity_from="displacement")
     assert better.nrmse < 0.3 * result.nrmse
-    assert "samples) late" not in messages(better)
+    assert "samples) behind" not in messages(better)
 
 
 def test_wrong_unit_or_sign_of_the_velocity_is_a_problem():

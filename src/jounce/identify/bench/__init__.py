@@ -1,0 +1,1 @@
+"""The laboratory bench: drive and belt, similitude of the prototype, choice of the spring."""

@@ -1,0 +1,48 @@
+"""Values that no source gives: marked in the description, reported wherever they are used."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pydantic import Field
+
+from jounce.core.description import Description
+from jounce.core.findings import Finding
+
+
+def estimated(default: Any, why: str) -> Any:  # noqa: ANN401 - stands for a field of any type
+    """Make a field default that is an estimate; ``why`` says what it rests on."""
+    return Field(default=default, description=f"estimated: {why}", json_schema_extra={"estimated": True})
+
+
+def estimates_used(description: Description, place: str, names: tuple[str, ...] | None = None) -> list[Finding]:
+    """Report the estimated defaults that a result rests on.
+
+    Parameters
+    ----------
+    description : Description
+        What the user gave.
+    place : str
+        Where the finding belongs.
+    names : tuple of str or None
+        Fields that matter for the result; None: all.
+
+    Returns
+    -------
+    list of Finding
+        Empty when the user gave every one of them, else one finding with names and values (SI).
+    """
+    fields = type(description).model_fields
+    left = [
+        f"{name} = {getattr(description, name):g}"
+        for name, field in fields.items()
+        if isinstance(field.json_schema_extra, dict)
+        and field.json_schema_extra.get("estimated")
+        and name not in description.model_fields_set
+        and getattr(description, name) is not None
+        and (names is None or name in names)
+    ]
+    if not left:
+        return []
+    text = f"estimated, because no source gives it: {', '.join(left)} (SI); give your own values."
+    return [Finding(place, "warning", text)]
