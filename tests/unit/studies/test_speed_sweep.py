@@ -61,7 +61,7 @@ def test_contact_does_not_change_its_kind_over_one_obstacle(sweep):
 
 
 @pytest.mark.parametrize("pitch", [0.10, 0.15, 0.20])
-def test_a_train_is_critical_where_a_leap_ends_at_the_foot_of_an_obstacle(pitch):
+def test_a_train_is_critical_where_the_wheel_falls_in_step_with_it(pitch):
     train = jn.Train(of=OBSTACLE, count=5, pitch=pitch)
     sweep = speed_sweep(RIG, train, np.linspace(1.5, 4.0, 251), duration="2 s")
     found = sweep["relative_sensitivity"].sel(channel="unsprung.az", parameter="strut.spring.rate")
@@ -69,6 +69,11 @@ def test_a_train_is_critical_where_a_leap_ends_at_the_foot_of_an_obstacle(pitch)
     assert 0.01 * int((found > 0.5 * found.max()).sum()) < 0.1  # m/s
     critical = float(found.idxmax("speed"))
     assert 14.6 < float(sweep["pass_frequency"].sel(speed=critical)) < 15.5  # the same time between obstacles
+    leap = {  # from the first to the last obstacle, a little faster and a little slower
+        side: jn.simulate(RIG, jn.Trial(road=train, speed=critical + side, duration="0.8 s"))["unsprung.z"]
+        for side in (0.05, -0.05)
+    }
+    assert float(leap[0.05].max()) > 1.35 * float(leap[-0.05].max())
     assert float(sweep["obstacle_frequency"].sel(speed=critical)) == pytest.approx(critical / 0.060)
 
 
