@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from jounce.cli.campaign import campaign_reply
-from jounce.cli.options import AsJson, Force
+from jounce.cli.options import AsJson, Force, output_folder
 from jounce.cli.reply import Reply, progress
 
 
@@ -21,10 +21,8 @@ def demo(
 
     Example: jounce demo --out jounce-demo
     """
-    from jounce.report.folder import check_folder
-
     if out is not None:
-        check_folder(out, force=force)
+        output_folder(out, force=force)
     with progress() as say:
         from jounce.report import write_campaign
         from jounce.studies.demo import run_demo

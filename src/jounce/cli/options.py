@@ -33,7 +33,7 @@ def quantity(text: str, unit: str, option: str) -> float:
     """Read the value of an option into SI; a bare number is SI, as in the files."""
     from jounce.core.units import to_si
 
-    return to_si(_bare_number(text), unit, where=option)
+    return to_si(bare_number(text), unit, where=option)
 
 
 def optional_quantity(text: str | None, unit: str, option: str) -> float | None:
@@ -92,7 +92,15 @@ def files(names: Sequence[str], option: str) -> list[Path]:
     return found
 
 
-def _bare_number(text: str) -> str | float:
+def output_folder(path: Path, *, force: bool) -> None:
+    """Refuse, before the work, a folder that holds something (without ``force``) or a file of that name."""
+    from jounce.report.folder import check_folder
+
+    check_folder(path, force=force)
+
+
+def bare_number(text: str) -> str | float:
+    """Give the number when the text is one, otherwise the text."""
     try:
         return float(text)
     except ValueError:
