@@ -135,7 +135,6 @@ def test_everything_at_once(twin):
     )
 
 
-@pytest.mark.xfail(strict=True, reason="the rest state winds the hysteresis up by 1e-5 (least squares of mixed units)")
 def test_bouc_wen(twin):
     compare(twin, KART.with_changes({"strut.damper": BOUC_WEN}), HALF_SINE.in_time(2.86), allowed=1e-7)
 
@@ -156,12 +155,10 @@ BOUC_WEN = {
 }
 
 
-@pytest.mark.xfail(strict=True, reason="no static equilibrium is found on a power law that starts without slope")
 def test_power_law_tyre(twin):
     compare(twin, KART.with_changes({"tyre.stiffness": None, "tyre.curve": POWER}), HALF_SINE.in_time(1.95))
 
 
-@pytest.mark.xfail(strict=True, reason="the static equilibrium of a power-law spring is wrong without a word")
 def test_power_law_spring(twin):
     rig = KART.with_changes({"strut.spring": {"rate": None, "curve": POWER}})
     compare(twin, rig, HALF_SINE.in_time(1.95))

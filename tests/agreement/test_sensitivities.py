@@ -136,7 +136,6 @@ def test_contact_lost_at_an_edge_of_the_road(changes, road):
     compare(changes, road, ("tyre.stiffness", "unsprung.mass"))
 
 
-@pytest.mark.xfail(strict=True, raises=np.linalg.LinAlgError, reason="the hysteresis has no slope of its own at rest")
 def test_bouc_wen():
     damper = {
         "kind": "bouc-wen",

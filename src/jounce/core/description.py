@@ -141,7 +141,8 @@ def _problem(item: Any, kind: type[BaseModel], where: str, text: str, above: tup
         return f"{start}: the key is missing and has no default"
     if item["type"] == "union_tag_invalid":
         tags = [tag.strip(" '") for tag in item["ctx"]["expected_tags"].split(",")]
-        key, found = item["ctx"]["discriminator"].strip("'"), item["ctx"]["tag"]
+        named = item["ctx"]["discriminator"].strip("'")
+        key, found = "kind" if named.endswith("()") else named, item["ctx"]["tag"]
         return f"{start}: unknown {key} {found!r}; allowed: {', '.join(tags)}. {nearest(found, tags)}".rstrip()
     if item["type"] == "union_tag_not_found":
         return f"{start}: the key {item['ctx']['discriminator']} is missing; it says what this is"

@@ -6,6 +6,7 @@ import math
 import re
 from dataclasses import dataclass
 from functools import cache, lru_cache
+from numbers import Real
 from typing import Annotated, Any
 
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
@@ -96,7 +97,7 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
     DescriptionError
         For a missing or wrong unit, or a value that is not a finite number.
     """
-    if isinstance(value, bool) or not isinstance(value, (int, float, str)):
+    if isinstance(value, bool) or not isinstance(value, (Real, str)):
         raise DescriptionError("not a physical value", where=where, found=value, allowed=f"'<number> <unit of {si}>'")
     if not isinstance(value, str):
         number = float(value)

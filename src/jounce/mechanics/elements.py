@@ -82,13 +82,18 @@ def damper_force(system: System, damper: Damper, path: str, deflection: ca.SX, v
 
 
 def _bouc_wen_state(system: System, path: str, velocity: ca.SX) -> ca.SX:
-    """Normalised hysteretic state with its rate set; ``|z|^n`` by logarithm so that n may be fitted."""
+    """Normalised hysteretic state with its rate set; ``|z|^n`` by logarithm so that n may be fitted.
+
+    The absolute values are switches, so that steps land where the motion or the hysteresis turns over.
+    """
     name = f"{path} z"
     z = system.internal_state(name)
     rate, sigma, exponent = (system.parameter(f"{path}.{key}") for key in ("rate", "sigma", "exponent"))
-    size = ca.fabs(z)
+    forward = 2.0 * system.switch(f"{path} forward", velocity) - 1.0
+    side = 2.0 * system.switch(f"{path} side", z) - 1.0
+    size = side * z
     power = ca.exp(exponent * ca.log(ca.fmax(size, 1e-150)))
-    turning = sigma * ca.fabs(velocity) * power * ca.sign(z)
+    turning = sigma * forward * velocity * power * side
     system.set_internal_rate(name, rate * (velocity - turning + (sigma - 1.0) * velocity * power))
     return z
 

@@ -7,6 +7,12 @@ from dataclasses import dataclass
 import casadi as ca
 
 
+_KINKED = {
+    getattr(ca, f"OP_{name}")
+    for name in ("SIGN", "FABS", "FLOOR", "CEIL", "FMIN", "FMAX", "IF_ELSE_ZERO", "LT", "LE", "EQ", "NE", "COPYSIGN", "FMOD")
+}  # a derivative does not show these
+
+
 @dataclass(frozen=True)
 class Output:
     """One signal a model can give: its channel name, SI unit and label."""
@@ -56,9 +62,11 @@ class Model:
         return (*self.coordinates, *(f"{name} rate" for name in self.coordinates), *self.internal)
 
     def is_linear(self) -> bool:
-        """Tell whether rates and outputs are affine in states and inputs and nothing switches."""
-        if self.switches:
-            return False
+        """Tell whether rates and outputs are affine in states and inputs and nothing switches or jumps."""
         signals = ca.vertcat(self.x, self.u)
+        equations = ca.Function("equations", [signals, self.p, self.m], [ca.vertcat(self.rate, self.output)])
+        operations = {equations.instruction_id(k) for k in range(equations.n_instructions())}
+        if self.switches or operations & _KINKED:
+            return False
         slopes = ca.jacobian(ca.vertcat(self.rate, self.output), signals)
         return not ca.depends_on(slopes, signals)

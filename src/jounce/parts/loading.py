@@ -98,5 +98,5 @@ def changed_text(text: str, rig: Rig, values: dict[str, float]) -> str:
                 here[part] = tomlkit.inline_table()
             here = here[part]
         unit = unit_of(rig, path)
-        here[last] = value if unit == "1" else f"{value!r} {unit}"
+        here[last] = float(value) if unit == "1" else f"{float(value)!r} {unit}"
     return tomlkit.dumps(document)

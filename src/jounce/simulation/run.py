@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 _MAX_STEPS = 5_000_000
+_FINEST, _COARSEST = 1e-13, 1e-1
 _STEP_SHARE = 0.01  # of the tolerance for one step: keeps the global error of the shipped models below it
 
 
@@ -117,8 +118,8 @@ def prepare(
     control = Control(_STEP_SHARE * tolerance, 0.1 * scale, band, _MAX_STEPS)
     start = np.concatenate([x, _rest_sensitivity(compiled, p, rest, height)])
     rows, count = 1 + len(compiled.free), len(times)
-    outputs = np.empty((len(compiled.output_names) * rows, count))
-    out = Samples(times, np.empty((n * rows, count)), np.empty((2, count)), outputs)
+    outputs = np.full((len(compiled.output_names) * rows, count), np.nan)
+    out = Samples(times, np.full((n * rows, count), np.nan), np.empty((2, count)), outputs)
     tracks = flatten([road])
     problem = Problem(compiled.engine, tracks, tracks.first[:-1].copy(), p, modes.copy(), start)
     return Prepared(compiled, problem, control, out, _exact(compiled, problem, times), modes, tolerance)
@@ -189,11 +190,12 @@ def simulate(
     >>> bool(run["tyre.force"].min() == 0.0)   # the tyre lifts off
     True
     """
+    _check_settings(output_step, tolerance)
     compiled = compile_model(build(rig))
     p = compiled.parameter_values(rig.parameters())
     times = output_times(trial.duration, output_step)
     solution = solve(compiled, p, trial.segments(), times, tolerance=tolerance, offset=_offset(compiled, offset))
-    reach = _check(solution) if check else len(times)
+    reach = _samples_reached(solution, check=check)
     channels = {
         output.name: (solution.outputs[i, :reach], output.unit, output.long_name)
         for i, output in enumerate(compiled.model.outputs)
@@ -204,10 +206,22 @@ def simulate(
     return run
 
 
-def _check(solution: Solution) -> int:
-    if solution.status is not Status.COMPLETED:
-        raise SimulationError("the run did not reach its end", found=solution.status.help)
-    return len(solution.time)
+def _check_settings(output_step: float, tolerance: float) -> None:
+    if not (np.isfinite(output_step) and output_step > 0.0):
+        raise SimulationError("not an output step", where="output_step", found=output_step, allowed="above 0 s")
+    if not _FINEST <= tolerance <= _COARSEST:
+        raise SimulationError("not a tolerance", where="tolerance", found=tolerance, allowed=f"{_FINEST:g} to {_COARSEST:g}")
+
+
+def _samples_reached(solution: Solution, *, check: bool) -> int:
+    """Number of samples that were computed; all of them, or an error with ``check``."""
+    if solution.status is Status.COMPLETED:
+        return len(solution.time)
+    reached = int(np.sum(np.isfinite(solution.states[0])))
+    if check:
+        last = f"{solution.time[max(reached - 1, 0)]:.4g} s: {solution.status.help}"
+        raise SimulationError("the run did not reach its end; it stopped after", found=last)
+    return reached
 
 
 def _offset(compiled: Compiled, offset: dict[str, float] | None) -> Array | None:
@@ -249,7 +263,9 @@ def _rest_sensitivity(compiled: Compiled, p: Array, rest: Rest, height: float) -
     """How the equilibrium moves with the free parameters (implicit function theorem), column after column."""
     if not compiled.free:
         return np.zeros(0)
-    u = np.array([height, 0.0])
-    by_parameter = compiled.evaluate("rate_p", rest.x, u, p, rest.modes)
+    by_parameter = compiled.evaluate("rate_p", rest.x, np.array([height, 0.0]), p, rest.modes)
     columns = [compiled.model.parameters.index(path) for path in compiled.free]
-    return np.asarray(np.linalg.solve(rest.slope, -by_parameter[:, columns]).T.ravel())
+    found = np.zeros((len(rest.x), len(columns)))
+    balance = rest.slope[np.ix_(rest.rows, rest.decided)]
+    found[rest.decided] = np.linalg.solve(balance, -by_parameter[np.ix_(rest.rows, columns)])
+    return np.asarray(found.T.ravel())

@@ -104,7 +104,6 @@ def test_a_default_that_was_not_written_is_added():
     assert read(changed).gravity == 9.8
 
 
-@pytest.mark.xfail(strict=True, reason="NumPy's own repr is written: 'np.float64(25000.0) N/m'")
 def test_fitted_values_are_often_numpy_floats():
     changed = changed_text(TEXT, RIG, {"strut.spring.rate": np.float64(25000.0)})
     assert read(changed).strut.spring.rate == 25000.0
