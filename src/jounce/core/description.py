@@ -71,38 +71,45 @@ def read_toml(path: Path | str) -> tuple[dict[str, Any], str]:
         raise DescriptionError(f"not valid TOML: {error}", where=str(file)) from None
 
 
+_NAME = r"(?:[\w-]+|\"[^\"]*\"|'[^']*')"
+_HEADER = re.compile(r"\s*\[(\[?)([^\]]+)\]")
+_KEY = re.compile(rf"\s*({_NAME}(?:\s*\.\s*{_NAME})*)\s*=")
+_LONG_TEXT = re.compile(r"(\"\"\"|''')(?:.|\n)*?\1")
+
+
 def line_of(text: str, path: tuple[str | int, ...]) -> int | None:
-    """Find the line (from 1) on which the value at ``path`` is written; None when it is not found."""
-    keys = [part for part in path if isinstance(part, str)]
-    indices = [part for part in path if isinstance(part, int)]
-    best, best_depth, table, array_seen = None, 0, [], dict[str, int]()
-    for number, line in enumerate(text.splitlines(), 1):
-        header = re.match(r"\s*\[(\[?)([^\]]+)\]", line)
+    """Find the line (from 1) on which the value at ``path``, or the innermost table around it, is written."""
+    best, best_depth, seen = None, 0, dict[tuple[str, ...], int]()
+    table: tuple[str | int, ...] = ()
+    flat = _LONG_TEXT.sub(lambda found: "\n" * found[0].count("\n"), text)
+    for number, line in enumerate(flat.splitlines(), 1):
+        header, key = _HEADER.match(line), _KEY.match(line)
         if header:
-            table = _split_key(header[2])
+            names = _split_key(header[2])
             if header[1]:
-                name = ".".join(table)
-                array_seen[name] = array_seen.get(name, -1) + 1
+                seen[names] = seen.get(names, -1) + 1
+            here = table = _indexed(names, seen)
+        elif key:
+            here = (*table, *_split_key(key[1]))
         else:
-            key = re.match(r"\s*((?:[\w-]+|\"[^\"]*\"|'[^']*')(?:\s*\.\s*(?:[\w-]+|\"[^\"]*\"|'[^']*'))*)\s*=", line)
-            if key is None:
-                continue
-        here = table if header else [*table, *_split_key(key[1])]  # type: ignore[index]
-        array = array_seen.get(table[0]) if table else None
-        if array is not None and indices and keys[:1] == table[:1] and array != indices[0]:
             continue
-        depth = _common_length(here, keys)
-        if depth == len(here) and depth > best_depth:
-            best, best_depth = number, depth
+        if path[: len(here)] == here and len(here) > best_depth:
+            best, best_depth = number, len(here)
     return best
 
 
-def _split_key(text: str) -> list[str]:
-    return [part.strip("\"'") for part in re.findall(r"\"[^\"]*\"|'[^']*'|[\w-]+", text)]
+def _split_key(text: str) -> tuple[str, ...]:
+    return tuple(part.strip("\"'") for part in re.findall(_NAME, text))
 
 
-def _common_length(a: list[str], b: list[str]) -> int:
-    return next((i for i, (x, y) in enumerate(zip(a, b, strict=False)) if x != y), min(len(a), len(b)))
+def _indexed(names: tuple[str, ...], seen: dict[tuple[str, ...], int]) -> tuple[str | int, ...]:
+    """Path of a table with the number of the array entry it belongs to."""
+    path: list[str | int] = []
+    for depth, name in enumerate(names, 1):
+        path.append(name)
+        if names[:depth] in seen:
+            path.append(seen[names[:depth]])
+    return tuple(path)
 
 
 def dotted(path: tuple[str | int, ...]) -> str:

@@ -10,7 +10,7 @@ import tomlkit
 
 from jounce.core.description import read_toml
 from jounce.core.errors import DescriptionError, nearest, unknown
-from jounce.parts.parameters import split_path, unit_of
+from jounce.parts.parameters import split_path, unit_of, unknown_path
 from jounce.parts.rigs import RIGS, Rig
 
 
@@ -88,11 +88,16 @@ def check_schema(table: dict[str, Any], expected: str, where: str) -> None:
 
 
 def changed_text(text: str, rig: Rig, values: dict[str, float]) -> str:
-    """Write new values into the text of a rig file; comments and everything else stay as they were."""
+    """Write new values (SI, by path) into the text of a rig file; comments and everything else stay as they were."""
     document = tomlkit.parse(text)
+    known = rig.parameters()
     for path, value in values.items():
+        if path not in known:
+            raise unknown_path(path, known)
         here: Any = document
         *parents, last = split_path(path)
+        if parents[:2] == ["strut", "bump_stop"] and "bump_stop" in document:
+            del parents[0]  # the file gives the strut's stop at its top level
         for part in parents:
             if isinstance(part, str) and part not in here:
                 here[part] = tomlkit.inline_table()
