@@ -17,6 +17,7 @@ from jounce.cli.reply import FAILED, PIPE_CLOSED, REFUSED, STOPPED, Reply, compl
 from jounce.core.errors import JounceError, OutputError, nearest
 
 EPILOG = 'Values carry their units: --speed "1.95 m/s"; bare numbers are SI. --debug shows the traceback of a crash.'
+_TOO_LARGE = "Ask for fewer samples: a shorter duration, or a larger output step."
 _CLICK_ERROR: type[Exception] = next(kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException")
 
 
@@ -86,6 +87,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return refuse(error, as_json=as_json)
     except OSError as error:
         return refuse(_file_error(error), as_json=as_json)
+    except MemoryError:
+        return refuse(JounceError("this does not fit into the memory", hint=_TOO_LARGE), as_json=as_json)
     except Exception as error:  # noqa: BLE001 - the last resort says how to report it
         return _crashed(error, as_json=as_json, debug=debug)
     return exit_code

@@ -66,9 +66,10 @@ def estimates(title: str, rows: Iterable[tuple[str, Estimate | None, str]]) -> T
 
 
 def show_findings(out: Console, findings: Iterable[Finding]) -> None:
-    """Print what the reader must know, one sentence each."""
+    """Print what the reader must know, one sentence each; what is piped keeps one line for each."""
     from rich.text import Text
 
     for finding in findings:
         line = Text(f"{finding.severity}: ", style=SEVERITY_STYLES[finding.severity])
-        out.print(line.append(f"{finding.place}: {finding.message}", style="default"))
+        line.append(f"{finding.place}: {finding.message}", style="default")
+        out.print(line, soft_wrap=not out.is_terminal)
