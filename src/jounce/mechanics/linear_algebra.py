@@ -11,7 +11,8 @@ def ldl_solve(matrix: ca.SX, rhs: ca.SX) -> ca.SX:
     Structural zeros stay zeros, so a diagonal mass matrix costs one division a row.
     """
     size = matrix.shape[0]
-    lower, diagonal = ca.SX.eye(size), []
+    lower = ca.SX.eye(size)
+    diagonal: list[ca.SX] = []
     for j in range(size):
         diagonal.append(matrix[j, j] - sum((lower[j, k] ** 2 * diagonal[k] for k in range(j)), ca.SX(0)))
         for i in range(j + 1, size):

@@ -108,12 +108,8 @@ class System:
         """Form the equations of motion."""
         q, v = self._symbols()
         acceleration = self._solve(q, v)
-        missing = [name for name, (_, rate) in self._internal.items() if rate is None]
-        if missing:
-            raise AssemblyError("an internal state has no rate", where=missing[0], hint="Call set_internal_rate.")
-        internal = [symbol for symbol, _ in self._internal.values()]
-        x = ca.vertcat(q, v, *internal)
-        rate = ca.vertcat(v, acceleration, *(rate for _, rate in self._internal.values()))
+        x = ca.vertcat(q, v, *(symbol for symbol, _ in self._internal.values()))
+        rate = ca.vertcat(v, acceleration, *self._internal_rates())
         output = ca.substitute(
             ca.vertcat(*self._outputs.values()), ca.vertcat(*self._accelerations.values()), acceleration
         )
@@ -132,6 +128,14 @@ class System:
             output=ca.cse(output),
             switch=ca.vertcat(*(expression for _, expression in self._switches.values())),
         )
+
+    def _internal_rates(self) -> list[ca.SX]:
+        rates = []
+        for name, (_, rate) in self._internal.items():
+            if rate is None:
+                raise AssemblyError("an internal state has no rate", where=name, hint="Call set_internal_rate.")
+            rates.append(rate)
+        return rates
 
     def _symbols(self) -> tuple[ca.SX, ca.SX]:
         if not self._coordinates:

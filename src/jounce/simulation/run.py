@@ -58,7 +58,7 @@ class Solution:
 def output_times(duration: float, output_step: float) -> Array:
     """Times from 0 to ``duration`` (s), both included; the last step may be shorter."""
     count = int(np.floor(duration / output_step + 1e-9))
-    times = np.arange(count + 1) * output_step
+    times = np.arange(count + 1, dtype=np.float64) * np.float64(output_step)
     return times if duration - times[-1] < 1e-9 * duration else np.append(times, duration)
 
 
@@ -266,6 +266,7 @@ def _rest_sensitivity(compiled: Compiled, p: Array, rest: Rest, height: float) -
     by_parameter = compiled.evaluate("rate_p", rest.x, np.array([height, 0.0]), p, rest.modes)
     columns = [compiled.model.parameters.index(path) for path in compiled.free]
     found = np.zeros((len(rest.x), len(columns)))
-    balance = rest.slope[np.ix_(rest.rows, rest.decided)]
-    found[rest.decided] = np.linalg.solve(balance, -by_parameter[np.ix_(rest.rows, columns)])
+    balance: Array = rest.slope[rest.rows][:, rest.decided]
+    shift: Array = -by_parameter[rest.rows][:, columns]
+    found[rest.decided] = np.linalg.solve(balance, shift)
     return np.asarray(found.T.ravel())

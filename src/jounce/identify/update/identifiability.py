@@ -57,7 +57,7 @@ def identifiability(jacobian: Array, names: tuple[str, ...]) -> Identifiability:
     norms = np.linalg.norm(jacobian, axis=0)
     singular = np.linalg.svd(jacobian, compute_uv=False)
     rank = int(np.sum(singular > _WEAK * singular[0])) if singular[0] > 0.0 else 0
-    correlation = correlation_of(np.linalg.pinv(jacobian.T @ jacobian, hermitian=True))
+    correlation = correlation_of(np.asarray(np.linalg.pinv(jacobian.T @ jacobian, hermitian=True), dtype=float))
     findings = [
         Finding(name, "warning", "the data do not react to this parameter; fix it or measure something else", 0.0)
         for name, norm in zip(names, norms, strict=True)
@@ -85,4 +85,4 @@ def correlation_of(covariance: Array) -> Array:
     deviation = np.sqrt(np.maximum(np.diag(covariance), 0.0))
     with np.errstate(divide="ignore", invalid="ignore"):
         correlation = covariance / np.outer(deviation, deviation)
-    return np.nan_to_num(correlation, nan=0.0, posinf=0.0, neginf=0.0)
+    return np.asarray(np.nan_to_num(correlation, nan=0.0, posinf=0.0, neginf=0.0), dtype=float)

@@ -280,7 +280,7 @@ def _weight(weights: str | Mapping[str, float], name: str, measured: Array) -> f
         spread = float(np.std(measured))
         if spread == 0.0:
             raise FitError("the channel is constant and cannot be normalised", where=name, hint="Leave it out.")
-        return 1.0 / (spread * np.sqrt(len(measured)))
+        return float(1.0 / (spread * np.sqrt(len(measured))))
     if isinstance(weights, str):
         raise FitError("unknown weighting", found=weights, allowed="printed, normalised, or {channel: weight}")
     return float(np.sqrt(weights.get(name, 0.0)))

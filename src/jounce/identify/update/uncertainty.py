@@ -38,4 +38,4 @@ def robust_covariance(vector: Array, jacobian: Array, blocks: tuple[slice, ...])
         for lag in range(1, reach + 1):
             cross = scores[lag:].T @ scores[:-lag]
             meat += (1.0 - lag / (reach + 1.0)) * (cross + cross.T)
-    return bread @ meat @ bread * (count / max(count - unknowns, 1))
+    return np.asarray(bread @ meat @ bread * (count / max(count - unknowns, 1)))

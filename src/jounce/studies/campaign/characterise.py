@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
@@ -10,7 +11,7 @@ from typing import Any, Literal
 from jounce.core.errors import JounceError, RecordingError
 from jounce.core.findings import Finding
 from jounce.core.units import to_si
-from jounce.identify.combination import combine_decays
+from jounce.identify.combination import CombinedDecay, combine_decays
 from jounce.identify.decay import DecayResult, fit_decay
 from jounce.identify.force_deflection import ForceDeflectionTrial
 from jounce.identify.stiffness import StiffnessResult, fit_stiffness
@@ -68,7 +69,11 @@ def characterise(rig: Rig, bench: Bench, folder: Path) -> tuple[Characterisation
     """
     found = Characterisation()
     knowledge = Knowledge(rig)
-    steps = [(_spring, "bench.spring", bench.spring), (_tyre, "bench.tyre", bench.tyre), (_decay, "bench.decay", bench.decay)]
+    steps: list[tuple[Callable[..., Knowledge], str, Any]] = [
+        (_spring, "bench.spring", bench.spring),
+        (_tyre, "bench.tyre", bench.tyre),
+        (_decay, "bench.decay", bench.decay),
+    ]
     for step, place, table in steps:
         if not table:
             continue

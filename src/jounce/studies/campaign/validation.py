@@ -62,7 +62,10 @@ def compare_trial(trial: FitTrial, lag: float | None = 0.0) -> tuple[TrialCompar
     if lag is None:
         lag = _lag(readings(trial))
     curves = readings(trial, lag=lag)
-    channels, signals, findings, objective = {}, {}, [], 0.0
+    channels: dict[str, ChannelComparison] = {}
+    signals: dict[str, Signals] = {}
+    findings: list[Finding] = []
+    objective = 0.0
     for name, (time, measured, simulated) in curves.items():
         numbers = compare(measured, simulated, time, place=f"{trial.name}, {name}")
         rating = iso18571(measured, simulated, 1.0 / float(np.median(np.diff(time))), place=name)
