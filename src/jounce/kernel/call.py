@@ -1,15 +1,24 @@
-"""Call native code by address from Numba."""
+"""How the loops are compiled by Numba, and calls from them to native code by address."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from llvmlite import ir
-from numba import types
+from numba import njit, types
 from numba.core import cgutils
 from numba.extending import intrinsic
 
 _POINTER = ir.DoubleType().as_pointer()
+
+
+def compiled(**options: Any) -> Callable[[Callable[..., Any]], Any]:  # noqa: ANN401
+    """Compile a loop that neither makes nor keeps arrays.
+
+    So it needs no reference counts (``_nrt``), which otherwise cost more than the arithmetic between them.
+    """
+    return njit(cache=True, error_model="numpy", _nrt=False, **options)  # type: ignore[no-any-return]
 
 
 def _data(context: Any, builder: Any, signature: Any, arguments: Any, i: int) -> Any:  # noqa: ANN401
@@ -18,11 +27,12 @@ def _data(context: Any, builder: Any, signature: Any, arguments: Any, i: int) ->
 
 @intrinsic  # type: ignore[untyped-decorator]
 def call_native(
-    typing_context: Any, address: Any, x: Any, x_row: Any, u: Any, p: Any, m: Any, out: Any, out_row: Any  # noqa: ANN401, ARG001
+    typing_context: Any, address: Any,  # noqa: ANN401, ARG001
+    x: Any, x_row: Any, u: Any, p: Any, m: Any, out: Any, out_row: Any,  # noqa: ANN401, ARG001
 ) -> Any:  # noqa: ANN401
     """Call ``void f(double* x, double* u, double* p, double* m, double* out)`` at an address.
 
-    ``x`` and ``out`` are C-ordered matrices; the call reads row ``x_row`` of one and writes row ``out_row`` of the other.
+    ``x`` and ``out`` are C-ordered matrices; the call reads row ``x_row`` of one, writes row ``out_row`` of the other.
     """
     signature = types.void(types.int64, x, types.int64, u, p, m, out, types.int64)
 
@@ -36,6 +46,22 @@ def call_native(
 
         between = [_data(context, builder, signature, arguments, i).data for i in (3, 4, 5)]
         builder.call(builder.inttoptr(arguments[0], function), [row(1, 2), *between, row(6, 7)])
+        return cgutils.get_null_value(ir.IntType(8).as_pointer())
+
+    return signature, generate
+
+
+@intrinsic  # type: ignore[untyped-decorator]
+def call_step(
+    typing_context: Any, address: Any, rows: Any, u: Any, p: Any, m: Any, g: Any, h: Any  # noqa: ANN401, ARG001
+) -> Any:  # noqa: ANN401
+    """Call ``void f(double* rows, double* u, double* p, double* m, double* g, double h)`` at an address (``steps``)."""
+    signature = types.void(types.int64, rows, u, p, m, g, types.float64)
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:  # noqa: ANN401
+        function = ir.FunctionType(ir.VoidType(), [_POINTER] * 5 + [ir.DoubleType()]).as_pointer()
+        pointers = [_data(context, builder, signature, arguments, i).data for i in range(1, 6)]
+        builder.call(builder.inttoptr(arguments[0], function), [*pointers, arguments[6]])
         return cgutils.get_null_value(ir.IntType(8).as_pointer())
 
     return signature, generate
@@ -69,9 +95,8 @@ def sine_and_cosine(typing_context: Any, angle: Any) -> Any:  # noqa: ANN401, AR
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:  # noqa: ANN401
         kind = ir.FunctionType(ir.DoubleType(), [ir.DoubleType()])
-        values = [
-            builder.call(cgutils.get_or_insert_function(builder.module, kind, name), arguments) for name in ("sin", "cos")
-        ]
+        functions = [cgutils.get_or_insert_function(builder.module, kind, name) for name in ("sin", "cos")]
+        values = [builder.call(function, arguments) for function in functions]
         return context.make_tuple(builder, signature.return_type, values)
 
     return signature, generate

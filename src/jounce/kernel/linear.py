@@ -11,74 +11,90 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
-from jounce.kernel.call import call_many
-from jounce.kernel.tracks import Tracks, advance, evaluate
+from jounce.kernel.call import call_many, compiled, sine_and_cosine
+from jounce.kernel.explicit import Problem, Samples
+from jounce.kernel.tracks import Tracks, advance
 
 Array = NDArray[np.float64]
 MAX_TRANSITIONS = 256
 
 
 class Plan(NamedTuple):
-    """Times to step to and, for each step, which transition matrix leads there; ``keep`` marks output samples.
+    """Nodes to step along, from the first sample on; at node ``j`` the input is on ``piece[j]`` of its track.
 
-    On piece ``i`` of the input, ``u'' = curvature[i] - stiffness[i] (u - c0)``.
+    Run ``r`` of equal steps leads from node ``run[r]`` to node ``run[r + 1]`` by matrix ``transition[r]``; with
+    ``keep[r]`` every step ends on a sample. There is a matrix for each length of step (s) and, on sines, angular
+    frequency of the input (rad/s).
     """
 
     grid: Array
+    piece: NDArray[np.int64]
+    run: NDArray[np.int64]
     transition: NDArray[np.int64]
     keep: NDArray[np.bool_]
     lengths: Array
     frequencies: Array
-    curvature: Array
-    stiffness: Array
 
 
-@njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
-def _plan(tracks: Any, times: Any, grid: Any, transition: Any, keep: Any, lengths: Any, frequencies: Any) -> tuple[int, int]:  # noqa: ANN401
-    """Fill the plan; give the numbers of steps and of distinct transitions (-1 when there are too many)."""
-    piece = tracks.first[:-1].copy()
+@compiled()
+def _transition(plan: Any, distinct: int, guess: int, length: float, frequency: float) -> int:  # noqa: ANN401
+    """Number of the matrix for a step: the guessed one, another one, a new one; -1 when there is no room for it."""
+    for trial in range(-1, distinct):
+        key = guess if trial < 0 else trial
+        if key < distinct and abs(plan.lengths[key] - length) <= 1e-12 and plan.frequencies[key] == frequency:
+            return key
+    if distinct == len(plan.lengths):
+        return -1
+    plan.lengths[distinct], plan.frequencies[distinct] = length, frequency
+    return distinct
+
+
+@compiled()
+def _plan(tracks: Any, piece: Any, times: Any, plan: Any) -> tuple[int, int, int]:  # noqa: ANN401
+    """Fill the plan; give the numbers of steps, runs and distinct transitions (-1 when there are too many)."""
     slack = 1e-12 * max(1.0, abs(times[-1]))
-    t, sample, step, distinct = times[0], 1, 0, 0
-    while sample < len(times):
+    t, sample, node, runs, distinct, key = times[0], 1, 0, 0, 0, 0
+    while True:
         edge = advance(tracks, piece, t, slack)
-        stop = min(edge, times[sample])
-        keep[step] = times[sample] - stop <= slack
-        stop = times[sample] if keep[step] else stop
         i = piece[0]
+        plan.grid[node], plan.piece[node] = t, i
+        if sample == len(times):
+            plan.run[runs] = node
+            return node, runs, distinct
+        stop = min(edge, times[sample])
+        kept = times[sample] - stop <= slack
+        stop = times[sample] if kept else stop
         frequency = abs(tracks.coefficients[i, 2] * tracks.rate[0]) if tracks.kind[i] == 1 else 0.0
-        key = 0
-        while key < distinct and not (abs(lengths[key] - (stop - t)) <= 1e-12 and frequencies[key] == frequency):
-            key += 1
-        if key == distinct:
-            if distinct == len(lengths):
-                return step, -1
-            lengths[key], frequencies[key] = stop - t, frequency
-            distinct += 1
-        grid[step], transition[step] = stop, key
-        sample += 1 if keep[step] else 0
-        step += 1
+        key = _transition(plan, distinct, key, stop - t, frequency)
+        if key < 0:
+            return node, runs, -1
+        distinct = max(distinct, key + 1)
+        if runs == 0 or plan.transition[runs - 1] != key or plan.keep[runs - 1] != kept:
+            plan.run[runs], plan.transition[runs], plan.keep[runs] = node, key, kept
+            runs += 1
+        sample += 1 if kept else 0
+        node += 1
         t = stop
-    return step, distinct
 
 
 def plan(tracks: Tracks, times: Array) -> Plan | None:
     """Plan an exact run, or None where it does not pay or is not exact (cubic or circular pieces, irregular steps)."""
-    if len(tracks.rate) != 1 or np.any(tracks.kind == 2) or np.any((tracks.kind == 0) & (tracks.coefficients[:, 3] != 0.0)):
+    cubic = (tracks.kind == 0) & (tracks.coefficients[:, 3] != 0.0)
+    if len(tracks.rate) != 1 or np.any(cubic) or np.any(tracks.kind == 2):
         return None
     size = len(times) + len(tracks.start) + 1
-    grid, transition, keep = np.empty(size), np.empty(size, dtype=np.int64), np.zeros(size, dtype=np.bool_)
-    lengths, frequencies = np.empty(MAX_TRANSITIONS), np.empty(MAX_TRANSITIONS)
-    steps, distinct = _plan(tracks, times, grid, transition, keep, lengths, frequencies)
+    full = Plan(
+        np.empty(size), np.empty(size, dtype=np.int64), np.empty(size, dtype=np.int64), np.empty(size, dtype=np.int64),
+        np.empty(size, dtype=np.bool_), np.empty(MAX_TRANSITIONS), np.empty(MAX_TRANSITIONS),
+    )
+    steps, runs, distinct = _plan(tracks, tracks.first[:-1].copy(), times, full)
     if distinct < 0:
         return None
-    bend = tracks.coefficients[:, 2] * tracks.rate[0]
-    curvature = np.where(tracks.kind == 0, 2.0 * bend * tracks.rate[0], 0.0)
-    stiffness = np.where(tracks.kind == 1, bend**2, 0.0)
     return Plan(
-        grid[:steps], transition[:steps], keep[:steps], lengths[:distinct], frequencies[:distinct], curvature, stiffness
+        full.grid[: steps + 1], full.piece[: steps + 1], full.run[: runs + 1], full.transition[:runs], full.keep[:runs],
+        full.lengths[:distinct], full.frequencies[:distinct],
     )
 
 
@@ -97,8 +113,6 @@ def transitions(plan: Plan, slope: Array, offset: Array, input_slope: Array) -> 
     ndarray, shape (k, n, n + 4)
         One matrix for each distinct step.
     """
-    from scipy.linalg import expm
-
     n = len(offset)
     joined = np.zeros((len(plan.lengths), n + 4, n + 4))
     joined[:, :n, :n] = slope
@@ -106,96 +120,140 @@ def transitions(plan: Plan, slope: Array, offset: Array, input_slope: Array) -> 
     joined[:, :n, n + 1 : n + 3] = input_slope
     joined[:, n + 1, n + 2] = joined[:, n + 2, n + 3] = 1.0
     joined[:, n + 3, n + 2] = -(plan.frequencies**2)
-    return np.ascontiguousarray(expm(joined * plan.lengths[:, None, None])[:, :n, :])
+    return np.ascontiguousarray(_exponentials(joined * plan.lengths[:, None, None])[:, :n, :])
 
 
-_BLOCK = 1024
+def _exponentials(matrices: Array) -> Array:
+    """Matrix exponentials by Taylor's series and doubling.
+
+    ``scipy.linalg.expm`` takes milliseconds for one matrix where BLAS threads compete for the cores. Without the unit
+    matrix in them (``e^2a - 1 = 2 (e^a - 1) + (e^a - 1)^2``) small elements keep their digits in the doubling.
+    """
+    norm = float(np.max(np.sum(np.abs(matrices), axis=1), initial=0.0))
+    doublings = max(0, math.ceil(math.log2(norm / 0.5))) if 0.0 < norm < np.inf else 0
+    small, unit = matrices / 2.0**doublings, np.eye(matrices.shape[-1])
+    series = unit
+    for j in range(14, 1, -1):  # 0.5^15 / 15! is below rounding
+        series = unit + small @ series / j
+    grown = small @ series
+    for _ in range(doublings):
+        grown = 2.0 * grown + grown @ grown
+    return np.asarray(grown + unit)
 
 
-@njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
-def _signals(problem: Any, plan: Any, start: float, first: int, last: int, slack: float, signal: Any) -> None:  # noqa: ANN401
-    """Input, its rate and its second rate at the start of each step of a block (and after the last one)."""
-    tracks, piece, u = problem.tracks, problem.piece, np.zeros((2, 1))
-    grid, curvature, stiffness, coefficients = plan.grid, plan.curvature, plan.stiffness, tracks.coefficients
-    for step in range(first, last + 1):
-        t = start if step == 0 else grid[step - 1]
-        advance(tracks, piece, t, slack)
-        evaluate(tracks, piece, t, u, 0)
-        i, at = piece[0], step - first
-        signal[0, at], signal[1, at] = u[0, 0], u[1, 0]
-        signal[2, at] = curvature[i] - stiffness[i] * (u[0, 0] - coefficients[i, 0])
+_BLOCK = 512
+"""Steps in a block: its scratch arrays stay in the first-level cache."""
 
 
-@njit(cache=True, error_model="numpy", fastmath={"contract"})  # type: ignore[untyped-decorator]
-def _drive(matrix: Any, signal: Any, first: int, last: int, drive: Any) -> None:  # noqa: ANN401
-    """What the input adds to each state over the steps ``first`` to ``last`` of a block."""
+@compiled()
+def _signals(tracks: Any, plan: Any, first: int, last: int, signal: Any) -> None:  # noqa: ANN401
+    """Input, its rate and its second rate at the nodes ``first`` to ``last`` of a block."""
+    rate, start, kind, coefficients = tracks.rate[0], tracks.start, tracks.kind, tracks.coefficients
+    grid, piece = plan.grid, plan.piece
+    for at in range(last - first):
+        i = piece[first + at]
+        s = rate * (grid[first + at] - start[i])
+        c0, c1, c2 = coefficients[i, 0], coefficients[i, 1], coefficients[i, 2]
+        if kind[i] == 0:
+            signal[0, at] = c0 + s * (c1 + s * c2)
+            signal[1, at] = rate * (c1 + 2.0 * c2 * s)
+            signal[2, at] = 2.0 * c2 * rate * rate
+        else:
+            sine, cosine = sine_and_cosine(c2 * s + coefficients[i, 3])
+            signal[0, at] = c0 + c1 * sine
+            signal[1, at] = rate * c1 * c2 * cosine
+            signal[2, at] = -((rate * c2) ** 2) * c1 * sine
+
+
+@compiled(fastmath={"contract"})
+def _drive(matrix: Any, signal: Any, count: int, drive: Any) -> None:  # noqa: ANN401
+    """What the input adds to each state over each of ``count`` steps."""
     n = drive.shape[0]
     for d in range(n):
         c, c0, c1, c2 = matrix[d, n], matrix[d, n + 1], matrix[d, n + 2], matrix[d, n + 3]
-        for k in range(first, last):
+        for k in range(count):
             drive[d, k] = c + c0 * signal[0, k] + c1 * signal[1, k] + c2 * signal[2, k]
 
 
-@njit(cache=True, error_model="numpy", fastmath={"contract"})  # type: ignore[untyped-decorator]
-def _march(matrix: Any, drive: Any, first: int, last: int, x: Any) -> None:  # noqa: ANN401
-    """States after each step: ``x[:, k + 1] = matrix x[:, k] + drive[:, k]``."""
+@compiled(fastmath={"contract"})
+def _march(matrix: Any, drive: Any, count: int, x: Any, to: Any) -> None:  # noqa: ANN401
+    """Columns of ``to``: the state after each step, ``x <- matrix x + drive[:, k]``."""
     n = drive.shape[0]
     if n == 4:
-        _march_four(matrix, drive, first, last, x)
+        _march_four(matrix, drive, count, x, to)
         return
-    for k in range(first, last):
+    for k in range(count):
         for d in range(n):
             total = drive[d, k]
             for j in range(n):
-                total += matrix[d, j] * x[j, k]
-            x[d, k + 1] = total
+                total += matrix[d, j] * x[j]
+            to[d, k] = total
+        for d in range(n):
+            x[d] = to[d, k]
 
 
-@njit(cache=True, error_model="numpy", fastmath={"contract"})  # type: ignore[untyped-decorator]
-def _march_four(matrix: Any, drive: Any, first: int, last: int, x: Any) -> None:  # noqa: ANN401
+@compiled(fastmath={"contract"})
+def _march_four(matrix: Any, drive: Any, count: int, x: Any, to: Any) -> None:  # noqa: ANN401
     """Four states, as quarter and half cars have, stay in registers."""
     a00, a01, a02, a03 = matrix[0, 0], matrix[0, 1], matrix[0, 2], matrix[0, 3]
     a10, a11, a12, a13 = matrix[1, 0], matrix[1, 1], matrix[1, 2], matrix[1, 3]
     a20, a21, a22, a23 = matrix[2, 0], matrix[2, 1], matrix[2, 2], matrix[2, 3]
     a30, a31, a32, a33 = matrix[3, 0], matrix[3, 1], matrix[3, 2], matrix[3, 3]
-    x0, x1, x2, x3 = x[0, first], x[1, first], x[2, first], x[3, first]
-    for k in range(first, last):
+    x0, x1, x2, x3 = x[0], x[1], x[2], x[3]
+    for k in range(count):
         y0 = (drive[0, k] + a00 * x0 + a01 * x1) + (a02 * x2 + a03 * x3)
         y1 = (drive[1, k] + a10 * x0 + a11 * x1) + (a12 * x2 + a13 * x3)
         y2 = (drive[2, k] + a20 * x0 + a21 * x1) + (a22 * x2 + a23 * x3)
         x3 = (drive[3, k] + a30 * x0 + a31 * x1) + (a32 * x2 + a33 * x3)
         x0, x1, x2 = y0, y1, y2
-        x[0, k + 1], x[1, k + 1], x[2, k + 1], x[3, k + 1] = x0, x1, x2, x3
+        to[0, k], to[1, k], to[2, k], to[3, k] = x0, x1, x2, x3
+    x[0], x[1], x[2], x[3] = x0, x1, x2, x3
 
 
-@njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
-def propagate(problem: Any, plan: Any, matrices: Any, out: Any) -> int:  # noqa: ANN401
+@compiled()
+def _copy(source: Any, to: Any) -> None:  # noqa: ANN401
+    """Fill ``to`` with the first columns of as many rows of ``source``."""
+    for d in range(to.shape[0]):
+        for k in range(to.shape[1]):
+            to[d, k] = source[d, k]
+
+
+def propagate(problem: Problem, plan: Plan, matrices: Array, out: Samples) -> int:
     """Fill the arrays at every sample, block by block; give a status code (0 completed, 1 not finite)."""
-    states, inputs, times, keep, transition = out.states, out.inputs, out.times, plan.keep, plan.transition
-    n, steps = states.shape[0], len(plan.grid)
-    slack = 1e-12 * max(1.0, abs(times[-1]))
-    signal, drive, x = np.zeros((3, _BLOCK + 1)), np.zeros((n, _BLOCK)), np.zeros((n, _BLOCK + 1))
-    x[:, 0] = problem.x0
-    sample = 0
-    for first in range(0, max(steps, 1), _BLOCK):
-        last = min(first + _BLOCK, steps)
-        _signals(problem, plan, times[0], first, last, slack, signal)
-        run = first
-        while run < last:
-            which, begin = transition[run], run
-            while run < last and transition[run] == which:
-                run += 1
-            _drive(matrices[which], signal, begin - first, run - first, drive)
-            _march(matrices[which], drive, begin - first, run - first, x)
-        begin = sample
-        for step in range(first, last + 1 if last == steps else last):
-            if step == 0 or keep[step - 1]:
-                for d in range(n):
-                    states[d, sample] = x[d, step - first]
-                inputs[0, sample], inputs[1, sample] = signal[0, step - first], signal[1, step - first]
-                sample += 1
-        call_many(
-            problem.engine.output, out.states, out.inputs, problem.p, problem.m, out.outputs, begin, sample - begin
-        )
-        x[:, 0] = x[:, last - first]
-    return 0 if math.isfinite(x[:, 0].sum()) else 1
+    x = problem.x0.copy()
+    signal, drive, passed = np.empty((3, _BLOCK + 1)), np.empty((len(x), _BLOCK)), np.empty((len(x), _BLOCK))
+    _propagate(problem, plan, matrices, signal, drive, passed, x, out)
+    return 0 if np.all(np.isfinite(x)) else 1
+
+
+@compiled()
+def _propagate(
+    problem: Any, plan: Any, matrices: Any, signal: Any, drive: Any, passed: Any, x: Any, out: Any  # noqa: ANN401
+) -> None:
+    _signals(problem.tracks, plan, 0, 1, signal)
+    _copy(signal, out.inputs[:, :1])
+    for d in range(len(x)):
+        out.states[d, 0] = x[d]
+    sample, written = 1, 0
+    for r in range(len(plan.transition)):
+        matrix = matrices[plan.transition[r]]
+        for first in range(plan.run[r], plan.run[r + 1], _BLOCK):
+            count = min(_BLOCK, plan.run[r + 1] - first)
+            _signals(problem.tracks, plan, first, first + count + 1, signal)
+            _drive(matrix, signal, count, drive)
+            if not plan.keep[r]:
+                _march(matrix, drive, count, x, passed[:, :count])
+            else:
+                _march(matrix, drive, count, x, out.states[:, sample : sample + count])
+                _copy(signal[:, 1:], out.inputs[:, sample : sample + count])
+                sample += count
+            if sample - written >= _BLOCK:
+                _outputs(problem, out, written, sample)
+                written = sample
+    _outputs(problem, out, written, sample)
+
+
+@compiled()
+def _outputs(problem: Any, out: Any, first: int, last: int) -> None:  # noqa: ANN401
+    """Outputs at the samples ``first`` to ``last``."""
+    call_many(problem.engine.output, out.states, out.inputs, problem.p, problem.m, out.outputs, first, last - first)

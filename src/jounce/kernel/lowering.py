@@ -51,7 +51,7 @@ class Lowering:
 
     def add(self, name: str, function: ca.Function) -> None:
         """Append ``void name(double* x, double* u, double* p, double* m, double* out)``; arrays must not overlap."""
-        native = self._declare(name, [_DOUBLE.as_pointer()] * 5)
+        native = self.declare(name, [_DOUBLE.as_pointer()] * 5)
         builder = ir.IRBuilder(native.append_basic_block())
         self._body(
             builder, function,
@@ -60,13 +60,17 @@ class Lowering:
         )
         builder.ret_void()
 
-    def add_many(self, name: str, function: ca.Function) -> None:
+    def add_many(self, name: str, function: ca.Function, *, internal: bool = False) -> None:
         """Append ``void name(x, u, p, m, out, int64 total, int64 first, int64 count)`` for ``count`` samples.
 
         ``x``, ``u`` and ``out`` hold one row of ``total`` samples for each element, so that LLVM can vectorise the
-        loop over the samples; ``p`` and ``m`` are the same for all of them.
+        loop over the samples; ``p`` and ``m`` are the same for all of them. An internal function is inlined where it
+        is called.
         """
-        native = self._declare(name, [_DOUBLE.as_pointer()] * 5 + [_INDEX] * 3)
+        native = self.declare(name, [_DOUBLE.as_pointer()] * 5 + [_INDEX] * 3)
+        if internal:
+            native.linkage = "internal"
+            native.attributes.add("alwaysinline")
         total, first, count = native.args[5:]
         entry, loop, leave = (native.append_basic_block(part) for part in ("entry", "loop", "leave"))
         builder = ir.IRBuilder(entry)
@@ -90,7 +94,8 @@ class Lowering:
         builder.cbranch(builder.icmp_signed("<", following, end), loop, leave)
         ir.IRBuilder(leave).ret_void()
 
-    def _declare(self, name: str, arguments: list[Any]) -> ir.Function:
+    def declare(self, name: str, arguments: list[Any]) -> ir.Function:
+        """Append an empty function; its pointers must not overlap."""
         native = ir.Function(self.module, ir.FunctionType(ir.VoidType(), arguments), name)
         for argument in native.args[:5]:
             argument.attributes.add("noalias")

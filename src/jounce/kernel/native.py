@@ -18,8 +18,9 @@ from llvmlite import binding as llvm
 from numpy.typing import NDArray
 
 from jounce.kernel.lowering import Lowering
+from jounce.kernel.steps import STEP_NAMES, Step, add_step_functions
 
-_FORMAT = "jounce-kernel-3"
+_FORMAT = "jounce-kernel-4"
 MANY = ("output", "output_s")
 _PROTOTYPE = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5, *[ctypes.c_int64] * 3)
 
@@ -44,26 +45,28 @@ class Native:
         return out
 
 
-def compile_functions(functions: dict[str, ca.Function]) -> Native:
+def compile_functions(functions: dict[str, ca.Function], step: Step | None = None) -> Native:
     """Compile SX functions for this processor, or load them from the cache.
 
     Parameters
     ----------
     functions : dict
         Name to CasADi function; all inputs and outputs dense.
+    step : Step, optional
+        Adds the functions of an integration step (``STEP_NAMES``) around the rate and switching functions.
 
     Returns
     -------
     Native
         Machine code with one address for each name.
     """
-    key = _key(functions)
-    names = tuple(functions)
+    key = _key(functions, step)
+    names = (*functions, *(STEP_NAMES if step else ()))
     cached = _read(key)
     if cached is not None:
         with contextlib.suppress(Exception):  # whatever is wrong with it: rebuild
             return Native(cached, names)
-    code = _emit(functions)
+    code = _emit(functions, step)
     _write(key, code)
     return Native(code, names)
 
@@ -77,18 +80,20 @@ def cache_folder() -> Path:
     return (Path(shared) if shared else Path.home() / ".cache") / "jounce"
 
 
-def _key(functions: dict[str, ca.Function]) -> str:
+def _key(functions: dict[str, ca.Function], step: Step | None) -> str:
     target = f"{llvm.get_host_cpu_name()} {llvm.get_host_cpu_features().flatten()} {llvm.llvm_version_info}"
-    digest = hashlib.sha256(f"{_FORMAT} {llvmlite.__version__} {target}".encode())
+    digest = hashlib.sha256(f"{_FORMAT} {llvmlite.__version__} {target} {step}".encode())
     for name, function in functions.items():
         digest.update(f"\n{name}\n{function.serialize()}".encode())
     return digest.hexdigest()
 
 
-def _emit(functions: dict[str, ca.Function]) -> bytes:
+def _emit(functions: dict[str, ca.Function], step: Step | None = None) -> bytes:
     lowering = Lowering()
     for name, function in functions.items():
         (lowering.add_many if name in MANY else lowering.add)(name, function)
+    if step:
+        add_step_functions(lowering, step)
     module = llvm.parse_assembly(str(lowering.module))
     module.verify()
     tuning = llvm.create_pipeline_tuning_options(speed_level=3)

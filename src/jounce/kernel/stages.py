@@ -1,50 +1,54 @@
-"""The arithmetic of a Runge-Kutta step as expression graphs, so that it becomes straight native code like the model.
-
-All functions have the kernel's four inputs and one output. ``k`` holds the rates of the 16 stages, one after another.
-"""
+"""The arithmetic of a Runge-Kutta step as expression graphs of one state; native code runs them over all states."""
 
 from __future__ import annotations
 
+from functools import cache
+
 import casadi as ca
 
-from jounce.kernel.dop853 import DENSE_STAGES, STAGES, A, D, E3, E5
+from jounce.kernel.dop853 import DENSE_STAGES, E3, E5, STAGES, A, D
+from jounce.kernel.layout import RATES, ROWS
 
-STAGE_NAMES = tuple(f"stage{i}" for i in range(DENSE_STAGES))
 
-
-def step_functions(size: int, controlled: int) -> dict[str, ca.Function]:
-    """Functions of one step for ``size`` states, of which the first ``controlled`` steer the step size.
+@cache
+def element_functions() -> dict[str, ca.Function]:
+    """Functions of one step for one state, whose rates at the 16 stages are ``k``.
 
     - ``stage<i>(x, k, h, -)``: where stage ``i`` evaluates the rates; ``stage12`` is the end of the step;
-    - ``dense(x, k, h, end)``: the seven rows of the interpolant;
-    - ``error(x, k, (h, tolerance), widest)``: squared fifth- and third-order errors relative to what is allowed.
+    - ``interpolant((x, end), k, h, -)``: the seven coefficients of the interpolant;
+    - ``point(x, coefficients, theta, -)``: value at a fraction of the step.
     """
-    x, end = ca.SX.sym("x", size), ca.SX.sym("end", size)
-    k, h, tolerance = ca.SX.sym("k", size, DENSE_STAGES), ca.SX.sym("h"), ca.SX.sym("tolerance")
-    none = ca.SX.sym("none", 0)
-    rates = ca.vec(k)
-    functions = {
-        name: ca.Function(name, [x, rates, h, none], [x + h * _sum(A[i], k)]) for i, name in enumerate(STAGE_NAMES)
-    }
+    x, end, h, theta, none = (ca.SX.sym(name) for name in ("x", "end", "h", "theta", "none"))
+    k, c = ca.SX.sym("k", DENSE_STAGES), ca.SX.sym("c", 7)
+    stages = {f"stage{i}": [x + h * _sum(A[i], k)] for i in range(1, DENSE_STAGES)}
+    functions = {name: ca.Function(name, [x, k, h, none], value) for name, value in stages.items()}
     change = end - x
-    rows = [
-        change,
-        h * k[:, 0] - change,
-        2.0 * change - h * (k[:, STAGES] + k[:, 0]),
-        *(h * _sum(D[i], k) for i in range(4)),
-    ]
-    functions["dense"] = ca.Function("dense", [x, rates, h, end], [ca.vertcat(*rows)])
-    widest = ca.SX.sym("widest", controlled)
-    bound = tolerance * widest + 1e-15 * ca.fabs(x[:controlled])
-    errors = [ca.sumsqr(_sum(weights, k)[:controlled] / bound) for weights in (E5, E3)]
-    functions["error"] = ca.Function("error", [x, rates, ca.vertcat(h, tolerance), widest], [ca.vertcat(*errors)])
+    rows = [change, h * k[0] - change, 2.0 * change - h * (k[STAGES] + k[0]), *(h * _sum(D[i], k) for i in range(4))]
+    functions["interpolant"] = ca.Function("interpolant", [ca.vertcat(x, end), k, h, none], [ca.vertcat(*rows)])
+    y = c[6] * theta
+    for j in range(5, 0, -1):
+        y = (y + c[j]) * (theta if j % 2 == 0 else 1.0 - theta)
+    functions["point"] = ca.Function("point", [x, c, theta, none], [x + (y + c[0]) * theta])
     return functions
 
 
-def _sum(weights: object, k: ca.SX) -> ca.SX:
+def error_function(size: int, controlled: int) -> ca.Function:
+    """Squared fifth- and third-order errors of the first ``controlled`` states, relative to what is allowed.
+
+    The inputs are the work matrix (see ``layout``), nothing, (step, tolerance) and the widest motion so far.
+    """
+    rows, none = ca.SX.sym("rows", size, ROWS), ca.SX.sym("none")
+    h, tolerance, widest = ca.SX.sym("h"), ca.SX.sym("tolerance"), ca.SX.sym("widest", controlled)
+    bound = tolerance * widest + 1e-15 * ca.fabs(rows[:controlled, 0])
+    rates = [rows[:controlled, RATES + j] for j in range(DENSE_STAGES)]
+    errors = [ca.sumsqr(_sum(weights, rates) / bound) for weights in (E5, E3)]
+    return ca.Function("error", [ca.vec(rows), none, ca.vertcat(h, tolerance), widest], [ca.vertcat(*errors)])
+
+
+def _sum(weights: object, k: object) -> ca.SX:
     """Weighted sum of the stages' rates; zero weights cost nothing."""
-    total = ca.SX.zeros(k.shape[0], 1)
+    total = ca.SX(0.0)
     for j, weight in enumerate(weights):  # type: ignore[arg-type, var-annotated]
         if weight != 0.0:
-            total += float(weight) * k[:, j]
+            total += float(weight) * k[j]  # type: ignore[index]
     return total

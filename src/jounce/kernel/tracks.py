@@ -6,11 +6,10 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
 from jounce.core.segments import Segments
-from jounce.kernel.call import sine_and_cosine
+from jounce.kernel.call import compiled, sine_and_cosine
 
 Array = NDArray[np.float64]
 
@@ -39,7 +38,7 @@ def flatten(signals: list[Segments]) -> Tracks:
     )
 
 
-@njit(cache=True, error_model="numpy")  # type: ignore[untyped-decorator]
+@compiled()
 def advance(tracks: Any, piece: Any, t: float, slack: float) -> float:  # noqa: ANN401
     """Move ``piece`` to the pieces that hold just after ``t``; give the next edge of any track."""
     edge = np.inf
@@ -52,23 +51,26 @@ def advance(tracks: Any, piece: Any, t: float, slack: float) -> float:  # noqa: 
     return edge
 
 
-@njit(cache=True, error_model="numpy", inline="always")  # type: ignore[untyped-decorator]
-def evaluate(tracks: Any, piece: Any, t: float, u: Any, column: int) -> None:  # noqa: ANN401
-    """Fill one column of ``u`` with (value, time derivative) of every track at ``t``, on the pieces given."""
+@compiled()
+def fill(tracks: Any, piece: Any, times: Any, first: int, last: int, u: Any) -> None:  # noqa: ANN401
+    """Fill columns ``first`` to ``last`` of ``u`` with (value, time derivative) of every track, on the pieces given."""
+    start, kind, coefficients, rates = tracks.start, tracks.kind, tracks.coefficients, tracks.rate
     for k in range(len(piece)):
-        i = piece[k]
-        rate = tracks.rate[k]
-        s = rate * (t - tracks.start[i])
-        c0, c1 = tracks.coefficients[i, 0], tracks.coefficients[i, 1]
-        c2, c3 = tracks.coefficients[i, 2], tracks.coefficients[i, 3]
-        if tracks.kind[i] == 0:
-            u[2 * k, column] = c0 + s * (c1 + s * (c2 + s * c3))
-            u[2 * k + 1, column] = rate * (c1 + s * (2.0 * c2 + 3.0 * s * c3))
-        elif tracks.kind[i] == 1:
-            sine, cosine = sine_and_cosine(c2 * s + c3)
-            u[2 * k, column] = c0 + c1 * sine
-            u[2 * k + 1, column] = rate * c1 * c2 * cosine
+        i, rate, value, slope = piece[k], rates[k], 2 * k, 2 * k + 1
+        c0, c1, c2, c3 = coefficients[i, 0], coefficients[i, 1], coefficients[i, 2], coefficients[i, 3]
+        if kind[i] == 0:
+            for j in range(first, last):
+                s = rate * (times[j] - start[i])
+                u[value, j] = c0 + s * (c1 + s * (c2 + s * c3))
+                u[slope, j] = rate * (c1 + s * (2.0 * c2 + 3.0 * s * c3))
+        elif kind[i] == 1:
+            for j in range(first, last):
+                sine, cosine = sine_and_cosine(c2 * (rate * (times[j] - start[i])) + c3)
+                u[value, j] = c0 + c1 * sine
+                u[slope, j] = rate * c1 * c2 * cosine
         else:
-            root = math.sqrt(max(c1 * c1 - (s - c2) * (s - c2), 0.0))
-            u[2 * k, column] = c0 + c3 * root
-            u[2 * k + 1, column] = -rate * c3 * (s - c2) / root if root > 0.0 else 0.0
+            for j in range(first, last):
+                s = rate * (times[j] - start[i]) - c2
+                root = math.sqrt(max(c1 * c1 - s * s, 0.0))
+                u[value, j] = c0 + c3 * root
+                u[slope, j] = -rate * c3 * s / root if root > 0.0 else 0.0

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from jounce.core.errors import SimulationError
 from jounce.kernel.explicit import Engine
 from jounce.kernel.native import Native, compile_functions
-from jounce.kernel.stages import STAGE_NAMES, step_functions
+from jounce.kernel.steps import STEP_NAMES, Step
 from jounce.mechanics import Model
 
 Array = NDArray[np.float64]
@@ -44,10 +44,9 @@ class Compiled:
     def engine(self) -> Engine:
         """Addresses of the native functions, with sensitivities where there are free parameters."""
         address, suffix = self.native.address, "_s" if self.free else ""
-        stages = np.array([address[name] for name in STAGE_NAMES])
         return Engine(
-            address[f"rate{suffix}"], address[f"output{suffix}"], address["switch"], address.get("switch_slope", 0),
-            stages, address["dense"], address["error"],
+            address[f"rate{suffix}"], address[f"output{suffix}"], address.get("switch_slope", 0),
+            *(address[name] for name in STEP_NAMES),
         )
 
     @cached_property
@@ -93,9 +92,11 @@ def compile_model(model: Model, free: tuple[str, ...] = ()) -> Compiled:
             **_plain(model),
             **_statics(model),
             **(_sensitive(model, free) if free else {}),
-            **step_functions(states * (1 + len(free)), states),
         }
-        _compiled[key] = Compiled(model, free, functions, compile_functions(functions))
+        step = Step(
+            "rate_s" if free else "rate", states * (1 + len(free)), states, model.u.shape[0], model.switch.shape[0]
+        )
+        _compiled[key] = Compiled(model, free, functions, compile_functions(functions, step))
     return _compiled[key]
 
 
@@ -118,7 +119,7 @@ def _statics(model: Model) -> dict[str, ca.Function]:
 
 
 def _sensitive(model: Model, free: tuple[str, ...]) -> dict[str, ca.Function]:
-    """Rates, outputs and switch slopes of the state with its sensitivities ``S = dx/dp`` behind it, column by column."""
+    """Rates, outputs, switch slopes of the state with its sensitivities ``S = dx/dp`` behind it, column by column."""
     n, count = model.x.shape[0], len(free)
     symbols = ca.vertcat(*(model.p[model.parameters.index(path)] for path in free))
     sensitivity = ca.SX.sym("S", n, count)
@@ -126,7 +127,8 @@ def _sensitive(model: Model, free: tuple[str, ...]) -> dict[str, ca.Function]:
 
     def total(expression: ca.SX) -> ca.SX:
         columns = [
-            ca.jtimes(expression, model.x, sensitivity[:, c]) + ca.jacobian(expression, symbols[c]) for c in range(count)
+            ca.jtimes(expression, model.x, sensitivity[:, c]) + ca.jacobian(expression, symbols[c])
+            for c in range(count)
         ]
         return ca.vertcat(expression, *columns)
 
