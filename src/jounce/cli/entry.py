@@ -11,9 +11,9 @@ from typing import Any
 
 import typer
 
-from jounce.cli import bench, campaign, check, demo, fit, library, modes, plot, simulate
+from jounce.cli import bench, campaign, check, demo, fit, library, modes, plot, simulate, study
 from jounce.cli.options import AsJson
-from jounce.cli.reply import FAILED, PIPE_CLOSED, REFUSED, STOPPED, Reply, complain, refuse
+from jounce.cli.reply import FAILED, PIPE_CLOSED, REFUSED, STOPPED, Reply, complain, refuse, replace_unknown_characters
 from jounce.core.errors import JounceError, OutputError, nearest
 
 EPILOG = 'Values carry their units: --speed "1.95 m/s"; bare numbers are SI. --debug shows the traceback of a crash.'
@@ -40,6 +40,7 @@ def application() -> typer.Typer:
     app.command("library")(library.library)
     app.add_typer(fit.app, name="fit")
     app.add_typer(bench.app, name="bench")
+    app.add_typer(study.app, name="study")
     app.command("version")(version)
     return app
 
@@ -69,6 +70,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     int
         Exit code: 0 done, 1 something failed, 2 the request is wrong, 130 interrupted.
     """
+    replace_unknown_characters()
     words = list(sys.argv[1:] if arguments is None else arguments)
     debug = "--debug" in words
     words = [word for word in words if word != "--debug"]
