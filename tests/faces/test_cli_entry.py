@@ -145,6 +145,17 @@ def test_interrupted_run_leaves_nothing(cli, bump: Path, tmp_path: Path, monkeyp
     assert [file.name for file in tmp_path.iterdir()] == ["bump.toml"]
 
 
+@pytest.mark.parametrize("words", [("fit", "decay", "--channel", "sprung.z", "--mass", "16 kg"), ("modes", "ä.toml")])
+def test_terminal_without_unicode(words: tuple[str, ...], decay_file: Path) -> None:
+    given = [*words, decay_file] if words[0] == "fit" else [*words, "--json"]
+    environment = {**os.environ, "PYTHONIOENCODING": "ascii"}
+    done = subprocess.run([SCRIPT, *given], capture_output=True, check=False, env=environment)
+    assert done.returncode == (0 if words[0] == "fit" else 2)
+    assert b"Traceback" not in done.stderr
+    if words[0] == "modes":
+        assert json.loads(done.stdout)["error"]["where"] == "ä.toml"
+
+
 def test_reader_that_goes_away_is_no_error() -> None:
     read, write = os.pipe()
     os.close(read)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import io
+import json
+import os
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TextIO
 
 from jounce.core.errors import JounceError
 
@@ -59,15 +62,29 @@ def console(*, stderr: bool = False) -> Console:
             raise BrokenPipeError
 
     stream = sys.stderr if stderr else sys.stdout
-    width = None if stream.isatty() else PIPED_WIDTH
+    width = None if stream.isatty() or "COLUMNS" in os.environ else PIPED_WIDTH
     return HonestConsole(stderr=stderr, markup=False, highlight=False, emoji=False, width=width)
 
 
 def print_json(plain: Mapping[str, Any]) -> None:
-    """Print one strict JSON object to stdout."""
+    """Print one strict JSON object to stdout; characters that the terminal cannot show are escaped."""
     from jounce.core.serialise import to_json
 
-    sys.stdout.write(to_json(plain) + "\n")
+    text = to_json(plain)
+    if not _is_unicode(sys.stdout):
+        text = json.dumps(json.loads(text), indent=2)
+    sys.stdout.write(f"{text}\n")
+
+
+def replace_unknown_characters() -> None:
+    """Make streams that are not Unicode show a question mark instead of failing."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper) and not _is_unicode(stream):
+            stream.reconfigure(errors="replace")
+
+
+def _is_unicode(stream: TextIO) -> bool:
+    return (stream.encoding or "utf").lower().startswith("utf")
 
 
 def refuse(error: JounceError, *, as_json: bool) -> int:
