@@ -31,6 +31,7 @@ COMMANDS = [
     ("bench", "drive"),
     ("bench", "scale"),
     ("bench", "springs"),
+    ("study", "proving-ground"),
     ("version",),
 ]
 SCRIPT = Path(sys.executable).with_name("jounce")
