@@ -13,12 +13,18 @@ from numba.extending import intrinsic
 _POINTER = ir.DoubleType().as_pointer()
 
 
-def compiled(**options: Any) -> Callable[[Callable[..., Any]], Any]:  # noqa: ANN401
-    """Compile a loop that neither makes nor keeps arrays.
+def compiled() -> Callable[[Callable[..., Any]], Any]:
+    """Compile a loop that neither makes nor keeps arrays, and keep its code on disk.
 
     So it needs no reference counts (``_nrt``), which otherwise cost more than the arithmetic between them.
     """
-    return njit(cache=True, error_model="numpy", _nrt=False, **options)  # type: ignore[no-any-return]
+    return njit(cache=True, error_model="numpy", _nrt=False)  # type: ignore[no-any-return]
+
+
+def part(**options: Any) -> Callable[[Callable[..., Any]], Any]:  # noqa: ANN401
+    """Compile a part of such loops, without entries from Python and C: they are most of the work for many arrays."""
+    inner = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+    return njit(error_model="numpy", _nrt=False, **inner, **options)  # type: ignore[no-any-return]
 
 
 def _data(context: Any, builder: Any, signature: Any, arguments: Any, i: int) -> Any:  # noqa: ANN401

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from jounce.kernel.call import call_many, call_native, call_step, compiled
+from jounce.kernel.call import call_many, call_native, call_step, compiled, part
 from jounce.kernel.dop853 import DENSE_STAGES
 from jounce.kernel.layout import DENSE, END, FIRST_PROBE, LAST_STAGE, NODES, PROBES, RATES, ROWS, STATE
 from jounce.kernel.tracks import Tracks, advance, fill
@@ -88,30 +88,30 @@ class Work(NamedTuple):
     widest: Array
 
 
-@compiled()
+@part()
 def _rate(problem: Any, work: Any, t: float, into: int) -> None:  # noqa: ANN401
     """Rate of the state at ``t``; the input there is left in node 0."""
     work.times[0] = t
-    fill(problem.tracks, problem.piece, work.times, 0, 1, work.u)
+    fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
     call_native(problem.engine.rate, work.rows, STATE, work.u, problem.p, problem.m, work.rows, into)
 
 
-@compiled(forceinline=True)
+@part(forceinline=True)
 def _inputs(problem: Any, work: Any, t: float, h: float, first: int, last: int) -> None:  # noqa: ANN401
     """Inputs at the nodes ``first`` to ``last`` of a step."""
     for i in range(first, last):
         work.times[i] = t + NODES[i] * h
-    fill(problem.tracks, problem.piece, work.times, first, last, work.u)
+    fill(problem.tracks, problem.piece, work.times[first:last], work.u[:, first:last])
 
 
-@compiled(forceinline=True)
+@part(forceinline=True)
 def _step(problem: Any, work: Any, t: float, h: float) -> None:  # noqa: ANN401
     """One step from the state to the end row, with the rate there."""
     _inputs(problem, work, t, h, 1, LAST_STAGE + 1)
     call_step(problem.engine.step, work.rows, work.u, problem.p, problem.m, work.g, h)
 
 
-@compiled(forceinline=True)
+@part(forceinline=True)
 def _error(problem: Any, work: Any, h: float) -> float:  # noqa: ANN401
     """Error of the controlled states relative to what is allowed (DOP853's blend of fifth and third order)."""
     work.step[0] = h
@@ -121,23 +121,23 @@ def _error(problem: Any, work: Any, h: float) -> float:  # noqa: ANN401
     return 0.0 if blend == 0.0 else float(abs(h) * fifth / math.sqrt(blend * len(work.widest)))
 
 
-@compiled(forceinline=True)
+@part(forceinline=True)
 def _prepare_dense(problem: Any, work: Any, t: float, h: float) -> None:  # noqa: ANN401
     """Three more stages, the coefficients of the interpolant on this step and the inputs at the probes."""
     _inputs(problem, work, t, h, LAST_STAGE + 1, DENSE_STAGES + len(PROBES))
     call_step(problem.engine.dense, work.rows, work.u, problem.p, problem.m, work.g, h)
 
 
-@compiled()
+@part()
 def _switch_at(problem: Any, work: Any, t: float, h: float, theta: float, i: int) -> float:  # noqa: ANN401
     """Switching function ``i`` at a fraction of the step."""
     work.times[0] = t + theta * h
-    fill(problem.tracks, problem.piece, work.times, 0, 1, work.u)
+    fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
     call_step(problem.engine.switch_at, work.rows, work.u, problem.p, problem.m, work.g, theta)
     return float(work.g[_LAST_PROBE, i])
 
 
-@compiled(forceinline=True)
+@part(forceinline=True)
 def _crossing(problem: Any, work: Any, band: Any, t: float, h: float) -> tuple[float, int]:  # noqa: ANN401
     """First fraction of the step at which a switch leaves its side, and which; (2, -1) when none does."""
     before, first, which = 0.0, 2.0, -1
@@ -155,7 +155,7 @@ def _crossing(problem: Any, work: Any, band: Any, t: float, h: float) -> tuple[f
     return first, which
 
 
-@compiled()
+@part()
 def _root(problem: Any, work: Any, t: float, h: float, i: int, low: float, high: float) -> float:  # noqa: ANN401
     """Locate the zero of switch ``i`` between two fractions of the step (Illinois variant of regula falsi)."""
     g_low = _switch_at(problem, work, t, h, low, i)
@@ -175,7 +175,7 @@ def _root(problem: Any, work: Any, t: float, h: float, i: int, low: float, high:
     return high
 
 
-@compiled()
+@part()
 def _flip(problem: Any, work: Any, t: float, which: int) -> None:  # noqa: ANN401
     """Flip one mode at an event; the rate just after it is left in the first rate."""
     n, size = len(work.widest), work.rows.shape[1]
@@ -189,7 +189,7 @@ def _flip(problem: Any, work: Any, t: float, which: int) -> None:  # noqa: ANN40
         _rate(problem, work, t, RATES)
 
 
-@compiled()
+@part()
 def _jump_sensitivities(rows: Any, slope: Any, which: int, n: int, columns: int) -> None:  # noqa: ANN401
     """Saltation: ``S+ = S- + (f+ - f-) (dg/dx S- + dg/dp) / (dg/dt)``, f- in the second rate and f+ in the first."""
     x, before, after = rows[STATE], rows[RATES + 1], rows[RATES]
@@ -208,7 +208,7 @@ def _jump_sensitivities(rows: Any, slope: Any, which: int, n: int, columns: int)
             x[n + c * n + d] += (after[d] - before[d]) * shift / speed
 
 
-@compiled(forceinline=True)
+@part(forceinline=True)
 def _attempt(problem: Any, control: Any, work: Any, t: float, h: float, dense: bool) -> tuple[float, float, int]:  # noqa: ANN401
     """Try one step; give (share of it that holds, factor for the next step, switch that ends it or -1).
 
@@ -233,7 +233,7 @@ def _attempt(problem: Any, control: Any, work: Any, t: float, h: float, dense: b
     return 1.0, grow, -1
 
 
-@compiled(fastmath={"contract"})
+@part(fastmath={"contract"})
 def _interpolate(rows: Any, t: float, h: float, times: Any, first: int, last: int, states: Any) -> None:  # noqa: ANN401
     """States at the samples ``first`` to ``last``, on the step from ``t``."""
     for d in range(rows.shape[1]):
@@ -246,14 +246,14 @@ def _interpolate(rows: Any, t: float, h: float, times: Any, first: int, last: in
             states[d, i] = x + (((y + c2) * theta + c1) * rest + c0) * theta
 
 
-@compiled(forceinline=True)
+@part(forceinline=True)
 def _sample(problem: Any, work: Any, t: float, h: float, until: float, first: int, out: Any) -> int:  # noqa: ANN401
     """Write states, inputs and outputs at all times before ``until`` on the step from ``t``; give the next sample."""
     last = first
     while last < len(out.times) and out.times[last] < until:
         last += 1
     if last > first:
-        fill(problem.tracks, problem.piece, out.times, first, last, out.inputs)
+        fill(problem.tracks, problem.piece, out.times[first:last], out.inputs[:, first:last])
         _interpolate(work.rows, t, h, out.times, first, last, out.states)
         call_many(problem.engine.output, out.states, out.inputs, problem.p, problem.m, out.outputs, first, last - first)
     return last
@@ -270,7 +270,7 @@ def _scratch(problem: Problem, control: Control) -> Work:
     )
 
 
-@compiled(forceinline=True)
+@part(forceinline=True)
 def _accept(x0: Any, rows: Any, widest: Any) -> bool:  # noqa: ANN401
     """Take over the end of the step; tell whether it is finite."""
     for d in range(rows.shape[1]):
@@ -283,7 +283,7 @@ def _accept(x0: Any, rows: Any, widest: Any) -> bool:  # noqa: ANN401
     return finite
 
 
-@compiled(forceinline=True)
+@part(forceinline=True)
 def _limit(control: Any, counts: Any, t: float, h: float) -> int:  # noqa: ANN401
     """Tell whether another step may be tried."""
     if counts[0] + counts[1] >= control.max_steps:
@@ -306,7 +306,8 @@ def _integrate(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> 
     slack = 1e-12 * max(1.0, abs(end))
     edge = advance(problem.tracks, problem.piece, t, slack)
     _rate(problem, work, t, RATES)
-    h, sample, stalled = min(1e-3, end - t), 0, 0
+    h, stalled = min(1e-3, end - t), 0
+    sample = np.int64(0)  # a literal would make Numba compile _sample for it as well
     while t < end - slack:
         stop = min(edge, end)
         tried = stop - t if stop - t < 1.1 * h else h

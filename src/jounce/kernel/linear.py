@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from jounce.kernel.call import call_many, compiled, sine_and_cosine
+from jounce.kernel.call import call_many, compiled, part, sine_and_cosine
 from jounce.kernel.explicit import Problem, Samples
 from jounce.kernel.tracks import Tracks, advance
 
@@ -38,7 +38,7 @@ class Plan(NamedTuple):
     frequencies: Array
 
 
-@compiled()
+@part()
 def _transition(plan: Any, distinct: int, guess: int, length: float, frequency: float) -> int:  # noqa: ANN401
     """Number of the matrix for a step: the guessed one, another one, a new one; -1 when there is no room for it."""
     for trial in range(-1, distinct):
@@ -133,11 +133,12 @@ def _exponentials(matrices: Array) -> Array:
     doublings = max(0, math.ceil(math.log2(norm / 0.5))) if 0.0 < norm < np.inf else 0
     small, unit = matrices / 2.0**doublings, np.eye(matrices.shape[-1])
     series = unit
-    for j in range(14, 1, -1):  # 0.5^15 / 15! is below rounding
-        series = unit + small @ series / j
-    grown = small @ series
-    for _ in range(doublings):
-        grown = 2.0 * grown + grown @ grown
+    with np.errstate(over="ignore", invalid="ignore"):  # the run's status tells of it
+        for j in range(14, 1, -1):  # 0.5^15 / 15! is below rounding
+            series = unit + small @ series / j
+        grown = small @ series
+        for _ in range(doublings):
+            grown = 2.0 * grown + grown @ grown
     return np.asarray(grown + unit)
 
 
@@ -145,7 +146,7 @@ _BLOCK = 512
 """Steps in a block: its scratch arrays stay in the first-level cache."""
 
 
-@compiled()
+@part()
 def _signals(tracks: Any, plan: Any, first: int, last: int, signal: Any) -> None:  # noqa: ANN401
     """Input, its rate and its second rate at the nodes ``first`` to ``last`` of a block."""
     rate, start, kind, coefficients = tracks.rate[0], tracks.start, tracks.kind, tracks.coefficients
@@ -165,7 +166,7 @@ def _signals(tracks: Any, plan: Any, first: int, last: int, signal: Any) -> None
             signal[2, at] = -((rate * c2) ** 2) * c1 * sine
 
 
-@compiled(fastmath={"contract"})
+@part(fastmath={"contract"})
 def _drive(matrix: Any, signal: Any, count: int, drive: Any) -> None:  # noqa: ANN401
     """What the input adds to each state over each of ``count`` steps."""
     n = drive.shape[0]
@@ -175,7 +176,7 @@ def _drive(matrix: Any, signal: Any, count: int, drive: Any) -> None:  # noqa: A
             drive[d, k] = c + c0 * signal[0, k] + c1 * signal[1, k] + c2 * signal[2, k]
 
 
-@compiled(fastmath={"contract"})
+@part(fastmath={"contract"})
 def _march(matrix: Any, drive: Any, count: int, x: Any, to: Any) -> None:  # noqa: ANN401
     """Columns of ``to``: the state after each step, ``x <- matrix x + drive[:, k]``."""
     n = drive.shape[0]
@@ -192,7 +193,7 @@ def _march(matrix: Any, drive: Any, count: int, x: Any, to: Any) -> None:  # noq
             x[d] = to[d, k]
 
 
-@compiled(fastmath={"contract"})
+@part(fastmath={"contract"})
 def _march_four(matrix: Any, drive: Any, count: int, x: Any, to: Any) -> None:  # noqa: ANN401
     """Four states, as quarter and half cars have, stay in registers."""
     a00, a01, a02, a03 = matrix[0, 0], matrix[0, 1], matrix[0, 2], matrix[0, 3]
@@ -210,7 +211,7 @@ def _march_four(matrix: Any, drive: Any, count: int, x: Any, to: Any) -> None:  
     x[0], x[1], x[2], x[3] = x0, x1, x2, x3
 
 
-@compiled()
+@part()
 def _copy(source: Any, to: Any) -> None:  # noqa: ANN401
     """Fill ``to`` with the first columns of as many rows of ``source``."""
     for d in range(to.shape[0]):
@@ -253,7 +254,7 @@ def _propagate(
     _outputs(problem, out, written, sample)
 
 
-@compiled()
+@part()
 def _outputs(problem: Any, out: Any, first: int, last: int) -> None:  # noqa: ANN401
     """Outputs at the samples ``first`` to ``last``."""
     call_many(problem.engine.output, out.states, out.inputs, problem.p, problem.m, out.outputs, first, last - first)

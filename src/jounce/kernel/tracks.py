@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.segments import Segments
-from jounce.kernel.call import compiled, sine_and_cosine
+from jounce.kernel.call import part, sine_and_cosine
 
 Array = NDArray[np.float64]
 
@@ -38,7 +38,7 @@ def flatten(signals: list[Segments]) -> Tracks:
     )
 
 
-@compiled()
+@part()
 def advance(tracks: Any, piece: Any, t: float, slack: float) -> float:  # noqa: ANN401
     """Move ``piece`` to the pieces that hold just after ``t``; give the next edge of any track."""
     edge = np.inf
@@ -51,25 +51,25 @@ def advance(tracks: Any, piece: Any, t: float, slack: float) -> float:  # noqa: 
     return edge
 
 
-@compiled()
-def fill(tracks: Any, piece: Any, times: Any, first: int, last: int, u: Any) -> None:  # noqa: ANN401
-    """Fill columns ``first`` to ``last`` of ``u`` with (value, time derivative) of every track, on the pieces given."""
+@part()
+def fill(tracks: Any, piece: Any, times: Any, u: Any) -> None:  # noqa: ANN401
+    """Fill a column of ``u`` for each time with (value, time derivative) of every track, on the pieces given."""
     start, kind, coefficients, rates = tracks.start, tracks.kind, tracks.coefficients, tracks.rate
     for k in range(len(piece)):
         i, rate, value, slope = piece[k], rates[k], 2 * k, 2 * k + 1
         c0, c1, c2, c3 = coefficients[i, 0], coefficients[i, 1], coefficients[i, 2], coefficients[i, 3]
         if kind[i] == 0:
-            for j in range(first, last):
+            for j in range(len(times)):
                 s = rate * (times[j] - start[i])
                 u[value, j] = c0 + s * (c1 + s * (c2 + s * c3))
                 u[slope, j] = rate * (c1 + s * (2.0 * c2 + 3.0 * s * c3))
         elif kind[i] == 1:
-            for j in range(first, last):
+            for j in range(len(times)):
                 sine, cosine = sine_and_cosine(c2 * (rate * (times[j] - start[i])) + c3)
                 u[value, j] = c0 + c1 * sine
                 u[slope, j] = rate * c1 * c2 * cosine
         else:
-            for j in range(first, last):
+            for j in range(len(times)):
                 s = rate * (times[j] - start[i]) - c2
                 root = math.sqrt(max(c1 * c1 - s * s, 0.0))
                 u[value, j] = c0 + c3 * root
