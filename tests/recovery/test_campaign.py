@@ -7,7 +7,7 @@ import tomllib
 import numpy as np
 import pytest
 
-from jounce.core.errors import DescriptionError, OutputError
+from jounce.core.errors import DescriptionError, JounceError, OutputError
 from jounce.core.serialise import to_json, write_files
 from jounce.parts import rig_from_table
 from jounce.studies.campaign import run_campaign
@@ -265,8 +265,6 @@ def test_a_bad_bench_file_leaves_the_described_value(template):
     ("old", "new", "message"),
     [
         ('"strut.spring.rate" = "10 %"', '"strut.spring.rate" = ["30 N/mm", "40 N/mm"]', "exclude the start"),
-        ('"strut.spring.rate" = "10 %"', '"strut.spring.raet" = "10 %"', "no such parameter"),
-        ('"strut.spring.rate" = "10 %"', '"strut.spring.rate" = "10 kg"', "unit"),
     ],
 )
 def test_an_impossible_update_is_reported_and_the_trials_still_judged(template, old, new, message):
@@ -277,12 +275,27 @@ def test_an_impossible_update_is_reported_and_the_trials_still_judged(template, 
     assert all(trial.after is not None for trial in result.trials)
 
 
-def test_zero_free_parameters_are_reported(template):
+@pytest.mark.parametrize(
+    ("free", "message"),
+    [
+        ('{"strut.spring.raet" = "10 %"}', r"no such parameter.*strut\.spring\.rate"),
+        ('{"strut.spring.rate" = "10 kg"}', "unit"),
+        ("{}", "no free parameter"),
+    ],
+)
+def test_updates_that_cannot_be_meant_are_refused_before_any_work(template, free, message):
     text = template.read_text()
     line = next(line for line in text.splitlines() if line.startswith("free = "))
-    template.write_text(text.replace(line, "free = {}"))
-    result = run_campaign(template)
-    assert "no free parameter" in problems(result)[0].message
+    template.write_text(text.replace(line, f"free = {free}"))
+    with pytest.raises(JounceError, match=message) as caught:
+        run_campaign(template)
+    assert "update[0].free" in str(caught.value)
+
+
+def test_a_sensor_on_a_channel_that_does_not_exist_is_refused(template):
+    template.write_text(template.read_text() + '\n[sensors."sprung.ax"]\nhigh_pass = "0.5 Hz"\n')
+    with pytest.raises(JounceError, match=r"sprung\.ax.*sprung\.az"):
+        run_campaign(template)
 
 
 @pytest.mark.parametrize(

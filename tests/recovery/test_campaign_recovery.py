@@ -110,7 +110,6 @@ def test_lag_is_estimated_with_the_parameters():
     assert worst > 0.01  # unaligned, the parameters take the blame
 
 
-@pytest.mark.xfail(strict=True, reason="intervals from the scores alone are too short: they cover about 80 per cent")
 def test_intervals_cover_the_truth_in_about_95_percent_of_repetitions():
     """Binomial(150, 0.95): outside 133...149 with probability 0.003, for each of three parameters."""
     clean, repetitions = made(START, duration=0.6), 150

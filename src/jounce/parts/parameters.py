@@ -74,9 +74,10 @@ def _set(table: Any, parts: list[str | int], value: Any, path: str, known: dict[
     here[last] = value  # type: ignore[index]
 
 
-def unknown_path(path: str, known: dict[str, float]) -> DescriptionError:
-    """Build the error for a path that the description does not have."""
-    return DescriptionError("no such parameter", where=path, allowed=", ".join(sorted(known)), hint=nearest(path, known))
+def unknown_path(where: str, known: dict[str, float], *, name: str = "") -> DescriptionError:
+    """Build the error for a path that the description does not have; ``name`` is the path when ``where`` says more."""
+    hint = nearest(name or where, known)
+    return DescriptionError("no such parameter", where=where, allowed=", ".join(sorted(known)), hint=hint)
 
 
 def unit_of(kind: BaseModel, path: str) -> str:

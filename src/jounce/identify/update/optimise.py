@@ -24,17 +24,16 @@ class Optimum:
     objective: float
     iterations: int
     evaluations: int
-    message: str
     converged: bool
 
 
 def minimise(problem: UpdateProblem, start: Array, method: str) -> Optimum:
     """Run one optimisation from ``start`` (scaled) within -1..+1."""
     before = problem.evaluations
-    x, iterations, message = _METHODS[method](problem, start)
+    x, iterations = _METHODS[method](problem, start)
     x = np.clip(x, -1.0, 1.0)
     objective, _ = problem.objective(x)
-    return Optimum(x, objective, iterations, problem.evaluations - before, message, is_stationary(problem, x))
+    return Optimum(x, objective, iterations, problem.evaluations - before, is_stationary(problem, x))
 
 
 def is_stationary(problem: UpdateProblem, x: Array) -> bool:
@@ -60,7 +59,7 @@ def minimise_from_many(problem: UpdateProblem, start: Array, method: str, starts
     return sorted((minimise(problem, point, method) for point in points), key=lambda optimum: optimum.objective)
 
 
-def _bfgs(problem: UpdateProblem, start: Array) -> tuple[Array, int, str]:
+def _bfgs(problem: UpdateProblem, start: Array) -> tuple[Array, int]:
     """L-BFGS-B: the paper's BFGS, with the bounds inside the method."""
     from scipy.optimize import minimize
 
@@ -78,10 +77,10 @@ def _bfgs(problem: UpdateProblem, start: Array) -> tuple[Array, int, str]:
         bounds=[(-1.0, 1.0)] * problem.size,
         options={"ftol": 1e-13, "gtol": 1e-12, "maxiter": 200, "maxcor": 20},
     )
-    return result.x, int(result.nit), str(result.message)
+    return result.x, int(result.nit)
 
 
-def _least_squares(problem: UpdateProblem, start: Array) -> tuple[Array, int, str]:
+def _least_squares(problem: UpdateProblem, start: Array) -> tuple[Array, int]:
     from scipy.optimize import least_squares
 
     inside = np.clip(start, -_BOUND, _BOUND)
@@ -96,7 +95,7 @@ def _least_squares(problem: UpdateProblem, start: Array) -> tuple[Array, int, st
         gtol=1e-12,
         max_nfev=200,
     )
-    return result.x, int(result.njev), str(result.message)
+    return result.x, int(result.njev)
 
 
 _METHODS = {"bfgs": _bfgs, "least-squares": _least_squares}

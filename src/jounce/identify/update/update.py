@@ -8,15 +8,13 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from jounce.core.errors import DescriptionError, FitError
+from jounce.core.errors import FitError
 from jounce.core.findings import Finding
-from jounce.core.units import to_si
+from jounce.identify.update.free import free_parameters
 from jounce.identify.update.identifiability import Identifiability, correlation_of, identifiability
 from jounce.identify.update.optimise import Optimum, check_method, minimise_from_many
 from jounce.identify.update.problem import FitTrial, Free, UpdateProblem
 from jounce.identify.update.uncertainty import robust_covariance
-from jounce.parts import Rig
-from jounce.parts.parameters import unit_of, unknown_path
 
 Array = NDArray[np.float64]
 
@@ -175,45 +173,6 @@ def update_model(
     return _result(name, method, problem, known, before, optima[0], findings)
 
 
-def free_parameters(
-    rig: Rig, free: Mapping[str, str | float | Sequence[str | float]], *, where: str = ""
-) -> tuple[Free, ...]:
-    """Read the free parameters and their bounds against a rig's values."""
-    if not free:
-        raise FitError("no free parameter", where=where, hint='Name at least one, e.g. free = {"strut.spring.rate" = "10 %"}.')
-    values = rig.parameters()
-    found = []
-    for path, bounds in free.items():
-        if path not in values:
-            raise unknown_path(path, values)
-        initial, place = values[path], f"{where}: {path}"
-        if isinstance(bounds, (str, int, float)):
-            share = to_si(bounds, "1", where=place)
-            if share <= 0.0:
-                raise FitError("the range must be above zero", where=place, found=bounds, allowed='e.g. "10 %"')
-            if initial == 0.0:
-                raise FitError("a relative range of a zero start value", where=place, allowed="[lower, upper] with units")
-            lower, upper = sorted((initial * (1.0 - share), initial * (1.0 + share)))
-        else:
-            lower, upper = _absolute(bounds, unit_of(rig, path), place)
-        if not lower <= initial <= upper:
-            raise FitError(
-                "the bounds exclude the start value", where=place, found=f"{initial:g}", allowed=f"{lower:g} to {upper:g}",
-                hint="Move the bounds or the start value.",
-            )
-        found.append(Free(path, initial, lower, upper))
-    return tuple(found)
-
-
-def _absolute(bounds: Sequence[str | float], unit: str, place: str) -> tuple[float, float]:
-    if len(bounds) != 2:
-        raise FitError("not a pair of bounds", where=place, found=list(bounds), allowed='"10 %" or [lower, upper]')
-    lower, upper = (to_si(value, unit, where=place) for value in bounds)
-    if lower >= upper:
-        raise DescriptionError("the lower bound must lie below the upper", where=place, found=list(bounds))
-    return lower, upper
-
-
 def _result(
     name: str, method: str, problem: UpdateProblem, known: Identifiability, before: float, optimum: Optimum,
     findings: list[Finding],
@@ -252,10 +211,10 @@ def _stall(name: str, optimum: Optimum, before: float) -> list[Finding]:
         return []
     if optimum.objective >= before * (1.0 - 1e-12) and before > 0.0:
         raise FitError(
-            "the optimiser stalled at the start values", where=name, found=optimum.message,
+            "the optimiser stalled at the start values", where=name,
             hint="Try the other method, wider bounds, several starts, or fewer parameters.",
         )
-    text = f"the optimiser stopped before it converged ({optimum.message}); the values may not be the best"
+    text = "the optimiser stopped before it converged; the values may not be the best: try the other method or more starts"
     return [Finding(name, "warning", text, optimum.objective)]
 
 

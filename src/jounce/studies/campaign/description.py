@@ -14,6 +14,7 @@ from jounce.recordings import Sensor
 
 Angle = Annotated[float, Unit("rad")]
 Pressure = Annotated[float, Unit("Pa", above=0.0)]
+NonNegativeNumber = Annotated[float, Unit("1", at_least=0.0)]
 
 
 class StiffnessBench(Description):
@@ -85,7 +86,7 @@ class UpdateEntry(Description):
     method: Literal["bfgs", "least-squares"] = "least-squares"
     start_from: str | None = None
     tyre_law: Literal["as-rig", "polynomial"] = "as-rig"
-    weights: Literal["printed", "normalised"] | dict[str, float] = "printed"
+    weights: Literal["printed", "normalised"] | dict[str, NonNegativeNumber] = "printed"
     channels: tuple[str, ...] | None = None
     align: Literal["lag"] | None = None
     starts: Annotated[int, Field(ge=1, le=1000)] = 1

@@ -10,7 +10,8 @@ import xarray as xr
 
 from jounce.core.errors import FitError, JounceError, unknown
 from jounce.core.findings import Finding
-from jounce.identify.update import FitTrial, update_model
+from jounce.identify.update import FitTrial, check_free, update_model
+from jounce.models import build
 from jounce.parts import load, rig_path
 from jounce.recordings import read_recording
 from jounce.roads import Road, Train, Trial, read_roads
@@ -60,6 +61,8 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda text: None) ->
     rig = load(rig_file)
     roads = read_roads(campaign.roads, where=str(file), text=text, folder=file.parent)
     _check_references(campaign, roads, file)
+    _check_sensors(campaign, rig, file)
+    _check_updates(campaign, rig, file)
     progress("bench: " + ", ".join(name for name in ("spring", "tyre", "decay") if getattr(campaign.bench, name)))
     bench, knowledge = characterise(rig, campaign.bench, file.parent)
     findings = list(bench.findings)
@@ -81,6 +84,21 @@ def _check_references(campaign: Campaign, roads: dict[str, Road], file: Path) ->
     for i, entry in enumerate(campaign.trial):
         if entry.road is not None and entry.road not in roads:
             raise unknown(entry.road, roads, what="road", where=f"{file}: trial[{i}].road (number {entry.number})")
+
+
+def _check_sensors(campaign: Campaign, rig: Rig, file: Path) -> None:
+    channels = [output.name for output in build(rig).outputs]
+    for name in campaign.sensors:
+        if name not in channels:
+            raise unknown(name, channels, what="channel", where=f"{file}: sensors")
+
+
+def _check_updates(campaign: Campaign, rig: Rig, file: Path) -> None:
+    """Refuse updates that cannot be meant, before any work is done."""
+    for i, entry in enumerate(campaign.update):
+        place = f"{file}: update[{i}].free ({entry.name})"
+        curve = {path for path in entry.free if path.startswith("tyre.curve") and entry.tyre_law == "polynomial"}
+        check_free(rig, {path: bounds for path, bounds in entry.free.items() if path not in curve}, where=place, more=len(curve))
 
 
 def _load_trials(campaign: Campaign, roads: dict[str, Road], folder: Path, findings: list[Finding]) -> dict[int, _Loaded]:
@@ -151,7 +169,10 @@ class _Runner:
             trials, entry.free, name=entry.name, method=entry.method, weights=entry.weights, channels=entry.channels,
             align=entry.align, starts=entry.starts,
         )
-        self.findings += [Finding(f"{entry.name}: {f.place}", f.severity, f.message, f.value) for f in result.findings]
+        self.findings += [
+            f if f.place == entry.name else Finding(f"{entry.name}: {f.place}", f.severity, f.message, f.value)
+            for f in result.findings
+        ]
         after = knowledge.after(result.parameters, [item.entry.tyre_pressure for item in chosen])
         numbers = tuple(item.entry.number for item in chosen)
         return StrategyResult(result, after, numbers, updated_text(self.rig_text, after.rig))
