@@ -121,9 +121,6 @@ def test_states_are_those_of_a_run_without_sensitivities():
     assert np.max(np.abs(a - b)) < 1e-12
 
 
-@pytest.mark.xfail(
-    strict=True, reason="a switch thrown by an edge of the road (its time is fixed) gets a saltation jump"
-)
 @pytest.mark.parametrize(
     ("changes", "road"),
     [

@@ -71,9 +71,6 @@ def test_errors_are_near_the_tolerance(kart_errors, tolerance):
     assert max(found) > 1e-3
 
 
-@pytest.mark.xfail(
-    strict=False, reason="missed on some: interpolant of long steps, sharp friction (worst 1.5 .. 5 times)"
-)
 @pytest.mark.parametrize("tolerance", ASKED)
 def test_tolerance_is_met(kart_errors, tolerance):
     too_large = {case: error[tolerance] for case, error in kart_errors.items() if error[tolerance] > 1.0}
@@ -93,7 +90,6 @@ def test_infinite_slope(radius):
     assert all(error < 1.0 for error in found.values()), found
 
 
-@pytest.mark.xfail(strict=True, reason="between the ends of long steps the interpolant is off (5e-5 at 1e-5)")
 def test_passenger_car_calming_down():
     """Steps grow to where only stability holds them; samples inside them must be as good as their ends."""
     segments = HalfSine(height=0.05, length=0.5, start=0.5).segments(10.0).in_time(5.0)
@@ -101,7 +97,6 @@ def test_passenger_car_calming_down():
     assert all(error < 1.0 for error in found.values()), found
 
 
-@pytest.mark.xfail(strict=True, reason="a contact that begins and ends between two probes of a step is missed")
 @pytest.mark.parametrize(
     ("shape", "pitch", "speed", "height", "coefficient"),
     [
@@ -117,7 +112,6 @@ def test_grazing_the_obstacles_of_a_train(shape, pitch, speed, height, coefficie
     assert all(error < 1.0 for error in found.values()), found
 
 
-@pytest.mark.xfail(strict=True, reason="a contact that begins and ends between two probes of a step is missed")
 @pytest.mark.parametrize(("rig", "amplitude"), [("audi", 0.0164), ("kart", 0.0012)])
 def test_bouncing_on_a_shaker(rig, amplitude):
     """A wheel that jumps on a base shaken at 28 Hz touches it once a period; no touch may be lost."""

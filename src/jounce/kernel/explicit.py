@@ -23,6 +23,8 @@ from jounce.kernel.tracks import Tracks, advance, fill
 
 Array = NDArray[np.float64]
 _LAST_RATE, _LAST_PROBE = RATES + LAST_STAGE, len(PROBES)
+_HALVINGS = 16
+_VERTICES, _NEAR = 3, 0.3  # parabolas followed into a dip that comes within this share of the nearest probe
 _COMPLETED, _NOT_FINITE, _STEP_TOO_SMALL, _TOO_MANY_STEPS, _CHATTER = 0, 1, 2, 3, 4
 
 
@@ -43,13 +45,14 @@ class Control(NamedTuple):
     """How a run is steered.
 
     ``tolerance`` is relative to the size of each controlled state so far, at least ``scale``; ``dead_band`` is how far
-    each switching function may lie on the wrong side of its mode.
+    each switching function may lie on the wrong side of its mode; no step is longer than ``longest`` (s).
     """
 
     tolerance: float
     scale: Array
     dead_band: Array
     max_steps: int
+    longest: float
 
 
 class Problem(NamedTuple):
@@ -138,30 +141,84 @@ def _switch_at(problem: Any, work: Any, t: float, h: float, theta: float, i: int
 
 
 @part(forceinline=True)
-def _crossing(problem: Any, work: Any, band: Any, t: float, h: float) -> tuple[float, int]:  # noqa: ANN401
-    """First fraction of the step at which a switch leaves its side, and which; (2, -1) when none does."""
+def _crossing(problem: Any, work: Any, band: Any, t: float, h: float, edge: bool) -> tuple[float, int]:  # noqa: ANN401
+    """First fraction of the step at which a switch leaves its side, and which; (2, -1) when none does.
+
+    On a step that starts at an ``edge`` of the input the fraction is -1 for a switch that the edge has thrown.
+    """
     before, first, which = 0.0, 2.0, -1
     g, modes = work.g, problem.m
     call_step(problem.engine.probe, work.rows, work.u, problem.p, modes, g, 0.0)
     for probe in range(len(PROBES)):
+        here = NODES[FIRST_PROBE + probe]
         for i in range(len(modes)):
-            if g[probe, i] < -band[i] if modes[i] > 0.5 else g[probe, i] > band[i]:
-                theta = _root(problem, work, t, h, i, before, NODES[FIRST_PROBE + probe])
-                if theta < first:
-                    first, which = theta, i
+            side = 1.0 if modes[i] > 0.5 else -1.0
+            theta = 2.0
+            if probe == 0:
+                theta = -1.0 if edge and side * g[probe, i] < -band[i] else 2.0
+            elif side * g[probe, i] < -band[i]:
+                theta = _root(problem, work, t, h, i, before, here)
+            elif probe > 1:
+                touched = _dip(problem, work, t, h, i, side, band[i], probe)
+                if touched > 0.0:
+                    theta = _root(problem, work, t, h, i, before if touched > before else 2.0 * before - here, touched)
+            if theta < first:
+                first, which = theta, i
         if which >= 0:
             break
-        before = NODES[FIRST_PROBE + probe]
+        before = here
     return first, which
 
 
 @part()
+def _dip(problem: Any, work: Any, t: float, h: float, i: int, side: float, band: float, probe: int) -> float:  # noqa: ANN401
+    """Where switch ``i`` is on the wrong side between three probes that are all on the right one; -1 where it is not.
+
+    Follows the vertices of parabolas, starting with the one through the probes.
+    """
+    width = NODES[FIRST_PROBE + 1] - NODES[FIRST_PROBE]
+    middle = NODES[FIRST_PROBE + probe] - width
+    low, mid, high = side * work.g[probe - 2, i], side * work.g[probe - 1, i], side * work.g[probe, i]
+    for _ in range(_VERTICES):
+        bend = low - 2.0 * mid + high
+        if bend <= 0.0:
+            return -1.0
+        move = 0.5 * (low - high) / bend
+        depth = mid - 0.125 * (low - high) * (low - high) / bend
+        if abs(move) > 1.0 or depth > _NEAR * min(low, mid, high):
+            return -1.0
+        vertex = middle + move * width
+        value = side * _switch_at(problem, work, t, h, vertex, i)
+        if value < -band:
+            return float(vertex)
+        width *= 0.25
+        middle = min(max(vertex, width), 1.0 - width)
+        low = side * _switch_at(problem, work, t, h, middle - width, i)
+        mid = side * _switch_at(problem, work, t, h, middle, i)
+        high = side * _switch_at(problem, work, t, h, middle + width, i)
+        if min(low, mid, high) < -band:
+            return float(middle - width if low < -band else middle if mid < -band else middle + width)
+    return -1.0
+
+
+@part()
 def _root(problem: Any, work: Any, t: float, h: float, i: int, low: float, high: float) -> float:  # noqa: ANN401
-    """Locate the zero of switch ``i`` between two fractions of the step (Illinois variant of regula falsi)."""
+    """Locate the zero of switch ``i`` between two fractions of the step (Illinois variant of regula falsi).
+
+    Where the low end is at rounding distance from an event just passed, a point on the right side is looked for beside it.
+    """
     g_low = _switch_at(problem, work, t, h, low, i)
     g_high = _switch_at(problem, work, t, h, high, i)
+    start = low
+    for _ in range(_HALVINGS):
+        if g_low * g_high < 0.0:
+            break
+        low = start + 0.25 * (high - start)
+        g_low = _switch_at(problem, work, t, h, low, i)
+        if g_low * g_high >= 0.0:
+            high, g_high = low, g_low
     if g_low * g_high >= 0.0:
-        return low
+        return start
     for _ in range(60):
         theta = (low * g_high - high * g_low) / (g_high - g_low)
         g = _switch_at(problem, work, t, h, theta, i)
@@ -176,15 +233,19 @@ def _root(problem: Any, work: Any, t: float, h: float, i: int, low: float, high:
 
 
 @part()
-def _flip(problem: Any, work: Any, t: float, which: int) -> None:  # noqa: ANN401
-    """Flip one mode at an event; the rate just after it is left in the first rate."""
+def _flip(problem: Any, work: Any, t: float, which: int, thrown: bool) -> None:  # noqa: ANN401
+    """Flip one mode at an event; the rate just after it is left in the first rate.
+
+    An event thrown by an edge of the input has a fixed time: sensitivities do not jump there.
+    """
     n, size = len(work.widest), work.rows.shape[1]
-    if size > n:
+    jumps = size > n and not thrown
+    if jumps:
         _rate(problem, work, t, RATES + 1)
         call_native(problem.engine.switch_slope, work.rows, STATE, work.u, problem.p, problem.m, work.slope, 0)
     problem.m[which] = 1.0 - problem.m[which]
     _rate(problem, work, t, RATES)
-    if size > n:
+    if jumps:
         _jump_sensitivities(work.rows, work.slope, which, n, (size - n) // n)
         _rate(problem, work, t, RATES)
 
@@ -209,7 +270,9 @@ def _jump_sensitivities(rows: Any, slope: Any, which: int, n: int, columns: int)
 
 
 @part(forceinline=True)
-def _attempt(problem: Any, control: Any, work: Any, t: float, h: float, dense: bool) -> tuple[float, float, int]:  # noqa: ANN401
+def _attempt(
+    problem: Any, control: Any, work: Any, t: float, h: float, dense: bool, edge: bool  # noqa: ANN401
+) -> tuple[float, float, int]:
     """Try one step; give (share of it that holds, factor for the next step, switch that ends it or -1).
 
     A share of 0 with no switch means rejected; the dense output of an accepted step is prepared where wanted.
@@ -224,7 +287,7 @@ def _attempt(problem: Any, control: Any, work: Any, t: float, h: float, dense: b
     if dense or len(problem.m) > 0:
         _prepare_dense(problem, work, t, h)
     if len(problem.m) > 0:
-        theta, which = _crossing(problem, work, control.dead_band, t, h)
+        theta, which = _crossing(problem, work, control.dead_band, t, h, edge)
         if which >= 0:
             if 0.0 < theta < 1.0:
                 _step(problem, work, t, theta * h)
@@ -306,7 +369,8 @@ def _integrate(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> 
     slack = 1e-12 * max(1.0, abs(end))
     edge = advance(problem.tracks, problem.piece, t, slack)
     _rate(problem, work, t, RATES)
-    h, stalled = min(1e-3, end - t), 0
+    h, stalled = min(1e-3, end - t, control.longest), 0
+    at_edge = True
     sample = np.int64(0)  # a literal would make Numba compile _sample for it as well
     while t < end - slack:
         stop = min(edge, end)
@@ -315,8 +379,9 @@ def _integrate(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> 
         if limit != _COMPLETED:
             return int(limit)
         wanted = sample < len(times) and times[sample] < t + tried - slack
-        share, factor, which = _attempt(problem, control, work, t, tried, wanted)
+        share, factor, which = _attempt(problem, control, work, t, tried, wanted, at_edge)
         h = tried * factor if which >= 0 or share == 0.0 or factor < 1.0 else max(h, tried * factor)
+        h = min(h, control.longest)
         if share * tried <= slack * 1e-3:
             if which < 0:
                 counts[1] += 1
@@ -328,7 +393,7 @@ def _integrate(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> 
                 return _CHATTER
             h = tried
         else:
-            stalled = 0
+            stalled, at_edge = 0, False
             counts[0] += 1
             now = t + share * tried
             now = stop if stop - now <= slack else now
@@ -337,10 +402,10 @@ def _integrate(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> 
             if not _accept(problem.x0, work.rows, work.widest):
                 return _NOT_FINITE
         if edge <= t + slack:
-            edge = advance(problem.tracks, problem.piece, t, slack)
+            edge, at_edge = advance(problem.tracks, problem.piece, t, slack), True
             _rate(problem, work, t, RATES)
         if which >= 0:
-            _flip(problem, work, t, which)
+            _flip(problem, work, t, which, share < 0.0)
             counts[2] += 1
     for i in range(DENSE, ROWS):
         for d in range(work.rows.shape[1]):

@@ -12,8 +12,8 @@ DENSE = RATES + DENSE_STAGES
 """First of the seven rows of the interpolant."""
 ROWS = DENSE + 7
 
-PROBES = (0.25, 0.5, 0.75, 1.0)
-"""Fractions of a step at which the switching functions are checked."""
+PROBES = (0.0, 0.25, 0.5, 0.75, 1.0)
+"""Fractions of a step at which the switching functions are checked; at 0 an edge of the input may have thrown one."""
 NODES = np.concatenate([C, PROBES])
 """Fractions of a step at which the inputs are wanted: the stages, then the probes."""
 LAST_STAGE = STAGES

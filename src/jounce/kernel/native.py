@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from jounce.kernel.lowering import Lowering
 from jounce.kernel.steps import STEP_NAMES, Step, add_step_functions
 
-_FORMAT = "jounce-kernel-4"
+_FORMAT = "jounce-kernel-14"
 MANY = ("output", "output_s")
 _PROTOTYPE = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5, *[ctypes.c_int64] * 3)
 

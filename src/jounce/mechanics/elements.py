@@ -22,6 +22,9 @@ from jounce.parts.elements import (
 )
 
 
+_SLIDING = 3.0  # regularisation velocities; tanh(3) = 0.995
+
+
 def curve_force(system: System, curve: Curve, path: str, deflection: ca.SX) -> ca.SX:
     """Force (N) of a curve at a deflection (m)."""
     if isinstance(curve, PolynomialCurve):
@@ -99,10 +102,14 @@ def _bouc_wen_state(system: System, path: str, velocity: ca.SX) -> ca.SX:
 
 
 def friction_force(system: System, friction: Friction | None, path: str, velocity: ca.SX) -> ca.SX:
-    """Regularised Coulomb friction (N) that follows the velocity; zero without friction."""
+    """Regularised Coulomb friction (N) that follows the velocity; zero without friction.
+
+    A switch where the force is nearly full makes steps land on both sides of the narrow layer in which it turns over.
+    """
     if friction is None:
         return ca.SX(0)
     sharpness = velocity / system.parameter(f"{path}.regularisation_velocity")
+    system.switch(f"{path} sliding", ca.fabs(sharpness) - _SLIDING)
     return system.parameter(f"{path}.force") * ca.tanh(sharpness)
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
-from jounce.core.segments import Segments
+from jounce.core.segments import SINE, Segments
 from jounce.kernel import linear
 from jounce.kernel.explicit import Control, Problem, Samples, integrate
 from jounce.kernel.status import Status
@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 _MAX_STEPS = 5_000_000
+_STABLE = 0.4  # share of the fastest decay at rest that the method must resolve: friction holding a rig, sensitivities
+_LONGEST = 1.2  # radians of the fastest oscillation in one step, at a tolerance of 1e-5
 _FINEST, _COARSEST = 1e-13, 1e-1
 _STEP_SHARE = 0.01  # of the tolerance for one step: keeps the global error of the shipped models below it
 
@@ -115,7 +117,8 @@ def prepare(
     modes = rest.modes if offset is None else _modes(compiled, x, p, height)
     scale = state_scale(rest, n_q, _motion_size(road, rest.x[:n_q], offset))
     band = _dead_band(compiled, p, rest, scale)
-    control = Control(_STEP_SHARE * tolerance, 0.1 * scale, band, _MAX_STEPS)
+    longest = _longest_step(rest, n_q, road, tolerance)
+    control = Control(_STEP_SHARE * tolerance, 0.1 * scale, band, _MAX_STEPS, longest)
     start = np.concatenate([x, _rest_sensitivity(compiled, p, rest, height)])
     rows, count = 1 + len(compiled.free), len(times)
     outputs = np.full((len(compiled.output_names) * rows, count), np.nan)
@@ -247,6 +250,18 @@ def _modes(compiled: Compiled, x: Array, p: Array, height: float) -> Array:
     modes = np.ones(len(compiled.model.switches))
     values = compiled.evaluate("switch", x, np.array([height, 0.0]), p, modes)
     return (values > 0.0).astype(float)
+
+
+def _longest_step(rest: Rest, n_q: int, road: Segments, tolerance: float) -> float:
+    """Step (s) beyond which the interpolant inside it would be worse than its end: a share of the fastest oscillation.
+
+    In flight the wheel does not feel the road; this also keeps steps from passing over a whole contact.
+    """
+    stiffness = np.max(np.abs(rest.slope[n_q : 2 * n_q, :n_q]))
+    decay = float(np.max(np.abs(np.linalg.eigvals(rest.slope))))
+    waves = np.abs(road.coefficients[road.kind == SINE, 2]) * road.rate
+    fastest = max(float(np.sqrt(stiffness)), float(np.max(waves, initial=0.0)), _STABLE * decay, 1e-3)
+    return float(_LONGEST * (tolerance / 1e-5) ** 0.125 / fastest)
 
 
 def _dead_band(compiled: Compiled, p: Array, rest: Rest, scale: Array) -> Array:

@@ -40,7 +40,6 @@ def test_sensitivity_is_the_derivative_by_the_logarithm(sweep, path):
     assert found == pytest.approx(expected, rel=0.01)
 
 
-@pytest.mark.xfail(strict=True, reason="while the rig rests, nothing keeps the step where the sensitivities are stable")
 def test_sensitivities_stay_finite_while_friction_holds_the_rig_at_rest():
     rig = RIG.with_changes({"guide.friction": {"force": 10.0, "regularisation_velocity": 0.005}})
     sweep = speed_sweep(rig, OBSTACLE, [0.3, 1.0], duration="2 s")
