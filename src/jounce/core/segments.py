@@ -51,14 +51,28 @@ class Segments:
         x = np.asarray(x, dtype=float)
         piece = np.clip(np.searchsorted(self.edges, x, side="right") - 1, 0, len(self.kind) - 1)
         s = self.rate * (x - self.edges[piece])
-        c0, c1, c2, c3 = self.coefficients[piece].T
-        kind = self.kind[piece]
-        root = np.sqrt(np.maximum(c1**2 - (s - c2) ** 2, 0.0))
-        with np.errstate(divide="ignore", invalid="ignore"):
-            circle_slope = np.where(root > 0.0, -c3 * (s - c2) / root, 0.0)
-        height = np.choose(kind, [c0 + s * (c1 + s * (c2 + s * c3)), c0 + c1 * np.sin(c2 * s + c3), c0 + c3 * root])
-        slope = np.choose(kind, [c1 + s * (2.0 * c2 + 3.0 * s * c3), c1 * c2 * np.cos(c2 * s + c3), circle_slope])
+        coefficients, kind = np.moveaxis(self.coefficients[piece], -1, 0), self.kind[piece]
+        height, slope = _polynomial(s, *coefficients)
+        for other, law in ((SINE, _sine), (CIRCLE, _circle)):
+            chosen = kind == other
+            if chosen.any():
+                height[chosen], slope[chosen] = law(s[chosen], *coefficients[:, chosen])
         return height, self.rate * slope
+
+
+def _polynomial(s: Array, c0: Array, c1: Array, c2: Array, c3: Array) -> tuple[Array, Array]:
+    return np.asarray(c0 + s * (c1 + s * (c2 + s * c3))), np.asarray(c1 + s * (2.0 * c2 + 3.0 * s * c3))
+
+
+def _sine(s: Array, c0: Array, c1: Array, c2: Array, c3: Array) -> tuple[Array, Array]:
+    return c0 + c1 * np.sin(c2 * s + c3), c1 * c2 * np.cos(c2 * s + c3)
+
+
+def _circle(s: Array, c0: Array, c1: Array, c2: Array, c3: Array) -> tuple[Array, Array]:
+    root = np.sqrt(np.maximum(c1**2 - (s - c2) ** 2, 0.0))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        slope = np.where(root > 0.0, -c3 * (s - c2) / root, 0.0)
+    return c0 + c3 * root, slope
 
 
 def flat(end: float, height: float = 0.0) -> Segments:

@@ -132,8 +132,8 @@ class Lowering:
             "OP_INV": lambda: b.fdiv(one, x[0], flags=_FAST),
             "OP_SIGN": lambda: self._sign(b, x[0]),
             "OP_NOT": lambda: self._as_double(b, "==", x[0], ir.Constant(_DOUBLE, 0.0)),
-            "OP_AND": lambda: b.fmul(*x),
-            "OP_OR": lambda: self._call(b, "llvm.maxnum.f64", x),
+            "OP_AND": lambda: b.fmul(*(self._truth(b, value) for value in x)),
+            "OP_OR": lambda: self._call(b, "llvm.maxnum.f64", [self._truth(b, value) for value in x]),
             "OP_IF_ELSE_ZERO": lambda: self._if_else_zero(b, *x),
         }
         if operation in direct:
@@ -153,7 +153,11 @@ class Lowering:
 
     def _sign(self, b: ir.IRBuilder, x: ir.Value) -> ir.Value:
         zero = ir.Constant(_DOUBLE, 0.0)
-        return b.fsub(self._as_double(b, ">", x, zero), self._as_double(b, "<", x, zero))
+        sign = b.fsub(self._as_double(b, ">", x, zero), self._as_double(b, "<", x, zero))
+        return b.select(b.fcmp_unordered("uno", x, x), x, sign)
+
+    def _truth(self, b: ir.IRBuilder, x: ir.Value) -> ir.Value:
+        return self._as_double(b, "!=", x, ir.Constant(_DOUBLE, 0.0))
 
     @staticmethod
     def _as_double(b: ir.IRBuilder, comparison: str, x: ir.Value, y: ir.Value) -> ir.Value:

@@ -123,7 +123,12 @@ def _read(key: str) -> bytes | None:
     except OSError:
         return None
     checksum, code = content[:32], content[32:]
-    return code if code and hashlib.sha256(code).digest() == checksum else None
+    return code if code and _checksum(key, code) == checksum else None
+
+
+def _checksum(key: str, code: bytes) -> bytes:
+    """Checksum of an entry, with what it was made for."""
+    return hashlib.sha256(key.encode() + code).digest()
 
 
 def _write(key: str, code: bytes) -> None:
@@ -133,5 +138,5 @@ def _write(key: str, code: bytes) -> None:
         folder.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(dir=folder)
         with os.fdopen(handle, "wb") as stream:
-            stream.write(hashlib.sha256(code).digest() + code)
+            stream.write(_checksum(key, code) + code)
         Path(name).replace(folder / f"{key}.o")

@@ -29,7 +29,7 @@ _MAX_STEPS = 5_000_000
 _STABLE = 0.4  # share of the fastest decay at rest that the method must resolve: friction holding a rig, sensitivities
 _LONGEST = 1.2  # radians of the fastest oscillation in one step, at a tolerance of 1e-5
 _FINEST, _COARSEST = 1e-13, 1e-1
-_STEP_SHARE = 0.01  # of the tolerance for one step: keeps the global error of the shipped models below it
+_STEP_SHARE = 0.003  # of the tolerance for one step: keeps the global error of the shipped models below it
 
 
 @dataclass(frozen=True)
