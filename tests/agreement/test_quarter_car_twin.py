@@ -164,7 +164,6 @@ def test_power_law_spring(twin):
     compare(twin, rig, HALF_SINE.in_time(1.95))
 
 
-@pytest.mark.xfail(strict=True, reason="the infinite rate at the foot of a half-cylinder stops the run (tyre damping)")
 def test_half_cylinder_with_tyre_damping():
     """The tyre damper's impulse at the vertical foot is finite: the run must pass it and converge."""
     rig = KART.with_changes({"tyre.damping_coefficient": 60.0})

@@ -60,6 +60,44 @@ class Segments:
         return height, self.rate * slope
 
 
+    def with_finite_slopes(self) -> Segments:
+        """Give the same signal with a short chord wherever a circle begins or ends upright.
+
+        The slope of a circle is infinite there; a damper that sees it gets the same impulse from the chord, over
+        1e-5 of the radius.
+        """
+        if not np.any(self.kind == CIRCLE):
+            return self
+        edges, kinds, coefficients = [float(self.edges[0])], [], []
+        for start, stop, kind, c in zip(self.edges[:-1], self.edges[1:], self.kind, self.coefficients, strict=True):
+            for end, piece_kind, piece in _split(kind, c, self.rate * (stop - start)):
+                edges.append(float(stop) if end is None else float(start + end / self.rate))
+                kinds.append(piece_kind)
+                coefficients.append(piece)
+        return replace(self, edges=np.array(edges), kind=np.array(kinds, dtype=np.int64), coefficients=np.array(coefficients))
+
+
+_CHORD = 1e-5  # of the radius
+
+
+def _split(kind: int, c: Array, length: float) -> list[tuple[float | None, int, Array]]:
+    """End (local coordinate in m; None: that of the whole piece), kind and coefficients of the parts of one piece."""
+    short = _CHORD * c[1]
+    if kind != CIRCLE or length <= 2.0 * short:
+        return [(None, kind, c)]
+    base, radius, centre, sign = c
+    rise = sign * np.sqrt(radius**2 - (radius - short) ** 2)
+    begins, ends = radius - centre <= short * _CHORD, radius - (length - centre) <= short * _CHORD
+    parts: list[tuple[float | None, int, Array]] = []
+    if begins:
+        parts.append((short, POLYNOMIAL, np.array([base, rise / short, 0.0, 0.0])))
+        centre -= short
+    parts.append((length - short if ends else None, CIRCLE, np.array([base, radius, centre, sign])))
+    if ends:
+        parts.append((None, POLYNOMIAL, np.array([base + rise, -rise / short, 0.0, 0.0])))
+    return parts
+
+
 def _polynomial(s: Array, c0: Array, c1: Array, c2: Array, c3: Array) -> tuple[Array, Array]:
     return np.asarray(c0 + s * (c1 + s * (c2 + s * c3))), np.asarray(c1 + s * (2.0 * c2 + 3.0 * s * c3))
 

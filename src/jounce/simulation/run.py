@@ -123,7 +123,7 @@ def prepare(
     rows, count = 1 + len(compiled.free), len(times)
     outputs = np.full((len(compiled.output_names) * rows, count), np.nan)
     out = Samples(times, np.full((n * rows, count), np.nan), np.empty((2, count)), outputs)
-    tracks = flatten([road])
+    tracks = flatten([road.with_finite_slopes()])
     problem = Problem(compiled.engine, tracks, tracks.first[:-1].copy(), p, modes.copy(), start)
     return Prepared(compiled, problem, control, out, _exact(compiled, problem, times), modes, tolerance)
 
