@@ -1,0 +1,101 @@
+"""Write docs/schemas: JSON schemas of rig, campaign and road files, made from the descriptions that read them.
+
+Run ``python docs/make_schemas.py`` after a description has changed; a test compares the files with what this gives.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from pydantic import TypeAdapter
+
+from jounce.parts.rigs import RIGS
+from jounce.roads.loading import SCHEMA
+from jounce.roads.train import ROADS, AnyRoad
+from jounce.studies.campaign.description import Campaign
+
+FOLDER = Path(__file__).parent / "schemas"
+DIALECT = "https://json-schema.org/draft/2020-12/schema"
+BOUNDS = {
+    "description": 'share of the start value to either side ("10 %"), or [lower, upper] with units',
+    "anyOf": [
+        {"type": "string"},
+        {"type": "number"},
+        {"type": "array", "minItems": 2, "maxItems": 2, "items": {"type": ["number", "string"]}},
+    ],
+}
+VALUE = {"type": ["number", "string", "boolean"]}
+
+
+def rig_schema() -> dict[str, Any]:
+    """Schema of a rig file."""
+    (model,) = RIGS.values()
+    schema = model.model_json_schema(by_alias=True)
+    definitions = schema["$defs"]
+    for curve in ("PolynomialCurve", "PowerCurve", "TableCurve"):
+        definitions[curve]["required"] = ["kind", *definitions[curve]["required"]]
+    schema["properties"]["bump_stop"] = {
+        **definitions["Strut"]["properties"]["bump_stop"],
+        "description": "the same as strut.bump_stop",
+    }
+    schema["required"] = ["schema", "model", *schema["required"]]
+    return {"$schema": DIALECT, **schema, "title": "jounce rig file"}
+
+
+def road_schema() -> dict[str, Any]:
+    """Schema of a road file: one road table at top level."""
+    schema = _roads(named=False)
+    for kind in ROADS.values():
+        schema["$defs"][kind.__name__]["properties"]["schema"] = {"const": SCHEMA}
+    return {"$schema": DIALECT, "title": "jounce road file", **schema}
+
+
+def campaign_schema() -> dict[str, Any]:
+    """Schema of a campaign file, its roads included."""
+    schema = Campaign.model_json_schema(by_alias=True)
+    roads = _roads(named=True)
+    definitions = schema["$defs"]
+    definitions.update(roads.pop("$defs"))
+    schema["properties"]["roads"]["additionalProperties"] = roads
+    definitions["UpdateEntry"]["properties"]["free"]["additionalProperties"] = BOUNDS
+    definitions["TrialEntry"]["properties"]["changes"]["additionalProperties"] = VALUE
+    return {"$schema": DIALECT, **schema, "title": "jounce campaign file"}
+
+
+def _roads(*, named: bool) -> dict[str, Any]:
+    """Schema of any road, ``kind`` required; ``named``: a train's obstacle may be the name of another road."""
+    schema = TypeAdapter(AnyRoad).json_schema(by_alias=True)
+    for kind in ROADS.values():
+        definition = schema["$defs"][kind.__name__]
+        definition["required"] = ["kind", *definition.get("required", [])]
+    if named:
+        of = schema["$defs"]["Train"]["properties"]["of"]
+        name = {"type": "string", "description": "name of a road"}
+        schema["$defs"]["Train"]["properties"]["of"] = {"anyOf": [name, of]}
+    return schema
+
+
+def _short(schema: Any) -> Any:  # noqa: ANN401
+    """Keep the first paragraph of every description; the rest is written for Python."""
+    if isinstance(schema, dict):
+        return {
+            key: " ".join(value.split("\n\n")[0].split())
+            if key == "description" and isinstance(value, str)
+            else _short(value)
+            for key, value in schema.items()
+        }
+    return [_short(item) for item in schema] if isinstance(schema, list) else schema
+
+
+def texts() -> dict[str, str]:
+    """Give all schemas: file name to text."""
+    schemas = {"rig": rig_schema(), "campaign": campaign_schema(), "road": road_schema()}
+    return {f"{name}.schema.json": json.dumps(_short(schema), indent=1) + "\n" for name, schema in schemas.items()}
+
+
+if __name__ == "__main__":
+    FOLDER.mkdir(exist_ok=True)
+    for file, text in texts().items():
+        (FOLDER / file).write_text(text, encoding="utf-8")

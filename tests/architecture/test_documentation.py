@@ -1,0 +1,158 @@
+"""What the documentation says is true: its blocks run, every command is described, the schemas are up to date."""
+
+from __future__ import annotations
+
+import contextlib
+import importlib.util
+import io
+import re
+import shlex
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+import typer
+
+from jounce.cli.entry import application, main
+
+ROOT = Path(__file__).parents[2]
+PAGES = {
+    str(page.relative_to(ROOT)): page
+    for page in (ROOT / "README.md", *sorted((ROOT / "docs").glob("**/*.md")))
+    if page.name != "public-names.md"  # written by Sphinx; its examples are those of the docstrings
+}
+BLOCK = re.compile(r"^```(python|toml|console)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+FILE = re.compile(r"# file: (\S+)\n")
+ELSEWHERE = ("jounce demo",)  # takes half a minute; tests/recovery runs the same
+
+
+def blocks(page: Path) -> list[tuple[str, str]]:
+    return BLOCK.findall(page.read_text(encoding="utf-8"))
+
+
+def expanded(word: str) -> list[str]:
+    return sorted(str(path) for path in Path().glob(word)) if "*" in word else [word]
+
+
+def answer(command: str) -> tuple[int, str]:
+    """Exit code and everything that a command prints."""
+    words = [name for word in shlex.split(command)[1:] for name in expanded(word)]
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
+        code = main(words)
+    return code, printed.getvalue()
+
+
+def squeezed(text: str) -> str:
+    return " ".join(text.split())
+
+
+def run_console(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Run the commands of a block; a line under a command must be in what it prints, spaces apart; ... is anything."""
+    printed = ""
+    for line in text.splitlines():
+        if not line.startswith("$ "):
+            shown = ".*?".join(re.escape(squeezed(part)) for part in line.split("..."))
+            assert re.search(shown, printed), f"{line}\nnot in\n{printed}"
+            continue
+        command, _, code = line[2:].partition("  # exit code ")
+        if command.startswith(ELSEWHERE):
+            continue
+        if command.startswith("cd "):
+            monkeypatch.chdir(command[3:])
+            continue
+        assert command.startswith("jounce "), command
+        found, output = answer(command)
+        printed = squeezed(output)
+        assert found == int(code or 0), output
+
+
+def run_page(page: Path, monkeypatch: pytest.MonkeyPatch) -> int:
+    """Run all blocks of a page in order, in the current folder; give how many there were."""
+    names: dict[str, object] = {}
+    count = 0
+    for kind, text in blocks(page):
+        file = FILE.match(text)
+        if kind == "python":
+            with contextlib.redirect_stdout(io.StringIO()):
+                exec(compile(text, str(page), "exec"), names)  # noqa: S102 - our own pages
+        elif kind == "console":
+            run_console(text, monkeypatch)
+        elif file:
+            Path(file[1]).write_text(text, encoding="utf-8")
+        count += 1
+    return count
+
+
+@pytest.mark.parametrize("name", [name for name, page in PAGES.items() if blocks(page)])
+def test_blocks_run(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("COLUMNS", "200")
+    assert run_page(PAGES[name], monkeypatch) > 0
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "```python\nassert 1 == 2\n```\n",
+        "```console\n$ jounce version\n python 2.7\n```\n",
+        "```console\n$ jounce bench spede\n```\n",
+        "```console\n$ jounce version  # exit code 1\n```\n",
+        "```console\n$ rm -r somewhere\n```\n",
+    ],
+)
+def test_untrue_blocks_are_rejected(text: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+    page = tmp_path / "page.md"
+    page.write_text(text, encoding="utf-8")
+    with pytest.raises(AssertionError):
+        run_page(page, monkeypatch)
+
+
+def test_readme_and_the_pages_about_use_hold_blocks():
+    for name in ("README.md", *(f"docs/{page}.md" for page in ("campaign", "rig", "roads", "bench", "command-line"))):
+        assert blocks(PAGES[name]), name
+
+
+def commands() -> Iterator[str]:
+    """Full names of all commands, e.g. ``jounce fit decay``."""
+    pending = [("jounce", typer.main.get_command(application()))]
+    while pending:
+        name, command = pending.pop()
+        inner = getattr(command, "commands", {})
+        pending += [(f"{name} {word}", item) for word, item in inner.items()]
+        if not inner:
+            yield name
+
+
+def test_every_command_has_its_section_and_no_other():
+    text = PAGES["docs/command-line.md"].read_text(encoding="utf-8")
+    assert sorted(re.findall(r"^## `(.*)`$", text, re.MULTILINE)) == sorted(commands())
+
+
+@pytest.mark.parametrize("command", sorted(commands()))
+def test_every_section_shows_its_command_and_help_knows_it(command: str):
+    text = PAGES["docs/command-line.md"].read_text(encoding="utf-8")
+    section = text.split(f"## `{command}`\n")[1].split("\n## ")[0]
+    assert f"$ {command}" in section
+    *group, word = command.split()
+    code, shown = answer(" ".join([*group, "--help"]))
+    assert code == 0
+    assert re.search(rf"^\W*{word}\b", shown, re.MULTILINE)
+    code, shown = answer(f"{command} --help")
+    assert code == 0
+    assert f"Example: {command}" in squeezed(shown)
+
+
+def test_schemas_are_up_to_date():
+    source = ROOT / "docs" / "make_schemas.py"
+    spec = importlib.util.spec_from_file_location("make_schemas", source)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    texts = module.texts()
+    assert set(texts) == {f"{name}.schema.json" for name in ("rig", "campaign", "road")}
+    for name, text in texts.items():
+        found = (module.FOLDER / name).read_text(encoding="utf-8")
+        assert found == text, f"{name} is out of date: run python docs/make_schemas.py"
