@@ -107,7 +107,8 @@ def _sine(s: Array, c0: Array, c1: Array, c2: Array, c3: Array) -> tuple[Array, 
 
 
 def _circle(s: Array, c0: Array, c1: Array, c2: Array, c3: Array) -> tuple[Array, Array]:
-    root = np.sqrt(np.maximum(c1**2 - (s - c2) ** 2, 0.0))
+    share = (s - c2) / c1
+    root = c1 * np.sqrt(np.maximum((1.0 - share) * (1.0 + share), 0.0))
     with np.errstate(divide="ignore", invalid="ignore"):
         slope = np.where(root > 0.0, -c3 * (s - c2) / root, 0.0)
     return c0 + c3 * root, slope
