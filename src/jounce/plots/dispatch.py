@@ -1,0 +1,140 @@
+"""One verb for every result: ``jn.plots.show(result)``."""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from functools import singledispatch
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from jounce.core.errors import JounceError
+from jounce.plots import bench, comparison, decays, histories, linear, roads, sweeps, trials, updating
+from jounce.plots.writing import write_figure
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def figure_of(result: object, **options: Any) -> Figure:  # noqa: ANN401 - options of the drawing function
+    """Draw any result of the product with the function made for its type.
+
+    Parameters
+    ----------
+    result : object
+        A recording, a study over speed, a road (or several by name), a fit, an update (or several), a trial or all
+        trials of a campaign, a campaign's result, a linear model, modes.
+    **options
+        Passed on to that function, e.g. ``channels=`` for a recording or ``trials=`` for a stiffness.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure; :func:`write_figure` writes it.
+
+    Raises
+    ------
+    JounceError
+        For a type that has no picture.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> figure_of(jn.HalfSine(height="10 mm", length="60 mm")).axes[0].get_ylabel()
+    'height [mm]'
+    """
+    found: Figure = _drawing()(result, **options)
+    return found
+
+
+def show(result: object, **options: Any) -> Figure:  # noqa: ANN401 - options of the drawing function
+    """Draw any result and put it before the reader: in a notebook, or in the viewer of the desktop.
+
+    Parameters
+    ----------
+    result : object
+        See :func:`figure_of`.
+    **options
+        Passed on to the drawing function.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure, also where there is neither notebook nor desktop to show it.
+    """
+    figure = figure_of(result, **options)
+    if "ipykernel" in sys.modules:
+        from IPython.display import SVG, display
+
+        display(SVG(_written(figure, ".svg").read_text(encoding="utf-8")))  # type: ignore[no-untyped-call]
+    elif sys.platform in ("win32", "darwin") or os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"):
+        import webbrowser
+
+        webbrowser.open(_written(figure, ".png").as_uri())
+    return figure
+
+
+def _written(figure: Figure, suffix: str) -> Path:
+    return write_figure(figure, Path(tempfile.mkdtemp(prefix="jounce-figure-")) / f"figure{suffix}")
+
+
+def _drawing() -> Callable[..., Figure]:
+    """Build the dispatcher on first use: it needs the types of all packages, which are heavy to import."""
+    global _dispatcher  # noqa: PLW0603 - made once a process
+    if _dispatcher is None:
+        _dispatcher = _registered()
+    return _dispatcher
+
+
+_dispatcher: Callable[..., Figure] | None = None
+
+
+def _registered() -> Callable[..., Figure]:
+    import xarray as xr
+
+    from jounce.identify.decay import DecayResult
+    from jounce.identify.stiffness import StiffnessResult
+    from jounce.identify.tyre_pressure import PressureStiffness
+    from jounce.identify.update import UpdateResult
+    from jounce.roads.road import Road
+    from jounce.simulation import LinearModel, Mode
+    from jounce.studies.campaign.result import CampaignResult, StrategyResult, TrialResult
+
+    @singledispatch
+    def draw(result: object, **options: Any) -> Figure:  # noqa: ANN401, ARG001
+        kinds = ", ".join(sorted(kind.__name__ for kind in draw.registry if kind is not object))
+        raise JounceError("there is no picture of this", found=type(result).__name__, allowed=kinds)
+
+    def of_dataset(result: xr.Dataset, **options: Any) -> Figure:  # noqa: ANN401
+        return (histories.time_history if "time" in result.dims else sweeps.sweep)(result, **options)
+
+    def of_mapping(result: Mapping[str, Any], **options: Any) -> Figure:  # noqa: ANN401
+        if result and all(isinstance(item, Road) for item in result.values()):
+            return roads.road_profile(result, **options)
+        return draw(object(), **options)
+
+    def of_sequence(result: Sequence[Any], **options: Any) -> Figure:  # noqa: ANN401
+        drawings = {TrialResult: trials.trial_matrix, UpdateResult: updating.objectives, Mode: linear.modes}
+        for kind, function in drawings.items():
+            if result and all(isinstance(item, kind) for item in result):
+                return function(result, **options)  # type: ignore[operator,no-any-return]
+        return draw(object(), **options)
+
+    draw.register(xr.Dataset, of_dataset)
+    draw.register(Road, roads.road_profile)
+    draw.register(dict, of_mapping)
+    draw.register(list, of_sequence)
+    draw.register(tuple, of_sequence)
+    draw.register(StiffnessResult, bench.stiffness_fit)
+    draw.register(PressureStiffness, bench.tyre_pressure)
+    draw.register(DecayResult, decays.decay_fit)
+    draw.register(UpdateResult, updating.update)
+    draw.register(StrategyResult, lambda result, **options: updating.update(result.update, **options))
+    draw.register(TrialResult, comparison.measured_against_simulated)
+    draw.register(CampaignResult, lambda result, **options: trials.trial_matrix(result.trials, **options))
+    draw.register(LinearModel, linear.frequency_response)
+    return draw
+
+

@@ -1,0 +1,153 @@
+"""How SI values are shown to people: display units, labels, numbers with sensible digits."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from jounce.recordings.schema import QUANTITIES, quantity_of
+
+
+@dataclass(frozen=True)
+class DisplayUnit:
+    """Unit in which values of an SI unit are shown.
+
+    Attributes
+    ----------
+    name : str
+        As printed, e.g. ``"mm"``; empty for plain numbers.
+    factor : float
+        Shown value for one SI unit [1].
+    """
+
+    name: str
+    factor: float
+
+    def label(self, words: str) -> str:
+        """Give an axis label such as ``displacement [mm]``; plain numbers carry ``[–]``."""
+        return f"{words} [{self.name or '–'}]"
+
+
+_UNITS = {
+    "m": DisplayUnit("mm", 1e3),
+    "m/s": DisplayUnit("m/s", 1.0),
+    "m/s^2": DisplayUnit("m/s²", 1.0),
+    "rad": DisplayUnit("°", 180.0 / math.pi),
+    "rad/s": DisplayUnit("°/s", 180.0 / math.pi),
+    "rad/s^2": DisplayUnit("°/s²", 180.0 / math.pi),
+    "Pa": DisplayUnit("MPa", 1e-6),
+    "N/m": DisplayUnit("N/mm", 1e-3),
+    "N*s/m": DisplayUnit("N·s/m", 1.0),
+    "N*m": DisplayUnit("N·m", 1.0),
+    "kg*m^2": DisplayUnit("kg·m²", 1.0),
+    "1": DisplayUnit("", 1.0),
+    "": DisplayUnit("", 1.0),
+}
+_LARGE = {"N": (2e4, DisplayUnit("kN", 1e-3)), "W": (2e4, DisplayUnit("kW", 1e-3))}
+
+
+def display_unit(si: str, largest: float = 0.0) -> DisplayUnit:
+    """Choose the unit in which values of an SI unit are shown.
+
+    Parameters
+    ----------
+    si : str
+        SI unit as written in recordings, e.g. ``"m/s^2"``.
+    largest : float
+        Largest absolute value to be shown, in that SI unit; forces above 20 000 N are shown in kN.
+
+    Returns
+    -------
+    DisplayUnit
+        The SI unit itself where nothing is more usual.
+
+    Examples
+    --------
+    >>> display_unit("m").label("displacement"), display_unit("N", 5e4).name, display_unit("N*s/m").name
+    ('displacement [mm]', 'kN', 'N·s/m')
+    """
+    if si in _LARGE and abs(largest) >= _LARGE[si][0]:
+        return _LARGE[si][1]
+    return _UNITS.get(si) or DisplayUnit(si.replace("^2", "²").replace("^3", "³").replace("*", "·"), 1.0)
+
+
+def words_of(name: str) -> str:
+    """Give the quantity of a channel in words without its place, e.g. ``acceleration`` for ``sprung.az``."""
+    quantity = quantity_of(name)
+    words = QUANTITIES[quantity][1] if quantity else name.rpartition(".")[2].replace("_", " ")
+    return words.removeprefix("vertical ")
+
+
+def number(value: float | None, digits: int = 4) -> str:
+    """Write a number with significant digits, without an exponent where people read it more easily so.
+
+    Parameters
+    ----------
+    value : float or None
+        In the unit of the caller (any; 1 for a plain number); None and NaN become an en dash.
+    digits : int
+        Significant digits.
+
+    Returns
+    -------
+    str
+        With a true minus sign.
+
+    Examples
+    --------
+    >>> number(22730.4), number(0.00012345), number(-1.5), number(None), number(1234567.0)
+    ('22730', '1.234e−4', '−1.500', '–', '1234567')
+    """
+    if value is None or math.isnan(value):
+        return "–"
+    if math.isinf(value):
+        return "∞" if value > 0 else "−∞"
+    if value == 0.0:
+        return "0"
+    rounded = float(f"{value:.{digits - 1}e}")
+    exponent = math.floor(math.log10(abs(rounded)))
+    if not -4 < exponent < 7:
+        mantissa, _, power = f"{value:.{digits - 1}e}".partition("e")
+        return f"{mantissa}e{int(power)}".replace("-", "−")
+    return f"{value:.{max(0, digits - 1 - exponent)}f}".replace("-", "−")
+
+
+def quantity(value: float | None, si: str, digits: int = 4) -> str:
+    """Write an SI value in its display unit with the unit behind it, e.g. ``22.73 N/mm``.
+
+    Parameters
+    ----------
+    value : float or None
+        In the SI unit ``si``.
+    si : str
+        SI unit as written in recordings.
+    digits : int
+        Significant digits.
+
+    Returns
+    -------
+    str
+        An en dash where there is no value.
+
+    Examples
+    --------
+    >>> quantity(22730.0, "N/m"), quantity(0.11, "1", 2)
+    ('22.73 N/mm', '0.11')
+    """
+    if value is None or math.isnan(value):
+        return "–"
+    unit = display_unit(si, value)
+    return f"{number(value * unit.factor, digits)} {unit.name}".strip()
+
+
+def digits_for(value: float, error: float | None, most: int = 7, default: int = 4) -> int:
+    """Significant digits of a value so that its error shows two; both in the same unit."""
+    if error is None or not error > 0.0 or not math.isfinite(error) or value == 0.0:
+        return default
+    return max(2, min(most, math.floor(math.log10(abs(value))) - math.floor(math.log10(error)) + 2))
+
+
+def largest_of(values: Sequence[float]) -> float:
+    """Largest absolute value, same unit; 0 for none."""
+    return max((abs(float(value)) for value in values), default=0.0)

@@ -1,0 +1,119 @@
+"""One look for every figure: fonts, colours, grid, size, and the note that marks synthetic data."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
+from functools import wraps
+from typing import TYPE_CHECKING, Any, ParamSpec
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+P = ParamSpec("P")
+
+INK, MUTED, GRID = "#22262b", "#666d75", "#e3e6ea"
+MEASURED, BEFORE, AFTER = "#30353b", "#d98a1f", "#0067a8"
+PALETTE = ("#0067a8", "#d55e00", "#00896b", "#a64d8f", "#b8860b", "#3fa0d8")
+"""Lines without a meaning of their own; distinguishable with every common kind of colour blindness (after Okabe, Ito)."""
+GRADES = {"excellent": "#2b6ea3", "good": "#a9cce6", "fair": "#f3d79b", "poor": "#e39a7b"}
+"""Fill of each ISO/TS 18571 grade: from blue to orange, so that no one needs to tell red from green."""
+VERDICTS = {"holds": "#2b6ea3", "holds partly": "#b7791f", "does not hold": "#b5472a", "not usable": "#737980"}
+WIDTH = 7.6
+"""Width of a full figure in inches."""
+
+_SETTINGS: dict[str, Any] = {
+    "font.family": ["DejaVu Sans"],
+    "font.size": 9.0,
+    "axes.titlesize": 9.5,
+    "axes.titleweight": "bold",
+    "axes.titlelocation": "left",
+    "axes.titlepad": 6.0,
+    "axes.titlecolor": INK,
+    "axes.labelsize": 9.0,
+    "axes.labelcolor": INK,
+    "axes.edgecolor": "#9aa1a9",
+    "axes.linewidth": 0.7,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "axes.formatter.use_mathtext": False,
+    "axes.formatter.useoffset": False,
+    "axes.unicode_minus": True,
+    "axes.xmargin": 0.02,
+    "axes.ymargin": 0.08,
+    "grid.color": GRID,
+    "grid.linewidth": 0.7,
+    "xtick.labelsize": 8.5,
+    "ytick.labelsize": 8.5,
+    "xtick.color": "#9aa1a9",
+    "ytick.color": "#9aa1a9",
+    "xtick.labelcolor": INK,
+    "ytick.labelcolor": INK,
+    "text.color": INK,
+    "lines.linewidth": 1.3,
+    "lines.solid_capstyle": "round",
+    "legend.fontsize": 8.5,
+    "legend.frameon": False,
+    "legend.handlelength": 1.8,
+    "legend.borderaxespad": 0.2,
+    "figure.facecolor": "white",
+    "figure.dpi": 100,
+    "figure.constrained_layout.h_pad": 0.06,
+    "figure.constrained_layout.w_pad": 0.06,
+    "savefig.facecolor": "white",
+    "path.simplify": True,
+    "path.simplify_threshold": 0.2,  # of a point, a sixth of a line width: nothing that could be seen is left out
+    "svg.fonttype": "none",
+    "pdf.fonttype": 42,
+}
+
+
+def style() -> AbstractContextManager[None]:
+    """Give the context in which figures are made and written."""
+    import matplotlib as mpl
+
+    return mpl.rc_context({**mpl.rcParamsDefault, "backend": "agg", **_SETTINGS})
+
+
+def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
+    """Make a drawing function work in the product's style, whatever the user has set."""
+
+    @wraps(draw)
+    def wrapper(*arguments: P.args, **options: P.kwargs) -> Figure:
+        with style():
+            return draw(*arguments, **options)
+
+    return wrapper
+
+
+def new_figure(height: float, width: float = WIDTH) -> Figure:
+    """Give an empty figure with constrained layout; ``height`` and ``width`` in inches."""
+    from matplotlib.figure import Figure
+
+    return Figure(figsize=(width, height), layout="constrained")
+
+
+def legend_above(axes: Axes, columns: int = 4, handles: Sequence[Any] | None = None) -> None:
+    """Put the legend above the axes, at the right end of the title's line, where no curve can hide it."""
+    shown = handles if handles is not None else axes.get_legend_handles_labels()[0]
+    axes.legend(handles=shown, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=columns, columnspacing=1.4)
+
+
+def add_note(figure: Figure, text: str) -> None:
+    """Write a small note at the foot of a figure, below everything else; an empty text changes nothing."""
+    if not text:
+        return
+    engine = figure.get_layout_engine()
+    share = 0.2 / float(figure.get_figheight())
+    if engine is not None:
+        engine.set(rect=(0.0, share, 1.0, 1.0 - share))  # type: ignore[call-arg]
+    figure.text(0.995, 0.05 / float(figure.get_figheight()), text, ha="right", va="bottom", fontsize=7.5, color="#a33f1f")
+
+
+def limits(axes: Axes, low: float, high: float) -> None:
+    """Set the limits of the horizontal axis in its display unit, unless they are empty."""
+    if high > low:
+        axes.set_xlim(low, high)

@@ -1,0 +1,103 @@
+"""Figures into files: SVG, PNG and PDF, the same bytes for the same figure."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from jounce.core.errors import OutputError
+from jounce.core.serialise import check_writable, write_atomically
+from jounce.plots.style import style
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+SUFFIXES = (".svg", ".png", ".pdf")
+_DOTS_PER_INCH = 130
+
+
+def write_figure(figure: Figure, path: Path | str, *, force: bool = False) -> Path:
+    """Write a figure; the suffix chooses the format.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        As the functions of :mod:`jounce.plots` give it.
+    path : Path or str
+        ``.svg`` (text stays text), ``.png`` (130 dots per inch) or ``.pdf``.
+    force : bool
+        Overwrite an existing file.
+
+    Returns
+    -------
+    Path
+        The file written.
+
+    Raises
+    ------
+    OutputError
+        For an existing file without ``force``, a missing folder, or another suffix.
+
+    Examples
+    --------
+    >>> import tempfile, pathlib
+    >>> import jounce as jn
+    >>> from jounce.plots import road_profile
+    >>> figure = road_profile(jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m"))
+    >>> write_figure(figure, pathlib.Path(tempfile.mkdtemp()) / "road.svg").name
+    'road.svg'
+    """
+    file = Path(path)
+    suffix = file.suffix.lower()
+    if suffix not in SUFFIXES:
+        raise OutputError(
+            "figures are not written in this format", where=str(file), found=suffix, allowed=", ".join(SUFFIXES)
+        )
+    check_writable(file, force=force)
+    return write_atomically(file, rendered(figure, [suffix])[suffix], force=force)
+
+
+def rendered(figure: Figure, suffixes: Sequence[str] = (".svg", ".png"), salt: str = "jounce") -> dict[str, bytes]:
+    """Draw a figure once and give its bytes in several formats.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        Its layout is computed once, so that all formats look alike.
+    suffixes : sequence of str
+        Some of ``.svg``, ``.png``, ``.pdf``.
+    salt : str
+        Makes the names inside an SVG differ from those of other figures on the same page.
+
+    Returns
+    -------
+    dict
+        Suffix to content; the same figure gives the same bytes.
+    """
+    import matplotlib as mpl
+
+    found = {}
+    with style():
+        mpl.rcParams["svg.hashsalt"] = salt
+        figure.draw_without_rendering()
+        engine = figure.get_layout_engine()
+        figure.set_layout_engine("none")
+        try:
+            for suffix in suffixes:
+                found[suffix] = _content(figure, suffix)
+        finally:
+            figure.set_layout_engine(engine)
+    return found
+
+
+def _content(figure: Figure, suffix: str) -> bytes:
+    stream = io.BytesIO()
+    undated: dict[str, Any] = {
+        ".svg": {"Date": None, "Creator": None},
+        ".pdf": {"CreationDate": None, "Creator": None, "Producer": None},
+        ".png": {"Software": None},
+    }[suffix]
+    figure.savefig(stream, format=suffix[1:], dpi=_DOTS_PER_INCH, metadata=undated)
+    return stream.getvalue()

@@ -1,0 +1,46 @@
+"""Documents: pages of text, tables and figures as one HTML file each, with their figures and data beside it.
+
+:func:`write_campaign` reports a bench campaign; any other page is put together from :class:`Page` and :class:`Section`
+and written by :func:`write_page`. Nothing here computes a physical number.
+"""
+
+from __future__ import annotations
+
+from jounce.plots.writing import write_figure
+from jounce.report.campaign import campaign_page, write_campaign
+from jounce.report.folder import write_folder
+from jounce.report.page import (
+    Bullets,
+    Cell,
+    Details,
+    Fact,
+    Facts,
+    Findings,
+    Page,
+    Paragraph,
+    Picture,
+    Section,
+    Subsection,
+    Table,
+)
+from jounce.report.render import write_page
+
+__all__ = [
+    "Bullets",
+    "Cell",
+    "Details",
+    "Fact",
+    "Facts",
+    "Findings",
+    "Page",
+    "Paragraph",
+    "Picture",
+    "Section",
+    "Subsection",
+    "Table",
+    "campaign_page",
+    "write_campaign",
+    "write_figure",
+    "write_folder",
+    "write_page",
+]

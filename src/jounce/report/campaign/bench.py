@@ -1,0 +1,191 @@
+"""Characterisation: what the bench measurements say, and which rig values they replaced."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from jounce.core.errors import DescriptionError
+from jounce.parts.parameters import unit_of
+from jounce.plots import decay_fit, display_unit, number, quantity, stiffness_fit, tyre_pressure
+from jounce.report.campaign.sources import decay_records, force_deflection
+from jounce.report.numbers import estimate_cells, estimate_text, percent
+from jounce.report.page import Block, Cell, Paragraph, Picture, Section, Subsection, Table, slug
+
+if TYPE_CHECKING:
+    from jounce.identify.decay import DecayResult
+    from jounce.identify.stiffness import StiffnessResult
+    from jounce.parts import Rig
+    from jounce.studies.campaign.description import StiffnessBench
+    from jounce.studies.campaign.result import CampaignResult
+
+_ESTIMATE = ("quantity", "value", "standard error", "95 % interval", "unit")
+_NAMES = {"bench.spring": "spring", "bench.tyre": "tyre", "bench.decay": "free decays"}
+
+
+def characterisation(result: CampaignResult) -> Section:
+    """Values replaced, then spring, tyre and damping with tables and figures; failed tables are named."""
+    bench, asked = result.characterisation, result.campaign.bench
+    blocks: list[Block] = [
+        Paragraph(f"The {_NAMES.get(place, place)} could not be evaluated: the described value is used. See Findings.", "bad")
+        for place in bench.failed
+    ]
+    if bench.replaced:
+        blocks.append(_replaced(result))
+    if bench.spring is not None:
+        blocks.append(Subsection("Spring", _stiffness(result, bench.spring, asked.spring, "spring")))
+    for name, found in bench.tyre.items():
+        blocks.append(Subsection(f"Tyre at {name}", _stiffness(result, found, asked.tyre.get(name), f"tyre, {name}")))
+    if bench.pressure is not None and len(bench.pressure.pressures) > 1:
+        blocks.append(Subsection("Tyre against pressure", _pressure(result)))
+    if bench.decay is not None:
+        blocks.append(Subsection("Damping from free decays", _decay(result)))
+    if not blocks:
+        blocks.append(Paragraph("The campaign holds no bench measurements; every value is the rig's as described."))
+    return Section("Characterisation", tuple(blocks))
+
+
+def unit_at(rig: Rig, path: str) -> str:
+    """SI unit of a rig value; ``1`` for a path that this rig does not have."""
+    try:
+        return unit_of(rig, path)
+    except (DescriptionError, AttributeError, KeyError, IndexError, TypeError):
+        return "1"
+
+
+def _replaced(result: CampaignResult) -> Table:
+    rows = []
+    for item in result.characterisation.replaced:
+        si = unit_at(result.start, item.path)
+        si = unit_at(result.rig, item.path) if si == "1" else si
+        unit = display_unit(si, item.measured)
+        error = "–" if item.standard_error is None else number(item.standard_error * unit.factor, 2)
+        described = "–" if item.described is None else number(item.described * unit.factor)
+        rows.append((item.path, described, number(item.measured * unit.factor), error, unit.name, item.source))
+    return Table(
+        "Rig values that measurements replaced",
+        ("rig value", "described", "measured", "standard error", "unit", "from"),
+        tuple(rows), "lrrrll",
+    )
+
+
+def _stiffness(
+    result: CampaignResult, found: StiffnessResult, table: StiffnessBench | None, title: str
+) -> tuple[Block, ...]:
+    points = force_deflection(result, table)
+    choice = {"drop": "dropped", "shift": "deflection shifted", "keep": "kept as preload"}[found.intercept_choice]
+    rows: list[tuple[Cell | str, ...]] = [("stiffness", *estimate_cells(found.stiffness, "N/m"))]
+    if found.intercept is not None:
+        rows.append((f"intercept ({choice})", *estimate_cells(found.intercept, "N")))
+    if found.tangent_stiffness is not None:
+        rows.append(("measured slope at the static operating point", *estimate_cells(found.tangent_stiffness, "N/m")))
+    summary = Table(f"Fit of the {title}: {found.law} law, all trials", _ESTIMATE, tuple(rows), "lrrrl", _fit_note(found))
+    alternative = (
+        f"Force against deflection of the {title} with a {found.law} fit through {len(found.trials)} trials, "
+        f"stiffness {estimate_text(found.stiffness, 'N/m')}; at the right the stiffness of each trial."
+    )
+    caption = f"The {title}: measured points and fit; stiffness of each trial by itself with its 95 % interval."
+    picture = Picture(stiffness_fit(found, points, title), slug(f"bench {title}"), caption, alternative)
+    return summary, picture, _trial_table(found)
+
+
+def _fit_note(found: StiffnessResult) -> str:
+    low, high = found.fitted_range
+    parts = [f"Fitted from {quantity(low, 'm', 3)} to {quantity(high, 'm', 3)}", f"R² {found.r2:.4f}"]
+    if found.repeatability is not None:
+        parts.append(f"standard deviation between trials {quantity(found.repeatability, 'N/m', 2)}")
+    if found.loss_factor is not None:
+        parts.append(f"loss factor {number(found.loss_factor, 2)}")
+    if found.hysteresis_energy is not None:
+        parts.append(f"energy lost in a cycle {quantity(found.hysteresis_energy, 'J', 2)}")
+    if found.operating_deflection is not None:
+        parts.append(f"static operating point at {quantity(found.operating_deflection, 'm', 3)}")
+    return "; ".join(parts) + "."
+
+
+def _trial_table(found: StiffnessResult) -> Table:
+    rows = tuple(
+        (
+            trial.name, *estimate_cells(trial.stiffness, "N/m")[:3],
+            number(trial.rms_residual, 2), number(trial.loss_factor, 2), str(trial.points),
+        )
+        for trial in found.trials
+    )
+    header = ("trial", "stiffness [N/mm]", "standard error [N/mm]", "95 % interval [N/mm]", "r.m.s. residual [N]",
+              "loss factor [–]", "points")
+    return Table("Each trial by itself", header, rows, "lrrrrrr")
+
+
+def _pressure(result: CampaignResult) -> tuple[Block, ...]:
+    found = result.characterisation.pressure
+    assert found is not None
+    rows = tuple(
+        (quantity(pressure, "Pa", 3), *estimate_cells(one, "N/m"))
+        for pressure, one in zip(found.pressures, found.stiffnesses, strict=True)
+    )
+    note = []
+    if found.slope is not None:
+        note.append(f"Slope {number(found.slope * 1e3, 4)} N/mm per MPa")
+    if found.at_zero_pressure is not None:
+        note.append(f"line at zero pressure {quantity(found.at_zero_pressure, 'N/m')}")
+    if found.exponent is not None:
+        note.append(f"exponent of the power law {number(found.exponent, 3)}")
+    table = Table("Tyre stiffness against inflation pressure", ("pressure", *_ESTIMATE[1:]), rows, "lrrrl",
+                  "; ".join(note) + "." if note else "")
+    words = ", ".join(f"{row[0]}: {row[1]} {row[4]}" for row in rows)
+    picture = Picture(
+        tyre_pressure(found), "bench-tyre-pressure",
+        "Radial stiffness against inflation pressure; between measured pressures it is interpolated.",
+        f"Tyre stiffness against inflation pressure. {words}.",
+    )
+    return table, picture
+
+
+def _decay(result: CampaignResult) -> tuple[Block, ...]:
+    bench = result.characterisation
+    found = bench.decay
+    assert found is not None
+    blocks: list[Block] = [_decay_table(found, f"Damping from {len(bench.decays)} free decay(s)" if bench.decays else "")]
+    records = decay_records(result, result.campaign.bench.decay)
+    if len(records) != len(bench.decays):
+        records = [(f"decay {k}", (), ()) for k in range(1, len(bench.decays) + 1)]  # type: ignore[misc]
+    for (name, time, signal), one in zip(records, bench.decays, strict=True):
+        alternative = (
+            f"Free decay {name} with the fitted response: damping coefficient "
+            f"{estimate_text(one.damping_coefficient, 'N*s/m')}, dry friction {estimate_text(one.coulomb_force, 'N')}."
+        )
+        caption = (
+            f"{name}: record and fitted response; turning points; damping ratios that single decrements would mean. "
+            f"R² {one.r2:.4f}."
+        )
+        blocks.append(Picture(decay_fit(one, time, signal, name), slug(f"bench {name}"), caption, alternative))
+    if len(bench.decays) > 1:
+        blocks.append(_each_decay(bench.decays, [record[0] for record in records]))
+    return tuple(blocks)
+
+
+def _decay_table(found: Any, caption: str) -> Table:  # noqa: ANN401 - one decay or several combined
+    quantities = (
+        ("damping coefficient (viscous part)", found.damping_coefficient, "N*s/m"),
+        ("damping ratio (viscous part)", found.damping_ratio, "1"),
+        ("dry friction", found.coulomb_force, "N"),
+        ("natural frequency", found.natural_frequency_hz, "Hz"),
+        ("stiffness that mass and frequency mean", found.stiffness, "N/m"),
+        ("equilibrium", found.equilibrium, "m"),
+        ("logarithmic decrement (naive, for comparison)", found.logarithmic_decrement, "1"),
+    )
+    rows = tuple((words, *estimate_cells(one, si)) for words, one, si in quantities if one is not None)
+    return Table(caption, _ESTIMATE, rows, "lrrrl", f"{number(found.cycles, 3)} cycles. Values at the sprung mass.")
+
+
+def _each_decay(decays: tuple[DecayResult, ...], names: list[str]) -> Table:
+    rows = tuple(
+        (
+            name, *(
+                estimate_text(one, si)
+                for one, si in ((d.damping_coefficient, "N*s/m"), (d.coulomb_force, "N"), (d.natural_frequency_hz, "Hz"))
+            ), number(d.cycles, 2),
+        )
+        for name, d in zip(names, decays, strict=True)
+    )
+    return Table("Each decay by itself", ("record", "damping coefficient", "dry friction", "natural frequency", "cycles"), rows,
+                 "lrrrr")

@@ -1,0 +1,83 @@
+"""Estimates as text: as many digits as their uncertainty leaves."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from jounce.plots.display import digits_for, display_unit, number, quantity
+
+
+class Uncertain(Protocol):
+    """A value with its standard error and 95 % interval, None where the data cannot tell; one SI unit for all."""
+
+    @property
+    def value(self) -> float:
+        """The estimate, in its SI unit."""
+
+    @property
+    def standard_error(self) -> float | None:
+        """Its standard deviation, same unit."""
+
+    @property
+    def interval(self) -> tuple[float, float] | None:
+        """Ends of the 95 % interval, same unit."""
+
+
+def estimate_cells(found: Uncertain | None, si: str) -> tuple[str, str, str, str]:
+    """Value, standard error, 95 % interval and unit of an estimate as table cells.
+
+    Parameters
+    ----------
+    found : Uncertain or None
+        In the SI unit ``si``.
+    si : str
+        As written in recordings, e.g. ``"N/m"``.
+
+    Returns
+    -------
+    tuple of str
+        En dashes where there is nothing to say.
+
+    Examples
+    --------
+    >>> from jounce.identify.estimate import Estimate
+    >>> estimate_cells(Estimate(22731.4, 12.3, (22705.0, 22757.0)), "N/m")
+    ('22.731', '0.012', '22.705 to 22.757', 'N/mm')
+    """
+    if found is None:
+        return "–", "–", "–", display_unit(si).name
+    unit = display_unit(si, found.value)
+    value = found.value * unit.factor
+    error = None if found.standard_error is None else found.standard_error * unit.factor
+    digits = digits_for(value, error)
+    interval = "–"
+    if found.interval is not None:
+        low, high = (end * unit.factor for end in found.interval)
+        width = (high - low) / 4.0
+        interval = f"{number(low, digits_for(low, width))} to {number(high, digits_for(high, width))}"
+    return number(value, digits), number(error, 2), interval, unit.name
+
+
+def estimate_text(found: Uncertain | None, si: str) -> str:
+    """Write an estimate in a sentence: ``22.731 N/mm (95 %: 22.705 to 22.757)``; ``si`` is its SI unit."""
+    if found is None:
+        return "–"
+    value, _, interval, unit = estimate_cells(found, si)
+    return f"{value} {unit}".strip() + (f" (95 %: {interval})" if interval != "–" else "")
+
+
+def percent(share: float | None, digits: int = 1) -> str:
+    """Write a ratio [1] as percentage with decimals, e.g. ``−3.1 %``.
+
+    Examples
+    --------
+    >>> percent(-0.031), percent(None), percent(-1e-9)
+    ('−3.1 %', '–', '0.0 %')
+    """
+    if share is None or share != share:  # noqa: PLR0124 - not a number
+        return "–"
+    text = f"{100.0 * share:.{digits}f} %"
+    return text[1:] if text.startswith("-") and not text.strip("-0. %") else text.replace("-", "−")
+
+
+__all__ = ["Uncertain", "estimate_cells", "estimate_text", "number", "percent", "quantity"]

@@ -1,0 +1,203 @@
+"""What a page is made of: sections of text, tables, figures and findings, as frozen data."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal, TypeAlias
+
+from jounce.core.findings import Finding
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Tone = Literal["plain", "good", "fair", "bad", "muted"]
+
+
+@dataclass(frozen=True)
+class Paragraph:
+    """Text of one paragraph; a ``tone`` colours it."""
+
+    text: str
+    tone: Tone = "plain"
+
+
+@dataclass(frozen=True)
+class Bullets:
+    """A list of short texts."""
+
+    items: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Cell:
+    """One table cell whose tone says what it means; the text says it too."""
+
+    text: str
+    tone: Tone = "plain"
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table with headers.
+
+    Attributes
+    ----------
+    caption : str
+        What the table shows, as one sentence.
+    header : tuple of str
+        Header of each column, with its unit where there is one.
+    rows : tuple of tuple
+        Cells, or plain texts; the first cell of each row is its header.
+    align : str
+        One letter per column: ``l`` for text, ``r`` for numbers, ``c``; text by default.
+    note : str
+        Small text below.
+    """
+
+    caption: str
+    header: tuple[str, ...]
+    rows: tuple[tuple[Cell | str, ...], ...]
+    align: str = ""
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A figure with its file name (without suffix), what it shows, and the same for readers who cannot see it."""
+
+    figure: Figure
+    name: str
+    caption: str
+    alternative: str
+
+
+@dataclass(frozen=True)
+class Fact:
+    """One number of the summary with its label, a small note and a tone."""
+
+    label: str
+    value: str
+    note: str = ""
+    tone: Tone = "plain"
+
+
+@dataclass(frozen=True)
+class Facts:
+    """Numbers that stand out, side by side."""
+
+    items: tuple[Fact, ...]
+
+
+@dataclass(frozen=True)
+class Findings:
+    """Findings, grouped by severity; ``most`` limits how many are shown, worst first."""
+
+    items: tuple[Finding, ...]
+    most: int | None = None
+
+
+@dataclass(frozen=True)
+class Details:
+    """Blocks that can be folded away; printed unfolded."""
+
+    summary: str
+    blocks: tuple[Block, ...]
+    is_open: bool = False
+
+
+Block: TypeAlias = "Paragraph | Bullets | Table | Picture | Facts | Findings | Details | Subsection"
+
+
+@dataclass(frozen=True)
+class Subsection:
+    """Blocks under a heading of their own within a section."""
+
+    title: str
+    blocks: tuple[Block, ...]
+
+
+@dataclass(frozen=True)
+class Section:
+    """A heading with blocks; listed in the table of contents."""
+
+    title: str
+    blocks: tuple[Block, ...]
+
+
+@dataclass(frozen=True)
+class Page:
+    """A whole document.
+
+    Attributes
+    ----------
+    title, subtitle : str
+        Head of the page.
+    sections : tuple of Section
+        In order.
+    banner : str
+        Said at the top, on every section, in every figure and on every printed page, e.g. that data are synthetic.
+    figure_note : str
+        Short form of the banner for the foot of each figure.
+    files : dict of str to str
+        Further text files written beside the page, by name.
+    name : str
+        File name of the page.
+    """
+
+    title: str
+    sections: tuple[Section, ...]
+    subtitle: str = ""
+    banner: str = ""
+    figure_note: str = ""
+    files: tuple[tuple[str, str], ...] = ()
+    name: str = "report.html"
+
+    def pictures(self) -> tuple[Picture, ...]:
+        """All figures in order."""
+        return tuple(picture for section in self.sections for picture in pictures_in(section.blocks))
+
+
+def pictures_in(blocks: Sequence[Block]) -> list[Picture]:
+    """All figures of some blocks, folded ones included, in order."""
+    found: list[Picture] = []
+    for block in blocks:
+        if isinstance(block, Picture):
+            found.append(block)
+        elif isinstance(block, Details | Subsection):
+            found += pictures_in(block.blocks)
+    return found
+
+
+def slug(text: str) -> str:
+    """Turn a name into a file name: ASCII letters, digits and hyphens.
+
+    Examples
+    --------
+    >>> slug("Strategy 2: Größe/all"), slug("?!")
+    ('strategy-2-grosse-all', 'unnamed')
+    """
+    plain = unicodedata.normalize("NFKD", text.replace("ß", "ss")).encode("ascii", "ignore").decode()
+    return re.sub(r"[^a-z0-9]+", "-", plain.lower()).strip("-") or "unnamed"
+
+
+def unique_slugs(names: Sequence[str]) -> list[str]:
+    """Slugs of several names, numbered where two names give the same.
+
+    Examples
+    --------
+    >>> unique_slugs(["a b", "A-b", "c"])
+    ['a-b', 'a-b-2', 'c']
+    """
+    found: list[str] = []
+    for name in names:
+        base = candidate = slug(name)
+        count = 1
+        while candidate in found:
+            count += 1
+            candidate = f"{base}-{count}"
+        found.append(candidate)
+    return found
