@@ -90,7 +90,7 @@ def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
 
 
 def new_figure(height: float, width: float = WIDTH) -> Figure:
-    """Give an empty figure with constrained layout; ``height`` and ``width`` in inches."""
+    """Give an empty figure with constrained layout; ``height`` in inches and ``width`` in inches."""
     from matplotlib.figure import Figure
 
     return Figure(figsize=(width, height), layout="constrained")

@@ -18,6 +18,7 @@ from jounce.identify.stiffness import StiffnessResult, fit_stiffness
 from jounce.identify.tyre_pressure import PressureStiffness, stiffness_against_pressure
 from jounce.parts import Rig
 from jounce.recordings import channel_unit, read_columns, read_recording
+from jounce.simulation import linearise
 from jounce.studies.campaign.description import Bench, DecayBench, StiffnessBench
 from jounce.studies.campaign.setup import Knowledge, with_tyre
 
@@ -209,11 +210,9 @@ def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, fol
     rig = knowledge.rig
     values = rig.parameters()
     lever = math.cos(values.get("strut.angle", 0.0)) ** 2
-    wheel_rate = values.get("strut.spring.rate", math.nan) * lever
-    share = 1.0
-    if table.support == "tyre" and "tyre.stiffness" in values:
-        share = values["tyre.stiffness"] / (wheel_rate + values["tyre.stiffness"])
-    stiffness = wheel_rate * share if math.isfinite(wheel_rate) else None
+    wheel_rate, tyre_rate = _rates_at_rest(rig)
+    share = tyre_rate / (wheel_rate + tyre_rate) if table.support == "tyre" else 1.0
+    stiffness = wheel_rate * share
     results = []
     for file in files_of(table.files, folder, "bench.decay"):
         data, notes = read_recording(file, columns=table.columns or None)
@@ -249,3 +248,12 @@ def _quantity(channel: str) -> Literal["displacement", "velocity", "acceleration
     """What a decay channel measures, by its unit."""
     unit = channel_unit(channel)
     return "velocity" if unit == "m/s" else "acceleration" if unit == "m/s^2" else "displacement"
+
+
+def _rates_at_rest(rig: Rig) -> tuple[float, float]:
+    """Wheel rate of the strut and stiffness of the tyre (N/m) about static equilibrium; tangents where they are curves."""
+    values, model = rig.parameters(), linearise(rig)
+    row = {name: i for i, name in enumerate(model.states)}
+    wheel_rate = -values["sprung.mass"] * model.A[row["sprung.z rate"], row["sprung.z"]]
+    both = -values["unsprung.mass"] * model.A[row["unsprung.z rate"], row["unsprung.z"]]
+    return float(wheel_rate), float(both - wheel_rate)
