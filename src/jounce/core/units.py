@@ -22,7 +22,10 @@ _DIMENSIONLESS = {"", "1", "-"}
 def _registry() -> Any:  # noqa: ANN401 - pint has no useful static type
     import pint
 
-    return pint.UnitRegistry(cache_folder=":auto:", autoconvert_offset_to_baseunit=True)
+    try:
+        return pint.UnitRegistry(cache_folder=":auto:", autoconvert_offset_to_baseunit=True)
+    except OSError:  # no folder that could be written: slower, with the same units
+        return pint.UnitRegistry(autoconvert_offset_to_baseunit=True)
 
 
 @lru_cache(maxsize=512)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from jounce.kernel.call import kept
 
 Array = NDArray[np.float64]
 
 
-@njit(cache=True)  # type: ignore[untyped-decorator]
+@kept()
 def _rate(u: float, sigma: float, exponent: float) -> float:
     """du/ds for motion in the direction in which u is counted."""
     if u >= 0.0:
@@ -17,7 +18,7 @@ def _rate(u: float, sigma: float, exponent: float) -> float:
     return float(1.0 + (2.0 * sigma - 1.0) * (-u) ** exponent)
 
 
-@njit(cache=True)  # type: ignore[untyped-decorator]
+@kept()
 def _advance(u: float, way: float, sigma: float, exponent: float) -> float:
     while way > 0.0:
         if u >= 1.0 - 1e-13:
@@ -33,7 +34,7 @@ def _advance(u: float, way: float, sigma: float, exponent: float) -> float:
     return u
 
 
-@njit(cache=True)  # type: ignore[untyped-decorator]
+@kept()
 def bouc_wen_path(displacement: Array, rate: float, sigma: float, exponent: float, start: float) -> Array:
     """Follow z' = rate (v - sigma |v| |z|^(n-1) z + (sigma - 1) v |z|^n) along a path of displacements.
 

@@ -8,9 +8,10 @@ block by block from these stores, near the path only: memory is a few megabytes 
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
+
+from jounce.kernel.call import kept
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -50,7 +51,7 @@ def warping_path(compared: Array, reference: Array, radius: int) -> tuple[Indice
     return path
 
 
-@numba.njit(cache=True, inline="always")  # type: ignore[untyped-decorator]
+@kept(inline="always")
 def _span(s: int, n: int, radius: int) -> tuple[int, int]:
     """First and last m of anti-diagonal ``s`` inside the table and the band (k = 2 m + s % 2)."""
     odd = s % 2
@@ -59,7 +60,7 @@ def _span(s: int, n: int, radius: int) -> tuple[int, int]:
     return (lowest - odd + 1) // 2, (highest - odd) // 2
 
 
-@numba.njit(cache=True)  # type: ignore[untyped-decorator]
+@kept()
 def _advance(costs: Array, x: Array, backwards: Array, s: int, first: int, last: int, centre: int) -> None:
     """Compute anti-diagonal ``s`` for m from ``first`` to ``last`` in place; ``costs[s % 2, m + centre]``."""
     if last < first:
@@ -80,7 +81,7 @@ def _advance(costs: Array, x: Array, backwards: Array, s: int, first: int, last:
         own[m] = least + difference * difference
 
 
-@numba.njit(cache=True)  # type: ignore[untyped-decorator]
+@kept()
 def _direction(costs: Array, s: int, m: int, centre: int) -> int:
     """Which step leads into cell ``m`` of anti-diagonal ``s``, before that anti-diagonal is computed."""
     odd = s % 2
@@ -92,7 +93,7 @@ def _direction(costs: Array, s: int, m: int, centre: int) -> int:
     return _REFERENCE if from_reference <= from_both else _BOTH
 
 
-@numba.njit(cache=True)  # type: ignore[untyped-decorator]
+@kept()
 def _stores(x: Array, backwards: Array, radius: int, centre: int) -> NDArray[np.float64]:
     """Costs just before anti-diagonals 1, 1 + block, 1 + 2 block, ...; shape (blocks, 2, width)."""
     n = x.size
@@ -107,7 +108,7 @@ def _stores(x: Array, backwards: Array, radius: int, centre: int) -> NDArray[np.
     return stores
 
 
-@numba.njit(cache=True)  # type: ignore[untyped-decorator]
+@kept()
 def _path(x: Array, backwards: Array, radius: int) -> tuple[Indices, Indices]:
     n = x.size
     path = np.empty((2, 2 * n - 1), dtype=np.int64)

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Callable
+from functools import cache
+from pathlib import Path
 from typing import Any
 
 from llvmlite import ir
@@ -18,7 +21,35 @@ def compiled() -> Callable[[Callable[..., Any]], Any]:
 
     So it needs no reference counts (``_nrt``), which otherwise cost more than the arithmetic between them.
     """
-    return njit(cache=True, error_model="numpy", _nrt=False)  # type: ignore[no-any-return]
+    return kept(error_model="numpy", _nrt=False)
+
+
+def kept(**options: Any) -> Callable[[Callable[..., Any]], Any]:  # noqa: ANN401
+    """Compile a function and keep its code on disk; only for this process where no folder can be written.
+
+    Numba trusts stored code as long as the function's own file is unchanged, also where a function it calls or a
+    constant it uses comes from another file. Here the stored code goes with all sources of the kernel.
+    """
+
+    def compile_one(function: Callable[..., Any]) -> Any:  # noqa: ANN401
+        try:
+            dispatcher = njit(cache=True, **options)(function)
+        except RuntimeError:  # Numba finds no place for its files
+            return njit(**options)(function)
+        file = dispatcher._cache._cache_file
+        file._source_stamp = (file._source_stamp, _sources())
+        return dispatcher
+
+    return compile_one
+
+
+@cache
+def _sources() -> str:
+    """Digest of all sources of the kernel."""
+    digest = hashlib.sha256()
+    for file in sorted(Path(__file__).parent.glob("*.py")):
+        digest.update(file.read_bytes())
+    return digest.hexdigest()
 
 
 def part(**options: Any) -> Callable[[Callable[..., Any]], Any]:  # noqa: ANN401

@@ -120,7 +120,7 @@ def _read(key: str) -> bytes | None:
     """Give a cached object whose checksum holds, else None."""
     try:
         content = (cache_folder() / f"{key}.o").read_bytes()
-    except OSError:
+    except (OSError, RuntimeError):  # RuntimeError: there is no home folder
         return None
     checksum, code = content[:32], content[32:]
     return code if code and _checksum(key, code) == checksum else None
@@ -133,7 +133,7 @@ def _checksum(key: str, code: bytes) -> bytes:
 
 def _write(key: str, code: bytes) -> None:
     """Store an object through a temporary file and a rename; a folder that cannot be written means no cache."""
-    with contextlib.suppress(OSError):
+    with contextlib.suppress(OSError, RuntimeError):  # RuntimeError: there is no home folder
         folder = cache_folder()
         folder.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(dir=folder)
