@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -412,7 +412,7 @@ def _result(
         intercept=intercept,
         intercept_choice=choices.intercept,
         coefficients=_coefficients(pooled, alone),
-        curve=replace(pooled.curve),
+        curve=pooled.curve,
         fitted_range=(float(x.min()), float(x.max())),
         force_range=(float(force.min()), float(force.max())),
         r2=r_squared(force, pooled.residual),

@@ -74,7 +74,6 @@ class Prepared:
     out: Samples
     exact: tuple[linear.Plan, Array] | None
     modes: Array
-    tolerance: float
 
     def run(self) -> Solution:
         """Fill the arrays and say how the run ended."""
@@ -125,7 +124,7 @@ def prepare(
     out = Samples(times, np.full((n * rows, count), np.nan), np.empty((2, count)), outputs)
     tracks = flatten([road.with_finite_slopes()])
     problem = Problem(compiled.engine, tracks, tracks.first[:-1].copy(), p, modes.copy(), start)
-    return Prepared(compiled, problem, control, out, _exact(compiled, problem, times), modes, tolerance)
+    return Prepared(compiled, problem, control, out, _exact(compiled, problem, times), modes)
 
 
 def solve(

@@ -92,6 +92,6 @@ def verdict_of(channels: dict[str, ChannelComparison]) -> str:
 
 
 def _lag(curves: dict[str, tuple[Array, Array, Array]]) -> float:
-    """Lag of the recording from the channel that varies most about its mean, relative to itself."""
+    """Lag of the recording from its channel with the largest standard deviation in SI, an acceleration as a rule."""
     time, measured, simulated = max(curves.values(), key=lambda curve: float(np.std(curve[1])))
     return float(estimate_lag(simulated, measured, 1.0 / float(np.median(np.diff(time)))))
