@@ -8,6 +8,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from jounce.core.errors import unknown
 from jounce.models import build
 from jounce.parts import Rig
 from jounce.simulation.compiled import Compiled, compile_model
@@ -55,7 +56,15 @@ class LinearModel:
         -------
         ndarray of complex, shape (n,)
             Output unit per metre.
+
+        Raises
+        ------
+        DescriptionError
+            For an output or a track that the model does not have.
         """
+        for name, names, what in ((output, self.outputs, "output"), (track, self.inputs[::2], "track")):
+            if name not in names:
+                raise unknown(name, names, what=what, where="frequency response")
         row, first = self.outputs.index(output), self.inputs.index(track)
         found = []
         for s in 2j * np.pi * np.atleast_1d(np.asarray(frequency, dtype=float)):

@@ -49,7 +49,7 @@ def check_free(rig: Rig, free: Mapping[str, Bounds], *, where: str = "", more: i
     for path, bounds in free.items():
         if path not in values:
             raise unknown_path(f"{where}: {path}" if where else path, values, name=path)
-        _range(bounds, values[path] or 1.0, unit_of(rig, path), f"{where}: {path}")
+        _range(bounds, values[path] or 1.0, unit_of(rig, path), f"{where}: {path}" if where else path)
 
 
 def _range(bounds: Bounds, initial: float, unit: str, place: str) -> tuple[float, float]:
@@ -65,7 +65,7 @@ def _range(bounds: Bounds, initial: float, unit: str, place: str) -> tuple[float
     return lower, upper
 
 
-def _absolute(bounds: Sequence[str | float], unit: str, place: str) -> tuple[float, float]:
+def _absolute(bounds: object, unit: str, place: str) -> tuple[float, float]:
     if not isinstance(bounds, Sequence) or len(bounds) != 2:
         raise FitError("not a pair of bounds", where=place, found=bounds, allowed='"10 %" or [lower, upper]')
     lower, upper = (to_si(value, unit, where=place) for value in bounds)

@@ -13,7 +13,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from jounce.core.errors import FitError, SimulationError
+from jounce.core.errors import FitError, SimulationError, unknown
 from jounce.kernel.status import Status
 from jounce.models import build
 from jounce.parts import Rig
@@ -242,6 +242,7 @@ def _prepare(
 ) -> Prepared:
     paths = tuple(item.path for item in free)
     compiled = compile_model(build(trial.rig), paths)
+    _check_channels(compiled.output_names, names, weights)
     values = trial.rig.parameters()
     time = trial.measured["time"].to_numpy()
     times = time if time[0] <= 0.0 else np.concatenate([[0.0], time])
@@ -258,11 +259,28 @@ def _prepare(
             hint="Map the columns, e.g. columns = {\"sprung.az\" = \"acc1 [g]\"}.",
         )
     channels = [_channel(trial, compiled, name, weights) for name in common]
+    if not any(channel.weight > 0.0 for channel in channels):
+        raise FitError(
+            "no channel of the recording has a weight", where=trial.name, found=", ".join(common),
+            hint="Give one of them a weight above 0, or leave the trial out.",
+        )
     factors = np.array([values[item.path] / item.initial if item.initial else 1.0 for item in free])
     return Prepared(
         trial, compiled, times, 1.0 / float(np.median(np.diff(time))), tuple(channels),
         compiled.parameter_values(values), factors,
     )
+
+
+def _check_channels(known: Sequence[str], names: Sequence[str] | None, weights: str | Mapping[str, float]) -> None:
+    """Refuse channels that the model does not have, and weights that are none: they would be ignored without a word."""
+    given = {} if isinstance(weights, str) else weights
+    for what, chosen in (("channels", names or ()), ("weights", given)):
+        for name in chosen:
+            if name not in known:
+                raise unknown(name, known, what="channel", where=what)
+    for name, weight in given.items():
+        if not (np.isfinite(weight) and weight >= 0.0):
+            raise FitError("not a weight", where=f"weights: {name}", found=weight, allowed="0 or more")
 
 
 def _channel(trial: FitTrial, compiled: Compiled, name: str, weights: str | Mapping[str, float]) -> Channel:

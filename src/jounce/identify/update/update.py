@@ -13,7 +13,7 @@ from jounce.core.findings import Finding
 from jounce.identify.update.free import free_parameters
 from jounce.identify.update.identifiability import Identifiability, correlation_of, identifiability
 from jounce.identify.update.optimise import Optimum, check_method, minimise_from_many
-from jounce.identify.update.problem import FitTrial, Free, UpdateProblem
+from jounce.identify.update.problem import FitTrial, UpdateProblem
 from jounce.identify.update.uncertainty import robust_covariance
 
 Array = NDArray[np.float64]
@@ -89,7 +89,7 @@ class UpdateResult:
         return {path: parameter.value for path, parameter in self.parameters.items()}
 
 
-def update_model(
+def update_model(  # noqa: PLR0913 - each is a choice of its own
     trials: Sequence[FitTrial],
     free: Mapping[str, str | float | Sequence[str | float]],
     *,
@@ -139,7 +139,10 @@ def update_model(
     Raises
     ------
     FitError
-        No trial, no free parameter, fewer data than parameters, bounds that exclude the start, an optimiser that stalls.
+        No trial, no free parameter, fewer data than parameters, bounds that exclude the start, impossible settings, an
+        optimiser that stalls.
+    DescriptionError
+        An unknown parameter or channel.
     SimulationError
         A simulation that diverges.
 
@@ -159,6 +162,10 @@ def update_model(
         raise FitError("no trial to fit", where=name, hint="Mark trials with use = \"fit\" or name their numbers.")
     if align not in (None, "lag"):
         raise FitError("unknown alignment", where=name, found=align, allowed='none, or "lag"')
+    if starts < 1:
+        raise FitError("not a number of starts", where=name, found=starts, allowed="1 or more")
+    if not (np.isfinite(lag_bound) and lag_bound > 0.0):
+        raise FitError("not a largest lag", where=name, found=f"{lag_bound} s", allowed="above 0 s")
     bounds = free_parameters(trials[0].rig, free, where=name)
     problem = UpdateProblem(
         trials, bounds, channels=channels, weights=weights, align=align == "lag", lag_bound=lag_bound, tolerance=tolerance

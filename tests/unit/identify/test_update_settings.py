@@ -1,0 +1,48 @@
+"""Settings of an update that would be ignored, or end in nonsense, are refused with a message."""
+
+from __future__ import annotations
+
+import pytest
+
+import jounce as jn
+
+RIG = jn.load("kart-quarter-car")
+TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm", start="0.1 m"), speed="1.95 m/s", duration="0.3 s")
+
+
+@pytest.fixture(scope="module")
+def trials() -> list[jn.FitTrial]:
+    measured = jn.simulate(RIG.with_changes({"strut.spring.rate": "23 N/mm"}), TRIAL)[["sprung.az", "unsprung.az"]]
+    return [jn.FitTrial("one", RIG, TRIAL, measured)]
+
+
+@pytest.mark.parametrize(
+    ("settings", "message"),
+    [
+        ({"channels": ["sprung.az", "unsprng.az"]}, r"channels: unknown channel 'unsprng.az'.*mean 'unsprung.az'"),
+        ({"weights": {"sprng.az": 1.0}}, r"weights: unknown channel 'sprng.az'.*Did you mean 'sprung.az'"),
+        ({"weights": {"sprung.az": -1.0}}, r"weights: sprung.az: not a weight; found -1.0; allowed: 0 or more"),
+        ({"weights": {"sprung.az": float("nan")}}, "weights: sprung.az: not a weight"),
+        ({"weights": {"tyre.force": 1.0}}, r"one: no channel of the recording has a weight; found"),
+        ({"starts": 0}, "not a number of starts; found 0; allowed: 1 or more"),
+        ({"align": "lag", "lag_bound": 0.0}, "not a largest lag"),
+    ],
+)
+def test_impossible_settings_are_refused(trials, settings, message):
+    with pytest.raises(jn.JounceError, match=message):
+        jn.update_model(trials, {"strut.spring.rate": "10 %"}, **settings)
+
+
+def test_a_weight_of_zero_leaves_a_channel_out(trials):
+    weighted = jn.update_model(trials, {"strut.spring.rate": "10 %"}, weights={"sprung.az": 1.0, "unsprung.az": 0.0})
+    alone = jn.update_model(trials, {"strut.spring.rate": "10 %"}, channels=["sprung.az"])
+    assert weighted.objective_before == pytest.approx(alone.objective_before, rel=1e-12)
+    assert weighted.parameters["strut.spring.rate"].value == pytest.approx(23000.0, rel=1e-4)
+
+
+def test_a_frequency_response_names_what_it_has():
+    model = jn.linearise(RIG)
+    with pytest.raises(jn.DescriptionError, match=r"unknown output 'sprung.zz'.*Did you mean 'sprung.z'"):
+        model.frequency_response([1.0], "sprung.zz")
+    with pytest.raises(jn.DescriptionError, match=r"unknown track 'road'.*allowed: road.z"):
+        model.frequency_response([1.0], "sprung.z", "road")
