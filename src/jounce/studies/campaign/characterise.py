@@ -247,7 +247,13 @@ def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, fol
 def _quantity(channel: str) -> Literal["displacement", "velocity", "acceleration"]:
     """What a decay channel measures, by its unit."""
     unit = channel_unit(channel)
-    return "velocity" if unit == "m/s" else "acceleration" if unit == "m/s^2" else "displacement"
+    kinds: dict[str, Literal["displacement", "velocity", "acceleration"]] = {
+        "m": "displacement", "m/s": "velocity", "m/s^2": "acceleration"
+    }
+    if unit not in kinds:
+        allowed = "a displacement, velocity or acceleration"
+        raise RecordingError("not a motion", where=f"bench.decay: channel {channel!r}", found=unit, allowed=allowed)
+    return kinds[unit]
 
 
 def _rates_at_rest(rig: Rig) -> tuple[float, float]:

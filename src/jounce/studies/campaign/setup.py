@@ -40,7 +40,7 @@ class Knowledge:
 
     def after(self, fitted: Mapping[str, UpdatedParameter], pressures: Sequence[float | None]) -> Knowledge:
         """Take over fitted values; those of the tyre hold for the pressures they were fitted at, all others always."""
-        tyre = {path: p.value / p.initial for path, p in fitted.items() if path.startswith(_TYRE_PATHS) and p.initial}
+        tyre = {path: p for path, p in fitted.items() if path.startswith(_TYRE_PATHS)}
         rig = self.rig.with_changes({path: p.value for path, p in fitted.items() if path not in tyre})
         if not tyre:
             return Knowledge(rig, self.tyres, self.between)
@@ -48,7 +48,9 @@ class Knowledge:
         for pressure in dict.fromkeys(pressures):
             set_up = with_tyre(rig, self.tyre_at(pressure))
             start = set_up.parameters()
-            scaled = set_up.with_changes({path: start[path] * factor for path, factor in tyre.items()})
+            scaled = set_up.with_changes(
+                {path: start[path] * p.value / p.initial if p.initial else p.value for path, p in tyre.items()}
+            )
             if pressure is not None:
                 tyres[pressure] = tyre_of(scaled)
             if pressure == pressures[0]:
