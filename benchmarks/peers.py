@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -45,8 +46,8 @@ def scipy_runs(car: QuarterCar, bump: Obstacle) -> Iterator[tuple[str, float, Ru
 
             def run(method: str = method, tolerance: float = tolerance) -> Array:
                 x, parts = car.rest(), []
-                for begin, end in zip(stops[:-1], stops[1:], strict=True):
-                    at = TIMES[(TIMES >= begin) & (TIMES < end)]
+                for begin, end in pairwise(stops):
+                    at = TIMES[(begin <= TIMES) & (end > TIMES)]
                     solution = solve_ivp(
                         rate, (begin, end), x, method=method, t_eval=np.append(at, end), rtol=tolerance, atol=tolerance * 1e-3
                     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
@@ -55,7 +56,7 @@ def check_table(name: str, x: tuple[float, ...], force: tuple[float, ...]) -> No
     """Refuse tables of unequal length or with points that do not ascend."""
     if len(x) != len(force):
         raise ValueError(f"{name} has {len(x)} points and force has {len(force)}; give as many of both")
-    for i, (a, b) in enumerate(zip(x[:-1], x[1:], strict=True)):
+    for i, (a, b) in enumerate(pairwise(x)):
         if b <= a:
             raise ValueError(f"{name}[{i + 1}] = {b:g} does not lie above {name}[{i}] = {a:g}; sort the points")
 

@@ -68,7 +68,7 @@ def show(result: object, **options: Any) -> Figure:  # noqa: ANN401 - options of
     if "ipykernel" in sys.modules:
         from IPython.display import SVG, display
 
-        display(SVG(_written(figure, ".svg").read_text(encoding="utf-8")))  # type: ignore[no-untyped-call]
+        display(SVG(_written(figure, ".svg").read_text(encoding="utf-8")))
     elif sys.platform in ("win32", "darwin") or os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"):
         import webbrowser
 

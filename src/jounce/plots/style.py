@@ -75,7 +75,8 @@ def style() -> AbstractContextManager[None]:
     """Give the context in which figures are made and written."""
     import matplotlib as mpl
 
-    return mpl.rc_context({**mpl.rcParamsDefault, "backend": "agg", **_SETTINGS})
+    settings: dict[Any, Any] = {**mpl.rcParamsDefault, "backend": "agg", **_SETTINGS}
+    return mpl.rc_context(settings)
 
 
 def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:

@@ -18,7 +18,7 @@ _SEVERITIES = {"problem": "Problems", "warning": "Warnings", "note": "Notes"}
 _MOST_PLACES = 6
 
 
-def write_page(page: Page, out: Path | str, *, force: bool = False, progress: Callable[[str], None] = lambda text: None) -> list[Path]:
+def write_page(page: Page, out: Path | str, *, force: bool = False, progress: Callable[[str], None] = lambda _text: None) -> list[Path]:
     """Write a page with its figures into a folder.
 
     Parameters
@@ -78,12 +78,13 @@ def page_html(page: Page, figures: Mapping[str, bytes]) -> str:
     """Give the page as HTML text with its figures (name to SVG) inside."""
     anchors = unique_slugs([section.title for section in page.sections])
     template = _environment().get_template("page.html.j2")
-    return template.render(
+    text: str = template.render(
         page=page,
         sections=list(zip(anchors, page.sections, strict=True)),
         css=(_templates() / "page.css").read_text(encoding="utf-8"),
         svg=lambda picture: _safe(inline_svg(figures[picture.name], f"fig-{slug(picture.name)}", picture.alternative)),
     )
+    return text
 
 
 def _templates() -> Path:

@@ -1,4 +1,4 @@
-"""Before a fit: which parameters can the data tell apart?"""
+"""Which parameters the data can tell apart, before a fit."""
 
 from __future__ import annotations
 

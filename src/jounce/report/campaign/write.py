@@ -23,7 +23,7 @@ SYNTHETIC_NOTE = "Synthetic data, not measurements"
 
 
 def write_campaign(
-    result: CampaignResult, out: Path | str, *, force: bool = False, progress: Callable[[str], None] = lambda text: None
+    result: CampaignResult, out: Path | str, *, force: bool = False, progress: Callable[[str], None] = lambda _text: None
 ) -> list[Path]:
     """Write everything a campaign found into a folder.
 

@@ -12,7 +12,7 @@ from jounce.core.errors import FitError, JounceError, unknown
 from jounce.core.findings import Finding
 from jounce.identify.update import FitTrial, check_free, update_model
 from jounce.models import build
-from jounce.parts import load, rig_path
+from jounce.parts import Rig, load, rig_path
 from jounce.recordings import read_recording
 from jounce.roads import Road, Train, Trial, read_roads
 from jounce.studies.campaign.characterise import characterise, polynomial_tyres
@@ -34,7 +34,7 @@ class _Loaded:
     measured: xr.Dataset
 
 
-def run_campaign(path: Path | str, *, progress: Progress = lambda text: None) -> CampaignResult:
+def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -> CampaignResult:
     """Evaluate a whole bench campaign.
 
     Parameters
