@@ -146,8 +146,3 @@ def digits_for(value: float, error: float | None, most: int = 7, default: int = 
     if error is None or not error > 0.0 or not math.isfinite(error) or value == 0.0:
         return default
     return max(2, min(most, math.floor(math.log10(abs(value))) - math.floor(math.log10(error)) + 2))
-
-
-def largest_of(values: Sequence[float]) -> float:
-    """Largest absolute value, same unit; 0 for none."""
-    return max((abs(float(value)) for value in values), default=0.0)

@@ -31,10 +31,11 @@ def update(result: UpdateResult, units: Mapping[str, str] | None = None) -> Figu
     Returns
     -------
     matplotlib.figure.Figure
-        Parameters from lower (-100 %) to upper bound (+100 %) with 95 % intervals; correlation matrix.
+        Parameters from lower (-100 %) to upper bound (+100 %) with 95 % intervals; correlation matrix
+        of the parameters (lags left out).
     """
-    count, names = len(result.parameters), [*result.parameters, *(f"lag, {trial}" for trial in result.lags)]
-    figure = new_figure(max(2.3, 1.1 + 0.42 * count, 1.2 + 0.3 * len(names)))
+    count, names = len(result.parameters), [*result.parameters]
+    figure = new_figure(max(2.3, 1.1 + 0.42 * count, 1.2 + 0.42 * count))
     if len(names) == 1:
         figure.set_figwidth(5.4)
         _draw_parameters(figure.subplots(), result.parameters, units or {})
@@ -76,7 +77,7 @@ def _value_text(p: UpdatedParameter, si: str) -> str:
 
 
 def _draw_correlation(axes: Axes, correlation: Sequence[Sequence[float]], names: Sequence[str]) -> None:
-    values = np.array(correlation)
+    values = np.array(correlation)[: len(names), : len(names)]
     axes.imshow(values, cmap="RdBu_r", vmin=-1.0, vmax=1.0)
     axes.grid(visible=False)
     for row in range(len(values)):

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import unknown
+from jounce.core.errors import SimulationError
 from jounce.models import build
 from jounce.parts import Rig
 from jounce.simulation.compiled import Compiled, compile_model
@@ -202,6 +203,8 @@ def equilibrium(rig: Rig, road_height: float = 0.0) -> dict[str, float]:
 
 
 def _at_rest(rig: Rig, road_height: float) -> tuple[Compiled, Array, Rest, Array]:
+    if not np.isfinite(road_height):
+        raise SimulationError("not a finite number", where="road_height", found=road_height, allowed="a height in m")
     compiled = compile_model(build(rig))
     p = compiled.parameter_values(rig.parameters())
     u = np.array([road_height, 0.0] * len(compiled.model.tracks))

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 Array = NDArray[np.float64]
-_MAX_STEPS = 5_000_000
+_MAX_STEPS, _MAX_SAMPLES = 5_000_000, 20_000_000
 _STABLE = 0.4  # share of the fastest decay at rest that the method must resolve: friction holding a rig, sensitivities
 _LONGEST = 1.2  # radians of the fastest oscillation in one step, at a tolerance of 1e-5
 _FINEST, _COARSEST = 1e-13, 1e-1
@@ -115,7 +115,7 @@ def prepare(
     x = rest.x if offset is None else rest.x + offset
     modes = rest.modes if offset is None else _modes(compiled, x, p, height)
     scale = state_scale(rest, n_q, _motion_size(road, rest.x[:n_q], offset))
-    band = _dead_band(compiled, p, rest, scale)
+    band = _dead_band(compiled, p, rest, scale, height)
     longest = _longest_step(rest, n_q, road, tolerance)
     control = Control(_STEP_SHARE * tolerance, 0.1 * scale, band, _MAX_STEPS, longest)
     start = np.concatenate([x, _rest_sensitivity(compiled, p, rest, height)])
@@ -192,7 +192,7 @@ def simulate(
     >>> bool(run["tyre.force"].min() == 0.0)   # the tyre lifts off
     True
     """
-    _check_settings(output_step, tolerance)
+    _check_settings(trial.duration, output_step, tolerance)
     compiled = compile_model(build(rig))
     p = compiled.parameter_values(rig.parameters())
     times = output_times(trial.duration, output_step)
@@ -208,9 +208,17 @@ def simulate(
     return run
 
 
-def _check_settings(output_step: float, tolerance: float) -> None:
+def _check_settings(duration: float, output_step: float, tolerance: float) -> None:
     if not (np.isfinite(output_step) and output_step > 0.0):
         raise SimulationError("not an output step", where="output_step", found=output_step, allowed="above 0 s")
+    if duration / output_step > _MAX_SAMPLES:
+        raise SimulationError(
+            "too many samples",
+            where="duration, output_step",
+            found=f"{duration / output_step:.3g}",
+            allowed=f"at most {_MAX_SAMPLES}",
+            hint="Shorten the run or lengthen the output step.",
+        )
     if not _FINEST <= tolerance <= _COARSEST:
         raise SimulationError("not a tolerance", where="tolerance", found=tolerance, allowed=f"{_FINEST:g} to {_COARSEST:g}")
 
@@ -233,6 +241,8 @@ def _offset(compiled: Compiled, offset: dict[str, float] | None) -> Array | None
     for name in offset:
         if name not in names:
             raise SimulationError("not a state of the model", where=name, allowed=", ".join(names))
+        if not np.isfinite(offset[name]):
+            raise SimulationError("not a finite number", where=f"offset: {name}", found=offset[name], allowed="m or m/s")
     return np.array([offset.get(name, 0.0) for name in names])
 
 
@@ -263,11 +273,11 @@ def _longest_step(rest: Rest, n_q: int, road: Segments, tolerance: float) -> flo
     return float(_LONGEST * (tolerance / 1e-5) ** 0.125 / fastest)
 
 
-def _dead_band(compiled: Compiled, p: Array, rest: Rest, scale: Array) -> Array:
+def _dead_band(compiled: Compiled, p: Array, rest: Rest, scale: Array, height: float) -> Array:
     """How far a switching function may be on the wrong side: 1e-9 of what a typical motion makes of it."""
     if not compiled.model.switches:
         return np.zeros(0)
-    u = np.zeros(2 * len(compiled.model.tracks))
+    u = np.array([height, 0.0] * len(compiled.model.tracks))
     moved = compiled.evaluate("switch", rest.x + scale, u, p, rest.modes)
     still = compiled.evaluate("switch", rest.x, u, p, rest.modes)
     return np.asarray(1e-9 * np.abs(moved - still) + 1e-14)

@@ -21,7 +21,7 @@ from jounce.core import units
 _SECTION = re.compile(r"^([A-Z][A-Za-z ]+)\n-{3,}[ ]*$", re.MULTILINE)
 _UNIT = re.compile(
     r"(?<![\w'’])(?:kg|N|kN|Pa|kPa|MPa|Hz|rad|deg|m|mm|s|ms|J|W|dB|g|1|%|SI)(?![\w'’])|N/m|m/s|N\*s/m"
-    r"|(?i:dimensionless|relative|ratio|fraction|per ?cent|radian|degree|metre|second|newton|same unit|units? of)"
+    r"|(?i:dimensionless|relative|ratio|fraction|per ?cent|radian|degree|metre|inch|second|newton|same unit|units? of)"
     r"|in ``(?:unit|si)``",
 )
 _PHYSICAL = re.compile(r"\bfloat\b|\bnp\.float64\b|\bNDArray\b|\bndarray\b|\bArray\w*\b|\bArrayLike\b|\bFloats?\b")

@@ -93,6 +93,7 @@ class Prepared:
     source: FitTrial
     compiled: Compiled
     times: Array
+    uniform: int
     rate: float
     channels: tuple[Channel, ...]
     start: Array
@@ -198,10 +199,10 @@ class UpdateProblem:
         stride = len(trial.compiled.output_names)
         columns = [channel.column + stride * k for k in range(1 + len(self.free))]
         table = solution.outputs[columns].T
-        first = len(trial.times) - len(channel.measured)
-        table = table[first:]
+        table = table[len(trial.times) - trial.uniform :]
         if channel.sensor is not None:
             table = filter_signals(table, trial.rate, channel.sensor, where=channel.name)
+        table = table[len(table) - len(channel.measured) :]
         if self.align:
             shifted, slope = shift_with_derivative(table, trial.rate, lag)
             table = np.column_stack([shifted, slope[:, 0]])
@@ -245,7 +246,8 @@ def _prepare(
     _check_channels(compiled.output_names, names, weights)
     values = trial.rig.parameters()
     time = trial.measured["time"].to_numpy()
-    times = time if time[0] <= 0.0 else np.concatenate([[0.0], time])
+    rate = 1.0 / float(np.median(np.diff(time)))
+    times, uniform = _from_rest(time, rate)
     if time[-1] < trial.trial.end():
         raise FitError(
             "the recording ends before the obstacle pass does", where=trial.name, found=f"{time[-1]:.4g} s",
@@ -266,7 +268,7 @@ def _prepare(
         )
     factors = np.array([values[item.path] / item.initial if item.initial else 1.0 for item in free])
     return Prepared(
-        trial, compiled, times, 1.0 / float(np.median(np.diff(time))), tuple(channels),
+        trial, compiled, times, uniform, rate, tuple(channels),
         compiled.parameter_values(values), factors,
     )
 
@@ -281,6 +283,15 @@ def _check_channels(known: Sequence[str], names: Sequence[str] | None, weights: 
     for name, weight in given.items():
         if not (np.isfinite(weight) and weight >= 0.0):
             raise FitError("not a weight", where=f"weights: {name}", found=weight, allowed="0 or more")
+
+
+def _from_rest(time: Array, rate: float) -> tuple[Array, int]:
+    """Output times from the start at 0 on, and how many of the last are at the recording's rate (sensors filter those)."""
+    if time[0] <= 0.0:
+        return time, len(time)
+    before = time[0] - np.arange(int(time[0] * rate + 1e-6), 0, -1) / rate
+    uniform = np.concatenate([np.maximum(before, 0.0), time])
+    return (uniform if uniform[0] == 0.0 else np.concatenate([[0.0], uniform])), len(uniform)
 
 
 def _channel(trial: FitTrial, compiled: Compiled, name: str, weights: str | Mapping[str, float]) -> Channel:

@@ -15,7 +15,7 @@ from jounce.models import build
 from jounce.parts import Rig, load, rig_path
 from jounce.recordings import read_recording
 from jounce.roads import Road, Train, Trial, read_roads
-from jounce.studies.campaign.characterise import characterise, polynomial_tyres
+from jounce.studies.campaign.characterise import Characterisation, characterise, polynomial_tyres
 from jounce.studies.campaign.description import Campaign, TrialEntry, UpdateEntry, load_campaign
 from jounce.studies.campaign.result import CampaignResult, StrategyResult, TrialResult
 from jounce.studies.campaign.rig_text import updated_text
@@ -136,7 +136,7 @@ class _Runner:
     folder: Path
     loaded: dict[int, _Loaded]
     rig_text: str
-    bench: object
+    bench: Characterisation
     findings: list[Finding]
     progress: Progress
 
@@ -162,7 +162,7 @@ class _Runner:
                 raise FitError("the update it starts from failed", found=entry.start_from)
             knowledge = done[entry.start_from].knowledge
         if entry.tyre_law == "polynomial":
-            knowledge = polynomial_tyres(self.campaign.bench, knowledge, self.folder, self.bench)  # type: ignore[arg-type]
+            knowledge = polynomial_tyres(self.campaign.bench, knowledge, self.folder, self.bench)
         chosen = self._chosen(entry)
         trials = [self.fit_trial(item, knowledge) for item in chosen]
         result = update_model(
@@ -205,13 +205,19 @@ class _Runner:
         for knowledge in (start, final):
             try:
                 comparison, signals, notes = compare_trial(self.fit_trial(item, knowledge), lag)
-                self.findings += notes
+                if knowledge is final:
+                    self.findings += _without_repeats(notes)
                 compared.append((comparison, signals))
             except JounceError as error:
                 self.findings.append(Finding(name, "problem", str(error)))
                 compared.append((None, {}))
         (before, curves_before), (after, curves) = compared
         return TrialResult(entry, pitch, before, after, curves_before, curves)
+
+
+def _without_repeats(notes: list[Finding]) -> list[Finding]:
+    """Ratings' notes about the sample rate are the same for all trials: they are said once a channel."""
+    return [Finding(n.place.split(", ")[-1], n.severity, n.message, n.value) if n.severity == "note" else n for n in notes]
 
 
 def _unique(findings: list[Finding]) -> list[Finding]:

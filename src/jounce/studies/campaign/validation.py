@@ -68,7 +68,7 @@ def compare_trial(trial: FitTrial, lag: float | None = 0.0) -> tuple[TrialCompar
     objective = 0.0
     for name, (time, measured, simulated) in curves.items():
         numbers = compare(measured, simulated, time, place=f"{trial.name}, {name}")
-        rating = iso18571(measured, simulated, 1.0 / float(np.median(np.diff(time))), place=name)
+        rating = iso18571(measured, simulated, 1.0 / float(np.median(np.diff(time))), place=f"{trial.name}, {name}")
         channels[name] = ChannelComparison(
             numbers.nrmse, numbers.r2, numbers.peak_error, rating.rating, rating.grade, numbers.lag
         )
