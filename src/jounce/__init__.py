@@ -12,6 +12,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal to _PUBLIC
+    from jounce import plots as plots
     from jounce.core.errors import AssemblyError as AssemblyError
     from jounce.core.errors import DescriptionError as DescriptionError
     from jounce.core.errors import FitError as FitError
@@ -20,6 +21,9 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.core.errors import RecordingError as RecordingError
     from jounce.core.errors import SimulationError as SimulationError
     from jounce.core.findings import Finding as Finding
+    from jounce.identify.damper_fit import fit_damper as fit_damper
+    from jounce.identify.decay import fit_decay as fit_decay
+    from jounce.identify.force_deflection import ForceDeflectionTrial as ForceDeflectionTrial
     from jounce.identify.stiffness import fit_stiffness as fit_stiffness
     from jounce.identify.update import FitTrial as FitTrial
     from jounce.identify.update import UpdatedParameter as UpdatedParameter
@@ -28,6 +32,8 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.parts import QuarterCar as QuarterCar
     from jounce.parts import Rig as Rig
     from jounce.parts import load as load
+    from jounce.recordings import Sensor as Sensor
+    from jounce.recordings import apply_sensors as apply_sensors
     from jounce.recordings import read_recording as read_recording
     from jounce.recordings import write_recording as write_recording
     from jounce.roads import CircularSegment as CircularSegment
@@ -52,6 +58,8 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.simulation import linearise as linearise
     from jounce.simulation import modes as modes
     from jounce.simulation import simulate as simulate
+    from jounce.studies.campaign import run_campaign as run_campaign
+    from jounce.studies.speed_sweep import speed_sweep as speed_sweep
 
     __version__: str
 
@@ -65,6 +73,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "FitError": "jounce.core.errors",
     "FitTrial": "jounce.identify.update",
     "Flat": "jounce.roads",
+    "ForceDeflectionTrial": "jounce.identify.force_deflection",
     "HalfCylinder": "jounce.roads",
     "HalfSine": "jounce.roads",
     "JounceError": "jounce.core.errors",
@@ -76,6 +85,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "RecordingError": "jounce.core.errors",
     "Rectangle": "jounce.roads",
     "Rig": "jounce.parts",
+    "Sensor": "jounce.recordings",
     "SimulationError": "jounce.core.errors",
     "Step": "jounce.roads",
     "Table": "jounce.roads",
@@ -86,14 +96,20 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "UpdateResult": "jounce.identify.update",
     "UpdatedParameter": "jounce.identify.update",
     "Versine": "jounce.roads",
+    "apply_sensors": "jounce.recordings",
     "equilibrium": "jounce.simulation",
+    "fit_damper": "jounce.identify.damper_fit",
+    "fit_decay": "jounce.identify.decay",
     "fit_stiffness": "jounce.identify.stiffness",
     "linearise": "jounce.simulation",
     "load": "jounce.parts",
     "load_road": "jounce.roads",
     "modes": "jounce.simulation",
+    "plots": "jounce.plots",
     "read_recording": "jounce.recordings",
+    "run_campaign": "jounce.studies.campaign",
     "simulate": "jounce.simulation",
+    "speed_sweep": "jounce.studies.speed_sweep",
     "update_model": "jounce.identify.update",
     "write_recording": "jounce.recordings",
 }

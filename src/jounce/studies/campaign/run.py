@@ -54,6 +54,14 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
     ------
     DescriptionError
         When the campaign, rig or road tables cannot be understood.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from jounce.studies.campaign.template import new_campaign
+    >>> result = run_campaign(new_campaign(tempfile.mkdtemp() + "/mine"))
+    >>> result.is_complete, result.strategies[0].update.reduction_percent > 0.0
+    (True, True)
     """
     file = Path(path)
     campaign, text = load_campaign(file)
