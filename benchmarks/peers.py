@@ -49,7 +49,13 @@ def scipy_runs(car: QuarterCar, bump: Obstacle) -> Iterator[tuple[str, float, Ru
                 for begin, end in pairwise(stops):
                     at = TIMES[(begin <= TIMES) & (end > TIMES)]
                     solution = solve_ivp(
-                        rate, (begin, end), x, method=method, t_eval=np.append(at, end), rtol=tolerance, atol=tolerance * 1e-3
+                        rate,
+                        (begin, end),
+                        x,
+                        method=method,
+                        t_eval=np.append(at, end),
+                        rtol=tolerance,
+                        atol=tolerance * 1e-3,
                     )
                     parts.append(solution.y[:, : len(at)])
                     x = solution.y[:, -1]
@@ -65,7 +71,12 @@ def numba_runs(car: QuarterCar, bump: Obstacle) -> Iterator[tuple[str, float, Ru
     from numba import njit
 
     k, c, ms, mu, kt, g = (
-        car.rate * car.lever**2, car.damping * car.lever**2, car.sprung, car.unsprung, car.tyre, car.gravity,
+        car.rate * car.lever**2,
+        car.damping * car.lever**2,
+        car.sprung,
+        car.unsprung,
+        car.tyre,
+        car.gravity,
     )
     begin, end = bump.edges
     wave, height = np.pi * bump.speed / bump.length, bump.height
@@ -132,8 +143,15 @@ def diffrax_runs(car: QuarterCar, bump: Obstacle) -> Iterator[tuple[str, float, 
             def solve(x: Any, solver: Any = solver, controller: Any = controller) -> Any:  # noqa: ANN401
                 saved = diffrax.SaveAt(ts=jnp.asarray(TIMES))
                 return diffrax.diffeqsolve(
-                    diffrax.ODETerm(rate), solver, 0.0, DURATION, 1e-3, x, saveat=saved,
-                    stepsize_controller=controller, max_steps=100000,
+                    diffrax.ODETerm(rate),
+                    solver,
+                    0.0,
+                    DURATION,
+                    1e-3,
+                    x,
+                    saveat=saved,
+                    stepsize_controller=controller,
+                    max_steps=100000,
                 ).ys
 
             def run(solve: Any = solve) -> Array:  # noqa: ANN401
@@ -170,7 +188,9 @@ def casadi_runs(car: QuarterCar, bump: Obstacle) -> Iterator[tuple[str, float, R
         yield "CasADi CVODES", tolerance, run
 
 
-def cheapest(runs: Iterator[tuple[str, float, Run]], reference: Array, error: float) -> list[tuple[str, float, Run, float]]:
+def cheapest(
+    runs: Iterator[tuple[str, float, Run]], reference: Array, error: float
+) -> list[tuple[str, float, Run, float]]:
     """For each way its loosest setting that reaches ``error``, or its tightest when none does."""
     best: dict[str, tuple[str, float, Run, float]] = {}
     for name, setting, run in runs:

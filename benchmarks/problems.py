@@ -60,8 +60,17 @@ class Obstacle:
 DURATION, SAMPLES = 3.0, 3001
 TIMES = np.linspace(0.0, DURATION, SAMPLES)
 CHANNELS = (
-    "road.z", "sprung.z", "sprung.vz", "sprung.az", "unsprung.z", "unsprung.vz", "unsprung.az", "strut.deflection",
-    "strut.force", "tyre.deflection", "tyre.force",
+    "road.z",
+    "sprung.z",
+    "sprung.vz",
+    "sprung.az",
+    "unsprung.z",
+    "unsprung.vz",
+    "unsprung.az",
+    "strut.deflection",
+    "strut.force",
+    "tyre.deflection",
+    "tyre.force",
 )
 
 

@@ -67,7 +67,9 @@ def linear_rows() -> list[Row]:
     case.run()
     reference = case.out.states - case.out.states[:, :1]
     problem, own = "linear quarter car, road of 10 s at 1 kHz", median_time(case.run, repeats=101)
-    rows = [Row(problem, "jounce, exact propagation", own, None, 1.0, "≤ 0.1 ms", f"states and {len(CHANNELS)} channels")]
+    rows = [
+        Row(problem, "jounce, exact propagation", own, None, 1.0, "≤ 0.1 ms", f"states and {len(CHANNELS)} channels")
+    ]
     for name, run in linear_runs(car, time_, height):
         error = displacement_error(run(), reference)
         median = median_time(run)
@@ -100,7 +102,8 @@ def start_rows() -> list[Row]:
     """Building and compiling, imports and whole processes."""
     rows = []
     build_script = (
-        "import time, jounce as jn; from jounce.models import build; from jounce.simulation.compiled import compile_model\n"
+        "import time, jounce as jn\nfrom jounce.models import build\n"
+        "from jounce.simulation.compiled import compile_model\n"
         "import casadi, llvmlite.binding\nrig = jn.load('kart-quarter-car'); start = time.perf_counter()\n"
         "compile_model(build(rig)); print(time.perf_counter() - start)"
     )
@@ -133,7 +136,9 @@ def _segments(bump: Obstacle) -> Segments:
 def _python(script: str, environment: dict[str, str]) -> str:
     import os
 
-    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True, env={**os.environ, **environment})
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=True, env={**os.environ, **environment}
+    )
     return done.stdout.strip()
 
 

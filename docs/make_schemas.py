@@ -77,7 +77,7 @@ def _roads(*, named: bool) -> dict[str, Any]:
     return schema
 
 
-def _short(schema: Any) -> Any:  # noqa: ANN401
+def _short(schema: Any) -> Any:
     """Keep the first paragraph of every description; the rest is written for Python."""
     if isinstance(schema, dict):
         return {

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 D = TypeVar("D", bound="Description")
 
 
-def _value(what: str, default: str, *, estimated: bool = False) -> Any:  # noqa: ANN401 - typer's own type is hidden
+def _value(what: str, default: str, *, estimated: bool = False) -> Any:
     return typer.Option(
         metavar="VALUE", help=f"{what} Default: {default}{' (estimated)' if estimated else ''}.", show_default=False
     )

@@ -125,11 +125,11 @@ def springs_reply(comparison: SpringComparison, *, as_json: bool) -> Reply:
     return Reply({**(_plain(comparison) or {}), "findings": _list(comparison.findings)}, draw, as_json)
 
 
-def _quantities(title: str, rows: list[Row]) -> Any:  # noqa: ANN401 - a rich table
+def _quantities(title: str, rows: list[Row]) -> Any:
     return table(title, ("quantity", "value", "unit"), rows, text=(0, 2))
 
 
-def _plain(result: Any) -> dict[str, Any] | None:  # noqa: ANN401
+def _plain(result: Any) -> dict[str, Any] | None:
     """Plain values of a result without its findings, which are listed once for all."""
     from jounce.core.serialise import to_plain
 
@@ -142,6 +142,6 @@ def _list(findings: tuple[Finding, ...]) -> list[Any]:
     return list(to_plain(findings))
 
 
-def _together(*results: Any) -> tuple[Finding, ...]:  # noqa: ANN401
+def _together(*results: Any) -> tuple[Finding, ...]:
     """Findings of several results, each once."""
     return tuple(dict.fromkeys(item for result in results if result is not None for item in result.findings))

@@ -153,7 +153,7 @@ def _recording_of(file: Path, columns: dict[str, str], place: str) -> None:
         raise RecordingError(f"{place}: {error}") from None
 
 
-def _bench(checked: Checked, bench: Any, folder: Path) -> None:  # noqa: ANN401
+def _bench(checked: Checked, bench: Any, folder: Path) -> None:
     from jounce.recordings import read_recording
     from jounce.studies.campaign.characterise import files_of, read_force_deflection
 

@@ -107,7 +107,7 @@ def _answer(words: list[str]) -> int:
     return reply.show() if isinstance(reply, Reply) else 0
 
 
-def _misused(error: Any, *, as_json: bool) -> int:  # noqa: ANN401
+def _misused(error: Any, *, as_json: bool) -> int:
     """Explain a command line that cannot be understood."""
     context = getattr(error, "ctx", None)
     path = context.command_path if context is not None else "jounce"

@@ -107,7 +107,7 @@ def bare_number(text: str) -> str | float:
         return text
 
 
-def _toml_value(text: str) -> Any:  # noqa: ANN401
+def _toml_value(text: str) -> Any:
     try:
         value = tomllib.loads(f"value = {text}")["value"]
     except tomllib.TOMLDecodeError:

@@ -23,7 +23,7 @@ else:
 class _DescriptionType(ModelMetaclass):
     """Raises jounce errors at the outermost construction only, so that nested parts keep their path."""
 
-    def __call__(cls, *arguments: Any, **fields: Any) -> Any:  # noqa: ANN401, N805
+    def __call__(cls, *arguments: Any, **fields: Any) -> Any:  # noqa: N805
         try:
             return super().__call__(*arguments, **fields)
         except ValidationError as error:
@@ -134,7 +134,7 @@ def description_error(
     return DescriptionError("\n".join(problems[:5]) + more)
 
 
-def _problem(item: Any, kind: type[BaseModel], where: str, text: str, above: tuple[str | int, ...]) -> str:  # noqa: ANN401
+def _problem(item: Any, kind: type[BaseModel], where: str, text: str, above: tuple[str | int, ...]) -> str:
     within, models = _walked(kind, item["loc"][:-1] if item["type"] == "extra_forbidden" else item["loc"])
     path = (*above, *within, *(item["loc"][-1:] if item["type"] == "extra_forbidden" else ()))
     place = dotted(path)
@@ -183,14 +183,14 @@ def _tags(model: type[BaseModel]) -> set[str]:
     return {default for default in literals if isinstance(default, str)}
 
 
-def _annotation(model: type[BaseModel], name: str) -> Any:  # noqa: ANN401
+def _annotation(model: type[BaseModel], name: str) -> Any:
     for key, field in model.model_fields.items():
         if name in (key, field.alias):
             return field.annotation
     return None
 
 
-def _models_of(annotation: Any) -> list[type[BaseModel]]:  # noqa: ANN401
+def _models_of(annotation: Any) -> list[type[BaseModel]]:
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
         return [annotation]
     return [found for part in getattr(annotation, "__args__", ()) for found in _models_of(part)]

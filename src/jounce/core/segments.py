@@ -59,7 +59,6 @@ class Segments:
                 height[chosen], slope[chosen] = law(s[chosen], *coefficients[:, chosen])
         return height, self.rate * slope
 
-
     def with_finite_slopes(self) -> Segments:
         """Give the same signal with a short chord wherever a circle begins or ends upright.
 
@@ -74,7 +73,9 @@ class Segments:
                 edges.append(float(stop) if end is None else float(start + end / self.rate))
                 kinds.append(piece_kind)
                 coefficients.append(piece)
-        return replace(self, edges=np.array(edges), kind=np.array(kinds, dtype=np.int64), coefficients=np.array(coefficients))
+        return replace(
+            self, edges=np.array(edges), kind=np.array(kinds, dtype=np.int64), coefficients=np.array(coefficients)
+        )
 
 
 _CHORD = 1e-5  # of the radius

@@ -16,7 +16,7 @@ import numpy as np
 from jounce.core.errors import OutputError
 
 
-def to_plain(value: Any) -> Any:  # noqa: ANN401
+def to_plain(value: Any) -> Any:
     """Turn a result into dicts, lists, text, finite numbers and None (for NaN and infinities)."""
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
         return {field.name: to_plain(getattr(value, field.name)) for field in dataclasses.fields(value)}
@@ -33,7 +33,7 @@ def to_plain(value: Any) -> Any:  # noqa: ANN401
     return value if value is None or isinstance(value, (bool, int, str)) else str(value)
 
 
-def to_json(value: Any, *, indent: int | None = 2) -> str:  # noqa: ANN401
+def to_json(value: Any, *, indent: int | None = 2) -> str:
     """Write a result as strict JSON text (no NaN)."""
     return json.dumps(to_plain(value), indent=indent, allow_nan=False, ensure_ascii=False)
 

@@ -19,7 +19,7 @@ _DIMENSIONLESS = {"", "1", "-"}
 
 
 @cache
-def _registry() -> Any:  # noqa: ANN401 - pint has no useful static type
+def _registry() -> Any:
     import pint
 
     try:
@@ -160,7 +160,7 @@ class Unit:
         bounds = [("above", self.above), ("at least", self.at_least), ("at most", self.at_most)]
         return ", ".join(f"{word} {bound:g}" for word, bound in bounds if bound is not None)
 
-    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:  # noqa: ANN401
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         return core_schema.no_info_plain_validator_function(self._read)
 
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:

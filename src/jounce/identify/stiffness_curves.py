@@ -63,7 +63,7 @@ class FittedCurve:
             return np.asarray(a * b * np.maximum(x, 1e-12) ** (b - 1.0))
         return np.asarray(self._spline().derivative()(x))
 
-    def _spline(self) -> Any:  # noqa: ANN401 - scipy has no types
+    def _spline(self) -> Any:
         from scipy.interpolate import PchipInterpolator
 
         return PchipInterpolator(self.deflection, self.force, extrapolate=True)

@@ -24,14 +24,14 @@ def compiled() -> Callable[[Callable[..., Any]], Any]:
     return kept(error_model="numpy", _nrt=False)
 
 
-def kept(**options: Any) -> Callable[[Callable[..., Any]], Any]:  # noqa: ANN401
+def kept(**options: Any) -> Callable[[Callable[..., Any]], Any]:
     """Compile a function and keep its code on disk; only for this process where no folder can be written.
 
     Numba trusts stored code as long as the function's own file is unchanged, also where a function it calls or a
     constant it uses comes from another file. Here the stored code goes with all sources of the kernel.
     """
 
-    def compile_one(function: Callable[..., Any]) -> Any:  # noqa: ANN401
+    def compile_one(function: Callable[..., Any]) -> Any:
         try:
             dispatcher = njit(cache=True, **options)(function)
         except RuntimeError:  # Numba finds no place for its files
@@ -52,31 +52,38 @@ def _sources() -> str:
     return digest.hexdigest()
 
 
-def part(**options: Any) -> Callable[[Callable[..., Any]], Any]:  # noqa: ANN401
+def part(**options: Any) -> Callable[[Callable[..., Any]], Any]:
     """Compile a part of such loops, without entries from Python and C: they are most of the work for many arrays."""
     inner = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
     return njit(error_model="numpy", _nrt=False, **inner, **options)  # type: ignore[no-any-return]
 
 
-def _data(context: Any, builder: Any, signature: Any, arguments: Any, i: int) -> Any:  # noqa: ANN401
+def _data(context: Any, builder: Any, signature: Any, arguments: Any, i: int) -> Any:
     return context.make_array(signature.args[i])(context, builder, arguments[i])
 
 
 @intrinsic  # type: ignore[untyped-decorator]
 def call_native(
-    typing_context: Any, address: Any,  # noqa: ANN401, ARG001
-    x: Any, x_row: Any, u: Any, p: Any, m: Any, out: Any, out_row: Any,  # noqa: ANN401, ARG001
-) -> Any:  # noqa: ANN401
+    typing_context: Any,
+    address: Any,
+    x: Any,
+    x_row: Any,
+    u: Any,
+    p: Any,
+    m: Any,
+    out: Any,
+    out_row: Any,
+) -> Any:
     """Call ``void f(double* x, double* u, double* p, double* m, double* out)`` at an address.
 
     ``x`` and ``out`` are C-ordered matrices; the call reads row ``x_row`` of one, writes row ``out_row`` of the other.
     """
     signature = types.void(types.int64, x, types.int64, u, p, m, out, types.int64)
 
-    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:  # noqa: ANN401
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         function = ir.FunctionType(ir.VoidType(), [_POINTER] * 5).as_pointer()
 
-        def row(i: int, at: int) -> Any:  # noqa: ANN401
+        def row(i: int, at: int) -> Any:
             array = _data(context, builder, signature, arguments, i)
             width = builder.extract_value(array.shape, 1)
             return builder.gep(array.data, [builder.mul(arguments[at], width)])
@@ -89,13 +96,11 @@ def call_native(
 
 
 @intrinsic  # type: ignore[untyped-decorator]
-def call_step(
-    typing_context: Any, address: Any, rows: Any, u: Any, p: Any, m: Any, g: Any, h: Any  # noqa: ANN401, ARG001
-) -> Any:  # noqa: ANN401
+def call_step(typing_context: Any, address: Any, rows: Any, u: Any, p: Any, m: Any, g: Any, h: Any) -> Any:
     """Call ``void f(double* rows, double* u, double* p, double* m, double* g, double h)`` at an address (``steps``)."""
     signature = types.void(types.int64, rows, u, p, m, g, types.float64)
 
-    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:  # noqa: ANN401
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         function = ir.FunctionType(ir.VoidType(), [_POINTER] * 5 + [ir.DoubleType()]).as_pointer()
         pointers = [_data(context, builder, signature, arguments, i).data for i in range(1, 6)]
         builder.call(builder.inttoptr(arguments[0], function), [*pointers, arguments[6]])
@@ -106,15 +111,15 @@ def call_step(
 
 @intrinsic  # type: ignore[untyped-decorator]
 def call_many(
-    typing_context: Any, address: Any, x: Any, u: Any, p: Any, m: Any, out: Any, first: Any, count: Any  # noqa: ANN401, ARG001
-) -> Any:  # noqa: ANN401
+    typing_context: Any, address: Any, x: Any, u: Any, p: Any, m: Any, out: Any, first: Any, count: Any
+) -> Any:
     """Call ``void f(x, u, p, m, out, int64 total, int64 first, int64 count)`` at an address.
 
     ``x``, ``u`` and ``out`` are C-ordered matrices with one row an element and one column a sample.
     """
     signature = types.void(types.int64, x, u, p, m, out, types.int64, types.int64)
 
-    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:  # noqa: ANN401
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         function = ir.FunctionType(ir.VoidType(), [_POINTER] * 5 + [ir.IntType(64)] * 3).as_pointer()
         arrays = [_data(context, builder, signature, arguments, i) for i in range(1, 6)]
         total = builder.extract_value(arrays[0].shape, 1)
@@ -126,11 +131,11 @@ def call_many(
 
 
 @intrinsic  # type: ignore[untyped-decorator]
-def sine_and_cosine(typing_context: Any, angle: Any) -> Any:  # noqa: ANN401, ARG001
+def sine_and_cosine(typing_context: Any, angle: Any) -> Any:
     """Sine and cosine by calls that the optimiser may not move out of their branch, as it does with ``math.sin``."""
     signature = types.UniTuple(types.float64, 2)(types.float64)
 
-    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:  # noqa: ANN401
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         kind = ir.FunctionType(ir.DoubleType(), [ir.DoubleType()])
         functions = [cgutils.get_or_insert_function(builder.module, kind, name) for name in ("sin", "cos")]
         values = [builder.call(function, arguments) for function in functions]

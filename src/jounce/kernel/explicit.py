@@ -92,7 +92,7 @@ class Work(NamedTuple):
 
 
 @part()
-def _rate(problem: Any, work: Any, t: float, into: int) -> None:  # noqa: ANN401
+def _rate(problem: Any, work: Any, t: float, into: int) -> None:
     """Rate of the state at ``t``; the input there is left in node 0."""
     work.times[0] = t
     fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
@@ -100,7 +100,7 @@ def _rate(problem: Any, work: Any, t: float, into: int) -> None:  # noqa: ANN401
 
 
 @part(forceinline=True)
-def _inputs(problem: Any, work: Any, t: float, h: float, first: int, last: int) -> None:  # noqa: ANN401
+def _inputs(problem: Any, work: Any, t: float, h: float, first: int, last: int) -> None:
     """Inputs at the nodes ``first`` to ``last`` of a step."""
     for i in range(first, last):
         work.times[i] = t + NODES[i] * h
@@ -108,14 +108,14 @@ def _inputs(problem: Any, work: Any, t: float, h: float, first: int, last: int) 
 
 
 @part(forceinline=True)
-def _step(problem: Any, work: Any, t: float, h: float) -> None:  # noqa: ANN401
+def _step(problem: Any, work: Any, t: float, h: float) -> None:
     """One step from the state to the end row, with the rate there."""
     _inputs(problem, work, t, h, 1, LAST_STAGE + 1)
     call_step(problem.engine.step, work.rows, work.u, problem.p, problem.m, work.g, h)
 
 
 @part(forceinline=True)
-def _error(problem: Any, work: Any, h: float) -> float:  # noqa: ANN401
+def _error(problem: Any, work: Any, h: float) -> float:
     """Error of the controlled states relative to what is allowed (DOP853's blend of fifth and third order)."""
     work.step[0] = h
     call_native(problem.engine.error, work.rows, 0, work.u, work.step, work.widest, work.errors, 0)
@@ -125,14 +125,14 @@ def _error(problem: Any, work: Any, h: float) -> float:  # noqa: ANN401
 
 
 @part(forceinline=True)
-def _prepare_dense(problem: Any, work: Any, t: float, h: float) -> None:  # noqa: ANN401
+def _prepare_dense(problem: Any, work: Any, t: float, h: float) -> None:
     """Three more stages, the coefficients of the interpolant on this step and the inputs at the probes."""
     _inputs(problem, work, t, h, LAST_STAGE + 1, DENSE_STAGES + len(PROBES))
     call_step(problem.engine.dense, work.rows, work.u, problem.p, problem.m, work.g, h)
 
 
 @part()
-def _switch_at(problem: Any, work: Any, t: float, h: float, theta: float, i: int) -> float:  # noqa: ANN401
+def _switch_at(problem: Any, work: Any, t: float, h: float, theta: float, i: int) -> float:
     """Switching function ``i`` at a fraction of the step."""
     work.times[0] = t + theta * h
     fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
@@ -141,7 +141,7 @@ def _switch_at(problem: Any, work: Any, t: float, h: float, theta: float, i: int
 
 
 @part(forceinline=True)
-def _crossing(problem: Any, work: Any, band: Any, t: float, h: float, edge: bool) -> tuple[float, int]:  # noqa: ANN401
+def _crossing(problem: Any, work: Any, band: Any, t: float, h: float, edge: bool) -> tuple[float, int]:
     """First fraction of the step at which a switch leaves its side, and which; (2, -1) when none does.
 
     On a step that starts at an ``edge`` of the input the fraction is -1 for a switch that the edge has thrown.
@@ -171,7 +171,7 @@ def _crossing(problem: Any, work: Any, band: Any, t: float, h: float, edge: bool
 
 
 @part()
-def _dip(problem: Any, work: Any, t: float, h: float, i: int, side: float, band: float, probe: int) -> float:  # noqa: ANN401
+def _dip(problem: Any, work: Any, t: float, h: float, i: int, side: float, band: float, probe: int) -> float:
     """Where switch ``i`` is on the wrong side between three probes that are all on the right one; -1 where it is not.
 
     Follows the vertices of parabolas, starting with the one through the probes.
@@ -202,10 +202,10 @@ def _dip(problem: Any, work: Any, t: float, h: float, i: int, side: float, band:
 
 
 @part()
-def _root(problem: Any, work: Any, t: float, h: float, i: int, low: float, high: float) -> float:  # noqa: ANN401
+def _root(problem: Any, work: Any, t: float, h: float, i: int, low: float, high: float) -> float:
     """Locate the zero of switch ``i`` between two fractions of the step (Illinois variant of regula falsi).
 
-    Where the low end is at rounding distance from an event just passed, a point on the right side is looked for beside it.
+    Where the low end is at rounding distance from an event just passed, a point beside it on the right side is found.
     """
     g_low = _switch_at(problem, work, t, h, low, i)
     g_high = _switch_at(problem, work, t, h, high, i)
@@ -233,7 +233,7 @@ def _root(problem: Any, work: Any, t: float, h: float, i: int, low: float, high:
 
 
 @part()
-def _flip(problem: Any, work: Any, t: float, which: int, thrown: bool) -> None:  # noqa: ANN401
+def _flip(problem: Any, work: Any, t: float, which: int, thrown: bool) -> None:
     """Flip one mode at an event; the rate just after it is left in the first rate.
 
     An event thrown by an edge of the input has a fixed time: sensitivities do not jump there.
@@ -251,7 +251,7 @@ def _flip(problem: Any, work: Any, t: float, which: int, thrown: bool) -> None: 
 
 
 @part()
-def _jump_sensitivities(rows: Any, slope: Any, which: int, n: int, columns: int) -> None:  # noqa: ANN401
+def _jump_sensitivities(rows: Any, slope: Any, which: int, n: int, columns: int) -> None:
     """Saltation: ``S+ = S- + (f+ - f-) (dg/dx S- + dg/dp) / (dg/dt)``, f- in the second rate and f+ in the first."""
     x, before, after = rows[STATE], rows[RATES + 1], rows[RATES]
     width = n + columns + 1
@@ -271,7 +271,7 @@ def _jump_sensitivities(rows: Any, slope: Any, which: int, n: int, columns: int)
 
 @part(forceinline=True)
 def _attempt(
-    problem: Any, control: Any, work: Any, t: float, h: float, dense: bool, edge: bool  # noqa: ANN401
+    problem: Any, control: Any, work: Any, t: float, h: float, dense: bool, edge: bool
 ) -> tuple[float, float, int]:
     """Try one step; give (share of it that holds, factor for the next step, switch that ends it or -1).
 
@@ -297,7 +297,7 @@ def _attempt(
 
 
 @part(fastmath={"contract"})
-def _interpolate(rows: Any, t: float, h: float, times: Any, first: int, last: int, states: Any) -> None:  # noqa: ANN401
+def _interpolate(rows: Any, t: float, h: float, times: Any, first: int, last: int, states: Any) -> None:
     """States at the samples ``first`` to ``last``, on the step from ``t``."""
     for d in range(rows.shape[1]):
         x, c0, c1, c2 = rows[STATE, d], rows[DENSE, d], rows[DENSE + 1, d], rows[DENSE + 2, d]
@@ -310,7 +310,7 @@ def _interpolate(rows: Any, t: float, h: float, times: Any, first: int, last: in
 
 
 @part(forceinline=True)
-def _sample(problem: Any, work: Any, t: float, h: float, until: float, first: int, out: Any) -> int:  # noqa: ANN401
+def _sample(problem: Any, work: Any, t: float, h: float, until: float, first: int, out: Any) -> int:
     """Write states, inputs and outputs at all times before ``until`` on the step from ``t``; give the next sample."""
     last = first
     while last < len(out.times) and out.times[last] < until:
@@ -327,14 +327,19 @@ def _scratch(problem: Problem, control: Control) -> Work:
     rows = np.zeros((ROWS, size))
     rows[STATE] = problem.x0
     return Work(
-        rows, np.zeros(len(NODES)), np.zeros((len(NODES), 2 * len(problem.piece))).T,
-        np.zeros((_LAST_PROBE + 1, switches)), np.array([0.0, control.tolerance]), np.zeros((1, 2)),
-        np.zeros((1, switches * (n + size // n))), control.scale.copy(),
+        rows,
+        np.zeros(len(NODES)),
+        np.zeros((len(NODES), 2 * len(problem.piece))).T,
+        np.zeros((_LAST_PROBE + 1, switches)),
+        np.array([0.0, control.tolerance]),
+        np.zeros((1, 2)),
+        np.zeros((1, switches * (n + size // n))),
+        control.scale.copy(),
     )
 
 
 @part(forceinline=True)
-def _accept(x0: Any, rows: Any, widest: Any) -> bool:  # noqa: ANN401
+def _accept(x0: Any, rows: Any, widest: Any) -> bool:
     """Take over the end of the step; tell whether it is finite."""
     for d in range(rows.shape[1]):
         rows[STATE, d] = rows[END, d]
@@ -347,7 +352,7 @@ def _accept(x0: Any, rows: Any, widest: Any) -> bool:  # noqa: ANN401
 
 
 @part(forceinline=True)
-def _limit(control: Any, counts: Any, t: float, h: float) -> int:  # noqa: ANN401
+def _limit(control: Any, counts: Any, t: float, h: float) -> int:
     """Tell whether another step may be tried."""
     if counts[0] + counts[1] >= control.max_steps:
         return _TOO_MANY_STEPS
@@ -363,7 +368,7 @@ def integrate(problem: Problem, control: Control, out: Samples, counts: NDArray[
 
 
 @compiled()
-def _integrate(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> int:  # noqa: ANN401
+def _integrate(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> int:
     times = out.times
     t, end = times[0], times[-1]
     slack = 1e-12 * max(1.0, abs(end))

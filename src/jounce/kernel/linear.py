@@ -39,7 +39,7 @@ class Plan(NamedTuple):
 
 
 @part()
-def _transition(plan: Any, distinct: int, guess: int, length: float, frequency: float) -> int:  # noqa: ANN401
+def _transition(plan: Any, distinct: int, guess: int, length: float, frequency: float) -> int:
     """Number of the matrix for a step: the guessed one, another one, a new one; -1 when there is no room for it."""
     for trial in range(-1, distinct):
         key = guess if trial < 0 else trial
@@ -52,7 +52,7 @@ def _transition(plan: Any, distinct: int, guess: int, length: float, frequency: 
 
 
 @compiled()
-def _plan(tracks: Any, piece: Any, times: Any, plan: Any) -> tuple[int, int, int]:  # noqa: ANN401
+def _plan(tracks: Any, piece: Any, times: Any, plan: Any) -> tuple[int, int, int]:
     """Fill the plan; give the numbers of steps, runs and distinct transitions (-1 when there are too many)."""
     slack = 1e-12 * max(1.0, abs(times[-1]))
     t, sample, node, runs, distinct, key = times[0], 1, 0, 0, 0, 0
@@ -86,15 +86,25 @@ def plan(tracks: Tracks, times: Array) -> Plan | None:
         return None
     size = len(times) + len(tracks.start) + 1
     full = Plan(
-        np.empty(size), np.empty(size, dtype=np.int64), np.empty(size, dtype=np.int64), np.empty(size, dtype=np.int64),
-        np.empty(size, dtype=np.bool_), np.empty(MAX_TRANSITIONS), np.empty(MAX_TRANSITIONS),
+        np.empty(size),
+        np.empty(size, dtype=np.int64),
+        np.empty(size, dtype=np.int64),
+        np.empty(size, dtype=np.int64),
+        np.empty(size, dtype=np.bool_),
+        np.empty(MAX_TRANSITIONS),
+        np.empty(MAX_TRANSITIONS),
     )
     steps, runs, distinct = _plan(tracks, tracks.first[:-1].copy(), times, full)
     if distinct < 0:
         return None
     return Plan(
-        full.grid[: steps + 1], full.piece[: steps + 1], full.run[: runs + 1], full.transition[:runs], full.keep[:runs],
-        full.lengths[:distinct], full.frequencies[:distinct],
+        full.grid[: steps + 1],
+        full.piece[: steps + 1],
+        full.run[: runs + 1],
+        full.transition[:runs],
+        full.keep[:runs],
+        full.lengths[:distinct],
+        full.frequencies[:distinct],
     )
 
 
@@ -147,7 +157,7 @@ _BLOCK = 512
 
 
 @part()
-def _signals(tracks: Any, plan: Any, first: int, last: int, signal: Any) -> None:  # noqa: ANN401
+def _signals(tracks: Any, plan: Any, first: int, last: int, signal: Any) -> None:
     """Input, its rate and its second rate at the nodes ``first`` to ``last`` of a block."""
     rate, start, kind, coefficients = tracks.rate[0], tracks.start, tracks.kind, tracks.coefficients
     grid, piece = plan.grid, plan.piece
@@ -167,7 +177,7 @@ def _signals(tracks: Any, plan: Any, first: int, last: int, signal: Any) -> None
 
 
 @part(fastmath={"contract"})
-def _drive(matrix: Any, signal: Any, count: int, drive: Any) -> None:  # noqa: ANN401
+def _drive(matrix: Any, signal: Any, count: int, drive: Any) -> None:
     """What the input adds to each state over each of ``count`` steps."""
     n = drive.shape[0]
     for d in range(n):
@@ -177,7 +187,7 @@ def _drive(matrix: Any, signal: Any, count: int, drive: Any) -> None:  # noqa: A
 
 
 @part(fastmath={"contract"})
-def _march(matrix: Any, drive: Any, count: int, x: Any, to: Any) -> None:  # noqa: ANN401
+def _march(matrix: Any, drive: Any, count: int, x: Any, to: Any) -> None:
     """Columns of ``to``: the state after each step, ``x <- matrix x + drive[:, k]``."""
     n = drive.shape[0]
     if n == 4:
@@ -194,7 +204,7 @@ def _march(matrix: Any, drive: Any, count: int, x: Any, to: Any) -> None:  # noq
 
 
 @part(fastmath={"contract"})
-def _march_four(matrix: Any, drive: Any, count: int, x: Any, to: Any) -> None:  # noqa: ANN401
+def _march_four(matrix: Any, drive: Any, count: int, x: Any, to: Any) -> None:
     """Four states, as quarter and half cars have, stay in registers."""
     a00, a01, a02, a03 = matrix[0, 0], matrix[0, 1], matrix[0, 2], matrix[0, 3]
     a10, a11, a12, a13 = matrix[1, 0], matrix[1, 1], matrix[1, 2], matrix[1, 3]
@@ -212,7 +222,7 @@ def _march_four(matrix: Any, drive: Any, count: int, x: Any, to: Any) -> None:  
 
 
 @part()
-def _copy(source: Any, to: Any) -> None:  # noqa: ANN401
+def _copy(source: Any, to: Any) -> None:
     """Fill ``to`` with the first columns of as many rows of ``source``."""
     for d in range(to.shape[0]):
         for k in range(to.shape[1]):
@@ -228,9 +238,7 @@ def propagate(problem: Problem, plan: Plan, matrices: Array, out: Samples) -> in
 
 
 @compiled()
-def _propagate(
-    problem: Any, plan: Any, matrices: Any, signal: Any, drive: Any, passed: Any, x: Any, out: Any  # noqa: ANN401
-) -> None:
+def _propagate(problem: Any, plan: Any, matrices: Any, signal: Any, drive: Any, passed: Any, x: Any, out: Any) -> None:
     _signals(problem.tracks, plan, 0, 1, signal)
     _copy(signal, out.inputs[:, :1])
     for d in range(len(x)):
@@ -255,6 +263,6 @@ def _propagate(
 
 
 @part()
-def _outputs(problem: Any, out: Any, first: int, last: int) -> None:  # noqa: ANN401
+def _outputs(problem: Any, out: Any, first: int, last: int) -> None:
     """Outputs at the samples ``first`` to ``last``."""
     call_many(problem.engine.output, out.states, out.inputs, problem.p, problem.m, out.outputs, first, last - first)

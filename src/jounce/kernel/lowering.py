@@ -54,7 +54,8 @@ class Lowering:
         native = self.declare(name, [_DOUBLE.as_pointer()] * 5)
         builder = ir.IRBuilder(native.append_basic_block())
         self._body(
-            builder, function,
+            builder,
+            function,
             load=lambda argument, element: builder.load(builder.gep(native.args[argument], [_INDEX(element)])),
             store=lambda value, element: builder.store(value, builder.gep(native.args[4], [_INDEX(element)])),
         )
@@ -85,7 +86,8 @@ class Lowering:
             return builder.gep(native.args[argument], [offset if argument in (0, 1, 4) else _INDEX(element)])
 
         self._body(
-            builder, function,
+            builder,
+            function,
             load=lambda argument, element: builder.load(place(argument, element)),
             store=lambda value, element: builder.store(value, place(4, element)),
         )
@@ -102,8 +104,11 @@ class Lowering:
         return native
 
     def _body(
-        self, builder: ir.IRBuilder, function: ca.Function,
-        load: Callable[[int, int], ir.Value], store: Callable[[ir.Value, int], Any],
+        self,
+        builder: ir.IRBuilder,
+        function: ca.Function,
+        load: Callable[[int, int], ir.Value],
+        store: Callable[[ir.Value, int], Any],
     ) -> None:
         work: dict[int, ir.Value] = {}
         for k in range(function.n_instructions()):

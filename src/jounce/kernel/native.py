@@ -109,7 +109,7 @@ def _initialise() -> None:
     llvm.initialize_native_asmprinter()
 
 
-def _machine() -> Any:  # noqa: ANN401
+def _machine() -> Any:
     _initialise()
     return llvm.Target.from_default_triple().create_target_machine(
         opt=3, cpu=llvm.get_host_cpu_name(), features=llvm.get_host_cpu_features().flatten(), jit=True

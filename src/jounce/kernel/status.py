@@ -11,7 +11,10 @@ class Status(Enum):
     COMPLETED = (0, "the run reached its end")
     NOT_FINITE = (1, "the solution is no longer a finite number: the model is unstable or an input is extreme")
     STEP_TOO_SMALL = (2, "the step fell below what time can resolve: the model is too stiff or jumps without a switch")
-    TOO_MANY_STEPS = (3, "the step budget is used up: shorten the run, loosen the tolerance or soften the stiffest part")
+    TOO_MANY_STEPS = (
+        3,
+        "the step budget is used up: shorten the run, loosen the tolerance or soften the stiffest part",
+    )
     CHATTER = (4, "contact switches on and off without time passing: add tyre damping or soften the law")
 
     def __init__(self, code: int, text: str) -> None:

@@ -39,7 +39,7 @@ def flatten(signals: list[Segments]) -> Tracks:
 
 
 @part()
-def advance(tracks: Any, piece: Any, t: float, slack: float) -> float:  # noqa: ANN401
+def advance(tracks: Any, piece: Any, t: float, slack: float) -> float:
     """Move ``piece`` to the pieces that hold just after ``t``; give the next edge of any track."""
     edge = np.inf
     for k in range(len(piece)):
@@ -52,7 +52,7 @@ def advance(tracks: Any, piece: Any, t: float, slack: float) -> float:  # noqa: 
 
 
 @part()
-def fill(tracks: Any, piece: Any, times: Any, u: Any) -> None:  # noqa: ANN401
+def fill(tracks: Any, piece: Any, times: Any, u: Any) -> None:
     """Fill a column of ``u`` for each time with (value, time derivative) of every track, on the pieces given."""
     start, kind, coefficients, rates = tracks.start, tracks.kind, tracks.coefficients, tracks.rate
     for k in range(len(piece)):

@@ -21,7 +21,6 @@ from jounce.parts.elements import (
     TanhDamper,
 )
 
-
 _SLIDING = 3.0  # regularisation velocities; tanh(3) = 0.995
 
 

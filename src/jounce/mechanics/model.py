@@ -6,10 +6,23 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-
 _KINKED = {
     getattr(ca, f"OP_{name}")
-    for name in ("SIGN", "FABS", "FLOOR", "CEIL", "FMIN", "FMAX", "IF_ELSE_ZERO", "LT", "LE", "EQ", "NE", "COPYSIGN", "FMOD")
+    for name in (
+        "SIGN",
+        "FABS",
+        "FLOOR",
+        "CEIL",
+        "FMIN",
+        "FMAX",
+        "IF_ELSE_ZERO",
+        "LT",
+        "LE",
+        "EQ",
+        "NE",
+        "COPYSIGN",
+        "FMOD",
+    )
 }  # a derivative does not show these
 
 

@@ -76,7 +76,7 @@ class BoucWenDamper(Description):
     offset: Force = 0.0
 
 
-def _damper_kind(value: Any) -> str:  # noqa: ANN401
+def _damper_kind(value: Any) -> str:
     """Name the law of a damper table: by ``kind``, else by its keys."""
     if not isinstance(value, dict):
         return str(getattr(value, "kind", "linear"))

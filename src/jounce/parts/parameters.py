@@ -19,7 +19,7 @@ def parameters_of(description: BaseModel, prefix: str = "") -> dict[str, float]:
     return found
 
 
-def _collect(value: Any, path: str, found: dict[str, float]) -> None:  # noqa: ANN401
+def _collect(value: Any, path: str, found: dict[str, float]) -> None:
     if isinstance(value, BaseModel):
         found.update(parameters_of(value, f"{path}."))
     elif isinstance(value, tuple):
@@ -31,7 +31,9 @@ def _collect(value: Any, path: str, found: dict[str, float]) -> None:  # noqa: A
 
 def structure_of(description: BaseModel) -> str:
     """Text that is equal for descriptions that differ in numbers only, so that one compiled model serves them."""
-    return re.sub(r"-?\d+(\.\d+)?([eE][+-]?\d+)?(?=[,\]}])", "#", description.model_dump_json(exclude={"source", "estimated"}))
+    return re.sub(
+        r"-?\d+(\.\d+)?([eE][+-]?\d+)?(?=[,\]}])", "#", description.model_dump_json(exclude={"source", "estimated"})
+    )
 
 
 def split_path(path: str) -> list[str | int]:
@@ -55,7 +57,7 @@ def change_table(description: BaseModel, changes: dict[str, Any]) -> dict[str, A
     return table
 
 
-def _set(table: Any, parts: list[str | int], value: Any, path: str, known: dict[str, float]) -> None:  # noqa: ANN401
+def _set(table: Any, parts: list[str | int], value: Any, path: str, known: dict[str, float]) -> None:
     *parents, last = parts
     here = table
     for i, part in enumerate(parents):
@@ -99,6 +101,6 @@ def _field_unit(kind: type[BaseModel], name: str) -> str:
     return units[0].si if units else "1"
 
 
-def _units_in(annotation: Any) -> list[Unit]:  # noqa: ANN401
+def _units_in(annotation: Any) -> list[Unit]:
     own = [item for item in getattr(annotation, "__metadata__", ()) if isinstance(item, Unit)]
     return own or [unit for part in getattr(annotation, "__args__", ()) for unit in _units_in(part)]

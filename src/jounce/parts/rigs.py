@@ -79,7 +79,7 @@ class QuarterCar(Rig):
 
     @model_validator(mode="before")
     @classmethod
-    def _stop_belongs_to_the_strut(cls, table: Any) -> Any:  # noqa: ANN401
+    def _stop_belongs_to_the_strut(cls, table: Any) -> Any:
         if isinstance(table, dict) and "bump_stop" in table and isinstance(table.get("strut"), dict):
             table = dict(table)
             table["strut"] = {"bump_stop": table.pop("bump_stop"), **table["strut"]}

@@ -48,13 +48,13 @@ def stiffness_fit(result: StiffnessResult, trials: Sequence[ForceDeflectionTrial
     >>> [axes.get_xlabel() for axes in stiffness_fit(jn.fit_stiffness(trials), trials).axes]
     ['deflection [mm]', 'stiffness [N/mm]']
     """
-    figure = new_figure(3.3)
+    figure = new_figure(3.7)
     left, right = figure.subplots(1, 2, gridspec_kw={"width_ratios": [1.5, 1.0]})
     reach = _draw_points(left, trials) or result.fitted_range[1]
     _draw_law(left, result, reach)
     left.set(xlabel="deflection [mm]", ylabel="force [N]", title=title)
-    left.legend(loc="lower right")
     _draw_trials(right, result)
+    figure.legend(*left.get_legend_handles_labels(), loc="outside lower left", ncols=3, columnspacing=1.4)
     return figure
 
 
@@ -65,8 +65,15 @@ def _draw_points(axes: Axes, trials: Sequence[ForceDeflectionTrial]) -> float:
         seated, _ = seat(trial, zero="first-contact")
         label = ("measured" if len(trials) == 1 else f"measured, {len(trials)} trials") if k == 0 else None
         axes.plot(
-            seated.deflection * _MM.factor, seated.force, color=MEASURED, alpha=0.75, linewidth=0.6, marker=".",
-            markersize=3.0, markeredgewidth=0.0, label=label,
+            seated.deflection * _MM.factor,
+            seated.force,
+            color=MEASURED,
+            alpha=0.75,
+            linewidth=0.6,
+            marker=".",
+            markersize=3.0,
+            markeredgewidth=0.0,
+            label=label,
         )
         reach = max(reach, float(seated.deflection.max()))
     return reach
@@ -78,7 +85,9 @@ def _draw_law(axes: Axes, result: StiffnessResult, reach: float) -> None:
     dropped = 0.0  # force that the fit has and the law for the model has not
     if result.law == "linear" and result.intercept_choice == "drop" and result.intercept is not None:
         dropped = result.intercept.value
-    axes.plot(inside * _MM.factor, result.curve(inside) + dropped, color=AFTER, linewidth=1.8, label=f"fit, {result.law}")
+    axes.plot(
+        inside * _MM.factor, result.curve(inside) + dropped, color=AFTER, linewidth=1.8, label=f"fit, {result.law}"
+    )
     label = "for the model, without intercept" if dropped else "beyond the fitted range"
     axes.plot(whole * _MM.factor, result.curve(whole), color=AFTER, linewidth=1.0, linestyle=(0, (4, 2)), label=label)
     if low > 0.02 * high:
@@ -103,6 +112,7 @@ def _draw_trials(axes: Axes, result: StiffnessResult) -> None:
     axes.set_ylim(len(result.trials) - 0.4, -0.6)
     axes.grid(axis="y", visible=False)
     axes.set(xlabel=unit.label("stiffness"))
+    axes.locator_params(axis="x", nbins=5)
     axes.set_title(f"all: {quantity(pooled.value, 'N/m')} (band: 95 %)", fontweight="normal", fontsize=9)
 
 

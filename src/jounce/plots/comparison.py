@@ -24,9 +24,7 @@ _LIVELY = 0.15  # of the largest excursion: what the zoom must show
 
 
 @styled
-def measured_against_simulated(
-    trial: TrialResult, obstacle: tuple[float, float] | None = None
-) -> Figure:
+def measured_against_simulated(trial: TrialResult, obstacle: tuple[float, float] | None = None) -> Figure:
     """Draw every channel of a trial: measured, before and after updating, with the residuals below.
 
     The left half shows the whole record, the right half the obstacle pass.
@@ -55,7 +53,11 @@ def measured_against_simulated(
     figure = new_figure(0.35 + 2.45 * len(signals), WIDTH + 0.6)
     ratios = [2.6, 1.0] * len(signals)
     grid: Any = figure.subplots(
-        2 * len(signals), 2, sharex="col", sharey="row", gridspec_kw={"height_ratios": ratios, "width_ratios": [1.0, 1.0]}
+        2 * len(signals),
+        2,
+        sharex="col",
+        sharey="row",
+        gridspec_kw={"height_ratios": ratios, "width_ratios": [1.0, 1.0]},
     )
     window = lively_window(signals, obstacle)
     for k, name in enumerate(signals):
@@ -74,7 +76,7 @@ def measured_against_simulated(
     return figure
 
 
-def _draw_channel(rows: Any, name: str, trial: TrialResult) -> None:  # noqa: ANN401 - a grid of axes
+def _draw_channel(rows: Any, name: str, trial: TrialResult) -> None:
     before, after = trial.signals_before.get(name), trial.signals.get(name)
     shown = after or before
     assert shown is not None
@@ -91,7 +93,9 @@ def _draw_channel(rows: Any, name: str, trial: TrialResult) -> None:  # noqa: AN
     rows[0][0].set_title(f"trial {trial.entry.number}: {name}")
     comparison = trial.after or trial.before
     if comparison is not None and name in comparison.channels:
-        rows[0][1].set_title(_caption(comparison.channels[name]), loc="right", fontweight="normal", fontsize=8.5, color=INK)
+        rows[0][1].set_title(
+            _caption(comparison.channels[name]), loc="right", fontweight="normal", fontsize=8.5, color=INK
+        )
     rows[0][0].set_ylabel(f"{words_of(name)}\n[{unit.name or '–'}]")
     rows[1][0].set_ylabel(f"residual\n[{unit.name or '–'}]")
 

@@ -64,10 +64,17 @@ def damper_loops(
     figure = new_figure(3.4)
     row = figure.subplots(1, len(panels), sharey=True, squeeze=False)[0]
     for (words, values, shown), axes in zip(panels, row, strict=True):
-        axes.plot(values * shown.factor, measured * unit.factor, color=MEASURED, linewidth=0.9, alpha=0.8, label="measured")
+        axes.plot(
+            values * shown.factor, measured * unit.factor, color=MEASURED, linewidth=0.9, alpha=0.8, label="measured"
+        )
         for k, (name, fitted) in enumerate(fits.items()):
-            axes.plot(values * shown.factor, np.asarray(fitted) * unit.factor, color=PALETTE[k % len(PALETTE)],
-                      linewidth=1.2, label=name)
+            axes.plot(
+                values * shown.factor,
+                np.asarray(fitted) * unit.factor,
+                color=PALETTE[k % len(PALETTE)],
+                linewidth=1.2,
+                label=name,
+            )
         axes.set_xlabel(shown.label(words))
         axes.locator_params(axis="x", nbins=6)
     row[0].set_ylabel(unit.label("force"))

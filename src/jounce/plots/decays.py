@@ -63,15 +63,21 @@ def _draw_decay(axes: Axes, result: DecayResult, time: Array, record: Array) -> 
         axes.plot(time, record * unit.factor, color=MEASURED, linewidth=1.6, label="measured")
     dense = np.linspace(begin, end, 1500)
     response = decay_response(dense, result.parameters, result.quantity)
-    axes.plot(dense, response * unit.factor, color=AFTER, linewidth=1.1, label="fitted: viscous damping and dry friction")
+    axes.plot(
+        dense, response * unit.factor, color=AFTER, linewidth=1.1, label="fitted: viscous damping and dry friction"
+    )
     turns = np.concatenate([[0], np.flatnonzero(np.diff(np.sign(np.diff(response))) != 0) + 1])
     offset = result.parameters.offset
     envelope = np.abs(response[turns] - offset)
     for sign in (1.0, -1.0):
         label = "envelope" if sign > 0 else None
         axes.plot(
-            dense[turns], (offset + sign * envelope) * unit.factor, color=PALETTE[1], linewidth=0.9,
-            linestyle=(0, (4, 2)), label=label,
+            dense[turns],
+            (offset + sign * envelope) * unit.factor,
+            color=PALETTE[1],
+            linewidth=0.9,
+            linestyle=(0, (4, 2)),
+            label=label,
         )
     axes.axhline(offset * unit.factor, color=MUTED, linewidth=0.8, linestyle=(0, (1, 2)))
     span = end - begin
@@ -99,8 +105,14 @@ def _draw_peaks(axes: Axes, result: DecayResult, time: Array, record: Array) -> 
     if len(turns) > 2:
         axes.plot(turns[:-1], turns[1:], color=AFTER, label="fitted")
         slope = (turns[1] - turns[2]) / (turns[0] - turns[1])
-        axes.plot([0.0, turns[0]], [0.0, slope * turns[0]], color=MUTED, linewidth=1.0, linestyle=(0, (1, 2)),
-                  label="the same without friction")
+        axes.plot(
+            [0.0, turns[0]],
+            [0.0, slope * turns[0]],
+            color=MUTED,
+            linewidth=1.0,
+            linestyle=(0, (1, 2)),
+            label="the same without friction",
+        )
     axes.set_xlim(left=0.0)
     axes.set_ylim(bottom=0.0)
     axes.set(xlabel="turning point from equilibrium [mm]", ylabel="next turning point [mm]")
@@ -124,9 +136,10 @@ def _draw_ratios(axes: Axes, result: DecayResult) -> None:
     if combined.interval is not None:
         axes.axhspan(*combined.interval, color=AFTER, alpha=0.15, linewidth=0.0)
     axes.axhline(combined.value, color=AFTER, label="viscous part, with 95 %")
-    axes.margins(y=0.35)
-    axes.set_ylim(bottom=0.0)
-    axes.set_xlim(-0.2, max(0.5 * count, 1.0))
+    interval = combined.interval or (combined.value, combined.value)
+    top = max([*result.naive_damping_ratios, combined.value])
+    axes.set_ylim(0.0, 1.6 * min(max(top, interval[1]), 1.3 * top) if top > 0.0 else 1.0)  # a wide band may leave the axes
+    axes.set_xlim(-0.25, max(0.5 * count - 0.25, 1.0))
     axes.set(xlabel="cycle", ylabel="damping ratio [–]")
     friction = quantity(result.coulomb_force.value, "N", 3)
     axes.set_title(f"damping ratio (dry friction: {friction})", fontweight="normal", fontsize=9)

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-def figure_of(result: object, **options: Any) -> Figure:  # noqa: ANN401 - options of the drawing function
+def figure_of(result: object, **options: Any) -> Figure:
     """Draw any result of the product with the function made for its type.
 
     Parameters
@@ -49,7 +49,7 @@ def figure_of(result: object, **options: Any) -> Figure:  # noqa: ANN401 - optio
     return found
 
 
-def show(result: object, **options: Any) -> Figure:  # noqa: ANN401 - options of the drawing function
+def show(result: object, **options: Any) -> Figure:
     """Draw any result and put it before the reader: in a notebook, or in the viewer of the desktop.
 
     Parameters
@@ -103,19 +103,19 @@ def _registered() -> Callable[..., Figure]:
     from jounce.studies.campaign.result import CampaignResult, StrategyResult, TrialResult
 
     @singledispatch
-    def draw(result: object, **options: Any) -> Figure:  # noqa: ANN401, ARG001
+    def draw(result: object, **options: Any) -> Figure:  # noqa: ARG001
         kinds = ", ".join(sorted(kind.__name__ for kind in draw.registry if kind is not object))
         raise JounceError("there is no picture of this", found=type(result).__name__, allowed=kinds)
 
-    def of_dataset(result: xr.Dataset, **options: Any) -> Figure:  # noqa: ANN401
+    def of_dataset(result: xr.Dataset, **options: Any) -> Figure:
         return (histories.time_history if "time" in result.dims else sweeps.sweep)(result, **options)
 
-    def of_mapping(result: Mapping[str, Any], **options: Any) -> Figure:  # noqa: ANN401
+    def of_mapping(result: Mapping[str, Any], **options: Any) -> Figure:
         if result and all(isinstance(item, Road) for item in result.values()):
             return roads.road_profile(result, **options)
         return draw(object(), **options)
 
-    def of_sequence(result: Sequence[Any], **options: Any) -> Figure:  # noqa: ANN401
+    def of_sequence(result: Sequence[Any], **options: Any) -> Figure:
         drawings = {TrialResult: trials.trial_matrix, UpdateResult: updating.objectives, Mode: linear.modes}
         for kind, function in drawings.items():
             if result and all(isinstance(item, kind) for item in result):
@@ -136,5 +136,3 @@ def _registered() -> Callable[..., Figure]:
     draw.register(CampaignResult, lambda result, **options: trials.trial_matrix(result.trials, **options))
     draw.register(LinearModel, linear.frequency_response)
     return draw
-
-

@@ -25,7 +25,7 @@ _NO_CONTACT = "#f2c6b5"
 
 @styled
 def time_history(run: xr.Dataset, channels: Sequence[str] | None = None) -> Figure:
-    """Draw channels of a recording, measured or simulated, one above the other over the same time.
+    r"""Draw channels of a recording, measured or simulated, one above the other over the same time.
 
     Instants at which a tyre has no contact (its channel ``tyre.force`` is 0) are shaded.
 

@@ -21,10 +21,12 @@ if TYPE_CHECKING:
 
 @styled
 def frequency_response(
-    model: LinearModel, outputs: Sequence[str] = ("sprung.az", "tyre.force"), frequency: ArrayLike | None = None,
+    model: LinearModel,
+    outputs: Sequence[str] = ("sprung.az", "tyre.force"),
+    frequency: ArrayLike | None = None,
     track: str = "road.z",
 ) -> Figure:
-    """Draw magnitude and phase of outputs for a harmonic road.
+    r"""Draw magnitude and phase of outputs for a harmonic road.
 
     Parameters
     ----------

@@ -68,5 +68,3 @@ def sampled(segments: Segments) -> tuple[NDArray[np.float64], NDArray[np.float64
     share[-1] = 1.0 - 1e-9  # still on this piece: at an edge the next one counts
     x = (segments.edges[:-1, None] + np.diff(segments.edges)[:, None] * share).ravel()
     return x, segments.evaluate(x)[0]
-
-

@@ -16,7 +16,7 @@ P = ParamSpec("P")
 INK, MUTED, GRID = "#22262b", "#666d75", "#e3e6ea"
 MEASURED, BEFORE, AFTER = "#30353b", "#d98a1f", "#0067a8"
 PALETTE = ("#0067a8", "#d55e00", "#00896b", "#a64d8f", "#b8860b", "#3fa0d8")
-"""Lines without a meaning of their own; distinguishable with every common kind of colour blindness (after Okabe, Ito)."""
+"""Lines without a meaning of their own; distinguishable with every kind of colour blindness (after Okabe, Ito)."""
 GRADES = {"excellent": "#2b6ea3", "good": "#a9cce6", "fair": "#f3d79b", "poor": "#e39a7b"}
 """Fill of each ISO/TS 18571 grade: from blue to orange, so that no one needs to tell red from green."""
 VERDICTS = {"holds": "#2b6ea3", "holds partly": "#b7791f", "does not hold": "#b5472a", "not usable": "#737980"}
@@ -111,7 +111,9 @@ def add_note(figure: Figure, text: str) -> None:
     share = 0.2 / float(figure.get_figheight())
     if engine is not None:
         engine.set(rect=(0.0, share, 1.0, 1.0 - share))  # type: ignore[call-arg]
-    figure.text(0.995, 0.05 / float(figure.get_figheight()), text, ha="right", va="bottom", fontsize=7.5, color="#a33f1f")
+    figure.text(
+        0.995, 0.05 / float(figure.get_figheight()), text, ha="right", va="bottom", fontsize=7.5, color="#a33f1f"
+    )
 
 
 def limits(axes: Axes, low: float, high: float) -> None:

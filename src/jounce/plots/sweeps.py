@@ -21,7 +21,7 @@ _MOST_BY_DEFAULT = 6
 
 @styled
 def sweep(results: xr.Dataset, variables: Sequence[str] | None = None, along: str = "speed") -> Figure:
-    """Draw the variables of a study against what was varied.
+    r"""Draw the variables of a study against what was varied.
 
     Parameters
     ----------
@@ -81,8 +81,13 @@ def _draw_variable(axes: Axes, variable: xr.DataArray, along: str) -> None:
     else:
         lines = variable.transpose(along, across[0])
         for k, value in enumerate(lines[across[0]].to_numpy()):
-            axes.plot(x, lines[:, k].to_numpy() * unit.factor, color=PALETTE[k % len(PALETTE)], marker=mark,
-                      label=_value(lines[across[0]], value))
+            axes.plot(
+                x,
+                lines[:, k].to_numpy() * unit.factor,
+                color=PALETTE[k % len(PALETTE)],
+                marker=mark,
+                label=_value(lines[across[0]], value),
+            )
     axes.set_ylabel(unit.label(f"{variable.attrs.get('long_name', variable.name)}\n").replace("\n ", "\n"))
 
 
@@ -94,7 +99,7 @@ def _label(variable: xr.DataArray, name: str) -> str:
     return display_unit(_unit(variable)).label(str(variable.attrs.get("long_name", name)).replace("_", " "))
 
 
-def _value(coordinate: xr.DataArray, value: Any) -> str:  # noqa: ANN401 - number or text
+def _value(coordinate: xr.DataArray, value: Any) -> str:
     if isinstance(value, str):
         return value
     unit = display_unit(_unit(coordinate))

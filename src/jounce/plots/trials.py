@@ -51,7 +51,12 @@ def trial_matrix(trials: Sequence[TrialResult]) -> Figure:
             for column, name in enumerate(channels):
                 _draw_cell(axes, group * (width + 0.3) + column, row, comparison, name)
         verdict = trial.after.verdict if trial.after is not None else "not usable"
-        axes.text(2 * width + 0.3 - 0.35, row, verdict, va="center", fontsize=8.5, color=VERDICTS[verdict], weight="bold")
+        if trial.after is not None:
+            explained = f"{min(channel.r2 for channel in trial.after.channels.values()):.2f}".replace("-", "−")
+            axes.text(2 * width + 0.05, row, explained, ha="center", va="center", fontsize=8.5)
+        axes.text(
+            2 * width + 0.3 - 0.35, row, verdict, va="center", fontsize=8.5, color=VERDICTS[verdict], weight="bold"
+        )
     _label_matrix(axes, trials, channels)
     return figure
 
@@ -137,8 +142,13 @@ def _draw_errors(axes: Axes, points: Sequence[tuple[float, TrialResult]], channe
             if name in trial.after.channels:
                 colour = PALETTE[k % len(PALETTE)]
                 axes.plot(
-                    x, trial.after.channels[name].nrmse, marker=_MARKERS[k % len(_MARKERS)], color=colour, linestyle="none",
-                    markerfacecolor=colour if trial.entry.use == "fit" else "white", markersize=5.5,
+                    x,
+                    trial.after.channels[name].nrmse,
+                    marker=_MARKERS[k % len(_MARKERS)],
+                    color=colour,
+                    linestyle="none",
+                    markerfacecolor=colour if trial.entry.use == "fit" else "white",
+                    markersize=5.5,
                 )
     axes.margins(x=0.1, y=0.12)
     if not points:
@@ -158,7 +168,12 @@ def _number_points(axes: Axes, trials: Sequence[TrialResult], places: Sequence[f
                 spot = (at[0] + offset[0], at[1] + offset[1])
                 if all(abs(spot[0] - other[0]) > 11.0 or abs(spot[1] - other[1]) > 8.0 for other in taken):
                     axes.annotate(
-                        str(trial.entry.number), (x, channel.nrmse), offset, textcoords="offset points", fontsize=7, color=MUTED
+                        str(trial.entry.number),
+                        (x, channel.nrmse),
+                        offset,
+                        textcoords="offset points",
+                        fontsize=7,
+                        color=MUTED,
                     )
                     taken.append(spot)
                     break
@@ -168,7 +183,9 @@ def _residual_legend(figure: Figure, channels: Sequence[str]) -> None:
     from matplotlib.lines import Line2D
 
     handles = [
-        Line2D([], [], color=PALETTE[k % len(PALETTE)], marker=_MARKERS[k % len(_MARKERS)], linestyle="none", label=name)
+        Line2D(
+            [], [], color=PALETTE[k % len(PALETTE)], marker=_MARKERS[k % len(_MARKERS)], linestyle="none", label=name
+        )
         for k, name in enumerate(channels)
     ]
     handles += [
@@ -176,4 +193,3 @@ def _residual_legend(figure: Figure, channels: Sequence[str]) -> None:
         Line2D([], [], color=INK, marker="o", markerfacecolor="white", linestyle="none", label="held out"),
     ]
     figure.legend(handles=handles, loc="outside upper right", ncols=len(handles), columnspacing=1.2, handletextpad=0.2)
-

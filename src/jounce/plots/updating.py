@@ -34,15 +34,15 @@ def update(result: UpdateResult, units: Mapping[str, str] | None = None) -> Figu
         Parameters from lower (-100 %) to upper bound (+100 %) with 95 % intervals; correlation matrix
         of the parameters (lags left out).
     """
-    count, names = len(result.parameters), [*result.parameters]
-    figure = new_figure(max(2.3, 1.1 + 0.42 * count, 1.2 + 0.42 * count))
-    if len(names) == 1:
+    count = len(result.parameters)
+    figure = new_figure(1.15 + 0.42 * max(count, 2))
+    if count == 1:
         figure.set_figwidth(5.4)
         _draw_parameters(figure.subplots(), result.parameters, units or {})
         return figure
-    left, right = figure.subplots(1, 2, gridspec_kw={"width_ratios": [1.5, 1.0]})
+    left, right = figure.subplots(1, 2, gridspec_kw={"width_ratios": [1.0, 0.3 + 0.11 * min(count, 8)]})
     _draw_parameters(left, result.parameters, units or {})
-    _draw_correlation(right, result.correlation, names)
+    _draw_correlation(right, result.correlation, count)
     return figure
 
 
@@ -55,13 +55,21 @@ def _draw_parameters(axes: Axes, parameters: Mapping[str, UpdatedParameter], uni
         colour = PALETTE[1] if p.at_bound else AFTER
         axes.plot(100.0 * (p.initial - middle) / half, row, "o", markersize=7, color="white", markeredgecolor=MUTED)
         axes.plot(100.0 * (p.value - middle) / half, row, "s" if p.at_bound else "o", markersize=6, color=colour)
-        axes.text(1.02, row, _value_text(p, units.get(path, "1")), transform=axes.get_yaxis_transform(),
-                  va="center", fontsize=8.5, color=colour if p.at_bound else INK)
+        axes.text(
+            1.02,
+            row,
+            _value_text(p, units.get(path, "1")),
+            transform=axes.get_yaxis_transform(),
+            va="center",
+            fontsize=8.5,
+            color=colour if p.at_bound else INK,
+        )
     axes.axvline(-100.0, color=MUTED, linewidth=1.0)
     axes.axvline(100.0, color=MUTED, linewidth=1.0)
     axes.set_xlim(-112.0, 112.0)
     axes.set_ylim(len(parameters) - 0.4, -0.6)
-    axes.set_yticks(range(len(parameters)), list(parameters))
+    numbered = [f"{path}  {row}" if len(parameters) > 1 else path for row, path in enumerate(parameters, 1)]
+    axes.set_yticks(range(len(parameters)), numbered)
     axes.set_xticks([-100, -50, 0, 50, 100])
     axes.grid(axis="y", visible=False)
     axes.set_xlabel("place between lower and upper bound [%]")
@@ -76,27 +84,22 @@ def _value_text(p: UpdatedParameter, si: str) -> str:
     return f"{text} {unit.name}".rstrip() + (" (at bound)" if p.at_bound else "")
 
 
-def _draw_correlation(axes: Axes, correlation: Sequence[Sequence[float]], names: Sequence[str]) -> None:
-    values = np.array(correlation)[: len(names), : len(names)]
-    axes.imshow(values, cmap="RdBu_r", vmin=-1.0, vmax=1.0)
+def _draw_correlation(axes: Axes, correlation: Sequence[Sequence[float]], count: int) -> None:
+    values = np.array(correlation)[:count, :count]
+    axes.imshow(values, cmap="RdBu_r", vmin=-1.0, vmax=1.0, aspect="auto")
     axes.grid(visible=False)
     for row in range(len(values)):
         for column in range(len(values)):
             known = values[row, row] > 0.0 and values[column, column] > 0.0
-            text = number(values[row, column], 2) if known and row != column else ("1" if known else "–")
+            text = ("1" if row == column else f"{values[row, column]:+.2f}".replace("-", "−")) if known else "–"
             shade = "white" if abs(values[row, column]) > 0.6 else INK
             axes.text(column, row, text, ha="center", va="center", fontsize=8, color=shade)
-    shown = [_last_words(name) for name in names]
-    axes.set_xticks(range(len(names)), shown, rotation=40, ha="right", rotation_mode="anchor")
-    axes.set_yticks(range(len(names)), shown)
+    axes.set_xticks(range(count), [str(k) for k in range(1, count + 1)])
+    axes.set_yticks(range(count), [str(k) for k in range(1, count + 1)])
+    axes.set_xlabel("number of the parameter")
     axes.spines[:].set_visible(False)
     axes.tick_params(length=0)
-    axes.set_title("correlation", fontweight="normal", fontsize=9)
-
-
-def _last_words(path: str) -> str:
-    words = path.split(".")
-    return ".".join(words[-2:]) if len(words) > 1 else path
+    axes.set_title("correlation of the estimates", fontweight="normal", fontsize=9)
 
 
 def _change(percent: float) -> str:

@@ -102,6 +102,8 @@ def _put_in_place(built: Path, folder: Path, files: Mapping[str, bytes | str]) -
 
 def _refused(folder: Path, error: OSError) -> OutputError:
     return OutputError(
-        "the folder cannot be written", where=str(folder), found=error.strerror or str(error),
+        "the folder cannot be written",
+        where=str(folder),
+        found=error.strerror or str(error),
         hint="Check the path, the permissions and the space on the disk.",
     )

@@ -18,7 +18,9 @@ _SEVERITIES = {"problem": "Problems", "warning": "Warnings", "note": "Notes"}
 _MOST_PLACES = 6
 
 
-def write_page(page: Page, out: Path | str, *, force: bool = False, progress: Callable[[str], None] = lambda _text: None) -> list[Path]:
+def write_page(
+    page: Page, out: Path | str, *, force: bool = False, progress: Callable[[str], None] = lambda _text: None
+) -> list[Path]:
     """Write a page with its figures into a folder.
 
     Parameters
@@ -91,18 +93,21 @@ def _templates() -> Path:
     return Path(__file__).parent / "templates"
 
 
-def _safe(text: str) -> Any:  # noqa: ANN401 - markupsafe.Markup
+def _safe(text: str) -> Any:
     from markupsafe import Markup
 
-    return Markup(text)  # noqa: S704 - an SVG that matplotlib wrote; texts in it are escaped
+    return Markup(text)
 
 
 @cache
-def _environment() -> Any:  # noqa: ANN401 - jinja2.Environment
+def _environment() -> Any:
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
     environment = Environment(
-        loader=FileSystemLoader(_templates()), autoescape=True, undefined=StrictUndefined, trim_blocks=True,
+        loader=FileSystemLoader(_templates()),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
         lstrip_blocks=True,
     )
     environment.filters["kind"] = lambda block: type(block).__name__

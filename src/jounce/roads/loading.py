@@ -149,13 +149,13 @@ class _Reader:
             self.built[name] = self.road(self.tables[name], (*self.above, name), (*asked_by, name))
         return self.built[name]
 
-    def road(self, table: Any, path: tuple[str, ...], asked_by: tuple[str, ...] = ()) -> Road:  # noqa: ANN401
+    def road(self, table: Any, path: tuple[str, ...], asked_by: tuple[str, ...] = ()) -> Road:
         """Build the road of one table that lies at ``path``."""
         resolved = self._resolved(table, path, asked_by)
         kind = ROADS[resolved["kind"]]
         return kind.from_table(resolved, where=self.where, text=self.text, path=path)
 
-    def _resolved(self, table: Any, path: tuple[str, ...], asked_by: tuple[str, ...]) -> dict[str, Any]:  # noqa: ANN401
+    def _resolved(self, table: Any, path: tuple[str, ...], asked_by: tuple[str, ...]) -> dict[str, Any]:
         """Give the table with its kind checked, ``of`` built where it is a name, ``file`` from the right folder."""
         if not isinstance(table, dict):
             place = self._place(path)
@@ -173,7 +173,7 @@ class _Reader:
             resolved["of"] = self._obstacle(table["of"], (*path, "of"), asked_by)
         return resolved
 
-    def _obstacle(self, of: Any, path: tuple[str, ...], asked_by: tuple[str, ...]) -> Any:  # noqa: ANN401
+    def _obstacle(self, of: Any, path: tuple[str, ...], asked_by: tuple[str, ...]) -> Any:
         if isinstance(of, dict):
             return self._resolved(of, path, asked_by)
         if not isinstance(of, str):

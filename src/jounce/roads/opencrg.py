@@ -85,7 +85,7 @@ def _profile(file: str, offset: float, _changed: int, _size: int) -> tuple[Array
     return u, height
 
 
-def _read(file: str) -> Any:  # noqa: ANN401 - pyopencrg has no types
+def _read(file: str) -> Any:
     """Read and check; everything the reader would guess is refused."""
     import pyopencrg
 
@@ -126,7 +126,7 @@ def _one_line(error: Exception, file: str) -> str:
     return " ".join(str(error).split()).removeprefix(f"{file}: ") or type(error).__name__
 
 
-def _grid_height(road: Any, offset: float, file: str) -> Array:  # noqa: ANN401
+def _grid_height(road: Any, offset: float, file: str) -> Array:
     """Grid heights at the offset, linear between the long sections beside it."""
     v = np.asarray(road.v, dtype=float)
     if not v[0] - _EDGE <= offset <= v[-1] + _EDGE:

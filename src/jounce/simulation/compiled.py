@@ -45,7 +45,9 @@ class Compiled:
         """Addresses of the native functions, with sensitivities where there are free parameters."""
         address, suffix = self.native.address, "_s" if self.free else ""
         return Engine(
-            address[f"rate{suffix}"], address[f"output{suffix}"], address.get("switch_slope", 0),
+            address[f"rate{suffix}"],
+            address[f"output{suffix}"],
+            address.get("switch_slope", 0),
             *(address[name] for name in STEP_NAMES),
         )
 

@@ -8,8 +8,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from jounce.core.errors import unknown
-from jounce.core.errors import SimulationError
+from jounce.core.errors import SimulationError, unknown
 from jounce.models import build
 from jounce.parts import Rig
 from jounce.simulation.compiled import Compiled, compile_model
@@ -167,7 +166,10 @@ def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
             shapes = {name: (float(z.real), float(z.imag)) for name, z in zip(names, shape, strict=True)}
             found.append(
                 Mode(
-                    float(abs(value)) / (2 * np.pi), float(value.imag) / (2 * np.pi), float(-value.real / abs(value)), shapes
+                    float(abs(value)) / (2 * np.pi),
+                    float(value.imag) / (2 * np.pi),
+                    float(-value.real / abs(value)),
+                    shapes,
                 )
             )
     return tuple(sorted(found, key=lambda mode: mode.frequency_hz))

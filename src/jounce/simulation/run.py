@@ -220,7 +220,9 @@ def _check_settings(duration: float, output_step: float, tolerance: float) -> No
             hint="Shorten the run or lengthen the output step.",
         )
     if not _FINEST <= tolerance <= _COARSEST:
-        raise SimulationError("not a tolerance", where="tolerance", found=tolerance, allowed=f"{_FINEST:g} to {_COARSEST:g}")
+        raise SimulationError(
+            "not a tolerance", where="tolerance", found=tolerance, allowed=f"{_FINEST:g} to {_COARSEST:g}"
+        )
 
 
 def _samples_reached(solution: Solution, *, check: bool) -> int:
@@ -242,7 +244,9 @@ def _offset(compiled: Compiled, offset: dict[str, float] | None) -> Array | None
         if name not in names:
             raise SimulationError("not a state of the model", where=name, allowed=", ".join(names))
         if not np.isfinite(offset[name]):
-            raise SimulationError("not a finite number", where=f"offset: {name}", found=offset[name], allowed="m or m/s")
+            raise SimulationError(
+                "not a finite number", where=f"offset: {name}", found=offset[name], allowed="m or m/s"
+            )
     return np.array([offset.get(name, 0.0) for name in names])
 
 

@@ -10,7 +10,7 @@ from jounce.core.description import Description
 from jounce.core.findings import Finding
 
 
-def estimated(default: Any, why: str) -> Any:  # noqa: ANN401 - stands for a field of any type
+def estimated(default: Any, why: str) -> Any:
     """Make a field default that is an estimate; ``why`` says what it rests on."""
     return Field(default=default, description=f"estimated: {why}", json_schema_extra={"estimated": True})
 

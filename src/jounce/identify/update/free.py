@@ -40,7 +40,7 @@ def free_parameters(rig: Rig, free: Mapping[str, Bounds], *, where: str = "") ->
 
 
 def check_free(rig: Rig, free: Mapping[str, Bounds], *, where: str = "", more: int = 0) -> None:
-    """Refuse no free parameters at all (``more`` counts those checked elsewhere), unknown paths and unreadable bounds."""
+    """Refuse no free parameters (``more`` counts those checked elsewhere), unknown paths and unreadable bounds."""
     if not free and not more:
         raise FitError(
             "no free parameter", where=where, hint='Name at least one, e.g. free = {"strut.spring.rate" = "10 %"}.'

@@ -37,7 +37,7 @@ def minimise(problem: UpdateProblem, start: Array, method: str) -> Optimum:
 
 
 def is_stationary(problem: UpdateProblem, x: Array) -> bool:
-    """Tell whether a Gauss-Newton step from ``x``, within the bounds, would lower the objective by less than 1e-6 of it."""
+    """Tell whether a Gauss-Newton step within the bounds would lower the objective by less than 1e-6 of it."""
     residuals = problem.residuals(x)
     gradient = residuals.jacobian.T @ residuals.vector
     held = (np.abs(x) > 1.0 - 1e-5) & (gradient * x < 0.0)

@@ -139,7 +139,9 @@ class UpdateProblem:
         count = sum(len(c.measured) for trial in self.trials for c in trial.channels)
         if count < self.size:
             raise FitError(
-                "fewer data than parameters", found=f"{count} samples", allowed=f"at least {self.size}",
+                "fewer data than parameters",
+                found=f"{count} samples",
+                allowed=f"at least {self.size}",
                 hint="Give longer recordings or free fewer parameters.",
             )
         self._last: tuple[bytes, Residuals] | None = None
@@ -250,26 +252,39 @@ def _prepare(
     times, uniform = _from_rest(time, rate)
     if time[-1] < trial.trial.end():
         raise FitError(
-            "the recording ends before the obstacle pass does", where=trial.name, found=f"{time[-1]:.4g} s",
-            allowed=f"at least {trial.trial.end():.4g} s", hint="Check speed and start, or record longer.",
+            "the recording ends before the obstacle pass does",
+            where=trial.name,
+            found=f"{time[-1]:.4g} s",
+            allowed=f"at least {trial.trial.end():.4g} s",
+            hint="Check speed and start, or record longer.",
         )
     common = [name for name in compiled.output_names if name in trial.measured and (names is None or name in names)]
     if not common:
         raise FitError(
-            "the recording holds no channel that the model gives", where=trial.name,
-            found=", ".join(str(name) for name in trial.measured.data_vars), allowed=", ".join(compiled.output_names),
-            hint="Map the columns, e.g. columns = {\"sprung.az\" = \"acc1 [g]\"}.",
+            "the recording holds no channel that the model gives",
+            where=trial.name,
+            found=", ".join(str(name) for name in trial.measured.data_vars),
+            allowed=", ".join(compiled.output_names),
+            hint='Map the columns, e.g. columns = {"sprung.az" = "acc1 [g]"}.',
         )
     channels = [_channel(trial, compiled, name, weights) for name in common]
     if not any(channel.weight > 0.0 for channel in channels):
         raise FitError(
-            "no channel of the recording has a weight", where=trial.name, found=", ".join(common),
+            "no channel of the recording has a weight",
+            where=trial.name,
+            found=", ".join(common),
             hint="Give one of them a weight above 0, or leave the trial out.",
         )
     factors = np.array([values[item.path] / item.initial if item.initial else 1.0 for item in free])
     return Prepared(
-        trial, compiled, times, uniform, rate, tuple(channels),
-        compiled.parameter_values(values), factors,
+        trial,
+        compiled,
+        times,
+        uniform,
+        rate,
+        tuple(channels),
+        compiled.parameter_values(values),
+        factors,
     )
 
 
@@ -286,7 +301,7 @@ def _check_channels(known: Sequence[str], names: Sequence[str] | None, weights: 
 
 
 def _from_rest(time: Array, rate: float) -> tuple[Array, int]:
-    """Output times from the start at 0 on, and how many of the last are at the recording's rate (sensors filter those)."""
+    """Output times from 0 on, and how many of the last are at the recording's rate (sensors filter those)."""
     if time[0] <= 0.0:
         return time, len(time)
     before = time[0] - np.arange(int(time[0] * rate + 1e-6), 0, -1) / rate

@@ -14,8 +14,8 @@ _REACH = 3  # times the lag at which the residuals stop resembling each other
 def robust_covariance(vector: Array, jacobian: Array, blocks: tuple[slice, ...]) -> Array:
     """Covariance of least-squares estimates under autocorrelated noise of changing level.
 
-    Sandwich ``(J'J)^-1 (J' G J) (J'J)^-1``: ``G`` is the covariance of the residuals, from their level (moving root mean
-    square) and their autocorrelation as far as it is significant, tapered by Bartlett weights [newey1987]. For white
+    Sandwich ``(J'J)^-1 (J' G J) (J'J)^-1``: ``G`` is the covariance of the residuals, from their level (moving r.m.s.)
+    and their autocorrelation as far as it is significant, tapered by Bartlett weights [newey1987]. For white
     residuals of constant level this is the classical covariance. The autocorrelation is that of the residuals, not of
     the scores ``J r``: those sum to zero at the optimum, which makes intervals from them too short.
 
@@ -60,7 +60,11 @@ def _correlation(residuals: Array) -> Array:
     count = len(residuals)
     energy = float(residuals @ residuals)
     longest = count // 4
-    values = np.array([residuals[lag:] @ residuals[:-lag] / energy for lag in range(1, longest)]) if energy > 0.0 else np.zeros(0)
+    values = (
+        np.array([residuals[lag:] @ residuals[:-lag] / energy for lag in range(1, longest)])
+        if energy > 0.0
+        else np.zeros(0)
+    )
     quiet = np.flatnonzero(np.abs(values) < 2.0 / np.sqrt(count))
     end = int(quiet[0]) if len(quiet) else len(values)
     reach = min(_REACH * end, len(values))

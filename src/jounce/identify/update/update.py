@@ -159,7 +159,7 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
     """
     check_method(method)
     if not trials:
-        raise FitError("no trial to fit", where=name, hint="Mark trials with use = \"fit\" or name their numbers.")
+        raise FitError("no trial to fit", where=name, hint='Mark trials with use = "fit" or name their numbers.')
     if align not in (None, "lag"):
         raise FitError("unknown alignment", where=name, found=align, allowed='none, or "lag"')
     if starts < 1:
@@ -168,7 +168,13 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
         raise FitError("not a largest lag", where=name, found=f"{lag_bound} s", allowed="above 0 s")
     bounds = free_parameters(trials[0].rig, free, where=name)
     problem = UpdateProblem(
-        trials, bounds, channels=channels, weights=weights, align=align == "lag", lag_bound=lag_bound, tolerance=tolerance
+        trials,
+        bounds,
+        channels=channels,
+        weights=weights,
+        align=align == "lag",
+        lag_bound=lag_bound,
+        tolerance=tolerance,
     )
     start = np.array([item.scaled(item.initial) for item in bounds] + [0.0] * (problem.size - len(bounds)))
     names = (*(item.path for item in bounds), *(f"lag of {t.name}" for t in trials if align))
@@ -181,7 +187,12 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
 
 
 def _result(
-    name: str, method: str, problem: UpdateProblem, known: Identifiability, before: float, optimum: Optimum,
+    name: str,
+    method: str,
+    problem: UpdateProblem,
+    known: Identifiability,
+    before: float,
+    optimum: Optimum,
     findings: list[Finding],
 ) -> UpdateResult:
     residuals = problem.residuals(optimum.scaled)
@@ -204,12 +215,20 @@ def _result(
             findings.append(Finding(free.path, "warning", text, float(value)))
     lags = problem.lags(optimum.scaled)
     return UpdateResult(
-        name, method, before, optimum.objective,
+        name,
+        method,
+        before,
+        optimum.objective,
         100.0 * (before - optimum.objective) / before if before > 0.0 else 0.0,
-        optimum.iterations, problem.evaluations, parameters,
+        optimum.iterations,
+        problem.evaluations,
+        parameters,
         tuple(tuple(float(v) for v in row) for row in correlation_of(covariance)),
-        {trial.source.name: float(lag) for trial, lag in zip(problem.trials, lags, strict=True)} if problem.align else {},
-        known, tuple(findings),
+        {trial.source.name: float(lag) for trial, lag in zip(problem.trials, lags, strict=True)}
+        if problem.align
+        else {},
+        known,
+        tuple(findings),
     )
 
 
@@ -218,10 +237,13 @@ def _stall(name: str, optimum: Optimum, before: float) -> list[Finding]:
         return []
     if optimum.objective >= before * (1.0 - 1e-12) and before > 0.0:
         raise FitError(
-            "the optimiser stalled at the start values", where=name,
+            "the optimiser stalled at the start values",
+            where=name,
             hint="Try the other method, wider bounds, several starts, or fewer parameters.",
         )
-    text = "the optimiser stopped before it converged; the values may not be the best: try the other method or more starts"
+    text = (
+        "the optimiser stopped before it converged; the values may not be the best: try the other method or more starts"
+    )
     return [Finding(name, "warning", text, optimum.objective)]
 
 

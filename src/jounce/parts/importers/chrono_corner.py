@@ -202,7 +202,7 @@ class _File:
         """Place of a value, for messages."""
         return ": ".join((str(self.path), *keys))
 
-    def value(self, section: str, key: str) -> Any:  # noqa: ANN401 - as the file says
+    def value(self, section: str, key: str) -> Any:
         """Value as it is written."""
         here: Any = self.table
         for i, part in enumerate((section, key)):

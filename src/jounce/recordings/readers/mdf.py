@@ -39,7 +39,7 @@ def read(path: Path, options: ReaderOptions) -> SignalTable:
     return SignalTable(renamed(ColumnTable(tuple(columns), (), str(path)), options.header), left_out=left_out)
 
 
-def _is_numeric(signal: Any) -> bool:  # noqa: ANN401 - asammdf is optional
+def _is_numeric(signal: Any) -> bool:
     return bool(signal.samples.ndim == 1 and signal.samples.dtype.kind in "fiu" and signal.samples.size > 1)
 
 

@@ -40,7 +40,7 @@ def read(path: Path, options: ReaderOptions) -> SignalTable:
     return SignalTable(renamed(ColumnTable(tuple(columns), (), str(path)), options.header))
 
 
-def _group(file: Any, name: str, path: Path) -> Any:  # noqa: ANN401 - nptdms is optional
+def _group(file: Any, name: str, path: Path) -> Any:
     groups = {group.name: group for group in file.groups()}
     if name in groups:
         return groups[name]
@@ -54,7 +54,7 @@ def _group(file: Any, name: str, path: Path) -> Any:  # noqa: ANN401 - nptdms is
     return next(iter(groups.values()))
 
 
-def _column(channel: Any, path: Path) -> Column:  # noqa: ANN401 - nptdms is optional
+def _column(channel: Any, path: Path) -> Column:
     return Column(
         channel.name, str(channel.properties.get("unit_string", "")), np.asarray(channel[:], dtype=float), str(path)
     )

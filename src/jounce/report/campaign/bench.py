@@ -8,7 +8,7 @@ from jounce.core.errors import DescriptionError
 from jounce.parts.parameters import unit_of
 from jounce.plots import decay_fit, display_unit, number, quantity, stiffness_fit, tyre_pressure
 from jounce.report.campaign.sources import decay_records, force_deflection
-from jounce.report.numbers import estimate_cells, estimate_text, percent
+from jounce.report.numbers import estimate_cells, estimate_text
 from jounce.report.page import Block, Cell, Paragraph, Picture, Section, Subsection, Table, slug
 
 if TYPE_CHECKING:
@@ -26,7 +26,9 @@ def characterisation(result: CampaignResult) -> Section:
     """Values replaced, then spring, tyre and damping with tables and figures; failed tables are named."""
     bench, asked = result.characterisation, result.campaign.bench
     blocks: list[Block] = [
-        Paragraph(f"The {_NAMES.get(place, place)} could not be evaluated: the described value is used. See Findings.", "bad")
+        Paragraph(
+            f"The {_NAMES.get(place, place)} could not be evaluated: the described value is used. See Findings.", "bad"
+        )
         for place in bench.failed
     ]
     if bench.replaced:
@@ -64,7 +66,8 @@ def _replaced(result: CampaignResult) -> Table:
     return Table(
         "Rig values that measurements replaced",
         ("rig value", "described", "measured", "standard error", "unit", "from"),
-        tuple(rows), "lrrrll",
+        tuple(rows),
+        "lrrrll",
     )
 
 
@@ -78,7 +81,9 @@ def _stiffness(
         rows.append((f"intercept ({choice})", *estimate_cells(found.intercept, "N")))
     if found.tangent_stiffness is not None:
         rows.append(("measured slope at the static operating point", *estimate_cells(found.tangent_stiffness, "N/m")))
-    summary = Table(f"Fit of the {title}: {found.law} law, all trials", _ESTIMATE, tuple(rows), "lrrrl", _fit_note(found))
+    summary = Table(
+        f"Fit of the {title}: {found.law} law, all trials", _ESTIMATE, tuple(rows), "lrrrl", _fit_note(found)
+    )
     alternative = (
         f"Force against deflection of the {title} with a {found.law} fit through {len(found.trials)} trials, "
         f"stiffness {estimate_text(found.stiffness, 'N/m')}; at the right the stiffness of each trial."
@@ -105,13 +110,23 @@ def _fit_note(found: StiffnessResult) -> str:
 def _trial_table(found: StiffnessResult) -> Table:
     rows = tuple(
         (
-            trial.name, *estimate_cells(trial.stiffness, "N/m")[:3],
-            number(trial.rms_residual, 2), number(trial.loss_factor, 2), str(trial.points),
+            trial.name,
+            *estimate_cells(trial.stiffness, "N/m")[:3],
+            number(trial.rms_residual, 2),
+            number(trial.loss_factor, 2),
+            str(trial.points),
         )
         for trial in found.trials
     )
-    header = ("trial", "stiffness [N/mm]", "standard error [N/mm]", "95 % interval [N/mm]", "r.m.s. residual [N]",
-              "loss factor [–]", "points")
+    header = (
+        "trial",
+        "stiffness [N/mm]",
+        "standard error [N/mm]",
+        "95 % interval [N/mm]",
+        "r.m.s. residual [N]",
+        "loss factor [–]",
+        "points",
+    )
     return Table("Each trial by itself", header, rows, "lrrrrrr")
 
 
@@ -129,11 +144,17 @@ def _pressure(result: CampaignResult) -> tuple[Block, ...]:
         note.append(f"line at zero pressure {quantity(found.at_zero_pressure, 'N/m')}")
     if found.exponent is not None:
         note.append(f"exponent of the power law {number(found.exponent, 3)}")
-    table = Table("Tyre stiffness against inflation pressure", ("pressure", *_ESTIMATE[1:]), rows, "lrrrl",
-                  "; ".join(note) + "." if note else "")
+    table = Table(
+        "Tyre stiffness against inflation pressure",
+        ("pressure", *_ESTIMATE[1:]),
+        rows,
+        "lrrrl",
+        "; ".join(note) + "." if note else "",
+    )
     words = ", ".join(f"{row[0]}: {row[1]} {row[4]}" for row in rows)
     picture = Picture(
-        tyre_pressure(found), "bench-tyre-pressure",
+        tyre_pressure(found),
+        "bench-tyre-pressure",
         "Radial stiffness against inflation pressure; between measured pressures it is interpolated.",
         f"Tyre stiffness against inflation pressure. {words}.",
     )
@@ -144,7 +165,9 @@ def _decay(result: CampaignResult) -> tuple[Block, ...]:
     bench = result.characterisation
     found = bench.decay
     assert found is not None
-    blocks: list[Block] = [_decay_table(found, f"Damping from {len(bench.decays)} free decay(s)" if bench.decays else "")]
+    blocks: list[Block] = [
+        _decay_table(found, f"Damping from {len(bench.decays)} free decay(s)" if bench.decays else "")
+    ]
     records = decay_records(result, result.campaign.bench.decay)
     if len(records) != len(bench.decays):
         records = [(f"decay {k}", (), ()) for k in range(1, len(bench.decays) + 1)]  # type: ignore[misc]
@@ -163,7 +186,7 @@ def _decay(result: CampaignResult) -> tuple[Block, ...]:
     return tuple(blocks)
 
 
-def _decay_table(found: Any, caption: str) -> Table:  # noqa: ANN401 - one decay or several combined
+def _decay_table(found: Any, caption: str) -> Table:
     quantities = (
         ("damping coefficient (viscous part)", found.damping_coefficient, "N*s/m"),
         ("damping ratio (viscous part)", found.damping_ratio, "1"),
@@ -180,12 +203,22 @@ def _decay_table(found: Any, caption: str) -> Table:  # noqa: ANN401 - one decay
 def _each_decay(decays: tuple[DecayResult, ...], names: list[str]) -> Table:
     rows = tuple(
         (
-            name, *(
+            name,
+            *(
                 estimate_text(one, si)
-                for one, si in ((d.damping_coefficient, "N*s/m"), (d.coulomb_force, "N"), (d.natural_frequency_hz, "Hz"))
-            ), number(d.cycles, 2),
+                for one, si in (
+                    (d.damping_coefficient, "N*s/m"),
+                    (d.coulomb_force, "N"),
+                    (d.natural_frequency_hz, "Hz"),
+                )
+            ),
+            number(d.cycles, 2),
         )
         for name, d in zip(names, decays, strict=True)
     )
-    return Table("Each decay by itself", ("record", "damping coefficient", "dry friction", "natural frequency", "cycles"), rows,
-                 "lrrrr")
+    return Table(
+        "Each decay by itself",
+        ("record", "damping coefficient", "dry friction", "natural frequency", "cycles"),
+        rows,
+        "lrrrr",
+    )

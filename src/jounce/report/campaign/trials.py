@@ -4,7 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from jounce.plots import measured_against_simulated, number, quantity, residual_against_speed_and_pitch, road_profile, trial_matrix
+from jounce.plots import (
+    measured_against_simulated,
+    number,
+    quantity,
+    residual_against_speed_and_pitch,
+    road_profile,
+    trial_matrix,
+)
 from jounce.report.campaign.sources import obstacle_pass, roads_of
 from jounce.report.campaign.summary import TONES, verdict
 from jounce.report.numbers import percent
@@ -27,7 +34,12 @@ def trials(result: CampaignResult) -> Section:
     if roads:
         figure = road_profile(roads)
         blocks.append(
-            Picture(figure, "roads", "Height of the roads against distance.", f"Height profiles of the roads {', '.join(roads)}.")
+            Picture(
+                figure,
+                "roads",
+                "Height of the roads against distance.",
+                f"Height profiles of the roads {', '.join(roads)}.",
+            )
         )
     return Section("Trials", tuple(blocks))
 
@@ -37,8 +49,13 @@ def _setting(trial: TrialResult) -> tuple[Cell | str, ...]:
     road = entry.road if entry.road is not None else f"excitation {entry.excitation}"
     lost = Cell(entry.recording, "bad", "not usable, see Findings") if trial.after is None else entry.recording
     return (
-        str(entry.number), _USES[entry.use], quantity(entry.speed, "m/s", 3), road or "–",
-        quantity(trial.obstacle_pitch, "m", 3), quantity(entry.strut_angle, "rad", 3), quantity(entry.tyre_pressure, "Pa", 3),
+        str(entry.number),
+        _USES[entry.use],
+        quantity(entry.speed, "m/s", 3),
+        road or "–",
+        quantity(trial.obstacle_pitch, "m", 3),
+        quantity(entry.strut_angle, "rad", 3),
+        quantity(entry.tyre_pressure, "Pa", 3),
         lost,
     )
 
@@ -52,15 +69,19 @@ def validation(result: CampaignResult) -> Section:
             "channel with the lowest ISO/TS 18571 rating: above 0.80 the model holds, above 0.58 it holds partly."
         ),
         Picture(
-            trial_matrix(result.trials), "validation-matrix", "ISO/TS 18571 rating of every trial and channel.",
+            trial_matrix(result.trials),
+            "validation-matrix",
+            "ISO/TS 18571 rating of every trial and channel.",
             "Table of ratings before and after updating; all numbers are in the validation table.",
         ),
         _table(result),
     ]
     if any(trial.after is not None for trial in result.trials):
         picture = Picture(
-            residual_against_speed_and_pitch(result.trials), "validation-residual",
-            "Normalised error of every trial against speed (single obstacles) and obstacle pitch (trains); numbers are those "
+            residual_against_speed_and_pitch(result.trials),
+            "validation-residual",
+            "Normalised error of every trial against speed (single obstacles) and obstacle pitch (trains); "
+            "numbers are those "
             "of the trials.",
             "NRMSE against speed and obstacle pitch; all numbers are in the validation table.",
         )
@@ -74,9 +95,26 @@ def _table(result: CampaignResult) -> Table:
         for trial in result.trials:
             if trial.entry.use == use:
                 rows += _validation_rows(trial)
-    header = ("trial", "use", "channel", "NRMSE", "R²", "peak error", "lag [ms]", "ISO 18571", "grade", "before", "verdict")
-    return Table("Model against measurement, fitted trials first", header, tuple(rows), "lllrrrrrlrl",
-                 "Before: ISO 18571 rating before updating. Definitions are under How this was made.")
+    header = (
+        "trial",
+        "use",
+        "channel",
+        "NRMSE",
+        "R²",
+        "peak error",
+        "lag [ms]",
+        "ISO 18571",
+        "grade",
+        "before",
+        "verdict",
+    )
+    return Table(
+        "Model against measurement, fitted trials first",
+        header,
+        tuple(rows),
+        "lllrrrrrlrl",
+        "Before: ISO 18571 rating before updating. Definitions are under How this was made.",
+    )
 
 
 def _validation_rows(trial: TrialResult) -> list[tuple[Cell | str, ...]]:
@@ -89,8 +127,13 @@ def _validation_rows(trial: TrialResult) -> list[tuple[Cell | str, ...]]:
         before = trial.before.channels.get(name) if trial.before is not None else None
         rows.append(
             (
-                *(head if k == 0 else ("", "")), name, number(channel.nrmse, 2), f"{channel.r2:.3f}".replace("-", "−"),
-                percent(channel.peak_error), f"{1e3 * channel.lag:.1f}".replace("-", "−"), f"{channel.iso18571:.2f}",
+                *(head if k == 0 else ("", "")),
+                name,
+                number(channel.nrmse, 2),
+                f"{channel.r2:.3f}".replace("-", "−"),
+                percent(channel.peak_error),
+                f"{1e3 * channel.lag:.1f}".replace("-", "−"),
+                f"{channel.iso18571:.2f}",
                 Cell(channel.grade, _GRADE_TONES[channel.grade]),  # type: ignore[arg-type]
                 f"{before.iso18571:.2f}" if before is not None else "–",
                 Cell(word, TONES[word]) if k == 0 else "",
@@ -127,8 +170,10 @@ def _curve(trial: TrialResult, roads: dict[str, object]) -> Block:
     channels = trial.after.channels if trial.after is not None else {}
     words = "; ".join(f"{name}: rating {c.iso18571:.2f}, {c.grade}" for name, c in channels.items())
     return Picture(
-        measured_against_simulated(trial, window), f"trial-{trial.entry.number:02d}",
-        "Left: whole record; right: obstacle pass. Below each signal: measured minus simulated. Shaded: the wheel is on the "
+        measured_against_simulated(trial, window),
+        f"trial-{trial.entry.number:02d}",
+        "Left: whole record; right: obstacle pass. Below each signal: measured minus simulated. Shaded: "
+        "the wheel is on the "
         "obstacle.",
         f"Measured and simulated signals of trial {trial.entry.number}, before and after updating. {words}.",
     )

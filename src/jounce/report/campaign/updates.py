@@ -25,11 +25,15 @@ def updates(result: CampaignResult) -> Section:
         blocks.append(Paragraph("No update was asked for: the trials are compared with the characterised model."))
     if result.strategies:
         found = [strategy.update for strategy in result.strategies]
-        words = "; ".join(f"{one.name}: {number(one.objective_before)} to {number(one.objective_after)}" for one in found)
+        words = "; ".join(
+            f"{one.name}: {number(one.objective_before)} to {number(one.objective_after)}" for one in found
+        )
         blocks += [
             _overview(result),
             Picture(
-                objectives(found), "updates-objective", "Objective of each update relative to its own start.",
+                objectives(found),
+                "updates-objective",
+                "Objective of each update relative to its own start.",
                 f"Objective before and after each update. {words}.",
             ),
         ]
@@ -40,13 +44,28 @@ def updates(result: CampaignResult) -> Section:
 def _overview(result: CampaignResult) -> Table:
     rows = tuple(
         (
-            one.name, one.method, ", ".join(str(number_of) for number_of in strategy.fitted_on), number(one.objective_before),
-            number(one.objective_after), percent(0.01 * one.reduction_percent), str(one.iterations), str(one.evaluations),
+            one.name,
+            one.method,
+            ", ".join(str(number_of) for number_of in strategy.fitted_on),
+            number(one.objective_before),
+            number(one.objective_after),
+            percent(0.01 * one.reduction_percent),
+            str(one.iterations),
+            str(one.evaluations),
         )
         for strategy in result.strategies
         for one in (strategy.update,)
     )
-    header = ("update", "method", "trials", "objective before", "objective after", "reduction", "iterations", "evaluations")
+    header = (
+        "update",
+        "method",
+        "trials",
+        "objective before",
+        "objective after",
+        "reduction",
+        "iterations",
+        "evaluations",
+    )
     note = "Objective: sum of squared differences over all channels and samples, weighted where the campaign says so."
     return Table("What the updates brought", header, rows, "lllrrrrr", note)
 
@@ -55,11 +74,13 @@ def _strategy(strategy: StrategyResult) -> tuple[Block, ...]:
     found = strategy.update
     units = {path: unit_at(strategy.knowledge.rig, path) for path in found.parameters}
     fitted = "; ".join(
-        f"{path} {estimate_cells(p, units[path])[0]} {display_unit(units[path]).name}" + (" at its bound" if p.at_bound else "")
+        f"{path} {estimate_cells(p, units[path])[0]} {display_unit(units[path]).name}"
+        + (" at its bound" if p.at_bound else "")
         for path, p in found.parameters.items()
     )
     picture = Picture(
-        update(found, units), slug(f"update {found.name}"),
+        update(found, units),
+        slug(f"update {found.name}"),
         "Start and fitted values between their bounds with 95 % intervals; correlation of the estimates (– where a "
         "parameter lies on a bound).",
         f"Fitted parameters of {found.name}: {fitted}.",
@@ -94,7 +115,8 @@ def _identifiability(strategy: StrategyResult) -> Table:
     )
     header = ("parameter", "sensitivity", *(f"with {name}" for name in known.parameters))
     note = (
-        f"Rank {known.rank} of {len(known.parameters)}, condition number {number(known.condition, 3)}. Sensitivity: r.m.s. "
+        f"Rank {known.rank} of {len(known.parameters)}, condition number {number(known.condition, 3)}. "
+        "Sensitivity: r.m.s. "
         "change of the weighted residuals from the middle of the bounds to one end."
     )
     caption = "Before the fit: what the data react to, and which estimates would be correlated"

@@ -23,7 +23,11 @@ SYNTHETIC_NOTE = "Synthetic data, not measurements"
 
 
 def write_campaign(
-    result: CampaignResult, out: Path | str, *, force: bool = False, progress: Callable[[str], None] = lambda _text: None
+    result: CampaignResult,
+    out: Path | str,
+    *,
+    force: bool = False,
+    progress: Callable[[str], None] = lambda _text: None,
 ) -> list[Path]:
     """Write everything a campaign found into a folder.
 
@@ -56,9 +60,7 @@ def write_campaign(
 def campaign_page(result: CampaignResult) -> Page:
     """Give the report of a campaign as a page, figures drawn."""
     names = unique_slugs([strategy.update.name for strategy in result.strategies])
-    rigs = [
-        (f"rig-{name}.toml", strategy.rig_text) for name, strategy in zip(names, result.strategies, strict=True)
-    ]
+    rigs = [(f"rig-{name}.toml", strategy.rig_text) for name, strategy in zip(names, result.strategies, strict=True)]
     synthetic = result.campaign.synthetic
     return Page(
         title=result.campaign.title,

@@ -100,7 +100,9 @@ def files_of(patterns: tuple[str, ...], folder: Path, where: str) -> list[Path]:
     return found
 
 
-def read_force_deflection(files: list[Path], columns: dict[str, str]) -> tuple[list[ForceDeflectionTrial], list[Finding]]:
+def read_force_deflection(
+    files: list[Path], columns: dict[str, str]
+) -> tuple[list[ForceDeflectionTrial], list[Finding]]:
     """Read trials of a test machine: columns ``displacement`` (m) and ``force`` (N), compression positive."""
     trials, findings = [], []
     for file in files:
@@ -111,15 +113,22 @@ def read_force_deflection(files: list[Path], columns: dict[str, str]) -> tuple[l
 
 
 def _fit(
-    table: StiffnessBench, folder: Path, where: str, load: float, found: Characterisation, **choice: Any  # noqa: ANN401
+    table: StiffnessBench, folder: Path, where: str, load: float, found: Characterisation, **choice: Any
 ) -> StiffnessResult:
     trials, findings = read_force_deflection(files_of(table.files, folder, where), table.columns)
     settings: dict[str, Any] = {
-        "law": table.law, "degree": table.degree, "discard_below": table.discard_below,
-        "intercept": table.intercept, "branch": table.branch, "operating_force": load, **choice,
+        "law": table.law,
+        "degree": table.degree,
+        "discard_below": table.discard_below,
+        "intercept": table.intercept,
+        "branch": table.branch,
+        "operating_force": load,
+        **choice,
     }
     result = fit_stiffness(trials, **settings)
-    found.findings += [Finding(f"{where}: {f.place}", f.severity, f.message, f.value) for f in (*findings, *result.findings)]
+    found.findings += [
+        Finding(f"{where}: {f.place}", f.severity, f.message, f.value) for f in (*findings, *result.findings)
+    ]
     return result
 
 
@@ -138,8 +147,13 @@ def _spring(found: Characterisation, knowledge: Knowledge, table: StiffnessBench
         spring["curve"] = result.curve.to_table(result.fitted_range[1])
     dump["strut"]["spring"] = spring
     found.replaced.append(
-        Replaced("strut.spring.rate", values.get("strut.spring.rate"), result.stiffness.value,
-                 result.stiffness.standard_error, "bench.spring")
+        Replaced(
+            "strut.spring.rate",
+            values.get("strut.spring.rate"),
+            result.stiffness.value,
+            result.stiffness.standard_error,
+            "bench.spring",
+        )
     )
     return Knowledge(type(rig).from_table(dump), knowledge.tyres, knowledge.between)
 
@@ -153,8 +167,13 @@ def _tyre(found: Characterisation, knowledge: Knowledge, tables: dict[str, Stiff
         result = found.tyre[name] = _fit(table, folder, place, load, found)
         tyres[pressure] = _tyre_table(result)
         found.replaced.append(
-            Replaced("tyre.stiffness", values.get("tyre.stiffness"), result.stiffness.value,
-                     result.stiffness.standard_error, place)
+            Replaced(
+                "tyre.stiffness",
+                values.get("tyre.stiffness"),
+                result.stiffness.value,
+                result.stiffness.standard_error,
+                place,
+            )
         )
     points = [(to_si(name, "Pa"), result.stiffness) for name, result in found.tyre.items()]
     found.pressure = stiffness_against_pressure(points)
@@ -186,7 +205,7 @@ def polynomial_tyres(bench: Bench, knowledge: Knowledge, folder: Path, found: Ch
         tyres[to_si(name, "Pa")] = _tyre_table(found.tyre_polynomial[name])
     if not tyres:
         raise RecordingError(
-            "tyre_law = \"polynomial\" needs measured tyre curves", where="update", allowed='a [bench.tyre."P"] table'
+            'tyre_law = "polynomial" needs measured tyre curves', where="update", allowed='a [bench.tyre."P"] table'
         )
 
     def between(pressure: float) -> dict[str, Any]:
@@ -219,12 +238,19 @@ def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, fol
         found.findings += notes
         if table.channel not in data:
             raise RecordingError(
-                "the channel is missing", where=file.name, found=", ".join(map(str, data.data_vars)), allowed=table.channel
+                "the channel is missing",
+                where=file.name,
+                found=", ".join(map(str, data.data_vars)),
+                allowed=table.channel,
             )
         results.append(
             fit_decay(
-                data["time"].to_numpy(), data[table.channel].to_numpy(), mass=values["sprung.mass"], stiffness=stiffness,
-                quantity=_quantity(table.channel), name=file.name,
+                data["time"].to_numpy(),
+                data[table.channel].to_numpy(),
+                mass=values["sprung.mass"],
+                stiffness=stiffness,
+                quantity=_quantity(table.channel),
+                name=file.name,
             )
         )
     found.decays = tuple(results)
@@ -238,7 +264,9 @@ def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, fol
     seen = found.decay.damping_coefficient
     error = None if seen.standard_error is None else seen.standard_error * factor
     found.replaced.append(
-        Replaced("strut.damper.coefficient", values["strut.damper.coefficient"], seen.value * factor, error, "bench.decay")
+        Replaced(
+            "strut.damper.coefficient", values["strut.damper.coefficient"], seen.value * factor, error, "bench.decay"
+        )
     )
     changed = rig.with_changes({"strut.damper.coefficient": max(seen.value * factor, 0.0)})
     return Knowledge(changed, knowledge.tyres, knowledge.between)
@@ -248,7 +276,9 @@ def _quantity(channel: str) -> Literal["displacement", "velocity", "acceleration
     """What a decay channel measures, by its unit."""
     unit = channel_unit(channel)
     kinds: dict[str, Literal["displacement", "velocity", "acceleration"]] = {
-        "m": "displacement", "m/s": "velocity", "m/s^2": "acceleration"
+        "m": "displacement",
+        "m/s": "velocity",
+        "m/s^2": "acceleration",
     }
     if unit not in kinds:
         allowed = "a displacement, velocity or acceleration"
@@ -257,7 +287,7 @@ def _quantity(channel: str) -> Literal["displacement", "velocity", "acceleration
 
 
 def _rates_at_rest(rig: Rig) -> tuple[float, float]:
-    """Wheel rate of the strut and stiffness of the tyre (N/m) about static equilibrium; tangents where they are curves."""
+    """Wheel rate of the strut and stiffness of the tyre (N/m) about static equilibrium; tangents of curves."""
     values, model = rig.parameters(), linearise(rig)
     row = {name: i for i, name in enumerate(model.states)}
     wheel_rate = -values["sprung.mass"] * model.A[row["sprung.z rate"], row["sprung.z"]]

@@ -99,15 +99,28 @@ class CampaignResult:
         }
 
 
-def _stiffness(result: Any) -> Any:  # noqa: ANN401
+def _stiffness(result: Any) -> Any:
     if result is None:
         return None
-    keys = ("law", "stiffness", "intercept", "intercept_choice", "coefficients", "fitted_range", "r2", "repeatability",
-            "loss_factor", "hysteresis_energy", "operating_deflection", "tangent_stiffness", "trials")
+    keys = (
+        "law",
+        "stiffness",
+        "intercept",
+        "intercept_choice",
+        "coefficients",
+        "fitted_range",
+        "r2",
+        "repeatability",
+        "loss_factor",
+        "hysteresis_energy",
+        "operating_deflection",
+        "tangent_stiffness",
+        "trials",
+    )
     return {key: to_plain(getattr(result, key)) for key in keys}
 
 
-def _decay(result: Any) -> Any:  # noqa: ANN401
+def _decay(result: Any) -> Any:
     if result is None:
         return None
     keys = ("damping_ratio", "damping_coefficient", "coulomb_force", "natural_frequency_hz", "equilibrium")

@@ -41,7 +41,7 @@ def _table(rig: Rig) -> dict[str, Any]:
     return rig.model_dump(by_alias=True, exclude_none=True)
 
 
-def _reshape(here: Any, wanted: dict[str, Any], described: dict[str, Any]) -> None:  # noqa: ANN401
+def _reshape(here: Any, wanted: dict[str, Any], described: dict[str, Any]) -> None:
     """Give a table the keys of ``wanted``; numbers that both have are left to be replaced in place."""
     for key in [key for key in here if key not in wanted]:
         del here[key]
@@ -56,12 +56,12 @@ def _reshape(here: Any, wanted: dict[str, Any], described: dict[str, Any]) -> No
             here[key] = _plain(value)
 
 
-def _is_another_law(value: Any, old: Any) -> bool:  # noqa: ANN401
+def _is_another_law(value: Any, old: Any) -> bool:
     """Whether a text (the kind of a law) or the number of points differs."""
     return (isinstance(value, str) and value != old) or (isinstance(value, tuple) and len(value) != len(old))
 
 
-def _plain(value: Any) -> Any:  # noqa: ANN401
+def _plain(value: Any) -> Any:
     if isinstance(value, dict):
         return {key: _plain(item) for key, item in value.items()}
     return [_plain(item) for item in value] if isinstance(value, tuple) else value

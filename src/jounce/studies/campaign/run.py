@@ -106,10 +106,17 @@ def _check_updates(campaign: Campaign, rig: Rig, file: Path) -> None:
     for i, entry in enumerate(campaign.update):
         place = f"{file}: update[{i}].free ({entry.name})"
         curve = {path for path in entry.free if path.startswith("tyre.curve") and entry.tyre_law == "polynomial"}
-        check_free(rig, {path: bounds for path, bounds in entry.free.items() if path not in curve}, where=place, more=len(curve))
+        check_free(
+            rig,
+            {path: bounds for path, bounds in entry.free.items() if path not in curve},
+            where=place,
+            more=len(curve),
+        )
 
 
-def _load_trials(campaign: Campaign, roads: dict[str, Road], folder: Path, findings: list[Finding]) -> dict[int, _Loaded]:
+def _load_trials(
+    campaign: Campaign, roads: dict[str, Road], folder: Path, findings: list[Finding]
+) -> dict[int, _Loaded]:
     loaded = {}
     for entry in campaign.trial:
         place = f"trial {entry.number}"
@@ -133,7 +140,9 @@ def _check_length(trial: Trial, measured: xr.Dataset) -> None:
     last = float(measured["time"][-1])
     if trial.road is not None and last < trial.end():
         raise FitError(
-            "the recording is shorter than the obstacle pass", found=f"{last:.4g} s", allowed=f"at least {trial.end():.4g} s",
+            "the recording is shorter than the obstacle pass",
+            found=f"{last:.4g} s",
+            allowed=f"at least {trial.end():.4g} s",
             hint="Check speed, start and length of the obstacle, or record longer.",
         )
 
@@ -174,8 +183,14 @@ class _Runner:
         chosen = self._chosen(entry)
         trials = [self.fit_trial(item, knowledge) for item in chosen]
         result = update_model(
-            trials, entry.free, name=entry.name, method=entry.method, weights=entry.weights, channels=entry.channels,
-            align=entry.align, starts=entry.starts,
+            trials,
+            entry.free,
+            name=entry.name,
+            method=entry.method,
+            weights=entry.weights,
+            channels=entry.channels,
+            align=entry.align,
+            starts=entry.starts,
         )
         self.findings += [
             f if f.place == entry.name else Finding(f"{entry.name}: {f.place}", f.severity, f.message, f.value)
@@ -225,7 +240,9 @@ class _Runner:
 
 def _without_repeats(notes: list[Finding]) -> list[Finding]:
     """Ratings' notes about the sample rate are the same for all trials: they are said once a channel."""
-    return [Finding(n.place.split(", ")[-1], n.severity, n.message, n.value) if n.severity == "note" else n for n in notes]
+    return [
+        Finding(n.place.split(", ")[-1], n.severity, n.message, n.value) if n.severity == "note" else n for n in notes
+    ]
 
 
 def _unique(findings: list[Finding]) -> list[Finding]:

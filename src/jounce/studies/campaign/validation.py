@@ -21,7 +21,7 @@ _CLOSE, _LOOSE = 0.95, 0.75  # R2: a residual of 22 % and 50 % of the signal
 
 @dataclass(frozen=True)
 class ChannelComparison:
-    """One channel of one trial: ``nrmse`` is relative to the measured standard deviation, ``peak_error`` to its peak."""
+    """One channel of one trial: ``nrmse`` relative to the measured standard deviation, ``peak_error`` to its peak."""
 
     nrmse: float
     r2: float
@@ -49,7 +49,9 @@ class TrialComparison:
     objective: float
 
 
-def compare_trial(trial: FitTrial, lag: float | None = 0.0) -> tuple[TrialComparison, dict[str, Signals], list[Finding]]:
+def compare_trial(
+    trial: FitTrial, lag: float | None = 0.0
+) -> tuple[TrialComparison, dict[str, Signals], list[Finding]]:
     """Simulate a trial with its rig's values and hold it against its recording.
 
     Parameters
@@ -81,8 +83,9 @@ def compare_trial(trial: FitTrial, lag: float | None = 0.0) -> tuple[TrialCompar
 def verdict_of(channels: dict[str, ChannelComparison]) -> str:
     """Judge by the worst channel.
 
-    ``holds``: ISO/TS 18571 above 0.80 (good) and R2 above 0.95; ``holds partly``: above 0.58 (fair) and 0.75. The rating
-    alone forgives too much here: a record that is mostly at rest scores near 0.9 with a third of its motion missed.
+    ``holds``: ISO/TS 18571 above 0.80 (good) and R2 above 0.95; ``holds partly``: above 0.58 (fair) and 0.75. The
+    rating alone forgives too much here: a record that is mostly at rest scores near 0.9 with a third of its motion
+    missed.
     """
     rating = min(channel.iso18571 for channel in channels.values())
     explained = min(channel.r2 for channel in channels.values())
