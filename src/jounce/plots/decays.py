@@ -136,9 +136,8 @@ def _draw_ratios(axes: Axes, result: DecayResult) -> None:
     if combined.interval is not None:
         axes.axhspan(*combined.interval, color=AFTER, alpha=0.15, linewidth=0.0)
     axes.axhline(combined.value, color=AFTER, label="viscous part, with 95 %")
-    interval = combined.interval or (combined.value, combined.value)
-    top = max([*result.naive_damping_ratios, combined.value])
-    axes.set_ylim(0.0, 1.6 * min(max(top, interval[1]), 1.3 * top) if top > 0.0 else 1.0)  # a wide band may leave the axes
+    top = max([value for value in (*result.naive_damping_ratios, combined.value) if np.isfinite(value)], default=0.0)
+    axes.set_ylim(0.0, 1.6 * top if top > 0.0 else 1.0)  # room for the legend; a wide band may leave the axes
     axes.set_xlim(-0.25, max(0.5 * count - 0.25, 1.0))
     axes.set(xlabel="cycle", ylabel="damping ratio [–]")
     friction = quantity(result.coulomb_force.value, "N", 3)

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import JounceError
-from jounce.plots import bench, comparison, decays, histories, linear, roads, sweeps, trials, updating
+from jounce.plots import bench, comparison, dampers, decays, histories, linear, roads, sweeps, trials, updating
 from jounce.plots.writing import write_figure
 
 if TYPE_CHECKING:
@@ -94,6 +94,7 @@ _dispatcher: Callable[..., Figure] | None = None
 def _registered() -> Callable[..., Figure]:
     import xarray as xr
 
+    from jounce.identify.damper_fit import DamperCurve
     from jounce.identify.decay import DecayResult
     from jounce.identify.stiffness import StiffnessResult
     from jounce.identify.tyre_pressure import PressureStiffness
@@ -122,6 +123,10 @@ def _registered() -> Callable[..., Figure]:
                 return function(result, **options)  # type: ignore[operator,no-any-return]
         return draw(object(), **options)
 
+    def of_damper(result: DamperCurve, law: str = "fitted", **options: Any) -> Figure:
+        fits = {law: result.fitted}
+        return dampers.damper_loops(result.displacement, result.velocity, result.measured, fits, **options)
+
     draw.register(xr.Dataset, of_dataset)
     draw.register(Road, roads.road_profile)
     draw.register(dict, of_mapping)
@@ -134,5 +139,6 @@ def _registered() -> Callable[..., Figure]:
     draw.register(StrategyResult, lambda result, **options: updating.update(result.update, **options))
     draw.register(TrialResult, comparison.measured_against_simulated)
     draw.register(CampaignResult, lambda result, **options: trials.trial_matrix(result.trials, **options))
+    draw.register(DamperCurve, of_damper)
     draw.register(LinearModel, linear.frequency_response)
     return draw

@@ -96,7 +96,7 @@ def number(value: float | None, digits: int = 4) -> str:
     Examples
     --------
     >>> number(22730.4), number(0.00012345), number(-1.5), number(None), number(1234567.0)
-    ('22730', '1.234e−4', '−1.500', '–', '1234567')
+    ('22730', '1.234e−4', '−1.500', '–', '1.235e6')
     """
     if value is None or math.isnan(value):
         return "–"
@@ -106,7 +106,7 @@ def number(value: float | None, digits: int = 4) -> str:
         return "0"
     rounded = float(f"{value:.{digits - 1}e}")
     exponent = math.floor(math.log10(abs(rounded)))
-    if not -4 < exponent < 7:
+    if not -4 < exponent < 6:
         mantissa, _, power = f"{value:.{digits - 1}e}".partition("e")
         return f"{mantissa}e{int(power)}".replace("-", "−")
     return f"{value:.{max(0, digits - 1 - exponent)}f}".replace("-", "−")

@@ -40,7 +40,7 @@ def trial_matrix(trials: Sequence[TrialResult]) -> Figure:
     Returns
     -------
     matplotlib.figure.Figure
-        One row per trial; the verdict in words at the right.
+        One row per trial; at the right the lowest R² of its channels after updating and the verdict in words.
     """
     channels = channels_of(trials)
     figure = new_figure(1.2 + 0.27 * len(trials))
@@ -52,11 +52,9 @@ def trial_matrix(trials: Sequence[TrialResult]) -> Figure:
                 _draw_cell(axes, group * (width + 0.3) + column, row, comparison, name)
         verdict = trial.after.verdict if trial.after is not None else "not usable"
         if trial.after is not None:
-            explained = f"{min(channel.r2 for channel in trial.after.channels.values()):.2f}".replace("-", "−")
-            axes.text(2 * width + 0.05, row, explained, ha="center", va="center", fontsize=8.5)
-        axes.text(
-            2 * width + 0.3 - 0.35, row, verdict, va="center", fontsize=8.5, color=VERDICTS[verdict], weight="bold"
-        )
+            lowest = f"{min(channel.r2 for channel in trial.after.channels.values()):.2f}".replace("-", "−")
+            axes.text(2 * width + 0.2, row, lowest, ha="center", va="center", fontsize=8.5)
+        axes.text(2 * width + 0.6, row, verdict, va="center", fontsize=8.5, color=VERDICTS[verdict], weight="bold")
     _label_matrix(axes, trials, channels)
     return figure
 
@@ -76,7 +74,7 @@ def _label_matrix(axes: Axes, trials: Sequence[TrialResult], channels: list[str]
     from matplotlib.patches import Patch
 
     width = max(len(channels), 1)
-    axes.set_xlim(-0.6, 2 * width + 0.3 + 0.9)
+    axes.set_xlim(-0.6, 2 * width + 1.6)
     axes.set_ylim(len(trials) - 0.4, -1.75)
     axes.set_xticks([])
     axes.tick_params(length=0)
@@ -91,7 +89,8 @@ def _label_matrix(axes: Axes, trials: Sequence[TrialResult], channels: list[str]
         axes.text(start + (width - 1) / 2, -1.45, text, ha="center", va="center", weight="bold", fontsize=9)
         for column, name in enumerate(channels):
             axes.text(start + column, -0.8, name, ha="center", va="center", fontsize=8.5)
-    axes.text(2 * width - 0.05, -0.8, "verdict", va="center", weight="bold", fontsize=9)
+    axes.text(2 * width + 0.2, -0.8, "lowest R²", ha="center", va="center", fontsize=8.5)
+    axes.text(2 * width + 0.6, -0.8, "verdict", va="center", weight="bold", fontsize=9)
     edges = ("above 0.94", "above 0.80", "above 0.58", "below")
     patches = [Patch(facecolor=c, label=f"{g} ({e})") for (g, c), e in zip(GRADES.items(), edges, strict=True)]
     axes.legend(handles=patches, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=4, columnspacing=1.2)

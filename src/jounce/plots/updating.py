@@ -99,7 +99,7 @@ def _draw_correlation(axes: Axes, correlation: Sequence[Sequence[float]], count:
     axes.set_xlabel("number of the parameter")
     axes.spines[:].set_visible(False)
     axes.tick_params(length=0)
-    axes.set_title("correlation of the estimates", fontweight="normal", fontsize=9)
+    axes.set_title("correlation", fontweight="normal", fontsize=9)
 
 
 def _change(percent: float) -> str:

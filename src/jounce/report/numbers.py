@@ -80,4 +80,39 @@ def percent(share: float | None, digits: int = 1) -> str:
     return text[1:] if text.startswith("-") and not text.strip("-0. %") else text.replace("-", "−")
 
 
-__all__ = ["Uncertain", "estimate_cells", "estimate_text", "number", "percent", "quantity"]
+def given(value: float | None, si: str) -> str:
+    """Write a setting as the campaign gave it, in its display unit and without padding zeros; ``si`` is its SI unit.
+
+    Examples
+    --------
+    >>> given(310000.0, "Pa"), given(0.4537856, "rad"), given(1.95, "m/s"), given(None, "m")
+    ('0.31 MPa', '26 °', '1.95 m/s', '–')
+    """
+    if value is None:
+        return "–"
+    unit = display_unit(si, value)
+    return f"{value * unit.factor:.5g} {unit.name}".strip().replace("-", "−")
+
+
+def milliseconds(time: float) -> str:
+    """Write a time in s as milliseconds with one decimal and no sign before zero, without the unit."""
+    return f"{round(1e3 * time, 1) + 0.0:.1f}".replace("-", "−")
+
+
+def correlation(value: float) -> str:
+    """Write a correlation [1] with its sign and two decimals, a vanishing one as ``0.00``."""
+    text = f"{value:+.2f}"
+    return "0.00" if text[1:] == "0.00" else text.replace("-", "−")
+
+
+__all__ = [
+    "Uncertain",
+    "correlation",
+    "estimate_cells",
+    "estimate_text",
+    "given",
+    "milliseconds",
+    "number",
+    "percent",
+    "quantity",
+]

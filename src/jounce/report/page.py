@@ -172,6 +172,12 @@ def pictures_in(blocks: Sequence[Block]) -> list[Picture]:
     return found
 
 
+def worst_first(findings: Sequence[Finding]) -> tuple[Finding, ...]:
+    """Sort findings: problems, then warnings, then notes; each in the order given."""
+    order = ("problem", "warning", "note")
+    return tuple(sorted(findings, key=lambda finding: order.index(finding.severity)))
+
+
 def slug(text: str) -> str:
     """Turn a name into a file name: ASCII letters, digits and hyphens.
 

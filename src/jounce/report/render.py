@@ -8,11 +8,10 @@ from pathlib import Path
 from typing import Any
 
 from jounce.core.errors import OutputError
-from jounce.core.findings import Finding
 from jounce.plots import add_note, rendered
 from jounce.report.folder import check_folder, write_folder
 from jounce.report.inline import inline_svg
-from jounce.report.page import Findings, Page, Table, slug, unique_slugs
+from jounce.report.page import Findings, Page, Table, slug, unique_slugs, worst_first
 
 _SEVERITIES = {"problem": "Problems", "warning": "Warnings", "note": "Notes"}
 _MOST_PLACES = 6
@@ -131,7 +130,7 @@ def grouped(findings: Findings) -> list[tuple[str, str, list[tuple[str, str]]]]:
         Only severities that occur.
     """
     messages: dict[tuple[str, str], list[str]] = {}
-    ordered = sorted(findings.items, key=lambda finding: list(_SEVERITIES).index(finding.severity))
+    ordered = worst_first(findings.items)
     for finding in ordered:
         places = messages.setdefault((finding.severity, finding.message), [])
         if finding.place not in places:
@@ -148,8 +147,3 @@ def grouped(findings: Findings) -> list[tuple[str, str, list[tuple[str, str]]]]:
 def _places(places: list[str]) -> str:
     more = f" and {len(places) - _MOST_PLACES} more" if len(places) > _MOST_PLACES else ""
     return ", ".join(places[:_MOST_PLACES]) + more
-
-
-def worst_first(findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
-    """Sort findings: problems, warnings, notes."""
-    return tuple(sorted(findings, key=lambda finding: list(_SEVERITIES).index(finding.severity)))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import DescriptionError
@@ -9,7 +10,7 @@ from jounce.parts.parameters import unit_of
 from jounce.plots import decay_fit, display_unit, number, quantity, stiffness_fit, tyre_pressure
 from jounce.report.campaign.sources import decay_records, force_deflection
 from jounce.report.numbers import estimate_cells, estimate_text
-from jounce.report.page import Block, Cell, Paragraph, Picture, Section, Subsection, Table, slug
+from jounce.report.page import Block, Cell, Details, Paragraph, Picture, Section, Subsection, Table, slug
 
 if TYPE_CHECKING:
     from jounce.identify.decay import DecayResult
@@ -47,7 +48,13 @@ def characterisation(result: CampaignResult) -> Section:
 
 
 def unit_at(rig: Rig, path: str) -> str:
-    """SI unit of a rig value; ``1`` for a path that this rig does not have."""
+    """SI unit of a rig value; ``1`` for a path that this rig does not have.
+
+    The i-th coefficient of a curve belongs to the power i + 1 of the deflection, so its unit depends on its place.
+    """
+    order = re.search(r"curve\.coefficients\[(\d+)\]$", path)
+    if order is not None:
+        return "N/m" if order[1] == "0" else f"N/m^{int(order[1]) + 1}"
     try:
         return unit_of(rig, path)
     except (DescriptionError, AttributeError, KeyError, IndexError, TypeError):
@@ -166,11 +173,17 @@ def _decay(result: CampaignResult) -> tuple[Block, ...]:
     found = bench.decay
     assert found is not None
     blocks: list[Block] = [
-        _decay_table(found, f"Damping from {len(bench.decays)} free decay(s)" if bench.decays else "")
+        _decay_table(
+            found,
+            f"Damping from {len(bench.decays)} free decays together"
+            if len(bench.decays) > 1
+            else "Damping from a free decay",
+        )
     ]
     records = decay_records(result, result.campaign.bench.decay)
     if len(records) != len(bench.decays):
         records = [(f"decay {k}", (), ()) for k in range(1, len(bench.decays) + 1)]  # type: ignore[misc]
+    pictures: list[Picture] = []
     for (name, time, signal), one in zip(records, bench.decays, strict=True):
         alternative = (
             f"Free decay {name} with the fitted response: damping coefficient "
@@ -180,9 +193,11 @@ def _decay(result: CampaignResult) -> tuple[Block, ...]:
             f"{name}: record and fitted response; turning points; damping ratios that single decrements would mean. "
             f"R² {one.r2:.4f}."
         )
-        blocks.append(Picture(decay_fit(one, time, signal, name), slug(f"bench {name}"), caption, alternative))
+        pictures.append(Picture(decay_fit(one, time, signal, name), slug(f"bench {name}"), caption, alternative))
+    blocks += pictures[:1]
     if len(bench.decays) > 1:
         blocks.append(_each_decay(bench.decays, [record[0] for record in records]))
+        blocks.append(Details("Figures of the other decays", tuple(pictures[1:])))
     return tuple(blocks)
 
 
@@ -197,7 +212,13 @@ def _decay_table(found: Any, caption: str) -> Table:
         ("logarithmic decrement (naive, for comparison)", found.logarithmic_decrement, "1"),
     )
     rows = tuple((words, *estimate_cells(one, si)) for words, one, si in quantities if one is not None)
-    return Table(caption, _ESTIMATE, rows, "lrrrl", f"{number(found.cycles, 3)} cycles. Values at the sprung mass.")
+    return Table(
+        caption,
+        _ESTIMATE,
+        rows,
+        "lrrrl",
+        f"{number(found.cycles, 3)} cycles in all; values as the sprung mass feels them.",
+    )
 
 
 def _each_decay(decays: tuple[DecayResult, ...], names: list[str]) -> Table:
@@ -205,11 +226,11 @@ def _each_decay(decays: tuple[DecayResult, ...], names: list[str]) -> Table:
         (
             name,
             *(
-                estimate_text(one, si)
-                for one, si in (
-                    (d.damping_coefficient, "N*s/m"),
-                    (d.coulomb_force, "N"),
-                    (d.natural_frequency_hz, "Hz"),
+                f"{value} ({interval})" if interval != "–" else value
+                for value, _, interval, _ in (
+                    estimate_cells(d.damping_coefficient, "N*s/m"),
+                    estimate_cells(d.coulomb_force, "N"),
+                    estimate_cells(d.natural_frequency_hz, "Hz"),
                 )
             ),
             number(d.cycles, 2),
@@ -217,8 +238,8 @@ def _each_decay(decays: tuple[DecayResult, ...], names: list[str]) -> Table:
         for name, d in zip(names, decays, strict=True)
     )
     return Table(
-        "Each decay by itself",
-        ("record", "damping coefficient", "dry friction", "natural frequency", "cycles"),
+        "Each decay by itself (with its 95 % interval)",
+        ("record", "damping coefficient [N·s/m]", "dry friction [N]", "natural frequency [Hz]", "cycles"),
         rows,
         "lrrrr",
     )

@@ -36,8 +36,8 @@ _DEFINITIONS = (
     ),
     (
         "verdict",
-        "By the lowest rating among the channels of a trial: above 0.80 holds, above 0.58 holds partly, else does not "
-        "hold; not usable: the recording could not be read or simulated.",
+        "By the worst channel of a trial. Holds: ISO 18571 above 0.80 and R² above 0.95. Holds partly: above 0.58 and "
+        "0.75. Else it does not hold; not usable: the recording could not be read or simulated.",
     ),
     ("stiffness", "Slope of the fitted law; its interval treats the trials as the independent repetitions."),
     ("loss factor", "Energy lost in a cycle over 2π times the work of loading."),

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from jounce.core.findings import Finding
 from jounce.plots.display import number
 from jounce.report.numbers import percent
-from jounce.report.page import Block, Fact, Facts, Findings, Paragraph, Section, Subsection, Tone
+from jounce.report.page import Block, Fact, Facts, Findings, Paragraph, Section, Subsection, Tone, worst_first
 
 if TYPE_CHECKING:
     from jounce.studies.campaign.result import CampaignResult, StrategyResult, TrialResult
 
 TONES: dict[str, Tone] = {"holds": "good", "holds partly": "fair", "does not hold": "bad", "not usable": "muted"}
 _MOST_FINDINGS = 3
+_OTHERS = {"holds partly": "partly", "does not hold": "not", "not usable": "not usable"}
 
 
 def verdict(trial: TrialResult) -> str:
@@ -31,9 +35,16 @@ def summary(result: CampaignResult) -> Section:
     blocks: list[Block] = [Facts(tuple(facts)), Paragraph(_what_was_done(result))]
     if not result.is_complete:
         blocks.append(Paragraph("Parts of this campaign failed; what is missing is listed under Findings.", "bad"))
-    most = Findings(result.findings, most=_MOST_FINDINGS)
-    blocks.append(Subsection("Most important findings", (most,)))
+    blocks.append(Subsection("Most important findings", (Findings(most_important(result.findings)),)))
     return Section("Summary", tuple(blocks))
+
+
+def most_important(findings: Sequence[Finding]) -> tuple[Finding, ...]:
+    """Choose the worst findings, each kind of sentence once: those that differ in numbers only say the same."""
+    kinds: dict[str, Finding] = {}
+    for finding in worst_first(findings):
+        kinds.setdefault(re.sub(r"[\d.,+−-]+|\[\w+\]", "", finding.message), finding)
+    return tuple(kinds.values())[:_MOST_FINDINGS]
 
 
 def _reduction(strategy: StrategyResult) -> Fact:
@@ -48,7 +59,7 @@ def _reduction(strategy: StrategyResult) -> Fact:
 
 def _verdicts(label: str, verdicts: list[str]) -> Fact:
     counts = Counter(verdicts)
-    note = ", ".join(f"{counts[word]} {word}" for word in TONES if counts[word])
+    note = ", ".join(f"{counts[word]} {words}" for word, words in _OTHERS.items() if counts[word])
     tone: Tone = "good" if counts["holds"] == len(verdicts) else "bad" if counts["does not hold"] else "fair"
     return Fact(label, f"{counts['holds']} of {len(verdicts)} hold", note, tone)
 

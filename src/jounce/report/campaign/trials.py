@@ -7,14 +7,13 @@ from typing import TYPE_CHECKING
 from jounce.plots import (
     measured_against_simulated,
     number,
-    quantity,
     residual_against_speed_and_pitch,
     road_profile,
     trial_matrix,
 )
 from jounce.report.campaign.sources import obstacle_pass, roads_of
 from jounce.report.campaign.summary import TONES, verdict
-from jounce.report.numbers import percent
+from jounce.report.numbers import given, milliseconds, percent
 from jounce.report.page import Block, Cell, Details, Paragraph, Picture, Section, Subsection, Table
 
 if TYPE_CHECKING:
@@ -51,11 +50,11 @@ def _setting(trial: TrialResult) -> tuple[Cell | str, ...]:
     return (
         str(entry.number),
         _USES[entry.use],
-        quantity(entry.speed, "m/s", 3),
+        given(entry.speed, "m/s"),
         road or "–",
-        quantity(trial.obstacle_pitch, "m", 3),
-        quantity(entry.strut_angle, "rad", 3),
-        quantity(entry.tyre_pressure, "Pa", 3),
+        given(trial.obstacle_pitch, "m"),
+        given(entry.strut_angle, "rad"),
+        given(entry.tyre_pressure, "Pa"),
         lost,
     )
 
@@ -66,7 +65,8 @@ def validation(result: CampaignResult) -> Section:
     blocks: list[Block] = [
         Paragraph(
             f"Each trial is simulated with the model {model} and compared with its recording. The verdict follows the "
-            "channel with the lowest ISO/TS 18571 rating: above 0.80 the model holds, above 0.58 it holds partly."
+            "channel that is worst: the model holds with an ISO/TS 18571 rating above 0.80 and R² above 0.95, it holds "
+            "partly with a rating above 0.58 and R² above 0.75."
         ),
         Picture(
             trial_matrix(result.trials),
@@ -81,8 +81,8 @@ def validation(result: CampaignResult) -> Section:
             residual_against_speed_and_pitch(result.trials),
             "validation-residual",
             "Normalised error of every trial against speed (single obstacles) and obstacle pitch (trains); "
-            "numbers are those "
-            "of the trials.",
+            "numbers of the trials "
+            "stand where there is room.",
             "NRMSE against speed and obstacle pitch; all numbers are in the validation table.",
         )
         blocks.append(Subsection("Error against speed and obstacle pitch", (picture,)))
@@ -132,7 +132,7 @@ def _validation_rows(trial: TrialResult) -> list[tuple[Cell | str, ...]]:
                 number(channel.nrmse, 2),
                 f"{channel.r2:.3f}".replace("-", "−"),
                 percent(channel.peak_error),
-                f"{1e3 * channel.lag:.1f}".replace("-", "−"),
+                milliseconds(channel.lag),
                 f"{channel.iso18571:.2f}",
                 Cell(channel.grade, _GRADE_TONES[channel.grade]),  # type: ignore[arg-type]
                 f"{before.iso18571:.2f}" if before is not None else "–",
@@ -158,7 +158,7 @@ def _heading(trial: TrialResult) -> str:
     entry = trial.entry
     parts = [f"Trial {entry.number} ({_USES[entry.use]})"]
     if entry.speed is not None:
-        parts.append(quantity(entry.speed, "m/s", 3))
+        parts.append(given(entry.speed, "m/s"))
     parts.append(f"road {entry.road}" if entry.road is not None else f"excitation {entry.excitation}")
     return f"{', '.join(parts)}: {verdict(trial)}"
 

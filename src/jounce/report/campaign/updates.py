@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from jounce.plots import display_unit, number, objectives, update
 from jounce.report.campaign.bench import unit_at
-from jounce.report.numbers import estimate_cells, percent
+from jounce.report.numbers import correlation, estimate_cells, percent
 from jounce.report.page import Block, Cell, Findings, Paragraph, Picture, Section, Subsection, Table, slug
 
 if TYPE_CHECKING:
@@ -100,24 +100,30 @@ def _parameters(strategy: StrategyResult, units: dict[str, str]) -> Table:
         unit = display_unit(units[path], p.value)
         value, error, interval, name = estimate_cells(p, units[path])
         bounds = f"{number(p.lower * unit.factor)} to {number(p.upper * unit.factor)}"
-        at = Cell("at bound", "fair") if p.at_bound else Cell("inside", "plain")
-        rows.append((path, number(p.initial * unit.factor), value, error, interval, bounds, name or "–", at))
-    header = ("parameter", "initial", "fitted", "standard error", "95 % interval", "bounds", "unit", "place")
+        fitted = Cell(value, "fair", "at its bound") if p.at_bound else value
+        rows.append((path, number(p.initial * unit.factor), fitted, error, interval, bounds, name or "–"))
+    header = ("parameter", "initial", "fitted", "standard error", "95 % interval", "bounds", "unit")
     note = "Standard errors allow for correlated residuals; a parameter on its bound has none."
-    return Table(f"Parameters of {strategy.update.name}", header, tuple(rows), "lrrrrrll", note)
+    return Table(f"Parameters of {strategy.update.name}", header, tuple(rows), "lrrrrrl", note)
 
 
 def _identifiability(strategy: StrategyResult) -> Table:
     known = strategy.update.identifiability
+    count = len(strategy.update.parameters)
     rows = tuple(
-        (name, number(sensitivity, 3), *(f"{value:+.2f}".replace("-", "−") for value in row))
-        for name, sensitivity, row in zip(known.parameters, known.sensitivity, known.correlation, strict=True)
+        (
+            f"{place}  {name}",
+            number(sensitivity, 3),
+            *("1" if place == column else correlation(value) for column, value in enumerate(row[:count], 1)),
+        )
+        for place, (name, sensitivity, row) in enumerate(
+            zip(known.parameters, known.sensitivity, known.correlation, strict=True), 1
+        )
     )
-    header = ("parameter", "sensitivity", *(f"with {name}" for name in known.parameters))
+    header = ("parameter", "sensitivity", *(f"with {place}" for place in range(1, count + 1)))
     note = (
-        f"Rank {known.rank} of {len(known.parameters)}, condition number {number(known.condition, 3)}. "
-        "Sensitivity: r.m.s. "
-        "change of the weighted residuals from the middle of the bounds to one end."
+        f"Rank {known.rank} of {len(known.parameters)}, condition number {number(known.condition, 3)}. Sensitivity: "
+        "r.m.s. change of the weighted residuals from the middle of the bounds to one end."
     )
     caption = "Before the fit: what the data react to, and which estimates would be correlated"
-    return Table(caption, header, rows, "lr" + "r" * len(known.parameters), note)
+    return Table(caption, header, rows, "lr" + "r" * count, note)
