@@ -130,11 +130,15 @@ def description_error(
 ) -> DescriptionError:
     """Turn pydantic's report into one jounce message, at most five lines; ``path`` is where ``kind`` lies."""
     problems = [_problem(item, kind, where, text, path) for item in error.errors()]
+    if len(problems) == 1:
+        place, what = problems[0]
+        return DescriptionError(what, where=place)
     more = f"\n(and {len(problems) - 5} more)" if len(problems) > 5 else ""
-    return DescriptionError("\n".join(problems[:5]) + more)
+    return DescriptionError("\n".join(f"{place}: {what}" for place, what in problems[:5]) + more)
 
 
-def _problem(item: Any, kind: type[BaseModel], where: str, text: str, above: tuple[str | int, ...]) -> str:
+def _problem(item: Any, kind: type[BaseModel], where: str, text: str, above: tuple[str | int, ...]) -> tuple[str, str]:
+    """Where a problem lies and what it is."""
     within, models = _walked(kind, item["loc"][:-1] if item["type"] == "extra_forbidden" else item["loc"])
     path = (*above, *within, *(item["loc"][-1:] if item["type"] == "extra_forbidden" else ()))
     place = dotted(path)
@@ -143,21 +147,21 @@ def _problem(item: Any, kind: type[BaseModel], where: str, text: str, above: tup
     start = f"{prefix}: {place}" if prefix and place else (prefix or place or kind.__name__)
     if item["type"] == "extra_forbidden":
         fields = {field.alias or name for model in models for name, field in model.model_fields.items()}
-        return f"{start}: unknown key; allowed: {', '.join(sorted(fields))}. {nearest(str(path[-1]), fields)}".rstrip()
+        return start, f"unknown key; allowed: {', '.join(sorted(fields))}. {nearest(str(path[-1]), fields)}".rstrip()
     if item["type"] == "missing":
-        return f"{start}: the key is missing and has no default"
+        return start, "the key is missing and has no default"
     if item["type"] == "union_tag_invalid":
         tags = [tag.strip(" '") for tag in item["ctx"]["expected_tags"].split(",")]
         named = item["ctx"]["discriminator"].strip("'")
         key, found = "kind" if named.endswith("()") else named, item["ctx"]["tag"]
-        return f"{start}: unknown {key} {found!r}; allowed: {', '.join(tags)}. {nearest(found, tags)}".rstrip()
+        return start, f"unknown {key} {found!r}; allowed: {', '.join(tags)}. {nearest(found, tags)}".rstrip()
     if item["type"] == "union_tag_not_found":
-        return f"{start}: the key {item['ctx']['discriminator']} is missing; it says what this is"
+        return start, f"the key {item['ctx']['discriminator']} is missing; it says what this is"
     if item["type"] in ("physical_value", "out_of_range"):
-        return f"{start}: {item['msg']}".rstrip()
+        return start, f"{item['msg']}".rstrip()
     message = item["msg"].removeprefix("Value error, ")
     found = "" if item["type"] == "value_error" else f"; found {item['input']!r}"
-    return f"{start}: {message[0].lower()}{message[1:]}{found}"
+    return start, f"{message[0].lower()}{message[1:]}{found}"
 
 
 def _walked(kind: type[BaseModel], loc: tuple[str | int, ...]) -> tuple[tuple[str | int, ...], list[type[BaseModel]]]:

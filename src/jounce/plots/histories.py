@@ -53,7 +53,7 @@ def time_history(run: xr.Dataset, channels: Sequence[str] | None = None) -> Figu
     >>> trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="0.5 s")
     >>> figure = time_history(jn.simulate(jn.load("kart-quarter-car"), trial), ["sprung.az", "tyre.force"])
     >>> [axes.get_ylabel() for axes in figure.axes]
-    ['acceleration\\n[m/s²]', 'force\\n[N]']
+    ['acceleration\n[m/s²]', 'force\n[N]']
     """
     names = _chosen(run, channels)
     figure = new_figure(0.55 + 1.2 * len(names) if len(names) > 1 else 2.8)

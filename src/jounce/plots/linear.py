@@ -54,7 +54,7 @@ def frequency_response(
     >>> import jounce as jn
     >>> figure = frequency_response(jn.linearise(jn.load("kart-quarter-car")), ["sprung.z"])
     >>> [axes.get_ylabel() for axes in figure.axes]
-    ['position\\nper road.z [mm/mm]', 'phase [°]']
+    ['position\nper road.z [mm/mm]', 'phase [°]']
     """
     for name in outputs:
         if name not in model.outputs:

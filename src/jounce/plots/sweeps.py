@@ -49,7 +49,7 @@ def sweep(results: xr.Dataset, variables: Sequence[str] | None = None, along: st
     >>> speed = ("speed", [1.0, 2.0], {"units": "m/s"})
     >>> peak = ("speed", [0.004, 0.006], {"units": "m", "long_name": "largest displacement"})
     >>> sweep(xr.Dataset({"peak": peak}, coords={"speed": speed})).axes[0].get_ylabel()
-    'largest displacement\\n[mm]'
+    'largest displacement\n[mm]'
     """
     if along not in results.coords:
         raise RecordingError(f"no coordinate {along!r}", found=", ".join(map(str, results.coords)) or "none")

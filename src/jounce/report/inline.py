@@ -7,6 +7,7 @@ from html import escape
 
 _STYLE = re.compile(r"<style type=\"text/css\">.*?</style>", re.DOTALL)
 _PIXELS_PER_POINT = 1.6  # on a wide screen: text of 9 pt becomes as large as that of the page
+_FULL_WIDTH = 547.0  # points
 _SIZE = re.compile(r' (?:width|height)="[\d.]+pt"')
 
 
@@ -36,7 +37,11 @@ def inline_svg(svg: bytes, name: str, alternative: str) -> str:
     text = re.sub(r'xlink:href="#([^"]+)"', rf'href="#{name}-\1"', text)
     head, _, body = text.partition(">")
     width = re.search(r' width="([\d.]+)pt"', head)
-    limit = f' style="max-width: {_PIXELS_PER_POINT * float(width[1]):.0f}px"' if width else ""
+    limit = ""
+    if width is not None:
+        points = float(width[1])
+        share = min(points / _FULL_WIDTH, 1.0)
+        limit = f' style="max-width: {_PIXELS_PER_POINT * points:.0f}px; --share: {share:.2f}"'
     head = _SIZE.sub("", head).replace(' version="1.1"', "")
     head = re.sub(r' xmlns:xlink="[^"]+"', "", head)
     label = f'role="img" aria-labelledby="{name}-title"'

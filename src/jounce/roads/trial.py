@@ -11,8 +11,10 @@ from jounce.core.description import Description
 from jounce.core.segments import Segments
 from jounce.core.units import PositiveSpeed, Unit
 from jounce.roads.measured import (
+    Crg,
     Interpolation,
     Lengths,
+    Table,
     Times,
     check_source,
     file_profile,
@@ -137,6 +139,12 @@ class Trial(Description):
         if self.excitation is None:
             raise AssertionError("a trial has a road or an excitation")
         return laid_out(self.excitation.profile(), [(0.0, 0.0)], 0.0, self.duration)
+
+    def obstacle_end(self) -> float:
+        """Time in s at which the obstacle pass ends; 0 for measured profiles and excitations, which have none."""
+        if self.road is None or isinstance(self.road, Table | Crg):
+            return 0.0
+        return self.end()
 
     def end(self) -> float:
         """Time in s at which the first pass of the last obstacle, or the excitation, ends (duration or not)."""

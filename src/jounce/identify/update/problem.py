@@ -250,12 +250,12 @@ def _prepare(
     time = trial.measured["time"].to_numpy()
     rate = 1.0 / float(np.median(np.diff(time)))
     times, uniform = _from_rest(time, rate)
-    if time[-1] < trial.trial.end():
+    if time[-1] < trial.trial.obstacle_end():
         raise FitError(
             "the recording ends before the obstacle pass does",
             where=trial.name,
             found=f"{time[-1]:.4g} s",
-            allowed=f"at least {trial.trial.end():.4g} s",
+            allowed=f"at least {trial.trial.obstacle_end():.4g} s",
             hint="Check speed and start, or record longer.",
         )
     common = [name for name in compiled.output_names if name in trial.measured and (names is None or name in names)]

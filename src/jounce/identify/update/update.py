@@ -28,7 +28,8 @@ class UpdatedParameter:
     initial, value : float
         Start value and estimate, in SI.
     standard_error : float or None
-        In SI; None where the estimate lies on a bound.
+        In SI; None where the estimate lies on a bound or the data do not
+        react to the parameter.
     interval : tuple of float or None
         95 % interval, in SI.
     lower, upper : float
@@ -205,7 +206,7 @@ def _result(
         )
     parameters = {}
     for i, (free, value) in enumerate(zip(problem.free, problem.values(optimum.scaled), strict=True)):
-        error = None if at_bound[i] else float(np.sqrt(covariance[i, i])) * free.half_range
+        error = None if at_bound[i] or covariance[i, i] <= 0.0 else float(np.sqrt(covariance[i, i])) * free.half_range
         interval = None if error is None else (float(value) - 1.96 * error, float(value) + 1.96 * error)
         parameters[free.path] = UpdatedParameter(
             free.initial, float(value), error, interval, free.lower, free.upper, bool(at_bound[i])

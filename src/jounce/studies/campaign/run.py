@@ -137,12 +137,12 @@ def _load_trials(
 
 
 def _check_length(trial: Trial, measured: xr.Dataset) -> None:
-    last = float(measured["time"][-1])
-    if trial.road is not None and last < trial.end():
+    last = min(float(measured["time"][-1]), trial.duration)
+    if last < trial.obstacle_end():
         raise FitError(
             "the recording is shorter than the obstacle pass",
             found=f"{last:.4g} s",
-            allowed=f"at least {trial.end():.4g} s",
+            allowed=f"at least {trial.obstacle_end():.4g} s",
             hint="Check speed, start and length of the obstacle, or record longer.",
         )
 
