@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from jounce.core.errors import OutputError
 from jounce.core.serialise import check_writable, write_atomically
@@ -93,11 +93,23 @@ def rendered(figure: Figure, suffixes: Sequence[str] = (".svg", ".png"), salt: s
 
 
 def _content(figure: Figure, suffix: str) -> bytes:
+    """Draw once in one format; ``figure.savefig`` would draw everything twice."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.backends.backend_pdf import FigureCanvasPdf
+    from matplotlib.backends.backend_svg import FigureCanvasSVG
+
     stream = io.BytesIO()
-    undated: dict[str, Any] = {
-        ".svg": {"Date": None, "Creator": None},
-        ".pdf": {"CreationDate": None, "Creator": None, "Producer": None},
-        ".png": {"Software": None},
-    }[suffix]
-    figure.savefig(stream, format=suffix[1:], dpi=_DOTS_PER_INCH, metadata=undated)
+    canvas, dots = figure.canvas, figure.dpi
+    try:
+        if suffix == ".svg":
+            FigureCanvasSVG(figure).print_svg(stream, metadata={"Date": None, "Creator": None})  # type: ignore[no-untyped-call]
+        elif suffix == ".pdf":
+            undated = {"CreationDate": None, "Creator": None, "Producer": None}
+            FigureCanvasPdf(figure).print_pdf(stream, metadata=undated)  # type: ignore[no-untyped-call]
+        else:
+            figure.set_dpi(_DOTS_PER_INCH)
+            FigureCanvasAgg(figure).print_png(stream, metadata={"Software": None})  # type: ignore[no-untyped-call]
+    finally:
+        figure.set_dpi(dots)
+        figure.set_canvas(canvas)
     return stream.getvalue()
