@@ -44,7 +44,7 @@ def plot(
     data, findings = read_recording(run, columns=columns(columns_))
     figure = time_history(data, channels or None)
     write_figure(figure, out, force=force)
-    drawn = channels or [axes.get_title() for axes in figure.axes]
+    drawn = channels or [axes.get_title("left") for axes in figure.axes]
     plain = {"run": str(run), "channels": drawn, "out": str(out), "findings": to_plain(findings)}
 
     def draw(console: Console) -> None:

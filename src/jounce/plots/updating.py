@@ -128,7 +128,7 @@ def objectives(results: Sequence[UpdateResult]) -> Figure:
         axes.barh(row - 0.19, 100.0, 0.34, color=BEFORE, alpha=0.55, label="before" if row == 0 else None)
         axes.barh(row + 0.19, remaining, 0.34, color=AFTER, label="after" if row == 0 else None)
         axes.text(101.0, row - 0.19, number(result.objective_before), va="center", fontsize=8.5)
-        text = f"{number(result.objective_after)}  ({_change(-result.reduction_percent)})"
+        text = f"{number(result.objective_after)} ({_change(-result.reduction_percent)})"
         axes.text(max(remaining, 0.0) + 1.0, row + 0.19, text, va="center", fontsize=8.5)
     axes.set_yticks(range(len(results)), [result.name for result in results])
     axes.set_ylim(len(results) - 0.45, -0.55)

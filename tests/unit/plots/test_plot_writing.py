@@ -1,0 +1,67 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import matplotlib as mpl
+import pytest
+
+import jounce as jn
+from jounce.core.errors import OutputError
+from jounce.plots import add_note, new_figure, rendered, road_profile, write_figure
+
+OBSTACLE = jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m")
+MAGIC = {".svg": b"<?xml", ".png": b"\x89PNG", ".pdf": b"%PDF"}
+
+
+@pytest.mark.parametrize("suffix", sorted(MAGIC))
+def test_same_figure_same_bytes(suffix: str, tmp_path: Path) -> None:
+    first = write_figure(road_profile(OBSTACLE), tmp_path / f"a{suffix}").read_bytes()
+    second = write_figure(road_profile(OBSTACLE), tmp_path / f"b{suffix}").read_bytes()
+    assert first == second
+    assert first.startswith(MAGIC[suffix])
+    assert len(first) > 3000
+
+
+def test_settings_of_the_user_do_not_matter_and_stay() -> None:
+    before = rendered(road_profile(OBSTACLE))
+    with mpl.rc_context({"font.size": 30.0, "axes.facecolor": "black", "svg.fonttype": "path"}):
+        assert rendered(road_profile(OBSTACLE)) == before
+        assert mpl.rcParams["font.size"] == 30.0
+    assert mpl.rcParams["svg.hashsalt"] is None
+
+
+def test_no_date_no_random_names() -> None:
+    svg = rendered(road_profile(OBSTACLE))[".svg"].decode()
+    assert "<dc:date>" not in svg
+    assert "height [mm]" in svg  # text stays text
+
+
+def test_existing_file_is_refused(tmp_path: Path) -> None:
+    file = tmp_path / "road.png"
+    file.write_text("mine", encoding="utf-8")
+    with pytest.raises(OutputError, match="the output exists"):
+        write_figure(road_profile(OBSTACLE), file)
+    assert file.read_text(encoding="utf-8") == "mine"
+    write_figure(road_profile(OBSTACLE), file, force=True)
+    assert file.read_bytes().startswith(MAGIC[".png"])
+    assert [entry.name for entry in tmp_path.iterdir()] == ["road.png"]
+
+
+@pytest.mark.parametrize(("name", "message"), [("a.jpg", "format"), ("a", "format"), ("no/a.svg", "folder")])
+def test_what_cannot_be_written_is_refused(name: str, message: str, tmp_path: Path) -> None:
+    with pytest.raises(OutputError, match=message):
+        write_figure(road_profile(OBSTACLE), tmp_path / name)
+
+
+def test_note_stands_below_everything() -> None:
+    figure = road_profile(OBSTACLE)
+    add_note(figure, "Synthetic data")
+    assert b"Synthetic data" in rendered(figure)[".svg"]
+    note = figure.texts[-1].get_window_extent()
+    assert note.y1 <= figure.axes[0].xaxis.label.get_window_extent().y0 + 1.0
+
+
+def test_empty_note_changes_nothing() -> None:
+    figure = new_figure(2.0)
+    add_note(figure, "")
+    assert figure.texts == []
