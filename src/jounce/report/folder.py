@@ -80,7 +80,9 @@ def write_folder(out: Path | str, files: Mapping[str, bytes | str], *, force: bo
 def _check_targets(folder: Path, files: Mapping[str, bytes | str]) -> None:
     for name in files:
         target = folder / name
-        if target.is_dir() or not target.is_relative_to(folder):
+        if not target.resolve().is_relative_to(folder):
+            raise OutputError("the file would lie outside the output folder", where=str(folder), found=name)
+        if target.is_dir():
             raise OutputError("a file cannot be written where a folder is", where=str(target))
         if any(parent.is_file() for parent in target.parents if parent.is_relative_to(folder)):
             raise OutputError("a folder cannot be made where a file is", where=str(target.parent))

@@ -105,7 +105,7 @@ def test_sweep_lines_and_errors() -> None:
     assert [line.get_label() for line in axes.lines] == ["sprung.az", "unsprung.az"]
     assert axes.lines[0].get_ydata() == pytest.approx([1e3, 3e3, 5e3])
     assert axes.get_xlabel() == "speed [m/s]"
-    with pytest.raises(RecordingError, match="no variable 'peek'.*Did you mean 'peak'"):
+    with pytest.raises(RecordingError, match=r"no variable 'peek'.*Did you mean 'peak'"):
         sweep(results, ["peek"])
     with pytest.raises(RecordingError, match="no coordinate 'pitch'"):
         sweep(results, along="pitch")

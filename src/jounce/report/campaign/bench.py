@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import DescriptionError
@@ -10,7 +11,7 @@ from jounce.parts.parameters import unit_of
 from jounce.plots import decay_fit, display_unit, number, quantity, stiffness_fit, tyre_pressure
 from jounce.report.campaign.sources import decay_records, force_deflection
 from jounce.report.numbers import estimate_cells, estimate_text
-from jounce.report.page import Block, Cell, Details, Paragraph, Picture, Section, Subsection, Table, slug
+from jounce.report.page import Block, Cell, Details, Paragraph, Picture, Section, Subsection, Table, unique_slugs
 
 if TYPE_CHECKING:
     from jounce.identify.decay import DecayResult
@@ -35,9 +36,12 @@ def characterisation(result: CampaignResult) -> Section:
     if bench.replaced:
         blocks.append(_replaced(result))
     if bench.spring is not None:
-        blocks.append(Subsection("Spring", _stiffness(result, bench.spring, asked.spring, "spring")))
-    for name, found in bench.tyre.items():
-        blocks.append(Subsection(f"Tyre at {name}", _stiffness(result, found, asked.tyre.get(name), f"tyre, {name}")))
+        blocks.append(Subsection("Spring", _stiffness(result, bench.spring, asked.spring, "spring", "bench-spring")))
+    files = unique_slugs([f"bench tyre {name}" for name in bench.tyre])
+    for file, (name, found) in zip(files, bench.tyre.items(), strict=True):
+        blocks.append(
+            Subsection(f"Tyre at {name}", _stiffness(result, found, asked.tyre.get(name), f"tyre, {name}", file))
+        )
     if bench.pressure is not None and len(bench.pressure.pressures) > 1:
         blocks.append(Subsection("Tyre against pressure", _pressure(result)))
     if bench.decay is not None:
@@ -79,7 +83,7 @@ def _replaced(result: CampaignResult) -> Table:
 
 
 def _stiffness(
-    result: CampaignResult, found: StiffnessResult, table: StiffnessBench | None, title: str
+    result: CampaignResult, found: StiffnessResult, table: StiffnessBench | None, title: str, file: str
 ) -> tuple[Block, ...]:
     points = force_deflection(result, table)
     choice = {"drop": "dropped", "shift": "deflection shifted", "keep": "kept as preload"}[found.intercept_choice]
@@ -96,7 +100,7 @@ def _stiffness(
         f"stiffness {estimate_text(found.stiffness, 'N/m')}; at the right the stiffness of each trial."
     )
     caption = f"The {title}: measured points and fit; stiffness of each trial by itself with its 95 % interval."
-    picture = Picture(stiffness_fit(found, points, title), slug(f"bench {title}"), caption, alternative)
+    picture = Picture(stiffness_fit(found, points, title), file, caption, alternative)
     return summary, picture, _trial_table(found)
 
 
@@ -184,7 +188,8 @@ def _decay(result: CampaignResult) -> tuple[Block, ...]:
     if len(records) != len(bench.decays):
         records = [(f"decay {k}", (), ()) for k in range(1, len(bench.decays) + 1)]  # type: ignore[misc]
     pictures: list[Picture] = []
-    for (name, time, signal), one in zip(records, bench.decays, strict=True):
+    files = unique_slugs([f"bench decay {Path(name).stem.removeprefix('decay')}" for name, _, _ in records])
+    for file, (name, time, signal), one in zip(files, records, bench.decays, strict=True):
         alternative = (
             f"Free decay {name} with the fitted response: damping coefficient "
             f"{estimate_text(one.damping_coefficient, 'N*s/m')}, dry friction {estimate_text(one.coulomb_force, 'N')}."
@@ -193,7 +198,7 @@ def _decay(result: CampaignResult) -> tuple[Block, ...]:
             f"{name}: record and fitted response; turning points; damping ratios that single decrements would mean. "
             f"R² {one.r2:.4f}."
         )
-        pictures.append(Picture(decay_fit(one, time, signal, name), slug(f"bench {name}"), caption, alternative))
+        pictures.append(Picture(decay_fit(one, time, signal, name), file, caption, alternative))
     blocks += pictures[:1]
     if len(bench.decays) > 1:
         blocks.append(_each_decay(bench.decays, [record[0] for record in records]))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from jounce.plots import display_unit, number, objectives, update
 from jounce.report.campaign.bench import unit_at
 from jounce.report.numbers import correlation, estimate_cells, percent
-from jounce.report.page import Block, Cell, Findings, Paragraph, Picture, Section, Subsection, Table, slug
+from jounce.report.page import Block, Cell, Findings, Paragraph, Picture, Section, Subsection, Table, unique_slugs
 
 if TYPE_CHECKING:
     from jounce.studies.campaign.result import CampaignResult, StrategyResult
@@ -37,7 +37,10 @@ def updates(result: CampaignResult) -> Section:
                 f"Objective before and after each update. {words}.",
             ),
         ]
-    blocks += [Subsection(strategy.update.name, _strategy(strategy)) for strategy in result.strategies]
+    blocks += [
+        Subsection(strategy.update.name, _strategy(strategy, file))
+        for file, strategy in zip(_figure_names(result), result.strategies, strict=True)
+    ]
     return Section("Updates", tuple(blocks))
 
 
@@ -70,7 +73,11 @@ def _overview(result: CampaignResult) -> Table:
     return Table("What the updates brought", header, rows, "lllrrrrr", note)
 
 
-def _strategy(strategy: StrategyResult) -> tuple[Block, ...]:
+def _figure_names(result: CampaignResult) -> list[str]:
+    return unique_slugs([f"update {strategy.update.name}" for strategy in result.strategies])
+
+
+def _strategy(strategy: StrategyResult, file: str) -> tuple[Block, ...]:
     found = strategy.update
     units = {path: unit_at(strategy.knowledge.rig, path) for path in found.parameters}
     fitted = "; ".join(
@@ -80,7 +87,7 @@ def _strategy(strategy: StrategyResult) -> tuple[Block, ...]:
     )
     picture = Picture(
         update(found, units),
-        slug(f"update {found.name}"),
+        file,
         "Start and fitted values between their bounds with 95 % intervals; correlation of the estimates (– where a "
         "parameter lies on a bound).",
         f"Fitted parameters of {found.name}: {fitted}.",
