@@ -83,7 +83,7 @@ def _bfgs(problem: UpdateProblem, start: Array) -> tuple[Array, int]:
 def _least_squares(problem: UpdateProblem, start: Array) -> tuple[Array, int]:
     from scipy.optimize import least_squares
 
-    inside = np.clip(start, -_BOUND, _BOUND)
+    inside = np.clip(np.where(np.abs(start) < 1e-6, 0.0, start), -_BOUND, _BOUND)  # SciPy's first radius is |start|
     result = least_squares(
         lambda x: problem.residuals(x).vector,
         inside,
