@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError, nearest
 from jounce.plots.display import display_unit, words_of
-from jounce.plots.style import INK, MUTED, PALETTE, limits, new_figure, styled
+from jounce.plots.style import MUTED, PALETTE, limits, new_figure, styled
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -115,9 +115,3 @@ def stretches(condition: NDArray[np.bool_]) -> list[tuple[int, int]]:
     """
     edges = np.flatnonzero(np.diff(np.concatenate([[0], condition.astype(np.int8), [0]])))
     return [(int(begin), int(end) - 1) for begin, end in zip(edges[::2], edges[1::2], strict=True)]
-
-
-def mark_instant(axes: Axes, time: float, text: str) -> None:
-    """Draw a thin vertical line at a time in s with a small text at its top."""
-    axes.axvline(time, color=MUTED, linewidth=0.8, linestyle=(0, (1, 2)))
-    axes.text(time, 1.0, f" {text}", transform=axes.get_xaxis_transform(), va="top", fontsize=7.5, color=INK)

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import json
-import os
-import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from jounce.core.errors import OutputError
-from jounce.core.serialise import check_writable, to_plain, write_atomically
+from jounce.core.serialise import check_writable, replacing, to_plain, write_atomically
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -55,15 +53,8 @@ def write_recording(dataset: xr.Dataset, path: Path | str, *, force: bool = Fals
         raise OutputError(
             "recordings are not written in this format", where=str(file), found=file.suffix, allowed=".nc, .csv"
         )
-    handle, name = tempfile.mkstemp(dir=file.parent, prefix=f".{file.stem}.", suffix=".nc")
-    os.close(handle)
-    try:
-        _storable(dataset).to_netcdf(name, engine="h5netcdf")
-        os.chmod(name, 0o644)  # noqa: PTH101 - mkstemp made it private
-        os.replace(name, file)  # noqa: PTH105
-    except BaseException:
-        Path(name).unlink(missing_ok=True)
-        raise
+    with replacing(file) as temporary:
+        _storable(dataset).to_netcdf(temporary, engine="h5netcdf")
     return file
 
 

@@ -42,7 +42,7 @@ class Signals:
 
 @dataclass(frozen=True)
 class TrialComparison:
-    """One trial against the model: numbers and verdict (by its worst channel's ISO/TS 18571 rating)."""
+    """One trial against the model: numbers and verdict (by its worst channel's ISO/TS 18571 rating and R2)."""
 
     channels: dict[str, ChannelComparison]
     verdict: str
