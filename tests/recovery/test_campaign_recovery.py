@@ -5,6 +5,9 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import DescriptionError, FitError
+from jounce.identify.update.free import free_parameters
+from jounce.identify.update.optimise import minimise
+from jounce.identify.update.problem import UpdateProblem
 from jounce.recordings import Sensor, apply_sensors
 from jounce.roads import HalfSine
 
@@ -196,3 +199,20 @@ def test_a_recording_without_a_common_channel_is_refused():
     )
     with pytest.raises(FitError, match="no channel"):
         jn.update_model([other], FREE)
+
+
+def test_rounding_in_the_scaled_start_does_not_stop_least_squares():
+    """SciPy's first trust radius is the size of the start unless that is exactly zero."""
+    problem = UpdateProblem(
+        [made(START)],
+        free_parameters(made(START).rig, FREE),
+        channels=None,
+        weights="printed",
+        align=False,
+        lag_bound=0.02,
+        tolerance=1e-8,
+    )
+    before, _ = problem.objective(np.zeros(problem.size))
+    for start in (0.0, -1.6e-15):
+        found = minimise(problem, np.full(problem.size, start), "least-squares")
+        assert found.objective < 1e-9 * before
