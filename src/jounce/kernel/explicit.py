@@ -25,7 +25,10 @@ Array = NDArray[np.float64]
 _LAST_RATE, _LAST_PROBE = RATES + LAST_STAGE, len(PROBES)
 _HALVINGS = 16
 _VERTICES, _NEAR = 3, 0.3  # parabolas followed into a dip that comes within this share of the nearest probe
-_COMPLETED, _NOT_FINITE, _STEP_TOO_SMALL, _TOO_MANY_STEPS, _CHATTER = 0, 1, 2, 3, 4
+_COMPLETED, _NOT_FINITE, _STEP_TOO_SMALL, _TOO_MANY_STEPS, _CHATTER, _LOOP_OPENED, _LOCKED_UP = range(7)
+_PROJECTIONS = 4
+_CLOSED = 1e-7  # violation that one projection brings down to rounding
+_SINGULAR = 1e-10  # conditioning of the constraints at which a mechanism counts as locked up
 
 
 class Engine(NamedTuple):
@@ -34,6 +37,8 @@ class Engine(NamedTuple):
     rate: int
     output: int
     switch_slope: int
+    project: int
+    project_many: int
     step: int
     dense: int
     probe: int
@@ -56,7 +61,10 @@ class Control(NamedTuple):
 
 
 class Problem(NamedTuple):
-    """What is integrated: native functions, inputs, parameter values, modes (changed in place) and first state."""
+    """What is integrated: native functions, tracks, parameter values, modes (changed in place) and first state.
+
+    ``inputs`` is the number of inputs that the tracks make: two or three for each.
+    """
 
     engine: Engine
     tracks: Tracks
@@ -64,15 +72,20 @@ class Problem(NamedTuple):
     p: Array
     m: Array
     x0: Array
+    inputs: int
 
 
 class Samples(NamedTuple):
-    """Where the run is sampled and the arrays it fills: one row an element, one column a sample."""
+    """Where the run is sampled and the arrays it fills: one row an element, one column a sample.
+
+    ``projected`` has two rows more than ``states`` where the model projects, and none elsewhere.
+    """
 
     times: Array
     states: Array
     inputs: Array
     outputs: Array
+    projected: Array
 
 
 class Work(NamedTuple):
@@ -89,6 +102,7 @@ class Work(NamedTuple):
     errors: Array
     slope: Array
     widest: Array
+    projected: Array
 
 
 @part()
@@ -309,6 +323,16 @@ def _interpolate(rows: Any, t: float, h: float, times: Any, first: int, last: in
             states[d, i] = x + (((y + c2) * theta + c1) * rest + c0) * theta
 
 
+@part()
+def _project_samples(problem: Any, out: Any, first: int, last: int) -> None:
+    """Move the samples ``first`` to ``last`` onto the constraints."""
+    address, count = problem.engine.project_many, last - first
+    call_many(address, out.states, out.inputs, problem.p, problem.m, out.projected, first, count)
+    for d in range(out.states.shape[0]):
+        for i in range(first, last):
+            out.states[d, i] = out.projected[d, i]
+
+
 @part(forceinline=True)
 def _sample(problem: Any, work: Any, t: float, h: float, until: float, first: int, out: Any) -> int:
     """Write states, inputs and outputs at all times before ``until`` on the step from ``t``; give the next sample."""
@@ -318,6 +342,8 @@ def _sample(problem: Any, work: Any, t: float, h: float, until: float, first: in
     if last > first:
         fill(problem.tracks, problem.piece, out.times[first:last], out.inputs[:, first:last])
         _interpolate(work.rows, t, h, out.times, first, last, out.states)
+        if problem.engine.project_many != 0:
+            _project_samples(problem, out, first, last)
         call_many(problem.engine.output, out.states, out.inputs, problem.p, problem.m, out.outputs, first, last - first)
     return last
 
@@ -329,13 +355,31 @@ def _scratch(problem: Problem, control: Control) -> Work:
     return Work(
         rows,
         np.zeros(len(NODES)),
-        np.zeros((len(NODES), 2 * len(problem.piece))).T,
+        np.zeros((len(NODES), problem.inputs)).T,
         np.zeros((_LAST_PROBE + 1, switches)),
         np.array([0.0, control.tolerance]),
         np.zeros((1, 2)),
         np.zeros((1, switches * (n + size // n))),
         control.scale.copy(),
+        np.zeros((1, size + 2)),
     )
+
+
+@part()
+def _project(problem: Any, work: Any, t: float) -> int:
+    """Move the state onto the constraints and renew its rate; tell how that ended."""
+    size = work.rows.shape[1]
+    work.times[0] = t
+    fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
+    for _ in range(_PROJECTIONS):
+        call_native(problem.engine.project, work.rows, STATE, work.u, problem.p, problem.m, work.projected, 0)
+        for d in range(size):
+            work.rows[STATE, d] = work.projected[0, d]
+        violation, conditioning = work.projected[0, size], work.projected[0, size + 1]
+        if violation < _CLOSED:
+            call_native(problem.engine.rate, work.rows, STATE, work.u, problem.p, problem.m, work.rows, RATES)
+            return _COMPLETED if conditioning > _SINGULAR else _LOCKED_UP
+    return _LOOP_OPENED
 
 
 @part(forceinline=True)
@@ -406,6 +450,10 @@ def _integrate(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> 
             t = now
             if not _accept(problem.x0, work.rows, work.widest):
                 return _NOT_FINITE
+            if problem.engine.project != 0:
+                kept = _project(problem, work, t)
+                if kept != _COMPLETED:
+                    return int(kept)
         if edge <= t + slack:
             edge, at_edge = advance(problem.tracks, problem.piece, t, slack), True
             _rate(problem, work, t, RATES)

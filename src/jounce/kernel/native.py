@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 from jounce.kernel.lowering import Lowering
 from jounce.kernel.steps import STEP_NAMES, Step, add_step_functions
 
-_FORMAT = "jounce-kernel-14"
-MANY = ("output", "output_s")
+_FORMAT = "jounce-kernel-15"
+MANY = ("output", "output_s", "project_many")
 _PROTOTYPE = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5, *[ctypes.c_int64] * 3)
 
 

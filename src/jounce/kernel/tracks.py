@@ -53,24 +53,31 @@ def advance(tracks: Any, piece: Any, t: float, slack: float) -> float:
 
 @part()
 def fill(tracks: Any, piece: Any, times: Any, u: Any) -> None:
-    """Fill a column of ``u`` for each time with (value, time derivative) of every track, on the pieces given."""
+    """Fill a column of ``u`` for each time with (value, rate[, acceleration]) of every track, on the pieces given."""
     start, kind, coefficients, rates = tracks.start, tracks.kind, tracks.coefficients, tracks.rate
+    order = u.shape[0] // max(len(piece), 1)
     for k in range(len(piece)):
-        i, rate, value, slope = piece[k], rates[k], 2 * k, 2 * k + 1
+        i, rate, value, slope = piece[k], rates[k], order * k, order * k + 1
         c0, c1, c2, c3 = coefficients[i, 0], coefficients[i, 1], coefficients[i, 2], coefficients[i, 3]
         if kind[i] == 0:
             for j in range(len(times)):
                 s = rate * (times[j] - start[i])
                 u[value, j] = c0 + s * (c1 + s * (c2 + s * c3))
                 u[slope, j] = rate * (c1 + s * (2.0 * c2 + 3.0 * s * c3))
+                if order > 2:
+                    u[slope + 1, j] = rate * rate * (2.0 * c2 + 6.0 * s * c3)
         elif kind[i] == 1:
             for j in range(len(times)):
                 sine, cosine = sine_and_cosine(c2 * (rate * (times[j] - start[i])) + c3)
                 u[value, j] = c0 + c1 * sine
                 u[slope, j] = rate * c1 * c2 * cosine
+                if order > 2:
+                    u[slope + 1, j] = -rate * rate * c1 * c2 * c2 * sine
         else:
             for j in range(len(times)):
                 s = rate * (times[j] - start[i]) - c2
                 root = math.sqrt(max(c1 * c1 - s * s, 0.0))
                 u[value, j] = c0 + c3 * root
                 u[slope, j] = -rate * c3 * s / root if root > 0.0 else 0.0
+                if order > 2:
+                    u[slope + 1, j] = -rate * rate * c3 * c1 * c1 / root**3 if root > 0.0 else 0.0

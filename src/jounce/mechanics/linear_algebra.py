@@ -5,26 +5,56 @@ from __future__ import annotations
 import casadi as ca
 
 
-def ldl_solve(matrix: ca.SX, rhs: ca.SX) -> ca.SX:
-    """Solve ``matrix @ x = rhs`` for a symmetric positive definite matrix by an unrolled L D L^T factorisation.
+class Ldl:
+    """Unrolled factorisation ``matrix = L D L^T`` of a symmetric positive definite matrix.
 
-    Structural zeros stay zeros, so a diagonal mass matrix costs one division a row.
+    Structural zeros stay zeros: rows are eliminated from the last to the first, so the mass matrix of a tree whose
+    root comes first is factorised without fill-in.
     """
-    size = matrix.shape[0]
-    lower = ca.SX.eye(size)
-    diagonal: list[ca.SX] = []
-    for j in range(size):
-        diagonal.append(matrix[j, j] - sum((lower[j, k] ** 2 * diagonal[k] for k in range(j)), ca.SX(0)))
-        for i in range(j + 1, size):
-            inner = sum((lower[i, k] * lower[j, k] * diagonal[k] for k in range(j)), ca.SX(0))
-            lower[i, j] = (matrix[i, j] - inner) / diagonal[j]
-    x = ca.SX(rhs)
-    for i in range(size):
-        for k in range(i):
-            x[i, :] -= lower[i, k] * x[k, :]
-    for i in range(size):
-        x[i, :] = x[i, :] / diagonal[i]
-    for i in reversed(range(size)):
-        for k in range(i + 1, size):
-            x[i, :] -= lower[k, i] * x[k, :]
-    return x
+
+    def __init__(self, matrix: ca.SX) -> None:
+        self.size = matrix.shape[0]
+        flipped = matrix[::-1, ::-1] if self.size else matrix
+        self._lower = ca.SX(self.size, self.size)
+        self.pivots: list[ca.SX] = []
+        for j in range(self.size):
+            self.pivots.append(flipped[j, j] - self._inner(j, j))
+            for i in range(j + 1, self.size):
+                entry = flipped[i, j] - self._inner(i, j)
+                if entry.nnz():
+                    self._lower[i, j] = entry / self.pivots[j]
+
+    def _inner(self, i: int, j: int) -> ca.SX:
+        shared = (k for k in range(j) if self._lower.sparsity().has_nz(i, k) and self._lower.sparsity().has_nz(j, k))
+        return sum((self._lower[i, k] * self._lower[j, k] * self.pivots[k] for k in shared), ca.SX(1, 1))
+
+    def forward(self, rhs: ca.SX) -> ca.SX:
+        """Give ``L^-1 rhs`` (in the factor's own order of rows)."""
+        x = ca.SX(rhs[::-1, :]) if self.size else ca.SX(rhs)
+        for i in range(self.size):
+            for k in range(i):
+                if self._lower.sparsity().has_nz(i, k):
+                    x[i, :] -= self._lower[i, k] * x[k, :]
+        return x
+
+    def scale(self, rows: ca.SX) -> ca.SX:
+        """Give ``D^-1 rows``."""
+        return ca.vertcat(*(rows[i, :] / self.pivots[i] for i in range(self.size))) if self.size else rows
+
+    def backward(self, rows: ca.SX) -> ca.SX:
+        """Give ``L^-T rows`` in the order of the matrix."""
+        x = ca.SX(rows)
+        for i in reversed(range(self.size)):
+            for k in range(i + 1, self.size):
+                if self._lower.sparsity().has_nz(k, i):
+                    x[i, :] -= self._lower[k, i] * x[k, :]
+        return x[::-1, :] if self.size else x
+
+    def solve(self, rhs: ca.SX) -> ca.SX:
+        """Give ``matrix^-1 rhs``."""
+        return self.backward(self.scale(self.forward(rhs)))
+
+
+def ldl_solve(matrix: ca.SX, rhs: ca.SX) -> ca.SX:
+    """Solve ``matrix @ x = rhs`` for a symmetric positive definite matrix; a diagonal one costs a division a row."""
+    return Ldl(matrix).solve(rhs)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
+from functools import cached_property
 
 import casadi as ca
 
@@ -36,31 +37,72 @@ class Output:
 
 
 @dataclass(frozen=True)
+class Facts:
+    """Names and counts of a model: all that is known of it without its equations (see :class:`Model`)."""
+
+    coordinates: tuple[str, ...]
+    speeds: tuple[str, ...]
+    internal: tuple[str, ...]
+    constraints: tuple[str, ...]
+    tracks: tuple[str, ...]
+    track_order: int
+    parameters: tuple[str, ...]
+    switches: tuple[str, ...]
+    outputs: tuple[Output, ...]
+    start: tuple[float, ...]
+    projects: bool
+    linear: bool
+
+    @property
+    def states(self) -> tuple[str, ...]:
+        """Names of all states: coordinates, speeds, internal states."""
+        return (*self.coordinates, *self.speeds, *self.internal)
+
+    @property
+    def counts(self) -> tuple[int, int]:
+        """Numbers of coordinates and of speeds."""
+        return len(self.coordinates), len(self.speeds)
+
+
+@dataclass(frozen=True)
 class Model:
     """Symbolic equations ``dx/dt = rate(x, u, p, m)``, outputs and switching functions.
 
-    The state ``x`` is (coordinates, their velocities, internal states). The inputs ``u`` are, for each track, its value
-    and its time derivative. ``m`` holds one mode (0 or 1) for each switch: within a step modes are constant and all
-    equations smooth; mode ``i`` is 1 exactly where ``switch[i] > 0``.
+    The state ``x`` is (coordinates, speeds, internal states). The inputs ``u`` are, for each track, its value and its
+    first ``track_order - 1`` time derivatives. ``m`` holds one mode (0 or 1) for each switch: within a step modes are
+    constant and all equations smooth; mode ``i`` is 1 exactly where ``switch[i] > 0``.
 
     Attributes
     ----------
-    coordinates, internal, tracks, parameters, switches : tuple of str
+    coordinates, speeds, internal, constraints, tracks, parameters, switches : tuple of str
         Names, in the order of the symbols.
+    track_order : int
+        Inputs a track: 2 (value, rate) or 3 (and acceleration).
     outputs : tuple of Output
         Signals, in the order of ``output``.
+    start : tuple of float
+        Coordinates in the design pose.
     x, u, p, m : casadi.SX
         Symbols of states, inputs, parameters and modes.
     rate, output, switch : casadi.SX
         Expressions of the symbols.
+    constraint : casadi.SX
+        Loop equations, zero where the loops are closed.
+    projection : casadi.SX
+        States moved onto the constraints, then the violation before it (norm) and the conditioning of the constraints
+        (1: independent, 0: singular); empty where nothing can drift.
     """
 
     coordinates: tuple[str, ...]
+    speeds: tuple[str, ...]
     internal: tuple[str, ...]
+    constraints: tuple[str, ...]
     tracks: tuple[str, ...]
+    track_order: int
     parameters: tuple[str, ...]
     switches: tuple[str, ...]
     outputs: tuple[Output, ...]
+    start: tuple[float, ...]
     x: ca.SX
     u: ca.SX
     p: ca.SX
@@ -68,18 +110,29 @@ class Model:
     rate: ca.SX
     output: ca.SX
     switch: ca.SX
+    constraint: ca.SX
+    projection: ca.SX
+
+    @cached_property
+    def facts(self) -> Facts:
+        """Names and counts."""
+        return Facts(
+            **{field.name: getattr(self, field.name) for field in fields(Facts)[:-2]},
+            projects=bool(self.projection.shape[0]),
+            linear=self.is_linear(),
+        )
 
     @property
     def states(self) -> tuple[str, ...]:
-        """Names of all states: coordinates, velocities (``... rate``), internal states."""
-        return (*self.coordinates, *(f"{name} rate" for name in self.coordinates), *self.internal)
+        """Names of all states: coordinates, speeds, internal states."""
+        return self.facts.states
 
     def is_linear(self) -> bool:
         """Tell whether rates and outputs are affine in states and inputs and nothing switches or jumps."""
         signals = ca.vertcat(self.x, self.u)
         equations = ca.Function("equations", [signals, self.p, self.m], [ca.vertcat(self.rate, self.output)])
         operations = {equations.instruction_id(k) for k in range(equations.n_instructions())}
-        if self.switches or operations & _KINKED:
+        if self.switches or self.constraints or operations & _KINKED:
             return False
         slopes = ca.jacobian(ca.vertcat(self.rate, self.output), signals)
         return not ca.depends_on(slopes, signals)

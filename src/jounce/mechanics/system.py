@@ -2,26 +2,28 @@
 
 Every force element acts along an expression of the coordinates (a height, a length, an angle): its magnitude does work
 on the rate of that expression. Points are 3-vectors of expressions, so the lumped models and spatial mechanisms take
-the same route: ``M(q) a = Q(q, v, ...)`` with the mass matrix from the Jacobians of the mass positions.
+the same route (see ``equations``).
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import casadi as ca
 
 from jounce.core.errors import AssemblyError
-from jounce.mechanics.linear_algebra import ldl_solve
+from jounce.mechanics.equations import Constraint, Inertia, PointMass, Solved, solve
 from jounce.mechanics.model import Model, Output
 
 
 @dataclass(frozen=True)
 class Track:
-    """A prescribed motion: its value and its time derivative as symbols."""
+    """A prescribed motion: its value and its first two time derivatives as symbols."""
 
     value: ca.SX
     rate: ca.SX
+    acceleration: ca.SX
 
 
 class System:
@@ -31,23 +33,54 @@ class System:
     """
 
     def __init__(self) -> None:
-        self._coordinates: dict[str, tuple[ca.SX, ca.SX]] = {}
+        self._coordinates: dict[str, ca.SX] = {}
+        self._speeds: dict[str, ca.SX] = {}
+        self._rates: list[ca.SX] = []
+        self._quaternions: list[int] = []
+        self._start: dict[str, float] = {}
         self._internal: dict[str, tuple[ca.SX, ca.SX | None]] = {}
         self._tracks: dict[str, Track] = {}
         self._parameters: dict[str, ca.SX] = {}
         self._switches: dict[str, tuple[ca.SX, ca.SX]] = {}
-        self._masses: list[tuple[ca.SX, ca.SX]] = []
-        self._forces: list[tuple[ca.SX, ca.SX]] = []
+        self._inertias: list[Inertia] = []
+        self._loads: list[tuple[ca.SX, ca.SX]] = []
+        self._constraints: list[Constraint] = []
         self._outputs: dict[Output, ca.SX] = {}
         self._accelerations: dict[str, ca.SX] = {}
 
     def coordinate(self, name: str) -> ca.SX:
         """Add a coordinate and give its symbol."""
-        self._refuse_twice(name, self._coordinates)
-        symbol = ca.SX.sym(name)
-        self._coordinates[name] = (symbol, ca.SX.sym(f"{name}_rate"))
-        self._accelerations[name] = ca.SX.sym(f"{name}_acceleration")
-        return symbol
+        return self.coordinates([name], [f"{name} rate"])[0][0]
+
+    def coordinates(
+        self, names: Sequence[str], speeds: Sequence[str], start: Sequence[float] | None = None
+    ) -> tuple[ca.SX, ca.SX]:
+        """Add coordinates with as many speeds, which are their rates; give the symbols of both."""
+        q, v = self._symbols_of(names, speeds, start)
+        self._rates.append(v)
+        return q, v
+
+    def quaternion(self, name: str) -> tuple[ca.SX, ca.SX]:
+        """Add an orientation: four coordinates, three speeds (rad/s in the body's axes); give the symbols of both."""
+        from jounce.mechanics.rotations import quaternion_rate
+
+        self._quaternions.append(len(self._coordinates))
+        names = [f"{name}.e{i}" for i in range(4)]
+        e, w = self._symbols_of(names, [f"{name}.w{axis}" for axis in "xyz"], (1.0, 0.0, 0.0, 0.0))
+        self._rates.append(quaternion_rate(e, w))
+        return e, w
+
+    def _symbols_of(
+        self, names: Sequence[str], speeds: Sequence[str], start: Sequence[float] | None
+    ) -> tuple[ca.SX, ca.SX]:
+        for name in (*names, *speeds):
+            self._refuse_twice(name, {**self._coordinates, **self._speeds})
+        self._start.update(zip(names, start or [0.0] * len(names), strict=True))
+        self._coordinates.update({name: ca.SX.sym(name) for name in names})
+        self._speeds.update({name: ca.SX.sym(name) for name in speeds})
+        self._accelerations.update({name: ca.SX.sym(f"{name} rate") for name in speeds})
+        q = ca.vertcat(*(self._coordinates[name] for name in names))
+        return q, ca.vertcat(*(self._speeds[name] for name in speeds))
 
     def internal_state(self, name: str) -> ca.SX:
         """Add a first-order state (hysteresis, actuator); give its rate later with ``set_internal_rate``."""
@@ -61,9 +94,10 @@ class System:
         self._internal[name] = (self._internal[name][0], rate)
 
     def track(self, name: str) -> Track:
-        """Add a prescribed input motion and give its value and rate."""
+        """Add a prescribed input motion and give its value and rates."""
         self._refuse_twice(name, self._tracks)
-        self._tracks[name] = Track(ca.SX.sym(name), ca.SX.sym(f"{name}_rate"))
+        symbols = (ca.SX.sym(text) for text in (name, f"{name} rate", f"{name} acceleration"))
+        self._tracks[name] = Track(*symbols)
         return self._tracks[name]
 
     def parameter(self, path: str) -> ca.SX:
@@ -79,26 +113,57 @@ class System:
         self._switches[name] = (mode, ca.SX(expression))
         return mode
 
+    def inertia(self, inertia: Inertia) -> None:
+        """Add something with mass."""
+        self._inertias.append(inertia)
+
     def point_mass(self, mass: ca.SX, position: ca.SX) -> None:
         """Add a mass (kg) at a position (m; a height or a 3-vector)."""
-        self._masses.append((mass, position))
+        rate = self.rate_of(position)
+        self.inertia(PointMass(mass, rate, self._bias_of(rate)))
 
     def force(self, along: ca.SX, magnitude: ca.SX) -> None:
         """Add a force element: ``magnitude`` (N) pushes ``along`` (m) to greater values."""
-        self._forces.append((along, magnitude))
+        self.load(self.rate_of(along), magnitude)
+
+    def load(self, rate: ca.SX, magnitude: ca.SX) -> None:
+        """Add a force that does the power ``magnitude * rate``; both may be vectors."""
+        self._loads.append((rate, magnitude))
+
+    def constrain(self, names: Sequence[str], value: ca.SX, rate: ca.SX, bias: ca.SX) -> ca.SX:
+        """Add equations ``value = 0`` with their two rates; give the symbols of their multipliers (forces)."""
+        known = {name for constraint in self._constraints for name in constraint.names}
+        for name in names:
+            self._refuse_twice(name, known)
+        multipliers = ca.vertcat(*(ca.SX.sym(f"{name} multiplier") for name in names))
+        self._constraints.append(Constraint(tuple(names), value, rate, bias, multipliers))
+        return multipliers
 
     def rate_of(self, expression: ca.SX) -> ca.SX:
         """Give the time derivative of an expression of coordinates and tracks."""
-        moving = [*self._coordinates.values(), *((t.value, t.rate) for t in self._tracks.values())]
-        values, rates = (ca.vertcat(*column) for column in zip(*moving, strict=True))
-        return ca.jtimes(expression, values, rates)
+        tracks = self._tracks.values()
+        values = ca.vertcat(*self._coordinates.values(), *(track.value for track in tracks))
+        return ca.jtimes(expression, values, ca.vertcat(*self._rates, *(track.rate for track in tracks)))
 
     def acceleration_of(self, expression: ca.SX) -> ca.SX:
         """Give the second time derivative of an expression of coordinates (for outputs only)."""
-        q, v = self._symbols()
-        accelerations = ca.vertcat(*self._accelerations.values())
-        rate = ca.jtimes(expression, q, v)
-        return ca.jtimes(rate, q, v) + ca.jtimes(rate, v, accelerations)
+        rate = self.rate_of(expression)
+        return self._bias_of(rate) + self.accelerated(rate)
+
+    def accelerated(self, rate: ca.SX) -> ca.SX:
+        """Give what the accelerations make of a rate (for outputs only)."""
+        return ca.jtimes(rate, ca.vertcat(*self._speeds.values()), ca.vertcat(*self._accelerations.values()))
+
+    def _bias_of(self, rate: ca.SX) -> ca.SX:
+        """Time derivative of a rate with all speeds kept."""
+        tracks = self._tracks.values()
+        moving = ca.vertcat(
+            *self._coordinates.values(), *(track.value for track in tracks), *(track.rate for track in tracks)
+        )
+        rates = ca.vertcat(
+            *self._rates, *(track.rate for track in tracks), *(track.acceleration for track in tracks)
+        )
+        return ca.jtimes(rate, moving, rates)
 
     def output(self, name: str, expression: ca.SX, unit: str, long_name: str) -> None:
         """Add a signal the model can give."""
@@ -106,28 +171,72 @@ class System:
 
     def finish(self) -> Model:
         """Form the equations of motion."""
-        q, v = self._symbols()
-        acceleration = self._solve(q, v)
-        x = ca.vertcat(q, v, *(symbol for symbol, _ in self._internal.values()))
-        rate = ca.vertcat(v, acceleration, *self._internal_rates())
-        output = ca.substitute(
-            ca.vertcat(*self._outputs.values()), ca.vertcat(*self._accelerations.values()), acceleration
-        )
+        if not self._coordinates:
+            raise AssemblyError("a system without coordinates", hint="Add one with coordinate(name).")
+        q, v = ca.vertcat(*self._coordinates.values()), ca.vertcat(*self._speeds.values())
+        internal = ca.vertcat(*(symbol for symbol, _ in self._internal.values()))
+        constraint = self._all_constraints()
+        solved = solve(v, self._inertias, self._load(v), constraint, self._moved)
+        unknown = ca.vertcat(*self._accelerations.values(), constraint.multipliers)
+        found = ca.densify(ca.vertcat(solved.acceleration, solved.multipliers))
+        output = ca.substitute(ca.vertcat(*self._outputs.values()), unknown, found)
+        internal_rates = ca.substitute(ca.vertcat(*self._internal_rates()), unknown, found)
+        order = self._track_order(ca.vertcat(solved.acceleration, output))
         return Model(
             coordinates=tuple(self._coordinates),
+            speeds=tuple(self._speeds),
             internal=tuple(self._internal),
+            constraints=constraint.names,
             tracks=tuple(self._tracks),
+            track_order=order,
             parameters=tuple(self._parameters),
             switches=tuple(self._switches),
             outputs=tuple(self._outputs),
-            x=x,
-            u=ca.vertcat(*(part for track in self._tracks.values() for part in (track.value, track.rate))),
+            start=tuple(self._start.values()),
+            x=ca.vertcat(q, v, internal),
+            u=ca.vertcat(*(_inputs(track, order) for track in self._tracks.values())),
             p=ca.vertcat(*self._parameters.values()),
             m=ca.vertcat(*(mode for mode, _ in self._switches.values())),
-            rate=ca.cse(rate),
+            rate=ca.cse(ca.vertcat(*self._rates, solved.acceleration, internal_rates)),
             output=ca.cse(output),
             switch=ca.vertcat(*(expression for _, expression in self._switches.values())),
+            constraint=ca.cse(constraint.value),
+            projection=ca.cse(self._projection(solved, internal, constraint)),
         )
+
+    def _load(self, v: ca.SX) -> ca.SX:
+        load = ca.SX(v.shape[0], 1)
+        for rate, magnitude in self._loads:
+            load += ca.jacobian(rate, v).T @ magnitude
+        return load
+
+    def _all_constraints(self) -> Constraint:
+        each = self._constraints
+        names = tuple(name for constraint in each for name in constraint.names)
+        columns = zip(*((c.value, c.rate, c.bias, c.multipliers) for c in each), strict=True)
+        parts = [ca.vertcat(*column) for column in columns] if each else [ca.SX(0, 1)] * 4
+        return Constraint(names, *parts)
+
+    def _moved(self, displacement: ca.SX) -> ca.SX:
+        """Coordinates after a small displacement in terms of the speeds; quaternions have length one again."""
+        rate = ca.vertcat(*self._rates)
+        v = ca.vertcat(*self._speeds.values())
+        moved = ca.vertcat(*self._coordinates.values()) + ca.substitute(rate, v, ca.densify(displacement))
+        for first in self._quaternions:
+            e = moved[first : first + 4]
+            moved[first : first + 4] = e / ca.sqrt(ca.dot(e, e))
+        return moved
+
+    def _projection(self, solved: Solved, internal: ca.SX, constraint: Constraint) -> ca.SX:
+        """Projected states, size of the violation before, conditioning; nothing where nothing can drift."""
+        if not constraint.names and not self._quaternions:
+            return ca.SX(0, 1)
+        violation = ca.sqrt(ca.dot(constraint.value, constraint.value)) if constraint.names else ca.SX(0.0)
+        return ca.vertcat(solved.coordinates, solved.speeds, internal, violation, solved.conditioning)
+
+    def _track_order(self, expression: ca.SX) -> int:
+        accelerations = ca.vertcat(*(track.acceleration for track in self._tracks.values()))
+        return 3 if self._tracks and ca.depends_on(expression, accelerations) else 2
 
     def _internal_rates(self) -> list[ca.SX]:
         rates = []
@@ -137,25 +246,11 @@ class System:
             rates.append(rate)
         return rates
 
-    def _symbols(self) -> tuple[ca.SX, ca.SX]:
-        if not self._coordinates:
-            raise AssemblyError("a system without coordinates", hint="Add one with coordinate(name).")
-        q, v = zip(*self._coordinates.values(), strict=True)
-        return ca.vertcat(*q), ca.vertcat(*v)
-
-    def _solve(self, q: ca.SX, v: ca.SX) -> ca.SX:
-        """Accelerations from the mass matrix and the generalised forces."""
-        size = q.shape[0]
-        inertia, load = ca.SX(size, size), ca.SX(size, 1)
-        for mass, position in self._masses:
-            jacobian = ca.jacobian(position, q)
-            inertia += mass * (jacobian.T @ jacobian)
-            load -= jacobian.T @ (mass * ca.jtimes(jacobian @ v, q, v))
-        for along, magnitude in self._forces:
-            load += ca.jacobian(along, q).T * magnitude
-        return ldl_solve(inertia, ca.densify(load))
-
     @staticmethod
     def _refuse_twice(name: str, names: object) -> None:
         if name in names:  # type: ignore[operator]
             raise AssemblyError("the name is used twice", where=name)
+
+
+def _inputs(track: Track, order: int) -> ca.SX:
+    return ca.vertcat(track.value, track.rate, track.acceleration)[:order]

@@ -14,6 +14,7 @@ from jounce.kernel.explicit import Engine
 from jounce.kernel.native import Native, compile_functions
 from jounce.kernel.steps import STEP_NAMES, Step
 from jounce.mechanics import Model
+from jounce.mechanics.model import Facts
 
 Array = NDArray[np.float64]
 
@@ -26,6 +27,7 @@ class Compiled:
     """
 
     model: Model
+    facts: Facts
     free: tuple[str, ...]
     functions: dict[str, ca.Function]
     native: Native
@@ -33,12 +35,12 @@ class Compiled:
     @property
     def state_count(self) -> int:
         """Number of states without sensitivities."""
-        return int(self.model.x.shape[0])
+        return len(self.facts.states)
 
     @cached_property
     def output_names(self) -> tuple[str, ...]:
         """Channel names in the order of the outputs."""
-        return tuple(output.name for output in self.model.outputs)
+        return tuple(output.name for output in self.facts.outputs)
 
     @cached_property
     def engine(self) -> Engine:
@@ -48,22 +50,35 @@ class Compiled:
             address[f"rate{suffix}"],
             address[f"output{suffix}"],
             address.get("switch_slope", 0),
+            address.get("project", 0),
+            address.get("project_many", 0),
             *(address[name] for name in STEP_NAMES),
         )
 
-    @cached_property
-    def is_linear(self) -> bool:
-        """Whether the model is affine in states and inputs and nothing switches."""
-        return self.model.is_linear()
-
     def evaluate(self, name: str, x: Array, u: Array, p: Array, m: Array) -> Array:
-        """Value of a native function, in the shape of its expression (vectors flat)."""
+        """Value of a function, in the shape of its expression (vectors flat)."""
         rows, columns = self.functions[name].size_out(0)
+        if name not in self.native.address:
+            value = self.functions[name](x, u, p, m).full()
+            return np.asarray(value[:, 0] if columns == 1 else value)
         return self.native.evaluate(name, (rows,) if columns == 1 else (rows, columns), x, u, p, m)
+
+    def projected(self, x: Array, u: Array, p: Array, m: Array) -> Array:
+        """Move a state one step towards the constraints, its speeds onto them."""
+        return self.evaluate("project_x", x, u, p, m)[: len(x)] if self.facts.projects else x
 
     def parameter_values(self, parameters: dict[str, float]) -> Array:
         """Pick the model's parameters from the values by path."""
-        return np.array([parameters[path] for path in self.model.parameters])
+        return np.array([parameters[path] for path in self.facts.parameters])
+
+    def inputs(self, values: dict[str, float] | float = 0.0) -> Array:
+        """Inputs at rest: the value of every track, or of some by name; their rates are zero."""
+        facts = self.facts
+        u = np.zeros(len(facts.tracks) * facts.track_order)
+        given = values if isinstance(values, dict) else dict.fromkeys(facts.tracks, values)
+        for name, value in given.items():
+            u[facts.tracks.index(name) * facts.track_order] = value
+        return u
 
 
 _compiled: dict[tuple[int, tuple[str, ...]], Compiled] = {}
@@ -90,15 +105,14 @@ def compile_model(model: Model, free: tuple[str, ...] = ()) -> Compiled:
             if path not in model.parameters:
                 raise SimulationError("not a parameter of the model", where=path, allowed=", ".join(model.parameters))
         states = model.x.shape[0]
-        functions = {
-            **_plain(model),
-            **_statics(model),
-            **(_sensitive(model, free) if free else {}),
-        }
+        native = {**_plain(model), **(_sensitive(model, free) if free else {})}
         step = Step(
             "rate_s" if free else "rate", states * (1 + len(free)), states, model.u.shape[0], model.switch.shape[0]
         )
-        _compiled[key] = Compiled(model, free, functions, compile_functions(functions, step))
+        functions = {**native, **_statics(model)}
+        if not model.constraints:
+            native = functions
+        _compiled[key] = Compiled(model, model.facts, free, functions, compile_functions(native, step))
     return _compiled[key]
 
 
@@ -108,16 +122,25 @@ def _function(name: str, model: Model, x: ca.SX, expression: ca.SX) -> ca.Functi
 
 def _plain(model: Model) -> dict[str, ca.Function]:
     parts = {"rate": model.rate, "output": model.output, "switch": model.switch}
+    if model.projection.shape[0]:
+        parts["project"] = parts["project_many"] = model.projection
     return {name: _function(name, model, model.x, expression) for name, expression in parts.items()}
 
 
 def _statics(model: Model) -> dict[str, ca.Function]:
     """Slopes of the rates, for equilibrium and linearisation (column-major, as CasADi stores them)."""
-    return {
-        "rate_x": _function("rate_x", model, model.x, ca.jacobian(model.rate, model.x)),
-        "rate_u": _function("rate_u", model, model.x, ca.jacobian(model.rate, model.u)),
-        "rate_p": _function("rate_p", model, model.x, ca.jacobian(model.rate, model.p)),
+    parts = {
+        "rate_x": ca.jacobian(model.rate, model.x),
+        "rate_u": ca.jacobian(model.rate, model.u),
+        "rate_p": ca.jacobian(model.rate, model.p),
     }
+    if model.constraints:
+        parts["constraint"] = model.constraint
+        parts["constraint_x"] = ca.jacobian(model.constraint, model.x)
+        parts["constraint_p"] = ca.jacobian(model.constraint, model.p)
+    if model.projection.shape[0]:
+        parts["project_x"] = model.projection
+    return {name: _function(name, model, model.x, expression) for name, expression in parts.items()}
 
 
 def _sensitive(model: Model, free: tuple[str, ...]) -> dict[str, ca.Function]:
@@ -134,11 +157,14 @@ def _sensitive(model: Model, free: tuple[str, ...]) -> dict[str, ca.Function]:
         ]
         return ca.vertcat(expression, *columns)
 
-    values, rates = model.u[0::2], model.u[1::2]
-    along_time = ca.jtimes(model.switch, values, rates)
+    order = model.track_order
+    along_time = sum(
+        (ca.jtimes(model.switch, model.u[i::order], model.u[i + 1 :: order]) for i in range(order - 1)),
+        ca.SX(model.switch.shape[0], 1),
+    )
     slope = ca.horzcat(ca.jacobian(model.switch, model.x), ca.jacobian(model.switch, symbols), along_time)
-    return {
-        "rate_s": _function("rate_s", model, state, total(model.rate)),
-        "output_s": _function("output_s", model, state, total(model.output)),
-        "switch_slope": _function("switch_slope", model, state, slope.T),
-    }
+    parts = {"rate_s": total(model.rate), "output_s": total(model.output), "switch_slope": slope.T}
+    if model.projection.shape[0]:
+        moved, rest = model.projection[:n], model.projection[n:]
+        parts["project"] = parts["project_many"] = ca.vertcat(total(moved), rest)
+    return {name: _function(name, model, state, expression) for name, expression in parts.items()}

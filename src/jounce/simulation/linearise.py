@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import SimulationError, unknown
+from jounce.mechanics.model import Facts
 from jounce.models import build
 from jounce.parts import Rig
 from jounce.simulation.compiled import Compiled, compile_model
@@ -62,7 +63,7 @@ class LinearModel:
         DescriptionError
             For an output or a track that the model does not have.
         """
-        for name, names, what in ((output, self.outputs, "output"), (track, self.inputs[::2], "track")):
+        for name, names, what in ((output, self.outputs, "output"), (track, self.inputs, "track")):
             if name not in names:
                 raise unknown(name, names, what=what, where="frequency response")
         row, first = self.outputs.index(output), self.inputs.index(track)
@@ -124,14 +125,22 @@ def linearise(rig: Rig, road_height: float = 0.0) -> LinearModel:
     True
     """
     compiled, p, rest, u = _at_rest(rig, road_height)
-    model = compiled.model
+    model, facts = compiled.model, compiled.facts
     symbols = [model.x, model.u, model.p, model.m]
     slopes = ca.Function("slopes", symbols, [ca.jacobian(model.output, model.x), ca.jacobian(model.output, model.u)])
     c, d = (part.full() for part in slopes(rest.x, u, p, rest.modes))
-    inputs = tuple(name for track in model.tracks for name in (track, f"{track} rate"))
-    b = compiled.evaluate("rate_u", rest.x, u, p, rest.modes)
-    equilibrium = dict(zip(model.states, map(float, rest.x), strict=True))
-    return LinearModel(model.states, inputs, compiled.output_names, rest.slope, b, c, d, equilibrium)
+    orders = ("", " rate", " acceleration")[: facts.track_order]
+    inputs = tuple(f"{track}{order}" for track in facts.tracks for order in orders)
+    b = rest.pick @ compiled.evaluate("rate_u", rest.x, u, p, rest.modes)
+    equilibrium = dict(zip(facts.states, map(float, rest.x), strict=True))
+    states = _reduced_states(facts, rest)
+    return LinearModel(states, inputs, compiled.output_names, rest.reduced, b, c @ rest.lift, d, equilibrium)
+
+
+def _reduced_states(facts: Facts, rest: Rest) -> tuple[str, ...]:
+    """Names of the free motions, their speeds, and the internal states."""
+    speeds = [facts.speeds[i] for i in rest.free]
+    return (*(speed.removesuffix(" rate") for speed in speeds), *speeds, *facts.internal)
 
 
 def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
@@ -157,10 +166,10 @@ def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
     (5.1, 28.2)
     """
     compiled, _, rest, _ = _at_rest(rig, road_height)
-    values, vectors = np.linalg.eig(rest.slope)
-    names = compiled.model.coordinates
+    values, vectors = np.linalg.eig(rest.reduced)
+    names = compiled.facts.coordinates
     found = []
-    for value, vector in zip(values, vectors.T, strict=True):
+    for value, vector in zip(values, (rest.lift @ vectors).T, strict=True):
         if value.imag > 1e-9 * abs(value):
             shape = vector[: len(names)] / vector[np.argmax(np.abs(vector[: len(names)]))]
             shapes = {name: (float(z.real), float(z.imag)) for name, z in zip(names, shape, strict=True)}
@@ -199,7 +208,7 @@ def equilibrium(rig: Rig, road_height: float = 0.0) -> dict[str, float]:
     compiled, p, rest, u = _at_rest(rig, road_height)
     outputs = compiled.evaluate("output", rest.x, u, p, rest.modes)
     return {
-        **dict(zip(compiled.model.states, map(float, rest.x), strict=True)),
+        **dict(zip(compiled.facts.states, map(float, rest.x), strict=True)),
         **dict(zip(compiled.output_names, map(float, outputs), strict=True)),
     }
 
@@ -209,5 +218,5 @@ def _at_rest(rig: Rig, road_height: float) -> tuple[Compiled, Array, Rest, Array
         raise SimulationError("not a finite number", where="road_height", found=road_height, allowed="a height in m")
     compiled = compile_model(build(rig))
     p = compiled.parameter_values(rig.parameters())
-    u = np.array([road_height, 0.0] * len(compiled.model.tracks))
+    u = compiled.inputs(road_height)
     return compiled, p, find_rest(compiled, p, u), u

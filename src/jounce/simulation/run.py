@@ -109,21 +109,23 @@ def prepare(
     offset : ndarray, shape (n_states,), optional
         Added to the equilibrium: where the run starts.
     """
-    n, n_q = compiled.state_count, len(compiled.model.coordinates)
+    n, (n_q, n_v) = compiled.state_count, compiled.facts.counts
     height = float(road.evaluate(times[:1])[0][0])
-    rest = find_rest(compiled, p, np.array([height, 0.0]))
+    still = compiled.inputs({compiled.facts.tracks[0]: height})
+    rest = find_rest(compiled, p, still)
     x = rest.x if offset is None else rest.x + offset
-    modes = rest.modes if offset is None else _modes(compiled, x, p, height)
-    scale = state_scale(rest, n_q, _motion_size(road, rest.x[:n_q], offset))
-    band = _dead_band(compiled, p, rest, scale, height)
-    longest = _longest_step(rest, n_q, road, tolerance)
+    modes = rest.modes if offset is None else _modes(compiled, x, p, still)
+    scale = state_scale(rest, n_q, n_v, _motion_size(road, rest.x[:n_q] - compiled.facts.start, offset))
+    band = _dead_band(compiled, p, rest, scale, still)
+    longest = _longest_step(rest, road, tolerance)
     control = Control(_STEP_SHARE * tolerance, 0.1 * scale, band, _MAX_STEPS, longest)
-    start = np.concatenate([x, _rest_sensitivity(compiled, p, rest, height)])
+    start = np.concatenate([x, _rest_sensitivity(compiled, p, rest, still)])
     rows, count = 1 + len(compiled.free), len(times)
     outputs = np.full((len(compiled.output_names) * rows, count), np.nan)
-    out = Samples(times, np.full((n * rows, count), np.nan), np.empty((2, count)), outputs)
+    projected = np.empty((n * rows + 2 if compiled.facts.projects else 0, count))
+    out = Samples(times, np.full((n * rows, count), np.nan), np.empty((len(still), count)), outputs, projected)
     tracks = flatten([road.with_finite_slopes()])
-    problem = Problem(compiled.engine, tracks, tracks.first[:-1].copy(), p, modes.copy(), start)
+    problem = Problem(compiled.engine, tracks, tracks.first[:-1].copy(), p, modes.copy(), start, len(still))
     return Prepared(compiled, problem, control, out, _exact(compiled, problem, times), modes)
 
 
@@ -136,7 +138,7 @@ def solve(
 
 def _exact(compiled: Compiled, problem: Problem, times: Array) -> tuple[linear.Plan, Array] | None:
     """Plan and matrices of exact propagation; None when the model or the road is not for it."""
-    if compiled.free or not compiled.is_linear:
+    if compiled.free or not compiled.facts.linear:
         return None
     plan = linear.plan(problem.tracks, times)
     if plan is None:
@@ -200,7 +202,7 @@ def simulate(
     reach = _samples_reached(solution, check=check)
     channels = {
         output.name: (solution.outputs[i, :reach], output.unit, output.long_name)
-        for i, output in enumerate(compiled.model.outputs)
+        for i, output in enumerate(compiled.facts.outputs)
     }
     run = recording(times[:reach], channels)
     run.attrs["status"] = solution.status.name.lower()
@@ -239,7 +241,7 @@ def _samples_reached(solution: Solution, *, check: bool) -> int:
 def _offset(compiled: Compiled, offset: dict[str, float] | None) -> Array | None:
     if not offset:
         return None
-    names = compiled.model.states
+    names = compiled.facts.states
     for name in offset:
         if name not in names:
             raise SimulationError("not a state of the model", where=name, allowed=", ".join(names))
@@ -259,42 +261,43 @@ def _motion_size(road: Segments, rest: Array, offset: Array | None) -> float:
     return max(float(np.ptp(height)), moved, 1e-3 * float(np.max(np.abs(rest))), 1e-9)
 
 
-def _modes(compiled: Compiled, x: Array, p: Array, height: float) -> Array:
-    modes = np.ones(len(compiled.model.switches))
-    values = compiled.evaluate("switch", x, np.array([height, 0.0]), p, modes)
+def _modes(compiled: Compiled, x: Array, p: Array, u: Array) -> Array:
+    modes = np.ones(len(compiled.facts.switches))
+    values = compiled.evaluate("switch", x, u, p, modes)
     return (values > 0.0).astype(float)
 
 
-def _longest_step(rest: Rest, n_q: int, road: Segments, tolerance: float) -> float:
+def _longest_step(rest: Rest, road: Segments, tolerance: float) -> float:
     """Step (s) beyond which the interpolant inside it would be worse than its end: a share of the fastest oscillation.
 
     In flight the wheel does not feel the road; this also keeps steps from passing over a whole contact.
     """
-    stiffness = np.max(np.abs(rest.slope[n_q : 2 * n_q, :n_q]))
-    decay = float(np.max(np.abs(np.linalg.eigvals(rest.slope))))
+    f = len(rest.free)
+    stiffness = np.max(np.abs(np.linalg.eigvals(rest.reduced[f : 2 * f, :f])), initial=0.0)
+    decay = float(np.max(np.abs(np.linalg.eigvals(rest.reduced)), initial=0.0))
     waves = np.abs(road.coefficients[road.kind == SINE, 2]) * road.rate
     fastest = max(float(np.sqrt(stiffness)), float(np.max(waves, initial=0.0)), _STABLE * decay, 1e-3)
     return float(_LONGEST * (tolerance / 1e-5) ** 0.125 / fastest)
 
 
-def _dead_band(compiled: Compiled, p: Array, rest: Rest, scale: Array, height: float) -> Array:
+def _dead_band(compiled: Compiled, p: Array, rest: Rest, scale: Array, u: Array) -> Array:
     """How far a switching function may be on the wrong side: 1e-9 of what a typical motion makes of it."""
-    if not compiled.model.switches:
+    if not compiled.facts.switches:
         return np.zeros(0)
-    u = np.array([height, 0.0] * len(compiled.model.tracks))
     moved = compiled.evaluate("switch", rest.x + scale, u, p, rest.modes)
     still = compiled.evaluate("switch", rest.x, u, p, rest.modes)
     return np.asarray(1e-9 * np.abs(moved - still) + 1e-14)
 
 
-def _rest_sensitivity(compiled: Compiled, p: Array, rest: Rest, height: float) -> Array:
+def _rest_sensitivity(compiled: Compiled, p: Array, rest: Rest, u: Array) -> Array:
     """How the equilibrium moves with the free parameters (implicit function theorem), column after column."""
     if not compiled.free:
         return np.zeros(0)
-    by_parameter = compiled.evaluate("rate_p", rest.x, np.array([height, 0.0]), p, rest.modes)
-    columns = [compiled.model.parameters.index(path) for path in compiled.free]
-    found = np.zeros((len(rest.x), len(columns)))
-    balance: Array = rest.slope[rest.rows][:, rest.decided]
-    shift: Array = -by_parameter[rest.rows][:, columns]
-    found[rest.decided] = np.linalg.solve(balance, shift)
-    return np.asarray(found.T.ravel())
+    columns = [compiled.facts.parameters.index(path) for path in compiled.free]
+    pull = compiled.evaluate("rate_p", rest.x, u, p, rest.modes)[rest.rows][:, columns]
+    if compiled.facts.constraints:
+        loops = compiled.evaluate("constraint_p", rest.x, u, p, rest.modes)[:, columns]
+        shift = np.linalg.lstsq(rest.balance, -np.vstack([pull, loops]), rcond=None)[0]
+    else:
+        shift = np.linalg.solve(rest.balance, -pull)
+    return np.asarray((rest.moved @ shift).T.ravel())

@@ -1,4 +1,4 @@
-"""Static equilibrium and typical sizes of the states."""
+"""Static equilibrium, the motions that are free there, and typical sizes of the states."""
 
 from __future__ import annotations
 
@@ -15,24 +15,49 @@ _ITERATIONS = 60
 _SAGS = (0.0, 1e-4, 1e-3, 1e-2, 1e-1)  # m
 _FAR = 1e3  # m: a step that long means that nothing holds the weight
 _UNBALANCED = 1e-6  # m/s^2
+_INDEPENDENT = 1e-9  # smallest singular value of the constraints, relative to the largest
 
 
 @dataclass(frozen=True)
 class Rest:
-    """A state of rest: states, modes of the switches, Jacobian of the rates, and which states the balance decides.
+    """A state of rest and the linear map of small free motions about it.
 
-    ``decided`` are the coordinates and the internal states with a rate of their own at rest; the others (a hysteretic
-    state that only moves with the damper) stay at zero. ``rows`` are the rates that must vanish for them.
+    Attributes
+    ----------
+    x, modes : ndarray
+        States and modes of the switches.
+    slope : ndarray, shape (n, n)
+        Jacobian of the rates.
+    free : ndarray of int, shape (f,)
+        Speeds that can be chosen freely; the loops decide the others.
+    lift : ndarray, shape (n, r)
+        States for the reduced ones: displacements and speeds of the free motions, then internal states.
+    pick : ndarray, shape (r, n)
+        Rates of the reduced states for those of the states.
+    reduced : ndarray, shape (r, r)
+        Jacobian of the reduced states' rates.
+    balance : ndarray, shape (d + k, d)
+        Jacobian of the balance (rates that must vanish, loop equations) for the decided quantities.
+    moved : ndarray, shape (n, d)
+        States for the decided quantities: displacements in terms of the speeds, and internal states with a rate of
+        their own at rest (a hysteretic state that only moves with the damper stays at zero).
+    rows : ndarray of int
+        Rates that must vanish.
     """
 
     x: Array
     modes: Array
     slope: Array
-    decided: NDArray[np.intp]
+    free: NDArray[np.intp]
+    lift: Array
+    pick: Array
+    reduced: Array
+    balance: Array
+    moved: Array
     rows: NDArray[np.intp]
 
 
-def find_rest(compiled: Compiled, p: Array, u: Array) -> Rest:
+def find_rest(compiled: Compiled, p: Array, u: Array, start: Array | None = None) -> Rest:
     """Solve the static equilibrium for given inputs (their rates taken as zero) by a semi-smooth Newton method.
 
     Parameters
@@ -41,63 +66,163 @@ def find_rest(compiled: Compiled, p: Array, u: Array) -> Rest:
         The model.
     p : ndarray, shape (n_parameters,)
         Parameter values, SI.
-    u : ndarray, shape (2 n_tracks,)
-        Inputs: value and rate of each track; rates are set to zero.
+    u : ndarray, shape (n_inputs,)
+        Inputs: value of each track and its rates; rates are set to zero.
+    start : ndarray, shape (n_coordinates,), optional
+        Where to begin; the design pose otherwise.
 
     Raises
     ------
     SimulationError
         When no equilibrium exists or is found.
     """
-    u = u.copy()
-    u[1::2] = 0.0
-    count = len(compiled.model.coordinates)
-    depth = np.arange(count, 0, -1, dtype=float)
-    for sag in _SAGS:  # springs that are soft at first need a start that compresses them
-        start = np.zeros(compiled.state_count)
-        start[:count] = (u[0] if len(u) else 0.0) - sag * depth
-        rest = _newton(compiled, p, u, start)
+    still = np.zeros_like(u)
+    order = compiled.facts.track_order
+    still[::order] = u[::order]
+    for guess in _starts(compiled, still, start):  # springs that are soft at first need a start that compresses them
+        rest = _newton(compiled, p, still, guess)
         if rest is not None:
             return rest
     raise SimulationError(
         "no static equilibrium was found",
-        where=", ".join(compiled.model.coordinates),
+        where=", ".join(compiled.facts.coordinates),
         hint="Check masses, spring rate or curve (it must carry the weight), preload and bump stops.",
     )
 
 
+def _starts(compiled: Compiled, u: Array, start: Array | None) -> list[Array]:
+    facts = compiled.facts
+    count = len(facts.coordinates)
+    first = np.zeros(compiled.state_count)
+    first[:count] = facts.start if start is None else start
+    if facts.projects or start is not None:
+        return [first]
+    depth = np.arange(count, 0, -1, dtype=float)
+    guesses = []
+    for sag in _SAGS:
+        guess = first.copy()
+        guess[:count] += (u[0] if len(u) else 0.0) - sag * depth
+        guesses.append(guess)
+    return guesses
+
+
 def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Rest | None:
     """Newton from ``x``; modes follow the sides of their switches; None when it does not settle on a true balance."""
-    count = len(compiled.model.coordinates)
-    modes = (compiled.evaluate("switch", x, u, p, np.ones(len(compiled.model.switches))) > 0.0).astype(float)
+    modes = (compiled.evaluate("switch", x, u, p, np.ones(len(compiled.facts.switches))) > 0.0).astype(float)
     for _ in range(_ITERATIONS):
         slope = compiled.evaluate("rate_x", x, u, p, modes)
-        internal = [i for i in range(2 * count, len(x)) if slope[i, i] != 0.0]
-        decided, rows = np.array([*range(count), *internal]), np.array([*range(count, 2 * count), *internal])
-        residual = compiled.evaluate("rate", x, u, p, modes)[rows]
-        try:
-            step = np.linalg.solve(slope[np.ix_(rows, decided)], -residual)
-        except np.linalg.LinAlgError:
+        moved, rows = _decided(compiled, slope)
+        balance, residual = _balance(compiled, x, u, p, modes, slope, moved, rows)
+        step = _solve(balance, -residual)
+        if step is None or np.max(np.abs(step)) > _FAR:
             return None
-        if not np.all(np.isfinite(step)) or np.max(np.abs(step)) > _FAR:
-            return None
-        x = x.copy()
-        x[decided] += step
+        x = compiled.projected(x + moved @ step, u, p, modes)
         sides = (compiled.evaluate("switch", x, u, p, modes) > 0.0).astype(float)
         settled = np.array_equal(sides, modes) and np.max(np.abs(step)) <= 1e-13 + 1e-11 * np.max(np.abs(x))
         modes = sides
         if settled:
-            balance = compiled.evaluate("rate", x, u, p, modes)[rows]
-            if np.max(np.abs(balance)) > _UNBALANCED:
-                return None
-            return Rest(x, modes, compiled.evaluate("rate_x", x, u, p, modes), decided, rows)
+            return _rest(compiled, x, u, p, modes)
     return None
 
 
-def state_scale(rest: Rest, n_q: int, size: float) -> Array:
-    """Typical size of each state for a motion of ``size`` metres: displacements, velocities, internal states."""
+def _solve(matrix: Array, rhs: Array) -> Array | None:
+    """Solution of a square system, or the shortest least-squares one where loops make it longer than wide."""
+    try:
+        if matrix.shape[0] == matrix.shape[1]:
+            found = np.linalg.solve(matrix, rhs)
+        else:
+            found = np.linalg.lstsq(matrix, rhs, rcond=None)[0]
+    except np.linalg.LinAlgError:
+        return None
+    return found if np.all(np.isfinite(found)) else None
+
+
+def _decided(compiled: Compiled, slope: Array) -> tuple[Array, NDArray[np.intp]]:
+    """States moved by each quantity that the balance decides, and the rates that must vanish."""
+    n_q, n_v = compiled.facts.counts
+    first = n_q + n_v
+    internal = [i for i in range(first, len(slope)) if slope[i, i] != 0.0]
+    moved = np.zeros((len(slope), n_v + len(internal)))
+    moved[:n_q, :n_v] = slope[:n_q, n_q:first]
+    moved[internal, range(n_v, n_v + len(internal))] = 1.0
+    return moved, np.array([*range(n_q, first), *internal], dtype=np.intp)
+
+
+def _balance(
+    compiled: Compiled, x: Array, u: Array, p: Array, modes: Array, slope: Array, moved: Array, rows: NDArray[np.intp]
+) -> tuple[Array, Array]:
+    """Jacobian and residual of the balance: rates that must vanish, then loop equations."""
+    matrix, residual = slope[rows] @ moved, compiled.evaluate("rate", x, u, p, modes)[rows]
+    if not compiled.facts.constraints:
+        return matrix, residual
+    loops = compiled.evaluate("constraint_x", x, u, p, modes) @ moved
+    return np.vstack([matrix, loops]), np.concatenate([residual, compiled.evaluate("constraint", x, u, p, modes)])
+
+
+def _rest(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> Rest | None:
+    slope = compiled.evaluate("rate_x", x, u, p, modes)
+    moved, rows = _decided(compiled, slope)
+    balance, residual = _balance(compiled, x, u, p, modes, slope, moved, rows)
+    if np.max(np.abs(residual)) > _UNBALANCED:
+        return None
+    n_q, n_v = compiled.facts.counts
+    loops = compiled.evaluate("constraint_x", x, u, p, modes) @ moved[:, :n_v] if compiled.facts.constraints else None
+    free, motions = free_motions(loops, n_v)
+    lift, pick = _lift(slope, n_q, n_v, free, motions)
+    return Rest(x, modes, slope, free, lift, pick, pick @ slope @ lift, balance, moved, rows)
+
+
+def free_motions(loops: Array | None, n_v: int) -> tuple[NDArray[np.intp], Array]:
+    """Speeds that can be chosen freely and the motions (n_v, f) that each of them makes, itself being 1.
+
+    Parameters
+    ----------
+    loops : ndarray, shape (k, n_v), or None
+        Jacobian of the loop equations in terms of the speeds.
+    n_v : int
+        Number of speeds.
+    """
+    if loops is None or not len(loops):
+        return np.arange(n_v), np.eye(n_v)
+    _, values, rows = np.linalg.svd(loops)
+    rank = int(np.sum(values > _INDEPENDENT * values[0]))
+    null = rows[rank:].T
+    free: list[int] = []
+    rest = null.copy()
+    for _ in range(null.shape[1]):  # the largest rows, each without what the ones before say
+        row = int(np.argmax(np.linalg.norm(rest, axis=1)))
+        free.append(row)
+        direction = rest[row] / np.linalg.norm(rest[row])
+        rest = rest - np.outer(rest @ direction, direction)
+    chosen = np.array(sorted(free), dtype=np.intp)
+    return chosen, np.asarray(null @ np.linalg.inv(null[chosen]))
+
+
+def _lift(slope: Array, n_q: int, n_v: int, free: NDArray[np.intp], motions: Array) -> tuple[Array, Array]:
+    """States from the reduced ones, and the reduced ones' rates from those of the states.
+
+    The rate of a reduced displacement is its speed; that of a reduced speed the acceleration of the free motion.
+    """
+    n, f = len(slope), len(free)
+    internal = n - n_q - n_v
+    lift, pick = np.zeros((n, 2 * f + internal)), np.zeros((2 * f + internal, n))
+    lift[:n_q, :f] = slope[:n_q, n_q : n_q + n_v] @ motions
+    lift[n_q : n_q + n_v, f : 2 * f] = motions
+    lift[n_q + n_v :, 2 * f :] = np.eye(internal)
+    back = np.linalg.pinv(slope[:n_q, n_q : n_q + n_v])
+    pick[:f, :n_q] = back[free]
+    pick[f + np.arange(f), n_q + free] = 1.0
+    pick[2 * f :, n_q + n_v :] = np.eye(internal)
+    return lift, pick
+
+
+def state_scale(rest: Rest, n_q: int, n_v: int, size: float) -> Array:
+    """Typical size of each state for a motion of ``size`` metres: displacements, speeds, internal states."""
     scale = np.ones(len(rest.x))
-    stiffness = np.abs(np.diag(rest.slope[n_q : 2 * n_q, :n_q]))
+    f = len(rest.free)
+    stiffness = np.abs(np.diag(rest.reduced[f : 2 * f, :f]))
+    fastest = np.zeros(n_v) + np.sqrt(np.max(stiffness, initial=0.0))
+    fastest[rest.free] = np.sqrt(stiffness)
     scale[:n_q] = size
-    scale[n_q : 2 * n_q] = size * np.maximum(np.sqrt(stiffness), 1.0)
+    scale[n_q : n_q + n_v] = size * np.maximum(fastest, 1.0)
     return scale

@@ -103,7 +103,7 @@ class Prepared:
         """Simulate with the free parameters at ``values`` (in the units of the first trial's start values)."""
         p = self.start.copy()
         for column, path in enumerate(self.compiled.free):
-            p[self.compiled.model.parameters.index(path)] = values[column] * self.factors[column]
+            p[self.compiled.facts.parameters.index(path)] = values[column] * self.factors[column]
         solution = solve(self.compiled, p, self.source.trial.segments(), self.times, tolerance=tolerance)
         if solution.status is not Status.COMPLETED:
             raise SimulationError("the simulation diverged", where=self.source.name, found=solution.status.help)
@@ -312,7 +312,7 @@ def _from_rest(time: Array, rate: float) -> tuple[Array, int]:
 def _channel(trial: FitTrial, compiled: Compiled, name: str, weights: str | Mapping[str, float]) -> Channel:
     column, sensor = compiled.output_names.index(name), trial.sensors.get(name)
     measured = trial.measured[name].to_numpy()
-    bias = 0.0 if sensor is None else bias_of(sensor, compiled.model.outputs[column].unit, where=name)
+    bias = 0.0 if sensor is None else bias_of(sensor, compiled.facts.outputs[column].unit, where=name)
     return Channel(name, column, measured, sensor, bias, _weight(weights, name, measured))
 
 

@@ -1,0 +1,91 @@
+"""Rigid bodies: mass, centre of mass, inertia, and how they move."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import casadi as ca
+
+from jounce.mechanics.frames import Frame, Moving
+from jounce.mechanics.rotations import skew
+
+
+@dataclass
+class Body:
+    """A rigid body; its frame's origin is where its joint is.
+
+    Attributes
+    ----------
+    name : str
+        For messages and channels.
+    mass : casadi.SX
+        kg; None for a body that only carries points.
+    centre_of_mass : casadi.SX
+        Design place, m.
+    inertia : casadi.SX
+        Tensor about the centre of mass in design axes, kg m^2, shape (3, 3).
+    frame : Frame
+        Set by the joint that hangs it into the tree.
+    """
+
+    name: str
+    mass: ca.SX | None = None
+    centre_of_mass: ca.SX | None = None
+    inertia: ca.SX | None = None
+    frame: Frame | None = None
+
+    def point(self, design: ca.SX) -> Moving:
+        """Follow the point of the body that lies at ``design`` (m) in the design pose."""
+        return self._frame.point(design)
+
+    def direction(self, design: ca.SX) -> Moving:
+        """Follow the direction of the body that is ``design`` in the design pose."""
+        return self._frame.direction(design)
+
+    @property
+    def spin(self) -> ca.SX:
+        """Angular velocity, rad/s, ground axes."""
+        orientation = self._frame.orientation
+        return orientation.rotate(orientation.spin)
+
+    @property
+    def _frame(self) -> Frame:
+        assert self.frame is not None
+        return self.frame
+
+
+class RigidMass:
+    """Inertia of a rigid body, written about its frame's origin and in its own axes."""
+
+    def __init__(self, body: Body) -> None:
+        assert body.frame is not None
+        self._frame, self._mass = body.frame, body.mass
+        arm = body.centre_of_mass - body.frame.design
+        self._moment = body.mass * arm
+        steiner = body.mass * (ca.dot(arm, arm) * ca.SX.eye(3) - arm @ arm.T)
+        self._tensor = body.inertia + steiner
+
+    def matrix(self, v: ca.SX) -> ca.SX:
+        orientation = self._frame.orientation
+        linear = ca.jacobian(self._frame.origin.rate, v)
+        angular = ca.jacobian(orientation.spin, v)
+        swept = -skew(self._moment) @ angular
+        turned = ca.horzcat(*(self._rotated(swept[:, i]) for i in range(swept.shape[1])))
+        coupling = linear.T @ turned
+        return self._mass * (linear.T @ linear) + coupling + coupling.T + angular.T @ (self._tensor @ angular)
+
+    def bias(self, v: ca.SX) -> ca.SX:
+        orientation, origin = self._frame.orientation, self._frame.origin
+        linear = ca.jacobian(origin.rate, v)
+        angular = ca.jacobian(orientation.spin, v)
+        force = self._mass * origin.bias + orientation.moving(self._moment).bias
+        spin = orientation.spin
+        torque = (
+            self._tensor @ orientation.spin_bias
+            + ca.cross(spin, self._tensor @ spin)
+            + ca.cross(self._moment, orientation.unrotate(origin.bias))
+        )
+        return linear.T @ force + angular.T @ torque
+
+    def _rotated(self, column: ca.SX) -> ca.SX:
+        return self._frame.orientation.rotate(column) if column.nnz() else column

@@ -1,0 +1,129 @@
+"""Equations of motion: ``M a = Q + G^T lambda`` with ``G a + gamma = 0``, solved in the graph; projection onto constraints.
+
+``v`` are the speeds, ``a`` their rates; the coordinates follow ``dq/dt = N(q) v``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import casadi as ca
+
+from jounce.mechanics.linear_algebra import Ldl
+
+
+class Inertia(Protocol):
+    """Something with mass: what it adds to the mass matrix and to the bias forces."""
+
+    def matrix(self, v: ca.SX) -> ca.SX:
+        """Mass matrix for the speeds ``v``."""
+
+    def bias(self, v: ca.SX) -> ca.SX:
+        """Generalised inertial force that is left when no speed changes."""
+
+
+@dataclass(frozen=True)
+class PointMass:
+    """A mass (kg) whose velocity is ``rate`` (m/s) and whose acceleration is ``bias`` when no speed changes."""
+
+    mass: ca.SX
+    rate: ca.SX
+    bias_acceleration: ca.SX
+
+    def matrix(self, v: ca.SX) -> ca.SX:
+        jacobian = ca.jacobian(self.rate, v)
+        return self.mass * (jacobian.T @ jacobian)
+
+    def bias(self, v: ca.SX) -> ca.SX:
+        return ca.jacobian(self.rate, v).T @ (self.mass * self.bias_acceleration)
+
+
+@dataclass(frozen=True)
+class Constraint:
+    """Equations ``value = 0`` with their rate and the part of the second rate that no acceleration makes."""
+
+    names: tuple[str, ...]
+    value: ca.SX
+    rate: ca.SX
+    bias: ca.SX
+    multipliers: ca.SX
+
+
+@dataclass(frozen=True)
+class Solved:
+    """Accelerations and multipliers; the projected coordinates and speeds; how far from singular the constraints are."""
+
+    acceleration: ca.SX
+    multipliers: ca.SX
+    coordinates: ca.SX
+    speeds: ca.SX
+    conditioning: ca.SX
+
+
+def solve(
+    v: ca.SX,
+    inertias: Sequence[Inertia],
+    load: ca.SX,
+    constraint: Constraint,
+    move: Callable[[ca.SX], ca.SX],
+) -> Solved:
+    """Solve for the accelerations, and give one step of the mass-orthogonal projection onto the constraints.
+
+    Parameters
+    ----------
+    v : casadi.SX
+        Speeds.
+    inertias : sequence of Inertia
+        All masses.
+    load : casadi.SX
+        Generalised applied forces.
+    constraint : Constraint
+        All loop constraints, stacked.
+    move : callable
+        Gives the coordinates after a small displacement (in terms of the speeds).
+
+    Returns
+    -------
+    Solved
+        Expressions.
+    """
+    size = v.shape[0]
+    matrix, force = ca.SX(size, size), ca.SX(load)
+    for inertia in inertias:
+        matrix += inertia.matrix(v)
+        force -= inertia.bias(v)
+    mass = Ldl(matrix)
+    count = constraint.value.shape[0]
+    if count == 0:
+        acceleration = mass.solve(ca.densify(force))
+        return Solved(acceleration, ca.SX(0, 1), move(ca.SX(size, 1)), v, ca.SX(1.0))
+    gradient = ca.jacobian(constraint.rate, v)
+    rows = mass.forward(gradient.T)
+    scaled = mass.scale(rows)
+    reduced_matrix = rows.T @ scaled
+    reduced = Ldl(reduced_matrix)
+    half = mass.forward(ca.densify(force))
+    multipliers = reduced.solve(-constraint.bias - scaled.T @ half)
+    acceleration = mass.backward(mass.scale(half + rows @ multipliers))
+
+    def correction(violation: ca.SX) -> ca.SX:
+        return mass.backward(scaled @ reduced.solve(violation))
+
+    shares = [pivot / entry for pivot, entry in zip(reduced.pivots, _diagonal(reduced_matrix), strict=True)]
+    worst = shares[0]
+    for share in shares[1:]:
+        worst = ca.fmin(worst, share)
+    return Solved(
+        acceleration,
+        multipliers,
+        move(-correction(constraint.value)),
+        v - correction(constraint.rate),
+        worst,
+    )
+
+
+def _diagonal(matrix: ca.SX) -> list[ca.SX]:
+    """Diagonal entries in the order of the pivots."""
+    return [matrix[i, i] for i in reversed(range(matrix.shape[0]))]

@@ -1,0 +1,150 @@
+"""Moving frames: where the points and directions of a body are, how fast, and their acceleration at rest of the speeds.
+
+Every point is named by where it lies in the design pose (ground axes, m); the axes of every frame are the ground's
+in that pose. "Bias" is the part of an acceleration that is left when all speeds keep their values.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import casadi as ca
+
+from jounce.mechanics.rotations import quaternion_matrix, skew
+
+_ZERO = ca.SX(3, 1)
+
+
+@dataclass(frozen=True)
+class Moving:
+    """A vector with its first derivative and the bias of its second one, in ground axes."""
+
+    value: ca.SX
+    rate: ca.SX
+    bias: ca.SX
+
+    def __sub__(self, other: Moving) -> Moving:
+        return Moving(self.value - other.value, self.rate - other.rate, self.bias - other.bias)
+
+
+class Orientation:
+    """Orientation of a frame by its rotation matrix; ``spin`` (rad/s) and ``spin_bias`` in the frame's own axes."""
+
+    def __init__(self, matrix: ca.SX, spin: ca.SX, spin_bias: ca.SX) -> None:
+        self.matrix, self.spin, self.spin_bias = matrix, spin, spin_bias
+
+    def rotate(self, vector: ca.SX) -> ca.SX:
+        """Turn a vector of the frame into ground axes."""
+        return self.matrix @ vector
+
+    def unrotate(self, vector: ca.SX) -> ca.SX:
+        """Turn a vector of the ground into the frame's axes."""
+        return self.matrix.T @ vector
+
+    def moving(self, vector: ca.SX) -> Moving:
+        """Follow a vector that is fixed in the frame."""
+        swept = ca.cross(self.spin, vector)
+        bias = ca.cross(self.spin_bias, vector) + ca.cross(self.spin, swept)
+        return Moving(self.rotate(vector), self.rotate(swept), self.rotate(bias))
+
+
+class Still(Orientation):
+    """The orientation of the ground, and of everything that only slides on it."""
+
+    def __init__(self) -> None:
+        super().__init__(ca.SX.eye(3), _ZERO, _ZERO)
+
+    def rotate(self, vector: ca.SX) -> ca.SX:
+        return vector
+
+    def unrotate(self, vector: ca.SX) -> ca.SX:
+        return vector
+
+    def moving(self, vector: ca.SX) -> Moving:
+        return Moving(vector, _ZERO, _ZERO)
+
+
+class Turned(Orientation):
+    """A turn about an axis that is fixed in the ground: all but one sine, one cosine and their squares is constant."""
+
+    def __init__(self, axis: ca.SX, angle: ca.SX, speed: ca.SX) -> None:
+        self.axis, self.angle, self.speed = axis, angle, speed
+        self.sine, self.cosine = ca.sin(angle), ca.cos(angle)
+        along = axis @ axis.T
+        matrix = along + self.cosine * (ca.SX.eye(3) - along) + self.sine * skew(axis)
+        super().__init__(matrix, axis * speed, _ZERO)
+
+    def rotate(self, vector: ca.SX) -> ca.SX:
+        along, across = self._parts(vector)
+        return along + self.cosine * across + self.sine * ca.cross(self.axis, vector)
+
+    def unrotate(self, vector: ca.SX) -> ca.SX:
+        along, across = self._parts(vector)
+        return along + self.cosine * across - self.sine * ca.cross(self.axis, vector)
+
+    def moving(self, vector: ca.SX) -> Moving:
+        along, across = self._parts(vector)
+        sideways = ca.cross(self.axis, vector)
+        turned = self.cosine * across + self.sine * sideways
+        swept = self.cosine * sideways - self.sine * across
+        return Moving(along + turned, self.speed * swept, -(self.speed**2) * turned)
+
+    def _parts(self, vector: ca.SX) -> tuple[ca.SX, ca.SX]:
+        along = ca.dot(self.axis, vector) * self.axis
+        return along, vector - along
+
+
+def by_quaternion(e: ca.SX, spin: ca.SX) -> Orientation:
+    """Orientation against the ground by a quaternion, with the angular velocity in the frame's own axes."""
+    return Orientation(quaternion_matrix(e), spin, _ZERO)
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A rigid frame: the design place of its origin, the motion of that origin, and its orientation."""
+
+    design: ca.SX
+    origin: Moving
+    orientation: Orientation
+
+    def point(self, design: ca.SX) -> Moving:
+        """Follow the point that lies at ``design`` in the design pose."""
+        arm = self.orientation.moving(design - self.design)
+        origin = self.origin
+        return Moving(origin.value + arm.value, origin.rate + arm.rate, origin.bias + arm.bias)
+
+    def direction(self, design: ca.SX) -> Moving:
+        """Follow the direction that is ``design`` in the design pose."""
+        return self.orientation.moving(design)
+
+    def at(self, design: ca.SX) -> Frame:
+        """The same frame with its origin elsewhere."""
+        return Frame(design, self.point(design), self.orientation)
+
+    def slid(self, axis: ca.SX, distance: ca.SX, speed: ca.SX) -> Frame:
+        """A frame that slides along an axis of this one."""
+        along = self.orientation.moving(axis)
+        origin = Moving(
+            self.origin.value + along.value * distance,
+            self.origin.rate + along.rate * distance + along.value * speed,
+            self.origin.bias + along.bias * distance + 2.0 * along.rate * speed,
+        )
+        return Frame(self.design, origin, self.orientation)
+
+    def turned(self, axis: ca.SX, angle: ca.SX, speed: ca.SX) -> Frame:
+        """A frame that turns about an axis of this one through its origin."""
+        parent = self.orientation
+        if isinstance(parent, Still):
+            return Frame(self.design, self.origin, Turned(axis, angle, speed))
+        turn = Turned(axis, angle, speed)
+        carried = turn.unrotate(parent.spin)
+        spin = carried + axis * speed
+        bias = turn.unrotate(parent.spin_bias) + ca.cross(carried, axis * speed)
+        return Frame(self.design, self.origin, Orientation(parent.matrix @ turn.matrix, spin, bias))
+
+    def oriented(self, orientation: Orientation) -> Frame:
+        """A frame with the same origin and an orientation of its own."""
+        return Frame(self.design, self.origin, orientation)
+
+
+GROUND = Frame(_ZERO, Moving(_ZERO, _ZERO, _ZERO), Still())

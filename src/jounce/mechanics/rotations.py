@@ -1,0 +1,51 @@
+"""Rotations as expressions: quaternions, turns about a fixed axis, cross-product matrices."""
+
+from __future__ import annotations
+
+import casadi as ca
+
+
+def quaternion_matrix(e: ca.SX) -> ca.SX:
+    """Rotation matrix of a unit quaternion (e0 scalar part)."""
+    w, x, y, z = e[0], e[1], e[2], e[3]
+    return ca.vertcat(
+        ca.horzcat(1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
+        ca.horzcat(2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
+        ca.horzcat(2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
+    )
+
+
+def quaternion_rate(e: ca.SX, w: ca.SX) -> ca.SX:
+    """Rate of a quaternion (1/s) for the angular velocity ``w`` (rad/s) in the body's own axes."""
+    vector = e[1:]
+    return 0.5 * ca.vertcat(-ca.dot(vector, w), e[0] * w + ca.cross(vector, w))
+
+
+def quaternion_product(a: ca.SX, b: ca.SX) -> ca.SX:
+    """Quaternion of the rotation ``b`` followed by ``a``."""
+    scalar = a[0] * b[0] - ca.dot(a[1:], b[1:])
+    return ca.vertcat(scalar, a[0] * b[1:] + b[0] * a[1:] + ca.cross(a[1:], b[1:]))
+
+
+def skew(a: ca.SX) -> ca.SX:
+    """Matrix of the cross product ``a x``."""
+    zero = ca.SX(1, 1)
+    return ca.vertcat(
+        ca.horzcat(zero, -a[2], a[1]),
+        ca.horzcat(a[2], zero, -a[0]),
+        ca.horzcat(-a[1], a[0], zero),
+    )
+
+
+def unit(a: ca.SX) -> ca.SX:
+    """Vector of length one along ``a``."""
+    return a / ca.sqrt(ca.dot(a, a))
+
+
+def normals(a: ca.SX, reference: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """Two unit vectors that form a right-handed frame ``(n1, n2, a)`` with the unit vector ``a``.
+
+    ``reference`` must not be parallel to ``a``.
+    """
+    second = unit(ca.cross(a, reference))
+    return ca.cross(second, a), second
