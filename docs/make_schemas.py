@@ -6,6 +6,8 @@ Run ``python docs/make_schemas.py`` after a description has changed; a test comp
 from __future__ import annotations
 
 import json
+from functools import reduce
+from operator import or_
 from pathlib import Path
 from typing import Any
 
@@ -30,17 +32,19 @@ VALUE = {"type": ["number", "string", "boolean"]}
 
 
 def rig_schema() -> dict[str, Any]:
-    """Schema of a rig file."""
-    (model,) = RIGS.values()
-    schema = model.model_json_schema(by_alias=True)
+    """Schema of a rig file: any of the models, ``model`` says which."""
+    schema: dict[str, Any] = TypeAdapter(reduce(or_, RIGS.values())).json_schema(by_alias=True)
     definitions = schema["$defs"]
     for curve in ("PolynomialCurve", "PowerCurve", "TableCurve"):
         definitions[curve]["required"] = ["kind", *definitions[curve]["required"]]
-    schema["properties"]["bump_stop"] = {
-        **definitions["Strut"]["properties"]["bump_stop"],
-        "description": "the same as strut.bump_stop",
-    }
-    schema["required"] = ["schema", "model", *schema["required"]]
+    for model in RIGS.values():
+        definition = definitions[model.__name__]
+        strut = definition["properties"]["strut"]["$ref"].rpartition("/")[2]
+        definition["properties"]["bump_stop"] = {
+            **definitions[strut]["properties"]["bump_stop"],
+            "description": "the same as strut.bump_stop",
+        }
+        definition["required"] = ["schema", "model", *definition["required"]]
     return {"$schema": DIALECT, **schema, "title": "jounce rig file"}
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, Self, TypeVar, cast, get_origin
 
 from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic_core import PydanticCustomError
 
 from jounce.core.errors import DescriptionError, nearest
 
@@ -120,6 +121,12 @@ def dotted(path: tuple[str | int, ...]) -> str:
     return text
 
 
+def misplaced(path: tuple[str | int, ...], message: str) -> PydanticCustomError:
+    """Build the error of a validator about the value at ``path`` below the description that is validated."""
+    text = message.replace("{", "(").replace("}", ")")
+    return PydanticCustomError("misplaced", text, {"path": list(path)})
+
+
 def description_error(
     error: ValidationError,
     kind: type[BaseModel],
@@ -129,7 +136,10 @@ def description_error(
     path: tuple[str | int, ...] = (),
 ) -> DescriptionError:
     """Turn pydantic's report into one jounce message, at most five lines; ``path`` is where ``kind`` lies."""
-    problems = [_problem(item, kind, where, text, path) for item in error.errors()]
+    items = error.errors()
+    misspelt = [item for item in items if item["type"] == "extra_forbidden"]
+    items = [item for item in items if not (item["type"] == "missing" and _is_misspelt(item, misspelt))]
+    problems = [_problem(item, kind, where, text, path) for item in items]
     if len(problems) == 1:
         place, what = problems[0]
         return DescriptionError(what, where=place)
@@ -137,10 +147,19 @@ def description_error(
     return DescriptionError("\n".join(f"{place}: {what}" for place, what in problems[:5]) + more)
 
 
+def _is_misspelt(item: Any, unknown_keys: list[Any]) -> bool:
+    """Whether a missing key stands in the same table under a name so near that its own message says enough."""
+    *table, name = item["loc"]
+    beside = [str(other["loc"][-1]) for other in unknown_keys if list(other["loc"][:-1]) == table]
+    return isinstance(name, str) and bool(nearest(name, beside))
+
+
 def _problem(item: Any, kind: type[BaseModel], where: str, text: str, above: tuple[str | int, ...]) -> tuple[str, str]:
     """Where a problem lies and what it is."""
     within, models = _walked(kind, item["loc"][:-1] if item["type"] == "extra_forbidden" else item["loc"])
     path = (*above, *within, *(item["loc"][-1:] if item["type"] == "extra_forbidden" else ()))
+    if item["type"] == "misplaced":
+        path = (*path, *item["ctx"]["path"])
     place = dotted(path)
     line = line_of(text, path) if text else None
     prefix = f"{where}, line {line}" if where and line else where
@@ -157,7 +176,7 @@ def _problem(item: Any, kind: type[BaseModel], where: str, text: str, above: tup
         return start, f"unknown {key} {found!r}; allowed: {', '.join(tags)}. {nearest(found, tags)}".rstrip()
     if item["type"] == "union_tag_not_found":
         return start, f"the key {item['ctx']['discriminator']} is missing; it says what this is"
-    if item["type"] in ("physical_value", "out_of_range"):
+    if item["type"] in ("physical_value", "out_of_range", "misplaced"):
         return start, f"{item['msg']}".rstrip()
     message = item["msg"].removeprefix("Value error, ")
     found = "" if item["type"] == "value_error" else f"; found {item['input']!r}"

@@ -1,6 +1,19 @@
 """Frozen, validated descriptions of what a suspension is made of, and the files they come from."""
 
 from jounce.parts.loading import changed_text, library, load, rig_from_table, rig_path
-from jounce.parts.rigs import QuarterCar, Rig
+from jounce.parts.rigs import Corner, DoubleWishbone, FiveLink, McPherson, QuarterCar, Rig, TrailingArm
 
-__all__ = ["QuarterCar", "Rig", "changed_text", "library", "load", "rig_from_table", "rig_path"]
+__all__ = [
+    "Corner",
+    "DoubleWishbone",
+    "FiveLink",
+    "McPherson",
+    "QuarterCar",
+    "Rig",
+    "TrailingArm",
+    "changed_text",
+    "library",
+    "load",
+    "rig_from_table",
+    "rig_path",
+]

@@ -76,7 +76,7 @@ class BoucWenDamper(Description):
     offset: Force = 0.0
 
 
-def _damper_kind(value: Any) -> str:
+def damper_kind(value: Any) -> str:
     """Name the law of a damper table: by ``kind``, else by its keys."""
     if not isinstance(value, dict):
         return str(getattr(value, "kind", "linear"))
@@ -93,7 +93,7 @@ Damper = Annotated[
     | Annotated[VelocityTable, Tag("table")]
     | Annotated[TanhDamper, Tag("tanh")]
     | Annotated[BoucWenDamper, Tag("bouc-wen")],
-    Discriminator(_damper_kind),
+    Discriminator(damper_kind),
 ]
 
 

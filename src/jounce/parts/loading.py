@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from importlib import resources
 from pathlib import Path
 from typing import Any
 
 import tomlkit
 
-from jounce.core.description import read_toml
+from jounce.core.description import dotted, read_toml
 from jounce.core.errors import DescriptionError, nearest, unknown
 from jounce.parts.parameters import split_path, unit_of, unknown_path
 from jounce.parts.rigs import RIGS, Rig
@@ -98,10 +99,21 @@ def changed_text(text: str, rig: Rig, values: dict[str, float]) -> str:
         *parents, last = split_path(path)
         if parents[:2] == ["strut", "bump_stop"] and "bump_stop" in document:
             del parents[0]  # the file gives the strut's stop at its top level
-        for part in parents:
+        for i, part in enumerate(parents):
             if isinstance(part, str) and part not in here:
-                here[part] = tomlkit.inline_table()
+                here[part] = _written(rig, parents[: i + 1])
             here = here[part]
-        unit = unit_of(rig, path)
-        here[last] = float(value) if unit == "1" else f"{float(value)!r} {unit}"
+        here[last] = _quantity(value, unit_of(rig, path))
     return tomlkit.dumps(document)
+
+
+def _written(rig: Rig, parents: list[str | int]) -> Any:
+    """What stands for a part that the file leaves to its default: an empty table, or the whole list of numbers."""
+    name = dotted(tuple(parents))
+    known = rig.parameters()
+    values = [path for path in known if re.fullmatch(rf"{re.escape(name)}\[\d+\]", path)]
+    return [_quantity(known[path], unit_of(rig, path)) for path in values] or tomlkit.inline_table()
+
+
+def _quantity(value: float, unit: str) -> float | str:
+    return float(value) if unit == "1" else f"{float(value)!r} {unit}"

@@ -64,7 +64,7 @@ def _set(table: Any, parts: list[str | int], value: Any, path: str, known: dict[
         try:
             if isinstance(here, dict) and part not in here and isinstance(parts[i + 1], str):
                 here[part] = {}
-            elif isinstance(here, dict) and isinstance(here[part], tuple):
+            elif isinstance(here[part], tuple):
                 here[part] = list(here[part])
             here = here[part]
         except (KeyError, IndexError, TypeError):

@@ -1,15 +1,16 @@
-"""Rigs: what is tested. Each rig is one frozen description; ``model`` in its file names the class."""
+"""The models: the quarter car, and every class of rig by the name that ``model`` has in its file."""
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Literal
 
-from pydantic import Field, model_validator
+from pydantic import model_validator
 
 from jounce.core.description import Description
 from jounce.core.units import Acceleration, Mass, Unit
+from jounce.parts.corners import Corner, DoubleWishbone, FiveLink, McPherson, TrailingArm
 from jounce.parts.elements import BumpStop, Damper, Friction, Spring, Tyre
-from jounce.parts.parameters import change_table, parameters_of
+from jounce.parts.rig import Rig, stop_to_strut
 
 _StrutAngle = Annotated[float, Unit("rad", at_least=0.0, at_most=1.2)]
 
@@ -36,33 +37,6 @@ class Guide(Description):
     friction: Friction | None = None
 
 
-class Rig(Description):
-    """What all rigs share: origin of the values and how to vary them."""
-
-    schema_: Literal["jounce.rig/1"] = Field(default="jounce.rig/1", alias="schema")
-    source: str = ""
-    estimated: tuple[str, ...] = ()
-
-    def parameters(self) -> dict[str, float]:
-        """Give every number of the rig by its path, SI: ``{"strut.spring.rate": 22730.0, ...}``."""
-        return parameters_of(self)
-
-    def with_changes(self, changes: dict[str, Any]) -> Self:
-        """Give a copy with other values; nothing is ever mutated.
-
-        Parameters
-        ----------
-        changes : dict
-            Path to value, text with unit or SI number: ``{"strut.spring.rate": "25 N/mm"}``.
-
-        Raises
-        ------
-        DescriptionError
-            For an unknown path (with the nearest one) or a value out of range.
-        """
-        return type(self).from_table(change_table(self, changes))
-
-
 class QuarterCar(Rig):
     """Quarter car: sprung and unsprung mass on strut and tyre, both vertical (paper 2, eqs 1-4, extended).
 
@@ -80,10 +54,15 @@ class QuarterCar(Rig):
     @model_validator(mode="before")
     @classmethod
     def _stop_belongs_to_the_strut(cls, table: Any) -> Any:
-        if isinstance(table, dict) and "bump_stop" in table and isinstance(table.get("strut"), dict):
-            table = dict(table)
-            table["strut"] = {"bump_stop": table.pop("bump_stop"), **table["strut"]}
-        return table
+        return stop_to_strut(table)
 
 
-RIGS: dict[str, type[Rig]] = {"quarter-car": QuarterCar}
+RIGS: dict[str, type[Rig]] = {
+    "quarter-car": QuarterCar,
+    "double-wishbone": DoubleWishbone,
+    "mcpherson": McPherson,
+    "five-link": FiveLink,
+    "trailing-arm": TrailingArm,
+}
+
+__all__ = ["RIGS", "Corner", "DoubleWishbone", "FiveLink", "McPherson", "QuarterCar", "Rig", "TrailingArm"]

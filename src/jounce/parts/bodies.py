@@ -1,0 +1,63 @@
+"""Rigid bodies: mass, centre of mass and an inertia that a body can have."""
+
+from __future__ import annotations
+
+from typing import Self
+
+import numpy as np
+from pydantic import model_validator
+
+from jounce.core.description import Description
+from jounce.core.units import Mass, MomentOfInertia, ProductOfInertia
+from jounce.parts.points import Array, Point
+
+TRIANGLE_TOLERANCE = 1e-3
+"""Share of the largest principal moment by which it may exceed the sum of the others: rounding in a data sheet."""
+
+
+class Inertia(Description):
+    """Inertia tensor about the centre of mass in design axes, kg m^2; ``xy`` is ``-integral(x y dm)`` and so on."""
+
+    xx: MomentOfInertia
+    yy: MomentOfInertia
+    zz: MomentOfInertia
+    xy: ProductOfInertia = 0.0
+    xz: ProductOfInertia = 0.0
+    yz: ProductOfInertia = 0.0
+
+    @model_validator(mode="after")
+    def _some_body_has_it(self) -> Self:
+        moments = self.principal_moments
+        smallest, middle, largest = (f"{moment:.6g}" for moment in moments)
+        shown = f"its principal moments are {smallest}, {middle} and {largest} kg m^2"
+        if moments[0] <= 0.0:
+            raise ValueError(
+                f"no body has this inertia: {shown}, and all must be above 0; make the products xy, xz, yz smaller "
+                "or check their signs (xy = -integral of x y dm)"
+            )
+        if moments[2] > moments[0] + moments[1] + TRIANGLE_TOLERANCE * moments[2]:
+            raise ValueError(
+                f"no body has this inertia: {shown}, and the largest must not exceed the sum of the others "
+                f"({moments[0] + moments[1]:.6g}); check units and axes"
+            )
+        return self
+
+    @property
+    def tensor(self) -> Array:
+        """The tensor, shape (3, 3), kg m^2."""
+        return np.array(
+            [[self.xx, self.xy, self.xz], [self.xy, self.yy, self.yz], [self.xz, self.yz, self.zz]], dtype=float
+        )
+
+    @property
+    def principal_moments(self) -> Array:
+        """Principal moments, ascending, shape (3,), kg m^2."""
+        return np.asarray(np.linalg.eigvalsh(self.tensor))
+
+
+class RigidBody(Description):
+    """Mass (kg), centre of mass (m, at design position) and inertia about it (kg m^2, design axes)."""
+
+    mass: Mass
+    centre_of_mass: Point
+    inertia: Inertia
