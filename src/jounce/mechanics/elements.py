@@ -19,7 +19,9 @@ from jounce.parts.elements import (
     LinearDamper,
     Spring,
     TanhDamper,
+    Tyre,
 )
+from jounce.parts.struts import MapDamper
 
 _SLIDING = 3.0  # regularisation velocities; tanh(3) = 0.995
 
@@ -81,6 +83,60 @@ def damper_force(system: System, damper: Damper, path: str, deflection: ca.SX, v
         linear = number("coefficient") * velocity + number("stiffness") * deflection
         return linear + number("hysteretic_force") * z + number("offset")
     return table_force(system, path, "velocity", len(damper.velocity), velocity)
+
+
+def damper_map_force(system: System, damper: MapDamper, path: str, length: ca.SX, velocity: ca.SX) -> ca.SX:
+    """Damper force (N) of a map over length (m) and velocity (m/s): bilinear, its velocity ends go straight on.
+
+    Each piece of the grid is a product of hinge functions, so that steps land on its lines.
+    """
+    rows, columns = len(damper.length), len(damper.velocity)
+    places = [system.parameter(f"{path}.length[{i}]") for i in range(rows)]
+    speeds = [system.parameter(f"{path}.velocity[{j}]") for j in range(columns)]
+    past = [system.switch(f"{path}.length[{i}]", length - places[i]) for i in range(rows)]
+    share = [past[0] * (length - places[0]) - past[1] * (length - places[1])]
+    share += [past[i] * (length - places[i]) - past[i + 1] * (length - places[i + 1]) for i in range(1, rows - 1)]
+    share = [part / (places[i + 1] - places[i]) for i, part in enumerate(share)]
+    over = [system.switch(f"{path}.velocity[{j}]", velocity - speeds[j]) for j in range(1, columns - 1)]
+
+    def along(i: int) -> ca.SX:
+        forces = [system.parameter(f"{path}.force[{i}][{j}]") for j in range(columns)]
+        slopes = [(forces[j + 1] - forces[j]) / (speeds[j + 1] - speeds[j]) for j in range(columns - 1)]
+        force = forces[0] + slopes[0] * (velocity - speeds[0])
+        for j in range(1, columns - 1):
+            force += over[j - 1] * (slopes[j] - slopes[j - 1]) * (velocity - speeds[j])
+        return force
+
+    curves = [along(i) for i in range(rows)]
+    return curves[0] + sum((share[i] * (curves[i + 1] - curves[i]) for i in range(rows - 1)), ca.SX(0.0))
+
+
+def tyre_force(system: System, tyre: Tyre, deflection: ca.SX, rate: ca.SX) -> ca.SX:
+    """Contact force (N) of a radial tyre at a deflection (m) and its rate (m/s); never negative with lift-off."""
+    if tyre.curve is not None:
+        elastic = curve_force(system, tyre.curve, "tyre.curve", deflection)
+    else:
+        elastic = system.parameter("tyre.stiffness") * deflection
+    force = elastic + system.parameter("tyre.damping_coefficient") * rate
+    if tyre.lift_off:
+        force *= system.switch("tyre contact", ca.fmin(force, _contact_stiffness(system, tyre) * deflection))
+    return force
+
+
+def _contact_stiffness(system: System, tyre: Tyre) -> ca.SX:
+    """A stiffness (N/m) of the tyre's order that turns its deflection into newtons for the contact test."""
+    curve = tyre.curve
+    if curve is None:
+        return system.parameter("tyre.stiffness")
+    if isinstance(curve, PolynomialCurve):
+        return ca.fabs(system.parameter("tyre.curve.coefficients[0]")) + 1.0
+    if isinstance(curve, PowerCurve):
+        return system.parameter("tyre.curve.coefficient")
+    last = len(curve.deflection) - 1
+    rise = system.parameter(f"tyre.curve.force[{last}]") - system.parameter("tyre.curve.force[0]")
+    return ca.fabs(rise) / (
+        system.parameter(f"tyre.curve.deflection[{last}]") - system.parameter("tyre.curve.deflection[0]")
+    )
 
 
 def _bouc_wen_state(system: System, path: str, velocity: ca.SX) -> ca.SX:

@@ -121,13 +121,13 @@ class Frame:
         """The same frame with its origin elsewhere."""
         return Frame(design, self.point(design), self.orientation)
 
-    def slid(self, axis: ca.SX, distance: ca.SX, speed: ca.SX) -> Frame:
-        """A frame that slides along an axis of this one."""
+    def slid(self, axis: ca.SX, distance: ca.SX, speed: ca.SX, acceleration: ca.SX | float = 0.0) -> Frame:
+        """A frame that slides along an axis of this one; ``acceleration`` is a prescribed one."""
         along = self.orientation.moving(axis)
         origin = Moving(
             self.origin.value + along.value * distance,
             self.origin.rate + along.rate * distance + along.value * speed,
-            self.origin.bias + along.bias * distance + 2.0 * along.rate * speed,
+            self.origin.bias + along.bias * distance + 2.0 * along.rate * speed + along.value * acceleration,
         )
         return Frame(self.design, origin, self.orientation)
 

@@ -152,7 +152,7 @@ class Mechanism(System):
         parent, child = self._ordered(name, parent, child)
         self._hang(name, "fixed", parent, child, self._frame_of(parent).at(self._frame_of(parent).design))
 
-    def prismatic(self, name: str, parent: Body, child: Body, axis: Vector, at: Vector = (0.0, 0.0, 0.0)) -> ca.SX:
+    def prismatic(self, name: str, parent: Body, child: Body, axis: Vector, at: Vector = _NONE) -> ca.SX:
         """Let a body slide along an axis; give the distance (m), positive where the child moves along ``axis``."""
         place, along = self._place(name, at, axis)
         if self._closes(parent, child):
@@ -222,6 +222,13 @@ class Mechanism(System):
         frame = Frame(place, Moving(place + r, v, ca.SX(3, 1)), by_quaternion(e, w))
         self._hang(name, "free", self.ground, child, frame)
         return ca.vertcat(r, e)
+
+    def driven(self, name: str, parent: Body, child: Body, axis: Vector, travel: Track | ca.SX) -> None:
+        """Let a body slide along an axis by a prescribed travel (m): a track, or a parameter."""
+        along = unit(self.vector(f"{name}.axis", axis))
+        track = travel if isinstance(travel, Track) else Track(travel, ca.SX(0.0), ca.SX(0.0))
+        frame = self._frame_of(parent).slid(along, track.value, track.rate, track.acceleration)
+        self._hang(name, "driven", parent, child, frame)
 
     # loops -----------------------------------------------------------------------------------------------------
 

@@ -60,6 +60,10 @@ class System:
         self._rates.append(v)
         return q, v
 
+    def coordinate_named(self, name: str) -> ca.SX:
+        """Give the symbol of a coordinate."""
+        return self._coordinates[name]
+
     def quaternion(self, name: str) -> tuple[ca.SX, ca.SX]:
         """Add an orientation: four coordinates, three speeds (rad/s in the body's axes); give the symbols of both."""
         from jounce.mechanics.rotations import quaternion_rate

@@ -6,11 +6,15 @@ from collections.abc import Callable
 from typing import Any
 
 from jounce.mechanics import Model
+from jounce.models.corner import TEMPLATES, corner
 from jounce.models.quarter_car import quarter_car
 from jounce.parts import QuarterCar, Rig
 from jounce.parts.parameters import structure_of
 
-_BUILDERS: dict[type[Rig], Callable[[Any], Model]] = {QuarterCar: quarter_car}
+_BUILDERS: dict[type[Rig], Callable[[Any], Model]] = {
+    QuarterCar: quarter_car,
+    **dict.fromkeys(TEMPLATES, corner),
+}
 _built: dict[str, Model] = {}
 
 
@@ -22,4 +26,4 @@ def build(rig: Rig) -> Model:
     return _built[structure]
 
 
-__all__ = ["build", "quarter_car"]
+__all__ = ["build", "corner", "quarter_car"]

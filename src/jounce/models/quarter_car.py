@@ -8,10 +8,9 @@ from __future__ import annotations
 import casadi as ca
 
 from jounce.mechanics import Model, System
-from jounce.mechanics.elements import bump_stop_force, curve_force, damper_force, friction_force, spring_force
+from jounce.mechanics.elements import bump_stop_force, damper_force, friction_force, spring_force, tyre_force
 from jounce.mechanics.system import Track
 from jounce.parts import QuarterCar
-from jounce.parts.curves import PolynomialCurve, PowerCurve
 
 
 def quarter_car(rig: QuarterCar) -> Model:
@@ -49,34 +48,11 @@ def _strut(system: System, rig: QuarterCar, sprung: ca.SX, unsprung: ca.SX) -> N
 
 
 def _tyre(system: System, rig: QuarterCar, road: Track, unsprung: ca.SX) -> None:
-    tyre = rig.tyre
     deflection = road.value - unsprung
-    if tyre.curve is not None:
-        elastic = curve_force(system, tyre.curve, "tyre.curve", deflection)
-    else:
-        elastic = system.parameter("tyre.stiffness") * deflection
-    force = elastic + system.parameter("tyre.damping_coefficient") * system.rate_of(deflection)
-    if tyre.lift_off:
-        force *= system.switch("tyre contact", ca.fmin(force, _contact_stiffness(system, rig) * deflection))
+    force = tyre_force(system, rig.tyre, deflection, system.rate_of(deflection))
     system.force(-deflection, force)
     system.output("tyre.deflection", deflection, "m", "tyre deflection from undeformed, compression positive")
     system.output("tyre.force", force, "N", "contact force, compression positive")
-
-
-def _contact_stiffness(system: System, rig: QuarterCar) -> ca.SX:
-    """A stiffness (N/m) of the tyre's order that turns its deflection into newtons for the contact test."""
-    curve = rig.tyre.curve
-    if curve is None:
-        return system.parameter("tyre.stiffness")
-    if isinstance(curve, PolynomialCurve):
-        return ca.fabs(system.parameter("tyre.curve.coefficients[0]")) + 1.0
-    if isinstance(curve, PowerCurve):
-        return system.parameter("tyre.curve.coefficient")
-    last = len(curve.deflection) - 1
-    rise = system.parameter(f"tyre.curve.force[{last}]") - system.parameter("tyre.curve.force[0]")
-    return ca.fabs(rise) / (
-        system.parameter(f"tyre.curve.deflection[{last}]") - system.parameter("tyre.curve.deflection[0]")
-    )
 
 
 def _motions(system: System, road: Track, sprung: ca.SX, unsprung: ca.SX) -> None:

@@ -88,7 +88,7 @@ class Mode:
     damping_ratio : float
         Of critical (1).
     shape : dict
-        Coordinate to (real, imaginary) part (1) of the eigenvector, the largest coordinate set to 1.
+        Height (channel such as ``sprung.z``) to (real, imaginary) part (1) of the eigenvector, the largest set to 1.
     """
 
     frequency_hz: float
@@ -165,13 +165,14 @@ def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
     >>> round(body_bounce.frequency_hz, 1), round(wheel_hop.frequency_hz, 1)
     (5.1, 28.2)
     """
-    compiled, _, rest, _ = _at_rest(rig, road_height)
-    values, vectors = np.linalg.eig(rest.reduced)
-    names = compiled.facts.coordinates
+    model = linearise(rig, road_height)
+    values, vectors = np.linalg.eig(model.A)
+    heights = [i for i, name in enumerate(model.outputs) if name.endswith(".z") and np.any(model.C[i])]
+    names = [model.outputs[i] for i in heights]
     found = []
-    for value, vector in zip(values, (rest.lift @ vectors).T, strict=True):
+    for value, vector in zip(values, (model.C[heights] @ vectors).T, strict=True):
         if value.imag > 1e-9 * abs(value):
-            shape = vector[: len(names)] / vector[np.argmax(np.abs(vector[: len(names)]))]
+            shape = vector / vector[np.argmax(np.abs(vector))]
             shapes = {name: (float(z.real), float(z.imag)) for name, z in zip(names, shape, strict=True)}
             found.append(
                 Mode(

@@ -1,0 +1,116 @@
+"""3-D corner on a road: a suspension template with strut and tyre, its body on a guide.
+
+Displacements of body and wheel centre count from the design position; compression is positive.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import casadi as ca
+
+from jounce.mechanics import Mechanism, Model
+from jounce.mechanics.elements import friction_force
+from jounce.mechanics.system import Track
+from jounce.models.attachments import add_rocker, add_tyre, damper_law, line_of, push, spring_law, stop_law
+from jounce.models.double_wishbone import double_wishbone
+from jounce.models.five_link import five_link
+from jounce.models.linkage import Linkage, guided
+from jounce.models.mcpherson import mcpherson
+from jounce.models.trailing_arm import trailing_arm
+from jounce.parts.corners import Corner, DoubleWishbone, FiveLink, McPherson, TrailingArm
+
+TEMPLATES: dict[type[Corner], Callable[[Linkage], None]] = {
+    DoubleWishbone: double_wishbone,
+    McPherson: mcpherson,
+    FiveLink: five_link,
+    TrailingArm: trailing_arm,
+}
+
+
+def suspension(
+    rig: Corner, mechanism: Mechanism, *, guide: str | None = None, rack: Track | ca.SX | None = None
+) -> Linkage:
+    """Hang the bodies of a suspension into a mechanism.
+
+    Parameters
+    ----------
+    rig : Corner
+        The description; only its structure matters.
+    mechanism : Mechanism
+        Where to build.
+    guide : {"fixed", "vertical", "vertical+spherical"}, optional
+        How the body is held; as in the description otherwise.
+    rack : Track or casadi.SX, optional
+        Travel of the rack, m; the description's own otherwise.
+
+    Returns
+    -------
+    Linkage
+        The bodies, and what the template says of them.
+    """
+    chassis = guided(rig, mechanism, guide or rig.guide)
+    steering = getattr(rig, "steering", None)
+    if rack is None and steering is not None:
+        rack = mechanism.parameter("steering.rack_travel")
+    holder = chassis
+    if rack is not None:
+        holder = mechanism.body("rack")
+        mechanism.driven("rack", chassis, holder, axis=ca.SX([0.0, 1.0, 0.0]), travel=rack)
+    linkage = Linkage(rig, mechanism, chassis, holder)
+    TEMPLATES[type(rig)](linkage)
+    add_rocker(linkage)
+    return linkage
+
+
+def corner(rig: Corner) -> Model:
+    """Write the equations of a 3-D corner; the values in ``rig`` matter only through its structure."""
+    mechanism = Mechanism()
+    mechanism.gravity = mechanism.parameter("gravity")
+    road = mechanism.track("road.z")
+    linkage = suspension(rig, mechanism)
+    mechanism.output("road.z", road.value, "m", "road height under the wheel")
+    _strut(linkage)
+    deflection, force = add_tyre(linkage, road)
+    mechanism.output("tyre.deflection", deflection, "m", "tyre deflection from undeformed, compression positive")
+    mechanism.output("tyre.force", force, "N", "contact force, compression positive")
+    _guide_friction(linkage)
+    _motions(linkage)
+    return mechanism.finish()
+
+
+def _strut(linkage: Linkage) -> None:
+    mechanism = linkage.mechanism
+    spring, damper = line_of(linkage, "spring"), line_of(linkage, "damper")
+    elastic = spring_law(linkage, spring)
+    viscous = damper_law(linkage, damper)
+    push(linkage, spring, elastic + stop_law(linkage, spring))
+    push(linkage, damper, viscous)
+    mechanism.output("strut.deflection", spring.deflection, "m", "strut deflection from design, compression positive")
+    mechanism.output("strut.velocity", -damper.rate, "m/s", "strut deflection rate, bump positive")
+    mechanism.output("strut.force", elastic + viscous, "N", "spring, damper and friction, compression positive")
+
+
+def _guide_friction(linkage: Linkage) -> None:
+    mechanism, friction = linkage.mechanism, linkage.rig.guide_friction
+    if friction is None or linkage.rig.guide == "fixed":
+        return
+    heave = mechanism.coordinate_named("sprung.distance")
+    force = friction_force(mechanism, friction, "guide_friction", mechanism.rate_of(heave))
+    mechanism.force(heave, -force)
+    mechanism.output("guide.force", -force, "N", "guide friction on the sprung mass, up positive")
+
+
+def _motions(linkage: Linkage) -> None:
+    mechanism, rig = linkage.mechanism, linkage.rig
+    centre = linkage.wheel_centre.value[2] - linkage.number("hardpoints.wheel_centre[2]")
+    bodies = [("unsprung", centre, "wheel centre")]
+    if rig.guide != "fixed":
+        bodies.insert(0, ("sprung", mechanism.coordinate_named("sprung.distance"), "sprung mass"))
+    for name, z, text in bodies:
+        mechanism.output(f"{name}.z", z, "m", f"{text}, height above design")
+        mechanism.output(f"{name}.vz", mechanism.rate_of(z), "m/s", f"{text}, vertical velocity")
+        mechanism.output(f"{name}.az", mechanism.acceleration_of(z), "m/s^2", f"{text}, vertical acceleration")
+    axis = linkage.spin_direction.value
+    mechanism.output("wheel.camber", -ca.asin(axis[2]), "rad", "camber, positive top outward")
+    mechanism.output("wheel.steer", ca.atan2(-linkage.side * axis[0], linkage.side * axis[1]), "rad", "steer about +z")

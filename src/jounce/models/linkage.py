@@ -1,0 +1,155 @@
+"""What all 3-D suspensions share: body on its guide, hardpoints as parameters, wheel, steering; templates add the arms."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import casadi as ca
+
+from jounce.mechanics import Mechanism
+from jounce.mechanics.bodies import Body
+from jounce.mechanics.frames import Moving
+from jounce.parts.corners import Corner
+
+
+@dataclass
+class Linkage:
+    """A suspension under construction: the mechanism, its bodies by name, and what the templates say of them.
+
+    Attributes
+    ----------
+    rig : Corner
+        The description; only its structure matters, its numbers are parameters.
+    mechanism : Mechanism
+        Bodies, joints and loops.
+    chassis, upright : Body
+        The car's body and the one that carries the wheel.
+    rack : Body
+        Carries the inner end of the tie rod along y.
+    steering_axis : tuple of Moving
+        Lower and upper point of the axis the wheel steers about.
+    lines : dict
+        What to draw: name of a part to the hardpoints along it.
+    """
+
+    rig: Corner
+    mechanism: Mechanism
+    chassis: Body
+    rack: Body
+    upright: Body = field(init=False)
+    steering_axis: tuple[Moving, Moving] = field(init=False)
+    carriers: dict[str, Body] = field(default_factory=dict)
+    lines: dict[str, tuple[str, ...]] = field(default_factory=dict)
+
+    def hardpoint(self, name: str) -> ca.SX:
+        """Design place of a hardpoint, m."""
+        return self.triple(f"hardpoints.{name}")
+
+    def end_of(self, element: str, end: str) -> ca.SX:
+        """Design place of an end (``bottom`` or ``top``) of spring or damper; the strut's where it has none of its own."""
+        own = f"{element}_{end}"
+        return self.hardpoint(own if getattr(self.rig.hardpoints, own) is not None else f"strut_{end}")
+
+    def triple(self, path: str) -> ca.SX:
+        """Three parameters ``path[0]`` to ``path[2]``."""
+        return ca.vertcat(*(self.mechanism.parameter(f"{path}[{i}]") for i in range(3)))
+
+    def number(self, path: str) -> ca.SX:
+        """A parameter."""
+        return self.mechanism.parameter(path)
+
+    def body(self, name: str, path: str | None = None) -> Body:
+        """Add the body that the description holds under ``bodies``."""
+        path = path or f"bodies.{name}"
+        xx, yy, zz, xy, xz, yz = (self.number(f"{path}.inertia.{e}") for e in ("xx", "yy", "zz", "xy", "xz", "yz"))
+        tensor = ca.vertcat(ca.horzcat(xx, xy, xz), ca.horzcat(xy, yy, yz), ca.horzcat(xz, yz, zz))
+        body = self.mechanism.body(name, self.number(f"{path}.mass"), self.triple(f"{path}.centre_of_mass"), tensor)
+        self.carriers[name] = body
+        return body
+
+    def carry(self, name: str, body: Body) -> None:
+        """Say which body carries the upright's parts, and hang a wheel of its own on it."""
+        self.upright = body
+        self.carriers["upright"] = self.carriers[name] = body
+        if self.rig.bodies.wheel is not None:
+            self.mechanism.fixed("wheel", body, self.body("wheel"))
+
+    def arm(self, name: str) -> Body:
+        """Hang an arm on its axis through ``<name>_front`` and ``<name>_rear``."""
+        front, rear = self.hardpoint(f"{name}_front"), self.hardpoint(f"{name}_rear")
+        arm = self.body(name)
+        ball = name.replace("arm", "ball_joint")
+        self.lines[name] = (f"{name}_front", ball, f"{name}_rear")
+        self.mechanism.revolute(name, self.chassis, arm, at=front, axis=front - rear)
+        return arm
+
+    def rod(self, name: str, inner: str, outer: str, carrier: Body, *, steered: bool = False) -> None:
+        """Tie a point of a carrier to a point of the chassis; the inner end of a steered rod rides on the rack."""
+        start, end = self.hardpoint(inner), self.hardpoint(outer)
+        holder = self.rack if steered else self.chassis
+        self.lines[name] = (inner, outer)
+        if getattr(self.rig.bodies, name, None) is None:
+            self.mechanism.rod(name, holder, carrier, start, end)
+            return
+        link = self.body(name)
+        first, second = self._across(end - start)
+        self.mechanism.universal(f"{name}_inner", holder, link, start, first, second)
+        self.mechanism.coincident(f"{name}_outer", link, carrier, end)
+
+    @property
+    def side(self) -> float:
+        """1 for a left suspension, -1 for a right one."""
+        return 1.0 if self.rig.side == "left" else -1.0
+
+    @property
+    def spin_axis(self) -> ca.SX:
+        """Axis of the wheel at design, pointing outboard."""
+        camber, toe = self.number("wheel.camber"), self.number("wheel.toe")
+        level = ca.cos(camber)
+        return ca.vertcat(ca.sin(toe) * level, self.side * ca.cos(toe) * level, -ca.sin(camber))
+
+    @property
+    def wheel_centre(self) -> Moving:
+        """The wheel's centre."""
+        return self.upright.point(self.hardpoint("wheel_centre"))
+
+    @property
+    def spin_direction(self) -> Moving:
+        """The wheel's axis, pointing outboard, as it moves with the upright."""
+        return self.upright.direction(self.spin_axis)
+
+    @staticmethod
+    def _across(along: ca.SX) -> tuple[ca.SX, ca.SX]:
+        """Two axes across a link and each other, for its universal joint; the first is as level as can be."""
+        vertical = ca.vertcat(0.0, 0.0, 1.0)
+        first = ca.cross(along, vertical)
+        return first, ca.cross(first, along)
+
+
+Template = Callable[[Linkage], None]
+
+
+def guided(rig: Corner, mechanism: Mechanism, guide: str) -> Body:
+    """Hang the car's body on its guide: fixed, free to heave, or to heave and turn about a joint."""
+    if guide == "fixed":
+        return mechanism.ground
+    chassis = mechanism.body("sprung", mechanism.parameter("sprung.mass"), *_sprung_inertia(guide, mechanism))
+    if guide == "vertical":
+        mechanism.prismatic("sprung", mechanism.ground, chassis, axis=ca.SX([0.0, 0.0, 1.0]))
+        return chassis
+    carriage = mechanism.body("carriage")
+    mechanism.prismatic("sprung", mechanism.ground, carriage, axis=ca.SX([0.0, 0.0, 1.0]))
+    joint = ca.vertcat(*(mechanism.parameter(f"sprung.joint[{i}]") for i in range(3)))
+    mechanism.spherical("guide_joint", carriage, chassis, at=joint)
+    return chassis
+
+
+def _sprung_inertia(guide: str, mechanism: Mechanism) -> tuple[ca.SX, ca.SX]:
+    """Centre of mass and inertia of the body; a body that only heaves needs none."""
+    if guide == "vertical":
+        return ca.SX(3, 1), ca.SX(3, 3)
+    number = mechanism.parameter
+    centre = ca.vertcat(*(number(f"sprung.centre_of_mass[{i}]") for i in range(3)))
+    xx, yy, zz, xy, xz, yz = (number(f"sprung.inertia.{e}") for e in ("xx", "yy", "zz", "xy", "xz", "yz"))
+    return centre, ca.vertcat(ca.horzcat(xx, xy, xz), ca.horzcat(xy, yy, yz), ca.horzcat(xz, yz, zz))
