@@ -60,10 +60,11 @@ def _toml(checked: Checked) -> None:
 
 
 def _rig(checked: Checked) -> None:
-    from jounce.parts import load
+    from jounce.parts import load, rig_findings
 
     rig = load(checked.file)
     checked.what = f"{getattr(rig, 'model', 'rig')} with {len(rig.parameters())} parameters"
+    checked.notes += map(str, rig_findings(rig, str(checked.file)))
 
 
 def _road(checked: Checked) -> None:

@@ -1,5 +1,6 @@
 """Frozen, validated descriptions of what a suspension is made of, and the files they come from."""
 
+from jounce.parts.advice import rig_findings
 from jounce.parts.loading import changed_text, library, load, rig_from_table, rig_path
 from jounce.parts.rigs import Corner, DoubleWishbone, FiveLink, McPherson, QuarterCar, Rig, TrailingArm
 
@@ -14,6 +15,7 @@ __all__ = [
     "changed_text",
     "library",
     "load",
+    "rig_findings",
     "rig_from_table",
     "rig_path",
 ]

@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-import json
 import math
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from jounce.core.errors import DescriptionError, nearest
+from jounce.core.errors import DescriptionError
+from jounce.parts.importers.chrono_file import Array, ChronoFile, RigidPart, ascending
 
-Array = NDArray[np.float64]
 HARDPOINTS = {
     "lower_arm_front": ("Lower Control Arm", "Location Chassis Front"),
     "lower_arm_rear": ("Lower Control Arm", "Location Chassis Back"),
@@ -39,27 +35,7 @@ _BODIES = {
     "upper_arm": "Upper Control Arm",
     "lower_arm": "Lower Control Arm",
 }
-_COMMENT = re.compile(r'("(?:\\.|[^"\\])*")|//[^\n]*|/\*.*?\*/', re.DOTALL)
 _ADVICE = "Chrono's double wishbones with a linear spring and a damper map can be read."
-
-
-@dataclass(frozen=True)
-class RigidPart:
-    """Mass and where it is.
-
-    Attributes
-    ----------
-    mass : float
-        [kg].
-    centre : array (3,)
-        Centre of mass [m], x forward, y left, z up.
-    moments : array (3,)
-        Moments of inertia about the centre of mass [kg m^2].
-    """
-
-    mass: float
-    centre: Array
-    moments: Array
 
 
 @dataclass(frozen=True)
@@ -163,7 +139,7 @@ def read_chrono_corner(path: Path | str) -> ChronoCorner:
     >>> read_chrono_corner(Path(str(folder)) / "HMMWV_DoubleWishboneFront_mapShock.json").spring_rate
     167062.0
     """
-    file = _File(Path(path))
+    file = ChronoFile(Path(path), ["DoubleWishbone"], _ADVICE)
     parts = {name: file.part(section) for name, section in _BODIES.items()}
     points = {name: file.numbers(section, key, (3,)) for name, (section, key) in HARDPOINTS.items()}
     lengths = [file.positive("Spring", key) for key in ("Free Length", "Minimum Length", "Maximum Length")]
@@ -171,7 +147,7 @@ def read_chrono_corner(path: Path | str) -> ChronoCorner:
     if not shortest < longest:
         raise DescriptionError("the spring's lengths contradict each other", where=file.at("Spring"), found=lengths)
     return ChronoCorner(
-        name=str(file.table.get("Name", Path(path).stem)),
+        name=file.name,
         points=points,
         parts=parts,
         tie_rod_mass=file.positive("Tierod", "Mass"),
@@ -179,106 +155,17 @@ def read_chrono_corner(path: Path | str) -> ChronoCorner:
         spring_free_length=free,
         spring_shortest=shortest,
         spring_longest=longest,
-        damper=_damper_map(file),
+        damper=damper_map(file),
     )
 
 
-class _File:
-    """Values of one file, with errors that say where they lie."""
-
-    def __init__(self, path: Path) -> None:
-        self.path = path
-        self.table = _json(path)
-        template = self.table.get("Template")
-        if template != "DoubleWishbone":
-            raise DescriptionError(
-                "not a double wishbone of Chrono",
-                where=str(path),
-                found=template,
-                allowed='"Template": "DoubleWishbone"',
-            )
-
-    def at(self, *keys: str) -> str:
-        """Place of a value, for messages."""
-        return ": ".join((str(self.path), *keys))
-
-    def value(self, section: str, key: str) -> Any:
-        """Value as it is written."""
-        here: Any = self.table
-        for i, part in enumerate((section, key)):
-            if not isinstance(here, dict) or part not in here:
-                known = list(here) if isinstance(here, dict) else []
-                raise DescriptionError(
-                    f"the key {part!r} is missing",
-                    where=self.at(*(section,)[:i]),
-                    allowed=", ".join(known),
-                    hint=nearest(part, known) or _ADVICE,
-                )
-            here = here[part]
-        return here
-
-    def numbers(self, section: str, key: str, shape: tuple[int, ...]) -> Array:
-        """Finite numbers of a shape; -1 in it stands for any count."""
-        value = self.value(section, key)
-        try:
-            found = np.asarray(value, dtype=float)
-        except (TypeError, ValueError):
-            raise DescriptionError("not a regular list of numbers", where=self.at(section, key)) from None
-        fits = found.ndim == len(shape) and all(n in (-1, m) for n, m in zip(shape, found.shape, strict=True))
-        if not fits or not np.isfinite(found).all() or _has_truth(value):
-            wanted = " x ".join("n" if n < 0 else str(n) for n in shape) or "one"
-            raise DescriptionError(
-                "not the numbers that belong here",
-                where=self.at(section, key),
-                found=f"shape {found.shape}",
-                allowed=f"{wanted} finite numbers",
-            )
-        return found
-
-    def positive(self, section: str, key: str) -> float:
-        """One number above zero."""
-        found = float(self.numbers(section, key, ()))
-        if not found > 0.0:
-            raise DescriptionError("out of range", where=self.at(section, key), found=found, allowed="above 0")
-        return found
-
-    def part(self, section: str) -> RigidPart:
-        """Mass properties of a body."""
-        key = "Moments of Inertia" if "Moments of Inertia" in self.table.get(section, {}) else "Inertia"
-        return RigidPart(
-            self.positive(section, "Mass"), self.numbers(section, "COM", (3,)), self.numbers(section, key, (3,))
-        )
-
-
-def _has_truth(value: object) -> bool:
-    return isinstance(value, bool) or (isinstance(value, list) and any(_has_truth(item) for item in value))
-
-
-def _json(path: Path) -> dict[str, Any]:
-    if not path.is_file():
-        raise DescriptionError("no such file", where=str(path), hint="Check the path and the name.")
-    try:
-        text = path.read_text(encoding="utf-8")
-    except UnicodeDecodeError:
-        raise DescriptionError("not a text file", where=str(path), allowed="JSON text in UTF-8") from None
-    blank = _COMMENT.sub(lambda found: found[1] or re.sub(r"[^\n]", " ", found[0]), text)
-    try:
-        table = json.loads(blank)
-    except json.JSONDecodeError as error:
-        raise DescriptionError(f"not valid JSON: {error.msg}", where=f"{path}, line {error.lineno}") from None
-    if not isinstance(table, dict):
-        raise DescriptionError("not a description", where=str(path), allowed="one JSON object")
-    return table
-
-
-def _damper_map(file: _File) -> DamperMap:
+def damper_map(file: ChronoFile) -> DamperMap:
     """Read the map; each of its rows begins with its velocity."""
     length = file.numbers("Shock", "Deformation", (-1,))
     rows = file.numbers("Shock", "Map Data", (-1, len(length) + 1))
     velocity = rows[:, 0]
     for name, values in (("Deformation", length), ("Map Data", velocity)):
-        if len(values) < 2 or not bool(np.all(np.diff(values) > 0.0)):
-            raise DescriptionError("not at least two ascending values", where=file.at("Shock", name))
+        ascending(values, file.at("Shock", name))
     if not (velocity[0] < 0.0 < velocity[-1] and math.isclose(float(np.abs(velocity).min()), 0.0, abs_tol=1e-9)):
         raise DescriptionError(
             "the velocities do not lie about zero",

@@ -1,0 +1,269 @@
+"""What is legal in a rig and yet looks wrong: findings with the number behind each."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from jounce.core.findings import Finding, Severity
+from jounce.parts.corners import Corner
+from jounce.parts.curves import VelocityTable
+from jounce.parts.leverage import motion_ratio, spring_force, static_spring_force, static_tyre_deflection
+from jounce.parts.points import Array
+from jounce.parts.rig import Rig
+from jounce.parts.struts import MapDamper
+
+STEEP_STRUT = np.radians(30.0)
+"""Strut angle to the vertical in front view above which the literature rejects a strut."""
+BODY_POINTS = {
+    "lower_arm": ("lower_arm_front", "lower_arm_rear", "lower_ball_joint"),
+    "upper_arm": ("upper_arm_front", "upper_arm_rear", "upper_ball_joint"),
+    "tie_rod": ("tie_rod_inner", "tie_rod_outer"),
+    "rocker": ("rocker_pivot", "rocker_axis", "pushrod_inner"),
+    "strut": ("strut_bottom", "strut_top"),
+    "arm": ("arm_inner", "arm_outer", "wheel_centre"),
+    "wheel": ("wheel_centre",),
+    **{f"link_{i}": (f"link_{i}_inner", f"link_{i}_outer") for i in range(1, 6)},
+}
+"""Hardpoints of each body; those of an upright are the outer ones."""
+
+
+def rig_findings(rig: Rig, where: str = "") -> list[Finding]:
+    """List what a careful colleague would ask about a rig.
+
+    Parameters
+    ----------
+    rig : Rig
+        Any rig; only 3-D rigs are examined.
+    where : str
+        File the rig comes from; named before the path of every finding.
+
+    Returns
+    -------
+    list of Finding
+        Empty when nothing looks wrong. Values are in SI.
+
+    Examples
+    --------
+    >>> from jounce.parts import load
+    >>> rig = load("reference-double-wishbone")
+    >>> rig_findings(rig)
+    []
+    >>> found = rig_findings(rig.with_changes({"hardpoints.strut_top": ["10 mm", "400 mm", "520 mm"]}))
+    >>> found[0].place, round(found[0].value, 3)   # rad
+    ('hardpoints.strut_top', 0.575)
+    """
+    if not isinstance(rig, Corner):
+        return []
+    checks = (_estimated, _order, _wheel, _strut, _damper, _bodies, _sprung, _statics)
+    found = list(_size(rig)) or [finding for check in checks for finding in check(rig)]
+    start = f"{where}: " if where else ""
+    return [Finding(start + item.place, item.severity, item.message, item.value) for item in found]
+
+
+def _warn(place: str, message: str, value: float | None = None, severity: Severity = "warning") -> Finding:
+    return Finding(place, severity, message, None if value is None else float(value))
+
+
+def _estimated(rig: Corner) -> Iterator[Finding]:
+    known = rig.parameters()
+    for entry in rig.estimated:
+        if not any(path == entry or path.startswith((f"{entry}.", f"{entry}[")) for path in known):
+            yield _warn("estimated", f"{entry!r} names no parameter and no part of this rig.", severity="note")
+
+
+def _size(rig: Corner) -> Iterator[Finding]:
+    points = rig.hardpoints.given()
+    name = max(points, key=lambda key: float(np.abs(points[key]).max()))
+    largest = float(np.abs(points[name]).max())
+    if largest > 10.0:
+        yield _warn(
+            "hardpoints",
+            f"{name} lies {largest:g} m from the origin: millimetres given as metres? A bare number is in m; "
+            'write "150 mm".',
+            largest,
+        )
+    if largest < 5e-3:
+        yield _warn(
+            "hardpoints",
+            f"all points lie within {1e3 * largest:g} mm of the origin: metres given as millimetres?",
+            largest,
+        )
+    if rig.wheel.radius > 2.0 or rig.wheel.radius < 0.02:
+        yield _warn(
+            "wheel.radius", f"{rig.wheel.radius:g} m is no wheel of a car or kart; is the unit right?", rig.wheel.radius
+        )
+
+
+def _order(rig: Corner) -> Iterator[Finding]:
+    """Names that seem to be swapped."""
+    points = rig.hardpoints.given()
+    for arm in ("lower_arm", "upper_arm"):
+        if f"{arm}_front" in points and points[f"{arm}_front"][0] < points[f"{arm}_rear"][0]:
+            yield _warn(
+                f"hardpoints.{arm}_front", f"lies behind {arm}_rear; x points forward. Are the two swapped?", None
+            )
+    if "upper_ball_joint" in points and points["upper_ball_joint"][2] < points["lower_ball_joint"][2]:
+        yield _warn("hardpoints.upper_ball_joint", "lies below lower_ball_joint; z points up. Are the two swapped?")
+    for inner, outer in (
+        ("tie_rod_inner", "tie_rod_outer"),
+        *((f"link_{i}_inner", f"link_{i}_outer") for i in range(1, 6)),
+    ):
+        if inner in points and rig.sign * points[inner][1] > rig.sign * points[outer][1]:
+            yield _warn(f"hardpoints.{inner}", f"lies further out than {outer}. Are the two swapped?", severity="note")
+    for name, point in points.items():
+        if rig.sign * point[1] < 0.0 and name not in ("rocker_axis", "arb_pivot"):
+            yield _warn(
+                f"hardpoints.{name}", "lies just across the middle of the car; is the sign of y right?", point[1]
+            )
+
+
+def _wheel(rig: Corner) -> Iterator[Finding]:
+    height, radius = rig.hardpoints.wheel_centre[2], rig.undeformed_radius
+    if abs(height - radius) > 0.2 * radius:
+        state = "pressed in by" if height < radius else "above the road by"
+        yield _warn(
+            "hardpoints.wheel_centre",
+            f"at design position the tyre is {state} {1e3 * abs(radius - height):.4g} mm: the wheel centre is "
+            f"{1e3 * height:.4g} mm above the road (z = 0), the undeformed radius is {1e3 * radius:.4g} mm.",
+            radius - height,
+        )
+    for name in ("camber", "toe"):
+        angle = getattr(rig.wheel, name)
+        if abs(angle) > 0.2:
+            yield _warn(f"wheel.{name}", f"{np.degrees(angle):.3g} deg is a lot; were degrees given as rad?", angle)
+
+
+def _strut(rig: Corner) -> Iterator[Finding]:
+    bottom, top = np.array(rig.hardpoints.at("strut_bottom")), np.array(rig.hardpoints.at("strut_top"))
+    along = top - bottom
+    if rig.strut_body != "rocker":
+        if along[2] <= 0.0:
+            yield _warn("hardpoints.strut_top", "does not lie above strut_bottom; z points up. Are the two swapped?")
+        elif (angle := float(np.arctan2(abs(along[1]), along[2]))) > STEEP_STRUT:
+            yield _warn(
+                "hardpoints.strut_top",
+                f"the strut leans {np.degrees(angle):.1f} deg from the vertical in front view; struts over 30 deg are "
+                "rejected in the literature, because wheel rate and damping fall with the square of the motion ratio.",
+                angle,
+            )
+    for name in ("bump_stop", "rebound_stop"):
+        stop = getattr(rig.strut, name)
+        if stop is not None and stop.gap < 0.0:
+            yield _warn(
+                f"strut.{name}.gap", f"the stop is pressed in by {-1e3 * stop.gap:.4g} mm at design position.", stop.gap
+            )
+
+
+def _damper(rig: Corner) -> Iterator[Finding]:
+    damper = rig.strut.damper
+    if isinstance(damper, VelocityTable):
+        rows = {"": damper.force}
+    elif isinstance(damper, MapDamper):
+        rows = {f"[{i}]": row for i, row in enumerate(damper.force)}
+    else:
+        return
+    for index, row in rows.items():
+        for velocity, force in zip(damper.velocity, row, strict=True):
+            if velocity * force < 0.0:
+                yield _warn(
+                    f"strut.damper.force{index}",
+                    f"{force:g} N at {velocity:g} m/s drives the motion, it does not damp it; bump and compression are "
+                    "positive.",
+                    force,
+                )
+                return
+
+
+def _bodies(rig: Corner) -> Iterator[Finding]:
+    points = rig.hardpoints.given()
+    for name, body in rig.body_masses().items():
+        names = BODY_POINTS.get(name, rig.hardpoints.outer)
+        own = np.array([points[point] for point in names if point in points])
+        reach = max(_extent(own), rig.wheel.radius if name in ("upright", "wheel", "arm") else 0.0)
+        away = float(np.linalg.norm(np.array(body.centre_of_mass) - own, axis=1).min())
+        if away > 1.5 * reach:
+            yield _warn(
+                f"bodies.{name}.centre_of_mass",
+                f"lies {1e3 * away:.4g} mm from the nearest of its hardpoints, which are {1e3 * reach:.4g} mm apart.",
+                away,
+            )
+        gyration = float(np.sqrt(body.inertia.principal_moments[-1] / body.mass))
+        if gyration > 1.5 * reach:
+            yield _warn(
+                f"bodies.{name}.inertia",
+                f"its radius of gyration is {1e3 * gyration:.4g} mm, more than the body can reach "
+                f"({1e3 * reach:.4g} mm); are the units right (kg m^2, about the centre of mass)?",
+                gyration,
+            )
+
+
+def _extent(points: Array) -> float:
+    """Largest distance between two of the points in m."""
+    return float(np.linalg.norm(points[:, np.newaxis] - points, axis=2).max())
+
+
+def _sprung(rig: Corner) -> Iterator[Finding]:
+    if rig.sprung is None or rig.guide == "vertical+spherical":
+        return
+    unused = [name for name in ("centre_of_mass", "inertia", "joint") if getattr(rig.sprung, name) is not None]
+    if unused:
+        yield _warn(
+            "sprung", f'{", ".join(unused)} not used: only guide = "vertical+spherical" lets it turn.', severity="note"
+        )
+
+
+def _statics(rig: Corner) -> Iterator[Finding]:
+    """Whether the spring can hold the car, and how far from design it does."""
+    try:
+        ratio = motion_ratio(rig)
+        needed = 0.0 if rig.guide == "fixed" else static_spring_force(rig)
+    except np.linalg.LinAlgError:
+        yield _warn("hardpoints", "the joints do not let the wheel rise at design position, or not in one way only.")
+        return
+    if ratio < 0.1:
+        yield _warn(
+            "strut",
+            f"the spring shortens by only {ratio:.3g} of the wheel's rise; is the strut on the right body?",
+            ratio,
+        )
+        return
+    if rig.guide == "fixed":
+        return
+    present, length = spring_force(rig), rig.hardpoints.length("spring")
+    deflection = _deflection(rig, needed)
+    if deflection is None or deflection > 0.6 * length:
+        yield _warn(
+            "strut.spring",
+            f"cannot hold the weight: equilibrium needs {needed:.4g} N, and it has {present:.4g} N at its design "
+            f"length of {1e3 * length:.4g} mm. Make it stiffer, or give it more preload or a longer free length.",
+            needed,
+        )
+        return
+    travel = deflection / ratio
+    if abs(travel) > 0.25 * rig.wheel.radius:
+        yield _warn(
+            "strut.spring",
+            f"static equilibrium is about {1e3 * abs(travel):.3g} mm of wheel travel into "
+            f"{'bump' if travel > 0.0 else 'rebound'} from design: the spring has {present:.4g} N there and needs "
+            f"{needed:.4g} N.",
+            travel,
+        )
+    pressed = static_tyre_deflection(rig)
+    if pressed > 0.3 * rig.wheel.radius:
+        yield _warn(
+            "tyre", f"is pressed in by {1e3 * pressed:.4g} mm under the weight; is the stiffness right?", pressed
+        )
+
+
+def _deflection(rig: Corner, force: float) -> float | None:
+    """Deflection from design in m at which spring and stops give a force in N; None where they never do."""
+    length = rig.hardpoints.length("spring")
+    low, high = -length, length
+    if not spring_force(rig, low) <= force <= spring_force(rig, high):
+        return None
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if spring_force(rig, middle) < force else (low, middle)
+    return 0.5 * (low + high)

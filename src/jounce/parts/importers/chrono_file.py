@@ -1,0 +1,179 @@
+"""JSON files of Project Chrono: values by section and key, with errors that say where they lie."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import DescriptionError, nearest
+
+Array = NDArray[np.float64]
+_COMMENT = re.compile(r'("(?:\\.|[^"\\])*")|//[^\n]*|/\*.*?\*/', re.DOTALL)
+
+
+@dataclass(frozen=True)
+class RigidPart:
+    """Mass and where it is.
+
+    Attributes
+    ----------
+    mass : float
+        [kg].
+    centre : array (3,)
+        Centre of mass [m], x forward, y left, z up.
+    moments : array (3,)
+        Moments of inertia about the centre of mass [kg m^2].
+    products : array (3,)
+        Tensor elements xy, xz, yz [kg m^2].
+    """
+
+    mass: float
+    centre: Array
+    moments: Array
+    products: Array = field(default_factory=lambda: np.zeros(3))
+
+
+class ChronoFile:
+    """Values of one suspension file.
+
+    Parameters
+    ----------
+    path : Path
+        JSON file in SI; comments are allowed, as Chrono allows them.
+    templates : sequence of str
+        Kinds of suspension that the reader understands.
+    advice : str
+        What is said when a value is missing.
+    """
+
+    def __init__(self, path: Path, templates: Sequence[str], advice: str) -> None:
+        self.path, self.advice = path, advice
+        self.table = read_json(path)
+        template = self.table.get("Template")
+        if template not in templates:
+            kind = self.table.get("Type")
+            of = f" ({kind})" if isinstance(kind, str) and kind != "Suspension" else ""
+            raise DescriptionError(
+                f"this kind of Chrono file cannot be read{of}",
+                where=str(path),
+                found=template,
+                allowed=", ".join(f'"Template": "{name}"' for name in templates),
+                hint=nearest(str(template), templates) or advice,
+            )
+        self.template = str(template)
+
+    @property
+    def name(self) -> str:
+        """Name in the file, or the file's own."""
+        return str(self.table.get("Name", self.path.stem))
+
+    def at(self, *keys: str) -> str:
+        """Place of a value, for messages."""
+        return ": ".join((str(self.path), *keys))
+
+    def has(self, section: str, *keys: str) -> bool:
+        """Whether a section holds all the keys."""
+        here = self.table.get(section)
+        return isinstance(here, dict) and all(key in here for key in keys)
+
+    def value(self, section: str, key: str) -> Any:
+        """Value as it is written."""
+        here: Any = self.table
+        for i, part in enumerate((section, key)):
+            if not isinstance(here, dict) or part not in here:
+                known = list(here) if isinstance(here, dict) else []
+                raise DescriptionError(
+                    f"the key {part!r} is missing",
+                    where=self.at(*(section,)[:i]),
+                    allowed=", ".join(known),
+                    hint=nearest(part, known) or self.advice,
+                )
+            here = here[part]
+        return here
+
+    def numbers(self, section: str, key: str, shape: tuple[int, ...]) -> Array:
+        """Finite numbers of a shape; -1 in it stands for any count."""
+        return self._checked(self.value(section, key), self.at(section, key), shape)
+
+    def positive(self, section: str, key: str) -> float:
+        """One number above zero."""
+        found = float(self.numbers(section, key, ()))
+        if not found > 0.0:
+            raise DescriptionError("out of range", where=self.at(section, key), found=found, allowed="above 0")
+        return found
+
+    def number(self, section: str, key: str, default: float) -> float:
+        """One number that may be left out."""
+        return float(self.numbers(section, key, ())) if self.has(section, key) else default
+
+    def angle(self, key: str) -> float:
+        """Angle of the top level, written in degrees, in rad; 0 when it is left out."""
+        return float(np.radians(self._checked(self.table.get(key, 0.0), self.at(key), ())))
+
+    def part(self, section: str, *, centre: Array | None = None) -> RigidPart:
+        """Mass properties of a body; ``centre`` (m) where the file does not give it."""
+        key = "Moments of Inertia" if self.has(section, "Moments of Inertia") else "Inertia"
+        products = "Products of Inertia"
+        return RigidPart(
+            self.positive(section, "Mass"),
+            self.numbers(section, "COM", (3,)) if centre is None else centre,
+            self.numbers(section, key, (3,)),
+            self.numbers(section, products, (3,)) if self.has(section, products) else np.zeros(3),
+        )
+
+    def curve(self, section: str, key: str) -> tuple[Array, Array]:
+        """Points of a curve: the first of each pair, ascending, and the second."""
+        points = self.numbers(section, key, (-1, 2))
+        ascending(points[:, 0], self.at(section, key))
+        return points[:, 0], points[:, 1]
+
+    def _checked(self, value: Any, where: str, shape: tuple[int, ...]) -> Array:
+        try:
+            found = np.asarray(value, dtype=float)
+        except (TypeError, ValueError):
+            raise DescriptionError("not a regular list of numbers", where=where) from None
+        fits = found.ndim == len(shape) and all(n in (-1, m) for n, m in zip(shape, found.shape, strict=True))
+        if not fits or not np.isfinite(found).all() or _has_truth(value):
+            wanted = " x ".join("n" if n < 0 else str(n) for n in shape) or "one"
+            raise DescriptionError(
+                "not the numbers that belong here",
+                where=where,
+                found=f"shape {found.shape}",
+                allowed=f"{wanted} finite numbers",
+            )
+        return found
+
+
+def ascending(values: Array, where: str) -> None:
+    """Refuse values that are fewer than two or do not ascend."""
+    if len(values) < 2 or not bool(np.all(np.diff(values) > 0.0)):
+        raise DescriptionError("not at least two ascending values", where=where)
+
+
+def _has_truth(value: object) -> bool:
+    return isinstance(value, bool) or (isinstance(value, list) and any(_has_truth(item) for item in value))
+
+
+def read_json(path: Path) -> dict[str, Any]:
+    """Read one JSON object with comments; give its table."""
+    if not path.is_file():
+        raise DescriptionError("no such file", where=str(path), hint="Check the path and the name.")
+    try:
+        text = path.read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        raise DescriptionError("not a text file", where=str(path), allowed="JSON text in UTF-8") from None
+    blank = _COMMENT.sub(lambda found: found[1] or re.sub(r"[^\n]", " ", found[0]), text)
+    try:
+        table = json.loads(blank)
+    except json.JSONDecodeError as error:
+        raise DescriptionError(f"not valid JSON: {error.msg}", where=f"{path}, line {error.lineno}") from None
+    if not isinstance(table, dict):
+        raise DescriptionError("not a description", where=str(path), allowed="one JSON object")
+    return table

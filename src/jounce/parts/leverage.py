@@ -1,0 +1,174 @@
+"""Levers of a corner at its design position: what the wheel's rise does to spring, damper and bodies, and the statics.
+
+First-order only: velocities from the joints' equations at the hardpoints as given. What needs another position than
+design is the business of the kinematics.
+"""
+
+from __future__ import annotations
+
+from typing import cast
+
+import numpy as np
+
+from jounce.parts.corners import Corner
+from jounce.parts.curves import Curve, PolynomialCurve, PowerCurve
+from jounce.parts.elements import BumpStop
+from jounce.parts.hardpoints import FiveLinkHardpoints, Hardpoints, McPhersonHardpoints, TrailingArmHardpoints
+from jounce.parts.points import Array, Triple
+
+Twist = tuple[Array, Array]
+"""Velocity of the body's point at the origin, and angular velocity, each shape (3,)."""
+
+
+def motion_ratio(rig: Corner, element: str = "spring") -> float:
+    """Give the shortening of an element over the rise of the wheel centre at design.
+
+    Parameters
+    ----------
+    rig : Corner
+        Any 3-D rig.
+    element : str
+        ``"spring"`` or ``"damper"``.
+
+    Returns
+    -------
+    float
+        Shortening over rise [1], positive when bump compresses it.
+
+    Examples
+    --------
+    >>> from jounce.parts import load
+    >>> round(motion_ratio(load("reference-double-wishbone")), 4)
+    0.6985
+    """
+    points = rig.hardpoints
+    bottom, top = _at(points, f"{element}_bottom"), _at(points, f"{element}_top")
+    along = (top - bottom) / np.linalg.norm(top - bottom)
+    return float(along @ _velocity(_twist(rig, rig.strut_body), bottom))
+
+
+def static_spring_force(rig: Corner) -> float:
+    """Spring force (N) that holds the sprung mass and its share of the arms at design, the wheel on the road."""
+    load = 0.0 if rig.sprung is None else rig.sprung.mass
+    for name, body in rig.body_masses().items():
+        rise = _velocity(_twist(rig, name), np.array(body.centre_of_mass))[2]
+        load += body.mass * (1.0 - rise)
+    return float(rig.gravity * load / motion_ratio(rig))
+
+
+def static_tyre_deflection(rig: Corner) -> float:
+    """Tyre deflection (m) under the whole weight of the corner, with the tyre's slope at no deflection for curves."""
+    mass = (0.0 if rig.sprung is None else rig.sprung.mass) + sum(body.mass for body in rig.body_masses().values())
+    tyre = rig.tyre
+    stiffness = tyre.stiffness if tyre.curve is None else force_at(tyre.curve, 1e-3) / 1e-3
+    return rig.gravity * mass / cast(float, stiffness)
+
+
+def spring_force(rig: Corner, deflection: float = 0.0) -> float:
+    """Force of spring and stops in N, compression positive, at a ``deflection`` from design length in m."""
+    spring, length = rig.strut.spring, rig.hardpoints.length("spring")
+    own = deflection if spring.free_length is None else spring.free_length - length + deflection
+    force = (spring.preload or 0.0) + (
+        spring.rate * own if spring.rate is not None else force_at(cast(Curve, spring.curve), own)
+    )
+    return force + _stop(rig.strut.bump_stop, deflection) - _stop(rig.strut.rebound_stop, -deflection)
+
+
+def force_at(curve: Curve, x: float) -> float:
+    """Force of a curve in N at ``x`` in m; tables go on beyond their ends."""
+    if isinstance(curve, PolynomialCurve):
+        return float(sum(c * x ** (i + 1) for i, c in enumerate(curve.coefficients)))
+    if isinstance(curve, PowerCurve):
+        return curve.coefficient * x**curve.exponent if x > 0.0 else 0.0
+    xs, forces = np.array(curve.deflection), np.array(curve.force)
+    i = int(np.clip(np.searchsorted(xs, x) - 1, 0, len(xs) - 2))
+    return float(forces[i] + (forces[i + 1] - forces[i]) * (x - xs[i]) / (xs[i + 1] - xs[i]))
+
+
+def _stop(stop: BumpStop | None, deflection: float) -> float:
+    if stop is None or deflection <= stop.gap:
+        return 0.0
+    depth = deflection - stop.gap
+    return stop.rate * depth + stop.progression * depth**3
+
+
+def _at(points: Hardpoints, name: str) -> Array:
+    return np.array(cast(Triple, points.at(name)))
+
+
+def _velocity(twist: Twist, point: Array) -> Array:
+    return np.asarray(twist[0] + np.cross(twist[1], point))
+
+
+def _turn(axis: Array, through: Array) -> Twist:
+    """Twist of a turn about an axis (angular velocity, rad/s) through a point."""
+    return -np.cross(axis, through), axis
+
+
+def _twist(rig: Corner, body: str) -> Twist:
+    """Twist of a body while the wheel centre rises at 1 m/s and the car's body stands."""
+    points = rig.hardpoints
+    if body in ("lower_arm", "upper_arm"):
+        return _arm(points, body.removesuffix("_arm"), _carrier(points))
+    if body.startswith("link_") or body == "tie_rod":
+        return _link(_at(points, f"{body}_inner"), _at(points, f"{body}_outer"), _carrier(points))
+    if body == "rocker":
+        return _rocker(rig)
+    return _carrier(points)
+
+
+def _carrier(points: Hardpoints) -> Twist:
+    """Twist of the body that carries the wheel; a McPherson's sliding part turns with it."""
+    centre = np.array(points.wheel_centre)
+    if isinstance(points, TrailingArmHardpoints):
+        through = np.array(points.arm_inner)
+        twist = _turn(np.array(points.arm_outer) - through, through)
+        rise = _velocity(twist, centre)[2]
+        if abs(rise) < 1e-9:
+            raise np.linalg.LinAlgError("the arm's axis is vertical or passes the wheel centre")
+        return twist[0] / rise, twist[1] / rise
+    rows = [*_held(points), (np.array([0.0, 0.0, 1.0]), centre)]
+    matrix = np.array([np.concatenate([along, np.cross(point, along)]) for along, point in rows])
+    solved = np.linalg.solve(matrix, np.array([0.0] * 5 + [1.0]))
+    return solved[:3], solved[3:]
+
+
+def _held(points: Hardpoints) -> list[tuple[Array, Array]]:
+    """Five directions in which points of the upright cannot move: direction and point."""
+    if isinstance(points, FiveLinkHardpoints):
+        names = [(f"link_{i}_outer", f"link_{i}_inner") for i in range(1, 6)]
+    else:
+        names = [
+            (f"{arm}_ball_joint", f"{arm}_arm_{end}")
+            for arm in (("lower",) if isinstance(points, McPhersonHardpoints) else ("lower", "upper"))
+            for end in ("front", "rear")
+        ]
+        names.append(("tie_rod_outer", "tie_rod_inner"))
+    held = [(_at(points, inner) - _at(points, outer), _at(points, outer)) for outer, inner in names]
+    if isinstance(points, McPhersonHardpoints):
+        top = np.array(points.strut_top)
+        line = top - np.array(points.strut_bottom)
+        across = np.linalg.svd(line[np.newaxis])[2][1:]
+        held += [(direction, top) for direction in across]
+    return held
+
+
+def _arm(points: Hardpoints, which: str, carrier: Twist) -> Twist:
+    front, joint = _at(points, f"{which}_arm_front"), _at(points, f"{which}_ball_joint")
+    axis = front - _at(points, f"{which}_arm_rear")
+    lever = np.cross(axis, joint - front)
+    return _turn(axis * (_velocity(carrier, joint) @ lever) / (lever @ lever), front)
+
+
+def _link(inner: Array, outer: Array, carrier: Twist) -> Twist:
+    """Twist of a link that does not turn about itself."""
+    along = outer - inner
+    return _turn(np.cross(along, _velocity(carrier, outer)) / (along @ along), inner)
+
+
+def _rocker(rig: Corner) -> Twist:
+    points = rig.hardpoints
+    outer, inner, pivot = (_at(points, name) for name in ("pushrod_outer", "pushrod_inner", "rocker_pivot"))
+    axis, rod = _at(points, "rocker_axis") - pivot, inner - outer
+    push = rod @ _velocity(_twist(rig, str(getattr(rig.strut, "pushrod_on"))), outer)  # noqa: B009 - of rigs with rockers
+    return _turn(axis * push / (rod @ np.cross(axis, inner - pivot)), pivot)
