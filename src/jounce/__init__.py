@@ -12,6 +12,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal to _PUBLIC
+    from jounce import mechanics as mechanics
     from jounce import plots as plots
     from jounce.core.errors import AssemblyError as AssemblyError
     from jounce.core.errors import DescriptionError as DescriptionError
@@ -58,6 +59,7 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.simulation import linearise as linearise
     from jounce.simulation import modes as modes
     from jounce.simulation import simulate as simulate
+    from jounce.simulation import simulate_mechanism as simulate_mechanism
     from jounce.studies.campaign import run_campaign as run_campaign
     from jounce.studies.speed_sweep import speed_sweep as speed_sweep
 
@@ -104,11 +106,13 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "linearise": "jounce.simulation",
     "load": "jounce.parts",
     "load_road": "jounce.roads",
+    "mechanics": "jounce.mechanics",
     "modes": "jounce.simulation",
     "plots": "jounce.plots",
     "read_recording": "jounce.recordings",
     "run_campaign": "jounce.studies.campaign",
     "simulate": "jounce.simulation",
+    "simulate_mechanism": "jounce.simulation",
     "speed_sweep": "jounce.studies.speed_sweep",
     "update_model": "jounce.identify.update",
     "write_recording": "jounce.recordings",

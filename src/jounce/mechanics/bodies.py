@@ -10,7 +10,16 @@ from jounce.mechanics.frames import Frame, Moving
 from jounce.mechanics.rotations import skew
 
 
-@dataclass
+@dataclass(frozen=True)
+class MassProperties:
+    """Mass (kg), design place of its centre (m) and inertia about it in design axes (kg m^2, shape (3, 3))."""
+
+    mass: ca.SX
+    centre: ca.SX
+    inertia: ca.SX
+
+
+@dataclass(eq=False)
 class Body:
     """A rigid body; its frame's origin is where its joint is.
 
@@ -18,20 +27,14 @@ class Body:
     ----------
     name : str
         For messages and channels.
-    mass : casadi.SX
-        kg; None for a body that only carries points.
-    centre_of_mass : casadi.SX
-        Design place, m.
-    inertia : casadi.SX
-        Tensor about the centre of mass in design axes, kg m^2, shape (3, 3).
-    frame : Frame
+    mass_properties : MassProperties, optional
+        None for a body that only carries points.
+    frame : Frame, optional
         Set by the joint that hangs it into the tree.
     """
 
     name: str
-    mass: ca.SX | None = None
-    centre_of_mass: ca.SX | None = None
-    inertia: ca.SX | None = None
+    mass_properties: MassProperties | None = None
     frame: Frame | None = None
 
     def point(self, design: ca.SX) -> Moving:
@@ -57,15 +60,15 @@ class Body:
 class RigidMass:
     """Inertia of a rigid body, written about its frame's origin and in its own axes."""
 
-    def __init__(self, body: Body) -> None:
-        assert body.frame is not None
-        self._frame, self._mass = body.frame, body.mass
-        arm = body.centre_of_mass - body.frame.design
-        self._moment = body.mass * arm
-        steiner = body.mass * (ca.dot(arm, arm) * ca.SX.eye(3) - arm @ arm.T)
-        self._tensor = body.inertia + steiner
+    def __init__(self, frame: Frame, properties: MassProperties) -> None:
+        self._frame, self._mass = frame, properties.mass
+        arm = properties.centre - frame.design
+        self._moment = self._mass * arm
+        steiner = self._mass * (ca.dot(arm, arm) * ca.SX.eye(3) - arm @ arm.T)
+        self._tensor = properties.inertia + steiner
 
     def matrix(self, v: ca.SX) -> ca.SX:
+        """Mass matrix for the speeds ``v``."""
         orientation = self._frame.orientation
         linear = ca.jacobian(self._frame.origin.rate, v)
         angular = ca.jacobian(orientation.spin, v)
@@ -75,6 +78,7 @@ class RigidMass:
         return self._mass * (linear.T @ linear) + coupling + coupling.T + angular.T @ (self._tensor @ angular)
 
     def bias(self, v: ca.SX) -> ca.SX:
+        """Generalised inertial force that is left when no speed changes."""
         orientation, origin = self._frame.orientation, self._frame.origin
         linear = ca.jacobian(origin.rate, v)
         angular = ca.jacobian(orientation.spin, v)

@@ -12,7 +12,7 @@ from jounce.mechanics.frames import Moving
 from jounce.mechanics.rotations import unit
 
 if TYPE_CHECKING:
-    from jounce.mechanics.mechanism import Mechanism
+    from jounce.mechanics.tree import Tree
 
 _AXES = ("x", "y", "z")
 
@@ -38,29 +38,27 @@ class Dot:
 class Closures:
     """Writes the equations of closures into a mechanism, with the wrenches that their multipliers are."""
 
-    def __init__(self, mechanism: Mechanism) -> None:
-        self._mechanism = mechanism
+    def __init__(self, tree: Tree) -> None:
+        self._tree = tree
 
     def coincident(self, name: str, first: Body, second: Body, at: ca.SX, second_at: ca.SX) -> ca.SX:
         """Two points in one place; the multipliers are the force on the second body."""
         one, other = first.point(at), second.point(second_at)
         gap = other - one
         names = [f"{name}.{axis}" for axis in _AXES]
-        force = self._mechanism.constrain(names, gap.value, gap.rate, gap.bias)
-        self._pull(first, second, one, other, force)
+        force = self._tree.constrain(names, gap.value, gap.rate, gap.bias)
+        self._pull(name, first, second, one, other, force)
         return force
 
-    def rod(
-        self, name: str, first: Body, second: Body, at: ca.SX, second_at: ca.SX, length: ca.SX | None
-    ) -> ca.SX:
+    def rod(self, name: str, first: Body, second: Body, at: ca.SX, second_at: ca.SX, length: ca.SX | None) -> ca.SX:
         """Two points at a distance; the multiplier is the rod's force over its length, compression positive."""
         one, other = first.point(at), second.point(second_at)
         reach = other - one
         design = second_at - at
         squared = ca.dot(design, design) if length is None else length**2
         product = Dot.of(reach, reach)
-        density = self._mechanism.constrain([name], 0.5 * (product.value - squared), 0.5 * product.rate, 0.5 * product.bias)
-        self._pull(first, second, one, other, density * reach.value)
+        density = self._tree.constrain([name], 0.5 * (product.value - squared), 0.5 * product.rate, 0.5 * product.bias)
+        self._pull(name, first, second, one, other, density * reach.value)
         return -density * ca.sqrt(squared)
 
     def point_on_line(self, name: str, first: Body, second: Body, at: ca.SX, axis: ca.SX, point: ca.SX) -> ca.SX:
@@ -70,7 +68,7 @@ class Closures:
         rows = [Dot.of(normal, other - start) for normal in across]
         forces = self._rows([f"{name}.across", f"{name}.across_2"], rows)
         force = forces[0] * across[0].value + forces[1] * across[1].value
-        self._pull(first, second, other, other, force)
+        self._pull(name, first, second, other, other, force)
         return forces
 
     def perpendicular(self, name: str, first: Body, second: Body, axis: ca.SX, second_axis: ca.SX) -> ca.SX:
@@ -90,9 +88,7 @@ class Closures:
         """Closes a loop by a hinge: force on the second body, then the torques across the axis."""
         return ca.vertcat(self.coincident(name, first, second, at, at), self.parallel(name, first, second, axis))
 
-    def universal(
-        self, name: str, first: Body, second: Body, at: ca.SX, axis: ca.SX, second_axis: ca.SX
-    ) -> ca.SX:
+    def universal(self, name: str, first: Body, second: Body, at: ca.SX, axis: ca.SX, second_axis: ca.SX) -> ca.SX:
         """Closes a loop by a universal joint."""
         force = self.coincident(name, first, second, at, at)
         return ca.vertcat(force, self.perpendicular(f"{name}.cross", first, second, axis, second_axis))
@@ -111,12 +107,12 @@ class Closures:
 
     def _square(self, name: str, first: Body, second: Body, one: Moving, other: Moving) -> ca.SX:
         torque = self._rows([name], [Dot.of(one, other)])
-        self._twist(first, second, torque * ca.cross(other.value, one.value))
+        self._twist(name, first, second, torque * ca.cross(other.value, one.value))
         return torque
 
     def _rows(self, names: list[str], rows: list[Dot]) -> ca.SX:
         columns = zip(*((row.value, row.rate, row.bias) for row in rows), strict=True)
-        return self._mechanism.constrain(names, *(ca.vertcat(*column) for column in columns))
+        return self._tree.constrain(names, *(ca.vertcat(*column) for column in columns))
 
     def _normals(self, axis: ca.SX) -> tuple[ca.SX, ca.SX]:
         """Two directions across an axis: the first leans on the ground axis that is farthest from it."""
@@ -127,11 +123,11 @@ class Closures:
         second = unit(ca.cross(axis, helper))
         return ca.cross(second, axis), second
 
-    def _pull(self, first: Body, second: Body, one: Moving, other: Moving, force: ca.SX) -> None:
+    def _pull(self, name: str, first: Body, second: Body, one: Moving, other: Moving, force: ca.SX) -> None:
         """Note the constraint force on the second body and its opposite on the first."""
-        self._mechanism.note(second, force, other.value)
-        self._mechanism.note(first, -force, one.value)
+        self._tree.note(second, force, other.value, source=name)
+        self._tree.note(first, -force, one.value, source=name)
 
-    def _twist(self, first: Body, second: Body, torque: ca.SX) -> None:
-        self._mechanism.note(second, torque=torque)
-        self._mechanism.note(first, torque=-torque)
+    def _twist(self, name: str, first: Body, second: Body, torque: ca.SX) -> None:
+        self._tree.note(second, torque=torque, source=name)
+        self._tree.note(first, torque=-torque, source=name)

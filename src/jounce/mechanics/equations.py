@@ -1,4 +1,4 @@
-"""Equations of motion: ``M a = Q + G^T lambda`` with ``G a + gamma = 0``, solved in the graph; projection onto constraints.
+"""Equations of motion ``M a = Q + G^T lambda``, ``G a + gamma = 0``, solved in the graph; projection onto constraints.
 
 ``v`` are the speeds, ``a`` their rates; the coordinates follow ``dq/dt = N(q) v``.
 """
@@ -33,10 +33,12 @@ class PointMass:
     bias_acceleration: ca.SX
 
     def matrix(self, v: ca.SX) -> ca.SX:
+        """Mass matrix."""
         jacobian = ca.jacobian(self.rate, v)
         return self.mass * (jacobian.T @ jacobian)
 
     def bias(self, v: ca.SX) -> ca.SX:
+        """Inertial force of the bias."""
         return ca.jacobian(self.rate, v).T @ (self.mass * self.bias_acceleration)
 
 
@@ -53,7 +55,7 @@ class Constraint:
 
 @dataclass(frozen=True)
 class Solved:
-    """Accelerations and multipliers; the projected coordinates and speeds; how far from singular the constraints are."""
+    """Accelerations, multipliers, the projected coordinates and speeds, and how far from singular the constraints are."""
 
     acceleration: ca.SX
     multipliers: ca.SX

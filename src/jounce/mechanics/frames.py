@@ -55,12 +55,15 @@ class Still(Orientation):
         super().__init__(ca.SX.eye(3), _ZERO, _ZERO)
 
     def rotate(self, vector: ca.SX) -> ca.SX:
+        """Nothing turns."""
         return vector
 
     def unrotate(self, vector: ca.SX) -> ca.SX:
+        """Nothing turns."""
         return vector
 
     def moving(self, vector: ca.SX) -> Moving:
+        """Nothing moves."""
         return Moving(vector, _ZERO, _ZERO)
 
 
@@ -75,14 +78,17 @@ class Turned(Orientation):
         super().__init__(matrix, axis * speed, _ZERO)
 
     def rotate(self, vector: ca.SX) -> ca.SX:
+        """Turn a vector of the frame into ground axes."""
         along, across = self._parts(vector)
         return along + self.cosine * across + self.sine * ca.cross(self.axis, vector)
 
     def unrotate(self, vector: ca.SX) -> ca.SX:
+        """Turn a vector of the ground into the frame's axes."""
         along, across = self._parts(vector)
         return along + self.cosine * across - self.sine * ca.cross(self.axis, vector)
 
     def moving(self, vector: ca.SX) -> Moving:
+        """Follow a vector that is fixed in the frame."""
         along, across = self._parts(vector)
         sideways = ca.cross(self.axis, vector)
         turned = self.cosine * across + self.sine * sideways

@@ -1,52 +1,26 @@
-"""Mechanisms in space: bodies, joints, loops and forces by name, in the ground axes of the design pose.
-
-Every place and direction is given where it lies in the design pose: x, y, z in metres in the ground's axes. The first
-joint of a body hangs it into the tree; a joint between two bodies that hang already closes a loop.
-"""
+"""Mechanisms in space: bodies, joints, loops and forces by name, in the ground axes of the design pose."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping
 
 import casadi as ca
 import numpy as np
+from numpy.typing import NDArray
 
-from jounce.core.errors import AssemblyError
+from jounce.core.errors import AssemblyError, unknown
+from jounce.mechanics.assembly import assemble, superfluous
 from jounce.mechanics.bodies import Body, RigidMass
-from jounce.mechanics.closures import Closures
-from jounce.mechanics.frames import GROUND, Frame, Moving, by_quaternion
+from jounce.mechanics.frames import Moving
 from jounce.mechanics.model import Model
-from jounce.mechanics.rotations import unit
-from jounce.mechanics.system import System, Track
+from jounce.mechanics.reactions import Reaction, kinetic_energy, tree_reaction, weight_energy
+from jounce.mechanics.tree import Tree, Vector
 
 _NONE = ca.SX(3, 1)
-Vector = Sequence[float] | ca.SX
-"""Three numbers, or three expressions of parameters."""
+_POINT = 1e-12  # m: a line shorter than that has no direction
 
 
-@dataclass(frozen=True)
-class Wrench:
-    """A force (N) at a point and a torque (N m) that something outside puts on a body, in ground axes."""
-
-    body: Body
-    force: ca.SX
-    point: ca.SX
-    torque: ca.SX
-
-
-@dataclass(frozen=True)
-class TreeJoint:
-    """The joint that hangs ``child`` on ``parent``; ``origin`` is where its reactions are given."""
-
-    name: str
-    kind: str
-    parent: Body
-    child: Body
-    frame: Frame
-
-
-class Mechanism(System):
+class Mechanism(Tree):
     """A mechanism under construction: bodies, joints, loops, forces, outputs, then ``finish``.
 
     Parameters
@@ -68,212 +42,9 @@ class Mechanism(System):
 
     def __init__(self, gravity: float | ca.SX = 9.81) -> None:
         super().__init__()
-        self.ground = Body("ground", frame=GROUND)
-        self.values: dict[str, float] = {}
         self.gravity = self.number("gravity", gravity)
-        self._bodies: dict[str, Body] = {"ground": self.ground}
-        self._joints: dict[str, TreeJoint] = {}
-        self._wrenches: list[Wrench] = []
-        self._closures = Closures(self)
-        self.bodies_done = False
-
-    # numbers ---------------------------------------------------------------------------------------------------
-
-    def number(self, path: str, value: float | ca.SX) -> ca.SX:
-        """Give the parameter at ``path`` with a value of its own; an expression is taken as it is."""
-        if isinstance(value, ca.SX):
-            return value
-        self.values[path] = float(value)
-        return self.parameter(path)
-
-    def vector(self, path: str, value: Vector) -> ca.SX:
-        """Give three parameters ``path[0]`` to ``path[2]`` with values of their own."""
-        if isinstance(value, ca.SX):
-            return value
-        return ca.vertcat(*(self.number(f"{path}[{i}]", float(part)) for i, part in enumerate(value)))
-
-    # bodies ----------------------------------------------------------------------------------------------------
-
-    def body(
-        self,
-        name: str,
-        mass: float | ca.SX | None = None,
-        centre_of_mass: Vector | None = None,
-        inertia: Sequence[float] | ca.SX | None = None,
-    ) -> Body:
-        """Add a rigid body.
-
-        Parameters
-        ----------
-        name : str
-            Its name.
-        mass : float, optional
-            kg; without one the body only carries points, and must be held by bodies with mass.
-        centre_of_mass : sequence of float, shape (3,), optional
-            m, in the design pose.
-        inertia : sequence of float, shape (3,) or (6,), optional
-            xx, yy, zz (, xy, xz, yz) of the tensor about the centre of mass in design axes, kg m^2. A matrix (3, 3)
-            of expressions is taken as it is. A point mass without it.
-
-        Returns
-        -------
-        Body
-            For joints, points and forces.
-        """
-        self._refuse_twice(name, self._bodies)
-        body = Body(name)
-        if mass is not None:
-            if centre_of_mass is None:
-                raise AssemblyError("a mass without its place", where=name, hint="Give centre_of_mass.")
-            body.mass = self.number(f"{name}.mass", mass)
-            body.centre_of_mass = self.vector(f"{name}.centre_of_mass", centre_of_mass)
-            body.inertia = self._tensor(f"{name}.inertia", inertia)
-        self._bodies[name] = body
-        return body
-
-    def _tensor(self, path: str, inertia: Sequence[float] | ca.SX | None) -> ca.SX:
-        if inertia is None:
-            return ca.SX(3, 3)
-        if isinstance(inertia, ca.SX):
-            return inertia
-        elements = [*inertia, *([0.0] * (6 - len(inertia)))]
-        names = ("xx", "yy", "zz", "xy", "xz", "yz")
-        xx, yy, zz, xy, xz, yz = (
-            self.number(f"{path}.{name}", value) for name, value in zip(names, elements, strict=True)
-        )
-        return ca.vertcat(ca.horzcat(xx, xy, xz), ca.horzcat(xy, yy, yz), ca.horzcat(xz, yz, zz))
-
-    # joints ----------------------------------------------------------------------------------------------------
-
-    def fixed(self, name: str, parent: Body, child: Body) -> None:
-        """Weld two bodies together."""
-        if self._closes(parent, child):
-            raise AssemblyError("both bodies hang already", where=name, hint="Make them one body.")
-        parent, child = self._ordered(name, parent, child)
-        self._hang(name, "fixed", parent, child, self._frame_of(parent).at(self._frame_of(parent).design))
-
-    def prismatic(self, name: str, parent: Body, child: Body, axis: Vector, at: Vector = _NONE) -> ca.SX:
-        """Let a body slide along an axis; give the distance (m), positive where the child moves along ``axis``."""
-        place, along = self._place(name, at, axis)
-        if self._closes(parent, child):
-            return self._closures.prismatic(name, parent, child, place, along)
-        parent, child, sign = self._signed(name, parent, child)
-        q, v = self.coordinates([f"{name}.distance"], [f"{name}.distance rate"])
-        self._hang(name, "prismatic", parent, child, self._frame_of(parent).at(place).slid(sign * along, q, v))
-        return q
-
-    def revolute(self, name: str, parent: Body, child: Body, at: Vector, axis: Vector) -> ca.SX:
-        """Let a body turn about an axis; give the angle (rad), right-handed about ``axis`` from parent to child."""
-        place, along = self._place(name, at, axis)
-        if self._closes(parent, child):
-            return self._closures.revolute(name, parent, child, place, along)
-        parent, child, sign = self._signed(name, parent, child)
-        q, v = self.coordinates([f"{name}.angle"], [f"{name}.angle rate"])
-        self._hang(name, "revolute", parent, child, self._frame_of(parent).at(place).turned(sign * along, q, v))
-        return q
-
-    def cylindrical(self, name: str, parent: Body, child: Body, at: Vector, axis: Vector) -> ca.SX:
-        """Let a body slide along an axis and turn about it; give distance (m) and angle (rad)."""
-        place, along = self._place(name, at, axis)
-        if self._closes(parent, child):
-            return self._closures.cylindrical(name, parent, child, place, along)
-        parent, child, sign = self._signed(name, parent, child)
-        names = [f"{name}.distance", f"{name}.angle"]
-        q, v = self.coordinates(names, [f"{text} rate" for text in names])
-        frame = self._frame_of(parent).at(place).slid(sign * along, q[0], v[0]).turned(sign * along, q[1], v[1])
-        self._hang(name, "cylindrical", parent, child, frame)
-        return q
-
-    def universal(
-        self, name: str, parent: Body, child: Body, at: Vector, axis: Vector, second_axis: Vector
-    ) -> ca.SX:
-        """Cross of two axes at right angles: ``axis`` on the first body, ``second_axis`` on the other; give the angles."""
-        place, along = self._place(name, at, axis)
-        second = unit(self.vector(f"{name}.second_axis", second_axis))
-        if self._closes(parent, child):
-            return self._closures.universal(name, parent, child, place, along, second)
-        ordered, child = self._ordered(name, parent, child)
-        if ordered is not parent:
-            along, second = second, along
-        names = [f"{name}.angle", f"{name}.second_angle"]
-        q, v = self.coordinates(names, [f"{text} rate" for text in names])
-        frame = self._frame_of(ordered).at(place).turned(along, q[0], v[0]).turned(second, q[1], v[1])
-        self._hang(name, "universal", ordered, child, frame)
-        return q
-
-    def spherical(self, name: str, parent: Body, child: Body, at: Vector) -> ca.SX:
-        """Let a body turn about a point; give the quaternion of its orientation against the ground."""
-        place = self.vector(f"{name}.at", at)
-        if self._closes(parent, child):
-            return self._closures.coincident(name, parent, child, place, place)
-        parent, child = self._ordered(name, parent, child)
-        e, w = self.quaternion(name)
-        self._hang(name, "spherical", parent, child, self._frame_of(parent).at(place).oriented(by_quaternion(e, w)))
-        return e
-
-    def free(self, name: str, child: Body, at: Vector | None = None) -> ca.SX:
-        """Let a body fly: place (m, ground axes, from the design pose) and quaternion against the ground."""
-        place = child.centre_of_mass if at is None else self.vector(f"{name}.at", at)
-        if place is None:
-            raise AssemblyError("a free body without mass", where=child.name, hint="Give mass and centre_of_mass.")
-        names = [f"{name}.{axis}" for axis in "xyz"]
-        r, v = self.coordinates(names, [f"{text} rate" for text in names])
-        e, w = self.quaternion(name)
-        frame = Frame(place, Moving(place + r, v, ca.SX(3, 1)), by_quaternion(e, w))
-        self._hang(name, "free", self.ground, child, frame)
-        return ca.vertcat(r, e)
-
-    def driven(self, name: str, parent: Body, child: Body, axis: Vector, travel: Track | ca.SX) -> None:
-        """Let a body slide along an axis by a prescribed travel (m): a track, or a parameter."""
-        along = unit(self.vector(f"{name}.axis", axis))
-        track = travel if isinstance(travel, Track) else Track(travel, ca.SX(0.0), ca.SX(0.0))
-        frame = self._frame_of(parent).slid(along, track.value, track.rate, track.acceleration)
-        self._hang(name, "driven", parent, child, frame)
-
-    # loops -----------------------------------------------------------------------------------------------------
-
-    def coincident(self, name: str, first: Body, second: Body, at: Vector, second_at: Vector | None = None) -> ca.SX:
-        """Keep a point of one body on a point of another; give the force on the second (N, ground axes)."""
-        place = self.vector(f"{name}.at", at)
-        other = place if second_at is None else self.vector(f"{name}.second_at", second_at)
-        return self._closures.coincident(name, first, second, place, other)
-
-    def rod(
-        self, name: str, first: Body, second: Body, at: Vector, second_at: Vector, length: float | ca.SX | None = None
-    ) -> ca.SX:
-        """Keep two points at a distance (m; by default that of the design pose); give the force in the rod (N, tension +)."""
-        ends = self.vector(f"{name}.at", at), self.vector(f"{name}.second_at", second_at)
-        wanted = None if length is None else self.number(f"{name}.length", length)
-        return self._closures.rod(name, first, second, *ends, wanted)
-
-    def point_on_line(self, name: str, first: Body, second: Body, at: Vector, axis: Vector, point: Vector) -> ca.SX:
-        """Keep a point of the second body on a line of the first; give the two forces across the line (N)."""
-        place, along = self._place(name, at, axis)
-        return self._closures.point_on_line(name, first, second, place, along, self.vector(f"{name}.point", point))
-
-    def perpendicular(self, name: str, first: Body, second: Body, axis: Vector, second_axis: Vector) -> ca.SX:
-        """Keep two directions at right angles; give the torque that does it (N m)."""
-        one = unit(self.vector(f"{name}.axis", axis))
-        return self._closures.perpendicular(name, first, second, one, unit(self.vector(f"{name}.second_axis", second_axis)))
-
-    def parallel(self, name: str, first: Body, second: Body, axis: Vector) -> ca.SX:
-        """Keep a direction of two bodies parallel; give the two torques that do it (N m)."""
-        return self._closures.parallel(name, first, second, unit(self.vector(f"{name}.axis", axis)))
-
-    def coupler(self, name: str, expression: ca.SX) -> ca.SX:
-        """Keep a linear combination of coordinates at zero, such as ``rack - radius * pinion``; give its force."""
-        return self.condition(name, expression)
-
-    def motion(self, name: str, coordinate: ca.SX, track: Track) -> ca.SX:
-        """Drive a coordinate (m or rad) along a prescribed input; give the force or torque that it takes."""
-        return self.condition(name, coordinate - track.value)
-
-    def condition(self, name: str, expression: ca.SX) -> ca.SX:
-        """Keep any expression of coordinates and tracks at zero; give its multiplier."""
-        rate = self.rate_of(expression)
-        return self.constrain([name], expression, rate, self._bias_of(rate))
-
-    # forces ----------------------------------------------------------------------------------------------------
+        self._settled = False
+        self._finished: Model | None = None
 
     def apply_force(self, body: Body, force: ca.SX, point: Moving) -> None:
         """Let a force (N, ground axes) act on a point of a body."""
@@ -285,70 +56,281 @@ class Mechanism(System):
         self.load(body.spin, torque)
         self.note(body, torque=torque)
 
-    def note(
-        self, body: Body, force: ca.SX = _NONE, point: ca.SX = _NONE, torque: ca.SX = _NONE
-    ) -> None:
-        """Note what acts on a body, for the reactions of its joint; the equations of motion have it already."""
-        self._wrenches.append(Wrench(body, force, point, torque))
-
     def push_apart(self, first: Body, second: Body, at: Moving, second_at: Moving, force: ca.SX) -> None:
         """Let a force (N) push two points apart along the line between them."""
         reach = second_at - at
-        along = unit(reach.value)
+        along = reach.value / _length(reach.value)
         self.load(ca.dot(along, reach.rate), force)
         for body, point, sign in ((first, at, -1.0), (second, second_at, 1.0)):
             self.note(body, sign * force * along, point.value)
 
-    # finishing -------------------------------------------------------------------------------------------------
+    def spring_damper(
+        self,
+        name: str,
+        first: Body,
+        second: Body,
+        at: Vector,
+        second_at: Vector,
+        *,
+        stiffness: float | ca.SX = 0.0,
+        damping: float | ca.SX = 0.0,
+        free_length: float | ca.SX | None = None,
+        force: ca.SX | None = None,
+    ) -> tuple[ca.SX, ca.SX]:
+        """Put a spring and damper between two points; give its length (m) and force (N, compression positive).
 
-    def finish(self) -> Model:
-        """Form the equations of motion."""
+        Parameters
+        ----------
+        name : str
+            Its name.
+        first, second : Body
+            The bodies it pushes apart.
+        at, second_at : sequence of float, shape (3,)
+            Its ends in the design pose, m.
+        stiffness : float
+            N/m.
+        damping : float
+            N s/m.
+        free_length : float, optional
+            m; by default the length in the design pose.
+        force : casadi.SX, optional
+            A law of your own in place of stiffness and damping, N, positive in compression.
+
+        Returns
+        -------
+        tuple of casadi.SX
+            Length and force.
+        """
+        places = self.vector(f"{name}.at", at), self.vector(f"{name}.second_at", second_at)
+        ends = first.point(places[0]), second.point(places[1])
+        reach = ends[1] - ends[0]
+        length = _length(reach.value)
+        if force is None:
+            rate = ca.dot(reach.value, reach.rate) / length
+            free = places[1] - places[0] if free_length is None else free_length
+            free = _length(free) if free_length is None else self.number(f"{name}.free_length", free)
+            force = self.number(f"{name}.stiffness", stiffness) * (free - length)
+            force -= self.number(f"{name}.damping", damping) * rate
+        self.push_apart(first, second, *ends, force)
+        return length, force
+
+    def rotational_spring_damper(
+        self,
+        name: str,
+        joint: str,
+        *,
+        stiffness: float | ca.SX = 0.0,
+        damping: float | ca.SX = 0.0,
+        free_angle: float | ca.SX = 0.0,
+        torque: ca.SX | None = None,
+    ) -> ca.SX:
+        """Put a spring and damper on the angle of a revolute or cylindrical joint of the tree; give its torque (N m).
+
+        Parameters
+        ----------
+        name : str
+            Its name.
+        joint : str
+            The joint.
+        stiffness : float
+            N m/rad.
+        damping : float
+            N m s/rad.
+        free_angle : float
+            Angle without torque, rad.
+        torque : casadi.SX, optional
+            A law of your own (use ``coordinate_named`` and ``rate_of``), N m, positive along the angle.
+
+        Returns
+        -------
+        casadi.SX
+            Torque on the second body along the joint's axis.
+        """
+        if joint not in self._joints or f"{joint}.angle" not in self._coordinates:
+            turning = [text for text in self._joints if f"{text}.angle" in self._coordinates]
+            raise unknown(joint, turning, what="joint with an angle in the tree", where=name)
+        angle = self._coordinates[f"{joint}.angle"]
+        if torque is None:
+            torque = -self.number(f"{name}.stiffness", stiffness) * (
+                angle - self.number(f"{name}.free_angle", free_angle)
+            )
+            torque -= self.number(f"{name}.damping", damping) * self.rate_of(angle)
+        hung = self._joints[joint]
+        assert hung.axis is not None
+        along = hung.parent.direction(hung.axis).value * torque
+        self.load(self.rate_of(angle), torque)
+        self.note(hung.child, torque=along)
+        self.note(hung.parent, torque=-along)
+        return torque
+
+    def reaction(self, joint: str) -> Reaction:
+        """Give force (N) and torque (N m) of a joint on its second body, in ground axes; for outputs only.
+
+        They are given at the joint (for a closure, at its point on the second body). What drives a coordinate is
+        counted as the joint's; springs, dampers and friction of a joint are not. Ask when all forces and joints are in.
+        """
         self.settle()
-        return super().finish()
+        if joint in self._joints:
+            hung = self._joints[joint]
+            bodies = self._hanging(hung.child)
+            wrenches = [wrench for wrench in self._wrenches if any(wrench.body is body for body in bodies)]
+            found = tree_reaction(self, hung.child, bodies, wrenches)
+            return found if not hung.reversed else Reaction(-found.force, -found.torque, found.point)
+        own = [w for w in self._wrenches if w.source == joint or w.source.startswith(f"{joint}.")]
+        if not own:
+            raise unknown(joint, [*self._joints, *self.closures], what="joint", where="reaction")
+        own = [wrench for wrench in own if wrench.body is own[0].body]
+        at = next((wrench.point for wrench in own if wrench.force.nnz()), _NONE)
+        torque = sum((w.torque + ca.cross(w.point - at, w.force) for w in own if w.force.nnz()), ca.SX(3, 1))
+        torque += sum((w.torque for w in own if not w.force.nnz()), ca.SX(3, 1))
+        return Reaction(sum((w.force for w in own), ca.SX(3, 1)), torque, at)
+
+    def watch_point(self, name: str, body: Body, at: Vector) -> None:
+        """Let a point of a body be seen: ``<name>.x, .vx, .ax`` and so on, ground axes (m, m/s, m/s^2)."""
+        point = body.point(self.vector(f"{name}.at", at))
+        acceleration = point.bias + self.accelerated(point.rate)
+        for i, axis in enumerate("xyz"):
+            self.output(f"{name}.{axis}", point.value[i], "m", f"{name}, {axis}")
+            self.output(f"{name}.v{axis}", point.rate[i], "m/s", f"{name}, velocity along {axis}")
+            self.output(f"{name}.a{axis}", acceleration[i], "m/s^2", f"{name}, acceleration along {axis}")
+
+    def watch_body(self, body: Body) -> None:
+        """Let a body be seen: its centre of mass, angular velocity (rad/s) and acceleration (rad/s^2), ground axes."""
+        if body.mass_properties is None or body.frame is None:
+            raise AssemblyError("a body without mass or joint has nothing to show", where=body.name)
+        self.watch_point(body.name, body, body.mass_properties.centre)
+        orientation = body.frame.orientation
+        spin_rate = orientation.rotate(orientation.spin_bias + self.accelerated(orientation.spin))
+        for i, axis in enumerate("xyz"):
+            self.output(f"{body.name}.w{axis}", body.spin[i], "rad/s", f"{body.name}, angular velocity about {axis}")
+            text = f"{body.name}, angular acceleration about {axis}"
+            self.output(f"{body.name}.alpha_{axis}", spin_rate[i], "rad/s^2", text)
+
+    def watch_coordinates(self) -> None:
+        """Let all coordinates be seen, with ``<name> rate`` and ``<name> acceleration``."""
+        for name, speed in zip(self._coordinates, self._speeds, strict=True) if not self._quaternions else ():
+            unit = "rad" if name.endswith("angle") else "m"
+            self.output(name, self._coordinates[name], unit, name)
+            self.output(f"{name} rate", self._speeds[speed], f"{unit}/s", f"{name}, rate")
+            self.output(f"{name} acceleration", self._accelerations[speed], f"{unit}/s^2", f"{name}, acceleration")
+
+    def watch_reaction(self, joint: str, frame: str = "ground") -> None:
+        """Let a joint's reaction on its second body be seen: ``<joint>.fx`` to ``.tz``, N and N m.
+
+        Parameters
+        ----------
+        joint : str
+            A joint of the tree or a closure; call it when all forces and joints are in.
+        frame : str
+            ``"ground"``, or the name of a body whose axes are used.
+        """
+        found = self.reaction(joint)
+        if frame not in self._bodies:
+            raise unknown(frame, self._bodies, what="body", where=f"reaction of {joint}")
+        carrier = self._bodies[frame].frame
+        assert carrier is not None
+        for symbol, vector, unit in (("f", found.force, "N"), ("t", found.torque, "N*m")):
+            turned = carrier.orientation.unrotate(vector)
+            for i, axis in enumerate("xyz"):
+                what = "force" if symbol == "f" else "torque"
+                self.output(f"{joint}.{symbol}{axis}", turned[i], unit, f"{joint}, reaction {what} along {axis}")
+
+    def watch_energy(self) -> None:
+        """Let energies be seen: kinetic and that of the weights, J, and what is left open of the loops."""
+        self.output("energy.kinetic", self.kinetic_energy(), "J", "kinetic energy")
+        self.output("energy.weight", self.weight_energy(), "J", "potential energy of the weights")
+        self.output("constraint.violation", self.violation(), "m", "what is left open of the loops")
+
+    def kinetic_energy(self) -> ca.SX:
+        """Kinetic energy of all bodies, J."""
+        return kinetic_energy(self._bodies.values())
+
+    def weight_energy(self) -> ca.SX:
+        """Potential energy of the weights, J, zero in the design pose."""
+        return weight_energy(self._bodies.values(), self.gravity)
+
+    def violation(self) -> ca.SX:
+        """Size of what is left open of all loops (m and rad)."""
+        values = ca.vertcat(*(constraint.value for constraint in self._constraints))
+        return ca.sqrt(ca.dot(values, values)) if values.numel() else ca.SX(0.0)
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """Names of the joints of the tree, from the ground outwards."""
+        return tuple(self._joints)
+
+    @property
+    def closures(self) -> tuple[str, ...]:
+        """Names of what closes the loops."""
+        return tuple(dict.fromkeys(wrench.source.split(".")[0] for wrench in self._wrenches if wrench.source))
+
+    def _hanging(self, root: Body) -> list[Body]:
+        """A body and all that hangs on it."""
+        found = [root]
+        for joint in self._joints.values():
+            if any(joint.parent is body for body in found):
+                found.append(joint.child)
+        return found
+
+    def finish(self, redundant: str = "keep", start: Mapping[str, float] | None = None) -> Model:
+        """Form the equations of motion.
+
+        Parameters
+        ----------
+        redundant : {"keep", "remove"}
+            ``remove`` leaves out loop equations that repeat others at the pose that ``start`` assembles to; the force
+            that a joint without some of its equations shows is then only what the others leave for it.
+        start : mapping, optional
+            Coordinates (m, rad) by name, as for :func:`jounce.mechanics.assemble`.
+
+        Returns
+        -------
+        Model
+            The equations.
+        """
+        self.settle()
+        model = super().finish()
+        if redundant == "remove" and model.constraints:
+            p = np.array([self.values[name] for name in model.parameters])
+            u = np.zeros(model.u.shape[0])
+            pose = assemble(model, p, u, start, redundant="keep").x
+            self._dropped |= frozenset(superfluous(model, p, u, pose))
+            model = super().finish()
+        return model
+
+    def model(self, redundant: str = "refuse", start: Mapping[str, float] | None = None) -> Model:
+        """Give the finished model, formed once; arguments as for ``finish``."""
+        if self._finished is None:
+            self._finished = self.finish("remove" if redundant == "remove" else "keep", start)
+        return self._finished
+
+    def mass_values(self, values: Mapping[str, float]) -> dict[str, tuple[float, NDArray[np.float64]]]:
+        """Mass (kg) and inertia (kg m^2, (3, 3)) of every body at parameter values."""
+        paths = list(self._parameters)
+        p, numbers = ca.vertcat(*self._parameters.values()), [values[path] for path in paths]
+        found = {}
+        for body in self._bodies.values():
+            properties = body.mass_properties
+            if properties is not None:
+                mass, inertia = ca.Function("mass", [p], [properties.mass, properties.inertia])(numbers)
+                found[body.name] = float(mass), inertia.full()
+        return found
 
     def settle(self) -> None:
         """Add masses and weights of all bodies; called by ``finish`` when it was not called before."""
-        if self.bodies_done:
+        if self._settled:
             return
-        self.bodies_done = True
+        self._settled = True
         for body in self._bodies.values():
             if body.frame is None:
                 raise AssemblyError("the body hangs on nothing", where=body.name, hint="Give it a joint, or free().")
-            if body.mass is None:
-                continue
-            self.inertia(RigidMass(body))
-            centre = body.point(body.centre_of_mass)
-            self.apply_force(body, ca.vertcat(0.0, 0.0, -body.mass * self.gravity), centre)
+            properties = body.mass_properties
+            if properties is not None:
+                self.inertia(RigidMass(body.frame, properties))
+                weight = ca.vertcat(0.0, 0.0, -properties.mass * self.gravity)
+                self.apply_force(body, weight, body.point(properties.centre))
 
-    def _closes(self, first: Body, second: Body) -> bool:
-        return first.frame is not None and second.frame is not None
 
-    def _ordered(self, name: str, first: Body, second: Body) -> tuple[Body, Body]:
-        """Parent and child: the one that hangs already comes first."""
-        if first.frame is None and second.frame is None:
-            raise AssemblyError(
-                "neither body hangs on anything yet",
-                where=name,
-                found=f"{first.name}, {second.name}",
-                hint="Give the joints in an order that starts at the ground.",
-            )
-        return (first, second) if first.frame is not None else (second, first)
-
-    def _signed(self, name: str, first: Body, second: Body) -> tuple[Body, Body, float]:
-        parent, child = self._ordered(name, first, second)
-        return parent, child, 1.0 if parent is first else -1.0
-
-    def _hang(self, name: str, kind: str, parent: Body, child: Body, frame: Frame) -> None:
-        self._refuse_twice(name, self._joints)
-        child.frame = frame
-        self._joints[name] = TreeJoint(name, kind, parent, child, frame)
-
-    def _place(self, name: str, at: Vector, axis: Vector) -> tuple[ca.SX, ca.SX]:
-        if not isinstance(axis, ca.SX) and not np.any(np.asarray(axis, dtype=float)):
-            raise AssemblyError("an axis without direction", where=name, found=tuple(axis))
-        return self.vector(f"{name}.at", at), unit(self.vector(f"{name}.axis", axis))
-
-    @staticmethod
-    def _frame_of(body: Body) -> Frame:
-        assert body.frame is not None
-        return body.frame
+def _length(vector: ca.SX) -> ca.SX:
+    """Length of a vector, m, above zero."""
+    return ca.sqrt(ca.dot(vector, vector) + _POINT**2)

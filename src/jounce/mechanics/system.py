@@ -47,6 +47,7 @@ class System:
         self._constraints: list[Constraint] = []
         self._outputs: dict[Output, ca.SX] = {}
         self._accelerations: dict[str, ca.SX] = {}
+        self._dropped: frozenset[str] = frozenset()
 
     def coordinate(self, name: str) -> ca.SX:
         """Add a coordinate and give its symbol."""
@@ -164,9 +165,7 @@ class System:
         moving = ca.vertcat(
             *self._coordinates.values(), *(track.value for track in tracks), *(track.rate for track in tracks)
         )
-        rates = ca.vertcat(
-            *self._rates, *(track.rate for track in tracks), *(track.acceleration for track in tracks)
-        )
+        rates = ca.vertcat(*self._rates, *(track.rate for track in tracks), *(track.acceleration for track in tracks))
         return ca.jtimes(rate, moving, rates)
 
     def output(self, name: str, expression: ca.SX, unit: str, long_name: str) -> None:
@@ -181,8 +180,9 @@ class System:
         internal = ca.vertcat(*(symbol for symbol, _ in self._internal.values()))
         constraint = self._all_constraints()
         solved = solve(v, self._inertias, self._load(v), constraint, self._moved)
-        unknown = ca.vertcat(*self._accelerations.values(), constraint.multipliers)
-        found = ca.densify(ca.vertcat(solved.acceleration, solved.multipliers))
+        dropped = ca.vertcat(*(row for name, row in self._multipliers() if name in self._dropped))
+        unknown = ca.vertcat(*self._accelerations.values(), constraint.multipliers, dropped)
+        found = ca.densify(ca.vertcat(solved.acceleration, solved.multipliers, ca.SX(dropped.shape[0], 1)))
         output = ca.substitute(ca.vertcat(*self._outputs.values()), unknown, found)
         internal_rates = ca.substitute(ca.vertcat(*self._internal_rates()), unknown, found)
         order = self._track_order(ca.vertcat(solved.acceleration, output))
@@ -215,11 +215,18 @@ class System:
         return load
 
     def _all_constraints(self) -> Constraint:
+        """All loop equations in one, without those that repeat others."""
         each = self._constraints
-        names = tuple(name for constraint in each for name in constraint.names)
+        names = [name for constraint in each for name in constraint.names]
+        kept = [i for i, name in enumerate(names) if name not in self._dropped]
+        if not kept:
+            return Constraint((), *[ca.SX(0, 1)] * 4)
         columns = zip(*((c.value, c.rate, c.bias, c.multipliers) for c in each), strict=True)
-        parts = [ca.vertcat(*column) for column in columns] if each else [ca.SX(0, 1)] * 4
-        return Constraint(names, *parts)
+        return Constraint(tuple(names[i] for i in kept), *(ca.vertcat(*column)[kept] for column in columns))
+
+    def _multipliers(self) -> list[tuple[str, ca.SX]]:
+        """Names of the loop equations with their multipliers."""
+        return [(name, c.multipliers[i]) for c in self._constraints for i, name in enumerate(c.names)]
 
     def _moved(self, displacement: ca.SX) -> ca.SX:
         """Coordinates after a small displacement in terms of the speeds; quaternions have length one again."""

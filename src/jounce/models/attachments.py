@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from jounce.mechanics.bodies import Body
 from jounce.mechanics.elements import (
     bump_stop_force,
     curve_force,
@@ -57,9 +56,23 @@ def add_rocker(linkage: Linkage) -> None:
     rocker = linkage.body("rocker")
     linkage.mechanism.revolute("rocker", linkage.chassis, rocker, at=pivot, axis=end - pivot)
     outer, inner = linkage.hardpoint("pushrod_outer"), linkage.hardpoint("pushrod_inner")
-    linkage.mechanism.rod("pushrod", linkage.carriers[rig.strut.pushrod_on], rocker, outer, inner)
+    foot = getattr(rig.strut, "pushrod_on", "upright")
+    linkage.mechanism.rod("pushrod", linkage.carriers[foot], rocker, outer, inner)
+    linkage.owners.update({"rocker_pivot": linkage.chassis, "rocker_axis": linkage.chassis, "pushrod_inner": rocker})
+    linkage.owners["pushrod_outer"] = linkage.carriers[foot]
     linkage.lines["pushrod"] = ("pushrod_outer", "pushrod_inner")
     linkage.lines["rocker"] = ("pushrod_inner", "rocker_pivot", "strut_bottom")
+
+
+def add_strut_points(linkage: Linkage) -> None:
+    """Say which bodies the ends of spring and damper move with."""
+    rig = linkage.rig
+    carrier = linkage.carriers[rig.strut_body]
+    for element in ("strut", "spring", "damper"):
+        for end, body in (("bottom", carrier), ("top", linkage.chassis)):
+            if getattr(rig.hardpoints, f"{element}_{end}") is not None:
+                linkage.owners[f"{element}_{end}"] = body
+    linkage.lines["strut"] = ("strut_bottom", "strut_top")
 
 
 def spring_law(linkage: Linkage, line: Line) -> ca.SX:
@@ -124,8 +137,3 @@ def add_tyre(linkage: Linkage, road: Track) -> tuple[ca.SX, ca.SX]:
     force = tyre_force(mechanism, rig.tyre, deflection, mechanism.rate_of(deflection))
     mechanism.apply_force(linkage.upright, force * along, centre)
     return deflection, force
-
-
-def body_named(linkage: Linkage, name: str) -> Body:
-    """A body of the suspension."""
-    return linkage.carriers[name]

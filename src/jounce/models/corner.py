@@ -12,7 +12,16 @@ import casadi as ca
 from jounce.mechanics import Mechanism, Model
 from jounce.mechanics.elements import friction_force
 from jounce.mechanics.system import Track
-from jounce.models.attachments import add_rocker, add_tyre, damper_law, line_of, push, spring_law, stop_law
+from jounce.models.attachments import (
+    add_rocker,
+    add_strut_points,
+    add_tyre,
+    damper_law,
+    line_of,
+    push,
+    spring_law,
+    stop_law,
+)
 from jounce.models.double_wishbone import double_wishbone
 from jounce.models.five_link import five_link
 from jounce.models.linkage import Linkage, guided
@@ -49,7 +58,7 @@ def suspension(
     Linkage
         The bodies, and what the template says of them.
     """
-    chassis = guided(rig, mechanism, guide or rig.guide)
+    chassis = guided(mechanism, guide or rig.guide)
     steering = getattr(rig, "steering", None)
     if rack is None and steering is not None:
         rack = mechanism.parameter("steering.rack_travel")
@@ -60,6 +69,7 @@ def suspension(
     linkage = Linkage(rig, mechanism, chassis, holder)
     TEMPLATES[type(rig)](linkage)
     add_rocker(linkage)
+    add_strut_points(linkage)
     return linkage
 
 

@@ -1,4 +1,4 @@
-"""Double wishbone: two arms on the body, the upright on the lower ball joint, closed by the upper one and the tie rod."""
+"""Double wishbone: two arms on the body, the upright between their ball joints, a tie rod."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What all 3-D suspensions share: body on its guide, hardpoints as parameters, wheel, steering; templates add the arms."""
+"""What all 3-D suspensions share: body on its guide, hardpoints as parameters, wheel, steering; templates add arms."""
 
 from __future__ import annotations
 
@@ -29,6 +29,10 @@ class Linkage:
         Carries the inner end of the tie rod along y.
     steering_axis : tuple of Moving
         Lower and upper point of the axis the wheel steers about.
+    carriers : dict
+        Bodies of the suspension by the names that descriptions use.
+    owners : dict
+        The body that each hardpoint moves with.
     lines : dict
         What to draw: name of a part to the hardpoints along it.
     """
@@ -40,6 +44,7 @@ class Linkage:
     upright: Body = field(init=False)
     steering_axis: tuple[Moving, Moving] = field(init=False)
     carriers: dict[str, Body] = field(default_factory=dict)
+    owners: dict[str, Body] = field(default_factory=dict)
     lines: dict[str, tuple[str, ...]] = field(default_factory=dict)
 
     def hardpoint(self, name: str) -> ca.SX:
@@ -47,7 +52,7 @@ class Linkage:
         return self.triple(f"hardpoints.{name}")
 
     def end_of(self, element: str, end: str) -> ca.SX:
-        """Design place of an end (``bottom`` or ``top``) of spring or damper; the strut's where it has none of its own."""
+        """Design place of an end (``bottom``, ``top``) of spring or damper; the strut's where it has none of its own."""
         own = f"{element}_{end}"
         return self.hardpoint(own if getattr(self.rig.hardpoints, own) is not None else f"strut_{end}")
 
@@ -70,9 +75,9 @@ class Linkage:
 
     def carry(self, name: str, body: Body) -> None:
         """Say which body carries the upright's parts, and hang a wheel of its own on it."""
-        self.upright = body
+        self.upright = self.owners["wheel_centre"] = body
         self.carriers["upright"] = self.carriers[name] = body
-        if self.rig.bodies.wheel is not None:
+        if getattr(self.rig.bodies, "wheel", None) is not None:
             self.mechanism.fixed("wheel", body, self.body("wheel"))
 
     def arm(self, name: str) -> Body:
@@ -81,6 +86,7 @@ class Linkage:
         arm = self.body(name)
         ball = name.replace("arm", "ball_joint")
         self.lines[name] = (f"{name}_front", ball, f"{name}_rear")
+        self.owners.update({f"{name}_front": self.chassis, f"{name}_rear": self.chassis, ball: arm})
         self.mechanism.revolute(name, self.chassis, arm, at=front, axis=front - rear)
         return arm
 
@@ -89,6 +95,7 @@ class Linkage:
         start, end = self.hardpoint(inner), self.hardpoint(outer)
         holder = self.rack if steered else self.chassis
         self.lines[name] = (inner, outer)
+        self.owners.update({inner: holder, outer: carrier})
         if getattr(self.rig.bodies, name, None) is None:
             self.mechanism.rod(name, holder, carrier, start, end)
             return
@@ -130,7 +137,7 @@ class Linkage:
 Template = Callable[[Linkage], None]
 
 
-def guided(rig: Corner, mechanism: Mechanism, guide: str) -> Body:
+def guided(mechanism: Mechanism, guide: str) -> Body:
     """Hang the car's body on its guide: fixed, free to heave, or to heave and turn about a joint."""
     if guide == "fixed":
         return mechanism.ground

@@ -11,4 +11,5 @@ def trailing_arm(linkage: Linkage) -> None:
     arm = linkage.body("arm")
     linkage.mechanism.revolute("arm", linkage.chassis, arm, at=inner, axis=outer - inner)
     linkage.carry("arm", arm)
+    linkage.owners.update({"arm_inner": linkage.chassis, "arm_outer": linkage.chassis})
     linkage.lines["arm"] = ("arm_inner", "wheel_centre", "arm_outer")

@@ -25,11 +25,11 @@ if TYPE_CHECKING:
     import xarray as xr
 
 Array = NDArray[np.float64]
-_MAX_STEPS, _MAX_SAMPLES = 5_000_000, 20_000_000
+MAX_STEPS, _MAX_SAMPLES = 5_000_000, 20_000_000
 _STABLE = 0.4  # share of the fastest decay at rest that the method must resolve: friction holding a rig, sensitivities
 _LONGEST = 1.2  # radians of the fastest oscillation in one step, at a tolerance of 1e-5
 _FINEST, _COARSEST = 1e-13, 1e-1
-_STEP_SHARE = 0.003  # of the tolerance for one step: keeps the global error of the shipped models below it
+STEP_SHARE = 0.003  # of the tolerance for one step: keeps the global error of the shipped models below it
 
 
 @dataclass(frozen=True)
@@ -118,7 +118,7 @@ def prepare(
     scale = state_scale(rest, n_q, n_v, _motion_size(road, rest.x[:n_q] - compiled.facts.start, offset))
     band = _dead_band(compiled, p, rest, scale, still)
     longest = _longest_step(rest, road, tolerance)
-    control = Control(_STEP_SHARE * tolerance, 0.1 * scale, band, _MAX_STEPS, longest)
+    control = Control(STEP_SHARE * tolerance, 0.1 * scale, band, MAX_STEPS, longest)
     start = np.concatenate([x, _rest_sensitivity(compiled, p, rest, still)])
     rows, count = 1 + len(compiled.free), len(times)
     outputs = np.full((len(compiled.output_names) * rows, count), np.nan)
@@ -194,12 +194,12 @@ def simulate(
     >>> bool(run["tyre.force"].min() == 0.0)   # the tyre lifts off
     True
     """
-    _check_settings(trial.duration, output_step, tolerance)
+    check_settings(trial.duration, output_step, tolerance)
     compiled = compile_model(build(rig))
     p = compiled.parameter_values(rig.parameters())
     times = output_times(trial.duration, output_step)
     solution = solve(compiled, p, trial.segments(), times, tolerance=tolerance, offset=_offset(compiled, offset))
-    reach = _samples_reached(solution, check=check)
+    reach = samples_reached(solution, check=check)
     channels = {
         output.name: (solution.outputs[i, :reach], output.unit, output.long_name)
         for i, output in enumerate(compiled.facts.outputs)
@@ -210,7 +210,7 @@ def simulate(
     return run
 
 
-def _check_settings(duration: float, output_step: float, tolerance: float) -> None:
+def check_settings(duration: float, output_step: float, tolerance: float) -> None:
     if not (np.isfinite(output_step) and output_step > 0.0):
         raise SimulationError("not an output step", where="output_step", found=output_step, allowed="above 0 s")
     if duration / output_step > _MAX_SAMPLES:
@@ -227,7 +227,7 @@ def _check_settings(duration: float, output_step: float, tolerance: float) -> No
         )
 
 
-def _samples_reached(solution: Solution, *, check: bool) -> int:
+def samples_reached(solution: Solution, *, check: bool) -> int:
     """Number of samples that were computed; all of them, or an error with ``check``."""
     if solution.status is Status.COMPLETED:
         return len(solution.time)

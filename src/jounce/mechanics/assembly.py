@@ -1,0 +1,291 @@
+"""Assembly: a pose that closes all loops from a rough one, what moved, and the names of what is wrong.
+
+Works on the symbolic model with CasADi's own evaluation, before anything is compiled.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import AssemblyError, unknown
+from jounce.mechanics.model import Model
+
+Array = NDArray[np.float64]
+_ITERATIONS = 100
+_CLOSED = 1e-12  # m or rad
+_HELD = 1e-3  # how much less a given coordinate gives way than the others
+_DEPENDENT = 1e-9  # singular value of the loop equations, relative to the largest, below which one repeats others
+_PART = 1e-6  # share of an equation in a dependence that is worth naming
+_NUDGE = 1e-3  # m or rad, to tell a singular pose from equations that repeat each other everywhere
+_MOVED = 1e-9
+
+
+@dataclass(frozen=True)
+class Moved:
+    """A coordinate that assembly changed: its name, where it was and where it is (m or rad)."""
+
+    coordinate: str
+    before: float
+    after: float
+
+
+@dataclass(frozen=True)
+class Assembly:
+    """A pose that closes all loops.
+
+    Attributes
+    ----------
+    x : ndarray, shape (n,)
+        States: coordinates, speeds, internal states.
+    moved : tuple of Moved
+        Coordinates that are not where they were given or designed.
+    redundant : tuple of tuple of str
+        Groups of loop equations that repeat each other.
+    freedom : int
+        Number of free motions.
+    """
+
+    x: Array
+    moved: tuple[Moved, ...]
+    redundant: tuple[tuple[str, ...], ...]
+    freedom: int
+
+
+class _Evaluator:
+    """Numbers of a model at one set of parameters and inputs."""
+
+    def __init__(self, model: Model, p: Array, u: Array) -> None:
+        self.model, self._p, self._u = model, p, u
+        n_q, n_v = model.facts.counts
+        self.n_q, self.n_v = n_q, n_v
+        q, v = model.x[:n_q], model.x[n_q : n_q + n_v]
+        kinematics = ca.jacobian(model.rate[:n_q], v)
+        slope = ca.jacobian(model.constraint, q)
+        slope = ca.jacobian(model.constraint, q)
+        drift, order = ca.SX(model.constraint.shape[0], 1), model.track_order
+        for i in range(order - 1 if model.tracks else 0):
+            drift += ca.jtimes(model.constraint, model.u[i::order], model.u[i + 1 :: order])
+        inputs = [model.x, model.u, model.p]
+        self._functions = ca.Function("loops", inputs, [model.constraint, slope @ kinematics, kinematics, drift])
+
+    def at(self, x: Array) -> tuple[Array, Array, Array, Array]:
+        """Violation, its slope by the speeds, coordinates' rates by the speeds, and what the inputs' rates make."""
+        value, slope, kinematics, drift = (part.full() for part in self._functions(x, self._u, self._p))
+        return value[:, 0], slope, kinematics, drift[:, 0]
+
+    def moved(self, x: Array, displacement: Array) -> Array:
+        """States after a small displacement; quaternions have length one again."""
+        found = x.copy()
+        found[: self.n_q] += self.at(x)[2] @ displacement
+        for i, name in enumerate(self.model.coordinates):
+            if name.endswith(".e0"):
+                found[i : i + 4] /= np.linalg.norm(found[i : i + 4])
+        return found
+
+
+def assemble(
+    model: Model,
+    p: Array,
+    u: Array,
+    start: Mapping[str, float] | None = None,
+    *,
+    redundant: str = "refuse",
+) -> Assembly:
+    """Find a pose near the start that closes all loops, and speeds that keep them closed.
+
+    Parameters
+    ----------
+    model : Model
+        The equations.
+    p, u : ndarray
+        Parameters and inputs, SI.
+    start : mapping, optional
+        Coordinates (m, rad) and speeds (m/s, rad/s) by name, as far as they are known; those given move least.
+    redundant : {"refuse", "keep"}
+        What to do about loop equations that repeat each other.
+
+    Returns
+    -------
+    Assembly
+        States, what moved, redundant equations, number of free motions.
+
+    Raises
+    ------
+    AssemblyError
+        When the loops cannot be closed, repeat each other, or are singular in this pose: with names.
+    """
+    given = dict(start or {})
+    for name in given:
+        if name not in model.states:
+            raise unknown(name, model.states, what="coordinate or speed", where="start")
+    x = np.zeros(model.x.shape[0])
+    x[: len(model.start)] = model.start
+    first = np.array([given.get(name, value) for name, value in zip(model.states, x, strict=True)])
+    if not model.constraints:
+        return Assembly(first, (), (), len(model.speeds))
+    evaluator = _Evaluator(model, p, u)
+    pose = _close(evaluator, first, _weights(model, given))
+    _, slope, _, drift = evaluator.at(pose)
+    groups = _dependences(slope, model.constraints)
+    if groups and redundant == "refuse":
+        _explain(evaluator, pose, groups)
+    pose = _with_speeds(evaluator, pose, slope, drift, _weights(model, given))
+    return Assembly(pose, _moved(model, first, pose), groups, slope.shape[1] - int(np.linalg.matrix_rank(slope)))
+
+
+def superfluous(model: Model, p: Array, u: Array, x: Array) -> tuple[str, ...]:
+    """Loop equations that can go without loosening anything at a pose: the others say the same.
+
+    Parameters
+    ----------
+    model : Model
+        The equations.
+    p, u, x : ndarray
+        Parameters, inputs and an assembled state, SI.
+
+    Returns
+    -------
+    tuple of str
+        Names of equations.
+    """
+    from scipy.linalg import qr
+
+    _, slope, _, _ = _Evaluator(model, p, u).at(x)
+    scale = np.maximum(np.linalg.norm(slope, axis=1), 1e-300)
+    _, triangle, order = qr((slope / scale[:, None]).T, pivoting=True, mode="economic")
+    rank = int(np.sum(np.abs(np.diag(triangle)) > _DEPENDENT * abs(triangle[0, 0])))
+    return tuple(model.constraints[i] for i in sorted(order[rank:]))
+
+
+def _weights(model: Model, given: Mapping[str, float]) -> Array:
+    """How easily each speed's motion gives way: those of given coordinates hardly."""
+    n_q, n_v = model.facts.counts
+    weights = np.ones(n_v)
+    slope = ca.Function("slope", [model.x], [ca.jacobian(model.rate[:n_q], model.x[n_q : n_q + n_v])])
+    pattern = np.abs(slope(np.ones(model.x.shape[0])).full()) > 0.0
+    for name in given:
+        if name in model.coordinates:
+            weights[pattern[model.coordinates.index(name)]] = _HELD
+        elif name in model.speeds:
+            weights[model.speeds.index(name)] = _HELD
+    return weights
+
+
+def _close(evaluator: _Evaluator, x: Array, weights: Array) -> Array:
+    """Damped Newton on the loop equations, the shortest step in the weighted sense."""
+    value, slope, _, _ = evaluator.at(x)
+    for _ in range(_ITERATIONS):
+        size = float(np.max(np.abs(value)))
+        if size < _CLOSED:
+            return x
+        step = -weights * np.linalg.lstsq(slope * weights, value, rcond=1e-12)[0]
+        share, better = 1.0, None
+        while share > 1e-4:
+            trial = evaluator.moved(x, share * step)
+            found = evaluator.at(trial)
+            if np.linalg.norm(found[0]) < np.linalg.norm(value):
+                better = trial, found
+                break
+            share *= 0.5
+        if better is None:
+            break
+        x, (value, slope, _, _) = better
+    if float(np.max(np.abs(value))) < 1e-9:
+        return x
+    raise _open(evaluator.model, value)
+
+
+def _open(model: Model, value: Array) -> AssemblyError:
+    """Say which loops stay open, the widest first."""
+    order = np.argsort(-np.abs(value))
+    worst = [i for i in order if abs(value[i]) > 0.05 * abs(value[order[0]])][:6]
+    gaps: dict[str, float] = {}
+    for i in worst:
+        joint = model.constraints[i].rsplit(".", 1)[0]
+        gaps[joint] = max(gaps.get(joint, 0.0), abs(float(value[i])))
+    shown = ", ".join(f"{name} stays open by {gap:.4g}" for name, gap in gaps.items())
+    return AssemblyError(
+        "the mechanism cannot be assembled",
+        where=", ".join(gaps),
+        found=shown,
+        allowed="all loops closed (m, m^2 for rods, 1 for directions)",
+        hint="Check the places of these joints, or give coordinates nearer to the wished pose.",
+    )
+
+
+def _dependences(slope: Array, names: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
+    """Groups of equations of which one follows from the others."""
+    scale = np.linalg.norm(slope, axis=1)
+    groups = [(names[i],) for i in np.flatnonzero(scale <= 1e-12)]
+    rows = np.flatnonzero(scale > 1e-12)
+    if not len(rows):
+        return tuple(groups)
+    left, values, _ = np.linalg.svd(slope[rows] / scale[rows, None])
+    rank = int(np.sum(values > _DEPENDENT * values[0]))
+    null = left[:, rank:]
+    while null.shape[1]:
+        row = int(np.argmax(np.max(np.abs(null), axis=1)))
+        column = int(np.argmax(np.abs(null[row])))
+        direction = null[:, column] / null[row, column]
+        groups.append(tuple(names[rows[i]] for i in np.flatnonzero(np.abs(direction) > _PART)))
+        null = np.delete(null - np.outer(direction, null[row]), column, axis=1)
+        if null.shape[1]:
+            null = np.linalg.qr(null)[0]
+    return tuple(groups)
+
+
+def _explain(evaluator: _Evaluator, pose: Array, groups: tuple[tuple[str, ...], ...]) -> None:
+    """Refuse a singular pose and equations that repeat each other."""
+    joints = [", ".join(dict.fromkeys(name.split(".")[0] for name in group)) for group in groups]
+    if _is_singular_here_only(evaluator, pose, len(groups)):
+        raise AssemblyError(
+            "the mechanism is at a dead point: its loops do not say how it goes on from here",
+            where="; ".join(joints),
+            found=f"{len(groups)} equations that repeat others in this pose only",
+            hint="Start it away from the pose in which its links lie on one line.",
+        )
+    listed = "; ".join(", ".join(group) for group in groups)
+    raise AssemblyError(
+        "redundant joints: they repeat each other",
+        where="; ".join(joints),
+        found=f"{len(groups)} superfluous equations: {listed}",
+        hint='Loosen one of them (a spherical joint for a hinge), or say redundant="remove".',
+    )
+
+
+def _is_singular_here_only(evaluator: _Evaluator, pose: Array, count: int) -> bool:
+    """Whether the equations are independent a little farther along each way the mechanism may move."""
+    _, slope, _, _ = evaluator.at(pose)
+    _, values, rows = np.linalg.svd(slope)
+    rank = int(np.sum(values > _DEPENDENT * values[0]))
+    for motion in rows[rank:]:
+        for way in (_NUDGE, -_NUDGE):
+            try:
+                near = _close(evaluator, evaluator.moved(pose, way * motion), np.ones(len(motion)))
+            except AssemblyError:
+                return True
+            if np.linalg.norm(near - pose) < 0.1 * _NUDGE:
+                continue
+            fewer = len(_dependences(evaluator.at(near)[1], evaluator.model.constraints))
+            if fewer < count:
+                return True
+    return False
+
+
+def _with_speeds(evaluator: _Evaluator, pose: Array, slope: Array, drift: Array, weights: Array) -> Array:
+    """Speeds that keep the loops closed, near to those given."""
+    n_q, n_v = evaluator.n_q, evaluator.n_v
+    found = pose.copy()
+    speeds = found[n_q : n_q + n_v]
+    found[n_q : n_q + n_v] -= weights * np.linalg.lstsq(slope * weights, slope @ speeds + drift, rcond=1e-12)[0]
+    return found
+
+
+def _moved(model: Model, before: Array, after: Array) -> tuple[Moved, ...]:
+    pairs = zip(model.coordinates, before, after, strict=False)
+    return tuple(Moved(name, float(a), float(b)) for name, a, b in pairs if abs(a - b) > _MOVED)

@@ -1,0 +1,234 @@
+"""Mass properties of simple shapes and closed meshes: mass, centre and inertia about it, in design axes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from jounce.core.errors import AssemblyError
+from jounce.core.optional import require
+
+Array = NDArray[np.float64]
+_TRIANGLE = 1e-6  # share of the largest moment that rounding may cost the triangle inequality
+
+
+@dataclass(frozen=True)
+class Solid:
+    """Mass (kg), centre of mass (m, shape (3,)) and inertia about it (kg m^2, shape (3, 3), design axes).
+
+    Give it to a mechanism as ``body(name, *solid.arguments)``.
+    """
+
+    mass: float
+    centre_of_mass: Array
+    inertia: Array
+
+    @property
+    def arguments(self) -> tuple[float, tuple[float, ...], tuple[float, ...]]:
+        """Mass, centre and the elements xx, yy, zz, xy, xz, yz."""
+        i = self.inertia
+        elements = (i[0, 0], i[1, 1], i[2, 2], i[0, 1], i[0, 2], i[1, 2])
+        return self.mass, tuple(map(float, self.centre_of_mass)), tuple(map(float, elements))
+
+
+def box(density: float, size: Sequence[float], centre: Sequence[float]) -> Solid:
+    """Give the mass properties of a block with edges along the design axes.
+
+    Parameters
+    ----------
+    density : float
+        kg/m^3.
+    size : sequence of float, shape (3,)
+        Edge lengths along x, y, z, m.
+    centre : sequence of float, shape (3,)
+        Its middle, m.
+
+    Returns
+    -------
+    Solid
+        Mass, centre, inertia.
+
+    Examples
+    --------
+    >>> round(box(7150.0, (0.108, 0.094, 0.038), (0.0, 0.0, 0.0)).mass, 3)   # the block of the prototype paper
+    2.758
+    """
+    a, b, c = _positive(size, "size")
+    mass = _positive([density], "density")[0] * a * b * c
+    moments = mass / 12.0 * np.array([b * b + c * c, a * a + c * c, a * a + b * b])
+    return Solid(mass, np.asarray(centre, dtype=float), np.diag(moments))
+
+
+def sphere(density: float, radius: float, centre: Sequence[float]) -> Solid:
+    """Give the mass properties of a ball.
+
+    Parameters
+    ----------
+    density : float
+        kg/m^3.
+    radius : float
+        m.
+    centre : sequence of float, shape (3,)
+        Its middle, m.
+
+    Returns
+    -------
+    Solid
+        Mass, centre, inertia.
+    """
+    r, rho = _positive([radius, density], "radius and density")
+    mass = rho * 4.0 / 3.0 * np.pi * r**3
+    return Solid(float(mass), np.asarray(centre, dtype=float), 0.4 * mass * r * r * np.eye(3))
+
+
+def cylinder(density: float, radius: float, start: Sequence[float], end: Sequence[float]) -> Solid:
+    """Give the mass properties of a round bar between two points.
+
+    Parameters
+    ----------
+    density : float
+        kg/m^3.
+    radius : float
+        m.
+    start, end : sequence of float, shape (3,)
+        Middles of its end faces, m.
+
+    Returns
+    -------
+    Solid
+        Mass, centre, inertia.
+    """
+    return tube(density, 0.0, radius, start, end)
+
+
+def tube(
+    density: float, inner_radius: float, outer_radius: float, start: Sequence[float], end: Sequence[float]
+) -> Solid:
+    """Give the mass properties of a tube between two points.
+
+    Parameters
+    ----------
+    density : float
+        kg/m^3.
+    inner_radius, outer_radius : float
+        m.
+    start, end : sequence of float, shape (3,)
+        Middles of its end faces, m.
+
+    Returns
+    -------
+    Solid
+        Mass, centre, inertia.
+
+    Raises
+    ------
+    AssemblyError
+        When a size is not positive or the inner radius is not below the outer one.
+    """
+    rho, outer = _positive([density, outer_radius], "density and outer radius")
+    if not 0.0 <= inner_radius < outer:
+        raise AssemblyError("not an inner radius", found=inner_radius, allowed=f"0 to below {outer:g} m")
+    one, other = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
+    length = float(np.linalg.norm(other - one))
+    (length,) = _positive([length], "distance of the ends")
+    axis = (other - one) / length
+    mass = rho * np.pi * (outer**2 - inner_radius**2) * length
+    squares = outer**2 + inner_radius**2
+    along, across = 0.5 * mass * squares, mass * (squares / 4.0 + length**2 / 12.0)
+    inertia = across * np.eye(3) + (along - across) * np.outer(axis, axis)
+    return Solid(float(mass), 0.5 * (one + other), inertia)
+
+
+def mesh(density: float, surface: str | Path | tuple[ArrayLike, ArrayLike], scale: float = 1.0) -> Solid:
+    """Give the mass properties of a closed triangle mesh, by the library trimesh (extra ``mesh``).
+
+    Parameters
+    ----------
+    density : float
+        kg/m^3.
+    surface : str or Path or tuple of array_like
+        A file (STL, OBJ, PLY ...), or vertices (n, 3) and faces (m, 3), in design axes.
+    scale : float
+        m for one length unit of the surface (1e-3 for millimetres).
+
+    Returns
+    -------
+    Solid
+        Mass, centre, inertia.
+
+    Raises
+    ------
+    AssemblyError
+        When the surface is not closed, or its faces do not all point outwards.
+    """
+    trimesh = require("trimesh", "mesh")
+    if isinstance(surface, tuple):
+        found = trimesh.Trimesh(vertices=np.asarray(surface[0], dtype=float), faces=np.asarray(surface[1]))
+    else:
+        found = trimesh.load(str(surface), force="mesh")
+    if not found.is_watertight or not found.is_winding_consistent or found.volume <= 0.0:
+        raise AssemblyError(
+            "the surface does not enclose a volume",
+            where=str(surface) if not isinstance(surface, tuple) else "surface",
+            found=f"{len(found.faces)} faces, watertight: {found.is_watertight}, volume {found.volume:.4g}",
+            hint="Close the mesh and let all faces point outwards.",
+        )
+    rho, unit = _positive([density, scale], "density and scale")
+    inertia = np.asarray(found.moment_inertia) * rho * unit**5
+    return Solid(float(found.volume * rho * unit**3), np.asarray(found.center_mass) * unit, inertia)
+
+
+def combined(*solids: Solid) -> Solid:
+    """Give the mass properties of several solids as one body.
+
+    Parameters
+    ----------
+    *solids : Solid
+        The parts.
+
+    Returns
+    -------
+    Solid
+        Mass (kg), centre (m), inertia (kg m^2).
+    """
+    mass = sum(solid.mass for solid in solids)
+    centre = np.asarray(sum(solid.mass * solid.centre_of_mass for solid in solids)) / mass
+    inertia = np.zeros((3, 3))
+    for solid in solids:
+        arm = solid.centre_of_mass - centre
+        inertia += solid.inertia + solid.mass * (arm @ arm * np.eye(3) - np.outer(arm, arm))
+    return Solid(mass, centre, inertia)
+
+
+def check_inertia(name: str, mass: float, inertia: Array) -> None:
+    """Refuse a mass that is not positive and an inertia that no body can have.
+
+    Raises
+    ------
+    AssemblyError
+        With the principal moments.
+    """
+    if not (np.isfinite(mass) and mass > 0.0):
+        raise AssemblyError("not a mass", where=name, found=f"{mass:g} kg", allowed="above 0 kg")
+    moments = np.linalg.eigvalsh(inertia)
+    slack = _TRIANGLE * max(moments[2], 1e-300)
+    if not np.all(np.isfinite(inertia)) or moments[0] < -slack or moments[2] > moments[0] + moments[1] + slack:
+        shown = ", ".join(f"{moment:.6g}" for moment in moments)
+        raise AssemblyError(
+            "no body has this inertia",
+            where=name,
+            found=f"principal moments {shown} kg m^2",
+            allowed="none negative, the largest at most the sum of the others",
+            hint="Check units, axes and the signs of the products (xy = -integral of x y dm).",
+        )
+
+
+def _positive(values: Sequence[float], what: str) -> list[float]:
+    for value in values:
+        if not (np.isfinite(value) and value > 0.0):
+            raise AssemblyError(f"not a {what}", found=value, allowed="above 0")
+    return [float(value) for value in values]

@@ -1,0 +1,174 @@
+"""Simulate a mechanism of one's own: from given coordinates and speeds, with prescribed motions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import SimulationError, unknown
+from jounce.core.findings import Finding
+from jounce.core.segments import Segments
+from jounce.core.units import to_si
+from jounce.kernel.explicit import Control, Problem, Samples
+from jounce.kernel.tracks import flatten
+from jounce.mechanics import Mechanism, Model, assemble, held
+from jounce.mechanics.assembly import Assembly
+from jounce.mechanics.mass import check_inertia
+from jounce.recordings.schema import recording
+from jounce.simulation.compiled import Compiled, compile_model
+from jounce.simulation.run import MAX_STEPS, STEP_SHARE, Prepared, check_settings, output_times, samples_reached
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+_SMALLEST = 1e-3  # m, rad, m/s or rad/s: motions below that need not be resolved relative to themselves
+_LONGEST = 1.2  # radians of the fastest motion at the start in one step
+_SHARE = 0.02  # of the duration, the longest step
+
+
+def simulate_mechanism(
+    mechanism: Mechanism,
+    duration: float | str,
+    *,
+    start: Mapping[str, float] | None = None,
+    motions: Mapping[str, Segments] | None = None,
+    values: Mapping[str, float] | None = None,
+    output_step: float = 1e-3,
+    tolerance: float = 1e-6,
+    redundant: str = "refuse",
+    check: bool = True,
+) -> xr.Dataset:
+    """Simulate a mechanism from given coordinates and speeds.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        Bodies, joints, loops, forces and outputs.
+    duration : float or str
+        s, or text with a unit.
+    start : mapping, optional
+        Coordinates (m, rad) and speeds (m/s, rad/s) by name; others start in the design pose, at rest. Where loops
+        leave no such pose or speeds, the nearest ones are taken, those given moving least.
+    motions : mapping, optional
+        Track to its motion, see :func:`jounce.mechanics.harmonic` and its neighbours.
+    values : mapping, optional
+        Parameter path to another value (SI) than it was built with; nothing is compiled anew.
+    output_step : float
+        Distance of the output samples, s.
+    tolerance : float
+        Relative error of coordinates and speeds.
+    redundant : {"refuse", "remove"}
+        What to do about loop equations that repeat each other.
+    check : bool
+        Raise when the run does not reach its end.
+
+    Returns
+    -------
+    xarray.Dataset
+        The outputs on ``time`` (s), SI. ``attrs["findings"]`` says what assembly moved.
+
+    Raises
+    ------
+    AssemblyError
+        When the loops cannot be closed, or repeat each other.
+    SimulationError
+        For unknown names or, with ``check``, when the run does not reach its end.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> pendulum = jn.mechanics.Mechanism()
+    >>> bob = pendulum.body("bob", mass=1.0, centre_of_mass=(1.0, 0.0, 0.0))
+    >>> _ = pendulum.revolute("pivot", pendulum.ground, bob, at=(0.0, 0.0, 0.0), axis=(0.0, 1.0, 0.0))
+    >>> pendulum.watch_body(bob)
+    >>> run = jn.simulate_mechanism(pendulum, "1 s", start={"pivot.angle": 0.0})
+    >>> bool(run["bob.z"].min() < -0.99)   # it swings through its lowest point
+    True
+    """
+    seconds = to_si(duration, "s", where="duration")
+    check_settings(seconds, output_step, tolerance)
+    model = mechanism.model(redundant, start)
+    p = _parameters(mechanism, model, values or {})
+    tracks = _tracks(model, motions or {})
+    compiled = compile_model(model)
+    u = _inputs(compiled, tracks)
+    pose = assemble(model, p, u, start, redundant="refuse" if redundant == "refuse" else "keep")
+    prepared = _prepare(compiled, p, tracks, pose.x, u, output_times(seconds, output_step), tolerance)
+    solution = prepared.run()
+    reach = samples_reached(solution, check=check)
+    channels = {
+        output.name: (solution.outputs[i, :reach], output.unit, output.long_name)
+        for i, output in enumerate(compiled.facts.outputs)
+    }
+    run = recording(solution.time[:reach], channels)
+    run.attrs["status"] = solution.status.name.lower()
+    run.attrs["steps"], run.attrs["events"] = solution.steps, solution.events
+    run.attrs["findings"] = _findings(pose)
+    return run
+
+
+def _parameters(mechanism: Mechanism, model: Model, values: Mapping[str, float]) -> Array:
+    for name in values:
+        if name not in model.parameters:
+            raise unknown(name, model.parameters, what="parameter", where="values")
+    every = {**mechanism.values, **values}
+    lacking = [name for name in model.parameters if name not in every]
+    if lacking:
+        raise SimulationError("parameters without a value", where=", ".join(lacking), hint="Give them in values.")
+    for name, body in mechanism.mass_values(every).items():
+        check_inertia(name, *body)
+    return np.array([every[name] for name in model.parameters])
+
+
+def _tracks(model: Model, motions: Mapping[str, Segments]) -> list[Segments]:
+    for name in motions:
+        if name not in model.tracks:
+            raise unknown(name, model.tracks, what="track", where="motions")
+    lacking = [name for name in model.tracks if name not in motions]
+    if lacking:
+        raise SimulationError("tracks without a motion", where=", ".join(lacking), hint="Give them in motions.")
+    return [motions[name].with_finite_slopes() for name in model.tracks]
+
+
+def _inputs(compiled: Compiled, tracks: list[Segments]) -> Array:
+    """Inputs at t = 0; accelerations are not needed for a start."""
+    u = compiled.inputs()
+    order = compiled.facts.track_order
+    for i, track in enumerate(tracks):
+        value, rate = track.evaluate(np.zeros(1))
+        u[i * order : i * order + 2] = value[0], rate[0]
+    return u
+
+
+def _prepare(
+    compiled: Compiled, p: Array, tracks: list[Segments], x: Array, u: Array, times: Array, tolerance: float
+) -> Prepared:
+    facts = compiled.facts
+    modes = (compiled.evaluate("switch", x, u, p, np.ones(len(facts.switches))) > 0.0).astype(float)
+    fastest = float(np.max(np.abs(np.linalg.eigvals(compiled.evaluate("rate_x", x, u, p, modes))), initial=1e-3))
+    longest = min(_LONGEST / fastest, _SHARE * float(times[-1] - times[0]))
+    scale = np.full(len(x), _SMALLEST)
+    control = Control(STEP_SHARE * tolerance, scale, np.full(len(modes), 1e-13), MAX_STEPS, longest)
+    count = len(times)
+    out = Samples(
+        times,
+        np.full((len(x), count), np.nan),
+        np.empty((len(u), count)),
+        np.full((len(facts.outputs), count), np.nan),
+        np.empty((len(x) + 2 if facts.projects else 0, count)),
+    )
+    flat = flatten(tracks or [held(0.0)])
+    first = flat.first[: len(tracks)].copy()
+    problem = Problem(compiled.engine, flat, first, p, modes.copy(), x, len(u))
+    return Prepared(compiled, problem, control, out, None, modes)
+
+
+def _findings(pose: Assembly) -> list[str]:
+    return [
+        str(Finding(move.coordinate, "note", f"assembly moved it from {move.before:.6g} to {move.after:.6g}"))
+        for move in pose.moved
+    ]
