@@ -64,8 +64,8 @@ class ChronoFile:
                 f"this kind of Chrono file cannot be read{of}",
                 where=str(path),
                 found=template,
-                allowed=", ".join(f'"Template": "{name}"' for name in templates),
-                hint=nearest(str(template), templates) or advice,
+                allowed=f"the template {', '.join(templates)}",
+                hint=advice,
             )
         self.template = str(template)
 
