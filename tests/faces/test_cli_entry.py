@@ -24,6 +24,7 @@ COMMANDS = [
     ("plot",),
     ("check",),
     ("library",),
+    ("import", "chrono"),
     ("fit", "stiffness"),
     ("fit", "decay"),
     ("fit", "damper"),

@@ -54,4 +54,4 @@ def _draw(out: Console, plain: dict[str, Any]) -> None:
     out.print(table("", ("file", "kind", "verdict", "what"), rows, text=(0, 1, 2, 3)))
     for item in plain["files"]:
         for note in item["notes"]:
-            out.print(f"note: {note}")
+            out.print(note)

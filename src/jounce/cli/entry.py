@@ -11,7 +11,7 @@ from typing import Any
 
 import typer
 
-from jounce.cli import bench, campaign, check, demo, fit, library, modes, plot, simulate, study
+from jounce.cli import bench, campaign, check, demo, fit, importing, library, modes, plot, simulate, study
 from jounce.cli.options import AsJson
 from jounce.cli.reply import FAILED, PIPE_CLOSED, REFUSED, STOPPED, Reply, complain, refuse, replace_unknown_characters
 from jounce.core.errors import JounceError, OutputError, nearest
@@ -38,6 +38,7 @@ def application() -> typer.Typer:
     app.command("plot")(plot.plot)
     app.command("check")(check.check)
     app.command("library")(library.library)
+    app.add_typer(importing.app, name="import")
     app.add_typer(fit.app, name="fit")
     app.add_typer(bench.app, name="bench")
     app.add_typer(study.app, name="study")

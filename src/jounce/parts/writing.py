@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import textwrap
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -74,7 +75,7 @@ def _value(key: str, value: Any) -> str:
     if isinstance(value, Mapping):
         return "{" + ", ".join(f"{name} = {_value(name, item)}" for name, item in value.items()) + "}"
     if isinstance(value, (str, bool)):
-        return str(value).lower() if isinstance(value, bool) else f'"{value}"'
+        return str(value).lower() if isinstance(value, bool) else json.dumps(value, ensure_ascii=False)
     if isinstance(value, np.ndarray):
         value = value.tolist()
     if isinstance(value, (list, tuple)):
