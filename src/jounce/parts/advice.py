@@ -7,8 +7,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from jounce.core.findings import Finding, Severity
-from jounce.parts.corners import Corner
+from jounce.parts.corner import Corner
 from jounce.parts.curves import VelocityTable
+from jounce.parts.hardpoints import LARGE
 from jounce.parts.leverage import motion_ratio, spring_force, static_spring_force, static_tyre_deflection
 from jounce.parts.points import Array
 from jounce.parts.rig import Rig
@@ -77,7 +78,7 @@ def _size(rig: Corner) -> Iterator[Finding]:
     points = rig.hardpoints.given()
     name = max(points, key=lambda key: float(np.abs(points[key]).max()))
     largest = float(np.abs(points[name]).max())
-    if largest > 10.0:
+    if largest > LARGE:
         yield _warn(
             "hardpoints",
             f"{name} lies {largest:g} m from the origin: millimetres given as metres? A bare number is in m; "

@@ -10,6 +10,8 @@ from pydantic import model_validator
 from jounce.core.description import Description, misplaced
 from jounce.parts.points import Point, Triple, distance, distance_to_line
 
+LARGE = 10.0
+"""Coordinate in m that no point of a corner has."""
 SAME_POINT = 1e-6
 """Distance in m below which two points are one."""
 ON_ONE_LINE = 1e-3
@@ -50,6 +52,7 @@ class Hardpoints(Description):
 
     @model_validator(mode="after")
     def _can_move(self) -> Self:
+        self._refuse_lost_points()
         for group in self.together:
             self._refuse_half(group)
         for group in self.different:
@@ -76,6 +79,17 @@ class Hardpoints(Description):
         assert bottom is not None
         assert top is not None
         return distance(bottom, top)
+
+    def _refuse_lost_points(self) -> None:
+        """Refuse single points in another unit than the rest; where all are large, it is a finding."""
+        sizes = {name: max(abs(value) for value in point) for name, point in self.given().items()}
+        for name, size in sizes.items():
+            if size > LARGE and min(sizes.values()) < LARGE:
+                raise misplaced(
+                    (name,),
+                    f"lies far from the other points; found {list(getattr(self, name))} m. Millimetres as metres? "
+                    'A bare number is in m; write "150 mm"',
+                )
 
     def _refuse_half(self, group: tuple[str, ...]) -> None:
         missing = [name for name in group if getattr(self, name) is None]

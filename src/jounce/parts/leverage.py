@@ -10,7 +10,7 @@ from typing import cast
 
 import numpy as np
 
-from jounce.parts.corners import Corner
+from jounce.parts.corner import Corner
 from jounce.parts.curves import Curve, PolynomialCurve, PowerCurve
 from jounce.parts.elements import BumpStop
 from jounce.parts.hardpoints import FiveLinkHardpoints, Hardpoints, McPhersonHardpoints, TrailingArmHardpoints

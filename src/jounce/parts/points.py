@@ -46,12 +46,12 @@ DampingTriple = Annotated[
 ]
 
 
-def distance(one: Triple, other: Triple) -> float:
+def distance(one: Triple | Array, other: Triple | Array) -> float:
     """Distance between two points in m."""
     return float(np.linalg.norm(np.subtract(one, other)))
 
 
-def distance_to_line(point: Triple, one: Triple, other: Triple) -> float:
+def distance_to_line(point: Triple | Array, one: Triple | Array, other: Triple | Array) -> float:
     """Distance in m of a point from the line through two others that differ."""
     along = np.subtract(other, one)
     return float(np.linalg.norm(np.cross(along, np.subtract(point, one))) / np.linalg.norm(along))

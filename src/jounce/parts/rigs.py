@@ -8,7 +8,8 @@ from pydantic import model_validator
 
 from jounce.core.description import Description
 from jounce.core.units import Acceleration, Mass, Unit
-from jounce.parts.corners import Corner, DoubleWishbone, FiveLink, McPherson, TrailingArm
+from jounce.parts.corner import Corner
+from jounce.parts.corners import DoubleWishbone, FiveLink, McPherson, TrailingArm
 from jounce.parts.elements import BumpStop, Damper, Friction, Spring, Tyre
 from jounce.parts.rig import Rig, stop_to_strut
 

@@ -14,17 +14,17 @@ from jounce.parts.importers.chrono_file import Array, ChronoFile, RigidPart
 DESIGN = np.eye(3)
 
 
-def arm_frame(front: Array, rear: Array, outer: Array) -> Array:
+def arm_frame(front: Array, rear: Array, outer: Array, where: str) -> Array:
     """Axes of Chrono's A-arms as columns: x along the axis to the front, z normal to the arm."""
-    normal = _unit(np.cross(rear - outer, front - outer))
-    along = _unit(front - rear)
+    normal = _unit(np.cross(rear - outer, front - outer), where)
+    along = _unit(front - rear, where)
     return np.column_stack([along, np.cross(normal, along), normal])
 
 
-def rod_frame(start: Array, end: Array, across: Array) -> Array:
+def rod_frame(start: Array, end: Array, across: Array, where: str) -> Array:
     """Axes of Chrono's links as columns: z from ``start`` to ``end``, y along ``across`` made perpendicular to it."""
-    along = _unit(end - start)
-    side = _unit(across - along * (along @ across))
+    along = _unit(end - start, where)
+    side = _unit(across - along * (along @ across), where)
     return np.column_stack([np.cross(side, along), side, along])
 
 
@@ -67,7 +67,7 @@ def tensor_of(table: dict[str, Any]) -> Array:
 
 def about_axis(table: dict[str, Any], one: Array, other: Array) -> float:
     """Moment of inertia of a body's table about the line through two points in kg m^2."""
-    axis = _unit(other - one)
+    axis = (other - one) / np.linalg.norm(other - one)
     away = np.linalg.norm(np.cross(axis, np.array(table["centre_of_mass"]) - one))
     return float(axis @ tensor_of(table) @ axis + table["mass"] * away**2)
 
@@ -99,8 +99,8 @@ def _possible(part: RigidPart, where: str) -> tuple[Array, list[Finding]]:
     return axes @ np.diag(moments) @ axes.T, [Finding(where, "warning", message, float(cut))]
 
 
-def _unit(vector: Array) -> Array:
+def _unit(vector: Array, where: str) -> Array:
     length = float(np.linalg.norm(vector))
     if length < 1e-9:
-        raise DescriptionError("two hardpoints of a body are the same, or three lie on one line")
+        raise DescriptionError("two points are the same, or three lie on one line", where=where, allowed="a triangle")
     return vector / length
