@@ -18,11 +18,12 @@ from jounce.mechanics.model import Model
 Array = NDArray[np.float64]
 _ITERATIONS = 100
 _CLOSED = 1e-12  # m or rad
-_HELD = 1e-3  # how much less a given coordinate gives way than the others
+_HELD = (0.0, 1e-3)  # how much a given coordinate gives way against the others: not at all, else little
 _DEPENDENT = 1e-9  # singular value of the loop equations, relative to the largest, below which one repeats others
 _PART = 1e-6  # share of an equation in a dependence that is worth naming
 _NUDGE = 1e-3  # m or rad, to tell a singular pose from equations that repeat each other everywhere
 _MOVED = 1e-9
+_KEPT = 1e-10  # what the loops may still open by a second, relative to the speeds
 
 
 @dataclass(frozen=True)
@@ -129,12 +130,12 @@ def assemble(
     if not model.constraints:
         return Assembly(first, (), (), len(model.speeds))
     evaluator = _Evaluator(model, p, u)
-    pose = _close(evaluator, first, _weights(model, given))
+    pose, weights = _closed_near(evaluator, first, given)
     _, slope, _, drift = evaluator.at(pose)
     groups = _dependences(slope, model.constraints)
     if groups and redundant == "refuse":
         _explain(evaluator, pose, groups)
-    pose = _with_speeds(evaluator, pose, slope, drift, _weights(model, given))
+    pose = _with_speeds(evaluator, pose, slope, drift, weights)
     return Assembly(pose, _moved(model, first, pose), groups, slope.shape[1] - int(np.linalg.matrix_rank(slope)))
 
 
@@ -162,17 +163,26 @@ def superfluous(model: Model, p: Array, u: Array, x: Array) -> tuple[str, ...]:
     return tuple(model.constraints[i] for i in sorted(order[rank:]))
 
 
-def _weights(model: Model, given: Mapping[str, float]) -> Array:
-    """How easily each speed's motion gives way: those of given coordinates hardly."""
+def _closed_near(evaluator: _Evaluator, first: Array, given: Mapping[str, float]) -> tuple[Array, tuple[Array, ...]]:
+    """Close the loops with the given coordinates kept, or if that cannot be, changed little; how each gives way."""
+    weights = tuple(_weights(evaluator.model, given, held) for held in _HELD)
+    try:
+        return _close(evaluator, first, weights[0]), weights
+    except AssemblyError:
+        return _close(evaluator, first, weights[1]), weights
+
+
+def _weights(model: Model, given: Mapping[str, float], held: float) -> Array:
+    """How easily the motion of each speed gives way; ``held`` for given coordinates and speeds."""
     n_q, n_v = model.facts.counts
     weights = np.ones(n_v)
     slope = ca.Function("slope", [model.x], [ca.jacobian(model.rate[:n_q], model.x[n_q : n_q + n_v])])
     pattern = np.abs(slope(np.ones(model.x.shape[0])).full()) > 0.0
     for name in given:
         if name in model.coordinates:
-            weights[pattern[model.coordinates.index(name)]] = _HELD
+            weights[pattern[model.coordinates.index(name)]] = held
         elif name in model.speeds:
-            weights[model.speeds.index(name)] = _HELD
+            weights[model.speeds.index(name)] = held
     return weights
 
 
@@ -241,7 +251,10 @@ def _dependences(slope: Array, names: tuple[str, ...]) -> tuple[tuple[str, ...],
 
 def _explain(evaluator: _Evaluator, pose: Array, groups: tuple[tuple[str, ...], ...]) -> None:
     """Refuse a singular pose and equations that repeat each other."""
-    joints = [", ".join(dict.fromkeys(name.split(".")[0] for name in group)) for group in groups]
+    loops = evaluator.model.loops
+    ends = [dict.fromkeys(name.split(".")[0] for name in group) for group in groups]
+    joints = list(dict.fromkeys(", ".join(end) for end in ends))
+    around = dict.fromkeys(joint for end in ends for name in end for joint in loops.get(name, ()))
     if _is_singular_here_only(evaluator, pose, len(groups)):
         raise AssemblyError(
             "the mechanism is at a dead point: its loops do not say how it goes on from here",
@@ -253,7 +266,7 @@ def _explain(evaluator: _Evaluator, pose: Array, groups: tuple[tuple[str, ...], 
     raise AssemblyError(
         "redundant joints: they repeat each other",
         where="; ".join(joints),
-        found=f"{len(groups)} superfluous equations: {listed}",
+        found=f"{len(groups)} superfluous equations ({listed}) in the loop of {', '.join(around)}",
         hint='Loosen one of them (a spherical joint for a hinge), or say redundant="remove".',
     )
 
@@ -277,12 +290,16 @@ def _is_singular_here_only(evaluator: _Evaluator, pose: Array, count: int) -> bo
     return False
 
 
-def _with_speeds(evaluator: _Evaluator, pose: Array, slope: Array, drift: Array, weights: Array) -> Array:
-    """Speeds that keep the loops closed, near to those given."""
+def _with_speeds(evaluator: _Evaluator, pose: Array, slope: Array, drift: Array, weights: tuple[Array, ...]) -> Array:
+    """Speeds that keep the loops closed, those given kept where that can be."""
     n_q, n_v = evaluator.n_q, evaluator.n_v
     found = pose.copy()
-    speeds = found[n_q : n_q + n_v]
-    found[n_q : n_q + n_v] -= weights * np.linalg.lstsq(slope * weights, slope @ speeds + drift, rcond=1e-12)[0]
+    speeds = pose[n_q : n_q + n_v]
+    for each in weights:
+        change = each * np.linalg.lstsq(slope * each, slope @ speeds + drift, rcond=1e-12)[0]
+        found[n_q : n_q + n_v] = speeds - change
+        if np.max(np.abs(slope @ found[n_q : n_q + n_v] + drift)) < _KEPT * max(1.0, float(np.max(np.abs(speeds)))):
+            break
     return found
 
 

@@ -107,8 +107,8 @@ class Mechanism(Tree):
         length = _length(reach.value)
         if force is None:
             rate = ca.dot(reach.value, reach.rate) / length
-            free = places[1] - places[0] if free_length is None else free_length
-            free = _length(free) if free_length is None else self.number(f"{name}.free_length", free)
+            design = _length(places[1] - places[0])
+            free = design if free_length is None else self.number(f"{name}.free_length", free_length)
             force = self.number(f"{name}.stiffness", stiffness) * (free - length)
             force -= self.number(f"{name}.damping", damping) * rate
         self.push_apart(first, second, *ends, force)
@@ -263,6 +263,26 @@ class Mechanism(Tree):
     def closures(self) -> tuple[str, ...]:
         """Names of what closes the loops."""
         return tuple(dict.fromkeys(wrench.source.split(".")[0] for wrench in self._wrenches if wrench.source))
+
+    def loops(self) -> dict[str, tuple[str, ...]]:
+        """Joint that closes a loop to the joints around that loop, itself first."""
+        ends: dict[str, dict[str, list[str]]] = {}
+        for wrench in self._wrenches:
+            if wrench.source:
+                branches = ends.setdefault(wrench.source.split(".")[0], {})
+                branches[wrench.body.name] = self._branch(wrench.body)
+        found = {}
+        for name, branches in ends.items():
+            joints = [joint for branch in branches.values() for joint in branch]
+            found[name] = (name, *(joint for joint in joints if joints.count(joint) == 1))
+        return found
+
+    def _branch(self, body: Body) -> list[str]:
+        """Joints from the ground to a body."""
+        for joint in self._joints.values():
+            if joint.child is body:
+                return [*self._branch(joint.parent), joint.name]
+        return []
 
     def _hanging(self, root: Body) -> list[Body]:
         """A body and all that hangs on it."""

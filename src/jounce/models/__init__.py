@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 from jounce.mechanics import Model
 from jounce.models.corner import TEMPLATES, corner
@@ -11,19 +10,23 @@ from jounce.models.quarter_car import quarter_car
 from jounce.parts import QuarterCar, Rig
 from jounce.parts.parameters import structure_of
 
-_BUILDERS: dict[type[Rig], Callable[[Any], Model]] = {
+_BUILDERS: dict[type[Rig], Callable[..., Model]] = {
     QuarterCar: quarter_car,
     **dict.fromkeys(TEMPLATES, corner),
 }
-_built: dict[str, Model] = {}
+_built: dict[tuple[str, bool], Model] = {}
 
 
-def build(rig: Rig) -> Model:
-    """Give the symbolic model of a rig; rigs that differ in numbers only share one."""
-    structure = structure_of(rig)
-    if structure not in _built:
-        _built[structure] = _BUILDERS[type(rig)](rig)
-    return _built[structure]
+def build(rig: Rig, *, detail: bool = False) -> Model:
+    """Give the symbolic model of a rig; rigs that differ in numbers only share one.
+
+    With ``detail`` a 3-D rig shows its hardpoints, joint reactions and energies, too; a lumped one has no more.
+    """
+    key = structure_of(rig), detail and type(rig) in TEMPLATES
+    if key not in _built:
+        options = {"detail": True} if key[1] else {}
+        _built[key] = _BUILDERS[type(rig)](rig, **options)
+    return _built[key]
 
 
 __all__ = ["build", "corner", "quarter_car"]

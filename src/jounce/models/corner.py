@@ -22,6 +22,7 @@ from jounce.models.attachments import (
     spring_law,
     stop_law,
 )
+from jounce.models.detail import show_energy, show_hardpoints, show_reactions
 from jounce.models.double_wishbone import double_wishbone
 from jounce.models.five_link import five_link
 from jounce.models.linkage import Linkage, guided
@@ -73,32 +74,41 @@ def suspension(
     return linkage
 
 
-def corner(rig: Corner) -> Model:
-    """Write the equations of a 3-D corner; the values in ``rig`` matter only through its structure."""
+def corner(rig: Corner, *, detail: bool = False) -> Model:
+    """Write the equations of a 3-D corner; the values in ``rig`` matter only through its structure.
+
+    With ``detail`` the outputs hold all hardpoints, joint reactions and energies, too.
+    """
     mechanism = Mechanism()
     mechanism.gravity = mechanism.parameter("gravity")
     road = mechanism.track("road.z")
     linkage = suspension(rig, mechanism)
     mechanism.output("road.z", road.value, "m", "road height under the wheel")
-    _strut(linkage)
+    elements = _strut(linkage)
     deflection, force = add_tyre(linkage, road)
     mechanism.output("tyre.deflection", deflection, "m", "tyre deflection from undeformed, compression positive")
     mechanism.output("tyre.force", force, "N", "contact force, compression positive")
     _guide_friction(linkage)
     _motions(linkage)
+    if detail:
+        show_hardpoints(linkage)
+        show_reactions(linkage)
+        show_energy(linkage, {**elements, "tyre": (force, mechanism.rate_of(deflection))})
     return mechanism.finish()
 
 
-def _strut(linkage: Linkage) -> None:
+def _strut(linkage: Linkage) -> dict[str, tuple[ca.SX, ca.SX]]:
+    """Add spring, stops and damper; give force and deflection rate of each element."""
     mechanism = linkage.mechanism
     spring, damper = line_of(linkage, "spring"), line_of(linkage, "damper")
-    elastic = spring_law(linkage, spring)
-    viscous = damper_law(linkage, damper)
-    push(linkage, spring, elastic + stop_law(linkage, spring))
+    elastic, stops, viscous = spring_law(linkage, spring), stop_law(linkage, spring), damper_law(linkage, damper)
+    push(linkage, spring, elastic + stops)
     push(linkage, damper, viscous)
+    total = elastic + stops + viscous
     mechanism.output("strut.deflection", spring.deflection, "m", "strut deflection from design, compression positive")
     mechanism.output("strut.velocity", -damper.rate, "m/s", "strut deflection rate, bump positive")
-    mechanism.output("strut.force", elastic + viscous, "N", "spring, damper and friction, compression positive")
+    mechanism.output("strut.force", total, "N", "spring, stops, damper and friction, compression positive")
+    return {"spring": (elastic + stops, -spring.rate), "damper": (viscous, -damper.rate)}
 
 
 def _guide_friction(linkage: Linkage) -> None:

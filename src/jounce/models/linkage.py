@@ -9,6 +9,7 @@ import casadi as ca
 
 from jounce.mechanics import Mechanism
 from jounce.mechanics.bodies import Body
+from jounce.mechanics.bushings import add_bushing, add_elastic_rod
 from jounce.mechanics.frames import Moving
 from jounce.parts.corners import Corner
 
@@ -52,7 +53,7 @@ class Linkage:
         return self.triple(f"hardpoints.{name}")
 
     def end_of(self, element: str, end: str) -> ca.SX:
-        """Design place of an end (``bottom``, ``top``) of spring or damper; the strut's where it has none of its own."""
+        """Design place of the ``bottom`` or ``top`` of spring or damper; the strut's where it has none of its own."""
         own = f"{element}_{end}"
         return self.hardpoint(own if getattr(self.rig.hardpoints, own) is not None else f"strut_{end}")
 
@@ -87,8 +88,33 @@ class Linkage:
         ball = name.replace("arm", "ball_joint")
         self.lines[name] = (f"{name}_front", ball, f"{name}_rear")
         self.owners.update({f"{name}_front": self.chassis, f"{name}_rear": self.chassis, ball: arm})
-        self.mechanism.revolute(name, self.chassis, arm, at=front, axis=front - rear)
+        self.pivot(name, arm, (f"{name}_front", f"{name}_rear"))
         return arm
+
+    def pivot(self, name: str, arm: Body, ends: tuple[str, str]) -> None:
+        """Hang an arm on the body between two hardpoints: by a hinge, or by a bushing at each of them that has one."""
+        soft = [end for end in ends if self.has_bushing(end)]
+        ideal = [self.hardpoint(end) for end in ends if end not in soft]
+        if not soft:
+            self.mechanism.revolute(name, self.chassis, arm, at=ideal[0], axis=ideal[0] - ideal[1])
+        elif ideal:
+            self.mechanism.spherical(name, self.chassis, arm, at=ideal[0])
+        else:
+            self.mechanism.free(name, arm)
+        for end in soft:
+            place, bushing = self.hardpoint(end), self.bushing_of(end)
+            add_bushing(self.mechanism, self.chassis, arm, place, *bushing)
+
+    def has_bushing(self, point: str) -> bool:
+        """Tell whether the description puts a bushing at a hardpoint."""
+        return getattr(getattr(self.rig, "bushings", None), point, None) is not None
+
+    def bushing_of(self, point: str) -> tuple[ca.SX, ca.SX, ca.SX]:
+        """Stiffness, damping and rotational stiffness of the bushing at a hardpoint."""
+        stiffness, damping, rotational = (
+            self.triple(f"bushings.{point}.{key}") for key in ("stiffness", "damping", "rotational_stiffness")
+        )
+        return stiffness, damping, rotational
 
     def rod(self, name: str, inner: str, outer: str, carrier: Body, *, steered: bool = False) -> None:
         """Tie a point of a carrier to a point of the chassis; the inner end of a steered rod rides on the rack."""
@@ -96,11 +122,19 @@ class Linkage:
         holder = self.rack if steered else self.chassis
         self.lines[name] = (inner, outer)
         self.owners.update({inner: holder, outer: carrier})
-        if getattr(self.rig.bodies, name, None) is None:
+        massless, soft = getattr(self.rig.bodies, name, None) is None, self.has_bushing(inner)
+        if massless and soft:
+            add_elastic_rod(self.mechanism, holder, carrier, start, end, *self.bushing_of(inner)[:2])
+            return
+        if massless:
             self.mechanism.rod(name, holder, carrier, start, end)
             return
         link = self.body(name)
         first, second = self._across(end - start)
+        if soft:
+            self.mechanism.universal(f"{name}_outer", carrier, link, end, first, second)
+            add_bushing(self.mechanism, holder, link, start, *self.bushing_of(inner))
+            return
         self.mechanism.universal(f"{name}_inner", holder, link, start, first, second)
         self.mechanism.coincident(f"{name}_outer", link, carrier, end)
 

@@ -156,6 +156,7 @@ def simulate(
     output_step: float = 1e-3,
     tolerance: float = 1e-5,
     offset: dict[str, float] | None = None,
+    detail: bool = False,
     check: bool = True,
 ) -> xr.Dataset:
     """Simulate a rig over a trial, from static equilibrium.
@@ -172,6 +173,8 @@ def simulate(
         Relative error of the displacements.
     offset : dict, optional
         Starts the run away from equilibrium: coordinate or ``"<coordinate> rate"`` to m or m/s, at rest otherwise.
+    detail : bool
+        For 3-D rigs also all hardpoints (m), joint reactions (N, N m, on the second body, ground axes) and energies (J).
     check : bool
         Raise when the run does not reach its end; otherwise ``attrs["status"]`` says how it ended.
 
@@ -195,7 +198,7 @@ def simulate(
     True
     """
     check_settings(trial.duration, output_step, tolerance)
-    compiled = compile_model(build(rig))
+    compiled = compile_model(build(rig, detail=detail))
     p = compiled.parameter_values(rig.parameters())
     times = output_times(trial.duration, output_step)
     solution = solve(compiled, p, trial.segments(), times, tolerance=tolerance, offset=_offset(compiled, offset))
@@ -211,6 +214,7 @@ def simulate(
 
 
 def check_settings(duration: float, output_step: float, tolerance: float) -> None:
+    """Refuse an output step (s) or a tolerance that make no sense, and runs of more samples than memory holds."""
     if not (np.isfinite(output_step) and output_step > 0.0):
         raise SimulationError("not an output step", where="output_step", found=output_step, allowed="above 0 s")
     if duration / output_step > _MAX_SAMPLES:

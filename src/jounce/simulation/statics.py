@@ -14,6 +14,8 @@ Array = NDArray[np.float64]
 _ITERATIONS = 60
 _SAGS = (0.0, 1e-4, 1e-3, 1e-2, 1e-1)  # m
 _FAR = 1e3  # m: a step that long means that nothing holds the weight
+_STRIDE = 0.05  # m or rad
+_PROJECTIONS = 3
 _UNBALANCED = 1e-6  # m/s^2
 _INDEPENDENT = 1e-9  # smallest singular value of the constraints, relative to the largest
 
@@ -110,13 +112,13 @@ def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Rest | None:
     """Newton from ``x``; modes follow the sides of their switches; None when it does not settle on a true balance."""
     modes = (compiled.evaluate("switch", x, u, p, np.ones(len(compiled.facts.switches))) > 0.0).astype(float)
     for _ in range(_ITERATIONS):
-        slope = compiled.evaluate("rate_x", x, u, p, modes)
-        moved, rows = _decided(compiled, slope)
-        balance, residual = _balance(compiled, x, u, p, modes, slope, moved, rows)
-        step = _solve(balance, -residual)
+        now = _balance(compiled, x, u, p, modes)
+        step = _solve(now.matrix, -now.residual)
         if step is None or np.max(np.abs(step)) > _FAR:
             return None
-        x = compiled.projected(x + moved @ step, u, p, modes)
+        if compiled.facts.projects:  # a mechanism curves: go on in short steps, and close its loops after each
+            step *= min(1.0, _STRIDE / float(np.max(np.abs(step), initial=_STRIDE)))
+        x = _closed(compiled, x + now.moved @ step, u, p, modes)
         sides = (compiled.evaluate("switch", x, u, p, modes) > 0.0).astype(float)
         settled = np.array_equal(sides, modes) and np.max(np.abs(step)) <= 1e-13 + 1e-11 * np.max(np.abs(x))
         modes = sides
@@ -125,8 +127,15 @@ def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Rest | None:
     return None
 
 
+def _closed(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> Array:
+    """Move a state onto the loops."""
+    for _ in range(_PROJECTIONS if compiled.facts.projects else 0):
+        x = compiled.projected(x, u, p, modes)
+    return x
+
+
 def _solve(matrix: Array, rhs: Array) -> Array | None:
-    """Solution of a square system, or the shortest least-squares one where loops make it longer than wide."""
+    """Solution of a square system, or the shortest least-squares one where loops repeat each other."""
     try:
         if matrix.shape[0] == matrix.shape[1]:
             found = np.linalg.solve(matrix, rhs)
@@ -134,42 +143,47 @@ def _solve(matrix: Array, rhs: Array) -> Array | None:
             found = np.linalg.lstsq(matrix, rhs, rcond=None)[0]
     except np.linalg.LinAlgError:
         return None
-    return found if np.all(np.isfinite(found)) else None
+    return np.asarray(found, dtype=np.float64) if np.all(np.isfinite(found)) else None
 
 
-def _decided(compiled: Compiled, slope: Array) -> tuple[Array, NDArray[np.intp]]:
-    """States moved by each quantity that the balance decides, and the rates that must vanish."""
-    n_q, n_v = compiled.facts.counts
-    first = n_q + n_v
+@dataclass(frozen=True)
+class _Balance:
+    """The balance about a state: slope of the rates, free motions, what is decided and by which equations."""
+
+    slope: Array
+    free: NDArray[np.intp]
+    motions: Array
+    moved: Array
+    rows: NDArray[np.intp]
+    matrix: Array
+    residual: Array
+
+
+def _balance(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> _Balance:
+    """Equations of rest: accelerations of the free motions and loops must vanish, and rates of internal states."""
+    facts, (n_q, n_v) = compiled.facts, compiled.facts.counts
+    slope, first = compiled.evaluate("rate_x", x, u, p, modes), n_q + n_v
     internal = [i for i in range(first, len(slope)) if slope[i, i] != 0.0]
     moved = np.zeros((len(slope), n_v + len(internal)))
     moved[:n_q, :n_v] = slope[:n_q, n_q:first]
     moved[internal, range(n_v, n_v + len(internal))] = 1.0
-    return moved, np.array([*range(n_q, first), *internal], dtype=np.intp)
-
-
-def _balance(
-    compiled: Compiled, x: Array, u: Array, p: Array, modes: Array, slope: Array, moved: Array, rows: NDArray[np.intp]
-) -> tuple[Array, Array]:
-    """Jacobian and residual of the balance: rates that must vanish, then loop equations."""
+    loops = compiled.evaluate("constraint_x", x, u, p, modes) @ moved if facts.constraints else None
+    free, motions = free_motions(None if loops is None else loops[:, :n_v], n_v)
+    rows = np.array([*(n_q + free), *internal], dtype=np.intp)
     matrix, residual = slope[rows] @ moved, compiled.evaluate("rate", x, u, p, modes)[rows]
-    if not compiled.facts.constraints:
-        return matrix, residual
-    loops = compiled.evaluate("constraint_x", x, u, p, modes) @ moved
-    return np.vstack([matrix, loops]), np.concatenate([residual, compiled.evaluate("constraint", x, u, p, modes)])
+    if loops is not None:
+        matrix = np.vstack([matrix, loops])
+        residual = np.concatenate([residual, compiled.evaluate("constraint", x, u, p, modes)])
+    return _Balance(slope, free, motions, moved, rows, matrix, residual)
 
 
 def _rest(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> Rest | None:
-    slope = compiled.evaluate("rate_x", x, u, p, modes)
-    moved, rows = _decided(compiled, slope)
-    balance, residual = _balance(compiled, x, u, p, modes, slope, moved, rows)
-    if np.max(np.abs(residual)) > _UNBALANCED:
+    now = _balance(compiled, x, u, p, modes)
+    if np.max(np.abs(now.residual)) > _UNBALANCED:
         return None
-    n_q, n_v = compiled.facts.counts
-    loops = compiled.evaluate("constraint_x", x, u, p, modes) @ moved[:, :n_v] if compiled.facts.constraints else None
-    free, motions = free_motions(loops, n_v)
-    lift, pick = _lift(slope, n_q, n_v, free, motions)
-    return Rest(x, modes, slope, free, lift, pick, pick @ slope @ lift, balance, moved, rows)
+    lift, pick = _lift(now.slope, *compiled.facts.counts, now.free, now.motions)
+    reduced = pick @ now.slope @ lift
+    return Rest(x, modes, now.slope, now.free, lift, pick, reduced, now.matrix, now.moved, now.rows)
 
 
 def free_motions(loops: Array | None, n_v: int) -> tuple[NDArray[np.intp], Array]:

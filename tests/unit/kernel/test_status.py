@@ -77,14 +77,14 @@ def test_too_stiff_for_an_explicit_method():
 
 
 def test_step_budget(monkeypatch):
-    monkeypatch.setattr(run_module, "_MAX_STEPS", 20)
+    monkeypatch.setattr(run_module, "MAX_STEPS", 20)
     run = outcome(lambda body: -1e3 * body.z**3, duration=30.0)
     assert run.status is Status.TOO_MANY_STEPS
     assert run.steps + run.rejected == 20
 
 
 def test_samples_that_were_not_reached_are_no_numbers(monkeypatch):
-    monkeypatch.setattr(run_module, "_MAX_STEPS", 20)
+    monkeypatch.setattr(run_module, "MAX_STEPS", 20)
     run = outcome(lambda body: -1e3 * body.z**3, duration=30.0)
     assert np.isfinite(run.states[:, 0]).all()
     assert np.isnan(run.states[:, -1]).all()

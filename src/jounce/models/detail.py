@@ -1,0 +1,38 @@
+"""All that can be asked of a 3-D corner: hardpoints, joint reactions, energies, what is left open of the loops."""
+
+from __future__ import annotations
+
+import casadi as ca
+
+from jounce.models.linkage import Linkage
+
+_AXES = ("x", "y", "z")
+
+
+def show_hardpoints(linkage: Linkage) -> None:
+    """Let every hardpoint be seen, m, ground axes."""
+    for name, body in linkage.owners.items():
+        place = body.point(linkage.hardpoint(name)).value
+        for i, axis in enumerate(_AXES):
+            linkage.mechanism.output(f"{name}.{axis}", place[i], "m", f"{name.replace('_', ' ')}, {axis}")
+
+
+def show_reactions(linkage: Linkage) -> None:
+    """Let force and torque of every joint on its second body be seen, N and N m, ground axes."""
+    mechanism = linkage.mechanism
+    for joint in (*mechanism.joints, *mechanism.closures):
+        mechanism.watch_reaction(joint)
+
+
+def show_energy(linkage: Linkage, elements: dict[str, tuple[ca.SX, ca.SX]]) -> None:
+    """Let energies be seen, J: kinetic, of weights, and what each element has taken up since the start.
+
+    ``elements`` holds force (N) and the rate (m/s) it works against.
+    """
+    mechanism = linkage.mechanism
+    mechanism.watch_energy()
+    for name, (force, rate) in elements.items():
+        channel = f"energy.{name}"
+        taken = mechanism.internal_state(channel)
+        mechanism.set_internal_rate(channel, force * rate)
+        mechanism.output(channel, taken, "J", f"energy taken up by the {name}")
