@@ -83,7 +83,6 @@ class Linkage:
 
     def arm(self, name: str) -> Body:
         """Hang an arm on its axis through ``<name>_front`` and ``<name>_rear``."""
-        front, rear = self.hardpoint(f"{name}_front"), self.hardpoint(f"{name}_rear")
         arm = self.body(name)
         ball = name.replace("arm", "ball_joint")
         self.lines[name] = (f"{name}_front", ball, f"{name}_rear")

@@ -1,0 +1,191 @@
+"""Bushings: elastic joints in six directions, and rods that end in one.
+
+A bushing lies between a point of each of two bodies and pushes them back along and about the axes of the first body.
+Its forces on both act at one and the same place, and they follow from an energy, so a motion of both bodies together
+does no work on it and an undamped bushing gives back all it took.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import casadi as ca
+
+from jounce.mechanics.bodies import Body
+from jounce.mechanics.rotations import unit
+
+if TYPE_CHECKING:
+    from jounce.mechanics.tree import Tree
+
+_NONE = ca.SX(3, 1)
+_SOFTEST = 1e-9  # N/m: a direction without stiffness lets a rod go, and one that the rod does not use does not count
+
+
+@dataclass(frozen=True)
+class Deflection:
+    """What a bushing does, in the axes of its first body.
+
+    Attributes
+    ----------
+    displacement, rotation : casadi.SX
+        Of the second body against the first, m and rad; a turn by an angle counts as its sine.
+    force, torque : casadi.SX
+        On the second body, N and N m.
+    energy : casadi.SX
+        Stored in it, J.
+    """
+
+    displacement: ca.SX
+    rotation: ca.SX
+    force: ca.SX
+    torque: ca.SX
+    energy: ca.SX
+
+
+def add_bushing(
+    tree: Tree,
+    first: Body,
+    second: Body,
+    at: ca.SX,
+    stiffness: ca.SX,
+    damping: ca.SX = _NONE,
+    rotational_stiffness: ca.SX = _NONE,
+    rotational_damping: ca.SX = _NONE,
+) -> Deflection:
+    """Put a bushing between two bodies, unloaded in the design pose.
+
+    Parameters
+    ----------
+    tree : Tree
+        The mechanism.
+    first, second : Body
+        The bodies; the axes are those of the first.
+    at : casadi.SX, shape (3,)
+        Its place in the design pose, m.
+    stiffness, damping : casadi.SX, shape (3,)
+        N/m and N s/m.
+    rotational_stiffness, rotational_damping : casadi.SX, shape (3,)
+        N m/rad and N m s/rad.
+
+    Returns
+    -------
+    Deflection
+        For outputs.
+    """
+    displacement, rate = _displacement(first, second, at)
+    rotation, turning = _rotation(first, second)
+    force = -stiffness * displacement - damping * rate
+    twist = -rotational_stiffness * rotation - rotational_damping * (turning @ _relative_spin(first, second))
+    torque = turning.T @ twist
+    tree.load(rate, force)
+    tree.load(_relative_spin(first, second), torque)
+    _note_pair(tree, first, second, second.point(at).value, force, torque)
+    energy = 0.5 * (ca.dot(displacement, stiffness * displacement) + ca.dot(rotation, rotational_stiffness * rotation))
+    return Deflection(displacement, rotation, force, torque, energy)
+
+
+def add_elastic_rod(
+    tree: Tree, first: Body, second: Body, at: ca.SX, second_at: ca.SX, stiffness: ca.SX, damping: ca.SX
+) -> ca.SX:
+    """Tie two points by a massless rod with a bushing at its first end; give its force (N, tension positive).
+
+    Such a rod only carries force along itself, so what counts of the bushing is its compliance along the rod,
+    ``sum e_i^2 / k_i`` with the rod's direction ``e`` in the design pose, and the damping that loses as much in a slow
+    motion. Its rotational stiffness has nothing to turn.
+
+    Parameters
+    ----------
+    tree : Tree
+        The mechanism.
+    first, second : Body
+        The bodies.
+    at, second_at : casadi.SX, shape (3,)
+        The ends in the design pose, m.
+    stiffness, damping : casadi.SX, shape (3,)
+        Of the bushing along the axes of the design pose, N/m and N s/m.
+    """
+    one, other = first.point(at), second.point(second_at)
+    reach, design = other - one, second_at - at
+    length = ca.sqrt(ca.dot(reach.value, reach.value))
+    rate = ca.dot(reach.value, reach.rate) / length
+    firm = stiffness + _SOFTEST
+    shares = unit(design) ** 2 / firm
+    along = 1.0 / ca.sum1(shares)
+    loss = along**2 * ca.dot(shares, damping / firm)
+    tension = along * (length - ca.sqrt(ca.dot(design, design))) + loss * rate
+    tree.load(rate, -tension)
+    _note_pair(tree, first, second, other.value, -tension * reach.value / length, _NONE, in_ground=True)
+    return tension
+
+
+def add_sliding_bushing(
+    tree: Tree, first: Body, second: Body, at: ca.SX, axis: ca.SX, point: ca.SX, stiffness: ca.SX, damping: ca.SX
+) -> ca.SX:
+    """Hold a point of the second body by a bushing on a line of the first, along which it slides freely.
+
+    Parameters
+    ----------
+    tree : Tree
+        The mechanism.
+    first, second : Body
+        Body with the line, and body with the bushing, whose axes the bushing has.
+    at, axis : casadi.SX, shape (3,)
+        A point of the line and its direction in the design pose.
+    point : casadi.SX, shape (3,)
+        Place of the bushing in the design pose, on the line.
+    stiffness, damping : casadi.SX, shape (3,)
+        N/m and N s/m.
+
+    Returns
+    -------
+    casadi.SX, shape (3,)
+        Force on the second body, N, in its axes.
+    """
+    held, along = second.point(point), first.direction(axis)
+    own = second.frame
+    assert own is not None
+    apart = own.orientation.unrotate(held.value - first.point(at).value)
+    direction = own.orientation.unrotate(along.value)
+    slid = ca.dot(direction, stiffness * apart) / ca.dot(direction, stiffness * direction)
+    gap = apart - slid * direction
+    rate = tree.rate_of(gap)
+    force = -stiffness * gap - damping * rate
+    tree.load(rate, force)
+    _note_pair(tree, first, second, held.value, own.orientation.rotate(force), _NONE, in_ground=True)
+    return force
+
+
+def _displacement(first: Body, second: Body, at: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """Displacement of the second body's point in the axes of the first, and its rate there."""
+    assert first.frame is not None
+    orientation = first.frame.orientation
+    gap = second.point(at) - first.point(at)
+    displacement = orientation.unrotate(gap.value)
+    return displacement, orientation.unrotate(gap.rate) - ca.cross(orientation.spin, displacement)
+
+
+def _relative_spin(first: Body, second: Body) -> ca.SX:
+    """Angular velocity of the second body against the first, in the axes of the first."""
+    assert first.frame is not None
+    return first.frame.orientation.unrotate(second.spin) - first.frame.orientation.spin
+
+
+def _rotation(first: Body, second: Body) -> tuple[ca.SX, ca.SX]:
+    """Antisymmetric part of the relative rotation as a vector, and the matrix that turns the spin into its rate."""
+    assert first.frame is not None
+    assert second.frame is not None
+    matrix = first.frame.orientation.matrix.T @ second.frame.orientation.matrix
+    rotation = 0.5 * ca.vertcat(matrix[2, 1] - matrix[1, 2], matrix[0, 2] - matrix[2, 0], matrix[1, 0] - matrix[0, 1])
+    return rotation, 0.5 * (ca.trace(matrix) * ca.SX.eye(3) - matrix)
+
+
+def _note_pair(
+    tree: Tree, first: Body, second: Body, place: ca.SX, force: ca.SX, torque: ca.SX, *, in_ground: bool = False
+) -> None:
+    """Note force and torque on the second body and their opposites on the first, at one place."""
+    assert first.frame is not None
+    turn = first.frame.orientation.rotate
+    push, twist = (force, torque) if in_ground else (turn(force), turn(torque))
+    for body, sign in ((first, -1.0), (second, 1.0)):
+        tree.note(body, sign * push, place, sign * twist)
