@@ -55,13 +55,22 @@ class Constraint:
 
 @dataclass(frozen=True)
 class Solved:
-    """Accelerations, multipliers, the projected coordinates and speeds, and how far from singular the constraints are."""
+    """Accelerations, multipliers, projected coordinates and speeds, how far from singular the constraints are.
+
+    The functions use the same factors, for derivatives that do not differentiate them: ``residual`` (force balance,
+    then second rates of the constraints) of given accelerations and multipliers, ``answer`` the change of both that
+    takes back a change of the residual, ``correction`` the displacement (or change of the speeds) that takes back a
+    violation (or its rate).
+    """
 
     acceleration: ca.SX
     multipliers: ca.SX
     coordinates: ca.SX
     speeds: ca.SX
     conditioning: ca.SX
+    residual: Callable[[ca.SX, ca.SX], ca.SX]
+    answer: Callable[[ca.SX], ca.SX]
+    correction: Callable[[ca.SX], ca.SX]
 
 
 def solve(
@@ -100,15 +109,27 @@ def solve(
     count = constraint.value.shape[0]
     if count == 0:
         acceleration = mass.solve(ca.densify(force))
-        return Solved(acceleration, ca.SX(0, 1), move(ca.SX(size, 1)), v, ca.SX(1.0))
+        none = ca.SX(0, 1)
+        return Solved(
+            acceleration,
+            none,
+            move(ca.SX(size, 1)),
+            v,
+            ca.SX(1.0),
+            residual=lambda a, _: force - matrix @ a,
+            answer=mass.solve,
+            correction=lambda _: ca.SX(size, 1),
+        )
     gradient = ca.jacobian(constraint.rate, v)
     rows = mass.forward(gradient.T)
     scaled = mass.scale(rows)
     reduced_matrix = rows.T @ scaled
     reduced = Ldl(reduced_matrix)
-    half = mass.forward(ca.densify(force))
-    multipliers = reduced.solve(-constraint.bias - scaled.T @ half)
-    acceleration = mass.backward(mass.scale(half + rows @ multipliers))
+
+    def balance(applied: ca.SX, bias: ca.SX) -> tuple[ca.SX, ca.SX]:
+        half = mass.forward(ca.densify(applied))
+        multipliers = reduced.solve(-bias - scaled.T @ half)
+        return mass.backward(mass.scale(half + rows @ multipliers)), multipliers
 
     def correction(violation: ca.SX) -> ca.SX:
         return mass.backward(scaled @ reduced.solve(violation))
@@ -118,11 +139,13 @@ def solve(
     for share in shares[1:]:
         worst = ca.fmin(worst, share)
     return Solved(
-        acceleration,
-        multipliers,
+        *balance(force, constraint.bias),
         move(-correction(constraint.value)),
         v - correction(constraint.rate),
         worst,
+        residual=lambda a, m: ca.vertcat(force - matrix @ a + gradient.T @ m, gradient @ a + constraint.bias),
+        answer=lambda change: ca.vertcat(*balance(change[:size], change[size:])),
+        correction=correction,
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, fields
 from functools import cached_property
 
@@ -65,6 +66,41 @@ class Facts:
 
 
 @dataclass(frozen=True)
+class Balance:
+    """How rates and outputs follow from unknowns, for derivatives that do not differentiate the solution for them.
+
+    Attributes
+    ----------
+    unknown : casadi.SX
+        Symbols of accelerations and multipliers.
+    found : casadi.SX
+        Their solution.
+    residual : casadi.SX
+        Of states, inputs, parameters and unknowns; zero at the solution.
+    answer : callable
+        Change of the unknowns that takes back a change of the residual.
+    rate, output : casadi.SX
+        As in the model, of the unknowns instead of their solution.
+    moved : callable
+        Coordinates after a small displacement in terms of the speeds.
+    correction : callable
+        Displacement (or change of the speeds) that takes back a violation of the constraints (or its rate).
+    constraint_rate : casadi.SX
+        Rate of the loop equations.
+    """
+
+    unknown: ca.SX
+    found: ca.SX
+    residual: ca.SX
+    answer: Callable[[ca.SX], ca.SX]
+    rate: ca.SX
+    output: ca.SX
+    moved: Callable[[ca.SX], ca.SX]
+    correction: Callable[[ca.SX], ca.SX]
+    constraint_rate: ca.SX
+
+
+@dataclass(frozen=True)
 class Model:
     """Symbolic equations ``dx/dt = rate(x, u, p, m)``, outputs and switching functions.
 
@@ -86,11 +122,15 @@ class Model:
         Symbols of states, inputs, parameters and modes.
     rate, output, switch : casadi.SX
         Expressions of the symbols.
+    loops : dict
+        Joint that closes a loop to the joints around that loop.
     constraint : casadi.SX
         Loop equations, zero where the loops are closed.
     projection : casadi.SX
         States moved onto the constraints, then the violation before it (norm) and the conditioning of the constraints
         (1: independent, 0: singular); empty where nothing can drift.
+    balance : Balance
+        Where accelerations and multipliers come from.
     """
 
     coordinates: tuple[str, ...]
@@ -103,6 +143,7 @@ class Model:
     switches: tuple[str, ...]
     outputs: tuple[Output, ...]
     start: tuple[float, ...]
+    loops: dict[str, tuple[str, ...]]
     x: ca.SX
     u: ca.SX
     p: ca.SX
@@ -112,6 +153,7 @@ class Model:
     switch: ca.SX
     constraint: ca.SX
     projection: ca.SX
+    balance: Balance
 
     @cached_property
     def facts(self) -> Facts:

@@ -14,7 +14,7 @@ import casadi as ca
 
 from jounce.core.errors import AssemblyError
 from jounce.mechanics.equations import Constraint, Inertia, PointMass, Solved, solve
-from jounce.mechanics.model import Model, Output
+from jounce.mechanics.model import Balance, Model, Output
 
 
 @dataclass(frozen=True)
@@ -183,9 +183,9 @@ class System:
         dropped = ca.vertcat(*(row for name, row in self._multipliers() if name in self._dropped))
         unknown = ca.vertcat(*self._accelerations.values(), constraint.multipliers, dropped)
         found = ca.densify(ca.vertcat(solved.acceleration, solved.multipliers, ca.SX(dropped.shape[0], 1)))
-        output = ca.substitute(ca.vertcat(*self._outputs.values()), unknown, found)
-        internal_rates = ca.substitute(ca.vertcat(*self._internal_rates()), unknown, found)
-        order = self._track_order(ca.vertcat(solved.acceleration, output))
+        balance = self._balance(solved, unknown, found, constraint)
+        rate, output = (ca.substitute(part, unknown, found) for part in (balance.rate, balance.output))
+        order = self._track_order(ca.vertcat(rate, output))
         return Model(
             coordinates=tuple(self._coordinates),
             speeds=tuple(self._speeds),
@@ -197,16 +197,38 @@ class System:
             switches=tuple(self._switches),
             outputs=tuple(self._outputs),
             start=tuple(self._start.values()),
+            loops=self.loops(),
             x=ca.vertcat(q, v, internal),
             u=ca.vertcat(*(_inputs(track, order) for track in self._tracks.values())),
             p=ca.vertcat(*self._parameters.values()),
             m=ca.vertcat(*(mode for mode, _ in self._switches.values())),
-            rate=ca.cse(ca.vertcat(*self._rates, solved.acceleration, internal_rates)),
+            rate=ca.cse(rate),
             output=ca.cse(output),
             switch=ca.vertcat(*(expression for _, expression in self._switches.values())),
             constraint=ca.cse(constraint.value),
             projection=ca.cse(self._projection(solved, internal, constraint)),
+            balance=balance,
         )
+
+    def _balance(self, solved: Solved, unknown: ca.SX, found: ca.SX, constraint: Constraint) -> Balance:
+        """How rates and outputs follow from accelerations and multipliers."""
+        accelerations, rows = ca.vertcat(*self._accelerations.values()), unknown.shape[0]
+        lacking = ca.SX(rows - len(self._accelerations) - constraint.value.shape[0], 1)  # multipliers of dropped rows
+        return Balance(
+            unknown=unknown,
+            found=found,
+            residual=solved.residual(accelerations, constraint.multipliers),
+            answer=lambda change: ca.vertcat(solved.answer(change), lacking),
+            rate=ca.vertcat(*self._rates, accelerations, *self._internal_rates()),
+            output=ca.vertcat(*self._outputs.values()),
+            moved=self._moved,
+            correction=solved.correction,
+            constraint_rate=constraint.rate,
+        )
+
+    def loops(self) -> dict[str, tuple[str, ...]]:
+        """Joint that closes a loop to the joints around it; nothing where there is no tree of joints."""
+        return {}
 
     def _load(self, v: ca.SX) -> ca.SX:
         load = ca.SX(v.shape[0], 1)

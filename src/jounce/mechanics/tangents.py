@@ -1,0 +1,73 @@
+"""Directional derivatives of a model's equations, without differentiating the solution for its accelerations.
+
+With the balance ``r(x, u, p, a) = 0`` solved for the unknowns ``a`` by factors ``K``, their change along a direction is
+``K`` applied to the change of ``r`` with ``a`` kept: the factors are used twice and not differentiated.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import casadi as ca
+
+from jounce.mechanics.model import Model
+
+
+@dataclass(frozen=True)
+class Tangent:
+    """Changes of a model's expressions along one direction, linear in it.
+
+    Attributes
+    ----------
+    rate, output, switch, constraint : casadi.SX
+        As in the model.
+    projection : casadi.SX
+        Change of the projected states, on the constraints (where the projection itself moves nothing); empty where
+        nothing can drift.
+    """
+
+    rate: ca.SX
+    output: ca.SX
+    switch: ca.SX
+    constraint: ca.SX
+    projection: ca.SX
+
+
+def tangent(model: Model, dx: ca.SX, du: ca.SX, dp: ca.SX) -> Tangent:
+    """Differentiate a model along a direction.
+
+    Parameters
+    ----------
+    model : Model
+        What to differentiate.
+    dx, du, dp : casadi.SX
+        Direction of states, inputs and parameters; structural zeros cost nothing.
+
+    Returns
+    -------
+    Tangent
+        Expressions of the model's symbols and those of the direction.
+    """
+    balance = model.balance
+    known, along = ca.vertcat(model.x, model.u, model.p), ca.vertcat(dx, du, dp)
+    answered = balance.answer(ca.jtimes(balance.residual, known, along))
+    every, ways = ca.vertcat(known, balance.unknown), ca.vertcat(along, answered)
+    parts = (ca.jtimes(part, every, ways) for part in (balance.rate, balance.output))
+    rate, output = (ca.substitute(part, balance.unknown, balance.found) for part in parts)
+    switch, constraint = (ca.jtimes(part, known, along) for part in (model.switch, model.constraint))
+    return Tangent(rate, output, switch, constraint, _projection(model, dx, dp, known, along))
+
+
+def _projection(model: Model, dx: ca.SX, dp: ca.SX, known: ca.SX, along: ca.SX) -> ca.SX:
+    """Change of coordinates and speeds, each without what would violate the constraints; internal states follow."""
+    if not model.projection.shape[0]:
+        return ca.SX(0, 1)
+    balance, (n_q, n_v) = model.balance, (len(model.coordinates), len(model.speeds))
+    violated, drifted = (ca.jtimes(part, known, along) for part in (model.constraint, balance.constraint_rate))
+    shift = ca.SX.sym("shift", n_v)
+    moved = balance.moved(shift)
+    start = ca.vertcat(model.x[:n_q], model.p, shift)
+    change = ca.jtimes(moved, start, ca.vertcat(dx[:n_q], dp, -balance.correction(violated)))
+    coordinates = ca.substitute(change, shift, ca.SX.zeros(n_v))
+    speeds = dx[n_q : n_q + n_v] - balance.correction(drifted)
+    return ca.vertcat(coordinates, speeds, dx[n_q + n_v :])
