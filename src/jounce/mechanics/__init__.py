@@ -2,6 +2,16 @@
 
 from jounce.mechanics.assembly import Assembly, Moved, assemble
 from jounce.mechanics.bodies import Body
+from jounce.mechanics.bushings import add_bushing, add_elastic_rod
+from jounce.mechanics.elements import (
+    bump_stop_force,
+    curve_force,
+    damper_force,
+    damper_map_force,
+    friction_force,
+    spring_force,
+    tyre_force,
+)
 from jounce.mechanics.mass import box, combined, cylinder, mesh, sphere, tube
 from jounce.mechanics.mechanism import Mechanism
 from jounce.mechanics.model import Facts, Model, Output
@@ -20,15 +30,24 @@ __all__ = [
     "Reaction",
     "System",
     "Track",
+    "add_bushing",
+    "add_elastic_rod",
     "assemble",
     "box",
+    "bump_stop_force",
     "combined",
+    "curve_force",
     "cylinder",
+    "damper_force",
+    "damper_map_force",
+    "friction_force",
     "harmonic",
     "held",
     "mesh",
     "sphere",
+    "spring_force",
     "steady",
     "through",
     "tube",
+    "tyre_force",
 ]

@@ -9,7 +9,7 @@ import casadi as ca
 
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.frames import Moving
-from jounce.mechanics.rotations import unit
+from jounce.mechanics.rotations import normals
 
 if TYPE_CHECKING:
     from jounce.mechanics.tree import Tree
@@ -64,7 +64,7 @@ class Closures:
     def point_on_line(self, name: str, first: Body, second: Body, at: ca.SX, axis: ca.SX, point: ca.SX) -> ca.SX:
         """A point of the second body on a line of the first."""
         start, other = first.point(at), second.point(point)
-        across = [first.direction(normal) for normal in self._normals(axis)]
+        across = [first.direction(normal) for normal in normals(axis)]
         rows = [Dot.of(normal, other - start) for normal in across]
         forces = self._rows([f"{name}.across", f"{name}.across_2"], rows)
         force = forces[0] * across[0].value + forces[1] * across[1].value
@@ -80,7 +80,7 @@ class Closures:
         other = second.direction(axis)
         torques = [
             self._square(f"{name}.{tag}", first, second, first.direction(normal), other)
-            for tag, normal in zip(("tilt", "tilt_2"), self._normals(axis), strict=True)
+            for tag, normal in zip(("tilt", "tilt_2"), normals(axis), strict=True)
         ]
         return ca.vertcat(*torques)
 
@@ -100,7 +100,7 @@ class Closures:
 
     def prismatic(self, name: str, first: Body, second: Body, at: ca.SX, axis: ca.SX) -> ca.SX:
         """Closes a loop by a guide that only slides."""
-        normal, other = self._normals(axis)
+        normal, other = normals(axis)
         forces = self.cylindrical(name, first, second, at, axis)
         twist = self._square(f"{name}.twist", first, second, first.direction(normal), second.direction(other))
         return ca.vertcat(forces, twist)
@@ -113,15 +113,6 @@ class Closures:
     def _rows(self, names: list[str], rows: list[Dot]) -> ca.SX:
         columns = zip(*((row.value, row.rate, row.bias) for row in rows), strict=True)
         return self._tree.constrain(names, *(ca.vertcat(*column) for column in columns))
-
-    def _normals(self, axis: ca.SX) -> tuple[ca.SX, ca.SX]:
-        """Two directions across an axis: the first leans on the ground axis that is farthest from it."""
-        x, y, z = (ca.fabs(axis[i]) for i in range(3))
-        is_x = ca.logic_and(x <= y, x <= z)
-        is_y = ca.logic_and(ca.logic_not(is_x), y <= z)
-        helper = ca.vertcat(is_x, is_y, 1 - is_x - is_y)
-        second = unit(ca.cross(axis, helper))
-        return ca.cross(second, axis), second
 
     def _pull(self, name: str, first: Body, second: Body, one: Moving, other: Moving, force: ca.SX) -> None:
         """Note the constraint force on the second body and its opposite on the first."""

@@ -42,10 +42,13 @@ def unit(a: ca.SX) -> ca.SX:
     return a / ca.sqrt(ca.dot(a, a))
 
 
-def normals(a: ca.SX, reference: ca.SX) -> tuple[ca.SX, ca.SX]:
-    """Two unit vectors that form a right-handed frame ``(n1, n2, a)`` with the unit vector ``a``.
+def normals(axis: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """Two unit vectors that form a right-handed frame ``(n1, n2, axis)`` with a unit vector.
 
-    ``reference`` must not be parallel to ``a``.
+    They lean on the ground axis that is farthest from ``axis``.
     """
-    second = unit(ca.cross(a, reference))
-    return ca.cross(second, a), second
+    x, y, z = (ca.fabs(axis[i]) for i in range(3))
+    is_x = ca.logic_and(x <= y, x <= z)
+    is_y = ca.logic_and(ca.logic_not(is_x), y <= z)
+    second = unit(ca.cross(axis, ca.vertcat(is_x, is_y, 1 - is_x - is_y)))
+    return ca.cross(second, axis), second

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
+from pydantic import BaseModel
 
 from jounce.core.errors import AssemblyError
 from jounce.mechanics.bodies import Body, MassProperties
@@ -19,6 +20,7 @@ from jounce.mechanics.frames import GROUND, Frame, Moving, by_quaternion
 from jounce.mechanics.reactions import Wrench
 from jounce.mechanics.rotations import unit
 from jounce.mechanics.system import System, Track
+from jounce.parts.parameters import parameters_of
 
 Vector = Sequence[float] | ca.SX
 """Three numbers, or three expressions of parameters."""
@@ -61,6 +63,10 @@ class Tree(System):
         if isinstance(value, ca.SX):
             return value
         return ca.vertcat(*(self.number(f"{path}[{i}]", float(part)) for i, part in enumerate(value)))
+
+    def take(self, path: str, part: BaseModel) -> None:
+        """Take the numbers of a part's description as parameters under ``path``, for the force laws of ``elements``."""
+        self.values.update(parameters_of(part, f"{path}."))
 
     def body(
         self,

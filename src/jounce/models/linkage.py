@@ -11,6 +11,7 @@ from jounce.mechanics import Mechanism
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.bushings import add_bushing, add_elastic_rod
 from jounce.mechanics.frames import Moving
+from jounce.mechanics.rotations import normals, unit
 from jounce.parts.corners import Corner
 
 
@@ -129,7 +130,7 @@ class Linkage:
             self.mechanism.rod(name, holder, carrier, start, end)
             return
         link = self.body(name)
-        first, second = self._across(end - start)
+        first, second = normals(unit(end - start))
         if soft:
             self.mechanism.universal(f"{name}_outer", carrier, link, end, first, second)
             add_bushing(self.mechanism, holder, link, start, *self.bushing_of(inner))
@@ -158,13 +159,6 @@ class Linkage:
     def spin_direction(self) -> Moving:
         """The wheel's axis, pointing outboard, as it moves with the upright."""
         return self.upright.direction(self.spin_axis)
-
-    @staticmethod
-    def _across(along: ca.SX) -> tuple[ca.SX, ca.SX]:
-        """Two axes across a link and each other, for its universal joint; the first is as level as can be."""
-        vertical = ca.vertcat(0.0, 0.0, 1.0)
-        first = ca.cross(along, vertical)
-        return first, ca.cross(first, along)
 
 
 Template = Callable[[Linkage], None]
