@@ -14,6 +14,7 @@ from jounce.plots.dispatch import figure_of, show
 from jounce.plots.display import DisplayUnit, display_unit, number, quantity
 from jounce.plots.histories import time_history
 from jounce.plots.linear import frequency_response, modes
+from jounce.plots.mechanisms import mechanism
 from jounce.plots.roads import road_profile
 from jounce.plots.style import add_note, new_figure, style, styled
 from jounce.plots.sweeps import sweep
@@ -30,6 +31,7 @@ __all__ = [
     "figure_of",
     "frequency_response",
     "measured_against_simulated",
+    "mechanism",
     "modes",
     "new_figure",
     "number",

@@ -11,7 +11,19 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import JounceError
-from jounce.plots import bench, comparison, dampers, decays, histories, linear, roads, sweeps, trials, updating
+from jounce.plots import (
+    bench,
+    comparison,
+    dampers,
+    decays,
+    histories,
+    linear,
+    mechanisms,
+    roads,
+    sweeps,
+    trials,
+    updating,
+)
 from jounce.plots.writing import write_figure
 
 if TYPE_CHECKING:
@@ -24,8 +36,8 @@ def figure_of(result: object, **options: Any) -> Figure:
     Parameters
     ----------
     result : object
-        A recording, a study over speed, a road (or several by name), a fit, an update (or several), a trial or all
-        trials of a campaign, a campaign's result, a linear model, modes.
+        A 3-D rig, a recording, a study over speed, a road (or several by name), a fit, an update (or several), a trial
+        or all trials of a campaign, a campaign's result, a linear model, modes.
     **options
         Passed on to that function, e.g. ``channels=`` for a recording or ``trials=`` for a stiffness.
 
@@ -99,6 +111,7 @@ def _registered() -> Callable[..., Figure]:
     from jounce.identify.stiffness import StiffnessResult
     from jounce.identify.tyre_pressure import PressureStiffness
     from jounce.identify.update import UpdateResult
+    from jounce.parts.corners import Corner
     from jounce.roads.road import Road
     from jounce.simulation import LinearModel, Mode
     from jounce.studies.campaign.result import CampaignResult, StrategyResult, TrialResult
@@ -129,6 +142,7 @@ def _registered() -> Callable[..., Figure]:
 
     draw.register(xr.Dataset, of_dataset)
     draw.register(Road, roads.road_profile)
+    draw.register(Corner, mechanisms.mechanism)
     draw.register(dict, of_mapping)
     draw.register(list, of_sequence)
     draw.register(tuple, of_sequence)
