@@ -30,6 +30,12 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.identify.update import UpdatedParameter as UpdatedParameter
     from jounce.identify.update import UpdateResult as UpdateResult
     from jounce.identify.update import update_model as update_model
+    from jounce.kinematics import Vehicle as Vehicle
+    from jounce.kinematics import sweep_rack as sweep_rack
+    from jounce.kinematics import sweep_roll as sweep_roll
+    from jounce.kinematics import sweep_travel as sweep_travel
+    from jounce.kinematics import sweep_variants as sweep_variants
+    from jounce.kinematics import write_sweep as write_sweep
     from jounce.parts import QuarterCar as QuarterCar
     from jounce.parts import Rig as Rig
     from jounce.parts import load as load
@@ -97,6 +103,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "Triangle": "jounce.roads",
     "UpdateResult": "jounce.identify.update",
     "UpdatedParameter": "jounce.identify.update",
+    "Vehicle": "jounce.kinematics",
     "Versine": "jounce.roads",
     "apply_sensors": "jounce.recordings",
     "equilibrium": "jounce.simulation",
@@ -114,8 +121,13 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "simulate": "jounce.simulation",
     "simulate_mechanism": "jounce.simulation",
     "speed_sweep": "jounce.studies.speed_sweep",
+    "sweep_rack": "jounce.kinematics",
+    "sweep_roll": "jounce.kinematics",
+    "sweep_travel": "jounce.kinematics",
+    "sweep_variants": "jounce.kinematics",
     "update_model": "jounce.identify.update",
     "write_recording": "jounce.recordings",
+    "write_sweep": "jounce.kinematics",
 }
 
 

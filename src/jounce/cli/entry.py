@@ -11,7 +11,7 @@ from typing import Any
 
 import typer
 
-from jounce.cli import bench, campaign, check, demo, fit, importing, library, modes, plot, simulate, study
+from jounce.cli import bench, campaign, check, demo, fit, importing, kinematics, library, modes, plot, simulate, study
 from jounce.cli.options import AsJson
 from jounce.cli.reply import FAILED, PIPE_CLOSED, REFUSED, STOPPED, Reply, complain, refuse, replace_unknown_characters
 from jounce.core.errors import JounceError, OutputError, nearest
@@ -35,6 +35,7 @@ def application() -> typer.Typer:
     app.add_typer(campaign.app, name="campaign")
     app.command("simulate")(simulate.simulate)
     app.command("modes")(modes.modes)
+    app.command("kinematics")(kinematics.kinematics)
     app.command("plot")(plot.plot)
     app.command("check")(check.check)
     app.command("library")(library.library)

@@ -1,0 +1,185 @@
+"""``jounce kinematics``: a corner or an axle swept over travel, rack or roll."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import numpy as np
+import typer
+from numpy.typing import NDArray
+
+from jounce.cli.options import AsJson, Changes, Force, RigName, changes, output_folder, pairs, quantity
+from jounce.cli.reply import DONE, REFUSED, Reply, progress
+from jounce.cli.tables import table
+from jounce.core.errors import DescriptionError
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from rich.console import Console
+
+    from jounce.kinematics.vehicle import Vehicle
+    from jounce.parts import Rig
+
+_MOST = 1_000_000
+_SHOWN = 7
+_WHOLE = 1e-9  # share of a step by which the end of a range may miss it
+
+
+def kinematics(
+    rig: RigName,
+    travel: Annotated[
+        str | None, typer.Option(help='Wheel travel, bump positive: "-80 mm:80 mm:4 mm", or one value.')
+    ] = None,
+    rack: Annotated[
+        str | None, typer.Option(help='Rack travel, positive to the left: "-20 mm:20 mm:5 mm", or one value.')
+    ] = None,
+    roll: Annotated[
+        str | None, typer.Option(help='Instead of travel: roll of the body over an axle, "-4 deg:4 deg:1 deg".')
+    ] = None,
+    vehicle: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME=VALUE",
+            help='For anti-dive and the like: axle=front, wheelbase="2.7 m", centre_of_mass_height="550 mm", '
+            "brake_share=0.6. Repeat it.",
+        ),
+    ] = None,
+    set_: Changes = None,
+    out: Annotated[Path | None, typer.Option(help="Write the sweep: SWEEP.nc or SWEEP.csv.")] = None,
+    plot: Annotated[Path | None, typer.Option(metavar="DIR", help="Draw every quantity into this folder.")] = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Sweep a suspension and list its kinematic quantities: camber, toe, roll centre, wheel rate and all others.
+
+    Example: jounce kinematics reference-double-wishbone --travel "-80 mm:80 mm:4 mm" --out sweep.nc
+    """
+    from jounce.kinematics.files import check_sweep_file, write_sweep
+
+    if out is not None:
+        check_sweep_file(out, force=force)
+    if plot is not None:
+        output_folder(plot, force=force)
+    with progress() as say:
+        say("loading")
+        from jounce.parts import load
+
+        wanted = changes(set_)
+        chosen = load(rig)
+        chosen = chosen.with_changes(wanted) if wanted else chosen
+        say("sweeping")
+        sweep = _sweep(chosen, travel, rack, roll, _vehicle(vehicle))
+        if out is not None:
+            write_sweep(sweep, out, force=force)
+        if plot is not None:
+            say("drawing")
+            from jounce.plots.kinematics import write_kinematics
+
+            write_kinematics(sweep, plot, force=force)
+    stopped = str(sweep.attrs["stopped"])
+    if stopped:
+        sys.stderr.write(f"jounce: {stopped}. The poses before it are kept.\n")
+    written = [str(path) for path in (out, plot) if path is not None]
+    exit_code = REFUSED if stopped else DONE
+    return Reply(plain_sweep(sweep), lambda console: _draw(console, rig, sweep, written), as_json, exit_code)
+
+
+def _sweep(rig: Rig, travel: str | None, rack: str | None, roll: str | None, vehicle: Vehicle | None) -> xr.Dataset:
+    from jounce.kinematics import sweep_rack, sweep_roll, sweep_travel
+
+    steered = None if rack is None else swept_range(rack, "m", "--rack")
+    if roll is not None:
+        if travel is not None:
+            raise DescriptionError("roll makes its own travel", where="--travel", hint="Leave out --travel or --roll.")
+        if vehicle is not None:
+            raise DescriptionError("no percentages in roll", where="--vehicle", hint="Leave it out, or sweep --travel.")
+        at = 0.0 if steered is None else _one_value(steered, "--rack", "with --roll")
+        return sweep_roll(rig, swept_range(roll, "rad", "--roll"), at)
+    if travel is None:
+        if steered is None:
+            example = '--travel "-80 mm:80 mm:4 mm", --rack or --roll'
+            raise DescriptionError("nothing is swept", where="jounce kinematics", allowed=example)
+        return sweep_rack(rig, steered, vehicle=vehicle)
+    lifted = swept_range(travel, "m", "--travel")
+    if steered is not None and len(steered) > 1 and len(lifted) == 1:
+        return sweep_rack(rig, steered, float(lifted[0]), vehicle=vehicle)
+    pair = steered if steered is None or len(steered) > 1 else float(steered[0])
+    return sweep_travel(rig, lifted, pair, vehicle=vehicle)
+
+
+def swept_range(text: str, unit: str, option: str) -> NDArray[np.float64]:
+    """Read ``"first:last:step"`` or one value into SI; the last value is part of it when the steps meet it."""
+    parts = [part.strip() for part in text.split(":")]
+    if len(parts) not in (1, 3) or not all(parts):
+        raise DescriptionError("not a range", where=option, found=text, allowed='"first:last:step", or one value')
+    numbers = [quantity(part, unit, option) for part in parts]
+    if len(numbers) == 1:
+        return np.array(numbers)
+    first, last, step = numbers
+    if step <= 0.0:
+        raise DescriptionError("not a step", where=option, found=text, allowed="a step above 0, the third part")
+    if last <= first:
+        raise DescriptionError(
+            "the range is empty" if last == first else "the range runs backwards",
+            where=option,
+            found=text,
+            allowed="a first value below the last one",
+            hint="Exchange them, or give one value.",
+        )
+    count = (last - first) / step + _WHOLE
+    if count > _MOST:
+        raise DescriptionError("too many values", where=option, found=f"{count:.3g}", allowed=f"at most {_MOST}")
+    return np.round(first + step * np.arange(int(count) + 1), 12)
+
+
+def _one_value(values: NDArray[np.float64], option: str, why: str) -> float:
+    if len(values) > 1:
+        raise DescriptionError(f"only one value can be used {why}", where=option, found=f"{len(values)} values")
+    return float(values[0])
+
+
+def _vehicle(texts: list[str] | None) -> Vehicle | None:
+    if not texts:
+        return None
+    from jounce.cli.options import bare_number
+    from jounce.kinematics.vehicle import Vehicle
+
+    given = pairs(texts, "--vehicle", 'wheelbase="2.7 m"')
+    return Vehicle.from_table({name: bare_number(value) for name, value in given.items()}, where="--vehicle")
+
+
+def plain_sweep(sweep: xr.Dataset) -> dict[str, Any]:
+    """Every quantity with its unit and values in SI; None where there is no finite value."""
+    names = [*map(str, sweep.coords), *map(str, sweep.data_vars)]
+    shape = tuple(sweep.sizes.values())
+    found = {}
+    for name in names:
+        variable = sweep[name]
+        values = variable.to_numpy()
+        if name in sweep.coords and name not in sweep.dims:
+            values = np.full(shape, float(values))
+        found[name] = {"units": str(variable.attrs.get("units", "1")), "values": values.tolist()}
+    return found
+
+
+def _draw(out: Console, rig: str, sweep: xr.Dataset, written: list[str]) -> None:
+    from jounce.plots.display import display_unit
+
+    along, *others = map(str, sweep.dims)
+    shown = sweep.sel(dict.fromkeys(others, 0.0), method="nearest") if others else sweep
+    count = shown.sizes[along]
+    at = np.unique(np.linspace(0, count - 1, min(count, _SHOWN)).round().astype(int))
+    unit = display_unit(str(sweep[along].attrs["units"]))
+    rows = []
+    for name, variable in shown.data_vars.items():
+        values = variable.to_numpy()
+        own = display_unit(str(variable.attrs["units"]), float(np.nanmax(np.abs(values), initial=0.0)))
+        rows.append([str(name), own.name or "1", *(float(value) * own.factor for value in values[at])])
+    header = ("quantity", "unit", *(f"{value * unit.factor:.4g} {unit.name}" for value in shown[along].to_numpy()[at]))
+    out.print(table(f"Kinematics of {rig} over {along.replace('_', ' ')}", header, rows, text=(0, 1)))
+    many = "".join(f" at each of {sweep.sizes[name]} values of {name.replace('_', ' ')}" for name in others)
+    out.print(f"{count} poses{many}{', shown for the one nearest to 0' if others else ''}")
+    for path in written:
+        out.print(f"written: {path}")

@@ -1,0 +1,19 @@
+"""Kinematics of a corner and of an axle: poses along travel and rack, and every quantity that follows from them."""
+
+from jounce.kinematics.axle import sweep_roll
+from jounce.kinematics.catalogue import CATALOGUE, Quantity
+from jounce.kinematics.files import write_sweep
+from jounce.kinematics.sweeps import sweep_rack, sweep_travel
+from jounce.kinematics.variants import sweep_variants
+from jounce.kinematics.vehicle import Vehicle
+
+__all__ = [
+    "CATALOGUE",
+    "Quantity",
+    "Vehicle",
+    "sweep_rack",
+    "sweep_roll",
+    "sweep_travel",
+    "sweep_variants",
+    "write_sweep",
+]

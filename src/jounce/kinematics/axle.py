@@ -1,0 +1,339 @@
+"""An axle of a corner and its mirror image: both wheels while the body rolls, and while the rack steers.
+
+The right wheel is the left corner's mirror: at a rack travel it stands as the left one at the opposite rack travel.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import DescriptionError
+from jounce.kernel.poses import REACHED
+from jounce.kinematics.catalogue import Quantity
+from jounce.kinematics.grids import Values, sweep_values
+from jounce.kinematics.model import check_corner
+from jounce.kinematics.reach import End, no_pose
+from jounce.kinematics.sweeps import PreparedSweep, prepare_sweep
+from jounce.parts import Corner, Rig
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+_ITERATIONS, _LEVEL = 40, 1e-13  # m
+_STEEPEST = 1.2  # rad
+_ODD = {  # rows that change sign in a mirror across y
+    "rack_travel",
+    "inclination",
+    "steer",
+    "wheel_centre_y",
+    "contact_point_y",
+    "bump_steer",
+    "instant_centre_y",
+}
+_BEND = 1e-4  # rad: step of the only difference, that of an exact slope
+
+
+@dataclass(frozen=True)
+class WheelRows:
+    """Catalogue of one wheel of the axle at the poses of a sweep, in the axes of a left wheel.
+
+    ``rows`` holds each quantity, shape (n,), NaN where it is out of reach; ``radius`` in m.
+    """
+
+    rows: dict[str, Array]
+    radius: float
+
+    @property
+    def centre(self) -> Array:
+        """Wheel centre, m, shape (n, 3)."""
+        return np.stack([self.rows[f"wheel_centre_{axis}"] for axis in "xyz"], axis=1)
+
+    @property
+    def centre_slope(self) -> Array:
+        """Velocity of the wheel centre for a unit rate of travel, shape (n, 3)."""
+        along = [self.rows[f"wheel_centre_{name}_slope"] for name in ("longitudinal", "lateral")]
+        return np.stack([*along, np.ones_like(along[0])], axis=1)
+
+    @property
+    def axis(self) -> Array:
+        """Wheel's axis, pointing outboard, shape (n, 3)."""
+        camber, steer = self.rows["camber"], self.rows["steer"]
+        level = np.cos(camber)
+        return np.stack([-np.sin(steer) * level, np.cos(steer) * level, -np.sin(camber)], axis=1)
+
+    @property
+    def axis_slope(self) -> Array:
+        """Derivative of the axis along travel, 1/m, shape (n, 3)."""
+        camber, steer = self.rows["camber"], self.rows["steer"]
+        gain, turn = self.rows["camber_gain"], self.rows["bump_steer"]
+        x = -np.cos(steer) * np.cos(camber) * turn + np.sin(steer) * np.sin(camber) * gain
+        y = -np.cos(steer) * np.sin(camber) * gain - np.sin(steer) * np.cos(camber) * turn
+        return np.stack([x, y, -np.cos(camber) * gain], axis=1)
+
+    def seen(self, side: float) -> dict[str, Array]:
+        """Rows as the ground's axes show them: 1 for the left wheel, -1 for the right one."""
+        return {name: side * value if name in _ODD else value for name, value in self.rows.items()}
+
+
+@dataclass(frozen=True)
+class Ground:
+    """A plane road under a wheel of a body that rolls: its normal in the wheel's axes, and how that turns with roll.
+
+    ``side`` is 1 for the left wheel, -1 for the right one; ``roll`` (rad) is positive about +x.
+    """
+
+    wheel: WheelRows
+    roll: Array
+    side: float
+
+    @property
+    def normal(self) -> Array:
+        """Unit vector out of the road, shape (n, 3)."""
+        zero = np.zeros_like(self.roll)
+        return np.stack([zero, self.side * np.sin(self.roll), np.cos(self.roll)], axis=1)
+
+    @property
+    def normal_slope(self) -> Array:
+        """Derivative of the normal with roll, shape (n, 3)."""
+        zero = np.zeros_like(self.roll)
+        return np.stack([zero, self.side * np.cos(self.roll), -np.sin(self.roll)], axis=1)
+
+    @property
+    def lean(self) -> Array:
+        """Component of the wheel's axis along the normal; minus the sine of the camber to the ground."""
+        return _dot(self.wheel.axis, self.normal)
+
+    @property
+    def contact(self) -> Array:
+        """Contact point in body axes of a left wheel, m, shape (n, 3)."""
+        down = self.wheel.axis * self.lean[:, None] - self.normal
+        return self.wheel.centre + self.wheel.radius * down / np.sqrt(1.0 - self.lean**2)[:, None]
+
+    @property
+    def height(self) -> Array:
+        """Height of the contact point along the normal, m."""
+        return _dot(self.contact, self.normal)
+
+    @property
+    def height_by_travel(self) -> Array:
+        """Derivative of that height along travel."""
+        tilt = self.wheel.radius * self.lean / np.sqrt(1.0 - self.lean**2)
+        return _dot(self.wheel.centre_slope, self.normal) + tilt * _dot(self.wheel.axis_slope, self.normal)
+
+    @property
+    def height_by_roll(self) -> Array:
+        """Derivative of that height with roll, m/rad."""
+        tilt = self.wheel.radius * self.lean / np.sqrt(1.0 - self.lean**2)
+        return _dot(self.wheel.centre, self.normal_slope) + tilt * _dot(self.wheel.axis, self.normal_slope)
+
+
+def _dot(a: Array, b: Array) -> Array:
+    return np.asarray(np.einsum("ij,ij->i", a, b))
+
+
+class Axle:
+    """Both wheels of an axle, from the description of one of them."""
+
+    def __init__(self, rig: Corner) -> None:
+        self.rig = rig
+        self.radius = float(rig.wheel.radius)
+        self.ends: list[End] = []
+
+    def wheel(self, side: float, travel: Array, rack: Array | float) -> WheelRows:
+        """One wheel at pairs of travel and rack travel (m); either of them may be one value for all."""
+        own = self.rig.sign
+        turned = side * own * np.asarray(rack, dtype=float)
+        travel = np.asarray(travel, dtype=float)
+        swept, other = (travel, turned) if turned.ndim == 0 else (turned, travel)
+        order = np.argsort(swept)
+        kept = order[np.isfinite(swept[order])]
+        pair = (swept[kept], float(other)) if turned.ndim == 0 else (float(other), swept[kept])
+        sweep = prepare_sweep(self.rig, *pair) if len(kept) else None
+        values = np.full((len(sweep.model.rows) if sweep else 0, len(swept)), np.nan)
+        if sweep is None:
+            raise no_pose(self.ends)
+        values[:, kept] = sweep.run().reshape(len(values), -1)
+        self._note(sweep)
+        rows = {row.name: value for row, value in zip(sweep.model.rows, values, strict=True)}
+        flip = {name: own * value if name in _ODD else value for name, value in rows.items()}
+        return WheelRows(flip, self.radius)
+
+    def _note(self, sweep: PreparedSweep) -> None:
+        if not self.ends and np.any(sweep.found.outcome != REACHED):
+            self.ends = sweep.ends()
+
+    def rows(self) -> tuple[Quantity, ...]:
+        """Rows of the catalogue that each wheel has."""
+        return prepare_sweep(self.rig, 0.0).model.rows
+
+    def level(self, roll: Array, rack: float) -> tuple[Ground, Ground]:
+        """Both wheels, travelled by the same amount against each other until they stand on one plane road."""
+        away = np.abs(self.rig.hardpoints.wheel_centre[1]) * np.tan(roll)
+        for _ in range(_ITERATIONS):
+            left = Ground(self.wheel(1.0, -away, rack), roll, 1.0)
+            right = Ground(self.wheel(-1.0, away, rack), roll, -1.0)
+            off = left.height - right.height
+            away = away + off / (left.height_by_travel + right.height_by_travel)
+            if np.nanmax(np.abs(off), initial=0.0) < _LEVEL:
+                break
+        return left, right
+
+
+def sweep_roll(rig: Rig, roll: Values, rack: float = 0.0) -> xr.Dataset:
+    """Roll the body over an axle of a corner and its mirror image, both wheels on one plane road.
+
+    The wheels travel by the same amount against each other, so that both contact points stay on the road. Deflections
+    of the tyres do not count.
+
+    Parameters
+    ----------
+    rig : Rig
+        A corner with hardpoints; the other side is its mirror image.
+    roll : float or array_like, shape (n,)
+        Roll angle of the body, rad, positive about +x (left side up), ascending.
+    rack : float
+        Travel of the rack, m, positive to the left.
+
+    Returns
+    -------
+    xarray.Dataset
+        On ``roll_angle`` (rad): ``left.<quantity>`` and ``right.<quantity>`` of the catalogue (against the body), with
+        ``camber_to_ground`` (rad), ``roll_steer`` and ``roll_camber`` (rad/rad); ``track`` (m), ``roll_centre_height``
+        and ``roll_centre_y`` (m, above the road and left of the middle between the contact points), ``roll_moment``
+        (N m, of springs and anti-roll bar, against the roll) and ``roll_stiffness`` (N m/rad). Attributes as
+        :func:`sweep_travel`.
+
+    Raises
+    ------
+    DescriptionError
+        For a rig without hardpoints, angles that do not ascend or are steeper than 1.2 rad.
+    SimulationError
+        When no pose at all can be reached.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import jounce as jn
+    >>> rolled = jn.sweep_roll(jn.load("reference-double-wishbone"), np.radians([-2.0, 0.0, 2.0]))
+    >>> bool(rolled["left.wheel_travel"][2] < 0.0 < rolled["right.wheel_travel"][2])
+    True
+    """
+    corner, angles = check_corner(rig), sweep_values(roll, "roll")
+    if np.max(np.abs(angles)) > _STEEPEST:
+        raise DescriptionError("too steep", where="roll", found=f"{np.max(np.abs(angles)):g} rad", allowed="1.2 rad")
+    axle = Axle(corner)
+    left, right = axle.level(angles, rack)
+    kept = np.isfinite(left.height + right.height)
+    if not kept.any():
+        raise no_pose(axle.ends)
+    gain = _gain(left, right)
+    bend = _bend(axle, angles, rack)
+    found = _Variables("roll_angle", angles, "rad", "roll angle of the body", "positive: about +x, left side up")
+    for wheel, name, sense in ((left, "left", -1.0), (right, "right", 1.0)):
+        found.add_wheel(axle, wheel.wheel, name, wheel.side)
+        seen = wheel.wheel.seen(wheel.side)
+        found.add(f"{name}.camber_to_ground", -np.arcsin(wheel.lean), "rad", "camber to the road", "top outward")
+        found.add(f"{name}.roll_steer", sense * gain * seen["bump_steer"], "1", "change of steer with roll", "about +z")
+        found.add(
+            f"{name}.roll_camber", sense * gain * seen["camber_gain"], "1", "change of camber with roll", "top outward"
+        )
+    _add_axle_rows(found, left, right, gain, bend, _bar_stiffness(corner))
+    return found.dataset(kept, axle, corner)
+
+
+def _gain(left: Ground, right: Ground) -> Array:
+    """Derivative of the right wheel's travel with roll, m/rad."""
+    return (left.height_by_roll - right.height_by_roll) / (left.height_by_travel + right.height_by_travel)
+
+
+def _bend(axle: Axle, roll: Array, rack: float) -> Array:
+    """Second derivative of the right wheel's travel with roll, m/rad^2."""
+    ahead, behind = (_gain(*axle.level(roll + step, rack)) for step in (_BEND, -_BEND))
+    return (ahead - behind) / (2.0 * _BEND)
+
+
+def _bar_stiffness(corner: Corner) -> float:
+    return 0.0 if corner.anti_roll_bar is None else float(corner.anti_roll_bar.stiffness)
+
+
+def _add_axle_rows(found: _Variables, left: Ground, right: Ground, gain: Array, bend: Array, bar: float) -> None:
+    one, other = left.contact * [1.0, 1.0, 1.0], right.contact * [1.0, -1.0, 1.0]
+    roll = left.roll
+    found.add(
+        "track", _across(one, roll) - _across(other, roll), "m", "distance of the contact points", "never negative"
+    )
+    slope, mirrored = left.wheel.rows["jacking"], right.wheel.rows["jacking"]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        along = (other[:, 2] - one[:, 2] + (one[:, 1] - other[:, 1]) * mirrored) / (slope + mirrored)
+        centre = np.stack([one[:, 0], one[:, 1] - along, one[:, 2] + along * slope], axis=1)
+        middle = 0.5 * (_across(one, roll) + _across(other, roll))
+        height = _dot(centre, left.normal) - left.height
+        found.add("roll_centre_height", height, "m", "roll centre above the road", "positive: up")
+        found.add(
+            "roll_centre_y", _across(centre, roll) - middle, "m", "roll centre beside the middle of the track", "left"
+        )
+    force = right.wheel.rows["wheel_force"] - left.wheel.rows["wheel_force"]
+    stiffness = right.wheel.rows["wheel_rate"] + left.wheel.rows["wheel_rate"]
+    moment, springs = force * gain, stiffness * gain**2 + force * bend
+    twisted = np.zeros_like(roll)
+    if bar:
+        angle, ratio, change = (
+            [wheel.rows[f"anti_roll_bar_{name}"] for wheel in (left.wheel, right.wheel)]
+            for name in ("angle", "motion_ratio", "motion_ratio_rate")
+        )
+        twist, speed = angle[1] - angle[0], (ratio[0] + ratio[1]) * gain
+        moment = moment + bar * twist * speed
+        twisted = bar * (speed**2 + twist * ((change[1] - change[0]) * gain**2 + (ratio[0] + ratio[1]) * bend))
+    against = "positive: against the roll"
+    found.add("roll_moment", moment, "N*m", "moment of springs and anti-roll bar on the body", against)
+    found.add("roll_stiffness_springs", springs, "N*m/rad", "roll stiffness of the springs", against)
+    found.add("roll_stiffness_bar", twisted, "N*m/rad", "roll stiffness of the anti-roll bar", against)
+    found.add("roll_stiffness", springs + twisted, "N*m/rad", "change of the roll moment with roll", against)
+
+
+def _across(point: Array, roll: Array) -> Array:
+    """Coordinate along the road to the left, m."""
+    return np.asarray(point[:, 1] * np.cos(roll) - point[:, 2] * np.sin(roll))
+
+
+class _Variables:
+    """Variables of an axle over one coordinate."""
+
+    def __init__(self, along: str, values: Array, unit: str, long_name: str, sign: str) -> None:
+        self.along, self.values = along, values
+        self._coordinate = {"units": unit, "long_name": long_name, "sign": sign}
+        self._variables: dict[str, tuple[Array, dict[str, str]]] = {}
+
+    def add(self, name: str, value: Array, unit: str, long_name: str, sign: str) -> None:
+        sign = sign if ":" in sign else f"positive: {sign}"
+        self._variables[name] = value, {"units": unit, "long_name": long_name, "sign": sign}
+
+    def add_wheel(self, axle: Axle, wheel: WheelRows, name: str, side: float) -> None:
+        """Add the catalogue of one wheel as the ground's axes show it."""
+        seen = wheel.seen(side)
+        for row in axle.rows():
+            self.add(f"{name}.{row.name}", seen[row.name], row.unit, f"{name}: {row.long_name}", row.sign)
+
+    def dataset(self, kept: NDArray[np.bool_], axle: Axle, corner: Corner) -> xr.Dataset:
+        """Put the poses that both wheels reach together."""
+        import xarray as xr
+
+        variables = {
+            name: xr.Variable((self.along,), value[kept], attributes)
+            for name, (value, attributes) in self._variables.items()
+        }
+        ends = axle.ends if not kept.all() else []
+        facts: dict[str, Any] = {
+            "model": str(getattr(corner, "model", "")),
+            "side": "both",
+            "status": "end_of_travel" if ends else "completed",
+            "reached": [float(self.values[kept].min()), float(self.values[kept].max())],
+            "stopped": "; ".join(map(str, ends)),
+        }
+        at = xr.Variable((self.along,), self.values[kept], self._coordinate)
+        return xr.Dataset(variables, {self.along: at}, facts)

@@ -1,0 +1,454 @@
+"""Every quantity of suspension kinematics: one frozen row with name, unit, sign, clause and formula.
+
+Formulas are for a left wheel, x forward, y left, z up. Derivatives are exact, taken along the vertical travel of the
+wheel centre unless a row says otherwise. The ground is the horizontal plane through the contact point.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import casadi as ca
+
+from jounce.kinematics.view import CornerView
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One quantity of the catalogue.
+
+    Attributes
+    ----------
+    name : str
+        Name of the variable.
+    unit : str
+        SI unit; "1" for ratios.
+    long_name : str
+        What it is.
+    formula : callable
+        Expression for a view of the corner.
+    sign : str
+        What a positive value means.
+    clause : str
+        Where a standard defines it; empty where none does.
+    needs : str
+        ``"axis"`` (a steering axis), ``"rack"``, ``"bar"`` (an anti-roll bar), ``"stiffness"`` (a linear tyre); empty
+        for what every corner has.
+    """
+
+    name: str
+    unit: str
+    long_name: str
+    formula: Callable[[CornerView], ca.SX]
+    sign: str
+    clause: str = ""
+    needs: str = ""
+
+
+def _track_of(view: CornerView) -> ca.SX:
+    return view.rack.value if view.rack is not None else ca.SX(0.0)
+
+
+def _trail(view: CornerView) -> ca.SX:
+    return view.steering_axis.at_height(view.contact[2])[0] - view.contact[0]
+
+
+def _scrub(view: CornerView) -> ca.SX:
+    return view.contact[1] - view.steering_axis.at_height(view.contact[2])[1]
+
+
+def _spindle(view: CornerView, i: int) -> ca.SX:
+    centre = view.centre.value
+    return centre[i] - view.steering_axis.at_height(centre[2])[i]
+
+
+def _kingpin_inclination(view: CornerView) -> ca.SX:
+    along = view.steering_axis.along
+    return ca.atan2(-along[1], along[2])
+
+
+def _front_centre(view: CornerView) -> tuple[ca.SX, ca.SX]:
+    """Instant centre in the front view: y (of a left wheel) and z."""
+    contact, patch, turn = view.contact, view.patch, view.spin[0]
+    return contact[1] - patch[2] / turn, contact[2] + patch[1] / turn
+
+
+def _side_centre(view: CornerView) -> tuple[ca.SX, ca.SX]:
+    """Instant centre in the side view: x and z."""
+    contact, patch, turn = view.contact, view.patch, view.spin[1]
+    return contact[0] + patch[2] / turn, contact[2] - patch[0] / turn
+
+
+def _lateral(view: CornerView) -> ca.SX:
+    return view.patch[1] / view.patch[2]
+
+
+def _wheel_force(view: CornerView) -> ca.SX:
+    return (view.springs.force + view.stops.force) * view.motion_ratio
+
+
+def _contact_ratio_rate(view: CornerView) -> ca.SX:
+    return view.slope(view.contact_ratio) / view.patch[2]
+
+
+def _stiffness(view: CornerView) -> ca.SX:
+    return view.springs.stiffness + view.stops.stiffness
+
+
+def _wheel_rate(view: CornerView) -> ca.SX:
+    """At the wheel centre."""
+    force = view.springs.force + view.stops.force
+    return _stiffness(view) * view.motion_ratio**2 + force * view.slope(view.motion_ratio)
+
+
+def _contact_rate(view: CornerView) -> ca.SX:
+    """At the contact patch."""
+    force = view.springs.force + view.stops.force
+    return _stiffness(view) * view.contact_ratio**2 + force * _contact_ratio_rate(view)
+
+
+def _ride_rate(view: CornerView) -> ca.SX:
+    wheel, tyre = _wheel_rate(view), view.mechanism.parameter("tyre.stiffness")
+    return wheel * tyre / (wheel + tyre)
+
+
+def _bar_rate(view: CornerView) -> ca.SX:
+    return 2.0 * view.mechanism.parameter("anti_roll_bar.stiffness") * view.slope(view.bar_angle) ** 2
+
+
+_TOP_OUT, _LEFT_TURN = "positive: top outward", "positive: about +z, a left turn"
+_BUMP = "positive: bump, the wheel rises"
+_HEAVY = "ISO 23365:2022, "
+
+CATALOGUE: tuple[Quantity, ...] = (
+    Quantity("wheel_travel", "m", "vertical travel of the wheel centre", lambda v: v.travel.value, _BUMP),
+    Quantity("rack_travel", "m", "travel of the steering rack", _track_of, "positive: to the left (+y)", needs="rack"),
+    Quantity("camber", "rad", "camber angle", lambda v: v.camber, _TOP_OUT, _HEAVY + "7.1.5"),
+    Quantity(
+        "inclination",
+        "rad",
+        "inclination angle",
+        lambda v: -v.side * v.camber,
+        "positive: about +x, the same turn on both sides",
+        _HEAVY + "7.1.4",
+    ),
+    Quantity("steer", "rad", "steer angle", lambda v: v.side * v.toe_out, _LEFT_TURN, "ISO 8855:2011, 7.1.1"),
+    Quantity("toe", "rad", "toe angle", lambda v: -v.toe_out, "positive: toe-in", "ISO 8855:2011, 7.1.6"),
+    Quantity(
+        "caster", "rad", "caster angle", lambda v: v.caster, "positive: top rearward", _HEAVY + "7.1.6", needs="axis"
+    ),
+    Quantity(
+        "kingpin_inclination",
+        "rad",
+        "kingpin inclination",
+        _kingpin_inclination,
+        "positive: top inboard",
+        _HEAVY + "7.1.9",
+        needs="axis",
+    ),
+    Quantity(
+        "caster_trail",
+        "m",
+        "caster trail at the ground",
+        _trail,
+        "positive: steering axis meets the ground ahead of the contact point",
+        _HEAVY + "7.1.7",
+        needs="axis",
+    ),
+    Quantity(
+        "scrub_radius",
+        "m",
+        "kingpin offset at the ground",
+        _scrub,
+        "positive: steering axis meets the ground inboard of the contact point",
+        _HEAVY + "7.1.10",
+        needs="axis",
+    ),
+    Quantity(
+        "spindle_offset",
+        "m",
+        "kingpin offset at the wheel centre",
+        lambda v: _spindle(v, 1),
+        "positive: steering axis inboard of the wheel centre",
+        _HEAVY + "7.1.11",
+        needs="axis",
+    ),
+    Quantity(
+        "wheel_centre_caster_offset",
+        "m",
+        "caster offset at the wheel centre",
+        lambda v: _spindle(v, 0),
+        "positive: wheel centre ahead of the steering axis",
+        _HEAVY + "7.1.8",
+        needs="axis",
+    ),
+    Quantity("wheel_centre_x", "m", "wheel centre, x", lambda v: v.centre.value[0], "positive: forward"),
+    Quantity("wheel_centre_y", "m", "wheel centre, y", lambda v: v.side * v.centre.value[1], "positive: left"),
+    Quantity("wheel_centre_z", "m", "wheel centre, z", lambda v: v.centre.value[2], "positive: up"),
+    Quantity("contact_point_x", "m", "contact point, x", lambda v: v.contact[0], "positive: forward"),
+    Quantity("contact_point_y", "m", "contact point, y", lambda v: v.side * v.contact[1], "positive: left"),
+    Quantity("contact_point_z", "m", "contact point, z", lambda v: v.contact[2], "positive: up"),
+    Quantity(
+        "half_track_change",
+        "m",
+        "contact point against design, outward",
+        lambda v: v.contact[1] - v.design_contact[1],
+        "positive: outward",
+        _HEAVY + "7.2.2 (both wheels)",
+    ),
+    Quantity(
+        "half_track_gain",
+        "1",
+        "change of the half track with travel",
+        lambda v: v.slope(v.contact[1]),
+        "positive: outward in bump",
+        _HEAVY + "7.2.3 (both wheels)",
+    ),
+    Quantity(
+        "bump_steer",
+        "rad/m",
+        "change of steer with travel",
+        lambda v: v.slope(v.side * v.toe_out),
+        "positive: turns about +z in bump",
+        _HEAVY + "7.2.5",
+    ),
+    Quantity(
+        "camber_gain",
+        "rad/m",
+        "change of camber with travel",
+        lambda v: v.slope(v.camber),
+        "positive: top goes outward in bump",
+        _HEAVY + "7.2.9",
+    ),
+    Quantity(
+        "caster_change",
+        "rad/m",
+        "change of caster with travel",
+        lambda v: v.slope(v.caster),
+        "positive: top goes rearward in bump",
+        _HEAVY + "7.2.11",
+        needs="axis",
+    ),
+    Quantity(
+        "instant_centre_y",
+        "m",
+        "instant centre in the front view, y",
+        lambda v: v.side * _front_centre(v)[0],
+        "positive: left",
+    ),
+    Quantity(
+        "instant_centre_z",
+        "m",
+        "instant centre in the front view, z",
+        lambda v: _front_centre(v)[1],
+        "positive: above z = 0",
+    ),
+    Quantity(
+        "side_instant_centre_x",
+        "m",
+        "instant centre in the side view, x",
+        lambda v: _side_centre(v)[0],
+        "positive: ahead of x = 0",
+    ),
+    Quantity(
+        "side_instant_centre_z",
+        "m",
+        "instant centre in the side view, z",
+        lambda v: _side_centre(v)[1],
+        "positive: above z = 0",
+    ),
+    Quantity(
+        "front_swing_arm_length",
+        "m",
+        "swing arm in the front view",
+        lambda v: ca.fabs(v.patch[2] / v.spin[0]),
+        "never negative: distance of the instant centre along y",
+    ),
+    Quantity(
+        "side_swing_arm_length",
+        "m",
+        "swing arm in the side view",
+        lambda v: ca.fabs(v.patch[2] / v.spin[1]),
+        "never negative: distance of the instant centre along x",
+    ),
+    Quantity(
+        "roll_centre_height",
+        "m",
+        "roll centre of a symmetric axle above the ground",
+        lambda v: v.contact[1] * _lateral(v),
+        "positive: above the plane through the contact point",
+    ),
+    Quantity(
+        "jacking",
+        "1",
+        "vertical force on the wheel for each newton of outward lateral force",
+        _lateral,
+        "positive: a force outward pushes the wheel into bump",
+    ),
+    Quantity(
+        "contact_longitudinal_slope",
+        "1",
+        "contact patch, dx/dz with the wheel locked",
+        lambda v: v.patch[0] / v.patch[2],
+        "positive: forward in bump",
+    ),
+    Quantity(
+        "wheel_centre_longitudinal_slope",
+        "1",
+        "wheel centre, dx/dz",
+        lambda v: v.centre.rate[0] / v.centre.rate[2],
+        "positive: forward in bump",
+    ),
+    Quantity(
+        "wheel_centre_lateral_slope",
+        "1",
+        "wheel centre, outward motion over rise",
+        lambda v: v.centre.rate[1] / v.centre.rate[2],
+        "positive: outward in bump",
+    ),
+    Quantity("spring_length", "m", "length of the spring", lambda v: v.spring.length, "never negative"),
+    Quantity("damper_length", "m", "length of the damper", lambda v: v.damper.length, "never negative"),
+    Quantity(
+        "motion_ratio",
+        "1",
+        "shortening of the spring over rise of the wheel centre",
+        lambda v: v.motion_ratio,
+        "positive: bump compresses the spring",
+    ),
+    Quantity(
+        "motion_ratio_contact",
+        "1",
+        "shortening of the spring over rise of the contact patch",
+        lambda v: v.contact_ratio,
+        "positive: bump compresses the spring",
+    ),
+    Quantity(
+        "motion_ratio_rate",
+        "1/m",
+        "change of the motion ratio with travel",
+        lambda v: v.slope(v.motion_ratio),
+        "positive: the ratio grows in bump",
+    ),
+    Quantity(
+        "motion_ratio_contact_rate",
+        "1/m",
+        "change of the contact patch's motion ratio with its rise",
+        _contact_ratio_rate,
+        "positive: the ratio grows in bump",
+    ),
+    Quantity(
+        "damper_motion_ratio",
+        "1",
+        "shortening of the damper over rise of the wheel centre",
+        lambda v: v.damper_ratio,
+        "positive: bump compresses the damper",
+    ),
+    Quantity("spring_force", "N", "force of the spring", lambda v: v.springs.force, "positive: compression"),
+    Quantity("stop_force", "N", "force of bump and rebound stops", lambda v: v.stops.force, "positive: compression"),
+    Quantity(
+        "wheel_force",
+        "N",
+        "force of spring and stops at the wheel centre",
+        _wheel_force,
+        "positive: pushes the wheel down",
+    ),
+    Quantity(
+        "wheel_rate",
+        "N/m",
+        "change of the wheel force with travel, preload term included",
+        _wheel_rate,
+        "positive: stiffens in bump",
+    ),
+    Quantity(
+        "wheel_rate_spring",
+        "N/m",
+        "wheel rate without the preload term",
+        lambda v: _stiffness(v) * v.motion_ratio**2,
+        "positive: stiffens in bump",
+    ),
+    Quantity(
+        "wheel_rate_contact",
+        "N/m",
+        "change of the vertical force at the contact patch with its rise, preload term included",
+        _contact_rate,
+        "positive: stiffens in bump",
+    ),
+    Quantity(
+        "wheel_rate_contact_spring",
+        "N/m",
+        "wheel rate at the contact patch without the preload term",
+        lambda v: _stiffness(v) * v.contact_ratio**2,
+        "positive: stiffens in bump",
+    ),
+    Quantity(
+        "wheel_damping_coefficient",
+        "N*s/m",
+        "damping coefficient at the wheel centre, of the damper at rest",
+        lambda v: v.damping_coefficient * v.damper_ratio**2,
+        "positive: takes energy",
+    ),
+    Quantity(
+        "tyre_deflection",
+        "m",
+        "tyre deflection at the wheel's radius",
+        lambda v: v.tyre_deflection,
+        "positive: compression",
+    ),
+    Quantity(
+        "ride_rate", "N/m", "wheel rate and tyre in series", _ride_rate, "positive: stiffens in bump", needs="stiffness"
+    ),
+    Quantity(
+        "anti_roll_bar_angle",
+        "rad",
+        "turn of the anti-roll bar's end",
+        lambda v: v.bar_angle,
+        "positive: about +y",
+        needs="bar",
+    ),
+    Quantity(
+        "anti_roll_bar_motion_ratio",
+        "rad/m",
+        "turn of the bar's end over rise of the wheel centre",
+        lambda v: v.slope(v.bar_angle),
+        "positive: bump turns it about +y",
+        needs="bar",
+    ),
+    Quantity(
+        "anti_roll_bar_motion_ratio_rate",
+        "rad/m^2",
+        "change of the bar's motion ratio with travel",
+        lambda v: v.slope(v.slope(v.bar_angle)),
+        "positive: the ratio grows in bump",
+        needs="bar",
+    ),
+    Quantity(
+        "anti_roll_bar_rate",
+        "N/m",
+        "wheel rate of the anti-roll bar when both wheels travel against each other",
+        _bar_rate,
+        "never negative",
+        needs="bar",
+    ),
+    Quantity(
+        "steering_ratio",
+        "rad/m",
+        "change of steer with rack travel",
+        lambda v: v.by_rack(v.side * v.toe_out),
+        "positive: a rack to the left turns the wheel to the left",
+        needs="rack",
+    ),
+)
+
+
+def quantities(view: CornerView) -> tuple[Quantity, ...]:
+    """Rows that a corner has."""
+    rig = view.linkage.rig
+    has = {
+        "": True,
+        "axis": view.steers,
+        "rack": view.rack is not None,
+        "bar": rig.anti_roll_bar is not None,
+        "stiffness": rig.tyre.stiffness is not None,
+    }
+    return tuple(row for row in CATALOGUE if has[row.needs])

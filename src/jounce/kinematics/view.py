@@ -1,0 +1,269 @@
+"""A corner as its quantities see it: positions and velocities in the axes of a left wheel, derivatives along travel.
+
+Right-hand corners are mirrored in y first, so that every formula is written once, for a left wheel; ``side`` brings
+back what belongs to the ground's axes. All expressions are functions of the pose alone once the model is bound.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import casadi as ca
+
+from jounce.mechanics import Mechanism
+from jounce.mechanics.elements import damper_force, damper_map_force
+from jounce.mechanics.frames import Moving
+from jounce.mechanics.rotations import unit
+from jounce.mechanics.system import Track
+from jounce.models.attachments import Line, line_of, spring_law, stop_law, undeformed_radius
+from jounce.models.linkage import Linkage
+from jounce.parts.struts import MapDamper
+
+_UP = ca.SX([0.0, 0.0, 1.0])
+_TINY = 1e-12  # m/s: on either side of rest
+
+
+class Quasistatic(Mechanism):
+    """A mechanism without time: every switch is where its expression stands, hysteresis is at zero."""
+
+    def switch(self, name: str, expression: ca.SX) -> ca.SX:  # noqa: ARG002 - as the base class names them
+        """Give 1 where the expression is above zero and 0 elsewhere."""
+        return ca.SX(expression) > 0.0
+
+    def internal_state(self, name: str) -> ca.SX:  # noqa: ARG002
+        """Give zero: nothing has moved yet."""
+        return ca.SX(0.0)
+
+    def set_internal_rate(self, name: str, rate: ca.SX) -> None:
+        """Nothing moves in time."""
+
+    def derivative(self, expression: ca.SX) -> ca.SX:
+        """Give the time derivative of an expression of coordinates, tracks, their rates and speeds."""
+        return self._bias_of(expression) + self.accelerated(expression)
+
+
+@dataclass(frozen=True)
+class Axis:
+    """A line: one point, and its direction (pointing up)."""
+
+    point: ca.SX
+    along: ca.SX
+
+    def at_height(self, z: ca.SX) -> ca.SX:
+        """Point of the line at a height."""
+        return self.point + self.along * ((z - self.point[2]) / self.along[2])
+
+
+@dataclass(frozen=True)
+class Elastic:
+    """An element along a line: force (N, compression positive) and stiffness (N/m) at its length."""
+
+    force: ca.SX
+    stiffness: ca.SX
+
+
+class CornerView:
+    """Positions (m) and their rates for a unit rate of travel, in the axes of a left wheel.
+
+    Parameters
+    ----------
+    mechanism : Quasistatic
+        What the suspension is built in.
+    linkage : Linkage
+        The suspension, its body fixed.
+    travel : Track
+        Vertical travel of the wheel centre.
+    rack : Track or None
+        Travel of the rack; None where there is none.
+    steered : callable
+        Replaces the speeds in an expression by those of a unit rate of the rack.
+    """
+
+    def __init__(
+        self,
+        mechanism: Quasistatic,
+        linkage: Linkage,
+        travel: Track,
+        rack: Track | None,
+        steered: Callable[[ca.SX], ca.SX] | None,
+    ) -> None:
+        self.mechanism, self.linkage, self.travel, self.rack = mechanism, linkage, travel, rack
+        self.side = linkage.side
+        self._steered = steered
+        self._mirror = ca.SX([1.0, self.side, 1.0])
+
+    # derivatives -----------------------------------------------------------------------------------------------
+
+    def slope(self, expression: ca.SX) -> ca.SX:
+        """Derivative along travel, also of what is a derivative itself."""
+        return self.mechanism.derivative(expression)
+
+    def by_rack(self, expression: ca.SX) -> ca.SX:
+        """Derivative along the rack's travel, with the wheel centre at its height."""
+        assert self._steered is not None
+        return self._steered(self.mechanism.rate_of(expression))
+
+    # wheel -----------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def centre(self) -> Moving:
+        """Wheel centre."""
+        return self._mirrored(self.linkage.wheel_centre)
+
+    @cached_property
+    def axis(self) -> ca.SX:
+        """Unit vector along the wheel's axis, pointing outboard."""
+        return self._mirrored(self.linkage.spin_direction).value
+
+    @cached_property
+    def spin(self) -> ca.SX:
+        """Angular velocity of the upright; a mirror turns its components across y round."""
+        return self._unturned(self.linkage.upright.spin)
+
+    @cached_property
+    def radius(self) -> ca.SX:
+        """Distance of the ground from the wheel centre in the wheel's plane."""
+        return self.linkage.number("wheel.radius")
+
+    @cached_property
+    def reach(self) -> ca.SX:
+        """From the wheel centre to the contact point."""
+        return self.radius * unit(self.axis * self.axis[2] - _UP)
+
+    @cached_property
+    def contact(self) -> ca.SX:
+        """Contact point: the lowest of the wheel's circle."""
+        return self.centre.value + self.reach
+
+    @cached_property
+    def patch(self) -> ca.SX:
+        """Velocity of the contact patch, fixed to the upright as with a locked wheel."""
+        return self.centre.rate + ca.cross(self.spin, self.reach)
+
+    @cached_property
+    def design_contact(self) -> ca.SX:
+        """Contact point in the design pose."""
+        axis = self._mirror * self.linkage.spin_axis
+        return self._mirror * self.linkage.hardpoint("wheel_centre") + self.radius * unit(axis * axis[2] - _UP)
+
+    @cached_property
+    def camber(self) -> ca.SX:
+        """Camber angle, rad."""
+        return -ca.asin(self.axis[2])
+
+    @cached_property
+    def toe_out(self) -> ca.SX:
+        """Steer angle of a left wheel, rad."""
+        return ca.atan2(-self.axis[0], self.axis[1])
+
+    # steering axis ---------------------------------------------------------------------------------------------
+
+    @property
+    def steers(self) -> bool:
+        """Tell whether the wheel has an axis that it steers about."""
+        return self._steered is not None
+
+    @cached_property
+    def steering_axis(self) -> Axis:
+        """Axis between ball joints; without them, the axis of the screw that a motion of the rack makes."""
+        if hasattr(self.linkage, "steering_axis"):
+            lower, upper = (self._mirror * point.value for point in self.linkage.steering_axis)
+            return Axis(lower, upper - lower)
+        assert self._steered is not None
+        turn, speed = self._steered(self.spin), self._steered(self.centre.rate)
+        point = self.centre.value + ca.cross(turn, speed) / ca.dot(turn, turn)
+        return Axis(point, turn * ca.sign(turn[2]))
+
+    @cached_property
+    def caster(self) -> ca.SX:
+        """Caster angle, rad."""
+        along = self.steering_axis.along
+        return ca.atan2(-along[0], along[2])
+
+    # elements --------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def spring(self) -> Line:
+        """Line of the spring."""
+        return line_of(self.linkage, "spring")
+
+    @cached_property
+    def damper(self) -> Line:
+        """Line of the damper."""
+        return line_of(self.linkage, "damper")
+
+    @cached_property
+    def springs(self) -> Elastic:
+        """The spring alone."""
+        return self._elastic(spring_law)
+
+    @cached_property
+    def stops(self) -> Elastic:
+        """Bump and rebound stops, which work along the spring."""
+        return self._elastic(stop_law)
+
+    @cached_property
+    def damping_coefficient(self) -> ca.SX:
+        """Slope of the damper's force at rest (N s/m), in the mean of both directions; without friction."""
+        law, line, velocity = self.linkage.rig.strut.damper, self.damper, ca.SX.sym("damper velocity")
+        if isinstance(law, MapDamper):
+            force = damper_map_force(self.mechanism, law, "strut.damper", line.length, velocity)
+        else:
+            force = damper_force(self.mechanism, law, "strut.damper", line.deflection, velocity)
+        slope = ca.jacobian(force, velocity)
+        return 0.5 * (ca.substitute(slope, velocity, ca.SX(-_TINY)) + ca.substitute(slope, velocity, ca.SX(_TINY)))
+
+    @cached_property
+    def motion_ratio(self) -> ca.SX:
+        """Shortening of the spring for a rise of the wheel centre."""
+        return -self.slope(self.spring.length)
+
+    @cached_property
+    def contact_ratio(self) -> ca.SX:
+        """Shortening of the spring for a rise of the contact patch."""
+        return self.motion_ratio / self.patch[2]
+
+    @cached_property
+    def damper_ratio(self) -> ca.SX:
+        """Shortening of the damper for a rise of the wheel centre."""
+        return -self.slope(self.damper.length)
+
+    @cached_property
+    def tyre_deflection(self) -> ca.SX:
+        """Undeformed radius minus the distance of the ground in the wheel's plane."""
+        return undeformed_radius(self.linkage) - self.radius
+
+    @cached_property
+    def bar_angle(self) -> ca.SX:
+        """Turn of the anti-roll bar's end about its axis along y, rad, 0 at design."""
+        rig, hardpoint = self.linkage.rig, self.linkage.hardpoint
+        pivot, arm_end, link_end = (hardpoint(f"arb_{name}") for name in ("pivot", "arm_end", "link_end"))
+        arm, link = arm_end - pivot, link_end - arm_end
+        assert rig.anti_roll_bar is not None
+        carrier = self.linkage.carriers[getattr(rig.anti_roll_bar, "on", "upright")]
+        away, away_design = carrier.point(link_end).value - pivot, link_end - pivot
+
+        def parts(d: ca.SX) -> tuple[ca.SX, ca.SX]:
+            return arm[0] * d[0] + arm[2] * d[2], arm[2] * d[0] - arm[0] * d[2]
+
+        a, b = parts(away)
+        needed = 0.5 * (ca.dot(arm, arm) + ca.dot(away, away) - ca.dot(link, link)) - arm[1] * away[1]
+        branch = ca.sign(parts(away_design)[1])
+        return ca.atan2(b, a) - branch * ca.acos(needed / ca.sqrt(a**2 + b**2))
+
+    # pieces ----------------------------------------------------------------------------------------------------
+
+    def _elastic(self, law: Callable[[Linkage, Line], ca.SX]) -> Elastic:
+        length, line = ca.SX.sym("length"), self.spring
+        force = law(self.linkage, Line(line.bottom, line.top, length, line.rate, line.design))
+        stiffness = -ca.jacobian(force, length)
+        return Elastic(*(ca.substitute(part, length, line.length) for part in (ca.SX(force), stiffness)))
+
+    def _mirrored(self, moving: Moving) -> Moving:
+        mirror = self._mirror
+        return Moving(mirror * moving.value, mirror * moving.rate, mirror * moving.bias)
+
+    def _unturned(self, spin: ca.SX) -> ca.SX:
+        return ca.SX([self.side, 1.0, self.side]) * spin

@@ -1,0 +1,264 @@
+"""Kinematic quantities against travel, rack or roll: sheets of curves by subject."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import RecordingError, nearest
+from jounce.core.serialise import write_files
+from jounce.plots.display import DisplayUnit, display_unit, number
+from jounce.plots.style import MUTED, PALETTE, new_figure, style, styled
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+SHEETS: dict[str, tuple[str, ...]] = {
+    "wheel": ("camber", "toe", "camber_to_ground", "inclination", "steer", "half_track_change"),
+    "gradients": ("camber_gain", "bump_steer", "caster_change", "half_track_gain", "roll_steer", "roll_camber"),
+    "steering": (
+        "caster",
+        "kingpin_inclination",
+        "caster_trail",
+        "scrub_radius",
+        "spindle_offset",
+        "wheel_centre_caster_offset",
+        "steering_ratio",
+        "ackermann",
+    ),
+    "centres": (
+        "roll_centre_height",
+        "roll_centre_y",
+        "jacking",
+        "instant_centre_y",
+        "instant_centre_z",
+        "side_instant_centre_x",
+        "side_instant_centre_z",
+        "front_swing_arm_length",
+        "side_swing_arm_length",
+        "contact_longitudinal_slope",
+        "wheel_centre_longitudinal_slope",
+        "anti_dive",
+        "anti_lift",
+        "anti_squat",
+    ),
+    "springs": (
+        "spring_length",
+        "motion_ratio",
+        "motion_ratio_rate",
+        "damper_motion_ratio",
+        "spring_force",
+        "stop_force",
+        "wheel_force",
+        "wheel_rate",
+        "wheel_rate_spring",
+        "wheel_damping_coefficient",
+        "ride_rate",
+        "roll_moment",
+        "roll_stiffness",
+    ),
+}
+"""Quantities that belong together, sheet by sheet; what no sheet names comes on the last one."""
+_OTHERS = "others"
+_COLUMNS = 3
+_ASYMPTOTE = 30.0  # curves that leave their middle half by this many times its width run to infinity
+_MOST_LINES = 6
+
+
+@styled
+def kinematic_curves(sweep: xr.Dataset, quantities: Sequence[str] | None = None) -> Figure:
+    """Draw quantities of a kinematic sweep, one set of axes each.
+
+    Left and right wheel of an axle share their axes; of pairs of travel and rack, up to six racks are drawn as lines.
+    Curves that run to infinity (instant centres) are cut off.
+
+    Parameters
+    ----------
+    sweep : xarray.Dataset
+        As :func:`jounce.sweep_travel` and its relatives give it; SI, shown in usual units (mm, °, N/mm).
+    quantities : sequence of str, optional
+        What to draw; by default camber, toe, half-track change, caster, roll-centre height and motion ratio.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Sheet of curves.
+
+    Raises
+    ------
+    RecordingError
+        For a quantity that the sweep does not hold, or a dataset that is no sweep.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import jounce as jn
+    >>> sweep = jn.sweep_travel(jn.load("reference-double-wishbone"), np.linspace(-0.08, 0.08, 41))
+    >>> [axes.get_title("left") for axes in kinematic_curves(sweep, ["camber", "toe"]).axes]
+    ['camber angle', 'toe angle']
+    """
+    default = ("camber", "toe", "half_track_change", "caster", "roll_centre_height", "motion_ratio")
+    known = _quantities(sweep)
+    for name in quantities or ():
+        if name not in known:
+            raise RecordingError(f"no quantity {name!r}", allowed=", ".join(known), hint=nearest(name, known))
+    names = list(quantities) if quantities else [name for name in default if name in known]
+    if not names:
+        raise RecordingError("no kinematic quantities", found=", ".join(map(str, sweep.data_vars)) or "none")
+    columns = min(_COLUMNS, len(names))
+    rows = -(-len(names) // columns)
+    figure = new_figure(0.5 + 1.9 * rows, 3.3 * columns if columns < _COLUMNS else 9.6)
+    grid = figure.subplots(rows, columns, sharex=True, squeeze=False)
+    for axes, name in zip(grid.flat, names, strict=False):
+        _draw(axes, sweep, name)
+    _finish(figure, grid, sweep, len(names))
+    return figure
+
+
+def write_kinematics(sweep: xr.Dataset, folder: Path | str, *, force: bool = False) -> list[Path]:
+    """Draw every quantity of a sweep into a folder, one PNG a subject.
+
+    Parameters
+    ----------
+    sweep : xarray.Dataset
+        A kinematic sweep, SI.
+    folder : Path or str
+        Made where it is missing.
+    force : bool
+        Overwrite existing files.
+
+    Returns
+    -------
+    list of Path
+        The files: ``wheel.png``, ``gradients.png``, ``steering.png``, ``centres.png``, ``springs.png``, ``others.png``.
+
+    Raises
+    ------
+    OutputError
+        For existing files without ``force``.
+    """
+    known = _quantities(sweep)
+    sheets = {sheet: [name for name in names if name in known] for sheet, names in SHEETS.items()}
+    drawn = {name for names in sheets.values() for name in names}
+    sheets[_OTHERS] = [name for name in known if name not in drawn]
+    contents: dict[str, bytes | str] = {
+        f"{sheet}.png": _png(kinematic_curves(sweep, names)) for sheet, names in sheets.items() if names
+    }
+    return write_files(folder, contents, force=force)
+
+
+def _png(figure: Figure) -> bytes:
+    stream = io.BytesIO()
+    with style():
+        figure.savefig(stream, format="png", dpi=130)
+    return stream.getvalue()
+
+
+def _quantities(sweep: xr.Dataset) -> list[str]:
+    """Names of the quantities without the side of an axle, places of points left out."""
+    names = [str(name) for name in sweep.data_vars if sweep[name].dims and "sign" in sweep[name].attrs]
+    bare = [name.removeprefix("left.").removeprefix("right.") for name in names]
+    return [name for name in dict.fromkeys(bare) if name[-2:] not in (".x", ".y", ".z")]
+
+
+def _along(sweep: xr.Dataset) -> str:
+    return str(next(iter(sweep.dims)))
+
+
+def _draw(axes: Axes, sweep: xr.Dataset, name: str) -> None:
+    along = _along(sweep)
+    lines = _lines(sweep, name, along)
+    unit = _unit(sweep[lines[0][2]], np.concatenate([values for _, values, _ in lines]))
+    across = display_unit(str(sweep[along].attrs.get("units", "1")))
+    x = sweep[along].to_numpy() * across.factor
+    for k, (label, values, _) in enumerate(lines):
+        mark = "." if len(x) < 12 else None
+        axes.plot(x, _cut(values) * unit.factor, color=PALETTE[k % len(PALETTE)], label=label, marker=mark)
+    long_name = str(sweep[lines[0][2]].attrs.get("long_name", name)).removeprefix("left: ").removeprefix("right: ")
+    axes.set_title(_folded(long_name), loc="left")
+    axes.set_ylabel(unit.name or "–")
+    axes.axvline(0.0, color=MUTED, linewidth=0.6, zorder=0.5)
+    _steady(axes, np.concatenate([_cut(values) for _, values, _ in lines]) * unit.factor)
+
+
+def _lines(sweep: xr.Dataset, name: str, along: str) -> list[tuple[str, Array, str]]:
+    """Label, values and variable of each line."""
+    sides = [side for side in ("left", "right") if f"{side}.{name}" in sweep]
+    if name not in sweep:
+        return [(side, sweep[f"{side}.{name}"].to_numpy(), f"{side}.{name}") for side in sides]
+    variable = sweep[name]
+    others = [str(dimension) for dimension in variable.dims if dimension != along]
+    if not others:
+        return [("", variable.to_numpy(), name)]
+    other = others[0]
+    unit = display_unit(str(sweep[other].attrs.get("units", "1")))
+    count = sweep.sizes[other]
+    at = np.unique(np.linspace(0, count - 1, min(count, _MOST_LINES)).round().astype(int))
+    words = other.split("_", maxsplit=1)[0]
+    return [
+        (
+            f"{words} {number(float(sweep[other][k]) * unit.factor, 3)} {unit.name}",
+            variable.isel({other: k}).to_numpy(),
+            name,
+        )
+        for k in at
+    ]
+
+
+def _cut(values: Array) -> Array:
+    """Values with those left out that run to infinity, so that the rest can be seen."""
+    finite = values[np.isfinite(values)]
+    if len(finite) < 4:
+        return np.where(np.isfinite(values), values, np.nan)
+    low, middle, high = np.quantile(finite, [0.25, 0.5, 0.75])
+    width = max(high - low, 1e-3 * abs(middle))
+    near = np.abs(values - middle) <= _ASYMPTOTE * width if width > 0.0 else np.isfinite(values)
+    return np.where(near & np.isfinite(values), values, np.nan)
+
+
+def _steady(axes: Axes, values: Array) -> None:
+    """Give a curve that does not change room above and below, so that rounding is not drawn as a wave."""
+    finite = values[np.isfinite(values)]
+    if not len(finite):
+        return
+    middle = float(np.mean(finite))
+    if np.ptp(finite) <= 1e-9 * max(abs(middle), 1e-6):
+        room = 0.1 * abs(middle) or 1.0
+        axes.set_ylim(middle - room, middle + room)
+
+
+def _unit(variable: xr.DataArray, values: Array) -> DisplayUnit:
+    return display_unit(str(variable.attrs.get("units", "1")), float(np.nanmax(np.abs(_cut(values)), initial=0.0)))
+
+
+def _folded(text: str, width: int = 44) -> str:
+    """Text on two lines where it is long."""
+    if len(text) <= width:
+        return text
+    cut = text.rfind(" ", 0, width)
+    return f"{text[:cut]}\n{text[cut + 1 :]}"
+
+
+def _finish(figure: Figure, grid: Any, sweep: xr.Dataset, count: int) -> None:
+    """Label the lowest axes of every column, hide the empty ones, and put one legend on top."""
+    rows, columns = grid.shape
+    along = _along(sweep)
+    unit = display_unit(str(sweep[along].attrs.get("units", "1")))
+    for i, axes in enumerate(grid.flat):
+        if i >= count:
+            axes.set_visible(False)
+        elif i + columns >= count:
+            axes.set_xlabel(unit.label(along.replace("_", " ")))
+            axes.tick_params(labelbottom=True)
+    handles, labels = grid.flat[0].get_legend_handles_labels()
+    if any(labels):
+        figure.legend(handles, labels, loc="outside upper right", ncols=len(labels))
+    assert rows
