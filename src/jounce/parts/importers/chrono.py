@@ -28,21 +28,6 @@ from jounce.parts.writing import rig_text
 WHEEL_RADIUS, WHEEL_MASS, TYRE_STIFFNESS, SPRUNG_MASS = 0.33, 20.0, 250e3, 350.0
 """Estimates for what suspension files do not hold: m, kg (rim and tyre), N/m, kg; those of a passenger car."""
 _ADVICE = "Other suspensions can be written as rig files by hand; see the documentation of rigs."
-_ORDER = (
-    "schema",
-    "model",
-    "source",
-    "estimated",
-    "side",
-    "guide",
-    "hardpoints",
-    "wheel",
-    "sprung",
-    "bodies",
-    "strut",
-    "steering",
-    "tyre",
-)
 _READ = {"Name", "Type", "Template", "Vehicle-Frame Inertia", "Camber Angle (deg)", "Toe Angle (deg)", "Axle"}
 
 
@@ -107,9 +92,8 @@ def import_chrono(
     _add_wheel(reading, table, wheel_radius, wheel_mass, tyre_stiffness)
     _set_on_the_road(reading, table, sprung_mass)
     reading.findings += [*_left_out(file, names), *_assumptions(file)]
-    table = {key: table[key] for key in _ORDER if key in table} | {"estimated": sorted(reading.estimated)}
-    table["source"] = table["source"] if source is None else source
-    text = rig_text(table, _comments(reading))
+    table |= {"estimated": sorted(reading.estimated), "source": table["source"] if source is None else source}
+    text = rig_text(_rig(reading, table), _comments(reading))
     return cast(Corner, rig_from_table(tomllib.loads(text), where=str(path))), reading.findings, text
 
 
@@ -180,7 +164,14 @@ def _carried(reading: Reading, rig: Corner) -> float:
 
 
 def _rig(reading: Reading, table: dict[str, Any]) -> Corner:
-    return cast(Corner, rig_from_table(tomllib.loads(rig_text(table)), where=str(reading.file.path)))
+    return cast(Corner, rig_from_table(_plain(table), where=str(reading.file.path)))
+
+
+def _plain(value: Any) -> Any:
+    """The same table with lists in place of arrays."""
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    return value.tolist() if isinstance(value, np.ndarray) else value
 
 
 def _raise(table: dict[str, Any], height: float) -> None:
