@@ -93,7 +93,8 @@ def corner(rig: Corner, *, detail: bool = False) -> Model:
     if detail:
         show_hardpoints(linkage)
         show_reactions(linkage)
-        show_energy(linkage, {**elements, "tyre": (force, mechanism.rate_of(deflection))})
+        elements["tyre"] = force, mechanism.rate_of(deflection)
+        show_energy(linkage, elements, force * road.rate)
     return mechanism.finish()
 
 

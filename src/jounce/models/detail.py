@@ -24,15 +24,17 @@ def show_reactions(linkage: Linkage) -> None:
         mechanism.watch_reaction(joint)
 
 
-def show_energy(linkage: Linkage, elements: dict[str, tuple[ca.SX, ca.SX]]) -> None:
-    """Let energies be seen, J: kinetic, of weights, and what each element has taken up since the start.
+def show_energy(linkage: Linkage, elements: dict[str, tuple[ca.SX, ca.SX]], road_power: ca.SX) -> None:
+    """Let energies be seen, J: kinetic, of weights, what each element has taken up and what the road has put in.
 
     ``elements`` holds force (N) and the rate (m/s) it works against.
     """
     mechanism = linkage.mechanism
     mechanism.watch_energy()
-    for name, (force, rate) in elements.items():
+    powers = {name: (force * rate, f"energy taken up by the {name}") for name, (force, rate) in elements.items()}
+    powers["road"] = road_power, "energy put in by the road"
+    for name, (power, text) in powers.items():
         channel = f"energy.{name}"
         taken = mechanism.internal_state(channel)
-        mechanism.set_internal_rate(channel, force * rate)
-        mechanism.output(channel, taken, "J", f"energy taken up by the {name}")
+        mechanism.set_internal_rate(channel, power)
+        mechanism.output(channel, taken, "J", text)

@@ -14,6 +14,8 @@ Array = NDArray[np.float64]
 _ITERATIONS = 60
 _SAGS = (0.0, 1e-4, 1e-3, 1e-2, 1e-1)  # m
 _FAR = 1e3  # m: a step that long means that nothing holds the weight
+_UNDECIDED = 1e13  # condition of the balance beyond which something turns or slides freely
+_HEAVE = "sprung.distance"  # the coordinate that lowers a whole rig onto its tyre
 _STRIDE = 0.05  # m or rad
 _PROJECTIONS = 3
 _UNBALANCED = 1e-6  # m/s^2
@@ -81,6 +83,7 @@ def find_rest(compiled: Compiled, p: Array, u: Array, start: Array | None = None
     still = np.zeros_like(u)
     order = compiled.facts.track_order
     still[::order] = u[::order]
+    p = compiled.plain.extended(p)
     for guess in _starts(compiled, still, start):  # springs that are soft at first need a start that compresses them
         rest = _newton(compiled, p, still, guess)
         if rest is not None:
@@ -88,7 +91,17 @@ def find_rest(compiled: Compiled, p: Array, u: Array, start: Array | None = None
     raise SimulationError(
         "no static equilibrium was found",
         where=", ".join(compiled.facts.coordinates),
-        hint="Check masses, spring rate or curve (it must carry the weight), preload and bump stops.",
+        hint=_joint_hint(compiled)
+        or "Check masses, spring rate or curve (it must carry the weight), preload and bump stops.",
+    )
+
+
+def _joint_hint(compiled: Compiled) -> str:
+    if "guide_joint.e0" not in compiled.facts.coordinates:
+        return ""
+    return (
+        "A body on guide and joint tips over unless the tyre's force passes near the joint and the centre of mass lies "
+        "well below it; check sprung.joint, sprung.centre_of_mass and the spring."
     )
 
 
@@ -97,8 +110,11 @@ def _starts(compiled: Compiled, u: Array, start: Array | None) -> list[Array]:
     count = len(facts.coordinates)
     first = np.zeros(compiled.state_count)
     first[:count] = facts.start if start is None else start
-    if facts.projects or start is not None:
+    if start is not None:
         return [first]
+    if facts.projects:
+        heave = np.array([name == _HEAVE for name in facts.states], dtype=float)
+        return [first + heave * ((u[0] if len(u) else 0.0) - sag) for sag in (_SAGS if heave.any() else (0.0,))]
     depth = np.arange(count, 0, -1, dtype=float)
     guesses = []
     for sag in _SAGS:
@@ -135,12 +151,10 @@ def _closed(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> A
 
 
 def _solve(matrix: Array, rhs: Array) -> Array | None:
-    """Solution of a square system, or the shortest least-squares one where loops repeat each other."""
+    """Solution of a square system; the shortest one where loops repeat each other or nothing decides a motion."""
     try:
-        if matrix.shape[0] == matrix.shape[1]:
-            found = np.linalg.solve(matrix, rhs)
-        else:
-            found = np.linalg.lstsq(matrix, rhs, rcond=None)[0]
+        square = matrix.shape[0] == matrix.shape[1] and np.linalg.cond(matrix) < _UNDECIDED
+        found = np.linalg.solve(matrix, rhs) if square else np.linalg.lstsq(matrix, rhs, rcond=1.0 / _UNDECIDED)[0]
     except np.linalg.LinAlgError:
         return None
     return np.asarray(found, dtype=np.float64) if np.all(np.isfinite(found)) else None
@@ -162,12 +176,13 @@ class _Balance:
 def _balance(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> _Balance:
     """Equations of rest: accelerations of the free motions and loops must vanish, and rates of internal states."""
     facts, (n_q, n_v) = compiled.facts, compiled.facts.counts
-    slope, first = compiled.evaluate("rate_x", x, u, p, modes), n_q + n_v
+    slopes, first = compiled.slopes("x", x, u, p, modes), n_q + n_v
+    slope = slopes["rate"]
     internal = [i for i in range(first, len(slope)) if slope[i, i] != 0.0]
     moved = np.zeros((len(slope), n_v + len(internal)))
     moved[:n_q, :n_v] = slope[:n_q, n_q:first]
     moved[internal, range(n_v, n_v + len(internal))] = 1.0
-    loops = compiled.evaluate("constraint_x", x, u, p, modes) @ moved if facts.constraints else None
+    loops = slopes["constraint"] @ moved if facts.constraints else None
     free, motions = free_motions(None if loops is None else loops[:, :n_v], n_v)
     rows = np.array([*(n_q + free), *internal], dtype=np.intp)
     matrix, residual = slope[rows] @ moved, compiled.evaluate("rate", x, u, p, modes)[rows]
