@@ -1,0 +1,145 @@
+"""The angle of the strut as a setting of the bench: a number of a lumped rig, the place of a 3-D rig's upper end."""
+
+from __future__ import annotations
+
+from typing import TypeVar, cast
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError
+from jounce.core.findings import Finding
+from jounce.core.units import to_si
+from jounce.parts.advice import STEEP_STRUT
+from jounce.parts.corner import Corner
+from jounce.parts.points import Triple
+from jounce.parts.rig import Rig
+from jounce.parts.rigs import McPherson, QuarterCar
+
+R = TypeVar("R", bound=Rig)
+LARGEST = 1.2
+"""Angle in rad to either side that a strut may take."""
+_OWN_ENDS = ("spring_bottom", "spring_top", "damper_bottom", "damper_top")
+
+
+def strut_angle(rig: Rig) -> float:
+    """Give the angle of the strut to the vertical.
+
+    Parameters
+    ----------
+    rig : Rig
+        Lumped or 3-D.
+
+    Returns
+    -------
+    float
+        rad; of a 3-D rig the one seen from the front at design, positive where the upper end leans inboard.
+
+    Raises
+    ------
+    DescriptionError
+        For a rig whose strut has no angle of its own: a McPherson strut, a strut on a rocker, spring and damper apart.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from jounce.parts import load
+    >>> round(float(np.degrees(strut_angle(load("kart-double-wishbone")))), 2)
+    26.0
+    """
+    if isinstance(rig, QuarterCar):
+        return rig.strut.angle
+    bottom, top = _ends(rig)
+    return float(np.arctan2(cast(Corner, rig).sign * (bottom[1] - top[1]), top[2] - bottom[2]))
+
+
+def with_strut_angle(rig: R, angle: float | str) -> R:
+    """Give the rig with its strut at another angle to the vertical.
+
+    A lumped rig gets another ``strut.angle``. In a 3-D rig the upper end of the strut turns about its lower end in the
+    transverse plane, at constant design length: x of the strut, free length or preload, and everything else are kept,
+    so the equilibrium becomes another one.
+
+    Parameters
+    ----------
+    rig : Rig
+        Lumped or 3-D; it is not changed.
+    angle : float or str
+        rad, or text with a unit; seen from the front, positive where the upper end leans inboard, on either side of
+        the car.
+
+    Returns
+    -------
+    Rig
+        Of the same kind.
+
+    Raises
+    ------
+    DescriptionError
+        For an angle beyond 1.2 rad to either side, or a rig whose strut cannot be turned by itself.
+
+    Examples
+    --------
+    >>> from jounce.parts import load
+    >>> rig = with_strut_angle(load("kart-double-wishbone"), "16 deg")
+    >>> [round(1e3 * x, 2) for x in rig.hardpoints.strut_top]   # mm
+    [30.0, 274.87, 252.25]
+    """
+    wanted = to_si(angle, "rad", where="strut angle")
+    if isinstance(rig, QuarterCar):
+        return rig.with_changes({"strut.angle": wanted})
+    if not abs(wanted) <= LARGEST:
+        raise DescriptionError(
+            "out of range", where="strut angle", found=angle, allowed=f"{-LARGEST:g} to {LARGEST:g} rad"
+        )
+    bottom, top = _ends(rig)
+    reach = float(np.hypot(top[1] - bottom[1], top[2] - bottom[2]))
+    inboard = -cast(Corner, rig).sign
+    return rig.with_changes(
+        {
+            "hardpoints.strut_top[1]": bottom[1] + inboard * reach * float(np.sin(wanted)),
+            "hardpoints.strut_top[2]": bottom[2] + reach * float(np.cos(wanted)),
+        }
+    )
+
+
+def strut_angle_findings(angle: float, place: str) -> list[Finding]:
+    """Warn of a strut angle (rad) that the literature rejects; ``place`` is where it was set."""
+    if abs(angle) <= STEEP_STRUT + 1e-9:
+        return []
+    text = (
+        f"the strut leans {np.degrees(angle):.1f} deg from the vertical; over 30 deg is rejected in the literature (Adams "
+        "1993), because wheel rate and damping fall with the square of the motion ratio."
+    )
+    return [Finding(place, "warning", text, float(angle))]
+
+
+def _ends(rig: Rig) -> tuple[Triple, Triple]:
+    """Lower and upper end of a strut that can be turned; the reason where it cannot."""
+    if not isinstance(rig, Corner):
+        raise DescriptionError("this rig has no strut that could be turned", where="strut angle")
+    points = rig.hardpoints
+    own = [name for name in _OWN_ENDS if getattr(points, name) is not None]
+    hint = 'Move its hardpoints instead: changes = {"hardpoints.strut_top" = [...]} in a trial.'
+    if isinstance(rig, McPherson):
+        raise DescriptionError(
+            "a McPherson strut guides the wheel: turning it would change the whole suspension",
+            where="strut angle",
+            found='model = "mcpherson"',
+            hint=hint,
+        )
+    if rig.strut_body == "rocker":
+        raise DescriptionError(
+            "the strut stands on a rocker: its angle in front view does not decide its leverage",
+            where="strut angle",
+            found='strut.on = "rocker"',
+            hint=hint,
+        )
+    if own:
+        raise DescriptionError(
+            "spring and damper are not on one line, so that no single angle says how they turn",
+            where="strut angle",
+            found=", ".join(f"hardpoints.{name}" for name in own),
+            allowed="rigs that give strut_bottom and strut_top only",
+            hint=hint.replace("strut_top", own[-1]),
+        )
+    return points.strut_bottom, points.strut_top
