@@ -9,7 +9,13 @@ import jounce as jn
 
 ROAD = jn.HalfSine(height="10 mm", length="100 mm", start="0.2 m")
 TRIAL = jn.Trial(road=ROAD, speed="1.95 m/s", duration="0.5 s")
-VEHICLES = ("kart-double-wishbone", "hmmwv-front", "generic-mcpherson", "sedan-multi-link")
+VEHICLES = (
+    "kart-double-wishbone",
+    "formula-student-front",
+    "generic-mcpherson",
+    "sedan-multi-link",
+    "semi-trailing-arm",
+)
 
 
 @pytest.fixture(scope="module")
