@@ -87,24 +87,23 @@ def compare(changes, road, free, *, speed: float = 1.95, duration: float = 0.5, 
     segments = road.segments(speed * duration).in_time(speed)
     run = solve(sensitive, p, segments, times, tolerance=1e-9)
     n = plain.state_count
-    assert run.states.shape == (n * (1 + len(free)), len(times))
-    assert run.outputs.shape == (len(plain.output_names) * (1 + len(free)), len(times))
+    assert run.state_slopes.shape == (n, len(free), len(times))
+    assert run.output_slopes.shape == (len(plain.output_names), len(free), len(times))
     for column, path in enumerate(free):
         i = model.parameters.index(path)
         step = 1e-5 * (abs(p[i]) or 1.0)
         ahead, behind = (
             solve(plain, p + sign * step * np.eye(len(p))[i], segments, times, tolerance=1e-12) for sign in (1, -1)
         )
-        expected = (ahead.states - behind.states)[:n] / (2.0 * step)
-        found = run.states[n * (1 + column) : n * (2 + column)]
+        expected = (ahead.states - behind.states) / (2.0 * step)
+        found = run.state_slopes[:, column]
         size = np.max(np.abs(expected[: n // 2]))
         assert np.max(np.abs(found - expected)[: n // 2]) < allowed * size, path
         size = np.max(np.abs(expected))
         assert np.max(np.abs(found - expected)) < allowed * size, path
-    m = len(plain.output_names)
     forces = plain.output_names.index("strut.deflection")  # outputs follow the chain rule, too
     expected = (ahead.outputs - behind.outputs)[forces] / (2.0 * step)
-    assert np.max(np.abs(run.outputs[m * len(free) + forces] - expected)) < allowed * np.max(np.abs(expected))
+    assert np.max(np.abs(run.output_slopes[forces, -1] - expected)) < allowed * np.max(np.abs(expected))
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -117,7 +116,7 @@ def test_states_are_those_of_a_run_without_sensitivities():
     plain, sensitive = compile_model(model), compile_model(model, BASIC)
     p, times = plain.parameter_values(KART.parameters()), output_times(0.5, 1e-3)
     segments = BUMP.segments(1.0).in_time(1.95)
-    a, b = (solve(compiled, p, segments, times).states[:4] for compiled in (plain, sensitive))
+    a, b = (solve(compiled, p, segments, times).states for compiled in (plain, sensitive))
     assert np.max(np.abs(a - b)) < 1e-12
 
 

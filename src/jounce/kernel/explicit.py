@@ -4,8 +4,8 @@ Modes (one 0/1 flag for each switching function) are constant within a step, so 
 equation. After a step the switching functions are checked at its end and inside it; where one has left the side that
 its mode stands for, the step is repeated up to the located crossing and the mode flips.
 
-The state may carry sensitivities behind it: columns ``S = dx/dp`` of the variational equation. They do not steer the
-step size; at an event they jump by the saltation rule.
+The state may carry sensitivities behind it: ``S = dx/dp`` of the variational equation, for each state one number a
+parameter. They do not steer the step size; at an event they jump by the saltation rule.
 """
 
 from __future__ import annotations
@@ -16,9 +16,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from jounce.kernel.call import call_many, call_native, call_step, compiled, part
+from jounce.kernel.call import call_native, call_step, compiled, part
 from jounce.kernel.dop853 import DENSE_STAGES
 from jounce.kernel.layout import DENSE, END, FIRST_PROBE, LAST_STAGE, NODES, PROBES, RATES, ROWS, STATE
+from jounce.kernel.sampling import Samples, sample_step
 from jounce.kernel.tracks import Tracks, advance, fill
 
 Array = NDArray[np.float64]
@@ -75,23 +76,11 @@ class Problem(NamedTuple):
     inputs: int
 
 
-class Samples(NamedTuple):
-    """Where the run is sampled and the arrays it fills: one row an element, one column a sample.
-
-    ``projected`` has two rows more than ``states`` where the model projects, and none elsewhere.
-    """
-
-    times: Array
-    states: Array
-    inputs: Array
-    outputs: Array
-    projected: Array
-
-
 class Work(NamedTuple):
     """Scratch arrays: ``rows`` (see ``layout``), times and inputs at a step's nodes, switching functions at its probes.
 
-    ``step`` is (length, tolerance), ``errors`` the squared errors, ``slope`` that of the switching functions.
+    ``step`` is (length, tolerance), ``errors`` the squared errors, ``slope`` that of the switching functions,
+    ``sampled`` the inputs at a sample.
     """
 
     rows: Array
@@ -103,6 +92,7 @@ class Work(NamedTuple):
     slope: Array
     widest: Array
     projected: Array
+    sampled: Array
 
 
 @part()
@@ -266,21 +256,23 @@ def _flip(problem: Any, work: Any, t: float, which: int, thrown: bool) -> None:
 
 @part()
 def _jump_sensitivities(rows: Any, slope: Any, which: int, n: int, columns: int) -> None:
-    """Saltation: ``S+ = S- + (f+ - f-) (dg/dx S- + dg/dp) / (dg/dt)``, f- in the second rate and f+ in the first."""
+    """Saltation: ``S+ = S- + (f+ - f-) (dg/dx S- + dg/dp) / (dg/dt)``, f- in the second rate and f+ in the first.
+
+    ``slope`` holds for each switch its slopes along the states and time; then, for each, those along the sensitivities.
+    """
     x, before, after = rows[STATE], rows[RATES + 1], rows[RATES]
-    width = n + columns + 1
-    row = slope[0, which * width : (which + 1) * width]
-    speed = row[width - 1]
+    switches = slope.shape[1] // (n + 1 + columns)
+    row = slope[0, which * (n + 1) : (which + 1) * (n + 1)]
+    shift = slope[0, switches * (n + 1) + which * columns :]
+    speed = row[n]
     for d in range(n):
         speed += row[d] * before[d]
     if abs(speed) < 1e-300:
         return
-    for c in range(columns):
-        shift = row[n + c]
-        for d in range(n):
-            shift += row[d] * x[n + c * n + d]
-        for d in range(n):
-            x[n + c * n + d] += (after[d] - before[d]) * shift / speed
+    for d in range(n):
+        jump = (after[d] - before[d]) / speed
+        for c in range(columns):
+            x[n + d * columns + c] += jump * shift[c]
 
 
 @part(forceinline=True)
@@ -310,44 +302,6 @@ def _attempt(
     return 1.0, grow, -1
 
 
-@part(fastmath={"contract"})
-def _interpolate(rows: Any, t: float, h: float, times: Any, first: int, last: int, states: Any) -> None:
-    """States at the samples ``first`` to ``last``, on the step from ``t``."""
-    for d in range(rows.shape[1]):
-        x, c0, c1, c2 = rows[STATE, d], rows[DENSE, d], rows[DENSE + 1, d], rows[DENSE + 2, d]
-        c3, c4, c5, c6 = rows[DENSE + 3, d], rows[DENSE + 4, d], rows[DENSE + 5, d], rows[DENSE + 6, d]
-        for i in range(first, last):
-            theta = (times[i] - t) / h
-            rest = 1.0 - theta
-            y = (((c6 * theta + c5) * rest + c4) * theta + c3) * rest
-            states[d, i] = x + (((y + c2) * theta + c1) * rest + c0) * theta
-
-
-@part()
-def _project_samples(problem: Any, out: Any, first: int, last: int) -> None:
-    """Move the samples ``first`` to ``last`` onto the constraints."""
-    address, count = problem.engine.project_many, last - first
-    call_many(address, out.states, out.inputs, problem.p, problem.m, out.projected, first, count)
-    for d in range(out.states.shape[0]):
-        for i in range(first, last):
-            out.states[d, i] = out.projected[d, i]
-
-
-@part(forceinline=True)
-def _sample(problem: Any, work: Any, t: float, h: float, until: float, first: int, out: Any) -> int:
-    """Write states, inputs and outputs at all times before ``until`` on the step from ``t``; give the next sample."""
-    last = first
-    while last < len(out.times) and out.times[last] < until:
-        last += 1
-    if last > first:
-        fill(problem.tracks, problem.piece, out.times[first:last], out.inputs[:, first:last])
-        _interpolate(work.rows, t, h, out.times, first, last, out.states)
-        if problem.engine.project_many != 0:
-            _project_samples(problem, out, first, last)
-        call_many(problem.engine.output, out.states, out.inputs, problem.p, problem.m, out.outputs, first, last - first)
-    return last
-
-
 def _scratch(problem: Problem, control: Control) -> Work:
     n, size, switches = len(control.scale), len(problem.x0), len(problem.m)
     rows = np.zeros((ROWS, size))
@@ -362,6 +316,7 @@ def _scratch(problem: Problem, control: Control) -> Work:
         np.zeros((1, switches * (n + size // n))),
         control.scale.copy(),
         np.zeros((1, size + 2)),
+        np.zeros((problem.inputs, 1)),
     )
 
 
@@ -373,9 +328,9 @@ def _project(problem: Any, work: Any, t: float) -> int:
     fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
     for _ in range(_PROJECTIONS):
         call_native(problem.engine.project, work.rows, STATE, work.u, problem.p, problem.m, work.projected, 0)
+        violation, conditioning = work.projected[0, 0], work.projected[0, 1]
         for d in range(size):
-            work.rows[STATE, d] = work.projected[0, d]
-        violation, conditioning = work.projected[0, size], work.projected[0, size + 1]
+            work.rows[STATE, d] = work.projected[0, 2 + d]
         if violation < _CLOSED:
             call_native(problem.engine.rate, work.rows, STATE, work.u, problem.p, problem.m, work.rows, RATES)
             return _COMPLETED if conditioning > _SINGULAR else _LOCKED_UP
@@ -393,6 +348,14 @@ def _accept(x0: Any, rows: Any, widest: Any) -> bool:
         finite = finite and math.isfinite(rows[STATE, d])
         widest[d] = max(widest[d], abs(rows[STATE, d] - x0[d]))
     return finite
+
+
+@part(forceinline=True)
+def _arrive(problem: Any, work: Any, t: float) -> int:
+    """Take over the end of the step, on the constraints; tell how that ended."""
+    if not _accept(problem.x0, work.rows, work.widest):
+        return _NOT_FINITE
+    return _project(problem, work, t) if problem.engine.project != 0 else _COMPLETED
 
 
 @part(forceinline=True)
@@ -420,7 +383,7 @@ def _integrate(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> 
     _rate(problem, work, t, RATES)
     h, stalled = min(1e-3, end - t, control.longest), 0
     at_edge = True
-    sample = np.int64(0)  # a literal would make Numba compile _sample for it as well
+    sample = np.int64(0)  # a literal would make Numba compile sample_step for it as well
     while t < end - slack:
         stop = min(edge, end)
         tried = stop - t if stop - t < 1.1 * h else h
@@ -446,14 +409,11 @@ def _integrate(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> 
             counts[0] += 1
             now = t + share * tried
             now = stop if stop - now <= slack else now
-            sample = _sample(problem, work, t, share * tried, now - slack, sample, out)
+            sample = sample_step(problem, work, t, share * tried, now - slack, sample, out)
             t = now
-            if not _accept(problem.x0, work.rows, work.widest):
-                return _NOT_FINITE
-            if problem.engine.project != 0:
-                kept = _project(problem, work, t)
-                if kept != _COMPLETED:
-                    return int(kept)
+            arrived = _arrive(problem, work, t)
+            if arrived != _COMPLETED:
+                return int(arrived)
         if edge <= t + slack:
             edge, at_edge = advance(problem.tracks, problem.piece, t, slack), True
             _rate(problem, work, t, RATES)
@@ -463,5 +423,5 @@ def _integrate(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> 
     for i in range(DENSE, ROWS):
         for d in range(work.rows.shape[1]):
             work.rows[i, d] = 0.0
-    _sample(problem, work, t, 1.0, np.inf, sample, out)
+    sample_step(problem, work, t, 1.0, np.inf, sample, out)
     return _COMPLETED

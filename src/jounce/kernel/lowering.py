@@ -1,8 +1,13 @@
-"""Lower CasADi SX functions to LLVM IR: one native function each, scalar, without branches."""
+"""Lower CasADi SX functions to LLVM IR: one native function each, without branches.
+
+A function may carry tangents along: some of its inputs and outputs are *lanes*, several numbers side by side that all
+see the same operations. What no lane feeds stays one number, and is made a vector only where it meets one.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 import casadi as ca
@@ -11,6 +16,7 @@ from llvmlite import ir
 _OPCODES = {getattr(ca, name): name for name in dir(ca) if name.startswith("OP_")}
 _FAST = ("contract", "reassoc", "nsz", "arcp")
 _DOUBLE, _INDEX = ir.DoubleType(), ir.IntType(64)
+_ZERO, _ONE = ir.Constant(_DOUBLE, 0.0), ir.Constant(_DOUBLE, 1.0)
 _INTRINSICS = {
     "OP_SIN": "sin",
     "OP_COS": "cos",
@@ -40,6 +46,47 @@ _LIBRARY = {
     "OP_HYPOT": "hypot",
 }
 _COMPARISONS = {"OP_LT": "<", "OP_LE": "<=", "OP_EQ": "==", "OP_NE": "!="}
+_LINEAR = {"OP_ASSIGN", "OP_ADD", "OP_SUB", "OP_MUL", "OP_DIV", "OP_NEG", "OP_TWICE", "OP_IF_ELSE_ZERO"}
+_DIRECT: dict[str, Callable[..., ir.Value]] = {
+    "OP_ASSIGN": lambda _, x: x,
+    "OP_ADD": lambda b, x, y: b.fadd(x, y, flags=_FAST),
+    "OP_SUB": lambda b, x, y: b.fsub(x, y, flags=_FAST),
+    "OP_MUL": lambda b, x, y: b.fmul(x, y, flags=_FAST),
+    "OP_DIV": lambda b, x, y: b.fdiv(x, y, flags=_FAST),
+    "OP_SQ": lambda b, x: b.fmul(x, x, flags=_FAST),
+    "OP_TWICE": lambda b, x: b.fadd(x, x, flags=_FAST),
+    "OP_NEG": lambda b, x: b.fneg(x),
+    "OP_INV": lambda b, x: b.fdiv(_ONE, x, flags=_FAST),
+    "OP_SIGN": lambda b, x: _sign(b, x),  # noqa: PLW0108 defined below
+    "OP_NOT": lambda b, x: _as_double(b, "==", x, _ZERO),
+    "OP_AND": lambda b, x, y: b.fmul(_truth(b, x), _truth(b, y)),
+    "OP_IF_ELSE_ZERO": lambda b, condition, x: _if_else_zero(b, condition, x),  # noqa: PLW0108
+}
+
+
+@dataclass(frozen=True)
+class Lanes:
+    """A function whose inputs and output end in lanes.
+
+    Attributes
+    ----------
+    function : casadi.Function
+        Of (x, u, p, m), linear in the lanes.
+    count : int
+        Numbers side by side.
+    first : tuple of int
+        Elements of x, u, p, m and of the output before the first lane. Where the arrays hold lanes, each takes
+        ``count`` places.
+    """
+
+    function: ca.Function
+    count: int
+    first: tuple[int, int, int, int, int]
+
+    def place(self, argument: int, element: int) -> tuple[int, bool]:
+        """Place of an element in its array, and whether it is a lane."""
+        first = self.first[argument]
+        return (element, False) if element < first else (first + (element - first) * self.count, True)
 
 
 class Lowering:
@@ -48,26 +95,42 @@ class Lowering:
     def __init__(self) -> None:
         self.module = ir.Module(name="jounce")
         self._externals: dict[str, ir.Function] = {}
+        self._made: dict[tuple[int, str], ir.Value] = {}
 
-    def add(self, name: str, function: ca.Function) -> None:
+    def add(self, name: str, function: ca.Function | Lanes) -> None:
         """Append ``void name(double* x, double* u, double* p, double* m, double* out)``; arrays must not overlap."""
         native = self.declare(name, [_DOUBLE.as_pointer()] * 5)
         builder = ir.IRBuilder(native.append_basic_block())
+        lanes = function if isinstance(function, Lanes) else Lanes(function, 1, (1 << 62,) * 5)
+        vector = ir.VectorType(_DOUBLE, lanes.count).as_pointer()
+
+        def at(argument: int, element: int) -> ir.Value:
+            place, wide = lanes.place(argument, element)
+            pointer = builder.gep(native.args[argument], [_INDEX(place)])
+            return builder.bitcast(pointer, vector) if wide else pointer
+
         self._body(
             builder,
-            function,
-            load=lambda argument, element: builder.load(builder.gep(native.args[argument], [_INDEX(element)])),
-            store=lambda value, element: builder.store(value, builder.gep(native.args[4], [_INDEX(element)])),
+            lanes.function,
+            load=lambda argument, element: builder.load(at(argument, element), align=8),
+            store=lambda value, element: self._store(builder, value, at(4, element)),
         )
         builder.ret_void()
 
-    def add_many(self, name: str, function: ca.Function, *, internal: bool = False) -> None:
+    def add_many(self, name: str, function: ca.Function | Lanes, *, internal: bool = False) -> None:
         """Append ``void name(x, u, p, m, out, int64 total, int64 first, int64 count)`` for ``count`` samples.
 
         ``x``, ``u`` and ``out`` hold one row of ``total`` samples for each element, so that LLVM can vectorise the
         loop over the samples; ``p`` and ``m`` are the same for all of them. An internal function is inlined where it
         is called.
+
+        Raises
+        ------
+        NotImplementedError
+            For a function with lanes.
         """
+        if isinstance(function, Lanes):
+            raise NotImplementedError("lanes of many samples")
         native = self.declare(name, [_DOUBLE.as_pointer()] * 5 + [_INDEX] * 3)
         if internal:
             native.linkage = "internal"
@@ -111,6 +174,7 @@ class Lowering:
         store: Callable[[ir.Value, int], Any],
     ) -> None:
         work: dict[int, ir.Value] = {}
+        self._made = {}
         for k in range(function.n_instructions()):
             operation = _OPCODES[function.instruction_id(k)]
             inputs, outputs = function.instruction_input(k), function.instruction_output(k)
@@ -124,31 +188,24 @@ class Lowering:
                 work[outputs[0]] = self._operation(builder, operation, [work[i] for i in inputs])
 
     def _operation(self, b: ir.IRBuilder, operation: str, x: list[ir.Value]) -> ir.Value:
-        one = ir.Constant(_DOUBLE, 1.0)
-        direct: dict[str, Callable[[], Any]] = {
-            "OP_ASSIGN": lambda: x[0],
-            "OP_ADD": lambda: b.fadd(*x, flags=_FAST),
-            "OP_SUB": lambda: b.fsub(*x, flags=_FAST),
-            "OP_MUL": lambda: b.fmul(*x, flags=_FAST),
-            "OP_DIV": lambda: b.fdiv(*x, flags=_FAST),
-            "OP_SQ": lambda: b.fmul(x[0], x[0], flags=_FAST),
-            "OP_TWICE": lambda: b.fadd(x[0], x[0], flags=_FAST),
-            "OP_NEG": lambda: b.fneg(x[0]),
-            "OP_INV": lambda: b.fdiv(one, x[0], flags=_FAST),
-            "OP_SIGN": lambda: self._sign(b, x[0]),
-            "OP_NOT": lambda: self._as_double(b, "==", x[0], ir.Constant(_DOUBLE, 0.0)),
-            "OP_AND": lambda: b.fmul(*(self._truth(b, value) for value in x)),
-            "OP_OR": lambda: self._call(b, "llvm.maxnum.f64", [self._truth(b, value) for value in x]),
-            "OP_IF_ELSE_ZERO": lambda: self._if_else_zero(b, *x),
-        }
-        if operation in direct:
-            return direct[operation]()
+        wide = [value.type for value in x if isinstance(value.type, ir.VectorType)]
+        if wide:
+            if operation not in _LINEAR or (operation == "OP_DIV" and x[1].type == wide[-1]):
+                raise NotImplementedError(f"the operation {operation} has no form for lanes")
+            if operation == "OP_DIV":  # one division instead of many
+                operation, x = "OP_MUL", [x[0], self._inverse(b, x[1])]
+            if operation != "OP_IF_ELSE_ZERO":
+                x = [self._spread(b, value, wide[0]) for value in x]
+        if operation in _DIRECT:
+            return _DIRECT[operation](b, *x)
         if operation in _COMPARISONS:
-            return self._as_double(b, _COMPARISONS[operation], *x)
+            return _as_double(b, _COMPARISONS[operation], *x)
         if operation in _INTRINSICS:
             return self._call(b, f"llvm.{_INTRINSICS[operation]}.f64", x)
         if operation in _LIBRARY:
             return self._call(b, _LIBRARY[operation], x)
+        if operation == "OP_OR":
+            return self._call(b, "llvm.maxnum.f64", [_truth(b, value) for value in x])
         raise NotImplementedError(f"the operation {operation} has no native form")
 
     def _call(self, b: ir.IRBuilder, name: str, x: list[ir.Value]) -> ir.Value:
@@ -156,19 +213,45 @@ class Lowering:
             self._externals[name] = ir.Function(self.module, ir.FunctionType(_DOUBLE, [_DOUBLE] * len(x)), name)
         return b.call(self._externals[name], x)
 
-    def _sign(self, b: ir.IRBuilder, x: ir.Value) -> ir.Value:
-        zero = ir.Constant(_DOUBLE, 0.0)
-        sign = b.fsub(self._as_double(b, ">", x, zero), self._as_double(b, "<", x, zero))
-        return b.select(b.fcmp_unordered("uno", x, x), x, sign)
+    def _store(self, b: ir.IRBuilder, value: ir.Value, pointer: ir.Value) -> None:
+        b.store(self._spread(b, value, pointer.type.pointee), pointer, align=8)
 
-    def _truth(self, b: ir.IRBuilder, x: ir.Value) -> ir.Value:
-        return self._as_double(b, "!=", x, ir.Constant(_DOUBLE, 0.0))
+    def _inverse(self, b: ir.IRBuilder, x: ir.Value) -> ir.Value:
+        return self._once("inverse", x, lambda: _DIRECT["OP_INV"](b, x))
 
-    @staticmethod
-    def _as_double(b: ir.IRBuilder, comparison: str, x: ir.Value, y: ir.Value) -> ir.Value:
-        return b.uitofp(b.fcmp_ordered(comparison, x, y), _DOUBLE)
+    def _spread(self, b: ir.IRBuilder, x: ir.Value, kind: ir.Type) -> ir.Value:
+        """Make a number a vector of equal lanes where ``kind`` is a vector."""
+        return x if x.type == kind else self._once("spread", x, lambda: _spread(b, x, kind))
 
-    @staticmethod
-    def _if_else_zero(b: ir.IRBuilder, condition: ir.Value, x: ir.Value) -> ir.Value:
-        zero = ir.Constant(_DOUBLE, 0.0)
-        return b.select(b.fcmp_unordered("!=", condition, zero), x, zero)
+    def _once(self, what: str, x: ir.Value, make: Callable[[], ir.Value]) -> ir.Value:
+        """What was made of a value before in this function, else made now."""
+        key = (id(x), what)
+        if key not in self._made:
+            self._made[key] = make()
+        return self._made[key]
+
+
+def _spread(b: ir.IRBuilder, x: ir.Value, kind: ir.VectorType) -> ir.Value:
+    if isinstance(x, ir.Constant):
+        return ir.Constant(kind, [x.constant] * kind.count)
+    undefined, first = ir.Constant(kind, ir.Undefined), ir.IntType(32)(0)
+    mask = ir.Constant(ir.VectorType(ir.IntType(32), kind.count), None)
+    return b.shuffle_vector(b.insert_element(undefined, x, first), undefined, mask)
+
+
+def _sign(b: ir.IRBuilder, x: ir.Value) -> ir.Value:
+    sign = b.fsub(_as_double(b, ">", x, _ZERO), _as_double(b, "<", x, _ZERO))
+    return b.select(b.fcmp_unordered("uno", x, x), x, sign)
+
+
+def _truth(b: ir.IRBuilder, x: ir.Value) -> ir.Value:
+    return _as_double(b, "!=", x, _ZERO)
+
+
+def _as_double(b: ir.IRBuilder, comparison: str, x: ir.Value, y: ir.Value) -> ir.Value:
+    return b.uitofp(b.fcmp_ordered(comparison, x, y), _DOUBLE)
+
+
+def _if_else_zero(b: ir.IRBuilder, condition: ir.Value, x: ir.Value) -> ir.Value:
+    zero = ir.Constant(x.type, None)  # of a vector, all zeros
+    return b.select(b.fcmp_unordered("!=", condition, _ZERO), x, zero)

@@ -5,8 +5,11 @@ from __future__ import annotations
 import contextlib
 import ctypes
 import hashlib
+import json
 import os
 import tempfile
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -17,12 +20,24 @@ import numpy as np
 from llvmlite import binding as llvm
 from numpy.typing import NDArray
 
-from jounce.kernel.lowering import Lowering
+from jounce.kernel.lowering import Lanes, Lowering
 from jounce.kernel.steps import STEP_NAMES, Step, add_step_functions
 
-_FORMAT = "jounce-kernel-15"
-MANY = ("output", "output_s", "project_many")
+_FORMAT = "jounce-kernel-16"
+MANY = ("output", "project_many")
+SELDOM = ("slopes", "derived", "derived_lanes", "constraint")
+"""Functions called a few times a run: they are compiled without the optimiser, which makes them little faster."""
 _PROTOTYPE = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5, *[ctypes.c_int64] * 3)
+_CHECKSUM, _LENGTH = 32, 8
+
+
+@dataclass(frozen=True)
+class Source:
+    """What native code is made of: functions by name, the step around them, and notes that are kept with the code."""
+
+    functions: Mapping[str, ca.Function | Lanes]
+    step: Step | None = None
+    notes: str = ""
 
 
 class Native:
@@ -45,7 +60,7 @@ class Native:
         return out
 
 
-def compile_functions(functions: dict[str, ca.Function], step: Step | None = None) -> Native:
+def compile_functions(functions: Mapping[str, ca.Function | Lanes], step: Step | None = None) -> Native:
     """Compile SX functions for this processor, or load them from the cache.
 
     Parameters
@@ -60,15 +75,47 @@ def compile_functions(functions: dict[str, ca.Function], step: Step | None = Non
     Native
         Machine code with one address for each name.
     """
-    key = _key(functions, step)
-    names = (*functions, *(STEP_NAMES if step else ()))
+    digest = hashlib.sha256(repr(step).encode())
+    for name, function in functions.items():
+        graph, lanes = (function.function, function) if isinstance(function, Lanes) else (function, None)
+        form = (lanes.count, lanes.first) if lanes else ()
+        digest.update(f"\n{name} {form}\n{graph.serialize()}".encode())
+    return kept_code(digest.hexdigest(), lambda: Source(functions, step))[0]
+
+
+def kept_code(identity: str, make: Callable[[], Source]) -> tuple[Native, str]:
+    """Give native code and its notes from the cache, or make them and keep them.
+
+    Parameters
+    ----------
+    identity : str
+        Says everything that the code depends on, apart from this processor and the versions of the compiler.
+    make : callable
+        Gives the functions where the cache holds no sound entry.
+
+    Returns
+    -------
+    Native, str
+        The code, and the notes of its source.
+    """
+    target = f"{llvm.get_host_cpu_name()} {llvm.get_host_cpu_features().flatten()} {llvm.llvm_version_info}"
+    key = hashlib.sha256(f"{_FORMAT} {llvmlite.__version__} {target} {identity}".encode()).hexdigest()
     cached = _read(key)
     if cached is not None:
         with contextlib.suppress(Exception):  # whatever is wrong with it: rebuild
-            return Native(cached, names)
-    code = _emit(functions, step)
-    _write(key, code)
-    return Native(code, names)
+            return _load(cached)
+    source = make()
+    names = [*source.functions, *(STEP_NAMES if source.step else ())]
+    head = json.dumps({"names": names, "notes": source.notes}).encode()
+    content = len(head).to_bytes(_LENGTH, "little") + head + _emit(source.functions, source.step)
+    _write(key, content)
+    return _load(content)
+
+
+def _load(content: bytes) -> tuple[Native, str]:
+    start = _LENGTH + int.from_bytes(content[:_LENGTH], "little")
+    head = json.loads(content[_LENGTH:start])
+    return Native(content[start:], tuple(head["names"])), str(head["notes"])
 
 
 def cache_folder() -> Path:
@@ -80,24 +127,19 @@ def cache_folder() -> Path:
     return (Path(shared) if shared else Path.home() / ".cache") / "jounce"
 
 
-def _key(functions: dict[str, ca.Function], step: Step | None) -> str:
-    target = f"{llvm.get_host_cpu_name()} {llvm.get_host_cpu_features().flatten()} {llvm.llvm_version_info}"
-    digest = hashlib.sha256(f"{_FORMAT} {llvmlite.__version__} {target} {step}".encode())
-    for name, function in functions.items():
-        digest.update(f"\n{name}\n{function.serialize()}".encode())
-    return digest.hexdigest()
-
-
-def _emit(functions: dict[str, ca.Function], step: Step | None = None) -> bytes:
+def _emit(functions: Mapping[str, ca.Function | Lanes], step: Step | None = None) -> bytes:
     lowering = Lowering()
     for name, function in functions.items():
         (lowering.add_many if name in MANY else lowering.add)(name, function)
+        if name in SELDOM:
+            for attribute in ("optnone", "noinline"):
+                lowering.module.globals[name].attributes.add(attribute)
     if step:
         add_step_functions(lowering, step)
     module = llvm.parse_assembly(str(lowering.module))
     module.verify()
     tuning = llvm.create_pipeline_tuning_options(speed_level=3)
-    tuning.loop_vectorization = tuning.slp_vectorization = True
+    tuning.loop_vectorization, tuning.slp_vectorization = True, False  # packing scalars costs more than it gains
     builder = llvm.create_pass_builder(_machine(), tuning)
     builder.getModulePassManager().run(module, builder)
     return bytes(_machine().emit_object(module))
@@ -117,26 +159,26 @@ def _machine() -> Any:
 
 
 def _read(key: str) -> bytes | None:
-    """Give a cached object whose checksum holds, else None."""
+    """Give a cached entry whose checksum holds, else None."""
     try:
         content = (cache_folder() / f"{key}.o").read_bytes()
     except (OSError, RuntimeError):  # RuntimeError: there is no home folder
         return None
-    checksum, code = content[:32], content[32:]
-    return code if code and _checksum(key, code) == checksum else None
+    checksum, rest = content[:_CHECKSUM], content[_CHECKSUM:]
+    return rest if rest and _checksum(key, rest) == checksum else None
 
 
-def _checksum(key: str, code: bytes) -> bytes:
+def _checksum(key: str, content: bytes) -> bytes:
     """Checksum of an entry, with what it was made for."""
-    return hashlib.sha256(key.encode() + code).digest()
+    return hashlib.sha256(key.encode() + content).digest()
 
 
-def _write(key: str, code: bytes) -> None:
-    """Store an object through a temporary file and a rename; a folder that cannot be written means no cache."""
+def _write(key: str, content: bytes) -> None:
+    """Store an entry through a temporary file and a rename; a folder that cannot be written means no cache."""
     with contextlib.suppress(OSError, RuntimeError):  # RuntimeError: there is no home folder
         folder = cache_folder()
         folder.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(dir=folder)
         with os.fdopen(handle, "wb") as stream:
-            stream.write(_checksum(key, code) + code)
+            stream.write(_checksum(key, content) + content)
         Path(name).replace(folder / f"{key}.o")

@@ -1,36 +1,79 @@
-"""A model bound to its native code: parameters by path, equilibrium, modes, scales, sensitivities."""
+"""A model bound to its native code: parameters by path, slopes, engine, sensitivities."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from functools import cached_property
+import hashlib
+import json
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass, field
+from functools import cache, cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
-import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from jounce.core.errors import SimulationError
 from jounce.kernel.explicit import Engine
-from jounce.kernel.native import Native, compile_functions
-from jounce.kernel.steps import STEP_NAMES, Step
-from jounce.mechanics import Model
-from jounce.mechanics.model import Facts
+from jounce.kernel.native import Native, Source, compile_functions, kept_code
+from jounce.kernel.steps import STEP_NAMES
+from jounce.mechanics.model import Facts, Model, Output
+from jounce.parts import Rig
+from jounce.parts.parameters import structure_of
+from jounce.simulation.programs import SLOPE_LANES, SLOPES, Program, plain_program, sensitive_program
+
+if TYPE_CHECKING:
+    import casadi as ca
 
 Array = NDArray[np.float64]
+_PACKAGES = ("core", "parts", "mechanics", "models", "kernel", "simulation")
+"""Packages whose sources say what a rig compiles to."""
 
 
 @dataclass(frozen=True)
 class Compiled:
     """Native functions of one model; ``free`` are the parameters whose sensitivities ride along with the state.
 
-    ``functions`` are the same functions as CasADi evaluates them: slow, but with the same meaning.
+    Attributes
+    ----------
+    facts : Facts
+        Names and counts of the model.
+    free : tuple of str
+        Paths of the free parameters.
+    native : Native
+        Machine code.
+    shapes : dict
+        Function to the shape of its result.
+    scalars, lanes : int
+        Parameters extended by what depends on them alone, and how many of those have lanes (see ``programs``).
+    source : callable
+        Gives the symbolic model, which runs do not need.
+    without : Compiled or None
+        The same model without free parameters, where there are some.
     """
 
-    model: Model
     facts: Facts
     free: tuple[str, ...]
-    functions: dict[str, ca.Function]
     native: Native
+    shapes: dict[str, tuple[int, int]]
+    scalars: int
+    lanes: int
+    source: Callable[[], Model] = field(repr=False)
+    without: Compiled | None = field(default=None, repr=False)
+
+    @property
+    def plain(self) -> Compiled:
+        """The model without free parameters."""
+        return self.without or self
+
+    @property
+    def model(self) -> Model:
+        """The symbolic model, built when it is first asked for."""
+        return self.source()
+
+    @cached_property
+    def functions(self) -> dict[str, ca.Function]:
+        """The native functions as graphs."""
+        return _program(self.model, self.free).graphs
 
     @property
     def state_count(self) -> int:
@@ -50,22 +93,74 @@ class Compiled:
             address[f"rate{suffix}"],
             address[f"output{suffix}"],
             address.get("switch_slope", 0),
-            address.get("project", 0),
+            address.get(f"project{suffix}", 0),
             address.get("project_many", 0),
             *(address[name] for name in STEP_NAMES),
         )
 
+    def extended(self, p: Array) -> Array:
+        """Parameters as the engine wants them: with what depends on them alone, and lanes where some are free."""
+        values = self.native.evaluate("derived", (self.scalars,), p, *_NOTHING)
+        if not self.free:
+            return values
+        return np.concatenate([values, self._lanes_of(p, np.eye(len(self.free)))])
+
+    def _lanes_of(self, p: Array, directions: Array) -> Array:
+        """Lanes of the extended parameters for directions (parameters that may move, lanes), flat."""
+        inputs = np.concatenate([p, directions.ravel()])
+        return self.native.evaluate("derived_lanes", (self.lanes * directions.shape[1],), inputs, *_NOTHING)
+
     def evaluate(self, name: str, x: Array, u: Array, p: Array, m: Array) -> Array:
-        """Value of a function, in the shape of its expression (vectors flat)."""
-        rows, columns = self.functions[name].size_out(0)
-        if name not in self.native.address:
-            value = self.functions[name](x, u, p, m).full()
-            return np.asarray(value[:, 0] if columns == 1 else value)
-        return self.native.evaluate(name, (rows,) if columns == 1 else (rows, columns), x, u, p, m)
+        """Value of a function (vectors flat), or a slope such as ``rate_x``; ``p`` may be extended already."""
+        plain = self.plain
+        if name not in plain.shapes:
+            part, _, by = name.rpartition("_")
+            return plain.slopes(by, x, u, p, m)[part]
+        rows, columns = plain.shapes[name]
+        values = p if len(p) == plain.scalars else plain.extended(p)
+        return plain.native.evaluate(name, (rows,) if columns == 1 else (rows, columns), x, u, values, m)
+
+    def slopes(
+        self, by: str, x: Array, u: Array, p: Array, m: Array, columns: Sequence[int] | None = None
+    ) -> dict[str, Array]:
+        """Slopes of rates, outputs, switches and constraints.
+
+        Parameters
+        ----------
+        by : {"x", "u", "p"}
+            States, inputs or parameters.
+        x, u, p, m : ndarray
+            Where; ``p`` may be extended already.
+        columns : sequence of int, optional
+            The ones wanted; all otherwise.
+
+        Returns
+        -------
+        dict
+            ``rate``, ``output``, ``switch`` and ``constraint`` to matrices, one column for each quantity.
+        """
+        plain, facts = self.plain, self.facts
+        sizes = {"x": len(x), "u": len(u), "p": len(facts.parameters)}
+        values = p if len(p) == plain.scalars else plain.extended(p)
+        own, wanted = values[: sizes["p"]], list(range(sizes[by]) if columns is None else columns)
+        (rows, _), blocks = plain.shapes["slopes"], []
+        for first in range(0, len(wanted), SLOPE_LANES):
+            group = wanted[first : first + SLOPE_LANES]
+            seeds = {name: np.zeros((size, SLOPE_LANES)) for name, size in sizes.items()}
+            seeds[by][group, range(len(group))] = 1.0
+            lanes = plain._lanes_of(own, seeds["p"]) if by == "p" else np.zeros(plain.lanes * SLOPE_LANES)
+            states = np.concatenate([x, seeds["x"].ravel(), seeds["u"].ravel()])
+            found = plain.native.evaluate(
+                "slopes", (rows * SLOPE_LANES,), states, u, np.concatenate([values, lanes]), m
+            )
+            blocks.append(found.reshape(rows, SLOPE_LANES)[:, : len(group)])
+        whole = np.hstack(blocks) if blocks else np.zeros((rows, 0))
+        ends = np.cumsum([len(facts.states), len(facts.outputs), len(facts.switches), len(facts.constraints)])
+        return dict(zip(SLOPES, np.split(whole, ends[:-1]), strict=True))
 
     def projected(self, x: Array, u: Array, p: Array, m: Array) -> Array:
         """Move a state one step towards the constraints, its speeds onto them."""
-        return self.evaluate("project_x", x, u, p, m)[: len(x)] if self.facts.projects else x
+        return self.evaluate("project", x, u, p, m)[2:] if self.facts.projects else x
 
     def parameter_values(self, parameters: dict[str, float]) -> Array:
         """Pick the model's parameters from the values by path."""
@@ -81,7 +176,8 @@ class Compiled:
         return u
 
 
-_compiled: dict[tuple[int, tuple[str, ...]], Compiled] = {}
+_NOTHING = (np.zeros(0),) * 3
+_compiled: dict[tuple[object, ...], Compiled] = {}
 
 
 def compile_model(model: Model, free: tuple[str, ...] = ()) -> Compiled:
@@ -101,70 +197,72 @@ def compile_model(model: Model, free: tuple[str, ...] = ()) -> Compiled:
     """
     key = (id(model), free)
     if key not in _compiled:
-        for path in free:
-            if path not in model.parameters:
-                raise SimulationError("not a parameter of the model", where=path, allowed=", ".join(model.parameters))
-        states = model.x.shape[0]
-        native = {**_plain(model), **(_sensitive(model, free) if free else {})}
-        step = Step(
-            "rate_s" if free else "rate", states * (1 + len(free)), states, model.u.shape[0], model.switch.shape[0]
-        )
-        functions = {**native, **_statics(model)}
-        if not model.constraints:
-            native = functions
-        _compiled[key] = Compiled(model, model.facts, free, functions, compile_functions(native, step))
+        program = _program(model, free)
+        native = compile_functions(program.functions, program.step)
+        without = compile_model(model) if free else None
+        numbers = (program.shapes, program.scalars, program.lanes)
+        _compiled[key] = Compiled(model.facts, free, native, *numbers, lambda: model, without)
     return _compiled[key]
 
 
-def _function(name: str, model: Model, x: ca.SX, expression: ca.SX) -> ca.Function:
-    return ca.Function(name, [x, model.u, model.p, model.m], [ca.cse(ca.densify(expression))])
+def compile_rig(rig: Rig, free: tuple[str, ...] = (), *, detail: bool = False) -> Compiled:
+    """Give the native code of a rig's model; where the cache holds it, the model is not even built.
+
+    Parameters
+    ----------
+    rig : Rig
+        Rigs that differ in numbers only share one.
+    free : tuple of str
+        Paths of parameters to differentiate with respect to.
+    detail : bool
+        As for :func:`jounce.models.build`.
+
+    Raises
+    ------
+    SimulationError
+        When a free parameter does not occur in the model.
+    """
+    key = (type(rig).__name__, structure_of(rig), detail, free)
+    if key not in _compiled:
+
+        def model() -> Model:
+            from jounce.models import build
+
+            return build(rig, detail=detail)
+
+        native, notes = kept_code(f"{_sources()} {key}", lambda: _source(model(), free))
+        table: dict[str, Any] = json.loads(notes)
+        without = compile_rig(rig, detail=detail) if free else None
+        shapes = {name: (rows, columns) for name, (rows, columns) in table["shapes"].items()}
+        numbers = (shapes, table["scalars"], table["lanes"])
+        _compiled[key] = Compiled(_facts(table["facts"]), free, native, *numbers, model, without)
+    return _compiled[key]
 
 
-def _plain(model: Model) -> dict[str, ca.Function]:
-    parts = {"rate": model.rate, "output": model.output, "switch": model.switch}
-    if model.projection.shape[0]:
-        parts["project"] = parts["project_many"] = model.projection
-    return {name: _function(name, model, model.x, expression) for name, expression in parts.items()}
+def _program(model: Model, free: tuple[str, ...]) -> Program:
+    return sensitive_program(model, free) if free else plain_program(model)
 
 
-def _statics(model: Model) -> dict[str, ca.Function]:
-    """Slopes of the rates, for equilibrium and linearisation (column-major, as CasADi stores them)."""
-    parts = {
-        "rate_x": ca.jacobian(model.rate, model.x),
-        "rate_u": ca.jacobian(model.rate, model.u),
-        "rate_p": ca.jacobian(model.rate, model.p),
-    }
-    if model.constraints:
-        parts["constraint"] = model.constraint
-        parts["constraint_x"] = ca.jacobian(model.constraint, model.x)
-        parts["constraint_p"] = ca.jacobian(model.constraint, model.p)
-    if model.projection.shape[0]:
-        parts["project_x"] = model.projection
-    return {name: _function(name, model, model.x, expression) for name, expression in parts.items()}
+def _source(model: Model, free: tuple[str, ...]) -> Source:
+    program = _program(model, free)
+    table = {"facts": asdict(model.facts), "shapes": program.shapes, "scalars": program.scalars, "lanes": program.lanes}
+    return Source(program.functions, program.step, json.dumps(table))
 
 
-def _sensitive(model: Model, free: tuple[str, ...]) -> dict[str, ca.Function]:
-    """Rates, outputs, switch slopes of the state with its sensitivities ``S = dx/dp`` behind it, column by column."""
-    n, count = model.x.shape[0], len(free)
-    symbols = ca.vertcat(*(model.p[model.parameters.index(path)] for path in free))
-    sensitivity = ca.SX.sym("S", n, count)
-    state = ca.vertcat(model.x, ca.vec(sensitivity))
+def _facts(table: dict[str, Any]) -> Facts:
+    values: dict[str, Any] = {name: tuple(value) if isinstance(value, list) else value for name, value in table.items()}
+    values["outputs"] = tuple(Output(**output) for output in table["outputs"])
+    return Facts(**values)
 
-    def total(expression: ca.SX) -> ca.SX:
-        columns = [
-            ca.jtimes(expression, model.x, sensitivity[:, c]) + ca.jacobian(expression, symbols[c])
-            for c in range(count)
-        ]
-        return ca.vertcat(expression, *columns)
 
-    order = model.track_order
-    along_time = sum(
-        (ca.jtimes(model.switch, model.u[i::order], model.u[i + 1 :: order]) for i in range(order - 1)),
-        ca.SX(model.switch.shape[0], 1),
-    )
-    slope = ca.horzcat(ca.jacobian(model.switch, model.x), ca.jacobian(model.switch, symbols), along_time)
-    parts = {"rate_s": total(model.rate), "output_s": total(model.output), "switch_slope": slope.T}
-    if model.projection.shape[0]:
-        moved, rest = model.projection[:n], model.projection[n:]
-        parts["project"] = parts["project_many"] = ca.vertcat(total(moved), rest)
-    return {name: _function(name, model, state, expression) for name, expression in parts.items()}
+@cache
+def _sources() -> str:
+    """Digest of everything that turns a rig into code: our sources and the version of the algebra."""
+    from importlib.metadata import version
+
+    digest = hashlib.sha256(version("casadi").encode())
+    root = Path(__file__).parent.parent
+    for package in _PACKAGES:
+        for file in sorted((root / package).rglob("*.py")):
+            digest.update(f"{file.relative_to(root)}\n".encode() + file.read_bytes())
+    return digest.hexdigest()

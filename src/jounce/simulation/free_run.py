@@ -12,14 +12,14 @@ from jounce.core.errors import SimulationError, unknown
 from jounce.core.findings import Finding
 from jounce.core.segments import Segments
 from jounce.core.units import to_si
-from jounce.kernel.explicit import Control, Problem, Samples
+from jounce.kernel.explicit import Control, Problem
 from jounce.kernel.tracks import flatten
 from jounce.mechanics import Mechanism, Model, assemble, held
 from jounce.mechanics.assembly import Assembly
 from jounce.mechanics.mass import check_inertia
 from jounce.recordings.schema import recording
 from jounce.simulation.compiled import Compiled, compile_model
-from jounce.simulation.run import MAX_STEPS, STEP_SHARE, Prepared, check_settings, output_times, samples_reached
+from jounce.simulation.run import MAX_STEPS, STEP_SHARE, Prepared, check_settings, output_times, room, samples_reached
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -153,18 +153,10 @@ def _prepare(
     longest = min(_LONGEST / fastest, _SHARE * float(times[-1] - times[0]))
     scale = np.full(len(x), _SMALLEST)
     control = Control(STEP_SHARE * tolerance, scale, np.full(len(modes), 1e-13), MAX_STEPS, longest)
-    count = len(times)
-    out = Samples(
-        times,
-        np.full((len(x), count), np.nan),
-        np.empty((len(u), count)),
-        np.full((len(facts.outputs), count), np.nan),
-        np.empty((len(x) + 2 if facts.projects else 0, count)),
-    )
     flat = flatten(tracks or [held(0.0)])
     first = flat.first[: len(tracks)].copy()
-    problem = Problem(compiled.engine, flat, first, p, modes.copy(), x, len(u))
-    return Prepared(compiled, problem, control, out, None, modes)
+    problem = Problem(compiled.engine, flat, first, compiled.extended(p), modes.copy(), x, len(u))
+    return Prepared(compiled, problem, control, room(compiled, times), None, modes)
 
 
 def _findings(pose: Assembly) -> list[str]:

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import SimulationError, unknown
 from jounce.mechanics.model import Facts
-from jounce.models import build
 from jounce.parts import Rig
-from jounce.simulation.compiled import Compiled, compile_model
+from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.statics import Rest, find_rest
 
 Array = NDArray[np.float64]
@@ -125,13 +123,11 @@ def linearise(rig: Rig, road_height: float = 0.0) -> LinearModel:
     True
     """
     compiled, p, rest, u = _at_rest(rig, road_height)
-    model, facts = compiled.model, compiled.facts
-    symbols = [model.x, model.u, model.p, model.m]
-    slopes = ca.Function("slopes", symbols, [ca.jacobian(model.output, model.x), ca.jacobian(model.output, model.u)])
-    c, d = (part.full() for part in slopes(rest.x, u, p, rest.modes))
+    facts, where = compiled.facts, (rest.x, u, p, rest.modes)
+    c, along = compiled.slopes("x", *where)["output"], compiled.slopes("u", *where)
     orders = ("", " rate", " acceleration")[: facts.track_order]
     inputs = tuple(f"{track}{order}" for track in facts.tracks for order in orders)
-    b = rest.pick @ compiled.evaluate("rate_u", rest.x, u, p, rest.modes)
+    b, d = rest.pick @ along["rate"], along["output"]
     equilibrium = dict(zip(facts.states, map(float, rest.x), strict=True))
     states = _reduced_states(facts, rest)
     return LinearModel(states, inputs, compiled.output_names, rest.reduced, b, c @ rest.lift, d, equilibrium)
@@ -217,7 +213,7 @@ def equilibrium(rig: Rig, road_height: float = 0.0) -> dict[str, float]:
 def _at_rest(rig: Rig, road_height: float) -> tuple[Compiled, Array, Rest, Array]:
     if not np.isfinite(road_height):
         raise SimulationError("not a finite number", where="road_height", found=road_height, allowed="a height in m")
-    compiled = compile_model(build(rig))
+    compiled = compile_rig(rig)
     p = compiled.parameter_values(rig.parameters())
     u = compiled.inputs(road_height)
     return compiled, p, find_rest(compiled, p, u), u

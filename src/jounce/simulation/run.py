@@ -11,14 +11,14 @@ from numpy.typing import NDArray
 from jounce.core.errors import SimulationError
 from jounce.core.segments import SINE, Segments
 from jounce.kernel import linear
-from jounce.kernel.explicit import Control, Problem, Samples, integrate
+from jounce.kernel.explicit import Control, Problem, integrate
+from jounce.kernel.sampling import Samples
 from jounce.kernel.status import Status
 from jounce.kernel.tracks import flatten
-from jounce.models import build
 from jounce.parts import Rig
 from jounce.recordings.schema import recording
 from jounce.roads import Trial
-from jounce.simulation.compiled import Compiled, compile_model
+from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.statics import Rest, find_rest, state_scale
 
 if TYPE_CHECKING:
@@ -41,11 +41,13 @@ class Solution:
     time : ndarray, shape (n,)
         Output times, s.
     states, outputs : ndarray, shape (n_states, n), (n_outputs, n)
-        One row a signal, SI; with sensitivities, their rows follow, parameter by parameter.
+        One row a signal, SI.
     status : Status
         How the run ended.
     steps, rejected, events : int
         Work done.
+    state_slopes, output_slopes : ndarray, shape (n_states, n_free, n), (n_outputs, n_free, n)
+        Sensitivities to the free parameters, SI.
     """
 
     time: Array
@@ -55,6 +57,8 @@ class Solution:
     steps: int
     rejected: int
     events: int
+    state_slopes: Array
+    output_slopes: Array
 
 
 def output_times(duration: float, output_step: float) -> Array:
@@ -84,9 +88,11 @@ class Prepared:
             code = linear.propagate(self.problem, *self.exact, self.out)
         else:
             code = integrate(self.problem, self.control, self.out, counts)
-        return Solution(
-            self.out.times, self.out.states, self.out.outputs, Status.of(code), *(int(count) for count in counts)
-        )
+        out, free = self.out, len(self.compiled.free)
+        tables = ((out.states, out.tangents), (out.outputs, out.carried[:, len(out.outputs) :]))
+        slopes = [table.reshape(len(out.times), len(of), free).transpose(1, 2, 0) for of, table in tables]
+        steps, rejected, events = (int(count) for count in counts)
+        return Solution(out.times, out.states, out.outputs, Status.of(code), steps, rejected, events, *slopes)
 
 
 def prepare(
@@ -109,7 +115,7 @@ def prepare(
     offset : ndarray, shape (n_states,), optional
         Added to the equilibrium: where the run starts.
     """
-    n, (n_q, n_v) = compiled.state_count, compiled.facts.counts
+    n_q, n_v = compiled.facts.counts
     height = float(road.evaluate(times[:1])[0][0])
     still = compiled.inputs({compiled.facts.tracks[0]: height})
     rest = find_rest(compiled, p, still)
@@ -120,13 +126,25 @@ def prepare(
     longest = _longest_step(rest, road, tolerance)
     control = Control(STEP_SHARE * tolerance, 0.1 * scale, band, MAX_STEPS, longest)
     start = np.concatenate([x, _rest_sensitivity(compiled, p, rest, still)])
-    rows, count = 1 + len(compiled.free), len(times)
-    outputs = np.full((len(compiled.output_names) * rows, count), np.nan)
-    projected = np.empty((n * rows + 2 if compiled.facts.projects else 0, count))
-    out = Samples(times, np.full((n * rows, count), np.nan), np.empty((len(still), count)), outputs, projected)
     tracks = flatten([road.with_finite_slopes()])
-    problem = Problem(compiled.engine, tracks, tracks.first[:-1].copy(), p, modes.copy(), start, len(still))
-    return Prepared(compiled, problem, control, out, _exact(compiled, problem, times), modes)
+    values = compiled.extended(p)
+    problem = Problem(compiled.engine, tracks, tracks.first[:-1].copy(), values, modes.copy(), start, len(still))
+    return Prepared(compiled, problem, control, room(compiled, times), _exact(compiled, problem, times), modes)
+
+
+def room(compiled: Compiled, times: Array) -> Samples:
+    """Arrays for a run sampled at ``times`` (s); what is not reached stays without a number."""
+    facts, free, count = compiled.facts, len(compiled.free), len(times)
+    n, outputs = len(facts.states), len(facts.outputs)
+    return Samples(
+        times,
+        np.full((n, count), np.nan),
+        np.empty((len(facts.tracks) * facts.track_order, count)),
+        np.full((outputs, count), np.nan),
+        np.empty((n + 2 if facts.projects else 0, count)),
+        np.full((count, n * free), np.nan),
+        np.full((count, outputs * (1 + free) if free else 0), np.nan),
+    )
 
 
 def solve(
@@ -174,7 +192,7 @@ def simulate(
     offset : dict, optional
         Starts the run away from equilibrium: coordinate or ``"<coordinate> rate"`` to m or m/s, at rest otherwise.
     detail : bool
-        For 3-D rigs also all hardpoints (m), joint reactions (N, N m, on the second body, ground axes) and energies (J).
+        For 3-D rigs also all hardpoints (m), joint reactions (N, N m, on the second body, ground axes), energies (J).
     check : bool
         Raise when the run does not reach its end; otherwise ``attrs["status"]`` says how it ended.
 
@@ -198,7 +216,7 @@ def simulate(
     True
     """
     check_settings(trial.duration, output_step, tolerance)
-    compiled = compile_model(build(rig, detail=detail))
+    compiled = compile_rig(rig, detail=detail)
     p = compiled.parameter_values(rig.parameters())
     times = output_times(trial.duration, output_step)
     solution = solve(compiled, p, trial.segments(), times, tolerance=tolerance, offset=_offset(compiled, offset))
@@ -294,14 +312,14 @@ def _dead_band(compiled: Compiled, p: Array, rest: Rest, scale: Array, u: Array)
 
 
 def _rest_sensitivity(compiled: Compiled, p: Array, rest: Rest, u: Array) -> Array:
-    """How the equilibrium moves with the free parameters (implicit function theorem), column after column."""
+    """How the equilibrium moves with the free parameters (implicit function theorem), state after state."""
     if not compiled.free:
         return np.zeros(0)
     columns = [compiled.facts.parameters.index(path) for path in compiled.free]
-    pull = compiled.evaluate("rate_p", rest.x, u, p, rest.modes)[rest.rows][:, columns]
+    slopes = compiled.slopes("p", rest.x, u, p, rest.modes, columns)
+    pull = slopes["rate"][rest.rows]
     if compiled.facts.constraints:
-        loops = compiled.evaluate("constraint_p", rest.x, u, p, rest.modes)[:, columns]
-        shift = np.linalg.lstsq(rest.balance, -np.vstack([pull, loops]), rcond=None)[0]
+        shift = np.linalg.lstsq(rest.balance, -np.vstack([pull, slopes["constraint"]]), rcond=None)[0]
     else:
         shift = np.linalg.solve(rest.balance, -pull)
-    return np.asarray((rest.moved @ shift).T.ravel())
+    return np.asarray((rest.moved @ shift).ravel())

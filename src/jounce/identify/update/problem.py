@@ -15,12 +15,11 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import FitError, SimulationError, unknown
 from jounce.kernel.status import Status
-from jounce.models import build
 from jounce.parts import Rig
 from jounce.recordings.alignment import shift_with_derivative
 from jounce.recordings.sensors import Sensor, bias_of, filter_signals
 from jounce.roads import Trial
-from jounce.simulation.compiled import Compiled, compile_model
+from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.run import Solution, solve
 
 Array = NDArray[np.float64]
@@ -198,9 +197,7 @@ class UpdateProblem:
 
     def _channel(self, trial: Prepared, channel: Channel, solution: Solution, lag: float) -> tuple[Array, Array]:
         """Simulated reading of one channel and its derivatives (parameters, then lag where aligned)."""
-        stride = len(trial.compiled.output_names)
-        columns = [channel.column + stride * k for k in range(1 + len(self.free))]
-        table = solution.outputs[columns].T
+        table = np.vstack([solution.outputs[channel.column], *solution.output_slopes[channel.column]]).T
         table = table[len(trial.times) - trial.uniform :]
         if channel.sensor is not None:
             table = filter_signals(table, trial.rate, channel.sensor, where=channel.name)
@@ -244,7 +241,7 @@ def _prepare(
     trial: FitTrial, free: tuple[Free, ...], names: Sequence[str] | None, weights: str | Mapping[str, float]
 ) -> Prepared:
     paths = tuple(item.path for item in free)
-    compiled = compile_model(build(trial.rig), paths)
+    compiled = compile_rig(trial.rig, paths)
     _check_channels(compiled.output_names, names, weights)
     values = trial.rig.parameters()
     time = trial.measured["time"].to_numpy()
