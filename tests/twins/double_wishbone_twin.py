@@ -1,7 +1,7 @@
 """Readable twin of 3-D corner dynamics: absolute coordinates, written apart from jounce with NumPy, Numba and SciPy.
 
-Every body has its centre of mass (3) and a unit quaternion (4), with velocity and angular velocity in world axes; a joint
-is some rows of constraints between points and directions of two bodies (body 0 is the ground):
+Every body has its centre of mass (3) and a unit quaternion (4), with velocity and angular velocity in world axes. A
+joint is some rows of constraints between points and directions of two bodies (body 0 is the ground):
 
     along          n . (p_B - p_A) = 0            n fixed in body A
     perpendicular  u . w = 0                      u fixed in A, w fixed in B

@@ -1,7 +1,7 @@
 """Converged references of the prototype's double wishbone: ``python tests/files/prototype/make_references.py``.
 
-Runs the twin (tests/twins/double_wishbone_twin.py) at two tolerances, writes the finer run, says how far they differ and
-how far 1.95 m/s is from the reference that came with the model. Takes about a minute.
+Runs the twin (tests/twins/double_wishbone_twin.py) at two tolerances, writes the finer run and says how far they differ
+and how far 1.95 m/s is from the reference that came with the model. Takes about a minute.
 """
 
 from __future__ import annotations
