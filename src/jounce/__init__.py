@@ -30,9 +30,12 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.identify.update import UpdatedParameter as UpdatedParameter
     from jounce.identify.update import UpdateResult as UpdateResult
     from jounce.identify.update import update_model as update_model
+    from jounce.kinematics import ContactLoad as ContactLoad
     from jounce.kinematics import Vehicle as Vehicle
+    from jounce.kinematics import pickup_loads as pickup_loads
     from jounce.kinematics import sweep_rack as sweep_rack
     from jounce.kinematics import sweep_roll as sweep_roll
+    from jounce.kinematics import sweep_steering as sweep_steering
     from jounce.kinematics import sweep_travel as sweep_travel
     from jounce.kinematics import sweep_variants as sweep_variants
     from jounce.kinematics import write_sweep as write_sweep
@@ -74,6 +77,7 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
 _PUBLIC = {  # public name -> module that defines it; a module itself is its own value
     "AssemblyError": "jounce.core.errors",
     "CircularSegment": "jounce.roads",
+    "ContactLoad": "jounce.kinematics",
     "Crg": "jounce.roads",
     "DescriptionError": "jounce.core.errors",
     "Excitation": "jounce.roads",
@@ -115,6 +119,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "load_road": "jounce.roads",
     "mechanics": "jounce.mechanics",
     "modes": "jounce.simulation",
+    "pickup_loads": "jounce.kinematics",
     "plots": "jounce.plots",
     "read_recording": "jounce.recordings",
     "run_campaign": "jounce.studies.campaign",
@@ -123,6 +128,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "speed_sweep": "jounce.studies.speed_sweep",
     "sweep_rack": "jounce.kinematics",
     "sweep_roll": "jounce.kinematics",
+    "sweep_steering": "jounce.kinematics",
     "sweep_travel": "jounce.kinematics",
     "sweep_variants": "jounce.kinematics",
     "update_model": "jounce.identify.update",

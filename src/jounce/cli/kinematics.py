@@ -38,6 +38,9 @@ def kinematics(
     roll: Annotated[
         str | None, typer.Option(help='Instead of travel: roll of the body over an axle, "-4 deg:4 deg:1 deg".')
     ] = None,
+    axle: Annotated[
+        bool, typer.Option("--axle", help="With --rack alone: both wheels of an axle, and Ackermann.")
+    ] = False,
     vehicle: Annotated[
         list[str] | None,
         typer.Option(
@@ -70,7 +73,7 @@ def kinematics(
         chosen = load(rig)
         chosen = chosen.with_changes(wanted) if wanted else chosen
         say("sweeping")
-        sweep = _sweep(chosen, travel, rack, roll, _vehicle(vehicle))
+        sweep = _sweep(chosen, travel, rack, roll, _vehicle(vehicle), axle=axle)
         if out is not None:
             write_sweep(sweep, out, force=force)
         if plot is not None:
@@ -86,17 +89,14 @@ def kinematics(
     return Reply(plain_sweep(sweep), lambda console: _draw(console, rig, sweep, written), as_json, exit_code)
 
 
-def _sweep(rig: Rig, travel: str | None, rack: str | None, roll: str | None, vehicle: Vehicle | None) -> xr.Dataset:
-    from jounce.kinematics import sweep_rack, sweep_roll, sweep_travel
+def _sweep(
+    rig: Rig, travel: str | None, rack: str | None, roll: str | None, vehicle: Vehicle | None, *, axle: bool
+) -> xr.Dataset:
+    from jounce.kinematics import sweep_rack, sweep_travel
 
     steered = None if rack is None else swept_range(rack, "m", "--rack")
-    if roll is not None:
-        if travel is not None:
-            raise DescriptionError("roll makes its own travel", where="--travel", hint="Leave out --travel or --roll.")
-        if vehicle is not None:
-            raise DescriptionError("no percentages in roll", where="--vehicle", hint="Leave it out, or sweep --travel.")
-        at = 0.0 if steered is None else _one_value(steered, "--rack", "with --roll")
-        return sweep_roll(rig, swept_range(roll, "rad", "--roll"), at)
+    if roll is not None or axle:
+        return _sweep_axle(rig, travel, steered, roll, vehicle)
     if travel is None:
         if steered is None:
             example = '--travel "-80 mm:80 mm:4 mm", --rack or --roll'
@@ -107,6 +107,24 @@ def _sweep(rig: Rig, travel: str | None, rack: str | None, roll: str | None, veh
         return sweep_rack(rig, steered, float(lifted[0]), vehicle=vehicle)
     pair = steered if steered is None or len(steered) > 1 else float(steered[0])
     return sweep_travel(rig, lifted, pair, vehicle=vehicle)
+
+
+def _sweep_axle(
+    rig: Rig, travel: str | None, rack: NDArray[np.float64] | None, roll: str | None, vehicle: Vehicle | None
+) -> xr.Dataset:
+    from jounce.kinematics import sweep_roll, sweep_steering
+
+    if roll is None:
+        if rack is None:
+            raise DescriptionError("nothing is swept", where="--axle", allowed='--rack "-20 mm:20 mm:5 mm", or --roll')
+        lifted = 0.0 if travel is None else _one_value(swept_range(travel, "m", "--travel"), "--travel", "with --axle")
+        return sweep_steering(rig, rack, lifted, vehicle=vehicle)
+    if travel is not None:
+        raise DescriptionError("roll makes its own travel", where="--travel", hint="Leave out --travel or --roll.")
+    if vehicle is not None:
+        raise DescriptionError("no percentages in roll", where="--vehicle", hint="Leave it out, or sweep --travel.")
+    at = 0.0 if rack is None else _one_value(rack, "--rack", "with --roll")
+    return sweep_roll(rig, swept_range(roll, "rad", "--roll"), at)
 
 
 def swept_range(text: str, unit: str, option: str) -> NDArray[np.float64]:
@@ -164,6 +182,10 @@ def plain_sweep(sweep: xr.Dataset) -> dict[str, Any]:
     return found
 
 
+def _finite(value: float) -> float | None:
+    return float(value) if np.isfinite(value) else None
+
+
 def _draw(out: Console, rig: str, sweep: xr.Dataset, written: list[str]) -> None:
     from jounce.plots.display import display_unit
 
@@ -176,7 +198,7 @@ def _draw(out: Console, rig: str, sweep: xr.Dataset, written: list[str]) -> None
     for name, variable in shown.data_vars.items():
         values = variable.to_numpy()
         own = display_unit(str(variable.attrs["units"]), float(np.nanmax(np.abs(values), initial=0.0)))
-        rows.append([str(name), own.name or "1", *(float(value) * own.factor for value in values[at])])
+        rows.append([str(name), own.name or "1", *(_finite(value * own.factor) for value in values[at])])
     header = ("quantity", "unit", *(f"{value * unit.factor:.4g} {unit.name}" for value in shown[along].to_numpy()[at]))
     out.print(table(f"Kinematics of {rig} over {along.replace('_', ' ')}", header, rows, text=(0, 1)))
     many = "".join(f" at each of {sweep.sizes[name]} values of {name.replace('_', ' ')}" for name in others)

@@ -3,16 +3,21 @@
 from jounce.kinematics.axle import sweep_roll
 from jounce.kinematics.catalogue import CATALOGUE, Quantity
 from jounce.kinematics.files import write_sweep
+from jounce.kinematics.loads import ContactLoad, pickup_loads
+from jounce.kinematics.steering import sweep_steering
 from jounce.kinematics.sweeps import sweep_rack, sweep_travel
 from jounce.kinematics.variants import sweep_variants
 from jounce.kinematics.vehicle import Vehicle
 
 __all__ = [
     "CATALOGUE",
+    "ContactLoad",
     "Quantity",
     "Vehicle",
+    "pickup_loads",
     "sweep_rack",
     "sweep_roll",
+    "sweep_steering",
     "sweep_travel",
     "sweep_variants",
     "write_sweep",

@@ -144,7 +144,7 @@ class Axle:
         self.radius = float(rig.wheel.radius)
         self.ends: list[End] = []
 
-    def wheel(self, side: float, travel: Array, rack: Array | float) -> WheelRows:
+    def wheel(self, side: float, travel: Array | float, rack: Array | float) -> WheelRows:
         """One wheel at pairs of travel and rack travel (m); either of them may be one value for all."""
         own = self.rig.sign
         turned = side * own * np.asarray(rack, dtype=float)
@@ -233,7 +233,7 @@ def sweep_roll(rig: Rig, roll: Values, rack: float = 0.0) -> xr.Dataset:
         raise no_pose(axle.ends)
     gain = _gain(left, right)
     bend = _bend(axle, angles, rack)
-    found = _Variables("roll_angle", angles, "rad", "roll angle of the body", "positive: about +x, left side up")
+    found = AxleVariables("roll_angle", angles, "rad", "roll angle of the body", "positive: about +x, left side up")
     for wheel, name, sense in ((left, "left", -1.0), (right, "right", 1.0)):
         found.add_wheel(axle, wheel.wheel, name, wheel.side)
         seen = wheel.wheel.seen(wheel.side)
@@ -261,7 +261,7 @@ def _bar_stiffness(corner: Corner) -> float:
     return 0.0 if corner.anti_roll_bar is None else float(corner.anti_roll_bar.stiffness)
 
 
-def _add_axle_rows(found: _Variables, left: Ground, right: Ground, gain: Array, bend: Array, bar: float) -> None:
+def _add_axle_rows(found: AxleVariables, left: Ground, right: Ground, gain: Array, bend: Array, bar: float) -> None:
     one, other = left.contact * [1.0, 1.0, 1.0], right.contact * [1.0, -1.0, 1.0]
     roll = left.roll
     found.add(
@@ -301,7 +301,7 @@ def _across(point: Array, roll: Array) -> Array:
     return np.asarray(point[:, 1] * np.cos(roll) - point[:, 2] * np.sin(roll))
 
 
-class _Variables:
+class AxleVariables:
     """Variables of an axle over one coordinate."""
 
     def __init__(self, along: str, values: Array, unit: str, long_name: str, sign: str) -> None:
@@ -310,6 +310,7 @@ class _Variables:
         self._variables: dict[str, tuple[Array, dict[str, str]]] = {}
 
     def add(self, name: str, value: Array, unit: str, long_name: str, sign: str) -> None:
+        """Add a variable; ``sign`` says what a positive value means."""
         sign = sign if ":" in sign else f"positive: {sign}"
         self._variables[name] = value, {"units": unit, "long_name": long_name, "sign": sign}
 

@@ -56,6 +56,17 @@ class PreparedSweep:
         ordered[:, self.layout.place[reached]] = values[:, reached]
         return ordered.reshape(len(values), *self.layout.shape)
 
+    def points(self) -> dict[str, Array]:
+        """Places of all points in the last run, ``<name>.x`` and so on, m, shape (travels, racks)."""
+        names, native = self.model.points
+        reached = self.found.outcome == REACHED
+        places = np.full((3 * len(names), len(reached)), np.nan)
+        for i in np.flatnonzero(reached):
+            at = self.found.poses[:, i], self.found.inputs[:, i], self.walk.p, np.zeros(1)
+            places[:, i] = native.evaluate("output", (3 * len(names),), *at)
+        keys = [f"{name}.{axis}" for name in names for axis in "xyz"]
+        return dict(zip(keys, self.in_place(places, reached), strict=True))
+
     def ends(self) -> list[End]:
         """Where the last run had to stop."""
         return ends_of_travel(self.model, self.walk, self.layout, self.found)
@@ -233,7 +244,7 @@ def _swept(
         for name, share in around.shares(vehicle, *slopes).items():
             result.add(name, share, "1", around.ROWS[name], around.SIGN)
     if points:
-        for name, value in _points(sweep).items():
+        for name, value in sweep.points().items():
             result.add(name, value[np.ix_(*keep)], "m", f"place of {name}", "ground axes")
     return result.dataset(ends)
 
@@ -283,14 +294,3 @@ class Result:
             "reached": [float(np.nanmin(travel)), float(np.nanmax(travel))],
             "stopped": "; ".join(map(str, ends)),
         }
-
-
-def _points(sweep: PreparedSweep) -> dict[str, Array]:
-    names, native = sweep.model.points
-    reached = sweep.found.outcome == REACHED
-    places = np.full((3 * len(names), len(reached)), np.nan)
-    for i in np.flatnonzero(reached):
-        at = sweep.found.poses[:, i], sweep.found.inputs[:, i], sweep.walk.p, np.zeros(1)
-        places[:, i] = native.evaluate("output", (3 * len(names),), *at)
-    keys = [f"{name}.{axis}" for name in names for axis in "xyz"]
-    return dict(zip(keys, sweep.in_place(places, reached), strict=True))

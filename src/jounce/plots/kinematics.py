@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError, nearest
 from jounce.core.serialise import write_files
-from jounce.plots.display import DisplayUnit, display_unit, number
+from jounce.plots.display import DisplayUnit, display_unit
 from jounce.plots.style import MUTED, PALETTE, new_figure, style, styled
 
 if TYPE_CHECKING:
@@ -69,15 +69,15 @@ SHEETS: dict[str, tuple[str, ...]] = {
 """Quantities that belong together, sheet by sheet; what no sheet names comes on the last one."""
 _OTHERS = "others"
 _COLUMNS = 3
-_ASYMPTOTE = 30.0  # curves that leave their middle half by this many times its width run to infinity
-_MOST_LINES = 6
+_ASYMPTOTE = 8.0  # curves that leave their middle half by this many times its width run to infinity
+_MOST_LINES = 5
 
 
 @styled
 def kinematic_curves(sweep: xr.Dataset, quantities: Sequence[str] | None = None) -> Figure:
     """Draw quantities of a kinematic sweep, one set of axes each.
 
-    Left and right wheel of an axle share their axes; of pairs of travel and rack, up to six racks are drawn as lines.
+    Left and right wheel of an axle share their axes; of pairs of travel and rack, up to five racks are drawn as lines.
     Curves that run to infinity (instant centres) are cut off.
 
     Parameters
@@ -103,7 +103,7 @@ def kinematic_curves(sweep: xr.Dataset, quantities: Sequence[str] | None = None)
     >>> import jounce as jn
     >>> sweep = jn.sweep_travel(jn.load("reference-double-wishbone"), np.linspace(-0.08, 0.08, 41))
     >>> [axes.get_title("left") for axes in kinematic_curves(sweep, ["camber", "toe"]).axes]
-    ['camber angle', 'toe angle']
+    ['camber [°]', 'toe [°]']
     """
     default = ("camber", "toe", "half_track_change", "caster", "roll_centre_height", "motion_ratio")
     known = _quantities(sweep)
@@ -182,9 +182,7 @@ def _draw(axes: Axes, sweep: xr.Dataset, name: str) -> None:
     for k, (label, values, _) in enumerate(lines):
         mark = "." if len(x) < 12 else None
         axes.plot(x, _cut(values) * unit.factor, color=PALETTE[k % len(PALETTE)], label=label, marker=mark)
-    long_name = str(sweep[lines[0][2]].attrs.get("long_name", name)).removeprefix("left: ").removeprefix("right: ")
-    axes.set_title(_folded(long_name), loc="left")
-    axes.set_ylabel(unit.name or "–")
+    axes.set_title(unit.label(name.replace("_", " ")), loc="left")
     axes.axvline(0.0, color=MUTED, linewidth=0.6, zorder=0.5)
     _steady(axes, np.concatenate([_cut(values) for _, values, _ in lines]) * unit.factor)
 
@@ -205,7 +203,7 @@ def _lines(sweep: xr.Dataset, name: str, along: str) -> list[tuple[str, Array, s
     words = other.split("_", maxsplit=1)[0]
     return [
         (
-            f"{words} {number(float(sweep[other][k]) * unit.factor, 3)} {unit.name}",
+            f"{words} {float(sweep[other][k]) * unit.factor:.4g} {unit.name}".replace("-", "−"),
             variable.isel({other: k}).to_numpy(),
             name,
         )
@@ -239,17 +237,9 @@ def _unit(variable: xr.DataArray, values: Array) -> DisplayUnit:
     return display_unit(str(variable.attrs.get("units", "1")), float(np.nanmax(np.abs(_cut(values)), initial=0.0)))
 
 
-def _folded(text: str, width: int = 44) -> str:
-    """Text on two lines where it is long."""
-    if len(text) <= width:
-        return text
-    cut = text.rfind(" ", 0, width)
-    return f"{text[:cut]}\n{text[cut + 1 :]}"
-
-
 def _finish(figure: Figure, grid: Any, sweep: xr.Dataset, count: int) -> None:
     """Label the lowest axes of every column, hide the empty ones, and put one legend on top."""
-    rows, columns = grid.shape
+    columns = grid.shape[1]
     along = _along(sweep)
     unit = display_unit(str(sweep[along].attrs.get("units", "1")))
     for i, axes in enumerate(grid.flat):
@@ -261,4 +251,3 @@ def _finish(figure: Figure, grid: Any, sweep: xr.Dataset, count: int) -> None:
     handles, labels = grid.flat[0].get_legend_handles_labels()
     if any(labels):
         figure.legend(handles, labels, loc="outside upper right", ncols=len(labels))
-    assert rows

@@ -1,0 +1,274 @@
+"""Loads of pickup points and joints for a load at the contact patch: rigid parts and the spring in equilibrium.
+
+The spring's force is what the load asks for, not what its law gives at that travel: so forces and virtual work agree.
+Weights of the parts and the anti-roll bar do not count.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.description import Description
+from jounce.core.units import Force, Unit
+from jounce.kinematics.balance import BODY, Balance
+from jounce.kinematics.grids import Values
+from jounce.kinematics.model import check_corner
+from jounce.kinematics.reach import no_pose
+from jounce.kinematics.sweeps import PreparedSweep, prepare_sweep
+from jounce.parts import Corner, Rig
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+_Torque = Annotated[float, Unit("N*m")]
+
+
+class ContactLoad(Description):
+    """Load of the road on a wheel, ground axes (x forward, y left, z up), forces in N.
+
+    ``longitudinal_force``, ``lateral_force``, ``vertical_force``; ``aligning_torque`` (N m) about +z. ``through`` says
+    where the longitudinal force reaches the upright: at the contact point (brake on the wheel) or at the wheel centre
+    (driven or braked through a shaft).
+
+    Examples
+    --------
+    >>> ContactLoad(vertical_force="4 kN", lateral_force="-2 kN").vertical_force
+    4000.0
+    """
+
+    longitudinal_force: Force = 0.0
+    lateral_force: Force = 0.0
+    vertical_force: Force = 0.0
+    aligning_torque: _Torque = 0.0
+    through: Literal["contact_point", "wheel_centre"] = "contact_point"
+
+
+@dataclass
+class Joints:
+    """Unknowns of a corner with their names, collected while its parts are put into balance.
+
+    ``points`` holds the place of every hardpoint, m, shape (n, 3); ``forces`` the hardpoints at which vectors are
+    reported, each with (direction, unknown) terms; ``scalars`` single forces with their sign.
+    """
+
+    rig: Corner
+    points: dict[str, Array]
+    balance: Balance
+    forces: dict[str, list[tuple[Array, int]]] = field(default_factory=dict)
+    scalars: dict[str, tuple[float, int, str]] = field(default_factory=dict)
+
+    def ball(self, name: str, inner: str, outer: str) -> list[int]:
+        """Ball joint at a hardpoint."""
+        found = self.balance.joint(inner, outer, self.points[name])
+        self.report(
+            name, [(np.tile(axis, (self.balance.poses, 1)), i) for axis, i in zip(np.eye(3), found, strict=True)]
+        )
+        return found
+
+    def report(self, name: str, terms: list[tuple[Array, int]]) -> None:
+        """Add to the force that is reported at a hardpoint."""
+        self.forces.setdefault(name, []).extend(terms)
+
+    def axis(self, one: str, other: str, part: str) -> None:
+        """Hang a part on an axis through two hardpoints of the body; they share the force along it equally."""
+        along = _unit(self.points[one] - self.points[other])
+        self.balance.share(along, self.ball(one, BODY, part), self.ball(other, BODY, part))
+
+    def rod(self, name: str, inner: str, outer: str, parts: tuple[str, str]) -> None:
+        """Rod that carries only tension and compression between two parts (the one nearer to the body first)."""
+        along = _unit(self.points[inner] - self.points[outer])
+        unknown = self.balance.along(*parts, -along, self.points[inner])
+        self.report(inner, [(-along, unknown)])
+        self.report(outer, [(-along, unknown)])
+        self.scalars[f"{name}.axial_force"] = (
+            1.0,
+            unknown,
+            f"{name.replace('_', ' ')}: force along it, tension positive",
+        )
+
+    def spring(self) -> None:
+        """Spring between the body and what carries the strut."""
+        names = [
+            f"spring_{end}" if getattr(self.rig.hardpoints, f"spring_{end}") is not None else f"strut_{end}"
+            for end in ("bottom", "top")
+        ]
+        along = _unit(self.points[names[1]] - self.points[names[0]])
+        unknown = self.balance.along(BODY, self.rig.strut_body, along, self.points[names[1]])
+        for name in names:
+            self.report(name, [(along, unknown)])
+        self.scalars["spring.force"] = 1.0, unknown, "spring force that the load asks for, compression positive"
+
+    def rocker(self) -> None:
+        """Rocker on its pivot, pushed by its rod; its bearing takes three forces and two torques."""
+        if getattr(self.rig.hardpoints, "rocker_pivot", None) is None:
+            return
+        pivot, end = self.points["rocker_pivot"], self.points["rocker_axis"]
+        self.ball("rocker_pivot", BODY, "rocker")
+        for normal in _across(_unit(end - pivot)):
+            self.balance.about(BODY, "rocker", normal)
+        self.rod(
+            "pushrod", "pushrod_inner", "pushrod_outer", ("rocker", getattr(self.rig.strut, "pushrod_on", "upright"))
+        )
+
+
+def pickup_loads(rig: Rig, load: ContactLoad, travel: Values = 0.0, *, rack: float | None = None) -> xr.Dataset:
+    """Give the forces at all hardpoints of a corner for a load at its contact patch.
+
+    Parts are rigid and without weight, joints without friction. The force of the spring follows from the load. Where
+    two pickups lie on one axis, the force along it is stated as shared equally: rigid parts leave it open.
+
+    Parameters
+    ----------
+    rig : Rig
+        A corner with hardpoints.
+    load : ContactLoad
+        Forces (N) and aligning torque (N m) of the road on the wheel, ground axes.
+    travel : float or array_like, shape (n,)
+        Vertical travel of the wheel centre from design, m, bump positive, ascending.
+    rack : float, optional
+        Travel of the rack, m, positive to the left; the description's own by default.
+
+    Returns
+    -------
+    xarray.Dataset
+        On ``wheel_travel`` (m): ``<hardpoint>.fx``, ``.fy``, ``.fz`` (N, ground axes): what the part nearer to the
+        wheel does to the one nearer to the body. ``spring.force`` (N, compression positive) and
+        ``<rod>.axial_force`` (N, tension positive).
+
+    Raises
+    ------
+    DescriptionError
+        For a rig without hardpoints, or values that do not ascend.
+    SimulationError
+        When no pose can be reached.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> rig = jn.load("reference-double-wishbone")
+    >>> loads = jn.pickup_loads(rig, jn.ContactLoad(vertical_force="4 kN"))
+    >>> arms = ("lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear")
+    >>> round(sum(float(loads[f"{name}.fz"][0]) for name in (*arms, "tie_rod_inner", "strut_top")), 6)
+    4000.0
+    """
+    corner = check_corner(rig)
+    sweep = prepare_sweep(corner, travel, rack)
+    rows = {row.name: value[:, 0] for row, value in zip(sweep.model.rows, sweep.run(), strict=True)}
+    kept = np.flatnonzero(np.isfinite(rows["wheel_travel"]))
+    if not len(kept):
+        raise no_pose(sweep.ends())
+    places = sweep.points()
+    names = sweep.model.points[0]
+    points = {name: np.stack([places[f"{name}.{axis}"][kept, 0] for axis in "xyz"], axis=1) for name in names}
+    joints = _balanced(corner, points, load)
+    return _dataset(sweep, joints, rows["wheel_travel"][kept], joints.balance.solve())
+
+
+def _balanced(rig: Corner, points: dict[str, Array], load: ContactLoad) -> Joints:
+    """Put the parts of a corner into balance."""
+    model = str(getattr(rig, "model", ""))
+    parts, build = _TEMPLATES[model]
+    extra = ("rocker",) if getattr(rig.hardpoints, "rocker_pivot", None) is not None else ()
+    links = tuple(name for name in _LINKS if model == "five-link" and getattr(rig.bodies, name, None) is not None)
+    poses = len(points["contact_point"])
+    joints = Joints(rig, points, Balance((*parts, *extra, *links), poses))
+    build(joints)
+    joints.rocker()
+    joints.spring()
+    wheel, contact = parts[-1], points["contact_point"]
+    flat = np.tile([0.0, load.lateral_force, load.vertical_force], (poses, 1))
+    pull = np.tile([load.longitudinal_force, 0.0, 0.0], (poses, 1))
+    torque = np.tile([0.0, 0.0, load.aligning_torque], (poses, 1))
+    joints.balance.load(wheel, flat, contact, torque)
+    joints.balance.load(wheel, pull, points[load.through], np.zeros((poses, 3)))
+    return joints
+
+
+def _double_wishbone(joints: Joints) -> None:
+    for arm in ("lower", "upper"):
+        joints.axis(f"{arm}_arm_front", f"{arm}_arm_rear", f"{arm}_arm")
+        joints.ball(f"{arm}_ball_joint", f"{arm}_arm", "upright")
+    joints.rod("tie_rod", "tie_rod_inner", "tie_rod_outer", (BODY, "upright"))
+
+
+def _mcpherson(joints: Joints) -> None:
+    joints.axis("lower_arm_front", "lower_arm_rear", "lower_arm")
+    joints.ball("lower_ball_joint", "lower_arm", "upright")
+    joints.rod("tie_rod", "tie_rod_inner", "tie_rod_outer", (BODY, "upright"))
+    top = joints.points["strut_top"]
+    for normal in _across(_unit(top - joints.points["strut_bottom"])):
+        joints.report("strut_top", [(normal, joints.balance.along(BODY, "upright", normal, top))])
+
+
+def _five_link(joints: Joints) -> None:
+    for name in _LINKS:
+        inner, outer = f"{name}_inner", f"{name}_outer"
+        if getattr(joints.rig.bodies, name, None) is None:
+            joints.rod(name, inner, outer, (BODY, "upright"))
+            continue
+        joints.ball(inner, BODY, name)
+        joints.ball(outer, name, "upright")
+        joints.balance.about(BODY, name, _cross_torque(joints, inner, outer))
+
+
+def _cross_torque(joints: Joints, inner: str, outer: str) -> Array:
+    """Direction of the torque that the universal joint of a link takes: across both of its axes."""
+    design = np.array(getattr(joints.rig.hardpoints, outer)) - getattr(joints.rig.hardpoints, inner)
+    first = np.tile(np.cross(design, [0.0, 0.0, 1.0]), (joints.balance.poses, 1))
+    return np.cross(_unit(first), _unit(np.cross(joints.points[outer] - joints.points[inner], first)))
+
+
+def _trailing_arm(joints: Joints) -> None:
+    joints.axis("arm_inner", "arm_outer", "arm")
+
+
+_LINKS = tuple(f"link_{i}" for i in range(1, 6))
+_TEMPLATES: dict[str, tuple[tuple[str, ...], Callable[[Joints], None]]] = {
+    "double-wishbone": (("lower_arm", "upper_arm", "upright"), _double_wishbone),
+    "mcpherson": (("lower_arm", "upright"), _mcpherson),
+    "five-link": (("upright",), _five_link),
+    "trailing-arm": (("arm",), _trailing_arm),
+}
+"""Parts in balance, the one with the wheel last, and how they hang together."""
+
+
+def _unit(vectors: Array) -> Array:
+    return np.asarray(vectors / np.linalg.norm(vectors, axis=1, keepdims=True))
+
+
+def _across(axis: Array) -> tuple[Array, Array]:
+    """Two directions across an axis and each other."""
+    reference = np.eye(3)[np.argmin(np.abs(axis), axis=1)]
+    first = _unit(np.cross(axis, reference))
+    return first, np.cross(axis, first)
+
+
+def _dataset(sweep: PreparedSweep, joints: Joints, travel: Array, unknowns: Array) -> xr.Dataset:
+    import xarray as xr
+
+    variables = {}
+    for name, terms in joints.forces.items():
+        force = sum((direction * unknowns[:, [i]] for direction, i in terms), np.zeros((len(travel), 3)))
+        for k, axis in enumerate("xyz"):
+            text = f"{name.replace('_', ' ')}: force along {axis} on the part nearer to the body"
+            variables[f"{name}.f{axis}"] = ("wheel_travel", force[:, k], _attributes(text))
+    for name, (sign, i, text) in joints.scalars.items():
+        variables[name] = ("wheel_travel", sign * unknowns[:, i], _attributes(text))
+    at = {"wheel_travel": ("wheel_travel", travel, {"units": "m", "long_name": "vertical travel of the wheel centre"})}
+    ends = sweep.ends() if len(travel) < len(sweep.layout.place) else []
+    facts = {
+        "model": str(getattr(joints.rig, "model", "")),
+        "status": "end_of_travel" if ends else "completed",
+        "stopped": "; ".join(map(str, ends)),
+    }
+    return xr.Dataset(variables, at, facts)
+
+
+def _attributes(text: str) -> dict[str, str]:
+    return {"units": "N", "long_name": text}
