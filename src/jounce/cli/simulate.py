@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.options import AsJson, Changes, Force, RigName, changes, optional_quantity, positive_quantity
+from jounce.cli.options import AsJson, Changes, Force, RigName, changes, positive_quantity
 from jounce.cli.reply import Reply, progress
 from jounce.cli.tables import show_findings, table
-from jounce.core.errors import DescriptionError
+from jounce.cli.trial_options import DrivenSpeed, Duration, ExcitationFile, RoadName, trial_findings, trial_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -24,14 +24,10 @@ _RECORDING_SUFFIXES = (".nc", ".csv")
 
 def simulate(
     rig: RigName,
-    road: Annotated[
-        str | None, typer.Option(help="A road: TOML, OpenCRG or table file, or a name of `jounce library`.")
-    ] = None,
-    speed: Annotated[str | None, typer.Option(help='Speed over the road, e.g. "1.95 m/s".')] = None,
-    duration: Annotated[str | None, typer.Option(help='Length of the run, e.g. "3 s".')] = None,
-    excitation: Annotated[
-        Path | None, typer.Option(help="Instead of road and speed: file with the columns time and road.z.")
-    ] = None,
+    road: RoadName = None,
+    speed: DrivenSpeed = None,
+    duration: Duration = None,
+    excitation: ExcitationFile = None,
     set_: Changes = None,
     output_step: Annotated[str, typer.Option(help="Distance of the output samples.")] = "1 ms",
     tolerance: Annotated[str, typer.Option(help="Relative error of the displacements.")] = "1e-5",
@@ -47,7 +43,7 @@ def simulate(
         _check_output(out, force=force)
     step = positive_quantity(output_step, "s", "--output-step")
     error = positive_quantity(tolerance, "1", "--tolerance")
-    trial = _trial(road, excitation, optional_quantity(speed, "m/s", "--speed"), duration)
+    trial = trial_of(road, excitation, speed, duration, where="jounce simulate")
     with progress() as say:
         say("loading")
         from jounce.parts import load
@@ -61,7 +57,7 @@ def simulate(
         run = run_simulation(chosen, trial, output_step=step, tolerance=error)
         if out is not None:
             write_recording(run, out, force=force)
-    findings = _findings(trial)
+    findings = trial_findings(trial)
     setup = {"rig": rig, "changes": wanted, "road": road, "excitation": excitation and str(excitation)}
     plain = {**setup, **_summary(run, trial), "findings": findings, "out": out and str(out)}
     return Reply(plain, lambda console: _draw(console, plain, findings), as_json)
@@ -77,39 +73,6 @@ def _check_output(out: Path, *, force: bool) -> None:
             "recordings are not written in this format", where=f"--out {out}", found=out.suffix, allowed=".nc, .csv"
         )
     check_writable(out, force=force)
-
-
-def _trial(road: str | None, excitation: Path | None, speed: float | None, duration: str | None) -> Trial:
-    from jounce.roads import Trial, load_road
-
-    if (road is None) == (excitation is None):
-        raise DescriptionError(
-            "give either a road or an excitation" if road is None else "a road and an excitation are given",
-            where="jounce simulate",
-            allowed='--road ROAD --speed "1.95 m/s" --duration "3 s", or --excitation base.csv',
-        )
-    given: dict[str, Any] = {} if duration is None else {"duration": positive_quantity(duration, "s", "--duration")}
-    if excitation is not None:
-        if speed is not None:
-            raise DescriptionError("an excitation is in time already", where="--speed", hint="Leave out the speed.")
-        return Trial(excitation=excitation, **given)
-    for option, value, example in (("--speed", speed, "1.95 m/s"), ("--duration", duration, "3 s")):
-        if value is None:
-            raise DescriptionError(f"{option} is missing; a road needs it", allowed=f'{option} "{example}"')
-    if speed is not None and speed <= 0.0:
-        raise DescriptionError("out of range", where="--speed", found=f"{speed:g} m/s", allowed="above 0 m/s")
-    return Trial(road=load_road(str(road)), speed=speed, **given)
-
-
-def _findings(trial: Trial) -> list[Finding]:
-    from jounce.core.findings import Finding
-
-    if trial.road is None or trial.speed is None or trial.road.start < trial.speed * trial.duration:
-        return []
-    text = (
-        f"the run ends before the obstacle begins, {trial.road.start:g} m from the start; drive longer or start nearer."
-    )
-    return [Finding("--duration", "warning", text, trial.duration)]
 
 
 def _summary(run: xr.Dataset, trial: Trial) -> dict[str, Any]:
