@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+from jounce.plots.animation import animate
 from jounce.plots.bench import stiffness_fit, tyre_pressure
 from jounce.plots.comparison import measured_against_simulated
 from jounce.plots.dampers import damper_loops
@@ -25,6 +26,7 @@ from jounce.plots.writing import rendered, write_figure
 __all__ = [
     "DisplayUnit",
     "add_note",
+    "animate",
     "damper_loops",
     "decay_fit",
     "display_unit",

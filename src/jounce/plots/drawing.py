@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 MM = 1e3
 RUBBER, ROAD = "#5b636b", "#7d7468"
 _RIM, _SHOULDER = 0.56, 0.9
-_DAMPER_BODY = 0.5  # of its design length
+DAMPER_BODY = 0.5  # of its design length
 
 
 @dataclass(frozen=True)
@@ -118,7 +118,7 @@ def _draw_strut(axes: Axes, view: View, scene: Scene, pose: Pose, look: Look) ->
     colour = look.colour or scene.strut_colour
     bottom, top = (pose.points[name] for name in scene.damper)
     along = (top - bottom) / np.linalg.norm(top - bottom)
-    tube = np.array([bottom, bottom + _DAMPER_BODY * scene.damper_length * along])
+    tube = np.array([bottom, bottom + DAMPER_BODY * scene.damper_length * along])
     _line(axes, MM * view.flat(np.array([bottom, top])), colour, 1.3 * look.strength, 3.3, look)
     if look.ghost:
         return
@@ -157,16 +157,34 @@ def draw_steering_axis(axes: Axes, view: View, scene: Scene, pose: Pose) -> None
     axes.plot(*ends.T, color=MUTED, linewidth=1.0, linestyle=(0, (5, 2, 1, 2)), zorder=4.0)
 
 
-def draw_ground(axes: Axes, view: View, scene: Scene, pose: Pose) -> None:
-    """Draw level ground below the wheel, seen from the side as a line with a strip below it."""
-    flat = MM * view.flat(ground_corners(scene, pose))
-    if np.ptp(flat[:, 1]) < 1e-6:
-        (left, height), right = flat.min(axis=0), flat[:, 0].max()
-        depth = 0.04 * MM * scene.radius
-        axes.fill_between([left, right], height, height - depth, color=ROAD, alpha=0.25, linewidth=0.0, zorder=0.5)
-        axes.plot([left, right], [height, height], color=ROAD, linewidth=1.2, zorder=0.8, solid_capstyle="butt")
-        return
-    axes.fill(*flat.T, facecolor=ROAD, alpha=0.14, linewidth=0.0, zorder=0.5)
+def draw_ground(axes: Axes, view: View, scene: Scene, pose: Pose, line: Array | None = None) -> None:
+    """Draw the road below the wheel as a strip with some depth.
+
+    Parameters
+    ----------
+    axes : Axes
+        Where; one unit is a millimetre.
+    view : View
+        Where it is looked from.
+    scene, pose : Scene, Pose
+        Where the wheel is.
+    line : ndarray, shape (n, 2), optional
+        x and z of the road in m; level by default.
+    """
+    corners = ground_corners(scene, pose)
+    if line is None:
+        line = corners[:2, [0, 2]]
+    sides = [np.column_stack([line[:, 0], np.full(len(line), y), line[:, 1]]) for y in corners[[0, 2], 1]]
+    base = float(line[:, 1].min()) - 0.06 * scene.radius
+    for side in sides:
+        below = np.column_stack([side[::-1, :2], np.full(len(line), base)])
+        axes.fill(*(MM * view.flat(np.vstack([side, below]))).T, facecolor=ROAD, alpha=0.14, linewidth=0.0, zorder=0.4)
+        axes.plot(*(MM * view.flat(side)).T, color=ROAD, linewidth=0.9, zorder=0.6)
+    top = np.vstack([sides[0], sides[1][::-1]])
+    axes.fill(*(MM * view.flat(top)).T, facecolor=ROAD, alpha=0.14, linewidth=0.0, zorder=0.5)
+    for k in (0, -1):
+        end = np.array([sides[0][k], sides[1][k]])
+        axes.plot(*(MM * view.flat(end)).T, color=ROAD, linewidth=0.9, zorder=0.6)
 
 
 def ground_corners(scene: Scene, pose: Pose) -> Array:

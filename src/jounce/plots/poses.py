@@ -143,7 +143,11 @@ def poses_of(rig: Corner, scene: Scene, data: xr.Dataset) -> Poses:
         names = [kind.format(letter) for letter in "xyz"]
         for i, name in enumerate(names):
             contact[:, i] = one.get(name, contact[:, i])
-    ground = one["road.z"] if in_time and "road.z" in one else contact[:, 2].copy()
+    if in_time and "road.z" in one:
+        ground = one["road.z"]
+        contact[:, 2] = np.maximum(contact[:, 2], ground)  # the tyre is pressed flat
+    else:
+        ground = contact[:, 2].copy()
     force = one.get("tyre.force")
     touches = np.ones(len(ground), dtype=bool) if force is None else force > 0.0
     over = dimension if dimension in one else _counted_by(one, dimension)

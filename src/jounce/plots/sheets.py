@@ -65,7 +65,7 @@ class Sheet:
     def for_poses(cls, scene: Scene, poses: Sequence[Pose], *, names: bool) -> Sheet:
         """Find scales with which all poses fit, beside the names of the hardpoints."""
         views = views_of(scene)
-        cloud = np.vstack([_everything(scene, pose) for pose in poses])
+        cloud = np.vstack([everything(scene, pose) for pose in poses])
         width, height = _panel()
         margin = 2.0 * column_width({**scene.design.points, "contact point": None}) if names else 0.1
         room = np.array([width - margin - 0.3, height - 0.3])
@@ -140,7 +140,7 @@ def new_sheet(title: str, scene: Scene) -> Figure:
     return figure
 
 
-def _everything(scene: Scene, pose: Pose) -> Array:
+def everything(scene: Scene, pose: Pose) -> Array:
     """All points that must be on the paper, shape (n, 3), m."""
     surface = tyre(pose.points["wheel_centre"], pose.spin_axis, scene.radius, scene.width).reshape(-1, 3)
     return np.vstack([*pose.points.values(), surface, ground_corners(scene, pose)])
