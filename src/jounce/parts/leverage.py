@@ -47,6 +47,36 @@ def motion_ratio(rig: Corner, element: str = "spring") -> float:
     return float(along @ _velocity(_twist(rig, rig.strut_body), bottom))
 
 
+def body_motion(rig: Corner, body: str) -> Twist:
+    """Give how a body of the suspension moves while the wheel centre rises at 1 m/s and the car's body stands, at design.
+
+    Parameters
+    ----------
+    rig : Corner
+        Any 3-D rig.
+    body : str
+        A body of its description.
+
+    Returns
+    -------
+    velocity, angular_velocity : ndarray, shape (3,)
+        Of the body's point at the origin of the axes (m/s), and of the body (rad/s).
+
+    Examples
+    --------
+    >>> from jounce.parts import load
+    >>> rig = load("reference-double-wishbone")
+    >>> velocity, turn = body_motion(rig, "upright")
+    >>> bool(abs((velocity + np.cross(turn, rig.hardpoints.wheel_centre))[2] - 1.0) < 1e-12)
+    True
+    """
+    twist = _twist(rig, body)
+    if body != "strut":
+        return twist
+    top = np.array(rig.hardpoints.strut_top)  # the sliding part of a McPherson hangs on the car's body there
+    return -np.cross(twist[1], top), twist[1]
+
+
 def static_spring_force(rig: Corner) -> float:
     """Spring force (N) that holds the sprung mass and its share of the arms at design, the wheel on the road."""
     load = 0.0 if rig.sprung is None else rig.sprung.mass

@@ -107,8 +107,8 @@ def strut_angle_findings(angle: float, place: str) -> list[Finding]:
     if abs(angle) <= STEEP_STRUT + 1e-9:
         return []
     text = (
-        f"the strut leans {np.degrees(angle):.1f} deg from the vertical; over 30 deg is rejected in the literature (Adams "
-        "1993), because wheel rate and damping fall with the square of the motion ratio."
+        f"the strut leans {np.degrees(angle):.1f} deg from the vertical; over 30 deg is rejected in the literature "
+        "(Adams 1993), because wheel rate and damping fall with the square of the motion ratio."
     )
     return [Finding(place, "warning", text, float(angle))]
 

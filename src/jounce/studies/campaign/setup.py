@@ -8,6 +8,7 @@ from typing import Any
 
 from jounce.identify.update import UpdatedParameter
 from jounce.parts import Rig
+from jounce.parts.strut_angle import with_strut_angle
 
 TyreTable = dict[str, Any]
 _TYRE_PATHS = ("tyre.stiffness", "tyre.curve")
@@ -33,10 +34,13 @@ class Knowledge:
         return self.between(pressure) if self.between is not None else {}
 
     def rig_for(self, strut_angle: float | None, pressure: float | None, changes: Mapping[str, Any]) -> Rig:
-        """Rig as set up for one trial: angle (rad), pressure (Pa) and further changes by path."""
+        """Rig as set up for one trial: strut angle (rad), pressure (Pa) and further changes by path.
+
+        A 3-D rig's strut is turned about its lower end, see :func:`jounce.parts.strut_angle.with_strut_angle`.
+        """
         rig = with_tyre(self.rig, self.tyre_at(pressure))
-        setup = {**({} if strut_angle is None else {"strut.angle": strut_angle}), **changes}
-        return rig.with_changes(setup) if setup else rig
+        rig = rig if strut_angle is None else with_strut_angle(rig, strut_angle)
+        return rig.with_changes(dict(changes)) if changes else rig
 
     def after(self, fitted: Mapping[str, UpdatedParameter], pressures: Sequence[float | None]) -> Knowledge:
         """Take over fitted values; those of the tyre hold for the pressures they were fitted at, all others always."""

@@ -1,0 +1,150 @@
+"""A corner in another pose as a description of its own: points moved, bodies with them, spring and stops as they are."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import DescriptionError
+from jounce.kinematics import sweep_travel
+from jounce.parts import Corner
+from jounce.parts.advice import BODY_POINTS
+from jounce.parts.points import Triple
+
+Array = NDArray[np.float64]
+_STRAIGHT = 1e-6
+"""Size of the second extent of a group of points, relative to the first, below which they lie on one line."""
+
+
+def rigs_along(rig: Corner, travels: Sequence[float]) -> list[Corner]:
+    """Give the rig as it stands at each wheel travel (m, ascending, body fixed), that pose being its new design."""
+    sweep = sweep_travel(rig, list(travels), points=True)
+    if sweep.sizes["wheel_travel"] < len(travels):
+        raise DescriptionError("out of reach", where="wheel travel", found=sweep.attrs["stopped"])
+    names = rig.hardpoints.given()
+    return [
+        moved_rig(rig, {name: tuple(float(sweep[f"{name}.{axis}"][i]) for axis in "xyz") for name in names})  # type: ignore[misc]
+        for i in range(len(travels))
+    ]
+
+
+def moved_rig(rig: Corner, places: Mapping[str, Triple]) -> Corner:
+    """Give the rig with hardpoints in other places, as it would be described there.
+
+    Parameters
+    ----------
+    rig : Corner
+        What is moved; it is not changed.
+    places : dict
+        Hardpoint to new place, m, shape (3,); points that are not named stay.
+
+    Returns
+    -------
+    Corner
+        Bodies follow their hardpoints as rigid ones; the wheel's camber and toe follow the body that carries it. The
+        spring keeps its free length and the stops their places: preload and gaps count from the new design length.
+
+    Raises
+    ------
+    DescriptionError
+        For a curved spring with a preload, whose load at another length has no description.
+    """
+    table: dict[str, Any] = rig.model_dump(by_alias=True, exclude_none=True)
+    before = rig.hardpoints.given()
+    after = {name: places.get(name, point) for name, point in before.items()}
+    table["hardpoints"] = {name: tuple(map(float, point)) for name, point in after.items()}
+    for name, body in rig.body_masses().items():
+        turn, shift = _body_motion(rig, name, before, after)
+        table["bodies"][name] |= {
+            "centre_of_mass": tuple(map(float, turn @ np.array(body.centre_of_mass) + shift)),
+            "inertia": _tensor(turn @ body.inertia.tensor @ turn.T),
+        }
+    turn, _ = _body_motion(rig, "upright", before, after)
+    camber, toe = wheel_angles(rig, turn @ spin_axis(rig))
+    table["wheel"] |= {"camber": camber, "toe": toe}
+    _keep_spring(table["strut"], _length(before, "spring"), _length(after, "spring"))
+    return type(rig).from_table(table)
+
+
+def spin_axis(rig: Corner) -> Array:
+    """Axis of the wheel at design, pointing outboard, shape (3,)."""
+    camber, toe = rig.wheel.camber, rig.wheel.toe
+    return np.array(
+        [np.sin(toe) * np.cos(camber), rig.sign * np.cos(toe) * np.cos(camber), -np.sin(camber)], dtype=float
+    )
+
+
+def wheel_angles(rig: Corner, axis: Array) -> tuple[float, float]:
+    """Camber (top outward) and toe (toe-in) in rad of a wheel whose axis points that way."""
+    return float(-np.arcsin(axis[2])), float(np.arctan2(axis[0], rig.sign * axis[1]))
+
+
+def rigid_motion(before: Array, after: Array) -> tuple[Array, Array]:
+    """Rotation (3, 3) and shift (3,) that bring points, shape (n, 3), nearest to others; about a line, the least turn."""
+    centre, target = before.mean(axis=0), after.mean(axis=0)
+    one, other = before - centre, after - target
+    sizes = np.linalg.svd(one, compute_uv=False)
+    if sizes[0] == 0.0:
+        turn = np.eye(3)
+    elif sizes[1] < _STRAIGHT * sizes[0]:
+        far = int(np.argmax(np.linalg.norm(one, axis=1)))
+        turn = _least_turn(one[far], other[far])
+    else:
+        left, _, right = np.linalg.svd(other.T @ one)
+        turn = left @ np.diag([1.0, 1.0, np.sign(np.linalg.det(left @ right))]) @ right
+    return turn, target - turn @ centre
+
+
+def _least_turn(one: Array, other: Array) -> Array:
+    """Rotation that brings a direction to another one the short way."""
+    a, b = one / np.linalg.norm(one), other / np.linalg.norm(other)
+    axis, cosine = np.cross(a, b), float(a @ b)
+    skew = np.array([[0.0, -axis[2], axis[1]], [axis[2], 0.0, -axis[0]], [-axis[1], axis[0], 0.0]])
+    return np.asarray(np.eye(3) + skew + skew @ skew / (1.0 + cosine))
+
+
+def _body_motion(
+    rig: Corner, body: str, before: Mapping[str, Triple], after: Mapping[str, Triple]
+) -> tuple[Array, Array]:
+    names = [name for name in BODY_POINTS.get(body, rig.hardpoints.outer) if name in before]
+    if body in ("upright", "wheel"):
+        names = [name for name in (*rig.hardpoints.outer, "arm_inner", "arm_outer") if name in before]
+    turn, shift = rigid_motion(np.array([before[n] for n in names]), np.array([after[n] for n in names]))
+    if body == "strut":  # the sliding part of a McPherson hangs on the car's body
+        shift = np.array(after["strut_top"]) - turn @ np.array(before["strut_top"])
+    return turn, shift
+
+
+def _length(points: Mapping[str, Triple], element: str) -> float:
+    ends = [points.get(f"{element}_{end}", points[f"strut_{end}"]) for end in ("bottom", "top")]
+    return float(np.linalg.norm(np.subtract(*ends)))
+
+
+def _keep_spring(strut: dict[str, Any], before: float, after: float) -> None:
+    """Let spring and stops be what they are while the design length (m) becomes another one."""
+    spring = strut["spring"]
+    if "free_length" not in spring:
+        preload = spring.pop("preload", 0.0)
+        if "rate" in spring:
+            spring["preload"] = preload - spring["rate"] * (after - before)
+        elif preload == 0.0:
+            spring["free_length"] = before
+        elif after != before:
+            raise DescriptionError(
+                "a curved spring with a preload cannot be taken to another length",
+                where="strut.spring",
+                hint="Give free_length instead of preload.",
+            )
+        else:
+            spring["preload"] = preload
+    for name, sign in (("bump_stop", 1.0), ("rebound_stop", -1.0)):
+        if name in strut:
+            strut[name]["gap"] += sign * (after - before)
+
+
+def _tensor(matrix: Array) -> dict[str, float]:
+    pairs = {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
+    return {name: float(matrix[pair]) for name, pair in pairs.items()}
