@@ -11,7 +11,21 @@ from typing import Any
 
 import typer
 
-from jounce.cli import bench, campaign, check, demo, fit, importing, kinematics, library, modes, plot, simulate, study
+from jounce.cli import (
+    bench,
+    campaign,
+    check,
+    demo,
+    draw,
+    fit,
+    importing,
+    kinematics,
+    library,
+    modes,
+    plot,
+    simulate,
+    study,
+)
 from jounce.cli.options import AsJson
 from jounce.cli.reply import FAILED, PIPE_CLOSED, REFUSED, STOPPED, Reply, complain, refuse, replace_unknown_characters
 from jounce.core.errors import JounceError, OutputError, nearest
@@ -37,6 +51,8 @@ def application() -> typer.Typer:
     app.command("modes")(modes.modes)
     app.command("kinematics")(kinematics.kinematics)
     app.command("plot")(plot.plot)
+    app.command("draw")(draw.draw)
+    app.command("animate")(draw.animate)
     app.command("check")(check.check)
     app.command("library")(library.library)
     app.add_typer(importing.app, name="import")

@@ -37,7 +37,7 @@ class Roadway:
     way: Array
 
     def line(self, k: int, reach: float, x: float) -> Array:
-        """Give x and z (m) of the road under a wheel at ``x`` (m) in pose ``k``, shape (m, 2), ``reach`` (m) each way."""
+        """Give x and z (m), shape (m, 2), of the road within ``reach`` (m) of a wheel at ``x`` (m) in pose ``k``."""
         first, last = self.way[k] - reach, self.way[k] + reach
         inside = (self.distance > first) & (self.distance < last)
         ends = np.interp([first, last], self.distance, self.height)

@@ -188,6 +188,19 @@ class Pose:
     label: str = ""
 
 
+def require_corner(rig: object) -> Corner:
+    """Give a rig that has hardpoints; refuse all others."""
+    from jounce.parts.corners import Corner
+
+    if not isinstance(rig, Corner):
+        raise DescriptionError(
+            "only a 3-D rig can be drawn as a mechanism; this one has no hardpoints",
+            found=getattr(rig, "model", type(rig).__name__),
+            allowed="double-wishbone, mcpherson, five-link, trailing-arm",
+        )
+    return rig
+
+
 def scene_of(rig: Corner) -> Scene:
     """Say what there is to draw of a 3-D rig.
 
@@ -206,14 +219,7 @@ def scene_of(rig: Corner) -> Scene:
     DescriptionError
         For a rig without hardpoints.
     """
-    from jounce.parts.corners import Corner
-
-    if not isinstance(rig, Corner):
-        raise DescriptionError(
-            "only a 3-D rig can be drawn as a mechanism; this one has no hardpoints",
-            found=getattr(rig, "model", type(rig).__name__),
-            allowed="double-wishbone, mcpherson, five-link, trailing-arm",
-        )
+    require_corner(rig)
     from jounce.mechanics import Mechanism
     from jounce.models.corner import suspension
 
@@ -266,7 +272,8 @@ def _held(
     """Distance in m of a point from the line between two others, and the bracket between."""
     point, start, end = (np.array(names[one]) for one in (name, first, second))
     along = end - start
-    share = float(np.clip((point - start) @ along / (along @ along), 0.0, 1.0))
+    square = float(along @ along)
+    share = float(np.clip((point - start) @ along / square, 0.0, 1.0)) if square > 0.0 else 0.0
     return float(np.linalg.norm(start + share * along - point)), Bracket(name, first, second, share, colour)
 
 

@@ -1,0 +1,230 @@
+"""``jounce draw`` and ``jounce animate``: pictures of a 3-D rig, at rest and in motion."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import numpy as np
+import typer
+
+from jounce.cli.kinematics import swept_range
+from jounce.cli.options import AsJson, Changes, Force, RigName, changes, positive_quantity, quantity
+from jounce.cli.reply import DONE, REFUSED, Reply, progress
+from jounce.cli.tables import show_findings
+from jounce.cli.trial_options import DrivenSpeed, Duration, ExcitationFile, RoadName, trial_findings, trial_of
+from jounce.core.errors import DescriptionError, OutputError
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from numpy.typing import NDArray
+    from rich.console import Console
+
+    from jounce.parts.corners import Corner
+    from jounce.roads import Trial
+
+_MOST_POSES = 9
+_WAY = 41
+
+Travel = Annotated[str | None, typer.Option(help='Wheel travel, bump positive: "-50 mm:50 mm:2 mm", or one value.')]
+Rack = Annotated[str | None, typer.Option(help="Rack travel, positive to the left: a range, or one value.")]
+
+
+def draw(
+    rig: RigName,
+    out: Annotated[
+        Path | None, typer.Option(help="Picture to write: .png, .svg or .pdf; by default the rig's name and .png.")
+    ] = None,
+    travel: Travel = None,
+    rack: Rack = None,
+    names: Annotated[bool, typer.Option("--names/--no-names", help="Write the names of the hardpoints.")] = True,
+    set_: Changes = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Draw a 3-D rig in three views and in space; with --travel or --rack further poses over the design position.
+
+    Example: jounce draw kart-double-wishbone --travel "-20 mm:20 mm:20 mm" --out kart.png
+    """
+    from jounce.core.serialise import check_writable
+    from jounce.plots.writing import SUFFIXES, write_figure
+
+    file = Path(f"{Path(rig).stem}.png") if out is None else out
+    if file.suffix.lower() not in SUFFIXES:
+        allowed = ", ".join(SUFFIXES)
+        raise OutputError("figures are not written in this format", where=str(file), found=file.suffix, allowed=allowed)
+    check_writable(file, force=force)
+    with progress() as say:
+        say("loading")
+        chosen, wanted = _rig(rig, set_)
+        from jounce.plots.mechanisms import mechanism
+
+        title = Path(rig).stem
+        if travel is None and rack is None:
+            write_figure(mechanism(chosen, names=names, title=title), file, force=force)
+            plain = {"rig": rig, "changes": wanted, "poses": [], "out": str(file)}
+            return Reply(plain, lambda console: _say(console, plain), as_json)
+        say("sweeping")
+        sweep, at = _few_poses(chosen, travel, rack)
+        say("drawing")
+        write_figure(mechanism(chosen, sweep, list(at), names=names, title=title), file, force=force)
+    plain = {"rig": rig, "changes": wanted, "poses": at.tolist(), "out": str(file)}
+    return Reply(plain, lambda console: _say(console, plain), as_json, _stopped(sweep))
+
+
+def animate(
+    rig: RigName,
+    out: Annotated[Path, typer.Option(help="File to write: .html (opens anywhere), .gif, or .mp4 (needs ffmpeg).")],
+    travel: Travel = None,
+    rack: Rack = None,
+    road: RoadName = None,
+    speed: DrivenSpeed = None,
+    duration: Duration = None,
+    excitation: ExcitationFile = None,
+    between: Annotated[
+        str | None, typer.Option(metavar="FIRST:LAST", help='Show only a part: "0.1 s:0.4 s", or travels.')
+    ] = None,
+    slow: Annotated[str, typer.Option(help="How many times slower than in reality a run is played.")] = "5",
+    frames: Annotated[
+        int | None, typer.Option(min=1, help="The most poses to show: 1000 in a page, 300 in a film.")
+    ] = None,
+    set_: Changes = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Show a 3-D rig in motion: swept over --travel or --rack, or driven over a --road or an --excitation.
+
+    Example: jounce animate kart-double-wishbone --travel "-20 mm:20 mm:1 mm" --out motion.html
+    """
+    from jounce.plots.animation import animate as write_animation
+    from jounce.plots.animation import check_animation
+
+    check_animation(out, force=force)
+    slower = positive_quantity(slow, "1", "--slow")
+    driven = _driven(travel, rack, road, speed, duration, excitation)
+    with progress() as say:
+        say("loading")
+        chosen, wanted = _rig(rig, set_)
+        say("simulating" if driven else "sweeping")
+        poses = _poses(chosen, travel, rack, driven)
+        part = None if between is None else _ends(between, "s" if driven else "m")
+        write_animation(
+            chosen,
+            poses,
+            out,
+            trial=driven,
+            between=part,
+            slow=slower,
+            frames=frames,
+            title=Path(rig).stem,
+            force=force,
+            progress=say,
+        )
+    findings = [] if driven is None else trial_findings(driven)
+    over = next(name for name in ("time", "rack_travel", "wheel_travel") if name in poses.sizes)
+    plain = {"rig": rig, "changes": wanted, "over": over, "poses": poses.sizes[over], "findings": findings}
+    plain["out"] = str(out)
+
+    def tell(console: Console) -> None:
+        _say(console, plain)
+        show_findings(console, findings)
+
+    return Reply(plain, tell, as_json, _stopped(poses))
+
+
+def _rig(name: str, set_: list[str] | None) -> tuple[Corner, dict[str, Any]]:
+    """Load a rig that can be drawn."""
+    from jounce.parts import load
+    from jounce.plots.scenes import require_corner
+
+    wanted = changes(set_)
+    chosen = load(name)
+    return require_corner(chosen.with_changes(wanted) if wanted else chosen), wanted
+
+
+def _driven(
+    travel: str | None,
+    rack: str | None,
+    road: str | None,
+    speed: str | None,
+    duration: str | None,
+    excitation: Path | None,
+) -> Trial | None:
+    """Build the trial; None for a sweep."""
+    swept = travel is not None or rack is not None
+    given = any(option is not None for option in (road, speed, duration, excitation))
+    if swept and given:
+        raise DescriptionError(
+            "a sweep and a drive are asked for at once",
+            where="jounce animate",
+            allowed="--travel and --rack, or --road, --speed and --duration, or --excitation",
+        )
+    if not swept and not given:
+        example = '--travel "-50 mm:50 mm:2 mm", or --road ROAD --speed "1.95 m/s" --duration "3 s"'
+        raise DescriptionError("nothing moves it", where="jounce animate", allowed=example)
+    return None if swept else trial_of(road, excitation, speed, duration, where="jounce animate")
+
+
+def _poses(rig: Corner, travel: str | None, rack: str | None, trial: Trial | None) -> xr.Dataset:
+    if trial is not None:
+        from jounce.simulation import simulate
+
+        return simulate(rig, trial, detail=True)
+    along = None if travel is None else swept_range(travel, "m", "--travel")
+    turned = None if rack is None else swept_range(rack, "m", "--rack")
+    return _sweep(rig, along, turned)
+
+
+def _sweep(rig: Corner, travel: NDArray[np.float64] | None, rack: NDArray[np.float64] | None) -> xr.Dataset:
+    """Sweep one of the two; the other one stays where it is."""
+    from jounce.kinematics import sweep_rack, sweep_travel
+
+    if travel is not None and rack is not None and min(len(travel), len(rack)) > 1:
+        raise DescriptionError(
+            "one thing can move in a picture", where="--travel, --rack", hint="Give one of them one value."
+        )
+    if rack is not None and (travel is None or len(travel) == 1):
+        return sweep_rack(rig, rack, 0.0 if travel is None else float(travel[0]), points=True)
+    assert travel is not None
+    return sweep_travel(rig, travel, None if rack is None else float(rack[0]), points=True)
+
+
+def _few_poses(rig: Corner, travel: str | None, rack: str | None) -> tuple[xr.Dataset, NDArray[np.float64]]:
+    """Sweep finely, for the ways of wheel centre and contact point, and say which poses are to be drawn."""
+    ranges = {"--travel": travel, "--rack": rack}
+    values = {option: swept_range(text, "m", option) for option, text in ranges.items() if text is not None}
+    moved = "--travel" if len(values.get("--travel", ())) > 1 or rack is None else "--rack"
+    at = values[moved]
+    if len(at) > _MOST_POSES:
+        raise DescriptionError(
+            "too many poses for one picture",
+            where=moved,
+            found=len(at),
+            allowed=f"at most {_MOST_POSES}",
+            hint="Take larger steps, or use jounce animate.",
+        )
+    fine = np.unique(np.concatenate([at, np.linspace(at[0], at[-1], _WAY)])) if len(at) > 1 else at
+    swept = {**values, moved: fine}
+    sweep = _sweep(rig, swept.get("--travel"), swept.get("--rack"))
+    reached = sweep["rack_travel" if moved == "--rack" else "wheel_travel"].to_numpy()
+    return sweep, at[(at >= reached.min() - 1e-9) & (at <= reached.max() + 1e-9)]
+
+
+def _ends(text: str, unit: str) -> tuple[float, float]:
+    first, colon, last = text.partition(":")
+    if not colon or not first.strip() or not last.strip():
+        raise DescriptionError("not a part", where="--between", found=text, allowed='"first:last"')
+    return quantity(first.strip(), unit, "--between"), quantity(last.strip(), unit, "--between")
+
+
+def _stopped(poses: xr.Dataset) -> int:
+    """Say why a sweep ended early; give the exit code."""
+    why = str(poses.attrs.get("stopped", ""))
+    if why:
+        sys.stderr.write(f"jounce: {why}. The poses before it are shown.\n")
+    return REFUSED if why else DONE
+
+
+def _say(console: Console, plain: dict[str, Any]) -> None:
+    console.print(f"written: {plain['out']}")

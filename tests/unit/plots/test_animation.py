@@ -1,0 +1,300 @@
+"""Mechanisms in motion: what the page holds, what the films show, what is refused."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import xarray as xr
+from PIL import Image
+
+import jounce as jn
+from jounce.core.errors import DescriptionError, OutputError, RecordingError
+from jounce.core.optional import MissingPackageError
+from jounce.plots import animate, films
+from jounce.plots.poses import poses_of
+from jounce.plots.roadways import roadway_of
+from jounce.plots.scenes import scene_of
+
+TRIAL = {"speed": "1.95 m/s", "duration": "0.4 s"}
+
+
+@pytest.fixture(scope="module")
+def kart() -> Any:
+    return jn.load("kart-double-wishbone")
+
+
+@pytest.fixture(scope="module")
+def sweep(kart) -> xr.Dataset:
+    return jn.sweep_travel(kart, np.linspace(-0.02, 0.02, 9), points=True)
+
+
+@pytest.fixture(scope="module")
+def trial() -> jn.Trial:
+    return jn.Trial(road=jn.HalfSine(height="20 mm", length="100 mm", start="0.2 m"), **TRIAL)
+
+
+@pytest.fixture(scope="module")
+def run(kart, trial) -> xr.Dataset:
+    return jn.simulate(kart, trial, detail=True)
+
+
+def data_of(page: Path) -> dict[str, Any]:
+    """What the page was given."""
+    text = re.search(r'<script type="application/json" id="data">(.*?)</script>', page.read_text(encoding="utf-8"))
+    assert text is not None
+
+    def refuse(constant: str) -> None:
+        raise AssertionError(f"{constant} is not JSON")
+
+    found = json.loads(text[1], parse_constant=refuse)
+    assert isinstance(found, dict)
+    return found
+
+
+def place(data: dict[str, Any], name: str, k: int) -> np.ndarray:
+    point = data["points"][data["names"].index(name)]
+    return np.array(point["at"] if "at" in point else point["track"][k])
+
+
+def test_page_holds_every_pose_to_a_hundredth_of_a_millimetre(kart, sweep, tmp_path: Path) -> None:
+    data = data_of(animate(kart, sweep, tmp_path / "motion.html"))
+    assert data["over"] == pytest.approx(np.linspace(-20.0, 20.0, 9))
+    assert (data["words"], data["unit"]) == ("wheel travel", "mm")
+    assert sorted(data["names"]) == sorted(kart.hardpoints.given())
+    for k in range(9):
+        for name in data["names"]:
+            expected = [1e3 * float(sweep[f"{name}.{letter}"][k]) for letter in "xyz"]
+            assert place(data, name, k) == pytest.approx(expected, abs=0.0051)
+        assert data["contact"][k][1] == pytest.approx(1e3 * float(sweep["contact_point_y"][k]), abs=0.0051)
+    still = [name for name, point in zip(data["names"], data["points"], strict=True) if "at" in point]
+    assert sorted(still) == sorted(name for name in data["names"] if data["onBody"][data["names"].index(name)])
+    assert data["start"] == 4  # begins at design
+    assert data["road"] is None
+
+
+def test_page_shows_quantities_in_usual_units(kart, sweep, tmp_path: Path) -> None:
+    data = data_of(animate(kart, sweep, tmp_path / "motion.html"))
+    signals = {signal["name"]: signal for signal in data["signals"]}
+    camber = signals["camber"]
+    assert camber["unit"] == "°"
+    assert camber["values"] == pytest.approx(np.degrees(sweep["camber"].to_numpy()), abs=6e-5)
+    assert data["first"] == "camber"
+    assert not any(name.endswith(("_front.x", "_joint.z")) for name in signals)
+    assert "wheel_travel" not in signals
+
+
+def test_page_needs_nothing_else_and_is_always_the_same(kart, sweep, tmp_path: Path) -> None:
+    first = animate(kart, sweep, tmp_path / "a.html").read_bytes()
+    assert animate(kart, sweep, tmp_path / "b.html").read_bytes() == first
+    text = first.decode()
+    assert "default-src 'none'" in text
+    assert not re.search(r"https?:|//cdn|@import|\bfetch\(|XMLHttpRequest|<link|\bsrc=|import\(", text)
+    assert "{{" not in text
+
+
+def test_title_is_text(kart, sweep, tmp_path: Path) -> None:
+    wicked = "</title><script>alert(1)</script>"
+    text = animate(kart, sweep, tmp_path / "a.html", title=wicked).read_text(encoding="utf-8")
+    assert "alert(1)</script>" not in text
+    assert "&lt;script&gt;alert(1)" in text
+
+
+def test_long_names_of_signals_cannot_leave_their_place(kart, sweep, tmp_path: Path) -> None:
+    named = sweep.copy()
+    named["camber"].attrs["long_name"] = "</script><script>alert(1)</script>"
+    data = data_of(animate(kart, named, tmp_path / "a.html"))
+    words = {signal["name"]: signal["words"] for signal in data["signals"]}
+    assert words["camber"] == "</script><script>alert(1)</script>"
+
+
+def test_three_hundred_poses_are_less_than_a_megabyte(kart, tmp_path: Path) -> None:
+    poses = jn.sweep_travel(kart, np.linspace(-0.02, 0.02, 300), points=True)
+    page = animate(kart, poses, tmp_path / "a.html")
+    assert len(data_of(page)["over"]) == 300
+    assert 100_000 < page.stat().st_size < 1_000_000
+
+
+def test_run_lifts_off_and_its_road_passes(kart, run, trial, tmp_path: Path) -> None:
+    page = animate(kart, run, tmp_path / "a.html", trial=trial)
+    data = data_of(page)
+    assert page.stat().st_size < 1_000_000
+    assert data["touches"] == (run["tyre.force"].to_numpy() > 0.0).astype(int).tolist()
+    assert 0 in data["touches"]
+    assert data["wheel"]["pressed"] is True
+    road = data["road"]
+    assert road["way"] == pytest.approx(1950.0 * run["time"].to_numpy(), abs=0.006)
+    under = np.interp(road["way"], road["x"], road["z"])
+    assert under == pytest.approx(1e3 * run["road.z"].to_numpy(), abs=0.05)
+    assert max(road["z"]) == pytest.approx(20.0, abs=0.05)
+    for touches, contact, ground in zip(data["touches"], data["contact"], data["ground"], strict=True):
+        assert contact[2] == pytest.approx(ground, abs=0.011) if touches else contact[2] > ground - 0.011
+    names = {signal["name"] for signal in data["signals"]}
+    assert {"tyre.force", "road.z", "wheel.camber"} <= names
+    assert not any(name.endswith(".fx") for name in names)
+
+
+def test_part_of_a_run_and_fewer_poses(kart, run, trial, tmp_path: Path) -> None:
+    data = data_of(animate(kart, run, tmp_path / "a.html", trial=trial, between=("0.1 s", 0.2), frames=11))
+    assert data["over"] == pytest.approx(np.linspace(0.1, 0.2, 11))
+    with pytest.raises(DescriptionError, match=r"between: there is no pose at this time.*0 s to 0\.4000 s"):
+        animate(kart, run, tmp_path / "b.html", between=(0.1, 0.5))
+
+
+def test_slow_motion_sets_the_speed(kart, run, tmp_path: Path) -> None:
+    data = data_of(animate(kart, run, tmp_path / "a.html", slow=10.0))
+    assert data["speed"] == pytest.approx(100.0)  # poses a second: a pose each ms, ten times slower
+    assert ["1/10", 100.0] in data["speeds"]
+    assert ["real time", 1000.0] in data["speeds"]
+
+
+def test_another_trial_is_refused(kart, run, sweep, trial, tmp_path: Path) -> None:
+    flat = jn.Trial(road=jn.Flat(), **TRIAL)
+    with pytest.raises(DescriptionError, match="not of this trial"):
+        animate(kart, run, tmp_path / "a.html", trial=flat)
+    short = jn.Trial(road=trial.road, speed="1.95 m/s", duration="0.3 s")
+    with pytest.raises(DescriptionError, match="after its end"):
+        animate(kart, run, tmp_path / "a.html", trial=short)
+    with pytest.raises(DescriptionError, match="a sweep is not driven"):
+        animate(kart, sweep, tmp_path / "a.html", trial=trial)
+    with pytest.raises(RecordingError, match="detail=True"):
+        animate(kart, run[["road.z", "tyre.force"]], tmp_path / "a.html")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_rectangle_keeps_its_upright_edges(kart) -> None:
+    trial = jn.Trial(road=jn.Rectangle(height="20 mm", length="100 mm", start="0.2 m"), **TRIAL)
+    road = roadway_of(trial, np.linspace(0.0, 0.4, 5), 0.127)
+    assert road is not None
+    corners = np.round(np.column_stack([road.distance, road.height]), 6).tolist()
+    assert corners[1:-1] == [[0.2, 0.0], [0.2, 0.02], [0.3, 0.02], [0.3, 0.0]]
+    line = road.line(1, 0.3, 0.05)  # the wheel, at x = 50 mm, is at 195 mm on the road
+    assert line[0] == pytest.approx([-0.25, 0.0])
+    assert line[-1] == pytest.approx([0.35, 0.0])
+    assert line[1:3] == pytest.approx(
+        np.array([[-0.145, 0.0], [0.055, 0.0]]), abs=1e-6
+    )  # its beginning, its first foot
+
+
+def test_excitation_has_no_road(kart, tmp_path: Path) -> None:
+    time = np.linspace(0.0, 0.3, 31)
+    shaker = jn.Excitation(time=time, height=0.002 * np.sin(30.0 * time))
+    trial = jn.Trial(excitation=shaker, duration="0.3 s")
+    run = jn.simulate(kart, trial, detail=True)
+    data = data_of(animate(kart, run, tmp_path / "a.html", trial=trial))
+    assert data["road"] is None
+    assert data["ground"] == pytest.approx(1e3 * run["road.z"].to_numpy(), abs=0.0051)
+
+
+@pytest.mark.parametrize(
+    ("name", "message"), [("a.avi", "format"), ("a", "format"), ("no/a.html", "folder"), ("there.html", "exists")]
+)
+def test_files_that_cannot_be_written_are_refused_first(kart, name: str, message: str, tmp_path: Path) -> None:
+    (tmp_path / "there.html").write_text("mine", encoding="utf-8")
+    with pytest.raises(OutputError, match=message):
+        animate(kart, xr.Dataset(), tmp_path / name)
+    assert (tmp_path / "there.html").read_text(encoding="utf-8") == "mine"
+
+
+@pytest.mark.parametrize("slow", [0.0, -1.0, float("nan")])
+def test_slowness_must_be_positive(kart, sweep, slow: float, tmp_path: Path) -> None:
+    with pytest.raises(DescriptionError, match="slow: out of range"):
+        animate(kart, sweep, tmp_path / "a.html", slow=slow)
+
+
+def test_gif_goes_there_and_back(kart, sweep, tmp_path: Path) -> None:
+    said: list[str] = []
+    few = sweep.isel(wheel_travel=[0, 4, 8])
+    file = animate(kart, few, tmp_path / "a.gif", progress=said.append)
+    assert len(said) == 3
+    with Image.open(file) as picture:
+        assert picture.n_frames == 4  # low, middle, high, middle
+        assert picture.info["duration"] == 50
+        assert picture.info["loop"] == 0
+        frames = []
+        for k in range(4):
+            picture.seek(k)
+            frames.append(np.asarray(picture.convert("RGB")).astype(int))
+    assert np.abs(frames[0] - frames[1]).max() > 100
+    assert np.abs(frames[1] - frames[3]).max() == 0
+    assert animate(kart, few, tmp_path / "b.gif").read_bytes() == file.read_bytes()
+
+
+def test_gif_of_a_run_takes_its_time(kart, run, trial, tmp_path: Path) -> None:
+    file = animate(kart, run, tmp_path / "a.gif", trial=trial, between=(0.1, 0.14), slow=10.0)
+    with Image.open(file) as picture:
+        assert picture.n_frames == 11  # 0.4 s at 25 pictures a second, both ends
+        assert picture.info["duration"] == 40
+
+
+def test_tyre_leaves_the_road_in_the_film(kart, run, trial) -> None:
+    scene = scene_of(kart)
+    poses = poses_of(kart, scene, run)
+    film = films._Film(scene, poses, roadway_of(trial, poses.over, scene.undeformed_radius), "kart")
+    flying, standing = int(np.argmin(poses.touches)), 0
+    for k, words in ((standing, "time 0.000 s"), (flying, f"no contact · {poses.label(flying)}")):
+        film.show(k)
+        assert film.state.get_text() == words
+    road = poses.ground[flying]
+    lowest = poses.points["wheel_centre"][flying, 2] - scene.undeformed_radius
+    assert lowest > road  # what is drawn agrees with what is said
+
+
+def test_mp4_without_ffmpeg_says_what_to_install(kart, sweep, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def missing(name: str) -> None:
+        raise ImportError(name)
+
+    monkeypatch.setattr(films.shutil, "which", lambda _: None)
+    monkeypatch.setattr(films, "import_module", missing)
+    with pytest.raises(MissingPackageError, match=r"apt-get install ffmpeg.*\.gif or \.html"):
+        animate(kart, sweep, tmp_path / "a.mp4")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_complaints_of_ffmpeg_are_shown(kart, sweep, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    broken = tmp_path / "ffmpeg"
+    broken.write_text("#!/bin/sh\necho 'Unknown encoder' >&2\nexit 1\n", encoding="utf-8")
+    broken.chmod(0o755)
+    monkeypatch.setattr(films.shutil, "which", lambda _: str(broken))
+    with pytest.raises(OutputError, match="Unknown encoder"):
+        animate(kart, sweep.isel(wheel_travel=[0, 8]), tmp_path / "a.mp4")
+    assert [file.name for file in tmp_path.iterdir()] == ["ffmpeg"]
+
+
+@pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="ffmpeg is not installed")
+def test_mp4_is_a_film(kart, sweep, tmp_path: Path) -> None:
+    file = animate(kart, sweep.isel(wheel_travel=[0, 4, 8]), tmp_path / "a.mp4")
+    assert file.read_bytes()[4:8] == b"ftyp"
+
+
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(CHROMIUM is None, reason="no Chromium is installed")
+@pytest.mark.parametrize("kind", ["sweep", "run"])
+def test_page_draws_in_a_browser(kart, sweep, run, trial, kind: str, tmp_path: Path) -> None:
+    poses, driven = (sweep, None) if kind == "sweep" else (run, trial)
+    page = animate(kart, poses, tmp_path / "a.html", trial=driven)
+    quiet = ["--headless=new", "--no-sandbox", "--disable-gpu", f"--user-data-dir={tmp_path / 'browser'}"]
+    words = [
+        str(CHROMIUM),
+        *quiet,
+        "--enable-logging=stderr",
+        "--virtual-time-budget=2000",
+        "--dump-dom",
+        page.as_uri(),
+    ]
+    seen = subprocess.run(words, capture_output=True, text=True, timeout=60, check=True)
+    assert "CONSOLE" not in seen.stderr
+    now = re.search(r'<span id="now">([^<]*)</span>', seen.stdout)
+    assert now is not None
+    assert now[1] == ("wheel travel 0.00 mm" if kind == "sweep" else "time 0.0000 s")
+    assert ">camber" in seen.stdout
+    assert seen.stdout.count("<td>") > 20
