@@ -15,7 +15,7 @@ from jounce.mechanics.elements import (
 from jounce.mechanics.mass import box, combined, cylinder, mesh, sphere, tube
 from jounce.mechanics.mechanism import Mechanism
 from jounce.mechanics.model import Facts, Model, Output
-from jounce.mechanics.motions import harmonic, held, steady, through
+from jounce.mechanics.motions import harmonic, held, steady, step, through
 from jounce.mechanics.reactions import Reaction
 from jounce.mechanics.system import System, Track
 
@@ -47,6 +47,7 @@ __all__ = [
     "sphere",
     "spring_force",
     "steady",
+    "step",
     "through",
     "tube",
     "tyre_force",

@@ -5,6 +5,7 @@ Works on the symbolic model with CasADi's own evaluation, before anything is com
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -13,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import AssemblyError, unknown
+from jounce.core.units import to_si
 from jounce.mechanics.model import Model
 
 Array = NDArray[np.float64]
@@ -83,9 +85,7 @@ class _Evaluator:
         """States after a small displacement; quaternions have length one again."""
         found = x.copy()
         found[: self.n_q] += self.at(x)[2] @ displacement
-        for i, name in enumerate(self.model.coordinates):
-            if name.endswith(".e0"):
-                found[i : i + 4] /= np.linalg.norm(found[i : i + 4])
+        _normalise(self.model, found)
         return found
 
 
@@ -93,7 +93,7 @@ def assemble(
     model: Model,
     p: Array,
     u: Array,
-    start: Mapping[str, float] | None = None,
+    start: Mapping[str, float | str] | None = None,
     *,
     redundant: str = "refuse",
 ) -> Assembly:
@@ -106,7 +106,8 @@ def assemble(
     p, u : ndarray
         Parameters and inputs, SI.
     start : mapping, optional
-        Coordinates (m, rad) and speeds (m/s, rad/s) by name, as far as they are known; those given move least.
+        Coordinates (m, rad) and speeds (m/s, rad/s) by name, or text with a unit, as far as they are known; those
+        given move least. A quaternion is taken at length one.
     redundant : {"refuse", "keep"}
         What to do about loop equations that repeat each other.
 
@@ -120,13 +121,13 @@ def assemble(
     AssemblyError
         When the loops cannot be closed, repeat each other, or are singular in this pose: with names.
     """
-    given = dict(start or {})
-    for name in given:
-        if name not in model.states:
-            raise unknown(name, model.states, what="coordinate or speed", where="start")
+    if redundant not in ("refuse", "keep"):
+        raise unknown(redundant, ("refuse", "keep"), what="choice", where="redundant")
+    given = _given(model, start or {})
     x = np.zeros(model.x.shape[0])
     x[: len(model.start)] = model.start
     first = np.array([given.get(name, value) for name, value in zip(model.states, x, strict=True)])
+    _normalise(model, first)
     if not model.constraints:
         return Assembly(first, (), (), len(model.speeds))
     evaluator = _Evaluator(model, p, u)
@@ -137,6 +138,32 @@ def assemble(
         _explain(evaluator, pose, groups)
     pose = _with_speeds(evaluator, pose, slope, drift, weights)
     return Assembly(pose, _moved(model, first, pose), groups, slope.shape[1] - int(np.linalg.matrix_rank(slope)))
+
+
+def _given(model: Model, start: Mapping[str, float | str]) -> dict[str, float]:
+    """Start values in SI."""
+    given = {}
+    for name, value in start.items():
+        if name not in model.states:
+            raise unknown(name, model.states, what="coordinate or speed", where="start")
+        base = name.removesuffix(" rate")
+        unit = "1" if re.search(r"\.e[0-3]$", name) else "rad" if base.endswith("angle") else "m"
+        unit = "rad/s" if re.search(r"\.w[xyz]$", name) else unit
+        given[name] = to_si(value, unit if name == base else f"{unit}/s", where=f"start: {name}")
+    return given
+
+
+def _normalise(model: Model, x: Array) -> None:
+    """Give all quaternions of a state length one, in place."""
+    for i, name in enumerate(model.coordinates):
+        if name.endswith(".e0"):
+            length = np.linalg.norm(x[i : i + 4])
+            if not length > 0.0:
+                joint = name.removesuffix(".e0")
+                raise AssemblyError(
+                    "no orientation", where=joint, found="a quaternion of zeros", allowed="e0 to e3 of it"
+                )
+            x[i : i + 4] /= length
 
 
 def superfluous(model: Model, p: Array, u: Array, x: Array) -> tuple[str, ...]:
@@ -153,10 +180,19 @@ def superfluous(model: Model, p: Array, u: Array, x: Array) -> tuple[str, ...]:
     -------
     tuple of str
         Names of equations.
+
+    Raises
+    ------
+    AssemblyError
+        At a dead point, where it cannot be told.
     """
     from scipy.linalg import qr
 
-    _, slope, _, _ = _Evaluator(model, p, u).at(x)
+    evaluator = _Evaluator(model, p, u)
+    slope = evaluator.at(x)[1]
+    groups = _dependences(slope, model.constraints)
+    if groups and _is_singular_here_only(evaluator, x, len(groups)):
+        raise _dead_point(groups)
     scale = np.maximum(np.linalg.norm(slope, axis=1), 1e-300)
     _, triangle, order = qr((slope / scale[:, None]).T, pivoting=True, mode="economic")
     rank = int(np.sum(np.abs(np.diag(triangle)) > _DEPENDENT * abs(triangle[0, 0])))
@@ -189,6 +225,7 @@ def _weights(model: Model, given: Mapping[str, float], held: float) -> Array:
 def _close(evaluator: _Evaluator, x: Array, weights: Array) -> Array:
     """Damped Newton on the loop equations, the shortest step in the weighted sense."""
     value, slope, _, _ = evaluator.at(x)
+    _refuse_undefined(evaluator.model, value, slope)
     for _ in range(_ITERATIONS):
         size = float(np.max(np.abs(value)))
         if size < _CLOSED:
@@ -208,6 +245,15 @@ def _close(evaluator: _Evaluator, x: Array, weights: Array) -> Array:
     if float(np.max(np.abs(value))) < 1e-9:
         return x
     raise _open(evaluator.model, value)
+
+
+def _refuse_undefined(model: Model, value: Array, slope: Array) -> None:
+    """Refuse loop equations that are no numbers, such as those with an axis that a parameter made zero."""
+    broken = ~(np.isfinite(value) & np.all(np.isfinite(slope), axis=1))
+    if np.any(broken):
+        joints = dict.fromkeys(name.split(".")[0] for name, no in zip(model.constraints, broken, strict=True) if no)
+        hint = "Check the axes and places of the joints around its loop, and the motions."
+        raise AssemblyError("the loop cannot be computed", where=", ".join(joints), found="not a number", hint=hint)
 
 
 def _open(model: Model, value: Array) -> AssemblyError:
@@ -251,24 +297,36 @@ def _dependences(slope: Array, names: tuple[str, ...]) -> tuple[tuple[str, ...],
 
 def _explain(evaluator: _Evaluator, pose: Array, groups: tuple[tuple[str, ...], ...]) -> None:
     """Refuse a singular pose and equations that repeat each other."""
-    loops = evaluator.model.loops
-    ends = [dict.fromkeys(name.split(".")[0] for name in group) for group in groups]
-    joints = list(dict.fromkeys(", ".join(end) for end in ends))
-    around = dict.fromkeys(joint for end in ends for name in end for joint in loops.get(name, ()))
     if _is_singular_here_only(evaluator, pose, len(groups)):
-        raise AssemblyError(
-            "the mechanism is at a dead point: its loops do not say how it goes on from here",
-            where="; ".join(joints),
-            found=f"{len(groups)} equations that repeat others in this pose only",
-            hint="Start it away from the pose in which its links lie on one line.",
-        )
+        raise _dead_point(groups)
+    loops, joints = evaluator.model.loops, _joints_of(groups)
+    around = dict.fromkeys(other for group in groups for name in group for other in loops.get(name.split(".")[0], ()))
+    place = f" in the loop of {', '.join(around)}" if around else ""
     listed = "; ".join(", ".join(group) for group in groups)
     raise AssemblyError(
         "redundant joints: they repeat each other",
         where="; ".join(joints),
-        found=f"{len(groups)} superfluous equations ({listed}) in the loop of {', '.join(around)}",
+        found=f"{_count(groups, 'superfluous equation')} ({listed}){place}",
         hint='Loosen one of them (a spherical joint for a hinge), or say redundant="remove".',
     )
+
+
+def _dead_point(groups: tuple[tuple[str, ...], ...]) -> AssemblyError:
+    return AssemblyError(
+        "the mechanism is at a dead point: its loops do not say how it goes on from here",
+        where="; ".join(_joints_of(groups)),
+        found=f"{_count(groups, 'equation')} that repeat others in this pose only",
+        hint="Start it away from the pose in which its links lie on one line.",
+    )
+
+
+def _joints_of(groups: tuple[tuple[str, ...], ...]) -> list[str]:
+    """Joints of each group of equations, once."""
+    return list(dict.fromkeys(", ".join(dict.fromkeys(name.split(".")[0] for name in group)) for group in groups))
+
+
+def _count(groups: tuple[tuple[str, ...], ...], what: str) -> str:
+    return f"{len(groups)} {what}{'s' if len(groups) > 1 else ''}"
 
 
 def _is_singular_here_only(evaluator: _Evaluator, pose: Array, count: int) -> bool:

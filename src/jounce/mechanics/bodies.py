@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
+from jounce.core.errors import AssemblyError
 from jounce.mechanics.frames import Frame, Moving
 from jounce.mechanics.rotations import skew
 
@@ -53,7 +54,8 @@ class Body:
 
     @property
     def _frame(self) -> Frame:
-        assert self.frame is not None
+        if self.frame is None:
+            raise AssemblyError("the body hangs on nothing yet", where=self.name, hint="Give its joint first.")
         return self.frame
 
 

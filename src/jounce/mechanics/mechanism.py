@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import casadi as ca
 import numpy as np
@@ -14,7 +14,9 @@ from jounce.mechanics.bodies import Body, RigidMass
 from jounce.mechanics.frames import Moving
 from jounce.mechanics.model import Model
 from jounce.mechanics.reactions import Reaction, kinetic_energy, tree_reaction, weight_energy
-from jounce.mechanics.tree import Tree, Vector
+from jounce.mechanics.rotations import normals
+from jounce.mechanics.system import Track
+from jounce.mechanics.tree import Number, Tree, Vector
 
 _NONE = ca.SX(3, 1)
 _POINT = 1e-12  # m: a line shorter than that has no direction
@@ -40,14 +42,18 @@ class Mechanism(Tree):
     ('pivot.angle',)
     """
 
-    def __init__(self, gravity: float | ca.SX = 9.81) -> None:
+    def __init__(self, gravity: Number = 9.81) -> None:
         super().__init__()
-        self.gravity = self.number("gravity", gravity)
-        self._settled = False
-        self._finished: Model | None = None
+        self.gravity = self.number("gravity", gravity, "m/s^2")
+        self._settled: set[str] = set()
+        self._watched: dict[str, Callable[[], None]] = {}
+        self._stored: list[ca.SX] = []
+        self._lost: list[ca.SX] = []
+        self._supplied: list[ca.SX] = []
+        self._finished: dict[tuple[object, ...], Model] = {}
 
     def apply_force(self, body: Body, force: ca.SX, point: Moving) -> None:
-        """Let a force (N, ground axes) act on a point of a body."""
+        """Let a force (N, ground axes) act on a point of a body, such as ``body.point(casadi.DM([0, 0, 1]))``."""
         self.load(point.rate, force)
         self.note(body, force, point.value)
 
@@ -72,9 +78,9 @@ class Mechanism(Tree):
         at: Vector,
         second_at: Vector,
         *,
-        stiffness: float | ca.SX = 0.0,
-        damping: float | ca.SX = 0.0,
-        free_length: float | ca.SX | None = None,
+        stiffness: Number = 0.0,
+        damping: Number = 0.0,
+        free_length: Number | None = None,
         force: ca.SX | None = None,
     ) -> tuple[ca.SX, ca.SX]:
         """Put a spring and damper between two points; give its length (m) and force (N, compression positive).
@@ -101,6 +107,7 @@ class Mechanism(Tree):
         tuple of casadi.SX
             Length and force.
         """
+        self._held(name, first, second)
         places = self.vector(f"{name}.at", at), self.vector(f"{name}.second_at", second_at)
         ends = first.point(places[0]), second.point(places[1])
         reach = ends[1] - ends[0]
@@ -108,9 +115,13 @@ class Mechanism(Tree):
         if force is None:
             rate = ca.dot(reach.value, reach.rate) / length
             design = _length(places[1] - places[0])
-            free = design if free_length is None else self.number(f"{name}.free_length", free_length)
-            force = self.number(f"{name}.stiffness", stiffness) * (free - length)
-            force -= self.number(f"{name}.damping", damping) * rate
+            free = design if free_length is None else self.number(f"{name}.free_length", free_length, "m")
+            force = self._spring_and_damper(
+                self.number(f"{name}.stiffness", stiffness, "N/m"),
+                length - free,
+                self.number(f"{name}.damping", damping, "N*s/m"),
+                rate,
+            )
         self.push_apart(first, second, *ends, force)
         return length, force
 
@@ -119,9 +130,9 @@ class Mechanism(Tree):
         name: str,
         joint: str,
         *,
-        stiffness: float | ca.SX = 0.0,
-        damping: float | ca.SX = 0.0,
-        free_angle: float | ca.SX = 0.0,
+        stiffness: Number = 0.0,
+        damping: Number = 0.0,
+        free_angle: Number = 0.0,
         torque: ca.SX | None = None,
     ) -> ca.SX:
         """Put a spring and damper on the angle of a revolute or cylindrical joint of the tree; give its torque (N m).
@@ -151,10 +162,12 @@ class Mechanism(Tree):
             raise unknown(joint, turning, what="joint with an angle in the tree", where=name)
         angle = self._coordinates[f"{joint}.angle"]
         if torque is None:
-            torque = -self.number(f"{name}.stiffness", stiffness) * (
-                angle - self.number(f"{name}.free_angle", free_angle)
+            torque = self._spring_and_damper(
+                self.number(f"{name}.stiffness", stiffness, "N*m/rad"),
+                angle - self.number(f"{name}.free_angle", free_angle, "rad"),
+                self.number(f"{name}.damping", damping, "N*m*s/rad"),
+                self.rate_of(angle),
             )
-            torque -= self.number(f"{name}.damping", damping) * self.rate_of(angle)
         hung = self._joints[joint]
         assert hung.axis is not None
         along = hung.parent.direction(hung.axis).value * torque
@@ -162,6 +175,18 @@ class Mechanism(Tree):
         self.note(hung.child, torque=along)
         self.note(hung.parent, torque=-along)
         return torque
+
+    def _spring_and_damper(self, stiffness: ca.SX, stretch: ca.SX, damping: ca.SX, rate: ca.SX) -> ca.SX:
+        """Force of a linear spring and damper against a stretch and its rate; its energies are kept account of."""
+        self._stored.append(0.5 * stiffness * stretch**2)
+        self._lost.append(damping * rate**2)
+        return -stiffness * stretch - damping * rate
+
+    def motion(self, name: str, coordinate: ca.SX, track: Track) -> ca.SX:
+        """Drive a coordinate (m or rad) along a prescribed input; give the force or torque that it takes."""
+        force = super().motion(name, coordinate, track)
+        self._supplied.append(force * track.rate)
+        return force
 
     def reaction(self, joint: str) -> Reaction:
         """Give force (N) and torque (N m) of a joint on its second body, in ground axes; for outputs only.
@@ -206,13 +231,49 @@ class Mechanism(Tree):
             text = f"{body.name}, angular acceleration about {axis}"
             self.output(f"{body.name}.alpha_{axis}", spin_rate[i], "rad/s^2", text)
 
+    def watch_angle(self, name: str, first: Body, second: Body, axis: Vector) -> None:
+        """Let the turn of a body against another be seen: ``<name>`` (rad), ``<name> rate``, ``<name> acceleration``.
+
+        Parameters
+        ----------
+        name : str
+            Its name.
+        first, second : Body
+            The turn of the second is measured against the first.
+        axis : sequence of float, shape (3,)
+            Fixed to the first body, given in the design pose; the turn is right-handed about it, from -pi to pi, zero
+            in the design pose. Where the second body also tilts, it is the turn seen along the axis.
+        """
+        self._held(name, first, second)
+        across, sideways = normals(self.direction(f"{name}.axis", axis))
+        turned = second.direction(across).value
+        angle = ca.atan2(ca.dot(turned, first.direction(sideways).value), ca.dot(turned, first.direction(across).value))
+        self._show(name, angle, self.rate_of(angle), self.acceleration_of(angle), "rad")
+
     def watch_coordinates(self) -> None:
-        """Let all coordinates be seen, with ``<name> rate`` and ``<name> acceleration``."""
-        for name, speed in zip(self._coordinates, self._speeds, strict=True) if not self._quaternions else ():
-            unit = "rad" if name.endswith("angle") else "m"
-            self.output(name, self._coordinates[name], unit, name)
-            self.output(f"{name} rate", self._speeds[speed], f"{unit}/s", f"{name}, rate")
-            self.output(f"{name} acceleration", self._accelerations[speed], f"{unit}/s^2", f"{name}, acceleration")
+        """Let all coordinates and speeds be seen, with accelerations.
+
+        A distance (m) or angle (rad) comes with ``<name> rate`` and ``<name> acceleration``; an orientation as its
+        quaternion ``<joint>.e0`` to ``.e3`` and its angular velocity ``<joint>.wx`` to ``.wz`` (rad/s, body axes).
+        """
+        self._watched["coordinates"] = self._show_coordinates
+
+    def _show_coordinates(self) -> None:
+        for name, symbol in self._coordinates.items():
+            speed = f"{name} rate"
+            if speed in self._speeds:
+                unit = "rad" if name.endswith("angle") else "m"
+                self._show(name, symbol, self._speeds[speed], self._accelerations[speed], unit)
+            else:
+                self.output(name, symbol, "1", f"{name}, quaternion")
+        for name, symbol in self._speeds.items():
+            if name.removesuffix(" rate") not in self._coordinates:
+                self.output(name, symbol, "rad/s", f"{name}, angular velocity in the body's axes")
+
+    def _show(self, name: str, value: ca.SX, rate: ca.SX, acceleration: ca.SX, unit: str) -> None:
+        self.output(name, value, unit, name)
+        self.output(f"{name} rate", rate, f"{unit}/s", f"{name}, rate")
+        self.output(f"{name} acceleration", acceleration, f"{unit}/s^2", f"{name}, acceleration")
 
     def watch_reaction(self, joint: str, frame: str = "ground") -> None:
         """Let a joint's reaction on its second body be seen: ``<joint>.fx`` to ``.tz``, N and N m.
@@ -220,26 +281,47 @@ class Mechanism(Tree):
         Parameters
         ----------
         joint : str
-            A joint of the tree or a closure; call it when all forces and joints are in.
+            A joint of the tree or a closure. What is added to the mechanism later counts, too.
         frame : str
             ``"ground"``, or the name of a body whose axes are used.
         """
-        found = self.reaction(joint)
+        if joint not in (*self._joints, *self.closures):
+            raise unknown(joint, [*self._joints, *self.closures], what="joint", where="reaction")
         if frame not in self._bodies:
             raise unknown(frame, self._bodies, what="body", where=f"reaction of {joint}")
-        carrier = self._bodies[frame].frame
-        assert carrier is not None
+        self._watched[f"reaction of {joint}"] = lambda: self._show_reaction(joint, self._bodies[frame])
+
+    def _show_reaction(self, joint: str, carrier: Body) -> None:
+        found = self.reaction(joint)
         for symbol, vector, unit in (("f", found.force, "N"), ("t", found.torque, "N*m")):
-            turned = carrier.orientation.unrotate(vector)
+            turned = self._frame_of(carrier).orientation.unrotate(vector)
             for i, axis in enumerate("xyz"):
                 what = "force" if symbol == "f" else "torque"
                 self.output(f"{joint}.{symbol}{axis}", turned[i], unit, f"{joint}, reaction {what} along {axis}")
 
     def watch_energy(self) -> None:
-        """Let energies be seen: kinetic and that of the weights, J, and what is left open of the loops."""
+        """Let energies be seen (J), and what is left open of the loops.
+
+        ``energy.kinetic``, ``energy.weight`` and, where there are such, ``energy.elastic`` of linear springs,
+        ``energy.dissipated`` by linear dampers and ``energy.supplied`` by motions since the start. Forces by laws of
+        your own and bushings are not among them. ``constraint.violation`` is in m and rad.
+        """
+        self._watched["energy"] = self._show_energy
+
+    def _show_energy(self) -> None:
         self.output("energy.kinetic", self.kinetic_energy(), "J", "kinetic energy")
         self.output("energy.weight", self.weight_energy(), "J", "potential energy of the weights")
         self.output("constraint.violation", self.violation(), "m", "what is left open of the loops")
+        if self._stored:
+            self.output("energy.elastic", _total(self._stored), "J", "energy of the springs")
+        for name, powers, text in (
+            ("energy.dissipated", self._lost, "energy lost in dampers since the start"),
+            ("energy.supplied", self._supplied, "energy put in by motions since the start"),
+        ):
+            if powers:
+                taken = self._internal[name][0] if name in self._internal else self.internal_state(name)
+                self.set_internal_rate(name, _total(powers))
+                self.output(name, taken, "J", text)
 
     def kinetic_energy(self) -> ca.SX:
         """Kinetic energy of all bodies, J."""
@@ -253,6 +335,16 @@ class Mechanism(Tree):
         """Size of what is left open of all loops (m and rad)."""
         values = ca.vertcat(*(constraint.value for constraint in self._constraints))
         return ca.sqrt(ca.dot(values, values)) if values.numel() else ca.SX(0.0)
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """Paths of all parameters."""
+        return tuple(self._parameters)
+
+    @property
+    def tracks(self) -> tuple[str, ...]:
+        """Names of all prescribed inputs."""
+        return tuple(self._tracks)
 
     @property
     def joints(self) -> tuple[str, ...]:
@@ -292,7 +384,14 @@ class Mechanism(Tree):
                 found.append(joint.child)
         return found
 
-    def finish(self, redundant: str = "keep", start: Mapping[str, float] | None = None) -> Model:
+    def finish(
+        self,
+        redundant: str = "keep",
+        start: Mapping[str, float | str] | None = None,
+        *,
+        values: Mapping[str, float] | None = None,
+        inputs: Mapping[str, float] | None = None,
+    ) -> Model:
         """Form the equations of motion.
 
         Parameters
@@ -302,6 +401,10 @@ class Mechanism(Tree):
             that a joint without some of its equations shows is then only what the others leave for it.
         start : mapping, optional
             Coordinates (m, rad) by name, as for :func:`jounce.mechanics.assemble`.
+        values : mapping, optional
+            Parameter path to another value (SI) than it was built with, for that pose.
+        inputs : mapping, optional
+            Track to its value (m, rad) at that pose; 0 where it is not given.
 
         Returns
         -------
@@ -309,20 +412,48 @@ class Mechanism(Tree):
             The equations.
         """
         self.settle()
+        self._dropped: frozenset[str] = frozenset()
+        for show in self._watched.values():
+            show()
         model = super().finish()
         if redundant == "remove" and model.constraints:
-            p = np.array([self.values[name] for name in model.parameters])
+            every = {**self.values, **(values or {})}
+            p = np.array([every[name] for name in model.parameters])
             u = np.zeros(model.u.shape[0])
+            for i, name in enumerate(model.tracks):
+                u[i * model.track_order] = (inputs or {}).get(name, 0.0)
             pose = assemble(model, p, u, start, redundant="keep").x
-            self._dropped |= frozenset(superfluous(model, p, u, pose))
-            model = super().finish()
+            self._dropped = frozenset(superfluous(model, p, u, pose))
+            model = super().finish() if self._dropped else model
         return model
 
-    def model(self, redundant: str = "refuse", start: Mapping[str, float] | None = None) -> Model:
-        """Give the finished model, formed once; arguments as for ``finish``."""
-        if self._finished is None:
-            self._finished = self.finish("remove" if redundant == "remove" else "keep", start)
-        return self._finished
+    def model(
+        self,
+        redundant: str = "refuse",
+        start: Mapping[str, float | str] | None = None,
+        *,
+        values: Mapping[str, float] | None = None,
+        inputs: Mapping[str, float] | None = None,
+    ) -> Model:
+        """Give the finished model, formed anew only when something was added; arguments as for ``finish``."""
+        way = "remove" if redundant == "remove" else "keep"
+        if self._size(way) not in self._finished:
+            model = self.finish(way, start, values=values, inputs=inputs)
+            self._finished[self._size(way)] = model
+        return self._finished[self._size(way)]
+
+    def _size(self, redundant: str) -> tuple[object, ...]:
+        """What grows with everything that is added."""
+        each = (self._bodies, self._joints, self._constraints, self._loads, self._parameters, self._outputs)
+        return (redundant, *(len(part) for part in each), *self._watched)
+
+    def mass_matrix(self, model: Model) -> ca.Function:
+        """Give the mass matrix (kg, kg m, kg m^2) of the speeds as a function of the model's x, u and p."""
+        v = ca.vertcat(*self._speeds.values())
+        matrix = ca.SX(v.shape[0], v.shape[0])
+        for inertia in self._inertias:
+            matrix += inertia.matrix(v)
+        return ca.Function("mass", [model.x, model.u, model.p], [matrix])
 
     def mass_values(self, values: Mapping[str, float]) -> dict[str, tuple[float, NDArray[np.float64]]]:
         """Mass (kg) and inertia (kg m^2, (3, 3)) of every body at parameter values."""
@@ -337,20 +468,22 @@ class Mechanism(Tree):
         return found
 
     def settle(self) -> None:
-        """Add masses and weights of all bodies; called by ``finish`` when it was not called before."""
-        if self._settled:
-            return
-        self._settled = True
+        """Add masses and weights of all bodies that have theirs not yet; called by ``finish``."""
         for body in self._bodies.values():
             if body.frame is None:
                 raise AssemblyError("the body hangs on nothing", where=body.name, hint="Give it a joint, or free().")
             properties = body.mass_properties
-            if properties is not None:
+            if properties is not None and body.name not in self._settled:
                 self.inertia(RigidMass(body.frame, properties))
                 weight = ca.vertcat(0.0, 0.0, -properties.mass * self.gravity)
                 self.apply_force(body, weight, body.point(properties.centre))
+            self._settled.add(body.name)
 
 
 def _length(vector: ca.SX) -> ca.SX:
     """Length of a vector, m, above zero."""
     return ca.sqrt(ca.dot(vector, vector) + _POINT**2)
+
+
+def _total(terms: list[ca.SX]) -> ca.SX:
+    return sum(terms, ca.SX(0.0))

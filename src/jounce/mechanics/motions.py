@@ -50,8 +50,45 @@ def harmonic(amplitude: float, frequency: float, phase: float = 0.0, mean: float
     return Segments(np.array([0.0, 1.0]), np.array([SINE], dtype=np.int64), coefficients)
 
 
+def step(start: float, end: float, begin: float, stop: float) -> Segments:
+    """Give the motion from one value to another by a cubic with level ends; at rest before and after.
+
+    Parameters
+    ----------
+    start, end : float
+        m or rad.
+    begin, stop : float
+        s.
+
+    Returns
+    -------
+    Segments
+        Value against time in s. Its acceleration jumps at both ends.
+
+    Raises
+    ------
+    AssemblyError
+        When it does not end after it begins.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import jounce as jn
+    >>> value, rate = jn.mechanics.step(0.0, 0.1, begin=1.0, stop=2.0).evaluate(np.array([0.5, 1.5, 9.0]))
+    >>> value.tolist(), rate.tolist()
+    ([0.0, 0.05, 0.1], [0.0, 0.15, 0.0])
+    """
+    width, rise = stop - begin, end - start
+    if not width > 0.0:
+        raise AssemblyError("not a motion", found=f"from {begin:g} s to {stop:g} s", allowed="stop after begin")
+    cubic = [start, 0.0, 3.0 * rise / width**2, -2.0 * rise / width**3]
+    pieces = np.array([[start, 0.0, 0.0, 0.0], cubic, [end, 0.0, 0.0, 0.0]])
+    edges = np.array([begin - 1.0, begin, stop, stop + 1.0])
+    return Segments(edges, np.zeros(3, dtype=np.int64), pieces)
+
+
 def through(time: ArrayLike, value: ArrayLike, *, smooth: bool = True) -> Segments:
-    """Give a motion through points: a cubic spline, or straight lines.
+    """Give a motion through points: a cubic spline, or straight lines; beyond the points it goes straight on.
 
     Parameters
     ----------
@@ -73,14 +110,18 @@ def through(time: ArrayLike, value: ArrayLike, *, smooth: bool = True) -> Segmen
         When there are fewer than two points or the times do not ascend.
     """
     t, x = np.asarray(time, dtype=float), np.asarray(value, dtype=float)
-    if t.ndim != 1 or len(t) < 2 or t.shape != x.shape or np.any(np.diff(t) <= 0.0):
-        raise AssemblyError("not a motion", found=f"{t.shape} times", allowed="two points or more, ascending in time")
+    if t.ndim != 1 or len(t) < 2 or t.shape != x.shape or not np.all(np.diff(t) > 0.0) or not np.all(np.isfinite(x)):
+        found = f"times of shape {t.shape}, values of shape {x.shape}"
+        raise AssemblyError("not a motion", found=found, allowed="two finite points or more, ascending in time")
     if not smooth:
         return piecewise_linear(t, x)
     from scipy.interpolate import CubicSpline
 
-    pieces = CubicSpline(t, x, bc_type="natural").c[::-1].T
-    return Segments(t, np.zeros(len(t) - 1, dtype=np.int64), np.ascontiguousarray(pieces))
+    spline = CubicSpline(t, x, bc_type="natural")
+    first, last = (float(slope) for slope in spline([t[0], t[-1]], 1))
+    before, after = [x[0] - first, first, 0.0, 0.0], [x[-1], last, 0.0, 0.0]
+    edges = np.concatenate([[t[0] - 1.0], t, [t[-1] + 1.0]])
+    return Segments(edges, np.zeros(len(t) + 1, dtype=np.int64), np.vstack([before, spline.c[::-1].T, after]))
 
 
 def held(value: float) -> Segments:
@@ -88,4 +129,4 @@ def held(value: float) -> Segments:
     return steady(0.0, value)
 
 
-__all__: Sequence[str] = ("harmonic", "held", "steady", "through")
+__all__: Sequence[str] = ("harmonic", "held", "steady", "step", "through")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from jounce.core.errors import SimulationError, unknown
+from jounce.core.errors import AssemblyError, SimulationError, unknown
 from jounce.core.findings import Finding
 from jounce.core.segments import Segments
 from jounce.core.units import to_si
@@ -28,15 +28,17 @@ Array = NDArray[np.float64]
 _SMALLEST = 1e-3  # m, rad, m/s or rad/s: motions below that need not be resolved relative to themselves
 _LONGEST = 1.2  # radians of the fastest motion at the start in one step
 _SHARE = 0.02  # of the duration, the longest step
+_MASSLESS = 1e-12  # mass that a motion moves, relative to that of the coordinates by themselves
+_MOVING = 1e-3  # share of a coordinate in a motion that is worth naming
 
 
 def simulate_mechanism(
     mechanism: Mechanism,
     duration: float | str,
     *,
-    start: Mapping[str, float] | None = None,
+    start: Mapping[str, float | str] | None = None,
     motions: Mapping[str, Segments] | None = None,
-    values: Mapping[str, float] | None = None,
+    values: Mapping[str, float | str] | None = None,
     output_step: float = 1e-3,
     tolerance: float = 1e-6,
     redundant: str = "refuse",
@@ -51,12 +53,12 @@ def simulate_mechanism(
     duration : float or str
         s, or text with a unit.
     start : mapping, optional
-        Coordinates (m, rad) and speeds (m/s, rad/s) by name; others start in the design pose, at rest. Where loops
-        leave no such pose or speeds, the nearest ones are taken, those given moving least.
+        Coordinates (m, rad) and speeds (m/s, rad/s) by name, or text with a unit; others start in the design pose, at
+        rest. Where loops leave no such pose or speeds, the nearest ones are taken, those given moving least.
     motions : mapping, optional
         Track to its motion, see :func:`jounce.mechanics.harmonic` and its neighbours.
     values : mapping, optional
-        Parameter path to another value (SI) than it was built with; nothing is compiled anew.
+        Parameter path to another value (SI, or text with a unit) than it was built with; nothing is compiled anew.
     output_step : float
         Distance of the output samples, s.
     tolerance : float
@@ -74,7 +76,7 @@ def simulate_mechanism(
     Raises
     ------
     AssemblyError
-        When the loops cannot be closed, or repeat each other.
+        When the loops cannot be closed or repeat each other, or a motion of the joints moves no mass.
     SimulationError
         For unknown names or, with ``check``, when the run does not reach its end.
 
@@ -90,13 +92,19 @@ def simulate_mechanism(
     True
     """
     seconds = to_si(duration, "s", where="duration")
+    if not seconds > 0.0:
+        raise SimulationError("not a duration", where="duration", found=f"{seconds:g} s", allowed="above 0 s")
     check_settings(seconds, output_step, tolerance)
-    model = mechanism.model(redundant, start)
-    p = _parameters(mechanism, model, values or {})
-    tracks = _tracks(model, motions or {})
-    compiled = compile_model(model)
-    u = _inputs(compiled, tracks)
+    if redundant not in ("refuse", "remove"):
+        raise unknown(redundant, ("refuse", "remove"), what="choice", where="redundant")
+    every, given = _values(mechanism, values or {}), _motions(mechanism, motions or {})
+    inputs = {name: float(track.evaluate(np.zeros(1))[0][0]) for name, track in given.items()}
+    model = mechanism.model(redundant, start, values=every, inputs=inputs)
+    p, tracks = np.array([every[name] for name in model.parameters]), [given[name] for name in model.tracks]
+    u = _inputs(model.facts.track_order, tracks)
     pose = assemble(model, p, u, start, redundant="refuse" if redundant == "refuse" else "keep")
+    _check_masses(mechanism, model, pose.x, u, p)
+    compiled = compile_model(model)
     prepared = _prepare(compiled, p, tracks, pose.x, u, output_times(seconds, output_step), tolerance)
     solution = prepared.run()
     reach = samples_reached(solution, check=check)
@@ -111,37 +119,66 @@ def simulate_mechanism(
     return run
 
 
-def _parameters(mechanism: Mechanism, model: Model, values: Mapping[str, float]) -> Array:
+def _values(mechanism: Mechanism, values: Mapping[str, float | str]) -> dict[str, float]:
+    """Every parameter by path, those given in place of those it was built with."""
     for name in values:
-        if name not in model.parameters:
-            raise unknown(name, model.parameters, what="parameter", where="values")
-    every = {**mechanism.values, **values}
-    lacking = [name for name in model.parameters if name not in every]
+        if name not in mechanism.parameters:
+            raise unknown(name, mechanism.parameters, what="parameter", where="values")
+    units = mechanism.units
+    given = {name: to_si(value, units.get(name, "1"), where=f"values: {name}") for name, value in values.items()}
+    every = mechanism.values | given
+    lacking = [name for name in mechanism.parameters if name not in every]
     if lacking:
         raise SimulationError("parameters without a value", where=", ".join(lacking), hint="Give them in values.")
     for name, body in mechanism.mass_values(every).items():
         check_inertia(name, *body)
-    return np.array([every[name] for name in model.parameters])
+    return every
 
 
-def _tracks(model: Model, motions: Mapping[str, Segments]) -> list[Segments]:
-    for name in motions:
-        if name not in model.tracks:
-            raise unknown(name, model.tracks, what="track", where="motions")
-    lacking = [name for name in model.tracks if name not in motions]
+def _motions(mechanism: Mechanism, motions: Mapping[str, Segments]) -> dict[str, Segments]:
+    for name, motion in motions.items():
+        if name not in mechanism.tracks:
+            raise unknown(name, mechanism.tracks, what="track", where="motions")
+        if not isinstance(motion, Segments):
+            hint = "Take held(), steady(), harmonic(), step() or through() of jounce.mechanics."
+            raise SimulationError("not a motion", where=f"motions: {name}", found=str(motion), hint=hint)
+        if not (np.all(np.isfinite(motion.coefficients)) and np.all(np.isfinite(motion.edges))):
+            raise SimulationError("not a motion", where=f"motions: {name}", found="not a finite number")
+    lacking = [name for name in mechanism.tracks if name not in motions]
     if lacking:
         raise SimulationError("tracks without a motion", where=", ".join(lacking), hint="Give them in motions.")
-    return [motions[name].with_finite_slopes() for name in model.tracks]
+    return {name: motion.with_finite_slopes() for name, motion in motions.items()}
 
 
-def _inputs(compiled: Compiled, tracks: list[Segments]) -> Array:
+def _inputs(order: int, tracks: list[Segments]) -> Array:
     """Inputs at t = 0; accelerations are not needed for a start."""
-    u = compiled.inputs()
-    order = compiled.facts.track_order
+    u = np.zeros(order * len(tracks))
     for i, track in enumerate(tracks):
         value, rate = track.evaluate(np.zeros(1))
         u[i * order : i * order + 2] = value[0], rate[0]
     return u
+
+
+def _check_masses(mechanism: Mechanism, model: Model, x: Array, u: Array, p: Array) -> None:
+    """Refuse a mechanism in which some motion of the joints moves no mass."""
+    matrix = mechanism.mass_matrix(model)(x, u, p).full()
+    if not np.all(np.isfinite(matrix)):
+        raise SimulationError(
+            "the mechanism cannot be computed: its mass matrix is not finite",
+            hint="Check the axes of the joints, and what `values` made of them.",
+        )
+    size = np.sqrt(np.diag(matrix))
+    scale = np.where(size > 0.0, size, 1.0)
+    values, ways = np.linalg.eigh(matrix / np.outer(scale, scale))
+    empty = [ways[:, i] for i in np.flatnonzero(values < _MASSLESS)]
+    if empty:
+        names = [name for way in empty for name, share in zip(model.speeds, way, strict=True) if abs(share) > _MOVING]
+        raise AssemblyError(
+            "nothing with mass or inertia moves when these coordinates change together",
+            where=", ".join(dict.fromkeys(name.removesuffix(" rate") for name in names)),
+            hint="Give the bodies there mass and inertia (a point mass has no inertia of its own), or fewer joints: "
+            "a massless link is a rod().",
+        )
 
 
 def _prepare(
@@ -149,6 +186,11 @@ def _prepare(
 ) -> Prepared:
     facts = compiled.facts
     modes = (compiled.evaluate("switch", x, u, p, np.ones(len(facts.switches))) > 0.0).astype(float)
+    rate = compiled.evaluate("rate", x, u, p, modes)
+    if not np.all(np.isfinite(rate)):
+        names = [name for name, value in zip(facts.states, rate, strict=True) if not np.isfinite(value)]
+        hint = "Check the forces and the start."
+        raise SimulationError("the start has no finite rates", where=", ".join(names), found="not a number", hint=hint)
     fastest = float(np.max(np.abs(np.linalg.eigvals(compiled.evaluate("rate_x", x, u, p, modes))), initial=1e-3))
     longest = min(_LONGEST / fastest, _SHARE * float(times[-1] - times[0]))
     scale = np.full(len(x), _SMALLEST)
