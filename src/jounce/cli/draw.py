@@ -191,7 +191,7 @@ def _sweep(rig: Corner, travel: NDArray[np.float64] | None, rack: NDArray[np.flo
 
 
 def _few_poses(rig: Corner, travel: str | None, rack: str | None) -> tuple[xr.Dataset, NDArray[np.float64]]:
-    """Sweep finely, for the ways of wheel centre and contact point, and say which poses are to be drawn."""
+    """Sweep finely, for the paths of wheel centre and contact point, and say which poses are to be drawn."""
     ranges = {"--travel": travel, "--rack": rack}
     values = {option: swept_range(text, "m", option) for option, text in ranges.items() if text is not None}
     moved = "--travel" if len(values.get("--travel", ())) > 1 or rack is None else "--rack"
@@ -204,7 +204,7 @@ def _few_poses(rig: Corner, travel: str | None, rack: str | None) -> tuple[xr.Da
             allowed=f"at most {_MOST_POSES}",
             hint="Take larger steps, or use jounce animate.",
         )
-    fine = np.unique(np.concatenate([at, np.linspace(at[0], at[-1], _WAY)])) if len(at) > 1 else at
+    fine = np.unique(np.round([*at, *np.linspace(at[0], at[-1], _WAY)], 9)) if len(at) > 1 else at
     swept = {**values, moved: fine}
     sweep = _sweep(rig, swept.get("--travel"), swept.get("--rack"))
     reached = sweep["rack_travel" if moved == "--rack" else "wheel_travel"].to_numpy()

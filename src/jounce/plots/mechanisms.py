@@ -41,7 +41,7 @@ def mechanism(
     rig : Corner
         Double wishbone, McPherson strut, five-link or trailing arm.
     poses : xarray.Dataset, optional
-        A sweep or a run with hardpoints: further poses are drawn over the first, with the ways of wheel centre and
+        A sweep or a run with hardpoints: further poses are drawn over the first, with the paths of wheel centre and
         contact point.
     at : sequence of float or str, optional
         Which poses: travel (m) or time (s), or text with a unit; the nearest ones are drawn. By default the first and

@@ -169,8 +169,8 @@ def pose_handles(scene: Scene, shown: Sequence[Pose], looks: Sequence[Look]) -> 
     """Legend of several poses."""
     found = [_line(scene.design.label, INK, linewidth=2.2)]
     found += [_line(pose.label, str(look.colour), linewidth=1.8) for pose, look in zip(shown, looks, strict=True)]
-    found.append(_line("way of the wheel centre", INK, linewidth=0.9))
-    found.append(_line("way of the contact point", INK, linewidth=0.9, linestyle=DASHED))
+    found.append(_line("path of the wheel centre", INK, linewidth=0.9))
+    found.append(_line("path of the contact point", INK, linewidth=0.9, linestyle=DASHED))
     return found + _marks(scene)
 
 
