@@ -62,11 +62,14 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.roads import Triangle as Triangle
     from jounce.roads import Versine as Versine
     from jounce.roads import load_road as load_road
+    from jounce.simulation import Gradient as Gradient
     from jounce.simulation import LinearModel as LinearModel
     from jounce.simulation import Mode as Mode
     from jounce.simulation import equilibrium as equilibrium
+    from jounce.simulation import gradient as gradient
     from jounce.simulation import linearise as linearise
     from jounce.simulation import modes as modes
+    from jounce.simulation import sensitivities as sensitivities
     from jounce.simulation import simulate as simulate
     from jounce.simulation import simulate_mechanism as simulate_mechanism
     from jounce.studies.campaign import run_campaign as run_campaign
@@ -86,6 +89,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "FitTrial": "jounce.identify.update",
     "Flat": "jounce.roads",
     "ForceDeflectionTrial": "jounce.identify.force_deflection",
+    "Gradient": "jounce.simulation",
     "HalfCylinder": "jounce.roads",
     "HalfSine": "jounce.roads",
     "JounceError": "jounce.core.errors",
@@ -114,6 +118,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "fit_damper": "jounce.identify.damper_fit",
     "fit_decay": "jounce.identify.decay",
     "fit_stiffness": "jounce.identify.stiffness",
+    "gradient": "jounce.simulation",
     "linearise": "jounce.simulation",
     "load": "jounce.parts",
     "load_road": "jounce.roads",
@@ -123,6 +128,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "plots": "jounce.plots",
     "read_recording": "jounce.recordings",
     "run_campaign": "jounce.studies.campaign",
+    "sensitivities": "jounce.simulation",
     "simulate": "jounce.simulation",
     "simulate_mechanism": "jounce.simulation",
     "speed_sweep": "jounce.studies.speed_sweep",

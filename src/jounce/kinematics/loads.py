@@ -10,6 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Annotated, Literal
 
+import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
@@ -20,6 +21,7 @@ from jounce.kinematics.grids import Values
 from jounce.kinematics.model import check_corner
 from jounce.kinematics.reach import no_pose
 from jounce.kinematics.sweeps import PreparedSweep, prepare_sweep
+from jounce.mechanics.rotations import normals, unit
 from jounce.parts import Corner, Rig
 
 if TYPE_CHECKING:
@@ -220,8 +222,9 @@ def _five_link(joints: Joints) -> None:
 def _cross_torque(joints: Joints, inner: str, outer: str) -> Array:
     """Direction of the torque that the universal joint of a link takes: across both of its axes."""
     design = np.array(getattr(joints.rig.hardpoints, outer)) - getattr(joints.rig.hardpoints, inner)
-    first = np.tile(np.cross(design, [0.0, 0.0, 1.0]), (joints.balance.poses, 1))
-    return np.cross(_unit(first), _unit(np.cross(joints.points[outer] - joints.points[inner], first)))
+    on_the_body = ca.evalf(normals(unit(ca.SX(design)))[0]).full()[:, 0]
+    first = np.tile(on_the_body, (joints.balance.poses, 1))
+    return np.cross(first, _unit(np.cross(joints.points[outer] - joints.points[inner], first)))
 
 
 def _trailing_arm(joints: Joints) -> None:

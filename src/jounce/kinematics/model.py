@@ -2,6 +2,7 @@
 
 With all motions driven, a Newton step on the loops is the pose, the speeds for a unit rate of travel or rack are exact
 slopes, and the accelerations for constant rates are exact curvatures. Nothing of it depends on masses or on gravity.
+Bushings are taken as ideal joints.
 """
 
 from __future__ import annotations
@@ -89,8 +90,14 @@ def kinematic_model(rig: Rig) -> KinematicModel:
     corner = check_corner(rig)
     structure = structure_of(corner)
     if structure not in _models:
-        _models[structure] = _build(corner)
+        _models[structure] = _build(_rigid(corner))
     return _models[structure]
+
+
+def _rigid(rig: Corner) -> Corner:
+    """Give the corner with ideal joints in place of its bushings."""
+    bushings = getattr(rig, "bushings", None)
+    return rig if bushings is None else rig.model_copy(update={"bushings": type(bushings)()})
 
 
 def check_corner(rig: Rig) -> Corner:
@@ -159,11 +166,19 @@ def _driven(v: ca.SX, tracks: list[Track], speeds: ca.SX, which: int) -> Callabl
 
 
 def _pose(model: Model, v: ca.SX, tracks: list[Track], speeds: list[ca.SX]) -> ca.SX:
-    """Coordinates after a Newton step, violation before it, slopes of the coordinates along each track."""
+    """Coordinates after a Newton step, violation before it, slopes of the coordinates along each track.
+
+    The step starts from quaternions of length one: extrapolated ones are not, and would hide a violation.
+    """
     count = len(model.coordinates)
     moved, violation = model.projection[:count], model.projection[-2]
     slopes = [_driven(v, tracks, speeds[k], k)(model.rate[:count]) for k in range(len(tracks))]
-    return ca.vertcat(moved, violation, *slopes)
+    q = model.x[:count]
+    start = ca.SX(q)
+    for first in (i for i, name in enumerate(model.coordinates) if name.endswith(".e0")):
+        e = q[first : first + 4]
+        start[first : first + 4] = e / ca.sqrt(ca.dot(e, e))
+    return ca.substitute(ca.vertcat(moved, violation, *slopes), q, start)
 
 
 def _function(name: str, model: Model, expression: ca.SX) -> ca.Function:
@@ -176,10 +191,10 @@ def _places(view: CornerView) -> list[tuple[str, ca.SX]]:
     """Places of all hardpoints of the description and of the contact point, ground axes, m."""
     linkage = view.linkage
     names = [name for name in type(linkage.rig.hardpoints).model_fields if getattr(linkage.rig.hardpoints, name)]
+    own = view.bar_points if linkage.rig.anti_roll_bar is not None else {}
     places = []
     for name in names:
-        owner = linkage.owners.get(name)
-        place = linkage.hardpoint(name)
-        places.append((name, place if owner is None else owner.point(place).value))
+        owner, place = linkage.owners.get(name), linkage.hardpoint(name)
+        places.append((name, own.get(name, place if owner is None else owner.point(place).value)))
     mirror = ca.SX([1.0, view.side, 1.0])
     return [*places, ("contact_point", mirror * view.contact)]

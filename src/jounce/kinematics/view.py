@@ -13,6 +13,7 @@ from functools import cached_property
 import casadi as ca
 
 from jounce.mechanics import Mechanism
+from jounce.mechanics.bodies import Body
 from jounce.mechanics.elements import damper_force, damper_map_force
 from jounce.mechanics.frames import Moving
 from jounce.mechanics.rotations import unit
@@ -238,12 +239,10 @@ class CornerView:
     @cached_property
     def bar_angle(self) -> ca.SX:
         """Turn of the anti-roll bar's end about its axis along y, rad, 0 at design."""
-        rig, hardpoint = self.linkage.rig, self.linkage.hardpoint
+        hardpoint = self.linkage.hardpoint
         pivot, arm_end, link_end = (hardpoint(f"arb_{name}") for name in ("pivot", "arm_end", "link_end"))
         arm, link = arm_end - pivot, link_end - arm_end
-        assert rig.anti_roll_bar is not None
-        carrier = self.linkage.carriers[getattr(rig.anti_roll_bar, "on", "upright")]
-        away, away_design = carrier.point(link_end).value - pivot, link_end - pivot
+        away, away_design = self._bar_carrier.point(link_end).value - pivot, link_end - pivot
 
         def parts(d: ca.SX) -> tuple[ca.SX, ca.SX]:
             return arm[0] * d[0] + arm[2] * d[2], arm[2] * d[0] - arm[0] * d[2]
@@ -252,6 +251,20 @@ class CornerView:
         needed = 0.5 * (ca.dot(arm, arm) + ca.dot(away, away) - ca.dot(link, link)) - arm[1] * away[1]
         branch = ca.sign(parts(away_design)[1])
         return ca.atan2(b, a) - branch * ca.acos(needed / ca.sqrt(a**2 + b**2))
+
+    @property
+    def bar_points(self) -> dict[str, ca.SX]:
+        """Places of the anti-roll bar's moving points, ground axes."""
+        hardpoint, angle = self.linkage.hardpoint, self.bar_angle
+        pivot = hardpoint("arb_pivot")
+        x, y, z = ca.vertsplit(hardpoint("arb_arm_end") - pivot)
+        turned = ca.vertcat(x * ca.cos(angle) + z * ca.sin(angle), y, z * ca.cos(angle) - x * ca.sin(angle))
+        link_end = self._bar_carrier.point(hardpoint("arb_link_end")).value
+        return {"arb_arm_end": pivot + turned, "arb_link_end": link_end}
+
+    @property
+    def _bar_carrier(self) -> Body:
+        return self.linkage.carriers[str(getattr(self.linkage.rig.anti_roll_bar, "on", "upright"))]
 
     # pieces ----------------------------------------------------------------------------------------------------
 

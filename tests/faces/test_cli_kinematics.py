@@ -1,0 +1,140 @@
+"""``jounce kinematics``: sweeps of travel, rack and roll, files, pictures, and what one can get wrong."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import jounce as jn
+
+RIG = "reference-double-wishbone"
+TRAVEL = ("--travel", "-80 mm:80 mm:4 mm")
+
+
+def test_json_is_one_object_of_quantities(cli) -> None:
+    outcome = cli("kinematics", RIG, *TRAVEL, "--json")
+    assert outcome.exit_code == 0
+    assert outcome.err == ""
+    found = outcome.json
+    assert set(found["camber"]) == {"units", "values"}
+    assert found["wheel_travel"]["units"] == "m"
+    assert found["wheel_travel"]["values"] == pytest.approx(np.linspace(-0.08, 0.08, 41), abs=1e-15)
+    assert found["wheel_travel"]["values"][20] == 0.0
+    expected = jn.sweep_travel(jn.load(RIG), found["wheel_travel"]["values"])
+    for name in ("camber", "steer", "caster", "kingpin_inclination", "caster_trail", "scrub_radius", "motion_ratio"):
+        assert found[name]["values"] == expected[name].to_numpy().tolist()
+    assert all(len(item["values"]) == 41 for item in found.values())
+
+
+def test_table_for_people(cli) -> None:
+    outcome = cli("kinematics", RIG, *TRAVEL)
+    assert outcome.exit_code == 0
+    assert "roll_centre_height" in outcome.out
+    assert "41 poses" in outcome.out
+    assert "-2.3572" in outcome.out or "80 mm" in outcome.out
+    assert "nan" not in outcome.out
+
+
+def test_rack_as_one_value_as_range_and_alone(cli) -> None:
+    one = cli("kinematics", RIG, *TRAVEL, "--rack", "10 mm", "--json").json
+    assert one["rack_travel"]["values"] == [0.01] * 41
+    pairs = cli("kinematics", RIG, *TRAVEL, "--rack", "-20 mm:20 mm:10 mm", "--json").json
+    assert np.shape(pairs["camber"]["values"]) == (41, 5)
+    assert np.array(pairs["camber"]["values"])[:, 3] == pytest.approx(np.array(one["camber"]["values"]), abs=1e-12)
+    alone = cli("kinematics", RIG, "--rack", "-20 mm:20 mm:10 mm", "--json").json
+    assert alone["steer"]["values"] == pytest.approx(np.array(pairs["steer"]["values"])[20], abs=1e-12)
+    lifted = cli("kinematics", RIG, "--rack", "-20 mm:20 mm:10 mm", "--travel", "0.08", "--json").json
+    assert lifted["steer"]["values"] == pytest.approx(np.array(pairs["steer"]["values"])[40], abs=1e-12)
+
+
+def test_roll_and_steering_of_an_axle(cli) -> None:
+    rolled = cli("kinematics", RIG, "--roll", "-2 deg:2 deg:1 deg", "--json").json
+    assert np.degrees(rolled["roll_angle"]["values"]) == pytest.approx([-2, -1, 0, 1, 2], abs=1e-9)
+    assert rolled["roll_stiffness"]["units"] == "N*m/rad"
+    steered = cli("kinematics", RIG, "--rack", "-20 mm:20 mm:20 mm", "--axle", "--json").json
+    assert steered["left.steer"]["values"][0] == pytest.approx(-steered["right.steer"]["values"][2], abs=1e-12)
+
+
+def test_vehicle_adds_percentages(cli) -> None:
+    words = ("axle=rear", "wheelbase=2.7 m", "centre_of_mass_height=550 mm", "brake_share=0.4")
+    options = [word for text in words for word in ("--vehicle", text)]
+    found = cli("kinematics", RIG, *TRAVEL, *options, "--json").json
+    assert found["anti_squat"]["values"][20] == pytest.approx(2.7 / 0.55 * 0.0592816, rel=1e-5)
+
+
+def test_changes_are_swept(cli) -> None:
+    plain = cli("kinematics", RIG, *TRAVEL, "--json").json
+    moved = cli("kinematics", RIG, *TRAVEL, "--json", "--set", "hardpoints.tie_rod_inner[2]=190 mm").json
+    assert moved["bump_steer"]["values"][20] != plain["bump_steer"]["values"][20]
+
+
+def test_files_and_pictures(cli, tmp_path: Path) -> None:
+    outcome = cli("kinematics", RIG, *TRAVEL, "--out", "sweep.nc", "--plot", "curves")
+    assert outcome.exit_code == 0
+    with xr.open_dataset(tmp_path / "sweep.nc", engine="h5netcdf") as read:
+        assert read["camber"].shape == (41,)
+        assert read["camber"].attrs["units"] == "rad"
+    assert (tmp_path / "curves" / "wheel.png").is_file()
+    again = cli("kinematics", RIG, *TRAVEL, "--out", "sweep.nc")
+    assert again.exit_code == 2
+    assert "exists" in again.err
+    full = cli("kinematics", RIG, *TRAVEL, "--plot", "curves")
+    assert full.exit_code == 2
+    assert cli("kinematics", RIG, *TRAVEL, "--out", "sweep.nc", "--plot", "curves", "--force").exit_code == 0
+
+
+def test_travel_beyond_reach_keeps_the_rest(cli, tmp_path: Path) -> None:
+    outcome = cli("kinematics", RIG, "--travel", "-300 mm:80 mm:4 mm", "--out", "sweep.csv", "--json")
+    assert outcome.exit_code == 2
+    assert outcome.err.count("\n") == 1
+    assert "end of its travel at wheel travel -245 mm" in outcome.err
+    assert "upper_ball_joint" in outcome.err
+    values = outcome.json["wheel_travel"]["values"]
+    assert values[0] == pytest.approx(-0.244)
+    assert len((tmp_path / "sweep.csv").read_text(encoding="utf-8").splitlines()) == len(values) + 1
+
+
+@pytest.mark.parametrize(
+    ("words", "text"),
+    [
+        (("--travel", "80 mm:-80 mm:4 mm"), "runs backwards"),
+        (("--travel", "10 mm:10 mm:4 mm"), "range is empty"),
+        (("--travel", "-80 mm:80 mm:-4 mm"), "not a step"),
+        (("--travel", "-80 mm:80 mm:0 mm"), "not a step"),
+        (("--travel", "-80 mm:80 mm"), "not a range"),
+        (("--travel", "-80 mm:80 mm:1 nm"), "too many"),
+        (("--travel", ""), "not a range"),
+        (("--travel", "-80 deg:80 deg:4 deg"), "wrong unit"),
+        (("--travel", "500 mm"), "no pose of the sweep can be reached"),
+        ((), "nothing is swept"),
+        (("--axle",), "nothing is swept"),
+        (("--roll", "-2 deg:2 deg:1 deg", "--travel", "0 mm"), "roll makes its own travel"),
+        (("--roll", "-2 deg:2 deg:1 deg", "--rack", "-1 mm:1 mm:1 mm"), "only one value"),
+        (("--roll", "80 deg"), "too steep"),
+        ((*TRAVEL, "--vehicle", "axle=front"), "wheelbase"),
+        ((*TRAVEL, "--set", "hardpoints.upper=1"), "hardpoints.upper"),
+        ((*TRAVEL, "--out", "sweep.xlsx"), "not written in this format"),
+    ],
+)
+def test_mistakes_get_one_clear_message(cli, words: tuple[str, ...], text: str) -> None:
+    outcome = cli("kinematics", RIG, *words)
+    assert outcome.exit_code == 2
+    assert text in outcome.err
+    assert outcome.out == ""
+
+
+def test_a_lumped_rig_is_refused(cli) -> None:
+    outcome = cli("kinematics", "kart-quarter-car", *TRAVEL, "--json")
+    assert outcome.exit_code == 2
+    assert "a lumped rig has no kinematics" in outcome.err
+    assert outcome.json["error"]["kind"] == "DescriptionError"
+
+
+def test_a_trailing_arm_has_no_steering_rows(cli) -> None:
+    found = cli("kinematics", "semi-trailing-arm", *TRAVEL, "--json").json
+    assert "camber" in found
+    assert not {"caster", "scrub_radius", "steering_ratio", "kingpin_inclination"} & set(found)
+    assert cli("kinematics", "semi-trailing-arm", "--rack", "-1 mm:1 mm:1 mm").exit_code == 2

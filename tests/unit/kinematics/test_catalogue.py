@@ -1,0 +1,54 @@
+from __future__ import annotations
+
+import re
+
+import pytest
+
+import jounce as jn
+from jounce.kinematics import CATALOGUE
+from jounce.kinematics.model import kinematic_model
+
+UNITS = {"m", "rad", "1", "rad/m", "1/m", "rad/m^2", "N", "N/m", "N*s/m"}
+
+
+@pytest.mark.parametrize("row", CATALOGUE, ids=lambda row: row.name)
+def test_every_row_says_what_it_is(row) -> None:
+    assert re.fullmatch(r"[a-z]+(_[a-z]+)*", row.name)
+    assert row.unit in UNITS
+    assert row.long_name
+    assert row.sign.startswith(("positive: ", "never negative"))
+    assert row.needs in {"", "axis", "rack", "bar", "stiffness"}
+
+
+def test_names_are_unique() -> None:
+    assert len({row.name for row in CATALOGUE}) == len(CATALOGUE)
+
+
+def test_rows_that_a_corner_cannot_have_are_absent() -> None:
+    names = {row.name for row in CATALOGUE}
+    full = {row.name for row in kinematic_model(jn.load("reference-double-wishbone")).rows}
+    assert names - full == {row.name for row in CATALOGUE if row.needs == "bar"}
+    arm = {row.name for row in kinematic_model(jn.load("semi-trailing-arm")).rows}
+    assert names - arm == {row.name for row in CATALOGUE if row.needs in {"bar", "axis", "rack"}}
+    curved = kinematic_model(jn.load("hmmwv-front")) if jn.load("hmmwv-front").tyre.stiffness is None else None
+    assert curved is None or "ride_rate" not in {row.name for row in curved.rows}
+
+
+def test_corners_that_differ_in_numbers_share_a_model() -> None:
+    rig = jn.load("reference-double-wishbone")
+    model = kinematic_model(rig)
+    assert kinematic_model(rig.with_changes({"strut.spring.rate": 30e3, "wheel.camber": -0.01})) is model
+    assert kinematic_model(jn.load("generic-mcpherson")) is not model
+
+
+def test_a_lumped_rig_has_no_kinematics() -> None:
+    with pytest.raises(jn.DescriptionError, match="a lumped rig has no kinematics") as caught:
+        jn.sweep_travel(jn.load("kart-quarter-car"), 0.0)
+    assert "double-wishbone" in str(caught.value)
+
+
+def test_bushings_count_as_ideal_joints() -> None:
+    rig = jn.load("reference-double-wishbone")
+    soft = rig.with_changes({"bushings": {"lower_arm_front": {"stiffness": [1e6, 1e6, 1e5]}}})
+    rigid, found = jn.sweep_travel(rig, [-0.02, 0.0, 0.02]), jn.sweep_travel(soft, [-0.02, 0.0, 0.02])
+    assert found["steer"].to_numpy() == pytest.approx(rigid["steer"].to_numpy(), abs=1e-13)

@@ -1,0 +1,61 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from jounce.core.errors import DescriptionError
+from jounce.kinematics.grids import grid, sweep_values
+
+
+@pytest.mark.parametrize(
+    ("travel", "rack"),
+    [
+        (np.linspace(-0.04, 0.04, 5), np.array([0.0])),
+        (np.array([0.02, 0.03]), np.array([-0.02, 0.01])),
+        (np.array([-0.03, -0.02]), np.linspace(-0.01, 0.03, 5)),
+        (np.array([0.0]), np.array([0.0])),
+    ],
+)
+def test_every_pair_is_visited_once_after_its_neighbour(travel: np.ndarray, rack: np.ndarray) -> None:
+    layout = grid(travel, rack)
+    assert sorted(layout.place) == list(range(len(travel) * len(rack)))
+    wanted = np.array([(z, y) for z in travel for y in rack])
+    assert np.array_equal(layout.targets, wanted[layout.place])
+    rows, columns = np.divmod(layout.place, len(rack))
+    for i, parent in enumerate(layout.before):
+        assert parent < i
+        if parent >= 0:  # one step along one of the two
+            assert abs(rows[i] - rows[parent]) + abs(columns[i] - columns[parent]) == 1
+    assert np.sum(layout.before == -1) == 1
+
+
+def test_the_walk_starts_nearest_to_design() -> None:
+    layout = grid(np.array([-0.03, 0.01, 0.05]), np.array([-0.02, 0.004]))
+    assert tuple(layout.targets[0]) == (0.01, 0.004)
+
+
+@pytest.mark.parametrize(
+    ("values", "text"),
+    [
+        ([], "not a list of values"),
+        ([[0.0, 1.0]], "not a list of values"),
+        ([0.0, np.nan], "not a finite number"),
+        ([0.0, np.inf], "not a finite number"),
+        ([0.02, 0.0], "do not ascend"),
+        ([0.0, 0.0], "do not ascend"),
+        (["x"], "not numbers"),
+    ],
+)
+def test_bad_values_are_refused(values: object, text: str) -> None:
+    with pytest.raises(DescriptionError, match=text) as caught:
+        sweep_values(values, "wheel travel")  # type: ignore[arg-type]
+    assert "wheel travel" in str(caught.value)
+
+
+def test_one_number_is_one_value() -> None:
+    assert np.array_equal(sweep_values(0.02, "wheel travel"), [0.02])
+
+
+def test_too_many_pairs_are_refused() -> None:
+    with pytest.raises(DescriptionError, match="too many"):
+        grid(np.linspace(-0.1, 0.1, 2000), np.linspace(-0.1, 0.1, 2000))

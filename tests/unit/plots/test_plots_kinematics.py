@@ -1,0 +1,62 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.plots.kinematics import SHEETS, kinematic_curves, write_kinematics
+
+RIG = jn.load("reference-double-wishbone")
+
+
+@pytest.fixture(scope="module")
+def sweep():
+    return jn.sweep_travel(RIG, np.linspace(-0.2, 0.08, 57))
+
+
+def test_curves_are_in_usual_units(sweep) -> None:
+    axes = kinematic_curves(sweep, ["camber", "roll_centre_height"]).axes
+    assert [item.get_title("left") for item in axes] == ["camber [°]", "roll centre height [mm]"]
+    x, y = axes[0].lines[0].get_data()
+    assert x == pytest.approx(1e3 * sweep["wheel_travel"].to_numpy())
+    assert y == pytest.approx(np.degrees(sweep["camber"].to_numpy()))
+    assert axes[0].get_xlabel() == "wheel travel [mm]"
+
+
+def test_poles_are_cut_off(sweep) -> None:
+    """The front instant centre runs to infinity near -140 mm."""
+    lines = kinematic_curves(sweep, ["instant_centre_y"]).axes[0].lines
+    values = lines[0].get_data()[1]
+    assert np.isnan(values).sum() >= 1
+    assert np.nanmax(np.abs(values)) < 0.2 * 1e3 * float(np.abs(sweep["instant_centre_y"]).max())
+
+
+def test_axles_have_two_lines_and_pairs_at_most_five() -> None:
+    rolled = kinematic_curves(jn.sweep_roll(RIG, np.radians([-2.0, 0.0, 2.0])), ["camber", "roll_stiffness"])
+    assert [line.get_label() for line in rolled.axes[0].lines[:2]] == ["left", "right"]
+    pairs = jn.sweep_travel(RIG, [-0.02, 0.0, 0.02], np.linspace(-0.03, 0.03, 13))
+    labels = [line.get_label() for line in kinematic_curves(pairs, ["camber"]).axes[0].lines]
+    assert [label for label in labels if not label.startswith("_")] == [
+        "rack −30 mm",
+        "rack −15 mm",
+        "rack 0 mm",
+        "rack 15 mm",
+        "rack 30 mm",
+    ]
+
+
+def test_every_quantity_is_on_one_sheet(sweep, tmp_path: Path) -> None:
+    named = [name for names in SHEETS.values() for name in names]
+    assert len(set(named)) == len(named)
+    files = write_kinematics(sweep, tmp_path / "curves")
+    assert {file.name for file in files} == {*(f"{sheet}.png" for sheet in SHEETS), "others.png"}
+    assert all(file.read_bytes().startswith(b"\x89PNG") for file in files)
+    with pytest.raises(jn.OutputError, match="exists"):
+        write_kinematics(sweep, tmp_path / "curves")
+
+
+def test_unknown_quantities_are_refused(sweep) -> None:
+    with pytest.raises(jn.RecordingError, match="camber"):
+        kinematic_curves(sweep, ["cambre"])
