@@ -81,3 +81,27 @@ def fill(tracks: Any, piece: Any, times: Any, u: Any) -> None:
                 u[slope, j] = -rate * c3 * s / root if root > 0.0 else 0.0
                 if order > 2:
                     u[slope + 1, j] = -rate * rate * c3 * c1 * c1 / root**3 if root > 0.0 else 0.0
+
+
+@part()
+def fill_rates(tracks: Any, piece: Any, t: float, u: Any) -> None:
+    """Fill ``u`` with the rates of what ``fill`` gives at ``t``: (rate, acceleration[, jerk]) of every track."""
+    order = len(u) // max(len(piece), 1)
+    for k in range(len(piece)):
+        i, rate = piece[k], tracks.rate[k]
+        c1, c2, c3 = tracks.coefficients[i, 1], tracks.coefficients[i, 2], tracks.coefficients[i, 3]
+        s = rate * (t - tracks.start[i])
+        first, second, third = 0.0, 0.0, 0.0
+        if tracks.kind[i] == 0:
+            first, second, third = c1 + s * (2.0 * c2 + 3.0 * s * c3), 2.0 * c2 + 6.0 * s * c3, 6.0 * c3
+        elif tracks.kind[i] == 1:
+            sine, cosine = sine_and_cosine(c2 * s + c3)
+            first, second, third = c1 * c2 * cosine, -c1 * c2 * c2 * sine, -c1 * c2**3 * cosine
+        else:
+            s -= c2
+            root = math.sqrt(max(c1 * c1 - s * s, 0.0))
+            if root > 0.0:
+                first, second, third = -c3 * s / root, -c3 * (c1 / root) ** 2 / root, -3.0 * c3 * s * c1 * c1 / root**5
+        u[order * k], u[order * k + 1] = rate * first, rate * rate * second
+        if order > 2:
+            u[order * k + 2] = rate**3 * third

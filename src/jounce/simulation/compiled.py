@@ -49,6 +49,8 @@ class Compiled:
         Gives the symbolic model, which runs do not need.
     without : Compiled or None
         The same model without free parameters, where there are some.
+    identity : str
+        Says everything the code of a rig depends on; empty where only the symbolic model says it.
     """
 
     facts: Facts
@@ -59,6 +61,7 @@ class Compiled:
     lanes: int
     source: Callable[[], Model] = field(repr=False)
     without: Compiled | None = field(default=None, repr=False)
+    identity: str = field(default="", repr=False)
 
     @property
     def plain(self) -> Compiled:
@@ -230,12 +233,13 @@ def compile_rig(rig: Rig, free: tuple[str, ...] = (), *, detail: bool = False) -
 
             return build(rig, detail=detail)
 
-        native, notes = kept_code(f"{_sources()} {key}", lambda: _source(model(), free))
+        identity = f"{_sources()} {key}"
+        native, notes = kept_code(identity, lambda: _source(model(), free))
         table: dict[str, Any] = json.loads(notes)
         without = compile_rig(rig, detail=detail) if free else None
         shapes = {name: (rows, columns) for name, (rows, columns) in table["shapes"].items()}
         numbers = (shapes, table["scalars"], table["lanes"])
-        _compiled[key] = Compiled(_facts(table["facts"]), free, native, *numbers, model, without)
+        _compiled[key] = Compiled(_facts(table["facts"]), free, native, *numbers, model, without, identity)
     return _compiled[key]
 
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,7 +12,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
 from jounce.core.segments import SINE, Segments
-from jounce.kernel import linear
+from jounce.kernel import implicit, linear
 from jounce.kernel.explicit import Control, Problem, integrate
 from jounce.kernel.sampling import Samples
 from jounce.kernel.status import Status
@@ -20,6 +22,8 @@ from jounce.recordings.schema import recording
 from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.statics import Rest, find_rest, state_scale
+from jounce.simulation.stiff import STEP_SHARE as IMPLICIT_SHARE
+from jounce.simulation.stiff import Method, check_method, longest_step, pace_of, pays, slopes_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -28,6 +32,7 @@ Array = NDArray[np.float64]
 MAX_STEPS, _MAX_SAMPLES = 5_000_000, 20_000_000
 _STABLE = 0.4  # share of the fastest decay at rest that the method must resolve: friction holding a rig, sensitivities
 _LONGEST = 1.2  # radians of the fastest oscillation in one step, at a tolerance of 1e-5
+_LONG_RUN = 5000.0  # radians of the fastest motion, beyond which it is worth asking whether the implicit method pays
 _FINEST, _COARSEST = 1e-13, 1e-1
 STEP_SHARE = 0.003  # of the tolerance for one step: keeps the global error of the shipped models below it
 
@@ -48,6 +53,8 @@ class Solution:
         Work done.
     state_slopes, output_slopes : ndarray, shape (n_states, n_free, n), (n_outputs, n_free, n)
         Sensitivities to the free parameters, SI.
+    method : {"exact", "explicit", "implicit"}
+        What computed them.
     """
 
     time: Array
@@ -59,6 +66,7 @@ class Solution:
     events: int
     state_slopes: Array
     output_slopes: Array
+    method: str
 
 
 def output_times(duration: float, output_step: float) -> Array:
@@ -70,7 +78,11 @@ def output_times(duration: float, output_step: float) -> Array:
 
 @dataclass(frozen=True)
 class Prepared:
-    """A run with everything laid out: ``run`` only computes, into ``out``, as often as wanted."""
+    """A run with everything laid out: ``run`` only computes, into ``out``, as often as wanted.
+
+    ``stiff`` says how the implicit method is steered, None where there is only the explicit one; ``method`` is the one
+    used first. In place of an explicit run that used up its steps the implicit method has a try.
+    """
 
     compiled: Compiled
     problem: Problem
@@ -78,25 +90,50 @@ class Prepared:
     out: Samples
     exact: tuple[linear.Plan, Array] | None
     modes: Array
+    stiff: Callable[[], Control] | None = None
+    method: Method = "explicit"
 
     def run(self) -> Solution:
         """Fill the arrays and say how the run ended."""
-        counts = np.zeros(3, dtype=np.int64)
-        self.problem.piece[:] = self.problem.tracks.first[:-1]
-        self.problem.m[:] = self.modes
+        counts, method = np.zeros(3, dtype=np.int64), "exact"
         if self.exact is not None:
+            self._start()
             code = linear.propagate(self.problem, *self.exact, self.out)
         else:
-            code = integrate(self.problem, self.control, self.out, counts)
+            method, code = self._integrate(counts)
         out, free = self.out, len(self.compiled.free)
         tables = ((out.states, out.tangents), (out.outputs, out.carried[:, len(out.outputs) :]))
         slopes = [table.reshape(len(out.times), len(of), free).transpose(1, 2, 0) for of, table in tables]
         steps, rejected, events = (int(count) for count in counts)
-        return Solution(out.times, out.states, out.outputs, Status.of(code), steps, rejected, events, *slopes)
+        found = (out.times, out.states, out.outputs, Status.of(code))
+        return Solution(*found, steps, rejected, events, slopes[0], slopes[1], method)
+
+    def _start(self) -> None:
+        self.problem.piece[:] = self.problem.tracks.first[:-1]
+        self.problem.m[:] = self.modes
+
+    def _integrate(self, counts: NDArray[np.int64]) -> tuple[str, int]:
+        """Name of the method and return code."""
+        self._start()
+        code = Status.TOO_MANY_STEPS.code
+        if self.method != "implicit":
+            code = integrate(self.problem, self.control, self.out, counts)
+        if self.stiff is None or code != Status.TOO_MANY_STEPS.code:
+            return "explicit", code
+        self._start()
+        counts[:] = 0
+        return "implicit", implicit.integrate(self.problem, slopes_of(self.compiled), self.stiff(), self.out, counts)
 
 
 def prepare(
-    compiled: Compiled, p: Array, road: Segments, times: Array, *, tolerance: float = 1e-5, offset: Array | None = None
+    compiled: Compiled,
+    p: Array,
+    road: Segments,
+    times: Array,
+    *,
+    tolerance: float = 1e-5,
+    offset: Array | None = None,
+    method: Method = "auto",
 ) -> Prepared:
     """Lay out a run from static equilibrium at the road height of ``times[0]``.
 
@@ -114,7 +151,10 @@ def prepare(
         Relative error of the displacements.
     offset : ndarray, shape (n_states,), optional
         Added to the equilibrium: where the run starts.
+    method : {"auto", "explicit", "implicit"}
+        How to integrate; by itself the one that is likely to be faster, and exact propagation where that is possible.
     """
+    check_method(method, compiled)
     n_q, n_v = compiled.facts.counts
     height = float(road.evaluate(times[:1])[0][0])
     still = compiled.inputs({compiled.facts.tracks[0]: height})
@@ -123,13 +163,25 @@ def prepare(
     modes = rest.modes if offset is None else _modes(compiled, x, p, still)
     scale = state_scale(rest, n_q, n_v, _motion_size(road, rest.x[:n_q] - compiled.facts.start, offset))
     band = _dead_band(compiled, p, rest, scale, still)
-    longest = _longest_step(rest, road, tolerance)
-    control = Control(STEP_SHARE * tolerance, 0.1 * scale, band, MAX_STEPS, longest)
+    limit = _explicit_limit(rest, road)
+    control = Control(STEP_SHARE * tolerance, 0.1 * scale, band, MAX_STEPS, _longest_step(limit, tolerance))
     start = np.concatenate([x, _rest_sensitivity(compiled, p, rest, still)])
     tracks = flatten([road.with_finite_slopes()])
     values = compiled.extended(p)
     problem = Problem(compiled.engine, tracks, tracks.first[:-1].copy(), values, modes.copy(), start, len(still))
-    return Prepared(compiled, problem, control, room(compiled, times), _exact(compiled, problem, times), modes)
+    exact = _exact(compiled, problem, times) if method == "auto" else None
+    prepared = Prepared(compiled, problem, control, room(compiled, times), exact, modes)
+    if exact is not None or compiled.free or method == "explicit":
+        return prepared
+    pace, waves = cache(lambda: pace_of(compiled, p, rest, still)), _waves(road)
+
+    @cache
+    def stiff() -> Control:
+        return control._replace(tolerance=IMPLICIT_SHARE * tolerance, longest=longest_step(pace(), waves, tolerance))
+
+    long = limit * float(times[-1] - times[0]) > _LONG_RUN
+    implicitly = method == "implicit" or (long and pays(pace(), waves, limit, tolerance))
+    return replace(prepared, stiff=stiff, method="implicit" if implicitly else "explicit")
 
 
 def room(compiled: Compiled, times: Array) -> Samples:
@@ -148,10 +200,17 @@ def room(compiled: Compiled, times: Array) -> Samples:
 
 
 def solve(
-    compiled: Compiled, p: Array, road: Segments, times: Array, *, tolerance: float = 1e-5, offset: Array | None = None
+    compiled: Compiled,
+    p: Array,
+    road: Segments,
+    times: Array,
+    *,
+    tolerance: float = 1e-5,
+    offset: Array | None = None,
+    method: Method = "auto",
 ) -> Solution:
     """Run a model once; arguments as for :func:`prepare`."""
-    return prepare(compiled, p, road, times, tolerance=tolerance, offset=offset).run()
+    return prepare(compiled, p, road, times, tolerance=tolerance, offset=offset, method=method).run()
 
 
 def _exact(compiled: Compiled, problem: Problem, times: Array) -> tuple[linear.Plan, Array] | None:
@@ -173,6 +232,7 @@ def simulate(
     *,
     output_step: float = 1e-3,
     tolerance: float = 1e-5,
+    method: Method = "auto",
     offset: dict[str, float] | None = None,
     detail: bool = False,
     check: bool = True,
@@ -189,6 +249,10 @@ def simulate(
         Distance of the output samples, s.
     tolerance : float
         Relative error of the displacements.
+    method : {"auto", "explicit", "implicit"}
+        How to integrate: with steps as small as the fastest motion asks, or, where that is stiff and matters little,
+        with the implicit method. By itself the one that is likely to be faster; ``attrs["method"]`` says which ran
+        (``"exact"`` for linear models on simple roads).
     offset : dict, optional
         Starts the run away from equilibrium: coordinate or ``"<coordinate> rate"`` to m or m/s, at rest otherwise.
     detail : bool
@@ -216,10 +280,12 @@ def simulate(
     True
     """
     check_settings(trial.duration, output_step, tolerance)
+    check_method(method)
     compiled = compile_rig(rig, detail=detail)
     p = compiled.parameter_values(rig.parameters())
     times = output_times(trial.duration, output_step)
-    solution = solve(compiled, p, trial.segments(), times, tolerance=tolerance, offset=_offset(compiled, offset))
+    start = _offset(compiled, offset)
+    solution = solve(compiled, p, trial.segments(), times, tolerance=tolerance, offset=start, method=method)
     reach = samples_reached(solution, check=check)
     channels = {
         output.name: (solution.outputs[i, :reach], output.unit, output.long_name)
@@ -227,7 +293,7 @@ def simulate(
     }
     run = recording(times[:reach], channels)
     run.attrs["status"] = solution.status.name.lower()
-    run.attrs["steps"], run.attrs["events"] = solution.steps, solution.events
+    run.attrs["method"], run.attrs["steps"], run.attrs["events"] = solution.method, solution.steps, solution.events
     return run
 
 
@@ -289,17 +355,25 @@ def _modes(compiled: Compiled, x: Array, p: Array, u: Array) -> Array:
     return (values > 0.0).astype(float)
 
 
-def _longest_step(rest: Rest, road: Segments, tolerance: float) -> float:
+def _longest_step(fastest: float, tolerance: float) -> float:
     """Step (s) beyond which the interpolant inside it would be worse than its end: a share of the fastest oscillation.
 
     In flight the wheel does not feel the road; this also keeps steps from passing over a whole contact.
     """
+    return float(_LONGEST * (tolerance / 1e-5) ** 0.125 / fastest)
+
+
+def _waves(road: Segments) -> float:
+    """Fastest sine of the road, rad/s."""
+    return float(np.max(np.abs(road.coefficients[road.kind == SINE, 2]) * road.rate, initial=0.0))
+
+
+def _explicit_limit(rest: Rest, road: Segments) -> float:
+    """What limits the steps of the explicit method, rad/s: the fastest oscillation, wave or decay."""
     f = len(rest.free)
     stiffness = np.max(np.abs(np.linalg.eigvals(rest.reduced[f : 2 * f, :f])), initial=0.0)
     decay = float(np.max(np.abs(np.linalg.eigvals(rest.reduced)), initial=0.0))
-    waves = np.abs(road.coefficients[road.kind == SINE, 2]) * road.rate
-    fastest = max(float(np.sqrt(stiffness)), float(np.max(waves, initial=0.0)), _STABLE * decay, 1e-3)
-    return float(_LONGEST * (tolerance / 1e-5) ** 0.125 / fastest)
+    return max(float(np.sqrt(stiffness)), _waves(road), _STABLE * decay, 1e-3)
 
 
 def _dead_band(compiled: Compiled, p: Array, rest: Rest, scale: Array, u: Array) -> Array:

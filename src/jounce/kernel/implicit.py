@@ -1,0 +1,283 @@
+"""Adaptive implicit integration (Rosenbrock method Rodas5P) for stiff models: bushings, sharp friction.
+
+Each step solves eight linear systems with one matrix, made of the exact slopes of the rates at its start; nothing is
+iterated. Fast modes that decay or that nothing excites do not limit the step. Edges of the input, switches, modes,
+events, projection and samples are as in ``explicit``, and so are the arrays: the interpolant is put into the same rows.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.kernel import rodas5p
+from jounce.kernel.call import call_native, compiled, part
+from jounce.kernel.explicit import (
+    _CHATTER,
+    _COMPLETED,
+    _LAST_RATE,
+    _NOT_FINITE,
+    _STEP_TOO_SMALL,
+    Control,
+    Problem,
+    _arrive,
+    _crossing,
+    _flip,
+    _inputs,
+    _limit,
+    _rate,
+    _scratch,
+)
+from jounce.kernel.factors import Factors, factorise, room, solve
+from jounce.kernel.layout import DENSE, END, FIRST_PROBE, PROBES, RATES, ROWS, STATE, TRIAL
+from jounce.kernel.rodas5p import GAMMA, STAGES
+from jounce.kernel.sampling import Samples, sample_step
+from jounce.kernel.tracks import advance, fill, fill_rates
+
+Array = NDArray[np.float64]
+_A, _B, _C, _D, _H = rodas5p.A, rodas5p.B, rodas5p.C, rodas5p.D, rodas5p.H
+_NODES = 6  # stages that see an input of their own: the last three all stand at the end of the step
+_RATE = RATES + 1
+_ORDER = 5.0
+_SAFETY, _SHRINK, _GROW = 0.9, 0.2, 4.0
+
+
+class Slopes(NamedTuple):
+    """Addresses of native functions: slopes of the rates along states and inputs, column after column.
+
+    ``first`` is the number of coordinates.
+    """
+
+    by_state: int
+    by_input: int
+    first: int
+
+
+class Stages(NamedTuple):
+    """Scratch arrays of a step: stages ``k``, slopes, rates of the inputs, and of the rates in time through them."""
+
+    k: Array
+    factors: Factors
+    by_state: Array
+    by_input: Array
+    drift: Array
+    moving: Array
+
+
+@part()
+def _look(problem: Any, slopes: Any, work: Any, stages: Any, t: float) -> None:
+    """Slopes of the rates at the state and ``t``, and how the rates change in time through the input alone."""
+    work.times[0] = t
+    fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
+    call_native(slopes.by_state, work.rows, STATE, work.u, problem.p, problem.m, stages.by_state, 0)
+    n, count = len(stages.drift), problem.inputs
+    for d in range(n):
+        stages.drift[d] = 0.0
+    if count == 0:
+        return
+    call_native(slopes.by_input, work.rows, STATE, work.u, problem.p, problem.m, stages.by_input, 0)
+    fill_rates(problem.tracks, problem.piece, t, stages.moving)
+    for i in range(count):
+        for d in range(n):
+            stages.drift[d] += stages.by_input[0, i * n + d] * stages.moving[i]
+
+
+@part(fastmath={"contract"})
+def _stage(stages: Any, rows: Any, h: float, i: int, rate: int) -> None:
+    """Stage ``i`` of a step, from the rate in row ``rate``."""
+    k, n = stages.k, len(stages.drift)
+    late = _D[i] * h
+    for d in range(n):
+        k[i, d] = rows[rate, d] + late * stages.drift[d]
+    for j in range(i):
+        weight = _B[i, j] / h
+        for d in range(n):
+            k[i, d] += weight * k[j, d]
+    solve(stages.factors, k[i])
+
+
+@part(fastmath={"contract"})
+def _place(stages: Any, rows: Any, i: int, at: int) -> None:
+    """Put into row ``at`` where stage ``i`` is, or the end of the step after the last one."""
+    k, n = stages.k, len(stages.drift)
+    for d in range(n):
+        rows[at, d] = rows[STATE, d]
+    for j in range(i):
+        weight = _A[i, j]
+        for d in range(n):
+            rows[at, d] += weight * k[j, d]
+
+
+@part()
+def _step(problem: Any, slopes: Any, work: Any, stages: Any, t: float, h: float) -> bool:
+    """One step from the state to the end row; tell whether its matrix was regular."""
+    if not factorise(stages.factors, stages.by_state, 1.0 / (GAMMA * h), slopes.first):
+        return False
+    for i in range(1, _NODES):
+        work.times[i] = t + _C[i] * h
+    fill(problem.tracks, problem.piece, work.times[1:_NODES], work.u[:, 1:_NODES])
+    _stage(stages, work.rows, h, 0, RATES)
+    for i in range(1, STAGES):
+        node = min(i, _NODES - 1)
+        _place(stages, work.rows, i, TRIAL)
+        call_native(problem.engine.rate, work.rows, TRIAL, work.u[:, node:], problem.p, problem.m, work.rows, _RATE)
+        _stage(stages, work.rows, h, i, _RATE)
+    _place(stages, work.rows, STAGES, END)
+    return True
+
+
+@part()
+def _error(work: Any, stages: Any, tolerance: float) -> float:
+    """Error of the states relative to what is allowed (root mean square); it is of order 4."""
+    total, n = 0.0, len(work.widest)
+    for d in range(n):
+        share = stages.k[STAGES - 1, d] / (tolerance * work.widest[d] + 1e-15 * abs(work.rows[STATE, d]))
+        total += share * share
+    return math.sqrt(total / n)
+
+
+@part(fastmath={"contract"})
+def _prepare_dense(problem: Any, work: Any, stages: Any, t: float, h: float) -> None:
+    """Coefficients of the interpolant, in the nested form of ``explicit``, and the inputs at the probes."""
+    rows, k = work.rows, stages.k
+    for d in range(len(stages.drift)):
+        first, second, third = 0.0, 0.0, 0.0
+        for j in range(STAGES):
+            first += _H[0, j] * k[j, d]
+            second += _H[1, j] * k[j, d]
+            third += _H[2, j] * k[j, d]
+        rows[DENSE, d] = rows[END, d] - rows[STATE, d]
+        rows[DENSE + 1, d] = first
+        rows[DENSE + 2, d] = second + third
+        rows[DENSE + 3, d] = -third
+    if len(problem.m) > 0:
+        _inputs(problem, work, t, h, FIRST_PROBE, FIRST_PROBE + len(PROBES))
+
+
+@part()
+def _attempt(
+    problem: Any, slopes: Any, control: Any, work: Any, stages: Any, t: float, h: float, dense: bool, edge: bool
+) -> tuple[float, float, int]:
+    """Try one step; give (share of it that holds, factor for the next step, switch that ends it or -1).
+
+    A share of 0 with no switch means rejected; the dense output of an accepted step is prepared where wanted.
+    """
+    regular = _step(problem, slopes, work, stages, t, h)
+    error = _error(work, stages, control.tolerance) if regular else math.nan
+    if not math.isfinite(error):
+        return 0.0, 0.1, -1
+    factor = min(_GROW, _SAFETY * (error + 1e-12) ** (-1.0 / _ORDER))
+    if error > 1.0:
+        return 0.0, max(_SHRINK, factor), -1
+    if dense or len(problem.m) > 0:
+        _prepare_dense(problem, work, stages, t, h)
+    if len(problem.m) > 0:
+        theta, which = _crossing(problem, work, control.dead_band, t, h, edge)
+        if which >= 0:
+            if 0.0 < theta < 1.0:
+                _step(problem, slopes, work, stages, t, theta * h)
+                _prepare_dense(problem, work, stages, t, theta * h)
+            return theta, max(1.0 - theta, 0.1), which
+    return 1.0, factor, -1
+
+
+def integrate(problem: Problem, slopes: Slopes, control: Control, out: Samples, counts: NDArray[np.int64]) -> int:
+    """Integrate from the first to the last sample; fill the arrays at every sample; give a status code.
+
+    At an input edge the samples are those just after it. ``counts`` gets steps, rejected steps and events. The state
+    carries no sensitivities.
+    """
+    n = len(problem.x0)
+    stages = Stages(
+        np.zeros((STAGES, n)),
+        room(n),
+        np.zeros((1, n * n)),
+        np.zeros((1, n * max(problem.inputs, 1))),
+        np.zeros(n),
+        np.zeros(problem.inputs),
+    )
+    work = _scratch(problem, control)
+    work.rows[DENSE:ROWS] = 0.0
+    return int(_integrate(problem, slopes, control, work, stages, out, counts))
+
+
+@compiled()
+def _integrate(problem: Any, slopes: Any, control: Any, work: Any, stages: Any, out: Any, counts: Any) -> int:
+    times = out.times
+    t, end = times[0], times[-1]
+    slack = 1e-12 * max(1.0, abs(end))
+    edge = advance(problem.tracks, problem.piece, t, slack)
+    _rate(problem, work, t, RATES)
+    _look(problem, slopes, work, stages, t)
+    h, stalled = min(1e-4, end - t, control.longest), 0
+    at_edge, rejected = True, False
+    sample = np.int64(0)  # a literal would make Numba compile sample_step for it as well
+    while t < end - slack:
+        stop = min(edge, end)
+        tried = stop - t if stop - t < 1.1 * h else h
+        limit = _limit(control, counts, t, tried)
+        if limit != _COMPLETED:
+            return int(limit)
+        wanted = sample < len(times) and times[sample] < t + tried - slack
+        share, factor, which = _attempt(problem, slopes, control, work, stages, t, tried, wanted, at_edge)
+        h = min(_next_step(h, tried, share, factor, which, rejected), control.longest)
+        rejected = share == 0.0 and which < 0
+        if share * tried <= slack * 1e-3:
+            if which < 0:
+                counts[1] += 1
+                if h < 1e-12 * max(1.0, abs(t)):
+                    return _NOT_FINITE if factor <= 0.1 else _STEP_TOO_SMALL
+                continue
+            stalled += 1
+            if stalled > 20 * len(problem.m):
+                return _CHATTER
+            h = tried
+        else:
+            stalled, at_edge = 0, False
+            counts[0] += 1
+            now = t + share * tried
+            now = stop if stop - now <= slack else now
+            sample = sample_step(problem, work, t, share * tried, now - slack, sample, out)
+            t = now
+            _rate_at_end(problem, work, t)
+            arrived = _arrive(problem, work, t)
+            if arrived != _COMPLETED:
+                return int(arrived)
+        if edge <= t + slack:
+            edge, at_edge = advance(problem.tracks, problem.piece, t, slack), True
+            _rate(problem, work, t, RATES)
+        if which >= 0:
+            _flip(problem, work, t, which, share < 0.0)
+            counts[2] += 1
+        _look(problem, slopes, work, stages, t)
+    _stand_still(work.rows)
+    sample_step(problem, work, t, 1.0, np.inf, sample, out)
+    return _COMPLETED
+
+
+@part()
+def _next_step(h: float, tried: float, share: float, factor: float, which: int, rejected: bool) -> float:
+    """Length of the next step: one cut short by an edge says little of it; none grows right after a failure."""
+    if which >= 0 or share == 0.0 or factor < 1.0:
+        return tried * factor
+    return tried if rejected else max(h, tried * factor)
+
+
+@part()
+def _stand_still(rows: Any) -> None:
+    """Let the interpolant stay at the state."""
+    for i in range(DENSE, ROWS):
+        for d in range(rows.shape[1]):
+            rows[i, d] = 0.0
+
+
+@part()
+def _rate_at_end(problem: Any, work: Any, t: float) -> None:
+    """Rate at the end of the step, where it is not made anew after projection."""
+    if problem.engine.project == 0:
+        work.times[0] = t
+        fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
+        call_native(problem.engine.rate, work.rows, END, work.u, problem.p, problem.m, work.rows, _LAST_RATE)

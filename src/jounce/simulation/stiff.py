@@ -1,0 +1,136 @@
+"""Runs with the implicit method: slopes of the rates as native code, how such a run is steered, when it pays."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import SimulationError
+from jounce.kernel.implicit import Slopes
+from jounce.kernel.native import Native, Source, compile_functions, kept_code
+from jounce.mechanics import Model
+from jounce.simulation.compiled import Compiled
+from jounce.simulation.statics import Rest
+
+Array = NDArray[np.float64]
+Method = Literal["auto", "explicit", "implicit"]
+METHODS: tuple[str, ...] = get_args(Method)
+STEP_SHARE = 0.05  # of the tolerance for one step of the implicit method
+_CARRIED = 1e-2  # share of the quasi-static motion at which a mode must be seen in the samples
+_FELT = 300.0  # tolerances: share at which a mode must be followed through its oscillations
+_PAYS = 4.0  # steps of the explicit method for one of the implicit method, above which the latter is faster
+_OVERSAMPLED = 1.2  # radians in one step, at a tolerance of 1e-5
+
+
+@dataclass(frozen=True)
+class Pace:
+    """Undamped natural frequencies at rest (rad/s) and what share of the quasi-static motion over the road each has."""
+
+    frequency: Array
+    share: Array
+
+    def fastest(self, share: float) -> float:
+        """Highest frequency (rad/s) among the modes with at least a share."""
+        return float(np.max(self.frequency[self.share >= share], initial=0.0))
+
+
+def pace_of(compiled: Compiled, p: Array, rest: Rest, u: Array) -> Pace:
+    """Find out which modes a road can move, without damping, since friction that sticks at rest soon slides.
+
+    Parameters
+    ----------
+    compiled : Compiled
+        The model.
+    p : ndarray, shape (n_parameters,)
+        Parameter values, SI.
+    rest : Rest
+        Where.
+    u : ndarray, shape (n_inputs,)
+        Inputs at rest.
+    """
+    f, order = len(rest.free), compiled.facts.track_order
+    squares, shapes = np.linalg.eig(-rest.reduced[f : 2 * f, :f])
+    pulled = rest.pick[f : 2 * f] @ compiled.evaluate("rate_u", rest.x, u, p, rest.modes)[:, ::order]
+    firm = np.where(squares == 0.0, np.inf, squares)
+    weights = np.linalg.norm(np.linalg.lstsq(shapes, pulled.astype(complex), rcond=None)[0] / firm[:, None], axis=1)
+    sizes = weights * np.linalg.norm(rest.lift[: compiled.facts.counts[0], :f] @ shapes, axis=0)
+    return Pace(np.sqrt(np.abs(squares)), sizes / max(float(np.max(sizes, initial=0.0)), 1e-300))
+
+
+def check_method(method: str, compiled: Compiled | None = None) -> None:
+    """Refuse a method that does not exist, and the implicit one where sensitivities are wanted."""
+    if method not in METHODS:
+        raise SimulationError("not a method", where="method", found=method, allowed=", ".join(METHODS))
+    if method == "implicit" and compiled is not None and compiled.free:
+        raise SimulationError(
+            "the implicit method carries no sensitivities",
+            where="method",
+            found=f"implicit, with {len(compiled.free)} free parameters",
+            allowed="auto, explicit",
+        )
+
+
+def pays(pace: Pace, waves: float, explicit: float, tolerance: float) -> bool:
+    """Tell whether the implicit method is likely to be faster.
+
+    Parameters
+    ----------
+    pace : Pace
+        Modes at rest.
+    waves : float
+        Fastest wave of the road, rad/s.
+    explicit : float
+        What limits the explicit method, rad/s.
+    tolerance : float
+        Relative error of the displacements.
+    """
+    return explicit > _PAYS * max(pace.fastest(_FELT * tolerance), waves)
+
+
+def longest_step(pace: Pace, waves: float, tolerance: float) -> float:
+    """Step (s) beyond which samples inside it would be worse than its end, or a contact could be passed over."""
+    fastest = max(pace.fastest(_CARRIED), waves, 1e-3)
+    return float(_OVERSAMPLED * (tolerance / 1e-5) ** 0.2 / fastest)
+
+
+_made: dict[int, tuple[Compiled, Native]] = {}
+
+
+def slopes_of(compiled: Compiled) -> Slopes:
+    """Give native slopes of a model's rates; made once, kept on disk as all native code."""
+    plain = compiled.plain
+    if id(plain) not in _made:
+
+        def source() -> Source:
+            return Source(slope_functions(plain.model))
+
+        if plain.identity:
+            native = kept_code(f"slopes {plain.identity}", source)[0]
+        else:
+            native = compile_functions(source().functions)
+        _made[id(plain)] = plain, native
+    address = _made[id(plain)][1].address
+    return Slopes(address["by_state"], address["by_input"], compiled.facts.counts[0])
+
+
+def slope_functions(model: Model) -> dict[str, ca.Function]:
+    """Slopes of the rates along states and inputs, by the factors that solve for the accelerations."""
+    balance = model.balance
+
+    def along(variables: ca.SX) -> ca.SX:
+        changed = ca.jacobian(balance.residual, variables)
+        columns = [balance.answer(changed[:, i]) for i in range(changed.shape[1])]
+        answered = ca.horzcat(*columns) if columns else ca.SX(balance.unknown.shape[0], 0)
+        direct = ca.jacobian(balance.rate, variables)
+        total = direct + ca.jacobian(balance.rate, balance.unknown) @ answered
+        return ca.cse(ca.densify(ca.substitute(total, balance.unknown, balance.found)))
+
+    inputs = [model.x, model.u, model.p, model.m]
+    return {
+        "by_state": ca.Function("by_state", inputs, [along(model.x)]),
+        "by_input": ca.Function("by_input", inputs, [along(model.u)]),
+    }
