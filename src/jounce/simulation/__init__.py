@@ -1,7 +1,19 @@
 """Runs, equilibrium, linear models and modes of rigs."""
 
+from jounce.simulation.derivatives import Gradient, gradient, sensitivities
 from jounce.simulation.free_run import simulate_mechanism
 from jounce.simulation.linearise import LinearModel, Mode, equilibrium, linearise, modes
 from jounce.simulation.run import simulate
 
-__all__ = ["LinearModel", "Mode", "equilibrium", "linearise", "modes", "simulate", "simulate_mechanism"]
+__all__ = [
+    "Gradient",
+    "LinearModel",
+    "Mode",
+    "equilibrium",
+    "gradient",
+    "linearise",
+    "modes",
+    "sensitivities",
+    "simulate",
+    "simulate_mechanism",
+]

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from jounce.kernel.lowering import _OPCODES, Lowering
+from jounce.kernel.lowering import _OPCODES, Lanes, Lowering
 from jounce.kernel.native import compile_functions
 
 UNARY = {
@@ -181,3 +181,39 @@ def test_code_has_no_branches():
     text = str(lowering.module)
     assert " br " not in text
     assert text.count("define ") == 1
+
+
+@pytest.mark.parametrize("count", [1, 3, 8, 10])
+def test_lanes_are_directions_side_by_side(count):
+    """Value and directional derivatives of a graph with branches, division and library calls."""
+    d, dp = ca.SX.sym("d", 2), ca.SX.sym("dp")
+    u, p, m = OTHERS
+    value = ca.if_else(X[0] < X[1], ca.tanh(X[0]) / (2 + p * X[1] ** 2), ca.fmin(X[0], 3) * ca.sqrt(1 + X[1] ** 2) * u)
+    along = ca.jtimes(value, ca.vertcat(X, p), ca.vertcat(d, dp))
+    result = ca.vertcat(value, X[1], along, d[1] - 2 * d[0], 3 * m, -dp)
+    function = ca.Function("f", [ca.vertcat(X, d), u, ca.vertcat(p, dp), m], [result])
+    native = compile_functions({"f": Lanes(function, count, (2, 1, 1, 1, 2))})
+    generator = np.random.default_rng(count)
+    for point in generator.normal(size=(5, 2)):
+        directions, slopes = generator.normal(size=(2, count)), generator.normal(size=count)
+        found = native.evaluate(
+            "f",
+            (2 + 4 * count,),
+            np.concatenate([point, directions.ravel()]),
+            0.7 * ONE,
+            np.concatenate([1.3 * ONE, slopes]),
+            ONE,
+        )
+        each = [
+            function(np.concatenate([point, directions[:, i]]), 0.7, [1.3, slopes[i]], 1).full()[:, 0]
+            for i in range(count)
+        ]
+        np.testing.assert_allclose(found[:2], each[0][:2], rtol=3e-15)
+        np.testing.assert_allclose(found[2:].reshape(4, count), np.array(each).T[2:], rtol=3e-14)
+
+
+@pytest.mark.parametrize("operation", [ca.sin, lambda x: 1 / x, lambda x: ca.fmax(x, 0)])
+def test_lanes_must_be_linear(operation):
+    function = ca.Function("f", [X, *OTHERS], [operation(X[1])])
+    with pytest.raises(NotImplementedError, match="no form for lanes"):
+        compile_functions({"f": Lanes(function, 4, (1, 1, 1, 1, 0))})

@@ -1,0 +1,222 @@
+"""Exact sensitivities of a run, and gradients of what is wanted of it, with respect to any numbers of the rig."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import SimulationError, unknown
+from jounce.kernel.status import Status
+from jounce.parts import Rig
+from jounce.parts.parameters import unit_of, unknown_path
+from jounce.recordings.schema import place_of
+from jounce.roads import Trial
+from jounce.simulation.compiled import Compiled, compile_rig
+from jounce.simulation.run import Solution, check_settings, output_times, solve
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Gradient:
+    """Value of an objective and its slope along each parameter.
+
+    Attributes
+    ----------
+    value : float
+        The objective, in the square of its channels' SI units.
+    gradient : dict
+        Parameter path to the slope, per SI unit of the parameter.
+    channels : dict
+        Channel to its share of the value, SI.
+    """
+
+    value: float
+    gradient: dict[str, float]
+    channels: dict[str, float]
+
+
+def sensitivities(
+    rig: Rig, trial: Trial, parameters: Sequence[str], *, output_step: float = 1e-3, tolerance: float = 1e-5
+) -> xr.Dataset:
+    """Differentiate all channels of a run with respect to parameters, exactly, along with the simulation.
+
+    The run starts from static equilibrium, which moves with the parameters, too.
+
+    Parameters
+    ----------
+    rig : Rig
+        What is tested.
+    trial : Trial
+        Road and speed, or a base motion, and the duration.
+    parameters : sequence of str
+        Paths, e.g. ``"hardpoints.tie_rod_outer[2]"``.
+    output_step : float
+        Distance of the output samples, s.
+    tolerance : float
+        Relative error of the displacements.
+
+    Returns
+    -------
+    xarray.Dataset
+        One variable a channel, of ``parameter`` and ``time`` (s). Its ``units`` are those of the channel; each value is
+        per SI unit of the parameter, which the coordinate ``parameter_units`` says.
+
+    Raises
+    ------
+    DescriptionError
+        For a path that the description does not have.
+    SimulationError
+        For a parameter that the model does not use, or when the run does not reach its end.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="0.5 s")
+    >>> slopes = jn.sensitivities(jn.load("kart-quarter-car"), trial, ["tyre.stiffness", "sprung.mass"])
+    >>> round(float(slopes["tyre.force"].sel(parameter="sprung.mass")[0]), 2)   # at rest: gravity
+    9.81
+    """
+    import xarray as xr
+
+    check_settings(trial.duration, output_step, tolerance)
+    times = output_times(trial.duration, output_step)
+    compiled, solution = _run(rig, trial, parameters, times, tolerance)
+    variables = {}
+    for output, slopes in zip(compiled.facts.outputs, solution.output_slopes, strict=True):
+        attrs = {"units": output.unit, "long_name": output.long_name, "place": place_of(output.name)}
+        variables[output.name] = (("parameter", "time"), slopes, attrs)
+    units = [unit_of(rig, path) for path in parameters]
+    coordinates = {
+        "parameter": list(parameters),
+        "parameter_units": ("parameter", units),
+        "time": ("time", times, {"units": "s"}),
+    }
+    return xr.Dataset(variables, coordinates)
+
+
+def gradient(
+    rig: Rig,
+    trial: Trial,
+    parameters: Sequence[str],
+    objective: xr.Dataset | Mapping[str, float],
+    *,
+    weights: Mapping[str, float] | None = None,
+    output_step: float = 1e-3,
+    tolerance: float = 1e-5,
+) -> Gradient:
+    """Differentiate an objective of a run with respect to parameters, exactly.
+
+    Parameters
+    ----------
+    rig : Rig
+        What is tested.
+    trial : Trial
+        Road and speed, or a base motion, and the duration.
+    parameters : sequence of str
+        Paths, e.g. ``"strut.spring.rate"``.
+    objective : xarray.Dataset or mapping
+        A recording, SI: the sum over its channels and samples of (measured - simulated)^2. Or channel to weight (1):
+        the weighted sum of the channels' mean squares over the trial.
+    weights : mapping, optional
+        For a recording: channel to the weight (1) of its sum; only these channels count. All channels with 1 otherwise.
+    output_step : float
+        Distance of the samples of a mean square, s; a recording brings its own times.
+    tolerance : float
+        Relative error of the displacements.
+
+    Returns
+    -------
+    Gradient
+        Value and slopes.
+
+    Raises
+    ------
+    DescriptionError
+        For a path or a channel that does not exist.
+    SimulationError
+        For a parameter that the model does not use, a recording that is not finite or outlasts the trial, or when the
+        run does not reach its end.
+
+    Examples
+    --------
+    How the mean square of the body's acceleration changes with spring and damper:
+
+    >>> import jounce as jn
+    >>> trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="1 s")
+    >>> rig = jn.load("kart-quarter-car")
+    >>> found = jn.gradient(rig, trial, ["strut.spring.rate", "strut.damper.coefficient"], {"sprung.az": 1.0})
+    >>> found.gradient["strut.spring.rate"] > 0.0 > found.gradient["strut.damper.coefficient"]   # softer, more damped
+    True
+    """
+    import xarray as xr
+
+    check_settings(trial.duration, output_step, tolerance)
+    measured: xr.Dataset | None = None
+    if isinstance(objective, xr.Dataset):
+        measured, times = objective, _times_of(objective, trial)
+        wanted = dict(weights or dict.fromkeys(map(str, measured.data_vars), 1.0))
+    else:
+        wanted, times = {name: objective[name] for name in objective}, output_times(trial.duration, output_step)
+    compiled, solution = _run(rig, trial, parameters, times, tolerance)
+    names, shares, slopes = compiled.output_names, {}, np.zeros(len(parameters))
+    for name, weight in wanted.items():
+        _check_channel(name, weight, names, measured)
+        signal, along = (part[names.index(name)] for part in (solution.outputs, solution.output_slopes))
+        if measured is None:
+            errors, weight = signal, weight / len(signal)  # noqa: PLW2901
+        else:
+            count = measured.sizes["time"]
+            errors, along = signal[-count:] - measured[name].to_numpy(), along[:, -count:]
+        shares[name] = float(weight * (errors @ errors))
+        slopes += 2.0 * weight * (along @ errors)
+    return Gradient(sum(shares.values()), dict(zip(parameters, map(float, slopes), strict=True)), shares)
+
+
+def _run(
+    rig: Rig, trial: Trial, parameters: Sequence[str], times: Array, tolerance: float
+) -> tuple[Compiled, Solution]:
+    """Simulate with sensitivities."""
+    values = rig.parameters()
+    if isinstance(parameters, str) or not parameters or len(set(parameters)) < len(parameters):
+        allowed = "at least one path, each once, in a list"
+        raise SimulationError("not a choice of parameters", where="parameters", found=parameters, allowed=allowed)
+    for path in parameters:
+        if path not in values:
+            raise unknown_path(f"parameters: {path}", values, name=path)
+    compiled = compile_rig(rig, tuple(parameters))
+    solution = solve(compiled, compiled.parameter_values(values), trial.segments(), times, tolerance=tolerance)
+    if solution.status is not Status.COMPLETED:
+        raise SimulationError("the run did not reach its end", found=solution.status.help)
+    return compiled, solution
+
+
+def _times_of(measured: xr.Dataset, trial: Trial) -> Array:
+    """Times of a recording, with 0 before them where it starts later: there the run begins."""
+    times = np.asarray(measured["time"].to_numpy(), dtype=np.float64)
+    if not len(times) or not np.all(np.diff(times) > 0.0) or times[0] < 0.0 or times[-1] > trial.duration * (1 + 1e-9):
+        raise SimulationError(
+            "the recording does not fit the trial",
+            where="objective: time",
+            found=f"{times[0]:g} to {times[-1]:g} s" if len(times) else "no samples",
+            allowed=f"rising times from 0 to {trial.duration:g} s",
+        )
+    return times if times[0] == 0.0 else np.concatenate([[0.0], times])
+
+
+def _check_channel(name: str, weight: float, names: tuple[str, ...], measured: xr.Dataset | None) -> None:
+    if name not in names:
+        raise unknown(name, names, what="channel", where="objective")
+    if measured is not None and name not in measured:
+        raise unknown(name, [str(channel) for channel in measured.data_vars], what="channel", where="weights")
+    if not (np.isfinite(weight) and weight >= 0.0):
+        raise SimulationError("not a weight", where=f"objective: {name}", found=weight, allowed="0 or more")
+    if measured is not None and not np.all(np.isfinite(measured[name].to_numpy())):
+        raise SimulationError("the recording has samples that are no numbers", where=f"objective: {name}")
