@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import pytest
 
@@ -52,3 +53,12 @@ def test_bushings_count_as_ideal_joints() -> None:
     soft = rig.with_changes({"bushings": {"lower_arm_front": {"stiffness": [1e6, 1e6, 1e5]}}})
     rigid, found = jn.sweep_travel(rig, [-0.02, 0.0, 0.02]), jn.sweep_travel(soft, [-0.02, 0.0, 0.02])
     assert found["steer"].to_numpy() == pytest.approx(rigid["steer"].to_numpy(), abs=1e-13)
+
+
+def test_the_documentation_lists_the_catalogue() -> None:
+    """Name, unit, words, sign and clause of every row, in its order."""
+    page = (Path(__file__).parents[3] / "docs" / "kinematics.md").read_text(encoding="utf-8")
+    listed = re.findall(r"^\| `(\w+)` \| (.*?) \| (.*?) \| (.*?) \| (.*?) \| .*\|$", page, re.MULTILINE)
+    assert listed == [
+        (row.name, row.unit, row.long_name, row.sign.removeprefix("positive: "), row.clause) for row in CATALOGUE
+    ]
