@@ -88,7 +88,7 @@ def test_bad_input_as_a_process(tmp_path: Path) -> None:
     ("words", "message"),
     [
         (("simulate", "kart-quarter-car", "--sped", "2"), "no such option: --sped. Did you mean '--speed'?"),
-        (("simulatte",), "Did you mean 'simulate'?"),
+        (("simulatte",), "Did you mean 'simulate'"),
         (("fit", "stifness"), "Did you mean 'stiffness'?"),
         (("fit", "decay", "x.csv", "--chanel", "z"), "Did you mean '--channel'?"),
         (("simulate",), "Missing argument"),
@@ -171,7 +171,7 @@ def test_file_that_cannot_be_written_is_explained(cli, tmp_path: Path, monkeypat
     def full(*words: object, **options: object) -> None:
         raise OSError(28, "No space left on device", "run.nc")
 
-    monkeypatch.setattr(simulate, "_trial", full)
+    monkeypatch.setattr(simulate, "trial_of", full)
     outcome = cli("simulate", "kart-quarter-car")
     assert outcome.exit_code == 2
     assert "run.nc: No space left on device" in outcome.err

@@ -6,7 +6,6 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
-import numpy as np
 import typer
 
 from jounce.cli.kinematics import swept_range
@@ -17,6 +16,7 @@ from jounce.cli.trial_options import DrivenSpeed, Duration, ExcitationFile, Road
 from jounce.core.errors import DescriptionError, OutputError
 
 if TYPE_CHECKING:
+    import numpy as np
     import xarray as xr
     from numpy.typing import NDArray
     from rich.console import Console
@@ -192,6 +192,8 @@ def _sweep(rig: Corner, travel: NDArray[np.float64] | None, rack: NDArray[np.flo
 
 def _few_poses(rig: Corner, travel: str | None, rack: str | None) -> tuple[xr.Dataset, NDArray[np.float64]]:
     """Sweep finely, for the paths of wheel centre and contact point, and say which poses are to be drawn."""
+    import numpy as np
+
     ranges = {"--travel": travel, "--rack": rack}
     values = {option: swept_range(text, "m", option) for option, text in ranges.items() if text is not None}
     moved = "--travel" if len(values.get("--travel", ())) > 1 or rack is None else "--rack"

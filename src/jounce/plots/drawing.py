@@ -184,11 +184,13 @@ def draw_ground(axes: Axes, view: View, scene: Scene, pose: Pose, line: Array | 
     axes.fill(*(MM * view.flat(top)).T, facecolor=ROAD, alpha=0.14, linewidth=0.0, zorder=0.5)
     for k in (0, -1):
         end = np.array([sides[0][k], sides[1][k]])
+        face = np.vstack([end, [[*end[1, :2], base], [*end[0, :2], base]]])
+        axes.fill(*(MM * view.flat(face)).T, facecolor=ROAD, alpha=0.14, linewidth=0.0, zorder=0.4)
         axes.plot(*(MM * view.flat(end)).T, color=ROAD, linewidth=0.9, zorder=0.6)
 
 
 def ground_corners(scene: Scene, pose: Pose) -> Array:
     """Corners of the piece of level ground that is drawn under a wheel, shape (4, 3), m."""
     x, y = pose.points["wheel_centre"][:2]
-    reach, across = 1.15 * scene.undeformed_radius, 0.95 * scene.width
+    reach, across = 1.1 * scene.undeformed_radius, 0.95 * scene.width
     return np.array([(x + i * reach, y + j * across, pose.ground) for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
