@@ -1,7 +1,7 @@
 """The prototype's double wishbone on its obstacle, against converged references of two other formulations.
 
 ``tests/files/prototype/README.md`` says where they come from: one came with the model (two free coordinates), the other
-is made by ``tests/twins/double_wishbone_twin.py`` (absolute coordinates). They agree to 1.3e-13 of a channel's range. Here
+is made by ``tests/twins/double_wishbone_twin.py`` (absolute coordinates). They agree to 1.3e-13 of each range. Here
 jounce meets them, for both tyres and three speeds, to what was asked of it and to almost all digits.
 """
 
