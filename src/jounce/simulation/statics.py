@@ -90,7 +90,7 @@ def find_rest(compiled: Compiled, p: Array, u: Array, start: Array | None = None
             return rest
     raise SimulationError(
         "no static equilibrium was found",
-        where=", ".join(compiled.facts.coordinates),
+        where="the mechanism" if compiled.facts.projects else ", ".join(compiled.facts.coordinates),
         hint=_joint_hint(compiled)
         or "Check masses, spring rate or curve (it must carry the weight), preload and bump stops.",
     )
