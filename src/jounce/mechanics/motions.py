@@ -74,9 +74,9 @@ def step(start: float, end: float, begin: float, stop: float) -> Segments:
     --------
     >>> import numpy as np
     >>> import jounce as jn
-    >>> value, rate = jn.mechanics.step(0.0, 0.1, begin=1.0, stop=2.0).evaluate(np.array([0.5, 1.5, 9.0]))
+    >>> value, rate = jn.mechanics.step(0.0, 0.5, begin=1.0, stop=2.0).evaluate(np.array([0.5, 1.5, 9.0]))
     >>> value.tolist(), rate.tolist()
-    ([0.0, 0.05, 0.1], [0.0, 0.15, 0.0])
+    ([0.0, 0.25, 0.5], [0.0, 0.75, 0.0])
     """
     width, rise = stop - begin, end - start
     if not width > 0.0:
