@@ -1,4 +1,4 @@
-"""The shipped campaign from measurements to verdicts, and what a damaged campaign still gives."""
+"""The quick look at the shipped campaign, from measurements to verdicts; what a damaged campaign still gives."""
 
 import json
 import math
@@ -22,11 +22,11 @@ from jounce.studies.virtual_rig import GUIDE_FRICTION, SPRING_RATE, STRUT_FRICTI
 
 @pytest.fixture(scope="module")
 def shipped(tmp_path_factory):
-    """The shipped campaign; recordings of 1 s, all obstacles passed by then, to save time."""
+    """The shipped campaign's quick look; recordings of 1 s, all obstacles passed by then, to save time."""
     folder = tmp_path_factory.mktemp("shipped")
     write_files(folder, {**campaign_texts("kart-prototype"), **measurement_texts(BenchPlan(duration=1.0))})
     said = []
-    return run_campaign(folder / "campaign.toml", progress=said.append), said
+    return run_campaign(folder / "quick-look.toml", progress=said.append), said
 
 
 @pytest.fixture(scope="module")

@@ -48,7 +48,7 @@ def motion_ratio(rig: Corner, element: str = "spring") -> float:
 
 
 def body_motion(rig: Corner, body: str) -> Twist:
-    """Give how a body of the suspension moves while the wheel centre rises at 1 m/s and the car's body stands, at design.
+    """Give the motion of a suspension's body at design while the wheel centre rises at 1 m/s and the car's body stands.
 
     Parameters
     ----------

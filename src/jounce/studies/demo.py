@@ -13,6 +13,8 @@ from jounce.studies.virtual_bench import BenchPlan, measurement_texts, truth_tex
 
 Progress = Callable[[str], None]
 CAMPAIGN = "kart-prototype"
+FULL, QUICK = "campaign.toml", "quick-look.toml"
+"""Campaign files: the double wishbone in 3-D, and the same measurements with a quarter car."""
 
 
 def prepare_demo(out: Path | str | None = None, *, force: bool = False, progress: Progress | None = None) -> Path:
@@ -30,7 +32,7 @@ def prepare_demo(out: Path | str | None = None, *, force: bool = False, progress
     Returns
     -------
     Path
-        ``campaign/campaign.toml`` in that folder; the measurements lie beside it.
+        ``campaign/campaign.toml`` in that folder; the measurements and ``quick-look.toml`` lie beside it.
 
     Raises
     ------
@@ -49,7 +51,7 @@ def prepare_demo(out: Path | str | None = None, *, force: bool = False, progress
 
 
 def run_demo(
-    out: Path | str | None = None, *, force: bool = False, progress: Progress | None = None
+    out: Path | str | None = None, *, quick: bool = False, force: bool = False, progress: Progress | None = None
 ) -> tuple[Path, CampaignResult]:
     """Prepare and evaluate the shipped campaign; the report is written by who asks for it.
 
@@ -57,6 +59,8 @@ def run_demo(
     ----------
     out : path, optional
         Folder; without it the first free of ``demo-1``, ``demo-2``, ... in the current one.
+    quick : bool
+        Take the prototype for a quarter car instead of its double wishbone in 3-D.
     force : bool
         Overwrite existing files.
     progress : callable, optional
@@ -74,7 +78,7 @@ def run_demo(
     OutputError
         When one of the files exists, without ``force``.
     """
-    file = prepare_demo(out, force=force, progress=progress)
+    file = prepare_demo(out, force=force, progress=progress).with_name(QUICK if quick else FULL)
     result = run_campaign(file) if progress is None else run_campaign(file, progress=progress)
     return file.parent.parent, result
 

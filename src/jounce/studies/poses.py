@@ -1,4 +1,4 @@
-"""A corner in another pose as a description of its own: points moved, bodies with them, spring and stops as they are."""
+"""A corner in another pose as a description of its own: points moved, bodies with them, spring and stops kept."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from jounce.core.errors import DescriptionError
 from jounce.kinematics import sweep_travel
 from jounce.parts import Corner
 from jounce.parts.advice import BODY_POINTS
-from jounce.parts.points import Triple
+from jounce.parts.points import Triple, distance
 
 Array = NDArray[np.float64]
 _STRAIGHT = 1e-6
@@ -83,7 +83,7 @@ def wheel_angles(rig: Corner, axis: Array) -> tuple[float, float]:
 
 
 def rigid_motion(before: Array, after: Array) -> tuple[Array, Array]:
-    """Rotation (3, 3) and shift (3,) that bring points, shape (n, 3), nearest to others; about a line, the least turn."""
+    """Rotation (3, 3) and shift (3,) that bring points (n, 3) nearest to others; about a line, the least turn."""
     centre, target = before.mean(axis=0), after.mean(axis=0)
     one, other = before - centre, after - target
     sizes = np.linalg.svd(one, compute_uv=False)
@@ -119,8 +119,8 @@ def _body_motion(
 
 
 def _length(points: Mapping[str, Triple], element: str) -> float:
-    ends = [points.get(f"{element}_{end}", points[f"strut_{end}"]) for end in ("bottom", "top")]
-    return float(np.linalg.norm(np.subtract(*ends)))
+    bottom, top = (points.get(f"{element}_{end}", points[f"strut_{end}"]) for end in ("bottom", "top"))
+    return distance(bottom, top)
 
 
 def _keep_spring(strut: dict[str, Any], before: float, after: float) -> None:

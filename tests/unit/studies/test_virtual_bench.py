@@ -119,7 +119,7 @@ def test_truth_file_holds_the_values_behind_the_files(tmp_path):
     assert truth["spring_rate"] == virtual_rig.SPRING_RATE
     assert truth["tyre"]["coefficients"]["0.25 MPa"] == list(virtual_rig.TYRE_CURVES[250e3])
     assert truth["trial"]["1"]["speed"] == true_pass(table2()[0]).speed
-    assert truth["friction"]["guide"] == jn.load(write_rig(tmp_path)).guide.friction.force
+    assert truth["friction"]["guide"] == jn.load(write_rig(tmp_path)).guide_friction.force
 
 
 def write_rig(folder):

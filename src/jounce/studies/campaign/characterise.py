@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
@@ -16,11 +16,13 @@ from jounce.identify.decay import DecayResult, fit_decay
 from jounce.identify.force_deflection import ForceDeflectionTrial
 from jounce.identify.stiffness import StiffnessResult, fit_stiffness
 from jounce.identify.tyre_pressure import PressureStiffness, stiffness_against_pressure
-from jounce.parts import Rig
+from jounce.parts import Corner, Rig
+from jounce.parts.leverage import static_spring_force
 from jounce.recordings import channel_unit, read_columns, read_recording
 from jounce.simulation import linearise
 from jounce.studies.campaign.description import Bench, DecayBench, StiffnessBench
 from jounce.studies.campaign.setup import Knowledge, with_tyre
+from jounce.studies.lumping import lump
 
 
 @dataclass(frozen=True)
@@ -135,17 +137,9 @@ def _fit(
 def _spring(found: Characterisation, knowledge: Knowledge, table: StiffnessBench, folder: Path) -> Knowledge:
     rig = knowledge.rig
     values = rig.parameters()
-    load = values["sprung.mass"] * values["gravity"] / math.cos(values.get("strut.angle", 0.0))
-    result = found.spring = _fit(table, folder, "bench.spring", load, found)
+    result = found.spring = _fit(table, folder, "bench.spring", _static_spring_force(rig), found)
     dump = rig.model_dump(by_alias=True, exclude_none=True)
-    spring: dict[str, Any] = {"preload": values.get("strut.spring.preload", 0.0)}
-    if result.law == "linear":
-        spring["rate"] = result.stiffness.value
-        if result.intercept_choice == "keep" and result.intercept is not None:
-            spring["preload"] = result.intercept.value
-    else:
-        spring["curve"] = result.curve.to_table(result.fitted_range[1])
-    dump["strut"]["spring"] = spring
+    dump["strut"]["spring"] = _measured_spring(result, values)
     found.replaced.append(
         Replaced(
             "strut.spring.rate",
@@ -158,9 +152,40 @@ def _spring(found: Characterisation, knowledge: Knowledge, table: StiffnessBench
     return Knowledge(type(rig).from_table(dump), knowledge.tyres, knowledge.between)
 
 
+def _measured_spring(result: StiffnessResult, values: Mapping[str, float]) -> dict[str, Any]:
+    """Describe the spring with its measured law; what the rig says of its load stays: preload, or free length."""
+    load = {key: values[f"strut.spring.{key}"] for key in ("preload", "free_length") if f"strut.spring.{key}" in values}
+    if result.law != "linear":
+        return {**load, "curve": result.curve.to_table(result.fitted_range[1])}
+    rate = result.stiffness.value
+    if result.intercept_choice == "keep" and result.intercept is not None:
+        if "free_length" in load:
+            load["free_length"] += result.intercept.value / rate
+        else:
+            load["preload"] = result.intercept.value
+    return {**load, "rate": rate}
+
+
+def _static_spring_force(rig: Rig) -> float:
+    """Force in N with which the spring carries the rig at rest, at design in 3-D."""
+    if isinstance(rig, Corner):
+        return static_spring_force(rig)
+    values = rig.parameters()
+    return values["sprung.mass"] * values["gravity"] / math.cos(values.get("strut.angle", 0.0))
+
+
+def static_tyre_force(rig: Rig) -> float:
+    """Force in N with which the tyre carries the rig at rest."""
+    values = rig.parameters()
+    if isinstance(rig, Corner):
+        masses = [body.mass for body in rig.body_masses().values()]
+        return (values.get("sprung.mass", 0.0) + sum(masses)) * rig.gravity
+    return (values["sprung.mass"] + values["unsprung.mass"]) * values["gravity"]
+
+
 def _tyre(found: Characterisation, knowledge: Knowledge, tables: dict[str, StiffnessBench], folder: Path) -> Knowledge:
     values = knowledge.rig.parameters()
-    load = (values["sprung.mass"] + values["unsprung.mass"]) * values["gravity"]
+    load = static_tyre_force(knowledge.rig)
     tyres = {}
     for name, table in tables.items():
         place, pressure = f'bench.tyre."{name}"', to_si(name, "Pa", where="bench.tyre")
@@ -194,8 +219,7 @@ def _tyre(found: Characterisation, knowledge: Knowledge, tables: dict[str, Stiff
 
 def polynomial_tyres(bench: Bench, knowledge: Knowledge, folder: Path, found: Characterisation) -> Knowledge:
     """Knowledge with the tyre's measured curve (cubic through the origin, all points) instead of its stiffness."""
-    values = knowledge.rig.parameters()
-    load = (values["sprung.mass"] + values["unsprung.mass"]) * values["gravity"]
+    load = static_tyre_force(knowledge.rig)
     tyres = {}
     for name, table in bench.tyre.items():
         if name not in found.tyre_polynomial:
@@ -224,14 +248,13 @@ def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, fol
     """Damping at the strut from free decays of the sprung mass.
 
     On its tyre, strut and tyre act in series: the decay sees ``c_w (k_t / (k_w + k_t))^2`` of the wheel-referred
-    damping ``c_w = c cos(angle)^2``; with the hub blocked it sees ``c_w``.
+    damping ``c_w = c r^2`` (motion ratio ``r``, lumped ``cos(angle)``); with the hub blocked it sees ``c_w``.
     """
     rig = knowledge.rig
     values = rig.parameters()
-    lever = math.cos(values.get("strut.angle", 0.0)) ** 2
-    wheel_rate, tyre_rate = _rates_at_rest(rig)
-    share = tyre_rate / (wheel_rate + tyre_rate) if table.support == "tyre" else 1.0
-    stiffness = wheel_rate * share
+    seen_at = _at_wheel(rig)
+    share = seen_at.tyre_rate / (seen_at.wheel_rate + seen_at.tyre_rate) if table.support == "tyre" else 1.0
+    stiffness = seen_at.wheel_rate * share
     results = []
     for file in files_of(table.files, folder, "bench.decay"):
         data, notes = read_recording(file, columns=table.columns or None)
@@ -247,7 +270,7 @@ def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, fol
             fit_decay(
                 data["time"].to_numpy(),
                 data[table.channel].to_numpy(),
-                mass=values["sprung.mass"],
+                mass=seen_at.sprung_mass,
                 stiffness=stiffness,
                 quantity=_quantity(table.channel),
                 name=file.name,
@@ -260,7 +283,7 @@ def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, fol
         text = "the rig's damper is no plain coefficient; the decay is reported and does not replace it"
         found.findings.append(Finding("bench.decay", "note", text))
         return knowledge
-    factor = 1.0 / (lever * share**2)
+    factor = 1.0 / (seen_at.lever * share**2)
     seen = found.decay.damping_coefficient
     error = None if seen.standard_error is None else seen.standard_error * factor
     found.replaced.append(
@@ -286,10 +309,25 @@ def _quantity(channel: str) -> Literal["displacement", "velocity", "acceleration
     return kinds[unit]
 
 
-def _rates_at_rest(rig: Rig) -> tuple[float, float]:
-    """Wheel rate of the strut and stiffness of the tyre (N/m) about static equilibrium; tangents of curves."""
+@dataclass(frozen=True)
+class _AtWheel:
+    """A rig at rest: rates of strut and tyre at the wheel (N/m), sprung mass (kg), damping there over the damper's."""
+
+    wheel_rate: float
+    tyre_rate: float
+    sprung_mass: float
+    lever: float
+
+
+def _at_wheel(rig: Rig) -> _AtWheel:
+    """Give what a decay needs of a rig about static equilibrium; tangents of curves."""
+    if isinstance(rig, Corner):
+        lumped = lump(rig)
+        sprung, _ = lumped.effective_masses
+        return _AtWheel(lumped.wheel_rate, lumped.tyre_stiffness, sprung, lumped.damper_ratio**2)
     values, model = rig.parameters(), linearise(rig)
     row = {name: i for i, name in enumerate(model.states)}
     wheel_rate = -values["sprung.mass"] * model.A[row["sprung.z rate"], row["sprung.z"]]
     both = -values["unsprung.mass"] * model.A[row["unsprung.z rate"], row["unsprung.z"]]
-    return float(wheel_rate), float(both - wheel_rate)
+    lever = math.cos(values.get("strut.angle", 0.0)) ** 2
+    return _AtWheel(float(wheel_rate), float(both - wheel_rate), values["sprung.mass"], lever)

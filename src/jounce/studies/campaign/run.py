@@ -8,11 +8,12 @@ from pathlib import Path
 
 import xarray as xr
 
-from jounce.core.errors import FitError, JounceError, unknown
+from jounce.core.errors import DescriptionError, FitError, JounceError, unknown
 from jounce.core.findings import Finding
 from jounce.identify.update import FitTrial, check_free, update_model
 from jounce.models import build
 from jounce.parts import Rig, load, rig_path
+from jounce.parts.strut_angle import strut_angle_findings, with_strut_angle
 from jounce.recordings import read_recording
 from jounce.roads import Road, Train, Trial, read_roads
 from jounce.studies.campaign.characterise import Characterisation, characterise, polynomial_tyres
@@ -70,10 +71,11 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
     roads = read_roads(campaign.roads, where=str(file), text=text, folder=file.parent)
     _check_references(campaign, roads, file)
     _check_sensors(campaign, rig, file)
+    findings = _check_strut_angles(campaign, rig, file)
     _check_updates(campaign, rig, file)
     progress("bench: " + ", ".join(name for name in ("spring", "tyre", "decay") if getattr(campaign.bench, name)))
     bench, knowledge = characterise(rig, campaign.bench, file.parent)
-    findings = list(bench.findings)
+    findings += bench.findings
     loaded = _load_trials(campaign, roads, file.parent, findings)
     runner = _Runner(campaign, file.parent, loaded, rig_file.read_text(encoding="utf-8"), bench, findings, progress)
     strategies = runner.update_all(knowledge)
@@ -99,6 +101,23 @@ def _check_sensors(campaign: Campaign, rig: Rig, file: Path) -> None:
     for name in campaign.sensors:
         if name not in channels:
             raise unknown(name, channels, what="channel", where=f"{file}: sensors")
+
+
+def _check_strut_angles(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
+    """Refuse angles that this rig's strut cannot take; list those that the literature rejects."""
+    findings: list[Finding] = []
+    for i, entry in enumerate(campaign.trial):
+        if entry.strut_angle is None:
+            continue
+        try:
+            with_strut_angle(rig, entry.strut_angle)
+        except DescriptionError as error:
+            place = f"{file}: trial[{i}].strut_angle (number {entry.number})"
+            raise DescriptionError(
+                error.what, where=place, found=error.found, allowed=error.allowed, hint=error.hint
+            ) from None
+        findings += strut_angle_findings(entry.strut_angle, f"trial {entry.number}: strut_angle")
+    return findings
 
 
 def _check_updates(campaign: Campaign, rig: Rig, file: Path) -> None:

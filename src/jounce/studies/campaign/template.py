@@ -22,7 +22,8 @@ def campaign_texts(name: str) -> dict[str, str]:
     Returns
     -------
     dict
-        ``campaign.toml``, ``rig.toml`` and what else stands beside them.
+        ``campaign.toml``, ``rig.toml`` and what stands beside them; the prototype's ``quick-look.toml`` is the same
+        campaign with a lumped rig.
 
     Raises
     ------
@@ -32,7 +33,7 @@ def campaign_texts(name: str) -> dict[str, str]:
     Examples
     --------
     >>> sorted(campaign_texts("kart-prototype"))
-    ['campaign.toml', 'rig.toml']
+    ['campaign.toml', 'quarter-car.toml', 'quick-look.toml', 'rig.toml']
     """
     library = resources.files("jounce") / "library" / "campaigns"
     names = sorted(folder.name for folder in library.iterdir() if folder.is_dir())
