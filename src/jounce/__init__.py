@@ -32,6 +32,7 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.identify.update import update_model as update_model
     from jounce.kinematics import ContactLoad as ContactLoad
     from jounce.kinematics import Vehicle as Vehicle
+    from jounce.kinematics import compliance as compliance
     from jounce.kinematics import pickup_loads as pickup_loads
     from jounce.kinematics import sweep_rack as sweep_rack
     from jounce.kinematics import sweep_roll as sweep_roll
@@ -114,6 +115,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "Vehicle": "jounce.kinematics",
     "Versine": "jounce.roads",
     "apply_sensors": "jounce.recordings",
+    "compliance": "jounce.kinematics",
     "equilibrium": "jounce.simulation",
     "fit_damper": "jounce.identify.damper_fit",
     "fit_decay": "jounce.identify.decay",

@@ -2,6 +2,7 @@
 
 from jounce.kinematics.axle import sweep_roll
 from jounce.kinematics.catalogue import CATALOGUE, Quantity
+from jounce.kinematics.compliances import compliance
 from jounce.kinematics.files import write_sweep
 from jounce.kinematics.loads import ContactLoad, pickup_loads
 from jounce.kinematics.steering import sweep_steering
@@ -14,6 +15,7 @@ __all__ = [
     "ContactLoad",
     "Quantity",
     "Vehicle",
+    "compliance",
     "pickup_loads",
     "sweep_rack",
     "sweep_roll",

@@ -26,6 +26,22 @@ _UP = ca.SX([0.0, 0.0, 1.0])
 _TINY = 1e-12  # m/s: on either side of rest
 
 
+@dataclass(frozen=True)
+class Statics:
+    """What a mechanism in balance is made of: symbols, generalised forces at rest, loop equations and their rate."""
+
+    q: ca.SX
+    v: ca.SX
+    p: ca.SX
+    parameters: tuple[str, ...]
+    start: tuple[float, ...]
+    rates: ca.SX
+    load: ca.SX
+    constraint: ca.SX
+    constraint_rate: ca.SX
+    moved: Callable[[ca.SX], ca.SX]
+
+
 class Quasistatic(Mechanism):
     """A mechanism without time: every switch is where its expression stands, hysteresis is at zero."""
 
@@ -43,6 +59,23 @@ class Quasistatic(Mechanism):
     def derivative(self, expression: ca.SX) -> ca.SX:
         """Give the time derivative of an expression of coordinates, tracks, their rates and speeds."""
         return self._bias_of(expression) + self.accelerated(expression)
+
+    def statics(self) -> Statics:
+        """Give forces and loop equations without masses and weights."""
+        v = ca.vertcat(*self._speeds.values())
+        loops = self._all_constraints()
+        return Statics(
+            q=ca.vertcat(*self._coordinates.values()),
+            v=v,
+            p=ca.vertcat(*self._parameters.values()),
+            parameters=tuple(self._parameters),
+            start=tuple(self._start.values()),
+            rates=ca.vertcat(*self._rates),
+            load=self._load(v),
+            constraint=loops.value,
+            constraint_rate=loops.rate,
+            moved=self._moved,
+        )
 
 
 @dataclass(frozen=True)
