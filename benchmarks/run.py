@@ -12,6 +12,7 @@ import time
 from pathlib import Path
 
 import numpy as np
+from mechanism_rows import mechanism_rows
 from peers import casadi_runs, cheapest, diffrax_runs, linear_runs, numba_runs, scipy_runs
 from problems import CHANNELS, DURATION, TIMES, Obstacle, QuarterCar, displacement_error, long_road
 from timing import Row, markdown, median_time, shown
@@ -158,9 +159,10 @@ def _process(arguments: list[str]) -> float:
 def main() -> None:
     """Run everything, print the table and write the page."""
     rows: list[Row] = []
-    for part in (obstacle_rows, linear_rows, update_rows, start_rows):
-        rows += part()
-        for row in rows[-12:]:
+    for part in (obstacle_rows, linear_rows, mechanism_rows, update_rows, start_rows):
+        new = part()
+        rows += new
+        for row in new:
             sys.stderr.write(f"{row.problem}: {row.way}: {shown(row.median)}\n")
     table = markdown(rows)
     sys.stdout.write(table + "\n")
