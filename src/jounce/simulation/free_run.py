@@ -107,7 +107,7 @@ def simulate_mechanism(
     compiled = compile_model(model)
     prepared = _prepare(compiled, p, tracks, pose.x, u, output_times(seconds, output_step), tolerance)
     solution = prepared.run()
-    reach = samples_reached(solution, check=check)
+    reach = samples_reached(solution, compiled.facts, check=check)
     channels = {
         output.name: (solution.outputs[i, :reach], output.unit, output.long_name)
         for i, output in enumerate(compiled.facts.outputs)

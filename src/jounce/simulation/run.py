@@ -17,6 +17,7 @@ from jounce.kernel.explicit import Control, Problem, integrate
 from jounce.kernel.sampling import Samples
 from jounce.kernel.status import Status
 from jounce.kernel.tracks import flatten
+from jounce.mechanics.model import Facts
 from jounce.parts import Rig
 from jounce.recordings.schema import recording
 from jounce.roads import Trial
@@ -286,7 +287,7 @@ def simulate(
     times = output_times(trial.duration, output_step)
     start = _offset(compiled, offset)
     solution = solve(compiled, p, trial.segments(), times, tolerance=tolerance, offset=start, method=method)
-    reach = samples_reached(solution, check=check)
+    reach = samples_reached(solution, compiled.facts, check=check)
     channels = {
         output.name: (solution.outputs[i, :reach], output.unit, output.long_name)
         for i, output in enumerate(compiled.facts.outputs)
@@ -315,15 +316,24 @@ def check_settings(duration: float, output_step: float, tolerance: float) -> Non
         )
 
 
-def samples_reached(solution: Solution, *, check: bool) -> int:
+def samples_reached(solution: Solution, facts: Facts, *, check: bool) -> int:
     """Number of samples that were computed; all of them, or an error with ``check``."""
     if solution.status is Status.COMPLETED:
         return len(solution.time)
     reached = int(np.sum(np.isfinite(solution.states[0])))
     if check:
-        last = f"{solution.time[max(reached - 1, 0)]:.4g} s: {solution.status.help}"
+        at = max(reached - 1, 0)
+        last = f"{solution.time[at]:.4g} s: {solution.status.help}{_pose(solution, facts, at)}"
         raise SimulationError("the run did not reach its end; it stopped after", found=last)
     return reached
+
+
+def _pose(solution: Solution, facts: Facts, at: int) -> str:
+    """Pose of a mechanism at a sample, where the mechanism is what stopped the run."""
+    if solution.status not in (Status.LOOP_OPENED, Status.LOCKED_UP):
+        return ""
+    values = zip(facts.coordinates, solution.states[:, at], strict=False)
+    return "; pose: " + ", ".join(f"{name} = {value:.5g}" for name, value in values)
 
 
 def _offset(compiled: Compiled, offset: dict[str, float] | None) -> Array | None:
