@@ -10,7 +10,7 @@ import numpy as np
 import typer
 from numpy.typing import NDArray
 
-from jounce.cli.options import AsJson, Changes, Force, RigName, changes, output_folder, pairs, quantity
+from jounce.cli.options import AsJson, Changes, Force, RigName, changes, output_folder, pairs
 from jounce.cli.reply import DONE, REFUSED, Reply, progress
 from jounce.cli.tables import table
 from jounce.core.errors import DescriptionError
@@ -22,9 +22,7 @@ if TYPE_CHECKING:
     from jounce.kinematics.vehicle import Vehicle
     from jounce.parts import Rig
 
-_MOST = 1_000_000
 _SHOWN = 7
-_WHOLE = 1e-9  # share of a step by which the end of a range may miss it
 
 
 def kinematics(
@@ -128,28 +126,10 @@ def _sweep_axle(
 
 
 def swept_range(text: str, unit: str, option: str) -> NDArray[np.float64]:
-    """Read ``"first:last:step"`` or one value into SI; the last value is part of it when the steps meet it."""
-    parts = [part.strip() for part in text.split(":")]
-    if len(parts) not in (1, 3) or not all(parts):
-        raise DescriptionError("not a range", where=option, found=text, allowed='"first:last:step", or one value')
-    numbers = [quantity(part, unit, option) for part in parts]
-    if len(numbers) == 1:
-        return np.array(numbers)
-    first, last, step = numbers
-    if step <= 0.0:
-        raise DescriptionError("not a step", where=option, found=text, allowed="a step above 0, the third part")
-    if last <= first:
-        raise DescriptionError(
-            "the range is empty" if last == first else "the range runs backwards",
-            where=option,
-            found=text,
-            allowed="a first value below the last one",
-            hint="Exchange them, or give one value.",
-        )
-    count = (last - first) / step + _WHOLE
-    if count > _MOST:
-        raise DescriptionError("too many values", where=option, found=f"{count:.3g}", allowed=f"at most {_MOST}")
-    return np.round(first + step * np.arange(int(count) + 1), 12)
+    """Read ``"first:last:step"`` or one value into SI."""
+    from jounce.kinematics.grids import text_range
+
+    return text_range(text, unit, option)
 
 
 def _one_value(values: NDArray[np.float64], option: str, why: str) -> float:

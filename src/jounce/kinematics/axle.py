@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError
+from jounce.core.units import to_si
 from jounce.kernel.poses import REACHED
 from jounce.kinematics.catalogue import Quantity
 from jounce.kinematics.grids import Values, sweep_values
@@ -184,7 +185,7 @@ class Axle:
         return left, right
 
 
-def sweep_roll(rig: Rig, roll: Values, rack: float = 0.0) -> xr.Dataset:
+def sweep_roll(rig: Rig, roll: Values, rack: float | str = 0.0) -> xr.Dataset:
     """Roll the body over an axle of a corner and its mirror image, both wheels on one plane road.
 
     The wheels travel by the same amount against each other, so that both contact points stay on the road. Deflections
@@ -194,9 +195,9 @@ def sweep_roll(rig: Rig, roll: Values, rack: float = 0.0) -> xr.Dataset:
     ----------
     rig : Rig
         A corner with hardpoints; the other side is its mirror image.
-    roll : float or array_like, shape (n,)
-        Roll angle of the body, rad, positive about +x (left side up), ascending.
-    rack : float
+    roll : float, str or array_like, shape (n,)
+        Roll angle of the body, rad, positive about +x (left side up), ascending; or text, ``"-4 deg:4 deg:1 deg"``.
+    rack : float or str
         Travel of the rack, m, positive to the left.
 
     Returns
@@ -223,16 +224,16 @@ def sweep_roll(rig: Rig, roll: Values, rack: float = 0.0) -> xr.Dataset:
     >>> bool(rolled["left.wheel_travel"][2] < 0.0 < rolled["right.wheel_travel"][2])
     True
     """
-    corner, angles = check_corner(rig), sweep_values(roll, "roll")
+    corner, angles = check_corner(rig), sweep_values(roll, "roll", "rad")
     if np.max(np.abs(angles)) > _STEEPEST:
         raise DescriptionError("too steep", where="roll", found=f"{np.max(np.abs(angles)):g} rad", allowed="1.2 rad")
-    axle = Axle(corner)
-    left, right = axle.level(angles, rack)
+    axle, at = Axle(corner), to_si(rack, "m", where="rack travel")
+    left, right = axle.level(angles, at)
     kept = np.isfinite(left.height + right.height)
     if not kept.any():
         raise no_pose(axle.ends)
     gain = _gain(left, right)
-    bend = _bend(axle, angles, rack)
+    bend = _bend(axle, angles, at)
     found = AxleVariables("roll_angle", angles, "rad", "roll angle of the body", "positive: about +x, left side up")
     for wheel, name, sense in ((left, "left", -1.0), (right, "right", 1.0)):
         found.add_wheel(axle, wheel.wheel, name, wheel.side)

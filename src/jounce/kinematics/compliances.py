@@ -85,7 +85,7 @@ def compliance(
     ----------
     rig : Rig
         A corner with hardpoints and bushings.
-    travel : float or array_like, shape (n,)
+    travel : float, str or array_like, shape (n,)
         Travel of the wheel centre (m, bump positive, ascending) that the corner with ideal joints would have at the
         height of the ground.
     rack : float, optional

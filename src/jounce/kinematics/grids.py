@@ -9,10 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError
+from jounce.core.units import to_si
 
 Array = NDArray[np.float64]
-Values = float | Sequence[float] | Array
+Values = float | str | Sequence[float] | Array
+"""Values to sweep over: numbers in SI, or text such as "-80 mm:80 mm:4 mm" (first, last, step)."""
 _MOST = 1_000_000
+_WHOLE = 1e-9  # share of a step by which the end of a range may miss it
 
 
 @dataclass(frozen=True)
@@ -37,8 +40,42 @@ class Grid:
     before: NDArray[np.int64]
 
 
-def sweep_values(values: Values, name: str) -> Array:
-    """Check values to sweep over (m or rad): finite, ascending, at least one."""
+def text_range(text: str, unit: str, where: str) -> Array:
+    """Read ``"first:last:step"``, or one value, into SI; the last value is part of it when the steps meet it."""
+    parts = [part.strip() for part in text.split(":")]
+    if len(parts) not in (1, 3) or not all(parts):
+        raise DescriptionError("not a range", where=where, found=text, allowed='"first:last:step", or one value')
+    numbers = [_quantity(part, unit, where) for part in parts]
+    if len(numbers) == 1:
+        return np.array(numbers)
+    first, last, step = numbers
+    if step <= 0.0:
+        raise DescriptionError("not a step", where=where, found=text, allowed="a step above 0, the third part")
+    if last <= first:
+        raise DescriptionError(
+            "the range is empty" if last == first else "the range runs backwards",
+            where=where,
+            found=text,
+            allowed="a first value below the last one",
+            hint="Exchange them, or give one value.",
+        )
+    count = (last - first) / step + _WHOLE
+    if count > _MOST:
+        raise DescriptionError("too many values", where=where, found=f"{count:.3g}", allowed=f"at most {_MOST}")
+    return np.round(first + step * np.arange(int(count) + 1), 12)
+
+
+def _quantity(text: str, unit: str, where: str) -> float:
+    try:
+        return to_si(float(text), unit, where=where)
+    except ValueError:
+        return to_si(text, unit, where=where)
+
+
+def sweep_values(values: Values, name: str, unit: str = "m") -> Array:
+    """Check values to sweep over: finite, ascending, at least one; text is read as a range."""
+    if isinstance(values, str):
+        return text_range(values, unit, name)
     try:
         checked = np.atleast_1d(np.asarray(values, dtype=np.float64))
     except (TypeError, ValueError):

@@ -131,7 +131,7 @@ def pickup_loads(rig: Rig, load: ContactLoad, travel: Values = 0.0, *, rack: flo
         A corner with hardpoints.
     load : ContactLoad
         Forces (N) and aligning torque (N m) of the road on the wheel, ground axes.
-    travel : float or array_like, shape (n,)
+    travel : float, str or array_like, shape (n,)
         Vertical travel of the wheel centre from design, m, bump positive, ascending.
     rack : float, optional
         Travel of the rack, m, positive to the left; the description's own by default.

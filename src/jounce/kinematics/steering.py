@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError
+from jounce.core.units import to_si
 from jounce.kinematics.axle import Axle, AxleVariables, WheelRows
 from jounce.kinematics.grids import Values, sweep_values
 from jounce.kinematics.model import check_corner, has_rack
@@ -22,16 +23,16 @@ Array = NDArray[np.float64]
 _STRAIGHT = 1e-6  # rad: turns below it share nothing
 
 
-def sweep_steering(rig: Rig, rack: Values, travel: float = 0.0, *, vehicle: Vehicle | None = None) -> xr.Dataset:
+def sweep_steering(rig: Rig, rack: Values, travel: float | str = 0.0, *, vehicle: Vehicle | None = None) -> xr.Dataset:
     """Steer an axle of a corner and its mirror image by one rack.
 
     Parameters
     ----------
     rig : Rig
         A corner with a tie rod (or toe link); the other side is its mirror image.
-    rack : float or array_like, shape (n,)
-        Travel of the rack, m, positive to the left, ascending.
-    travel : float
+    rack : float, str or array_like, shape (n,)
+        Travel of the rack, m, positive to the left, ascending; or text, ``"-20 mm:20 mm:5 mm"``.
+    travel : float or str
         Vertical travel of both wheel centres from design, m, bump positive.
     vehicle : Vehicle, optional
         Its wheelbase adds ``ackermann`` and ``turning_radius``.
@@ -64,7 +65,8 @@ def sweep_steering(rig: Rig, rack: Values, travel: float = 0.0, *, vehicle: Vehi
     if not has_rack(corner):
         raise DescriptionError("no rack moves this wheel", where="rack travel", allowed="a corner with a tie rod")
     axle = Axle(corner)
-    left, right = (axle.wheel(side, float(travel), racks) for side in (1.0, -1.0))
+    lifted = to_si(travel, "m", where="wheel travel")
+    left, right = (axle.wheel(side, lifted, racks) for side in (1.0, -1.0))
     kept = np.isfinite(left.rows["steer"] + right.rows["steer"])
     if not kept.any():
         raise no_pose(axle.ends)

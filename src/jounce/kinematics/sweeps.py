@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError
+from jounce.core.units import to_si
 from jounce.kernel.poses import REACHED, Found, Walk, Work, space_for, walk_poses
 from jounce.kinematics import vehicle as around
 from jounce.kinematics.grids import Grid, Values, grid, sweep_values
@@ -116,7 +117,7 @@ def _rack_of(corner: Corner, rack: Values | None) -> Values:
     if rack is None:
         steering = getattr(corner, "steering", None)
         return 0.0 if steering is None else float(steering.rack_travel)
-    if not has_rack(corner) and np.any(np.asarray(rack) != 0.0):
+    if not has_rack(corner) and np.any(sweep_values(rack, "rack travel") != 0.0):
         raise DescriptionError(
             "no rack moves this wheel",
             where="rack travel",
@@ -143,11 +144,11 @@ def sweep_travel(
     ----------
     rig : Rig
         A corner with hardpoints.
-    bump : float or array_like, shape (n,)
-        Vertical travel of the wheel centre from design, m, bump positive, ascending.
-    rack : float or array_like, shape (m,), optional
-        Travel of the rack, m, positive to the left; the description's own (or 0) by default. Several values give every
-        pair of travel and rack.
+    bump : float, str or array_like, shape (n,)
+        Vertical travel of the wheel centre from design, m, bump positive, ascending; or text, ``"-80 mm:80 mm:4 mm"``.
+    rack : float, str or array_like, shape (m,), optional
+        Travel of the rack, m, positive to the left, or text; the description's own (or 0) by default. Several values
+        give every pair of travel and rack.
     vehicle : Vehicle, optional
         Adds ``anti_dive`` (front), or ``anti_lift`` and ``anti_squat`` (rear) [1].
     points : bool
@@ -176,11 +177,17 @@ def sweep_travel(
     >>> round(float(np.degrees(sweep["camber"].sel(wheel_travel=0.04, method="nearest"))), 4)
     -2.3572
     """
-    return _swept(prepare_sweep(rig, bump, rack), rack is not None and np.ndim(rack) > 0, True, vehicle, points)
+    return _swept(
+        prepare_sweep(rig, bump, rack),
+        rack is not None and (np.ndim(rack) > 0 or (isinstance(rack, str) and ":" in rack)),
+        True,
+        vehicle,
+        points,
+    )
 
 
 def sweep_rack(
-    rig: Rig, rack: Values, travel: float = 0.0, *, vehicle: Vehicle | None = None, points: bool = False
+    rig: Rig, rack: Values, travel: float | str = 0.0, *, vehicle: Vehicle | None = None, points: bool = False
 ) -> xr.Dataset:
     """Sweep the steering rack of a corner with the wheel centre at one height.
 
@@ -188,9 +195,9 @@ def sweep_rack(
     ----------
     rig : Rig
         A corner with a tie rod (or toe link) and hardpoints.
-    rack : float or array_like, shape (m,)
-        Travel of the rack, m, positive to the left, ascending.
-    travel : float
+    rack : float, str or array_like, shape (m,)
+        Travel of the rack, m, positive to the left, ascending; or text, ``"-20 mm:20 mm:5 mm"``.
+    travel : float or str
         Vertical travel of the wheel centre from design, m, bump positive.
     vehicle : Vehicle, optional
         Adds anti-dive, or anti-lift and anti-squat.
@@ -224,7 +231,7 @@ def sweep_rack(
             found=f'model = "{getattr(corner, "model", "")}"',
             allowed="a corner with a tie rod",
         )
-    return _swept(prepare_sweep(rig, float(travel), rack), True, False, vehicle, points)
+    return _swept(prepare_sweep(rig, to_si(travel, "m", where="wheel travel"), rack), True, False, vehicle, points)
 
 
 def _swept(

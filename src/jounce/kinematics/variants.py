@@ -41,7 +41,7 @@ def sweep_variants(
         The corner that all variants start from.
     changes : mapping of str to array_like, shape (k,)
         Path of a number of the description to its value in each variant, SI; all of one length.
-    travel : float or array_like, shape (n,)
+    travel : float, str or array_like, shape (n,)
         Vertical travel of the wheel centre from design, m, bump positive, ascending.
     rack : float, optional
         Travel of the rack, m, positive to the left; the description's own by default.

@@ -59,3 +59,14 @@ def test_one_number_is_one_value() -> None:
 def test_too_many_pairs_are_refused() -> None:
     with pytest.raises(DescriptionError, match="too many"):
         grid(np.linspace(-0.1, 0.1, 2000), np.linspace(-0.1, 0.1, 2000))
+
+
+def test_text_is_read_as_a_range() -> None:
+    found = sweep_values("-80 mm:80 mm:4 mm", "wheel travel")
+    assert found == pytest.approx(np.linspace(-0.08, 0.08, 41), abs=1e-15)
+    assert found[20] == 0.0
+    assert np.array_equal(sweep_values("20 mm", "wheel travel"), [0.02])
+    assert np.array_equal(sweep_values("-0.01:0.015:0.01", "wheel travel"), [-0.01, 0.0, 0.01])  # 15 mm is not met
+    assert sweep_values("-2 deg:2 deg:2 deg", "roll", "rad") == pytest.approx(np.radians([-2.0, 0.0, 2.0]), abs=1e-12)
+    with pytest.raises(DescriptionError, match="runs backwards"):
+        sweep_values("80 mm:-80 mm:4 mm", "wheel travel")

@@ -93,7 +93,7 @@ def test_a_trailing_arm_has_no_rack() -> None:
     assert jn.sweep_travel(arm, 0.0, 0.0)["camber"].shape == (1,)
 
 
-@pytest.mark.parametrize("bad", [[0.02, -0.02], [], [np.nan], "wide"])
+@pytest.mark.parametrize("bad", [[0.02, -0.02], [], [np.nan], "wide", [None]])
 def test_bad_travel_is_refused(bad: object) -> None:
     with pytest.raises(jn.DescriptionError, match="wheel travel"):
         jn.sweep_travel(RIG, bad)  # type: ignore[arg-type]
@@ -116,3 +116,12 @@ def test_stops_work_where_they_touch() -> None:
     stiff = found["wheel_rate_spring"] / found["motion_ratio"] ** 2
     rate = RIG.strut.spring.rate
     assert stiff.to_numpy() == pytest.approx([rate + 1e5, rate, rate + 50e3], rel=1e-9)
+
+
+def test_ranges_as_text() -> None:
+    found = jn.sweep_travel(RIG, "-80 mm:80 mm:4 mm", "-10 mm:10 mm:10 mm")
+    assert found["camber"].shape == (41, 3)
+    assert np.array_equal(found["wheel_travel"], np.round(TRAVEL, 12))
+    assert jn.sweep_travel(RIG, "20 mm", "5 mm")["camber"].dims == ("wheel_travel",)
+    assert float(jn.sweep_rack(RIG, "-5 mm:5 mm:5 mm", "20 mm")["wheel_travel"]) == 0.02
+    assert jn.sweep_roll(RIG, "-1 deg:1 deg:1 deg", "5 mm")["roll_angle"].shape == (3,)
