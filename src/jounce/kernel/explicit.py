@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from jounce.kernel.call import call_native, call_step, compiled, part
 from jounce.kernel.dop853 import DENSE_STAGES
 from jounce.kernel.layout import DENSE, END, FIRST_PROBE, LAST_STAGE, NODES, PROBES, RATES, ROWS, STATE
-from jounce.kernel.sampling import Samples, sample_step
+from jounce.kernel.sampling import Samples, finish_samples, place_samples
 from jounce.kernel.tracks import Tracks, advance, fill
 
 Array = NDArray[np.float64]
@@ -42,6 +42,7 @@ class Engine(NamedTuple):
     project_many: int
     step: int
     dense: int
+    point_at: int
     probe: int
     switch_at: int
     error: int
@@ -80,7 +81,7 @@ class Work(NamedTuple):
     """Scratch arrays: ``rows`` (see ``layout``), times and inputs at a step's nodes, switching functions at its probes.
 
     ``step`` is (length, tolerance), ``errors`` the squared errors, ``slope`` that of the switching functions,
-    ``sampled`` the inputs at a sample.
+    ``sampled`` the inputs at a sample; ``marks`` how many samples are placed, and how many of them finished.
     """
 
     rows: Array
@@ -93,6 +94,7 @@ class Work(NamedTuple):
     widest: Array
     projected: Array
     sampled: Array
+    marks: NDArray[np.int64]
 
 
 @part()
@@ -317,6 +319,7 @@ def _scratch(problem: Problem, control: Control) -> Work:
         control.scale.copy(),
         np.zeros((1, size + 2)),
         np.zeros((problem.inputs, 1)),
+        np.zeros(2, dtype=np.int64),
     )
 
 
@@ -376,6 +379,13 @@ def integrate(problem: Problem, control: Control, out: Samples, counts: NDArray[
 
 @compiled()
 def _integrate(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> int:
+    status = _walk(problem, control, work, out, counts)
+    finish_samples(problem, work, out)
+    return int(status)
+
+
+@part()
+def _walk(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> int:
     times = out.times
     t, end = times[0], times[-1]
     slack = 1e-12 * max(1.0, abs(end))
@@ -383,14 +393,13 @@ def _integrate(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> 
     _rate(problem, work, t, RATES)
     h, stalled = min(1e-3, end - t, control.longest), 0
     at_edge = True
-    sample = np.int64(0)  # a literal would make Numba compile sample_step for it as well
     while t < end - slack:
         stop = min(edge, end)
         tried = stop - t if stop - t < 1.1 * h else h
         limit = _limit(control, counts, t, tried)
         if limit != _COMPLETED:
             return int(limit)
-        wanted = sample < len(times) and times[sample] < t + tried - slack
+        wanted = work.marks[0] < len(times) and times[work.marks[0]] < t + tried - slack
         share, factor, which = _attempt(problem, control, work, t, tried, wanted, at_edge)
         h = tried * factor if which >= 0 or share == 0.0 or factor < 1.0 else max(h, tried * factor)
         h = min(h, control.longest)
@@ -409,7 +418,7 @@ def _integrate(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> 
             counts[0] += 1
             now = t + share * tried
             now = stop if stop - now <= slack else now
-            sample = sample_step(problem, work, t, share * tried, now - slack, sample, out)
+            place_samples(problem, work, t, share * tried, now - slack, out)
             t = now
             arrived = _arrive(problem, work, t)
             if arrived != _COMPLETED:
@@ -418,10 +427,11 @@ def _integrate(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> 
             edge, at_edge = advance(problem.tracks, problem.piece, t, slack), True
             _rate(problem, work, t, RATES)
         if which >= 0:
+            finish_samples(problem, work, out)
             _flip(problem, work, t, which, share < 0.0)
             counts[2] += 1
     for i in range(DENSE, ROWS):
         for d in range(work.rows.shape[1]):
             work.rows[i, d] = 0.0
-    sample_step(problem, work, t, 1.0, np.inf, sample, out)
+    place_samples(problem, work, t, 1.0, np.inf, out)
     return _COMPLETED

@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.kernel.call import call_many, compiled, part, sine_and_cosine
-from jounce.kernel.explicit import Problem, Samples
+from jounce.kernel.explicit import Problem
+from jounce.kernel.sampling import Samples
 from jounce.kernel.tracks import Tracks, advance
 
 Array = NDArray[np.float64]

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import casadi as ca
+from llvmlite import binding as llvm
 from llvmlite import ir
 
 _OPCODES = {getattr(ca, name): name for name in dir(ca) if name.startswith("OP_")}
@@ -45,6 +46,9 @@ _LIBRARY = {
     "OP_EXPM1": "expm1",
     "OP_HYPOT": "hypot",
 }
+if llvm.llvm_version_info[0] >= 20:  # as intrinsics they do not keep loops from being vectorised
+    for _name in ("TAN", "TANH", "SINH", "COSH", "ASIN", "ACOS", "ATAN", "ATAN2"):
+        _INTRINSICS[f"OP_{_name}"] = _LIBRARY.pop(f"OP_{_name}")
 _COMPARISONS = {"OP_LT": "<", "OP_LE": "<=", "OP_EQ": "==", "OP_NE": "!="}
 _LINEAR = {"OP_ASSIGN", "OP_ADD", "OP_SUB", "OP_MUL", "OP_DIV", "OP_NEG", "OP_TWICE", "OP_IF_ELSE_ZERO"}
 _DIRECT: dict[str, Callable[..., ir.Value]] = {

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from jounce.kernel.lowering import Lanes, Lowering
 from jounce.kernel.steps import STEP_NAMES, Step, add_step_functions
 
-_FORMAT = "jounce-kernel-16"
+_FORMAT = "jounce-kernel-17"
 MANY = ("output", "project_many")
 SELDOM = ("slopes", "derived", "derived_lanes", "constraint")
 """Functions called a few times a run: they are compiled without the optimiser, which makes them little faster."""

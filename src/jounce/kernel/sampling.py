@@ -7,12 +7,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from jounce.kernel.call import call_many, call_native, part
-from jounce.kernel.layout import DENSE, STATE, TRIAL
+from jounce.kernel.call import call_many, call_native, call_step, part
+from jounce.kernel.layout import TRIAL
 from jounce.kernel.tracks import fill
 
 Array = NDArray[np.float64]
 _NONE = np.zeros((0, 0))
+_BLOCK = 256
+"""Samples whose outputs are computed at once."""
 
 
 class Samples(NamedTuple):
@@ -32,27 +34,13 @@ class Samples(NamedTuple):
     carried: Array = _NONE
 
 
-@part(fastmath={"contract"})
-def _interpolate(rows: Any, t: float, h: float, times: Any, first: int, last: int, states: Any) -> None:
+@part()
+def _interpolate(problem: Any, work: Any, t: float, h: float, first: int, last: int, out: Any) -> None:
     """States at the samples ``first`` to ``last``, on the step from ``t``."""
-    for d in range(states.shape[0]):
-        x, c0, c1, c2 = rows[STATE, d], rows[DENSE, d], rows[DENSE + 1, d], rows[DENSE + 2, d]
-        c3, c4, c5, c6 = rows[DENSE + 3, d], rows[DENSE + 4, d], rows[DENSE + 5, d], rows[DENSE + 6, d]
-        for i in range(first, last):
-            theta = (times[i] - t) / h
-            rest = 1.0 - theta
-            y = (((c6 * theta + c5) * rest + c4) * theta + c3) * rest
-            states[d, i] = x + (((y + c2) * theta + c1) * rest + c0) * theta
-
-
-@part(fastmath={"contract"})
-def _interpolate_behind(rows: Any, theta: float, first: int, to: Any) -> None:
-    """Elements from ``first`` on of the state row at a fraction of the step, in the same elements of the row ``to``."""
-    rest = 1.0 - theta
-    for d in range(first, rows.shape[1]):
-        y = (rows[DENSE + 6, d] * theta + rows[DENSE + 5, d]) * rest + rows[DENSE + 4, d]
-        y = (y * theta + rows[DENSE + 3, d]) * rest + rows[DENSE + 2, d]
-        to[d] = rows[STATE, d] + ((y * theta + rows[DENSE + 1, d]) * rest + rows[DENSE, d]) * theta
+    for i in range(first, last):
+        call_step(problem.engine.point_at, work.rows, work.u, problem.p, problem.m, work.g, (out.times[i] - t) / h)
+        for d in range(out.states.shape[0]):
+            out.states[d, i] = work.rows[TRIAL, d]
 
 
 @part()
@@ -70,9 +58,9 @@ def _carry_samples(problem: Any, work: Any, t: float, h: float, first: int, last
     """Outputs at the samples ``first`` to ``last`` with the sensitivities of states and outputs."""
     n, rows = out.states.shape[0], work.rows
     for i in range(first, last):
+        call_step(problem.engine.point_at, rows, work.u, problem.p, problem.m, work.g, (out.times[i] - t) / h)
         for d in range(n):
             rows[TRIAL, d] = out.states[d, i]
-        _interpolate_behind(rows, (out.times[i] - t) / h, n, rows[TRIAL])
         for d in range(n, rows.shape[1]):
             out.tangents[i, d - n] = rows[TRIAL, d]
         for k in range(out.inputs.shape[0]):
@@ -82,21 +70,43 @@ def _carry_samples(problem: Any, work: Any, t: float, h: float, first: int, last
             out.outputs[k, i] = out.carried[i, k]
 
 
+@part()
+def finish_samples(problem: Any, work: Any, out: Any) -> None:
+    """Move the samples placed since the last time onto the constraints, and write their outputs.
+
+    That is done for many samples at once: native code takes several side by side. The modes must be those of the steps.
+    """
+    first, count = work.marks[1], work.marks[0] - work.marks[1]
+    if count == 0:
+        return
+    work.marks[1] += count
+    if problem.engine.project_many != 0:
+        _project_samples(problem, out, first, first + count)
+    if out.tangents.shape[1] == 0:
+        call_many(problem.engine.output, out.states, out.inputs, problem.p, problem.m, out.outputs, first, count)
+
+
 @part(forceinline=True)
-def sample_step(problem: Any, work: Any, t: float, h: float, until: float, first: int, out: Any) -> int:
-    """Write states, inputs and outputs at all times before ``until`` on the step from ``t``; give the next sample."""
-    last = first
+def place_samples(problem: Any, work: Any, t: float, h: float, until: float, out: Any) -> None:
+    """Write states and inputs at all times before ``until`` on the step from ``t``; outputs follow block by block."""
+    first = last = work.marks[0]
     while last < len(out.times) and out.times[last] < until:
         last += 1
     if last > first:
         fill(problem.tracks, problem.piece, out.times[first:last], out.inputs[:, first:last])
-        _interpolate(work.rows, t, h, out.times, first, last, out.states)
-        if problem.engine.project_many != 0:
-            _project_samples(problem, out, first, last)
+        _interpolate(problem, work, t, h, first, last, out)
+        work.marks[0] = last
         if out.tangents.shape[1] > 0:
+            finish_samples(problem, work, out)
             _carry_samples(problem, work, t, h, first, last, out)
-        else:
-            call_many(
-                problem.engine.output, out.states, out.inputs, problem.p, problem.m, out.outputs, first, last - first
-            )
-    return last
+        elif last - work.marks[1] >= _BLOCK:
+            finish_samples(problem, work, out)
+
+
+@part(forceinline=True)
+def sample_step(problem: Any, work: Any, t: float, h: float, until: float, first: int, out: Any) -> int:
+    """Write states, inputs and outputs at all times before ``until`` on the step from ``t``; give the next sample."""
+    work.marks[0] = work.marks[1] = first
+    place_samples(problem, work, t, h, until, out)
+    finish_samples(problem, work, out)
+    return int(work.marks[0])

@@ -17,7 +17,7 @@ from jounce.kernel.lowering import Lowering
 from jounce.kernel.stages import element_functions, error_function
 
 _DOUBLE, _INDEX = ir.DoubleType(), ir.IntType(64)
-STEP_NAMES = ("step", "dense", "probe", "switch_at", "error")
+STEP_NAMES = ("step", "dense", "point_at", "probe", "switch_at", "error")
 
 
 @dataclass(frozen=True)
@@ -39,6 +39,7 @@ def add_step_functions(lowering: Lowering, step: Step) -> None:
 
     - ``step``: one step of length ``h`` from the state, its rate known, to the end row and the rate there;
     - ``dense``: three more stages and the interpolant of that step;
+    - ``point_at``: all states at the fraction ``h``, in the trial row;
     - ``probe``: switching functions at all probes; ``switch_at``: at the fraction ``h``, the input at node 0.
     """
     for name, function in element_functions().items():
@@ -52,6 +53,9 @@ def add_step_functions(lowering: Lowering, step: Step) -> None:
     for i in range(LAST_STAGE + 1, DENSE_STAGES):
         driver.stage(i, TRIAL)
     driver.over_states("interpolant", RATES, driver.scalar, DENSE, step.size)
+    driver.finish()
+    driver = _Driver(lowering, step, "point_at")
+    driver.over_states("point", DENSE, driver.scalar, TRIAL, step.size)
     driver.finish()
     driver = _Driver(lowering, step, "probe")
     for i, fraction in enumerate(PROBES):
