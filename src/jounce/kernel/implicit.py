@@ -31,7 +31,6 @@ from jounce.kernel.explicit import (
     _rate,
     _scratch,
 )
-from jounce.kernel.factors import Factors, factorise, room, solve
 from jounce.kernel.layout import DENSE, END, FIRST_PROBE, PROBES, RATES, ROWS, STATE, TRIAL
 from jounce.kernel.rodas5p import GAMMA, STAGES
 from jounce.kernel.sampling import Samples, sample_step
@@ -42,29 +41,37 @@ _A, _B, _C, _D, _H = rodas5p.A, rodas5p.B, rodas5p.C, rodas5p.D, rodas5p.H
 _NODES = 6  # stages that see an input of their own: the last three all stand at the end of the step
 _RATE = RATES + 1
 _ORDER = 5.0
+_SOUND = 1e-9  # soundness of the factors below which a shorter step is taken
 _SAFETY, _SHRINK, _GROW = 0.9, 0.2, 4.0
 
 
 class Slopes(NamedTuple):
-    """Addresses of native functions: slopes of the rates along states and inputs, column after column.
+    """Addresses of native functions for the linear systems of a step.
 
-    ``first`` is the number of coordinates.
+    ``look`` gives the ``size`` slopes at a state, ``along_input`` those of the rates along the inputs, column after
+    column; ``factor`` makes ``room`` numbers of slopes and shift, the first of which is the soundness of the factors;
+    ``solve`` uses them.
     """
 
-    by_state: int
-    by_input: int
-    first: int
+    look: int
+    along_input: int
+    factor: int
+    solve: int
+    size: int
+    room: int
 
 
 class Stages(NamedTuple):
-    """Scratch arrays of a step: stages ``k``, slopes, rates of the inputs, and of the rates in time through them."""
+    """Scratch arrays of a step: stages ``k``, slopes, the linear system, rates of the inputs, drift of the rates."""
 
     k: Array
-    factors: Factors
-    by_state: Array
+    slopes: Array
+    shift: Array
+    factors: Array
+    right: Array
     by_input: Array
-    drift: Array
     moving: Array
+    drift: Array
 
 
 @part()
@@ -72,13 +79,13 @@ def _look(problem: Any, slopes: Any, work: Any, stages: Any, t: float) -> None:
     """Slopes of the rates at the state and ``t``, and how the rates change in time through the input alone."""
     work.times[0] = t
     fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
-    call_native(slopes.by_state, work.rows, STATE, work.u, problem.p, problem.m, stages.by_state, 0)
+    call_native(slopes.look, work.rows, STATE, work.u, problem.p, problem.m, stages.slopes, 0)
     n, count = len(stages.drift), problem.inputs
     for d in range(n):
         stages.drift[d] = 0.0
     if count == 0:
         return
-    call_native(slopes.by_input, work.rows, STATE, work.u, problem.p, problem.m, stages.by_input, 0)
+    call_native(slopes.along_input, work.rows, STATE, work.u, problem.p, problem.m, stages.by_input, 0)
     fill_rates(problem.tracks, problem.piece, t, stages.moving)
     for i in range(count):
         for d in range(n):
@@ -86,17 +93,17 @@ def _look(problem: Any, slopes: Any, work: Any, stages: Any, t: float) -> None:
 
 
 @part(fastmath={"contract"})
-def _stage(stages: Any, rows: Any, h: float, i: int, rate: int) -> None:
+def _stage(slopes: Any, stages: Any, rows: Any, h: float, i: int, rate: int) -> None:
     """Stage ``i`` of a step, from the rate in row ``rate``."""
-    k, n = stages.k, len(stages.drift)
+    k, right, n = stages.k, stages.right, len(stages.drift)
     late = _D[i] * h
     for d in range(n):
-        k[i, d] = rows[rate, d] + late * stages.drift[d]
+        right[0, d] = rows[rate, d] + late * stages.drift[d]
     for j in range(i):
         weight = _B[i, j] / h
         for d in range(n):
-            k[i, d] += weight * k[j, d]
-    solve(stages.factors, k[i])
+            right[0, d] += weight * k[j, d]
+    call_native(slopes.solve, right, 0, stages.shift, stages.factors, stages.slopes, k, i)
 
 
 @part(fastmath={"contract"})
@@ -114,17 +121,19 @@ def _place(stages: Any, rows: Any, i: int, at: int) -> None:
 @part()
 def _step(problem: Any, slopes: Any, work: Any, stages: Any, t: float, h: float) -> bool:
     """One step from the state to the end row; tell whether its matrix was regular."""
-    if not factorise(stages.factors, stages.by_state, 1.0 / (GAMMA * h), slopes.first):
+    stages.shift[0] = 1.0 / (GAMMA * h)
+    call_native(slopes.factor, stages.slopes, 0, stages.shift, problem.p, problem.m, stages.factors, 0)
+    if not stages.factors[0, 0] > _SOUND:
         return False
     for i in range(1, _NODES):
         work.times[i] = t + _C[i] * h
     fill(problem.tracks, problem.piece, work.times[1:_NODES], work.u[:, 1:_NODES])
-    _stage(stages, work.rows, h, 0, RATES)
+    _stage(slopes, stages, work.rows, h, 0, RATES)
     for i in range(1, STAGES):
         node = min(i, _NODES - 1)
         _place(stages, work.rows, i, TRIAL)
         call_native(problem.engine.rate, work.rows, TRIAL, work.u[:, node:], problem.p, problem.m, work.rows, _RATE)
-        _stage(stages, work.rows, h, i, _RATE)
+        _stage(slopes, stages, work.rows, h, i, _RATE)
     _place(stages, work.rows, STAGES, END)
     return True
 
@@ -193,11 +202,13 @@ def integrate(problem: Problem, slopes: Slopes, control: Control, out: Samples, 
     n = len(problem.x0)
     stages = Stages(
         np.zeros((STAGES, n)),
-        room(n),
-        np.zeros((1, n * n)),
+        np.zeros((1, slopes.size)),
+        np.zeros(1),
+        np.zeros((1, slopes.room)),
+        np.zeros((1, n)),
         np.zeros((1, n * max(problem.inputs, 1))),
-        np.zeros(n),
         np.zeros(problem.inputs),
+        np.zeros(n),
     )
     work = _scratch(problem, control)
     work.rows[DENSE:ROWS] = 0.0

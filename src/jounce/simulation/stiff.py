@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass
 from typing import Literal, get_args
 
-import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
@@ -14,12 +14,13 @@ from jounce.kernel.implicit import Slopes
 from jounce.kernel.native import Native, Source, compile_functions, kept_code
 from jounce.mechanics import Model
 from jounce.simulation.compiled import Compiled
+from jounce.simulation.newton_matrix import linear_functions
 from jounce.simulation.statics import Rest
 
 Array = NDArray[np.float64]
 Method = Literal["auto", "explicit", "implicit"]
 METHODS: tuple[str, ...] = get_args(Method)
-STEP_SHARE = 0.05  # of the tolerance for one step of the implicit method
+STEP_SHARE = 0.1  # of the tolerance for one step of the implicit method
 _CARRIED = 1e-2  # share of the quasi-static motion at which a mode must be seen in the samples
 _FELT = 300.0  # tolerances: share at which a mode must be followed through its oscillations
 _PAYS = 4.0  # steps of the explicit method for one of the implicit method, above which the latter is faster
@@ -97,40 +98,25 @@ def longest_step(pace: Pace, waves: float, tolerance: float) -> float:
     return float(_OVERSAMPLED * (tolerance / 1e-5) ** 0.2 / fastest)
 
 
-_made: dict[int, tuple[Compiled, Native]] = {}
+_FUNCTIONS = ("look", "along_input", "factor", "solve")
+_made: dict[int, tuple[Compiled, Slopes, Native]] = {}
 
 
 def slopes_of(compiled: Compiled) -> Slopes:
-    """Give native slopes of a model's rates; made once, kept on disk as all native code."""
+    """Give the native functions for the linear systems of a model; made once, kept on disk as all native code."""
     plain = compiled.plain
     if id(plain) not in _made:
-
-        def source() -> Source:
-            return Source(slope_functions(plain.model))
-
         if plain.identity:
-            native = kept_code(f"slopes {plain.identity}", source)[0]
+            native, notes = kept_code(f"implicit {plain.identity}", lambda: _source(plain.model))
         else:
-            native = compile_functions(source().functions)
-        _made[id(plain)] = plain, native
-    address = _made[id(plain)][1].address
-    return Slopes(address["by_state"], address["by_input"], compiled.facts.counts[0])
+            source = _source(plain.model)
+            native, notes = compile_functions(source.functions), source.notes
+        look, along_input, factor, solve = (native.address[name] for name in _FUNCTIONS)
+        size, room = json.loads(notes)
+        _made[id(plain)] = plain, Slopes(look, along_input, factor, solve, size, room), native
+    return _made[id(plain)][1]
 
 
-def slope_functions(model: Model) -> dict[str, ca.Function]:
-    """Slopes of the rates along states and inputs, by the factors that solve for the accelerations."""
-    balance = model.balance
-
-    def along(variables: ca.SX) -> ca.SX:
-        changed = ca.jacobian(balance.residual, variables)
-        columns = [balance.answer(changed[:, i]) for i in range(changed.shape[1])]
-        answered = ca.horzcat(*columns) if columns else ca.SX(balance.unknown.shape[0], 0)
-        direct = ca.jacobian(balance.rate, variables)
-        total = direct + ca.jacobian(balance.rate, balance.unknown) @ answered
-        return ca.cse(ca.densify(ca.substitute(total, balance.unknown, balance.found)))
-
-    inputs = [model.x, model.u, model.p, model.m]
-    return {
-        "by_state": ca.Function("by_state", inputs, [along(model.x)]),
-        "by_input": ca.Function("by_input", inputs, [along(model.u)]),
-    }
+def _source(model: Model) -> Source:
+    functions = linear_functions(model)
+    return Source(functions, notes=json.dumps([functions[name].size1_out(0) for name in ("look", "factor")]))

@@ -1,0 +1,192 @@
+"""Linear systems of the implicit method, ``(s - df/dx) d = r`` with a shift ``s``, as expression graphs.
+
+The rates need the accelerations, which solve the balance of the mechanism. The slopes of the rates are therefore never
+formed: the accelerations' changes are unknowns beside the states', and their sparse system is eliminated in the order
+coordinates, internal states, speeds, multipliers. It needs no pivoting: for the coordinates the matrix is the shift
+with at most an antisymmetric part beside it, for the speeds ``s M + C + K / s``, for the multipliers ``G (..)^-1 G^T``.
+Only where the shift is as small as the rate at which something grows by itself a pivot may vanish; how near that is, is
+reported.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import casadi as ca
+
+from jounce.mechanics import Model
+
+
+def linear_functions(model: Model) -> dict[str, ca.Function]:
+    """Give the functions that look, factorise and solve.
+
+    Returns
+    -------
+    dict
+        - ``look(x, u, p, m)``: non-zero elements of the slopes of the balance and of the rates;
+        - ``along_input(x, u, p, m)``: slopes of the rates along the inputs, column after column;
+        - ``factor(slopes, shift, -, -)``: soundness of the pivots (1 is best, 0 useless), then the factors;
+        - ``solve(r, -, factors, slopes)``: the solution, ``factors`` as ``factor`` gives them.
+    """
+    slopes, values = _slopes(model)
+    known = [model.x, model.u, model.p, model.m]
+    looked, flat = _elements(values), _elements(slopes.all)
+    none, shift, r = ca.SX.sym("none", 0), ca.SX.sym("shift"), ca.SX.sym("r", model.x.shape[0])
+    factors = Factors(slopes.matrix(shift))
+    symbols = ca.SX.sym("factors", factors.values.shape[0] + 1)
+    solved = slopes.ordered(factors.solve(symbols[1:], slopes.right_side(r)))
+    factor = ca.vertcat(factors.soundness, factors.values)
+    return {
+        "look": ca.Function("look", known, [ca.cse(ca.densify(_found(model, looked)))]),
+        "along_input": ca.Function("along_input", known, [ca.cse(ca.densify(_along_input(model)))]),
+        "factor": ca.Function("factor", [flat, shift, none, none], [ca.cse(ca.densify(factor))]),
+        "solve": ca.Function("solve", [r, none, symbols, flat], [ca.cse(ca.densify(solved))]),
+    }
+
+
+def _elements(matrices: Iterable[ca.SX]) -> ca.SX:
+    """Non-zero elements of matrices, one after another."""
+    return ca.vertcat(*(ca.SX(element) for matrix in matrices for element in matrix.nonzeros()))
+
+
+def _found(model: Model, expression: ca.SX) -> ca.SX:
+    return ca.substitute(expression, model.balance.unknown, model.balance.found)
+
+
+def _along_input(model: Model) -> ca.SX:
+    """Slopes of the rates along the inputs, by the factors that solve for the accelerations."""
+    balance = model.balance
+    changed = ca.jacobian(balance.residual, model.u)
+    columns = [balance.answer(changed[:, i]) for i in range(changed.shape[1])]
+    answered = ca.horzcat(*columns) if columns else ca.SX(balance.unknown.shape[0], 0)
+    direct = ca.jacobian(balance.rate, model.u)
+    return _found(model, direct + ca.jacobian(balance.rate, balance.unknown) @ answered)
+
+
+def _slopes(model: Model) -> tuple[_Slopes, list[ca.SX]]:
+    """Symbols for the non-zero slopes, and their values in terms of the unknowns."""
+    balance, (n_q, n_v) = model.balance, (len(model.coordinates), len(model.speeds))
+    rows = balance.residual.shape[0]
+    unknown = balance.unknown[:rows]  # multipliers of dropped rows act nowhere
+    others = ca.vertcat(balance.rate[:n_q], balance.rate[n_q + n_v :])
+    values = [
+        ca.jacobian(balance.residual, model.x),
+        ca.jacobian(balance.residual, unknown),
+        ca.jacobian(others, model.x),
+        ca.jacobian(others, unknown),
+    ]
+    symbols = [ca.SX.sym(f"slope{i}", value.sparsity()) for i, value in enumerate(values)]
+    return _Slopes(n_q, n_v, *symbols), values
+
+
+@dataclass(frozen=True)
+class _Slopes:
+    """Slopes of the balance and of the other rates (coordinates, internal states) along states and unknowns.
+
+    The order of elimination is: coordinates, internal states, speeds (from the tree's ends to its root), multipliers.
+    """
+
+    coordinates: int
+    speeds: int
+    balance_state: ca.SX
+    balance_unknown: ca.SX
+    rate_state: ca.SX
+    rate_unknown: ca.SX
+
+    @property
+    def all(self) -> tuple[ca.SX, ...]:
+        """Every matrix, in the order of their values."""
+        return self.balance_state, self.balance_unknown, self.rate_state, self.rate_unknown
+
+    @property
+    def _order(self) -> list[int]:
+        """States in the order of elimination."""
+        n_q, n_v, size = self.coordinates, self.speeds, self.rate_state.shape[1]
+        return [*range(n_q), *range(n_q + n_v, size), *reversed(range(n_q, n_q + n_v))]
+
+    def matrix(self, shift: ca.SX) -> ca.SX:
+        """Matrix of (states, multipliers) in the order of elimination; accelerations are replaced by the speeds."""
+        n_q, n_v, others = self.coordinates, self.speeds, self.rate_state.shape[0]
+        upper = -self._with_accelerations(self.rate_state, self.rate_unknown, shift)
+        for i in range(others):
+            upper[i, i if i < n_q else i + n_v] += shift
+        lower = self._with_accelerations(self.balance_state, self.balance_unknown, shift)
+        upper = ca.horzcat(upper, -self.rate_unknown[:, n_v:])
+        forces = ca.horzcat(-lower[:n_v, :], -self.balance_unknown[:n_v, n_v:])
+        loops = ca.horzcat(lower[n_v:, :], self.balance_unknown[n_v:, n_v:])
+        columns = [*self._order, *range(lower.shape[1], upper.shape[1])]
+        return ca.vertcat(upper[:, columns], forces[::-1, columns], loops[:, columns])
+
+    def _with_accelerations(self, by_state: ca.SX, by_unknown: ca.SX, shift: ca.SX) -> ca.SX:
+        """Slopes along the states with the accelerations' changes ``shift`` times those of the speeds."""
+        n_q, n_v = self.coordinates, self.speeds
+        speeds = by_state[:, n_q : n_q + n_v] + shift * by_unknown[:, :n_v]
+        return ca.horzcat(by_state[:, :n_q], speeds, by_state[:, n_q + n_v :])
+
+    def right_side(self, r: ca.SX) -> ca.SX:
+        """Right-hand side in the order of elimination."""
+        n_q, n_v = self.coordinates, self.speeds
+        moved = r[n_q : n_q + n_v]
+        upper = ca.vertcat(r[:n_q], r[n_q + n_v :]) - self.rate_unknown[:, :n_v] @ moved
+        pushed = self.balance_unknown[:, :n_v] @ moved
+        return ca.vertcat(upper, (-pushed[:n_v])[::-1], pushed[n_v:])
+
+    def ordered(self, solution: ca.SX) -> ca.SX:
+        """States in their own order from the solution in the order of elimination."""
+        order = self._order
+        return ca.vertcat(*(solution[order.index(i)] for i in range(len(order))))
+
+
+class Factors:
+    """Unrolled factorisation ``L U`` of a sparse matrix without pivoting; structural zeros cost nothing."""
+
+    def __init__(self, matrix: ca.SX) -> None:
+        size = matrix.shape[0]
+        self._diagonal = [matrix[i, i] for i in range(size)]
+        rows = [{j: matrix[i, j] for j in range(size) if matrix.sparsity().has_nz(i, j)} for i in range(size)]
+        self._lower: list[dict[int, ca.SX]] = [{} for _ in range(size)]
+        self._pivots: list[ca.SX] = []
+        self._inverses: list[ca.SX] = []
+        for k in range(size):
+            pivot = rows[k].pop(k)
+            self._pivots.append(pivot)
+            self._inverses.append(1.0 / pivot)
+            for i in range(k + 1, size):
+                if k in rows[i]:
+                    share = rows[i].pop(k) * self._inverses[k]
+                    self._lower[i][k] = share
+                    for j, value in rows[k].items():
+                        rows[i][j] = rows[i].get(j, 0.0) - share * value
+        self._upper = rows
+
+    @property
+    def values(self) -> ca.SX:
+        """Everything that ``solve`` needs, flat."""
+        parts = (*(ca.vertcat(*row.values()) for row in (*self._lower, *self._upper)), *self._inverses)
+        return ca.vertcat(*parts)
+
+    @property
+    def soundness(self) -> ca.SX:
+        """Smallest ratio of a pivot to the element on the diagonal that it came from, where there is one."""
+        worst = ca.SX(1.0)
+        for pivot, diagonal in zip(self._pivots, self._diagonal, strict=True):
+            if diagonal.nnz():
+                worst = ca.fmin(worst, ca.fabs(pivot / diagonal))
+        return worst
+
+    def solve(self, values: ca.SX, right: ca.SX) -> ca.SX:
+        """Solution for a right-hand side, with the ``values`` of the factors as symbols."""
+        size, place = len(self._inverses), iter(range(values.shape[0]))
+        lower = [{k: values[next(place)] for k in row} for row in self._lower]
+        upper = [{k: values[next(place)] for k in row} for row in self._upper]
+        inverses = [values[next(place)] for _ in range(size)]
+        x = [right[i] for i in range(size)]
+        for i in range(size):
+            for k, share in lower[i].items():
+                x[i] -= share * x[k]
+        for i in reversed(range(size)):
+            for j, value in upper[i].items():
+                x[i] -= value * x[j]
+            x[i] *= inverses[i]
+        return ca.vertcat(*x)
