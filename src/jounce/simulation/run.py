@@ -34,6 +34,7 @@ MAX_STEPS, _MAX_SAMPLES = 5_000_000, 20_000_000
 _STABLE = 0.4  # share of the fastest decay at rest that the method must resolve: friction holding a rig, sensitivities
 _LONGEST = 1.2  # radians of the fastest oscillation in one step, at a tolerance of 1e-5
 _LONG_RUN = 5000.0  # radians of the fastest motion, beyond which it is worth asking whether the implicit method pays
+_DEAD_POINT = 0.05  # share of the loops' conditioning at the start that is left where a mechanism counts as locked up
 _FINEST, _COARSEST = 1e-13, 1e-1
 STEP_SHARE = 0.003  # of the tolerance for one step: keeps the global error of the shipped models below it
 
@@ -106,8 +107,16 @@ class Prepared:
         tables = ((out.states, out.tangents), (out.outputs, out.carried[:, len(out.outputs) :]))
         slopes = [table.reshape(len(out.times), len(of), free).transpose(1, 2, 0) for of, table in tables]
         steps, rejected, events = (int(count) for count in counts)
-        found = (out.times, out.states, out.outputs, Status.of(code))
+        found = (out.times, out.states, out.outputs, self._ended(Status.of(code)))
         return Solution(*found, steps, rejected, events, slopes[0], slopes[1], method)
+
+    def _ended(self, status: Status) -> Status:
+        """How the run ended; what explodes while its loops come to a dead point has locked up."""
+        if status in (Status.COMPLETED, Status.LOOP_OPENED) or not self.compiled.facts.constraints:
+            return status
+        conditioning = self.out.projected[1, np.isfinite(self.out.states[0])]
+        lost = len(conditioning) > 1 and conditioning[-1] < _DEAD_POINT * conditioning[0]
+        return Status.LOCKED_UP if lost else status
 
     def _start(self) -> None:
         self.problem.piece[:] = self.problem.tracks.first[:-1]
