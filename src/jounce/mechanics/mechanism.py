@@ -212,7 +212,7 @@ class Mechanism(Tree):
 
     def watch_point(self, name: str, body: Body, at: Vector) -> None:
         """Let a point of a body be seen: ``<name>.x, .vx, .ax`` and so on, ground axes (m, m/s, m/s^2)."""
-        point = body.point(self.vector(f"{name}.at", at))
+        point = body.point(self.vector(f"{name}.place", at))
         acceleration = point.bias + self.accelerated(point.rate)
         for i, axis in enumerate("xyz"):
             self.output(f"{name}.{axis}", point.value[i], "m", f"{name}, {axis}")
