@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from jounce.core.serialise import to_json
 from jounce.report.campaign.bench import characterisation
+from jounce.report.campaign.lumped import lumped
 from jounce.report.campaign.method import method
 from jounce.report.campaign.summary import summary
 from jounce.report.campaign.trials import curves, trials, validation
@@ -73,6 +74,7 @@ def campaign_page(result: CampaignResult) -> Page:
             trials(result),
             updates(result),
             validation(result),
+            *((lumped(result.lumped),) if result.lumped is not None else ()),
             curves(result),
             Section("Findings", (Findings(result.findings),)),
             method(result),

@@ -14,6 +14,7 @@ from jounce.studies.campaign.characterise import Characterisation
 from jounce.studies.campaign.description import Campaign, TrialEntry
 from jounce.studies.campaign.setup import Knowledge
 from jounce.studies.campaign.validation import Signals, TrialComparison
+from jounce.studies.model_comparison import ModelComparison
 
 
 @dataclass(frozen=True)
@@ -61,6 +62,8 @@ class CampaignResult:
         Every trial, fitted and held out.
     findings : tuple of Finding
         What the reader must know; ``problem`` marks what failed.
+    lumped : ModelComparison or None
+        For a 3-D rig: where the quarter car it amounts to differs from it, with the values of the last update.
     """
 
     campaign: Campaign
@@ -71,6 +74,7 @@ class CampaignResult:
     strategies: tuple[StrategyResult, ...]
     trials: tuple[TrialResult, ...]
     findings: tuple[Finding, ...]
+    lumped: ModelComparison | None = None
 
     @property
     def is_complete(self) -> bool:
@@ -95,6 +99,7 @@ class CampaignResult:
             ),
             "updates": [_update(strategy) for strategy in self.strategies],
             "trials": [_trial(trial) for trial in self.trials],
+            "lumped": None if self.lumped is None else self.lumped.to_dict(),
             "findings": to_plain(list(self.findings)),
         }
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import xarray as xr
@@ -12,7 +12,7 @@ from jounce.core.errors import DescriptionError, FitError, JounceError, unknown
 from jounce.core.findings import Finding
 from jounce.identify.update import FitTrial, check_free, update_model
 from jounce.models import build
-from jounce.parts import Rig, load, rig_path
+from jounce.parts import Corner, Rig, load, rig_path
 from jounce.parts.strut_angle import strut_angle_findings, with_strut_angle
 from jounce.recordings import read_recording
 from jounce.roads import Road, Train, Trial, read_roads
@@ -22,6 +22,8 @@ from jounce.studies.campaign.result import CampaignResult, StrategyResult, Trial
 from jounce.studies.campaign.rig_text import updated_text
 from jounce.studies.campaign.setup import Knowledge
 from jounce.studies.campaign.validation import Signals, TrialComparison, compare_trial
+from jounce.studies.lumping import lumped_from
+from jounce.studies.model_comparison import ModelComparison, PeakDifference, compare_models, compare_peaks
 
 Progress = Callable[[str], None]
 
@@ -80,8 +82,17 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
     runner = _Runner(campaign, file.parent, loaded, rig_file.read_text(encoding="utf-8"), bench, findings, progress)
     strategies = runner.update_all(knowledge)
     trials = runner.compare_all(knowledge, strategies)
+    lumped = runner.compare_with_lumped(strategies[-1].knowledge if strategies else knowledge)
     return CampaignResult(
-        campaign, file.parent, rig, knowledge.rig, bench, tuple(strategies), tuple(trials), tuple(_unique(findings))
+        campaign,
+        file.parent,
+        rig,
+        knowledge.rig,
+        bench,
+        tuple(strategies),
+        tuple(trials),
+        tuple(_unique(findings)),
+        lumped,
     )
 
 
@@ -232,6 +243,25 @@ class _Runner:
         lags = {name: lag for strategy in strategies for name, lag in strategy.update.lags.items()}
         aligned = any(entry.align for entry in self.campaign.update)
         return [self._compare(entry, start, final, lags, aligned) for entry in self.campaign.trial]
+
+    def compare_with_lumped(self, knowledge: Knowledge) -> ModelComparison | None:
+        """Hold the quarter car that a 3-D rig amounts to against it; None for a lumped rig."""
+        if not isinstance(knowledge.rig, Corner) or knowledge.rig.guide == "fixed":
+            return None
+        self.progress("compare: lumped model")
+        try:
+            found = compare_models(knowledge.rig)
+            peaks = [peak for item in self.loaded.values() for peak in self._peaks(item, knowledge)]
+        except JounceError as error:
+            self.findings.append(Finding("lumped model", "warning", f"{error} It is not compared with the 3-D rig."))
+            return None
+        return replace(found, peaks=tuple(peaks))
+
+    def _peaks(self, item: _Loaded, knowledge: Knowledge) -> list[PeakDifference]:
+        entry = item.entry
+        rig = knowledge.rig_for(entry.strut_angle, entry.tyre_pressure, entry.changes)
+        assert isinstance(rig, Corner)
+        return compare_peaks(f"trial {entry.number}", rig, lumped_from(rig), item.trial)
 
     def _compare(
         self, entry: TrialEntry, start: Knowledge, final: Knowledge, lags: dict[str, float], aligned: bool
