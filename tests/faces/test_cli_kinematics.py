@@ -65,6 +65,12 @@ def test_vehicle_adds_percentages(cli) -> None:
     assert found["anti_squat"]["values"][20] == pytest.approx(2.7 / 0.55 * 0.0592816, rel=1e-5)
 
 
+def test_points_of_all_poses(cli) -> None:
+    found = cli("kinematics", RIG, *TRAVEL, "--points", "--json").json
+    assert found["lower_ball_joint.z"]["values"][20] == pytest.approx(0.140, abs=1e-12)
+    assert cli("kinematics", RIG, "--roll", "-1 deg:1 deg:1 deg", "--points").exit_code == 2
+
+
 def test_changes_are_swept(cli) -> None:
     plain = cli("kinematics", RIG, *TRAVEL, "--json").json
     moved = cli("kinematics", RIG, *TRAVEL, "--json", "--set", "hardpoints.tie_rod_inner[2]=190 mm").json

@@ -47,6 +47,9 @@ def kinematics(
             "brake_share=0.6. Repeat it.",
         ),
     ] = None,
+    points: Annotated[
+        bool, typer.Option("--points", help="With --travel or --rack: add the places of all hardpoints.")
+    ] = False,
     set_: Changes = None,
     out: Annotated[Path | None, typer.Option(help="Write the sweep: SWEEP.nc or SWEEP.csv.")] = None,
     plot: Annotated[Path | None, typer.Option(metavar="DIR", help="Draw every quantity into this folder.")] = None,
@@ -71,7 +74,7 @@ def kinematics(
         chosen = load(rig)
         chosen = chosen.with_changes(wanted) if wanted else chosen
         say("sweeping")
-        sweep = _sweep(chosen, travel, rack, roll, _vehicle(vehicle), axle=axle)
+        sweep = _sweep(chosen, travel, rack, roll, _vehicle(vehicle), axle=axle, points=points)
         if out is not None:
             write_sweep(sweep, out, force=force)
         if plot is not None:
@@ -88,23 +91,32 @@ def kinematics(
 
 
 def _sweep(
-    rig: Rig, travel: str | None, rack: str | None, roll: str | None, vehicle: Vehicle | None, *, axle: bool
+    rig: Rig,
+    travel: str | None,
+    rack: str | None,
+    roll: str | None,
+    vehicle: Vehicle | None,
+    *,
+    axle: bool,
+    points: bool,
 ) -> xr.Dataset:
     from jounce.kinematics import sweep_rack, sweep_travel
 
     steered = None if rack is None else swept_range(rack, "m", "--rack")
     if roll is not None or axle:
+        if points:
+            raise DescriptionError("no hardpoints of an axle", where="--points", hint="Leave it out.")
         return _sweep_axle(rig, travel, steered, roll, vehicle)
     if travel is None:
         if steered is None:
             example = '--travel "-80 mm:80 mm:4 mm", --rack or --roll'
             raise DescriptionError("nothing is swept", where="jounce kinematics", allowed=example)
-        return sweep_rack(rig, steered, vehicle=vehicle)
+        return sweep_rack(rig, steered, vehicle=vehicle, points=points)
     lifted = swept_range(travel, "m", "--travel")
     if steered is not None and len(steered) > 1 and len(lifted) == 1:
-        return sweep_rack(rig, steered, float(lifted[0]), vehicle=vehicle)
+        return sweep_rack(rig, steered, float(lifted[0]), vehicle=vehicle, points=points)
     pair = steered if steered is None or len(steered) > 1 else float(steered[0])
-    return sweep_travel(rig, lifted, pair, vehicle=vehicle)
+    return sweep_travel(rig, lifted, pair, vehicle=vehicle, points=points)
 
 
 def _sweep_axle(
