@@ -43,8 +43,10 @@ class KinematicModel:
         Paths of the numbers of the description, in the order the functions take them.
     start : ndarray, shape (n_coordinates,)
         Coordinates in the design pose.
+    functions : dict
+        The functions ``pose`` and ``output`` (see ``kernel.poses``) as CasADi evaluates them.
     native : Native
-        ``pose`` and ``output`` (see ``kernel.poses``).
+        The same as machine code.
     view : CornerView
         The symbols.
     model : Model
@@ -55,6 +57,7 @@ class KinematicModel:
     tracks: tuple[str, ...]
     parameters: tuple[str, ...]
     start: Array
+    functions: dict[str, ca.Function]
     native: Native
     view: CornerView
     model: Model
@@ -136,13 +139,13 @@ def _build(rig: Corner) -> KinematicModel:
         mechanism.output(row.name, row.formula(view), row.unit, row.long_name)
     model = mechanism.finish()
     bound = _driven(v, tracks, speeds[0], 0)
-    native = compile_functions(
-        {
-            "pose": _function("pose", model, _pose(bare, v, tracks, speeds)),
-            "output": _function("output", model, bound(model.output)),
-        }
-    )
-    return KinematicModel(rows, model.tracks, model.parameters, np.array(model.start, dtype=float), native, view, model)
+    functions = {
+        "pose": _function("pose", model, _pose(bare, v, tracks, speeds)),
+        "output": _function("output", model, bound(model.output)),
+    }
+    start = np.array(model.start, dtype=float)
+    native = compile_functions(functions)
+    return KinematicModel(rows, model.tracks, model.parameters, start, functions, native, view, model)
 
 
 def _speeds(model: Model, tracks: list[Track], which: int) -> ca.SX:
