@@ -55,8 +55,8 @@ class Native:
     def evaluate(self, name: str, shape: tuple[int, ...], *inputs: NDArray[np.float64]) -> NDArray[np.float64]:
         """Call one function ``f(x, u, p, m)`` from Python; matrices come column-major, as CasADi stores them."""
         out = np.empty(shape, order="F")
-        arrays = [np.ascontiguousarray(value, dtype=np.float64) for value in inputs]
-        self._calls[name](*(array.ctypes.data for array in arrays), out.ctypes.data, 1, 0, 1)
+        arrays = [*(np.ascontiguousarray(value, dtype=np.float64) for value in inputs), out]
+        self._calls[name](*(array.__array_interface__["data"][0] for array in arrays), 1, 0, 1)
         return out
 
 

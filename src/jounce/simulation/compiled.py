@@ -106,12 +106,17 @@ class Compiled:
         values = self.native.evaluate("derived", (self.scalars,), p, *_NOTHING)
         if not self.free:
             return values
-        return np.concatenate([values, self._lanes_of(p, np.eye(len(self.free)))])
+        inputs = np.concatenate([p, np.eye(len(self.free)).ravel()])
+        lanes = self.native.evaluate("derived_lanes", (self.lanes * len(self.free),), inputs, *_NOTHING)
+        return np.concatenate([values, lanes])
 
-    def _lanes_of(self, p: Array, directions: Array) -> Array:
-        """Lanes of the extended parameters for directions (parameters that may move, lanes), flat."""
-        inputs = np.concatenate([p, directions.ravel()])
-        return self.native.evaluate("derived_lanes", (self.lanes * directions.shape[1],), inputs, *_NOTHING)
+    def _lanes_of(self, p: Array, group: Sequence[int]) -> Array:
+        """Lanes of the extended parameters along some of the parameters."""
+        count = len(self.facts.parameters)
+        inputs = np.zeros(count * (1 + SLOPE_LANES))
+        inputs[:count] = p[:count]
+        inputs[count:].reshape(count, SLOPE_LANES)[group, range(len(group))] = 1.0
+        return self.native.evaluate("derived_lanes", (self.lanes * SLOPE_LANES,), inputs, *_NOTHING)
 
     def evaluate(self, name: str, x: Array, u: Array, p: Array, m: Array) -> Array:
         """Value of a function (vectors flat), or a slope such as ``rate_x``; ``p`` may be extended already."""
@@ -143,23 +148,26 @@ class Compiled:
             ``rate``, ``output``, ``switch`` and ``constraint`` to matrices, one column for each quantity.
         """
         plain, facts = self.plain, self.facts
-        sizes = {"x": len(x), "u": len(u), "p": len(facts.parameters)}
+        rows, n, n_u = plain.shapes["slopes"][0], len(x), len(u)
         values = p if len(p) == plain.scalars else plain.extended(p)
-        own, wanted = values[: sizes["p"]], list(range(sizes[by]) if columns is None else columns)
-        (rows, _), blocks = plain.shapes["slopes"], []
+        wanted = range({"x": n, "u": n_u, "p": len(facts.parameters)}[by]) if columns is None else columns
+        states, numbers = np.zeros(n + (n + n_u) * SLOPE_LANES), np.zeros(plain.scalars + plain.lanes * SLOPE_LANES)
+        states[:n], numbers[: plain.scalars] = x, values
+        seeds = states[n + (n * SLOPE_LANES if by == "u" else 0) :].reshape(-1, SLOPE_LANES)
+        whole = np.empty((rows, len(wanted)))
         for first in range(0, len(wanted), SLOPE_LANES):
-            group = wanted[first : first + SLOPE_LANES]
-            seeds = {name: np.zeros((size, SLOPE_LANES)) for name, size in sizes.items()}
-            seeds[by][group, range(len(group))] = 1.0
-            lanes = plain._lanes_of(own, seeds["p"]) if by == "p" else np.zeros(plain.lanes * SLOPE_LANES)
-            states = np.concatenate([x, seeds["x"].ravel(), seeds["u"].ravel()])
-            found = plain.native.evaluate(
-                "slopes", (rows * SLOPE_LANES,), states, u, np.concatenate([values, lanes]), m
-            )
-            blocks.append(found.reshape(rows, SLOPE_LANES)[:, : len(group)])
-        whole = np.hstack(blocks) if blocks else np.zeros((rows, 0))
-        ends = np.cumsum([len(facts.states), len(facts.outputs), len(facts.switches), len(facts.constraints)])
-        return dict(zip(SLOPES, np.split(whole, ends[:-1]), strict=True))
+            group = list(wanted[first : first + SLOPE_LANES])
+            if by == "p":
+                numbers[plain.scalars :] = plain._lanes_of(values, group)
+            else:
+                seeds[:] = 0.0
+                seeds[group, range(len(group))] = 1.0
+            found = plain.native.evaluate("slopes", (rows * SLOPE_LANES,), states, u, numbers, m)
+            whole[:, first : first + len(group)] = found.reshape(rows, SLOPE_LANES)[:, : len(group)]
+        parts, begin = {}, 0
+        for name, names in zip(SLOPES, (facts.states, facts.outputs, facts.switches, facts.constraints), strict=True):
+            parts[name], begin = whole[begin : begin + len(names)], begin + len(names)
+        return parts
 
     def projected(self, x: Array, u: Array, p: Array, m: Array) -> Array:
         """Move a state one step towards the constraints, its speeds onto them."""
