@@ -217,6 +217,7 @@ class System:
     inertia: list = field(default_factory=list)
     rows: list = field(default_factory=list)
     springs: list = field(default_factory=list)
+    joints: dict = field(default_factory=dict)  # name to the numbers of its rows
     wheel: int = 0
     hub: tuple = (0.0, 0.0, 0.0)
 
@@ -267,6 +268,12 @@ class System:
     def spring(self, a: int, b: int, first, second, rate: float, damping: float, free_length: float) -> None:
         places = np.concatenate([self.local(a, first), self.local(b, second)])
         self.springs.append((a, b, places, (rate, damping, free_length)))
+
+    def named(self, name: str, add, *arguments) -> None:
+        """Add a joint (``self.together`` and so on) under a name, for its force."""
+        first = len(self.rows)
+        add(*arguments)
+        self.joints[name] = range(first, len(self.rows))
 
     def arrays(self) -> tuple:
         """The model as arrays, in the order of the compiled functions."""
@@ -339,14 +346,34 @@ class Corner:
         zs, zu = y[2] - self.system.centre[0][2], centre[2] - self.design_centre[2]
         return np.array([zs, zu, acceleration[2], hub[2], tyre, force, length, y[7 * n + 2], velocity[2]])
 
+    def joint_forces(self, y, height: float, touching: bool) -> dict[str, np.ndarray]:
+        """Force of each named joint on its second body, ground axes."""
+        n, system = self.model[0], self.system
+        tyre = self.stiffness * self.deflection(y, height) if touching else 0.0
+        multipliers = _accelerations(y, tyre, *self.model)[1]
+        found = {}
+        for name, rows in system.joints.items():
+            total = np.zeros(3)
+            for i in rows:
+                kind, a, b, first, second, _ = system.rows[i]
+                if kind == ALONG:
+                    turned = _matrix(y[7 * a - 4 : 7 * a]) if a else np.eye(3)
+                    total += multipliers[i] * (turned @ first[3:])
+                elif kind == ROD:
+                    ends = _point(y, n, a, np.ascontiguousarray(first[:3]))[0], _point(y, n, b, second)[0]
+                    total += multipliers[i] * (ends[1] - ends[0])
+            found[name] = total
+        return found
+
     NAMES = ("zs", "zu", "as", "au", "tyre_force", "strut_force", "strut_length", "vs", "vu")
 
     def run(self, road: Obstacle, times, *, rtol: float = 1e-13, atol: float = 1e-15) -> dict[str, np.ndarray]:
-        """All channels at the times; also "violation" (largest residual) and "events" (times of contact changes)."""
+        """All channels at the times, joint forces (``<joint>.fx``), "violation" and "events" (contact changes)."""
         y, touching, events, worst = self.system.at_design(), True, [], 0.0
         y, _ = _project(y, *self.model)
         stops = np.unique(np.concatenate([times, [e for e in road.edges if times[0] < e < times[-1]]]))
         kept = {float(times[0]): self.channels(y, road(times[0]), touching)}
+        carried = [self.joint_forces(y, road(times[0]), touching)]
         wanted = set(map(float, times))
         for begin, end in pairwise(stops):
             t = begin
@@ -357,8 +384,12 @@ class Corner:
                 events += [event] if event else []
             if float(end) in wanted:
                 kept[float(end)] = self.channels(y, road(end), touching)
+                carried.append(self.joint_forces(y, road(end), touching))
+        joints = {name: np.array([forces[name] for forces in carried]) for name in self.system.joints}
         rows = np.array([kept[float(t)] for t in times])
-        return dict(zip(self.NAMES, rows.T, strict=True)) | {"violation": worst, "events": np.array(events)}
+        forces = {f"{name}.f{x}": joints[name][:, i] for name in joints for i, x in enumerate("xyz")}
+        found = dict(zip(self.NAMES, rows.T, strict=True)) | forces
+        return found | {"violation": worst, "events": np.array(events)}
 
     def _piece(self, road, t: float, end: float, y, touching: bool, rtol: float, atol: float):
         """To the end, or to the first contact event before it."""
@@ -416,9 +447,11 @@ def double_wishbone(points: dict, bodies: dict, strut: dict, *, gravity: float =
     system.prismatic(0, chassis, system.centre[0], (0.0, 0.0, 1.0))
     for arm in ("lower", "upper"):
         front, rear = p[f"{arm}_arm_front"], p[f"{arm}_arm_rear"]
-        system.revolute(chassis, number[f"{arm}_arm"], (front + rear) / 2.0, front - rear)
-        system.together(number[f"{arm}_arm"], number["upright"], p[f"{arm}_ball_joint"])
-    system.rod(chassis, number["upright"], p["tie_rod_inner"], p["tie_rod_outer"])
+        hinge = chassis, number[f"{arm}_arm"], (front + rear) / 2.0, front - rear
+        system.named(f"{arm}_arm", system.revolute, *hinge)
+        ball = number[f"{arm}_arm"], number["upright"], p[f"{arm}_ball_joint"]
+        system.named(f"{arm}_ball_joint", system.together, *ball)
+    system.named("tie_rod", system.rod, chassis, number["upright"], p["tie_rod_inner"], p["tie_rod_outer"])
     law = strut["rate"], strut["damping"], strut["free_length"]
     system.spring(chassis, number[strut_on], p["strut_top"], p["strut_bottom"], *law)
     system.wheel, system.hub = number["upright"], tuple(p["wheel_centre"])
