@@ -166,7 +166,7 @@ def pickup_loads(rig: Rig, load: ContactLoad, travel: Values = 0.0, *, rack: flo
     if not len(kept):
         raise no_pose(sweep.ends())
     places = sweep.points()
-    names = sweep.model.points[0]
+    names = sweep.model.point_names
     points = {name: np.stack([places[f"{name}.{axis}"][kept, 0] for axis in "xyz"], axis=1) for name in names}
     joints = _balanced(corner, points, load)
     return _dataset(sweep, joints, rows["wheel_travel"][kept], joints.balance.solve())

@@ -15,11 +15,11 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from jounce.core.errors import DescriptionError
+from jounce.core.errors import AssemblyError, DescriptionError
 from jounce.kernel.native import Native, compile_functions
 from jounce.kinematics.catalogue import Quantity, quantities
 from jounce.kinematics.view import CornerView, Quasistatic
-from jounce.mechanics import Model
+from jounce.mechanics.linear_algebra import Ldl
 from jounce.mechanics.system import Track
 from jounce.models.corner import suspension
 from jounce.parts import Corner, Rig
@@ -40,27 +40,28 @@ class KinematicModel:
     tracks : tuple of str
         What is driven: ``"travel"``, and ``"rack"`` where the wheel steers.
     parameters : tuple of str
-        Paths of the numbers of the description, in the order the functions take them.
+        Paths of the numbers of the description that matter, in the order the functions take them.
+    constraints : tuple of str
+        Names of the loop equations, in the order of the rows of ``gradient``.
     start : ndarray, shape (n_coordinates,)
         Coordinates in the design pose.
     functions : dict
-        The functions ``pose`` and ``output`` (see ``kernel.poses``) as CasADi evaluates them.
+        ``pose`` and ``output`` (see ``kernel.poses``), ``points`` (x, y, z of each point) and ``gradient`` (of the loop
+        equations for the speeds), as CasADi evaluates them.
     native : Native
-        The same as machine code.
-    view : CornerView
-        The symbols.
-    model : Model
-        Equations that the functions come from.
+        The first two as machine code.
+    point_names : tuple of str
+        Points that ``points`` gives: all hardpoints and the contact point.
     """
 
     rows: tuple[Quantity, ...]
     tracks: tuple[str, ...]
     parameters: tuple[str, ...]
+    constraints: tuple[str, ...]
     start: Array
     functions: dict[str, ca.Function]
     native: Native
-    view: CornerView
-    model: Model
+    point_names: tuple[str, ...]
 
     def parameter_values(self, rig: Corner) -> Array:
         """Numbers of a description in the order of ``parameters``."""
@@ -68,15 +69,9 @@ class KinematicModel:
         return np.array([values[path] for path in self.parameters])
 
     @cached_property
-    def points(self) -> tuple[tuple[str, ...], Native]:
-        """Names of all points that move or stand, and their native function ``output``: x, y, z of each."""
-        places = _places(self.view)
-        function = self.function("output", ca.vertcat(*(place for _, place in places)))
-        return tuple(name for name, _ in places), compile_functions({"output": function})
-
-    def function(self, name: str, expression: ca.SX) -> ca.Function:
-        """Function (q, track values, p, m) of an expression of coordinates, tracks and parameters."""
-        return _function(name, self.model, expression)
+    def points(self) -> Native:
+        """Machine code of ``points``, under the name ``output``."""
+        return compile_functions({"output": self.functions["points"]})
 
 
 _models: dict[str, KinematicModel] = {}
@@ -124,70 +119,108 @@ def has_rack(rig: Corner) -> bool:
 
 def _build(rig: Corner) -> KinematicModel:
     mechanism = Quasistatic(gravity=ca.SX(0.0))
-    travel = mechanism.track(_TRAVEL)
-    rack = mechanism.track(_RACK) if has_rack(rig) else None
+    tracks = [mechanism.track(name) for name in (_TRAVEL, _RACK)[: 1 + has_rack(rig)]]
+    rack = tracks[1] if len(tracks) > 1 else None
     linkage = suspension(rig, mechanism, guide="fixed", rack=rack)
     height = linkage.wheel_centre.value[2] - linkage.number("hardpoints.wheel_centre[2]")
-    mechanism.condition("wheel_travel", height - travel.value)
-    bare = mechanism.finish()
-    tracks = [travel] if rack is None else [travel, rack]
-    v = bare.x[len(bare.coordinates) :]
-    speeds = [_speeds(bare, tracks, k) for k in range(len(tracks))]
-    view = CornerView(mechanism, linkage, travel, rack, _driven(v, tracks, speeds[1], 1) if rack is not None else None)
+    mechanism.condition("wheel_travel", height - tracks[0].value)
+    driven = Driven(mechanism, tracks)
+    view = CornerView(mechanism, linkage, tracks[0], rack, driven.along(1) if rack is not None else None)
     rows = quantities(view)
-    for row in rows:
-        mechanism.output(row.name, row.formula(view), row.unit, row.long_name)
-    model = mechanism.finish()
-    bound = _driven(v, tracks, speeds[0], 0)
-    functions = {
-        "pose": _function("pose", model, _pose(bare, v, tracks, speeds)),
-        "output": _function("output", model, bound(model.output)),
+    places = _places(view)
+    made = {
+        "pose": driven.pose(),
+        "output": driven.accelerated(ca.vertcat(*(row.formula(view) for row in rows))),
+        "points": ca.vertcat(*(place for _, place in places)),
+        "gradient": driven.gradient,
     }
-    start = np.array(model.start, dtype=float)
-    native = compile_functions(functions)
-    return KinematicModel(rows, model.tracks, model.parameters, start, functions, native, view, model)
+    parameters = _that_matter(mechanism, made)
+    arguments = [
+        driven.statics.q,
+        ca.vertcat(*(track.value for track in tracks)),
+        ca.vertcat(*parameters.values()),
+        ca.SX.sym("m", 1),
+    ]
+    functions = {name: ca.Function(name, arguments, [ca.cse(ca.densify(part))]) for name, part in made.items()}
+    return KinematicModel(
+        rows=rows,
+        tracks=(_TRAVEL, _RACK)[: len(tracks)],
+        parameters=tuple(parameters),
+        constraints=driven.statics.constraints,
+        start=np.array(driven.statics.start, dtype=float),
+        functions=functions,
+        native=compile_functions({name: functions[name] for name in ("pose", "output")}),
+        point_names=tuple(name for name, _ in places),
+    )
 
 
-def _speeds(model: Model, tracks: list[Track], which: int) -> ca.SX:
-    """Speeds for a unit rate of one track: from rest, one projection onto the constraints' rates."""
-    count = len(model.coordinates)
-    v = model.x[count:]
-    found = model.projection[count : count + v.shape[0]]
-    return _driven(v, tracks, ca.SX(v.shape[0], 1), which)(found)
+class Driven:
+    """A mechanism whose every motion is driven: as many loop equations as speeds.
 
-
-def _driven(v: ca.SX, tracks: list[Track], speeds: ca.SX, which: int) -> Callable[[ca.SX], ca.SX]:
-    """Give the substitution of the speeds by those of a unit rate of one track, without accelerations."""
-    symbols = [v, *(track.rate for track in tracks), *(track.acceleration for track in tracks)]
-    rates = [ca.SX(float(k == which)) for k in range(len(tracks))]
-    values = [ca.densify(speeds), *rates, *([ca.SX(0.0)] * len(tracks))]
-
-    def substitute(expression: ca.SX) -> ca.SX:
-        return ca.substitute(ca.densify(expression), ca.vertcat(*symbols), ca.densify(ca.vertcat(*values)))
-
-    return substitute
-
-
-def _pose(model: Model, v: ca.SX, tracks: list[Track], speeds: list[ca.SX]) -> ca.SX:
-    """Coordinates after a Newton step, violation before it, slopes of the coordinates along each track.
-
-    The step starts from quaternions of length one: extrapolated ones are not, and would hide a violation.
+    Parameters
+    ----------
+    mechanism : Quasistatic
+        The mechanism, complete but for outputs.
+    tracks : list of Track
+        What drives it.
     """
-    count = len(model.coordinates)
-    moved, violation = model.projection[:count], model.projection[-2]
-    slopes = [_driven(v, tracks, speeds[k], k)(model.rate[:count]) for k in range(len(tracks))]
-    q = model.x[:count]
-    start = ca.SX(q)
-    for first in (i for i, name in enumerate(model.coordinates) if name.endswith(".e0")):
-        e = q[first : first + 4]
-        start[first : first + 4] = e / ca.sqrt(ca.dot(e, e))
-    return ca.substitute(ca.vertcat(moved, violation, *slopes), q, start)
+
+    def __init__(self, mechanism: Quasistatic, tracks: list[Track]) -> None:
+        self.mechanism, self.tracks = mechanism, tracks
+        self.statics = mechanism.statics()
+        self.gradient = ca.jacobian(self.statics.constraint_rate, self.statics.v)
+        if self.gradient.shape[0] != self.gradient.shape[1]:
+            raise AssemblyError("as many motions as drives are needed", found=f"{self.gradient.shape}")
+        self._normal = Ldl(self.gradient @ self.gradient.T)
+        self._rates = [-self._solve(self._still(which)(self.statics.constraint_rate)) for which in range(len(tracks))]
+
+    def along(self, which: int) -> Callable[[ca.SX], ca.SX]:
+        """Give the substitution of all rates by those of a unit rate of one track, without accelerations of tracks."""
+        return self._substitution(which, self._rates[which])
+
+    def accelerated(self, expression: ca.SX) -> ca.SX:
+        """Expression of coordinates, speeds and accelerations for a constant unit rate of the first track."""
+        accelerations = -self._solve(self.statics.constraint_bias)
+        return self.along(0)(self.mechanism.with_accelerations(expression, accelerations))
+
+    def pose(self) -> ca.SX:
+        """Coordinates after a Newton step, violation before it, slopes of the coordinates along each track.
+
+        The step starts from quaternions of length one: extrapolated ones are not, and would hide a violation.
+        """
+        statics = self.statics
+        moved = statics.moved(-self._solve(statics.constraint))
+        violation = ca.sqrt(ca.dot(statics.constraint, statics.constraint))
+        slopes = [self.along(which)(statics.rates) for which in range(len(self.tracks))]
+        start = ca.SX(statics.q)
+        for first in (i for i, name in enumerate(self.mechanism.coordinate_names()) if name.endswith(".e0")):
+            e = statics.q[first : first + 4]
+            start[first : first + 4] = e / ca.sqrt(ca.dot(e, e))
+        return ca.substitute(ca.vertcat(moved, violation, *slopes), statics.q, start)
+
+    def _solve(self, right: ca.SX) -> ca.SX:
+        """Speeds (or small displacements) that make this rate of the loop equations."""
+        return self.gradient.T @ self._normal.solve(ca.densify(right))
+
+    def _still(self, which: int) -> Callable[[ca.SX], ca.SX]:
+        return self._substitution(which, ca.SX.zeros(self.statics.v.shape[0]))
+
+    def _substitution(self, which: int, speeds: ca.SX) -> Callable[[ca.SX], ca.SX]:
+        tracks = self.tracks
+        symbols = [self.statics.v, *(track.rate for track in tracks), *(track.acceleration for track in tracks)]
+        rates = [ca.SX(float(k == which)) for k in range(len(tracks))]
+        values = [ca.densify(speeds), *rates, *(ca.SX(0.0) for _ in tracks)]
+
+        def substitute(expression: ca.SX) -> ca.SX:
+            return ca.substitute(ca.densify(expression), ca.vertcat(*symbols), ca.densify(ca.vertcat(*values)))
+
+        return substitute
 
 
-def _function(name: str, model: Model, expression: ca.SX) -> ca.Function:
-    q = model.x[: len(model.coordinates)]
-    u = model.u[:: model.track_order]
-    return ca.Function(name, [q, u, model.p, ca.SX.sym("m", 1)], [ca.cse(ca.densify(expression))])
+def _that_matter(mechanism: Quasistatic, expressions: dict[str, ca.SX]) -> dict[str, ca.SX]:
+    """Numbers of the description that occur in the expressions: no masses."""
+    used = {symbol.name() for symbol in ca.symvar(ca.vertcat(*(ca.vec(part) for part in expressions.values())))}
+    return {path: symbol for path, symbol in mechanism.parameter_symbols().items() if path in used}
 
 
 def _places(view: CornerView) -> list[tuple[str, ca.SX]]:

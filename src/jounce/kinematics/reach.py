@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
@@ -78,13 +77,10 @@ def _holding(model: KinematicModel, walk: Walk, found: Found, i: int, last: Arra
     walk_poses(near, again, work)
     if not np.all(np.isfinite(again.poses[:, 0])):
         return ()
-    symbols = model.model
-    count = len(symbols.coordinates)
-    gradient = ca.jacobian(symbols.constraint, symbols.x[:count]) @ ca.jacobian(symbols.rate[:count], symbols.x[count:])
-    matrix = model.function("gradient", gradient)(again.poses[:, 0], last[:tracks], walk.p, 0.0).full()
+    matrix = model.functions["gradient"](again.poses[:, 0], last[:tracks], walk.p, 0.0).full()
     shares = np.abs(np.linalg.svd(matrix)[0][:, -1])
     names: dict[str, float] = {}
-    for name, share in zip(symbols.constraints, shares * np.linalg.norm(matrix, axis=1), strict=True):
+    for name, share in zip(model.constraints, shares * np.linalg.norm(matrix, axis=1), strict=True):
         joint = name.partition(".")[0]
         if joint != "wheel_travel":
             names[joint] = max(names.get(joint, 0.0), float(share))

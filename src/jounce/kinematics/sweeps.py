@@ -32,14 +32,17 @@ class PreparedSweep:
 
     Attributes
     ----------
+    rig : Corner
+        The corner.
     model : KinematicModel
-        The corner's model.
+        Its model.
     layout : Grid
         Order of the poses.
     walk, found, work
         Arrays of the walk (see ``kernel.poses``).
     """
 
+    rig: Corner
     model: KinematicModel
     layout: Grid
     walk: Walk
@@ -59,7 +62,7 @@ class PreparedSweep:
 
     def points(self) -> dict[str, Array]:
         """Places of all points in the last run, ``<name>.x`` and so on, m, shape (travels, racks)."""
-        names, native = self.model.points
+        names, native = self.model.point_names, self.model.points
         reached = self.found.outcome == REACHED
         places = np.full((3 * len(names), len(reached)), np.nan)
         for i in np.flatnonzero(reached):
@@ -110,7 +113,7 @@ def prepare_sweep(rig: Rig, travel: Values, rack: Values | None = None) -> Prepa
         np.ascontiguousarray(layout.targets[:, :tracks]),
         layout.before,
     )
-    return PreparedSweep(model, layout, walk, *space_for(walk, len(model.rows)))
+    return PreparedSweep(corner, model, layout, walk, *space_for(walk, len(model.rows)))
 
 
 def _rack_of(corner: Corner, rack: Values | None) -> Values:
@@ -243,7 +246,7 @@ def _swept(
     if not reached.any():
         raise no_pose(ends)
     keep = np.flatnonzero(reached.any(axis=1)), np.flatnonzero(reached.any(axis=0))
-    result = Result(sweep.model, (along_travel, along_rack))
+    result = Result(sweep.rig, (along_travel, along_rack))
     for row, value in zip(sweep.model.rows, values, strict=True):
         result.add(row.name, value[np.ix_(*keep)], row.unit, row.long_name, row.sign, row.clause)
     if vehicle is not None:
@@ -259,8 +262,8 @@ def _swept(
 class Result:
     """Variables of a sweep on their grid, for the Dataset."""
 
-    def __init__(self, model: KinematicModel, along: tuple[bool, bool]) -> None:
-        self.model, self.along = model, along
+    def __init__(self, rig: Corner, along: tuple[bool, bool]) -> None:
+        self.rig, self.along = rig, along
         self.values: dict[str, Array] = {}
         self._attributes: dict[str, dict[str, Any]] = {}
 
@@ -293,10 +296,9 @@ class Result:
 
     def _facts(self, ends: Sequence[End]) -> dict[str, Any]:
         travel = self.values["wheel_travel"]
-        rig = self.model.view.linkage.rig
         return {
-            "model": str(getattr(rig, "model", "")),
-            "side": rig.side,
+            "model": str(getattr(self.rig, "model", "")),
+            "side": self.rig.side,
             "status": "end_of_travel" if ends else "completed",
             "reached": [float(np.nanmin(travel)), float(np.nanmax(travel))],
             "stopped": "; ".join(map(str, ends)),

@@ -28,7 +28,7 @@ _TINY = 1e-12  # m/s: on either side of rest
 
 @dataclass(frozen=True)
 class Statics:
-    """What a mechanism in balance is made of: symbols, generalised forces at rest, loop equations and their rate."""
+    """What a mechanism without masses is made of: symbols, generalised forces, loop equations with rate and bias."""
 
     q: ca.SX
     v: ca.SX
@@ -37,8 +37,10 @@ class Statics:
     start: tuple[float, ...]
     rates: ca.SX
     load: ca.SX
+    constraints: tuple[str, ...]
     constraint: ca.SX
     constraint_rate: ca.SX
+    constraint_bias: ca.SX
     moved: Callable[[ca.SX], ca.SX]
 
 
@@ -60,6 +62,18 @@ class Quasistatic(Mechanism):
         """Give the time derivative of an expression of coordinates, tracks, their rates and speeds."""
         return self._bias_of(expression) + self.accelerated(expression)
 
+    def with_accelerations(self, expression: ca.SX, accelerations: ca.SX) -> ca.SX:
+        """Put the accelerations of the speeds into an expression of them."""
+        return ca.substitute(expression, ca.vertcat(*self._accelerations.values()), ca.densify(accelerations))
+
+    def coordinate_names(self) -> tuple[str, ...]:
+        """Names of the coordinates."""
+        return tuple(self._coordinates)
+
+    def parameter_symbols(self) -> dict[str, ca.SX]:
+        """Symbols of all numbers by path."""
+        return dict(self._parameters)
+
     def statics(self) -> Statics:
         """Give forces and loop equations without masses and weights."""
         v = ca.vertcat(*self._speeds.values())
@@ -72,8 +86,10 @@ class Quasistatic(Mechanism):
             start=tuple(self._start.values()),
             rates=ca.vertcat(*self._rates),
             load=self._load(v),
+            constraints=loops.names,
             constraint=loops.value,
             constraint_rate=loops.rate,
+            constraint_bias=loops.bias,
             moved=self._moved,
         )
 

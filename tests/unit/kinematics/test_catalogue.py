@@ -3,6 +3,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import jounce as jn
@@ -62,3 +63,12 @@ def test_the_documentation_lists_the_catalogue() -> None:
     assert listed == [
         (row.name, row.unit, row.long_name, row.sign.removeprefix("positive: "), row.clause) for row in CATALOGUE
     ]
+
+
+def test_masses_do_not_matter() -> None:
+    rig = jn.load("reference-double-wishbone")
+    model = kinematic_model(rig)
+    assert not [path for path in model.parameters if path.startswith(("bodies.", "sprung.", "gravity"))]
+    heavy = rig.with_changes({"bodies.upright.mass": 900.0, "bodies.lower_arm.mass": 0.01})
+    one, other = (jn.sweep_travel(item, [-0.05, 0.05]) for item in (rig, heavy))
+    assert all(np.array_equal(one[name], other[name]) for name in one.data_vars)
