@@ -1,4 +1,4 @@
-"""Rows of the benchmark table for mechanisms: the prototype's double wishbone, sweeps, building and compiling.
+"""Rows of the benchmark table for mechanisms: the prototype's double wishbone, sweeps, slopes, building and compiling.
 
 ``python benchmarks/mechanism_rows.py [--quick]`` prints them alone.
 """
@@ -14,6 +14,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
+from gradient_rows import gradient_rows, stiff_rows, violation_rows
 from mechanism_peers import PEERS, TARGETS, cheapest
 from mechanism_problem import DURATION, SPEEDS, TIMES, TYRES, Case
 from peer_kinematics import TRAVELS, sweeps
@@ -125,7 +126,8 @@ def start_rows() -> list[Row]:
 
 def mechanism_rows(*, quick: bool = False) -> list[Row]:
     """All of them."""
-    parts: list[Callable[[], list[Row]]] = [lambda: double_wishbone_rows(quick=quick), sweep_rows, start_rows]
+    parts: list[Callable[[], list[Row]]] = [lambda: double_wishbone_rows(quick=quick), sweep_rows]
+    parts += [gradient_rows, stiff_rows, violation_rows, start_rows]
     return [row for part in parts for row in part()]
 
 
