@@ -16,7 +16,7 @@ from jounce.mechanics.bodies import Body
 from jounce.mechanics.rotations import unit
 
 if TYPE_CHECKING:
-    from jounce.mechanics.tree import Tree
+    from jounce.mechanics.tree import Tree, Vector
 
 _NONE = ca.SX(3, 1)
 _SOFTEST = 1e-9  # N/m: a direction without stiffness lets a rod go, and one that the rod does not use does not count
@@ -45,13 +45,15 @@ class Deflection:
 
 def add_bushing(
     tree: Tree,
+    name: str,
     first: Body,
     second: Body,
-    at: ca.SX,
-    stiffness: ca.SX,
-    damping: ca.SX = _NONE,
-    rotational_stiffness: ca.SX = _NONE,
-    rotational_damping: ca.SX = _NONE,
+    at: Vector,
+    stiffness: Vector,
+    *,
+    damping: Vector = _NONE,
+    rotational_stiffness: Vector = _NONE,
+    rotational_damping: Vector = _NONE,
 ) -> Deflection:
     """Put a bushing between two bodies, unloaded in the design pose.
 
@@ -59,20 +61,36 @@ def add_bushing(
     ----------
     tree : Tree
         The mechanism.
+    name : str
+        Its name.
     first, second : Body
         The bodies; the axes are those of the first.
-    at : casadi.SX, shape (3,)
+    at : sequence of float, shape (3,)
         Its place in the design pose, m.
-    stiffness, damping : casadi.SX, shape (3,)
+    stiffness, damping : sequence of float, shape (3,)
         N/m and N s/m.
-    rotational_stiffness, rotational_damping : casadi.SX, shape (3,)
+    rotational_stiffness, rotational_damping : sequence of float, shape (3,)
         N m/rad and N m s/rad.
 
     Returns
     -------
     Deflection
         For outputs.
+
+    Examples
+    --------
+    >>> from jounce.mechanics import Mechanism, add_bushing
+    >>> mount = Mechanism()
+    >>> engine = mount.body("engine", mass=120.0, centre_of_mass=(0.0, 0.0, 0.0), inertia=(6.0, 6.0, 4.0))
+    >>> _ = mount.free("engine", engine)
+    >>> soft = add_bushing(mount, "mount", mount.ground, engine, (0.0, 0.0, -0.2), (1e5, 1e5, 3e5))
+    >>> mount.output("mount.force", soft.force[2], "N", "force of the mount on the engine, up positive")
     """
+    at = tree.vector(f"{name}.at", at)
+    stiffness = tree.vector(f"{name}.stiffness", stiffness, "N/m")
+    damping = tree.vector(f"{name}.damping", damping, "N*s/m")
+    rotational_stiffness = tree.vector(f"{name}.rotational_stiffness", rotational_stiffness, "N*m/rad")
+    rotational_damping = tree.vector(f"{name}.rotational_damping", rotational_damping, "N*m*s/rad")
     displacement, rate = _displacement(first, second, at)
     rotation, turning = _rotation(first, second)
     force = -stiffness * displacement - damping * rate
@@ -86,7 +104,14 @@ def add_bushing(
 
 
 def add_elastic_rod(
-    tree: Tree, first: Body, second: Body, at: ca.SX, second_at: ca.SX, stiffness: ca.SX, damping: ca.SX
+    tree: Tree,
+    name: str,
+    first: Body,
+    second: Body,
+    at: Vector,
+    second_at: Vector,
+    stiffness: Vector,
+    damping: Vector = _NONE,
 ) -> ca.SX:
     """Tie two points by a massless rod with a bushing at its first end; give its force (N, tension positive).
 
@@ -98,13 +123,18 @@ def add_elastic_rod(
     ----------
     tree : Tree
         The mechanism.
+    name : str
+        Its name.
     first, second : Body
         The bodies.
-    at, second_at : casadi.SX, shape (3,)
+    at, second_at : sequence of float, shape (3,)
         The ends in the design pose, m.
-    stiffness, damping : casadi.SX, shape (3,)
+    stiffness, damping : sequence of float, shape (3,)
         Of the bushing along the axes of the design pose, N/m and N s/m.
     """
+    at, second_at = tree.vector(f"{name}.at", at), tree.vector(f"{name}.second_at", second_at)
+    stiffness = tree.vector(f"{name}.stiffness", stiffness, "N/m")
+    damping = tree.vector(f"{name}.damping", damping, "N*s/m")
     one, other = first.point(at), second.point(second_at)
     reach, design = other - one, second_at - at
     length = ca.sqrt(ca.dot(reach.value, reach.value))

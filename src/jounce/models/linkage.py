@@ -102,19 +102,16 @@ class Linkage:
         else:
             self.mechanism.free(name, arm)
         for end in soft:
-            place, bushing = self.hardpoint(end), self.bushing_of(end)
-            add_bushing(self.mechanism, self.chassis, arm, place, *bushing)
+            add_bushing(self.mechanism, end, self.chassis, arm, self.hardpoint(end), **self.bushing_of(end))
 
     def has_bushing(self, point: str) -> bool:
         """Tell whether the description puts a bushing at a hardpoint."""
         return getattr(getattr(self.rig, "bushings", None), point, None) is not None
 
-    def bushing_of(self, point: str) -> tuple[ca.SX, ca.SX, ca.SX]:
-        """Stiffness, damping and rotational stiffness of the bushing at a hardpoint."""
-        stiffness, damping, rotational = (
-            self.triple(f"bushings.{point}.{key}") for key in ("stiffness", "damping", "rotational_stiffness")
-        )
-        return stiffness, damping, rotational
+    def bushing_of(self, point: str) -> dict[str, ca.SX]:
+        """Numbers of the bushing at a hardpoint, by name."""
+        names = ("stiffness", "damping", "rotational_stiffness")
+        return {name: self.triple(f"bushings.{point}.{name}") for name in names}
 
     def rod(self, name: str, inner: str, outer: str, carrier: Body, *, steered: bool = False) -> None:
         """Tie a point of a carrier to a point of the chassis; the inner end of a steered rod rides on the rack."""
@@ -124,7 +121,8 @@ class Linkage:
         self.owners.update({inner: holder, outer: carrier})
         massless, soft = getattr(self.rig.bodies, name, None) is None, self.has_bushing(inner)
         if massless and soft:
-            add_elastic_rod(self.mechanism, holder, carrier, start, end, *self.bushing_of(inner)[:2])
+            law = self.bushing_of(inner)
+            add_elastic_rod(self.mechanism, name, holder, carrier, start, end, law["stiffness"], law["damping"])
             return
         if massless:
             self.mechanism.rod(name, holder, carrier, start, end)
@@ -133,7 +131,7 @@ class Linkage:
         first, second = normals(unit(end - start))
         if soft:
             self.mechanism.universal(f"{name}_outer", carrier, link, end, first, second)
-            add_bushing(self.mechanism, holder, link, start, *self.bushing_of(inner))
+            add_bushing(self.mechanism, inner, holder, link, start, **self.bushing_of(inner))
             return
         self.mechanism.universal(f"{name}_inner", holder, link, start, first, second)
         self.mechanism.coincident(f"{name}_outer", link, carrier, end)

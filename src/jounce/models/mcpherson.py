@@ -32,10 +32,11 @@ def _slide(linkage: Linkage, upright: Body, foot: ca.SX, top: ca.SX) -> None:
         strut = linkage.body("strut")
         mechanism.prismatic("strut_slider", upright, strut, axis=along, at=foot)
         if soft:
-            add_bushing(mechanism, linkage.chassis, strut, top, *linkage.bushing_of("strut_top"))
+            add_bushing(mechanism, "strut_top", linkage.chassis, strut, top, **linkage.bushing_of("strut_top"))
         else:
             mechanism.coincident("strut_top", linkage.chassis, strut, at=top)
     elif soft:
-        add_sliding_bushing(mechanism, upright, linkage.chassis, foot, along, top, *linkage.bushing_of("strut_top")[:2])
+        law = linkage.bushing_of("strut_top")
+        add_sliding_bushing(mechanism, upright, linkage.chassis, foot, along, top, law["stiffness"], law["damping"])
     else:
         mechanism.point_on_line("strut_slider", upright, linkage.chassis, at=foot, axis=along, point=top)

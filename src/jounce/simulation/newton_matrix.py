@@ -47,7 +47,7 @@ def linear_functions(model: Model) -> dict[str, ca.Function]:
 
 def _elements(matrices: Iterable[ca.SX]) -> ca.SX:
     """Non-zero elements of matrices, one after another."""
-    return ca.vertcat(*(ca.SX(element) for matrix in matrices for element in matrix.nonzeros()))
+    return ca.vertcat(*(ca.vec(matrix.nz[:]) for matrix in matrices))
 
 
 def _found(model: Model, expression: ca.SX) -> ca.SX:
