@@ -67,7 +67,7 @@ class Quasistatic(Mechanism):
         return ca.substitute(expression, ca.vertcat(*self._accelerations.values()), ca.densify(accelerations))
 
     def coordinate_names(self) -> tuple[str, ...]:
-        """Names of the coordinates."""
+        """Give the names in the order of the symbols; quaternions are four, ``.e0`` to ``.e3``."""
         return tuple(self._coordinates)
 
     def parameter_symbols(self) -> dict[str, ca.SX]:
