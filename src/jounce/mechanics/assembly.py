@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from jounce.core.errors import AssemblyError, unknown
 from jounce.core.units import to_si
 from jounce.mechanics.model import Model
+from jounce.mechanics.reactions import joint_of
 
 Array = NDArray[np.float64]
 _ITERATIONS = 100
@@ -25,12 +26,21 @@ _DEPENDENT = 1e-9  # singular value of the loop equations, relative to the large
 _PART = 1e-6  # share of an equation in a dependence that is worth naming
 _NUDGE = 1e-3  # m or rad, to tell a singular pose from equations that repeat each other everywhere
 _MOVED = 1e-9
+_PLACE, _TURN = r"\.(x|y|z|across|across_2)$", r"\.(tilt|tilt_2|twist|cross)$"  # ends of equations' names
 _KEPT = 1e-10  # what the loops may still open by a second, relative to the speeds
 
 
 @dataclass(frozen=True)
 class Moved:
-    """A coordinate that assembly changed: its name, where it was and where it is (m or rad)."""
+    """A coordinate that assembly changed.
+
+    Attributes
+    ----------
+    coordinate : str
+        Its name.
+    before, after : float
+        Where it was and where it is, m or rad.
+    """
 
     coordinate: str
     before: float
@@ -44,7 +54,7 @@ class Assembly:
     Attributes
     ----------
     x : ndarray, shape (n,)
-        States: coordinates, speeds, internal states.
+        States, SI: coordinates, speeds, internal states.
     moved : tuple of Moved
         Coordinates that are not where they were given or designed.
     redundant : tuple of tuple of str
@@ -251,7 +261,7 @@ def _refuse_undefined(model: Model, value: Array, slope: Array) -> None:
     """Refuse loop equations that are no numbers, such as those with an axis that a parameter made zero."""
     broken = ~(np.isfinite(value) & np.all(np.isfinite(slope), axis=1))
     if np.any(broken):
-        joints = dict.fromkeys(name.split(".")[0] for name, no in zip(model.constraints, broken, strict=True) if no)
+        joints = dict.fromkeys(joint_of(name) for name, no in zip(model.constraints, broken, strict=True) if no)
         hint = "Check the axes and places of the joints around its loop, and the motions."
         raise AssemblyError("the loop cannot be computed", where=", ".join(joints), found="not a number", hint=hint)
 
@@ -259,18 +269,29 @@ def _refuse_undefined(model: Model, value: Array, slope: Array) -> None:
 def _open(model: Model, value: Array) -> AssemblyError:
     """Say which loops stay open, the widest first."""
     order = np.argsort(-np.abs(value))
-    worst = [i for i in order if abs(value[i]) > 0.05 * abs(value[order[0]])][:6]
-    gaps: dict[str, float] = {}
-    for i in worst:
-        joint = model.constraints[i].rsplit(".", 1)[0]
-        gaps[joint] = max(gaps.get(joint, 0.0), abs(float(value[i])))
-    shown = ", ".join(f"{name} stays open by {gap:.4g}" for name, gap in gaps.items())
+    worst = [model.constraints[i] for i in order if abs(value[i]) > 0.05 * abs(value[order[0]])][:6]
+    joints = list(dict.fromkeys(joint_of(name) for name in worst))
+    rows = {joint: [i for i, name in enumerate(model.constraints) if joint_of(name) == joint] for joint in joints}
+    shown = [_gap(joint, [(model.constraints[i], value[i]) for i in rows[joint]]) for joint in joints]
     return AssemblyError(
         "the mechanism cannot be assembled",
-        where=", ".join(gaps),
-        found=shown,
-        allowed="all loops closed (m, m^2 for rods, 1 for directions)",
+        where=", ".join(joints),
+        found=", ".join(shown),
+        allowed="all loops closed",
         hint="Check the places of these joints, or give coordinates nearer to the wished pose.",
+    )
+
+
+def _gap(joint: str, rows: list[tuple[str, float]]) -> str:
+    """How far a joint stays open: a distance, else an angle, else what is left of its equation."""
+    place = float(np.linalg.norm([value for name, value in rows if re.search(_PLACE, name)]))
+    turn = float(np.linalg.norm([value for name, value in rows if re.search(_TURN, name)]))
+    if place > 0.05 * turn:
+        return f"{joint} stays open by {place:.4g} m"
+    if turn > 0.0:
+        return f"{joint} stays askew by {np.degrees(np.arcsin(min(turn, 1.0))):.4g} degrees"
+    return (
+        f"{joint} misses its condition by {abs(rows[0][1]):.4g} (a rod by that half of the square of its length, m^2)"
     )
 
 
@@ -300,7 +321,7 @@ def _explain(evaluator: _Evaluator, pose: Array, groups: tuple[tuple[str, ...], 
     if _is_singular_here_only(evaluator, pose, len(groups)):
         raise _dead_point(groups)
     loops, joints = evaluator.model.loops, _joints_of(groups)
-    around = dict.fromkeys(other for group in groups for name in group for other in loops.get(name.split(".")[0], ()))
+    around = dict.fromkeys(other for group in groups for name in group for other in loops.get(joint_of(name), ()))
     place = f" in the loop of {', '.join(around)}" if around else ""
     listed = "; ".join(", ".join(group) for group in groups)
     raise AssemblyError(
@@ -322,7 +343,7 @@ def _dead_point(groups: tuple[tuple[str, ...], ...]) -> AssemblyError:
 
 def _joints_of(groups: tuple[tuple[str, ...], ...]) -> list[str]:
     """Joints of each group of equations, once."""
-    return list(dict.fromkeys(", ".join(dict.fromkeys(name.split(".")[0] for name in group)) for group in groups))
+    return list(dict.fromkeys(", ".join(dict.fromkeys(joint_of(name) for name in group)) for group in groups))
 
 
 def _count(groups: tuple[tuple[str, ...], ...], what: str) -> str:

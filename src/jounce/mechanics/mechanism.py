@@ -201,7 +201,7 @@ class Mechanism(Tree):
             wrenches = [wrench for wrench in self._wrenches if any(wrench.body is body for body in bodies)]
             found = tree_reaction(self, hung.child, bodies, wrenches)
             return found if not hung.reversed else Reaction(-found.force, -found.torque, found.point)
-        own = [w for w in self._wrenches if w.source == joint or w.source.startswith(f"{joint}.")]
+        own = [wrench for wrench in self._wrenches if wrench.joint == joint]
         if not own:
             raise unknown(joint, [*self._joints, *self.closures], what="joint", where="reaction")
         own = [wrench for wrench in own if wrench.body is own[0].body]
@@ -354,14 +354,14 @@ class Mechanism(Tree):
     @property
     def closures(self) -> tuple[str, ...]:
         """Names of what closes the loops."""
-        return tuple(dict.fromkeys(wrench.source.split(".")[0] for wrench in self._wrenches if wrench.source))
+        return tuple(dict.fromkeys(wrench.joint for wrench in self._wrenches if wrench.source))
 
     def loops(self) -> dict[str, tuple[str, ...]]:
         """Joint that closes a loop to the joints around that loop, itself first."""
         ends: dict[str, dict[str, list[str]]] = {}
         for wrench in self._wrenches:
             if wrench.source:
-                branches = ends.setdefault(wrench.source.split(".")[0], {})
+                branches = ends.setdefault(wrench.joint, {})
                 branches[wrench.body.name] = self._branch(wrench.body)
         found = {}
         for name, branches in ends.items():
@@ -435,7 +435,15 @@ class Mechanism(Tree):
         values: Mapping[str, float] | None = None,
         inputs: Mapping[str, float] | None = None,
     ) -> Model:
-        """Give the finished model, formed anew only when something was added; arguments as for ``finish``."""
+        """Give the finished model, formed anew only when something was added.
+
+        Parameters
+        ----------
+        redundant : {"refuse", "remove"}
+            As for ``finish``; ``refuse`` keeps all equations, and assembly says when they repeat each other.
+        start, values, inputs : mapping, optional
+            SI, as for ``finish``.
+        """
         way = "remove" if redundant == "remove" else "keep"
         if self._size(way) not in self._finished:
             model = self.finish(way, start, values=values, inputs=inputs)

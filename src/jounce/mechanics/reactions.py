@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -16,13 +17,23 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Wrench:
-    """A force (N) at a point and a torque (N m) on a body, in ground axes; ``source`` names the joint it comes from."""
+    """A force (N) at a point and a torque (N m) on a body, in ground axes; ``source`` names the equation behind it."""
 
     body: Body
     force: ca.SX
     point: ca.SX
     torque: ca.SX
     source: str = ""
+
+    @property
+    def joint(self) -> str:
+        """The joint that closes a loop by it; empty for applied forces."""
+        return joint_of(self.source)
+
+
+def joint_of(equation: str) -> str:
+    """Joint that a loop equation, named ``<joint>.<direction>``, belongs to."""
+    return re.sub(r"\.(x|y|z|across|across_2|tilt|tilt_2|twist|cross)$", "", equation)
 
 
 @dataclass(frozen=True)
