@@ -14,6 +14,7 @@ from jounce.plots.decays import decay_fit
 from jounce.plots.dispatch import figure_of, show
 from jounce.plots.display import DisplayUnit, display_unit, number, quantity
 from jounce.plots.histories import time_history
+from jounce.plots.kinematics import kinematic_curves, write_kinematics
 from jounce.plots.linear import frequency_response, modes
 from jounce.plots.mechanisms import mechanism
 from jounce.plots.roads import road_profile
@@ -32,6 +33,7 @@ __all__ = [
     "display_unit",
     "figure_of",
     "frequency_response",
+    "kinematic_curves",
     "measured_against_simulated",
     "mechanism",
     "modes",
@@ -52,4 +54,5 @@ __all__ = [
     "tyre_pressure",
     "update",
     "write_figure",
+    "write_kinematics",
 ]

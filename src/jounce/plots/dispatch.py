@@ -17,6 +17,7 @@ from jounce.plots import (
     dampers,
     decays,
     histories,
+    kinematics,
     linear,
     mechanisms,
     roads,
@@ -122,7 +123,10 @@ def _registered() -> Callable[..., Figure]:
         raise JounceError("there is no picture of this", found=type(result).__name__, allowed=kinds)
 
     def of_dataset(result: xr.Dataset, **options: Any) -> Figure:
-        return (histories.time_history if "time" in result.dims else sweeps.sweep)(result, **options)
+        if "time" in result.dims:
+            return histories.time_history(result, **options)
+        swept = {"wheel_travel", "rack_travel", "roll_angle"} & set(map(str, result.dims))
+        return (kinematics.kinematic_curves if swept else sweeps.sweep)(result, **options)
 
     def of_mapping(result: Mapping[str, Any], **options: Any) -> Figure:
         if result and all(isinstance(item, Road) for item in result.values()):

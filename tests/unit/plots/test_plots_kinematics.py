@@ -60,3 +60,9 @@ def test_every_quantity_is_on_one_sheet(sweep, tmp_path: Path) -> None:
 def test_unknown_quantities_are_refused(sweep) -> None:
     with pytest.raises(jn.RecordingError, match="camber"):
         kinematic_curves(sweep, ["cambre"])
+
+
+def test_sweeps_are_shown_like_every_result(sweep) -> None:
+    figure = jn.plots.figure_of(sweep, quantities=["toe"])
+    assert figure.axes[0].get_title("left") == "toe [°]"
+    assert jn.plots.figure_of(jn.sweep_roll(RIG, [0.0, 0.01])).axes[0].get_xlabel() in {"", "roll angle [°]"}
