@@ -5,14 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from types import ModuleType
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import AssemblyError
 from jounce.core.optional import require
+from jounce.core.units import to_si
 
 Array = NDArray[np.float64]
+Number = float | str
+"""A number in SI, or text with a unit."""
 _TRIANGLE = 1e-6  # share of the largest moment that rounding may cost the triangle inequality
 
 
@@ -35,7 +40,7 @@ class Solid:
         return self.mass, tuple(map(float, self.centre_of_mass)), tuple(map(float, elements))
 
 
-def box(density: float, size: Sequence[float], centre: Sequence[float]) -> Solid:
+def box(density: Number, size: Sequence[Number], centre: Sequence[Number]) -> Solid:
     """Give the mass properties of a block with edges along the design axes.
 
     Parameters
@@ -57,13 +62,13 @@ def box(density: float, size: Sequence[float], centre: Sequence[float]) -> Solid
     >>> round(box(7150.0, (0.108, 0.094, 0.038), (0.0, 0.0, 0.0)).mass, 3)   # the block of the prototype paper
     2.758
     """
-    a, b, c = _positive(size, "size")
-    mass = _positive([density], "density")[0] * a * b * c
+    a, b, c = (_positive(part, "m", "size") for part in _three(size, "size"))
+    mass = _positive(density, "kg/m^3", "density") * a * b * c
     moments = mass / 12.0 * np.array([b * b + c * c, a * a + c * c, a * a + b * b])
-    return Solid(mass, np.asarray(centre, dtype=float), np.diag(moments))
+    return Solid(mass, _place(centre, "centre"), np.diag(moments))
 
 
-def sphere(density: float, radius: float, centre: Sequence[float]) -> Solid:
+def sphere(density: Number, radius: Number, centre: Sequence[Number]) -> Solid:
     """Give the mass properties of a ball.
 
     Parameters
@@ -80,12 +85,12 @@ def sphere(density: float, radius: float, centre: Sequence[float]) -> Solid:
     Solid
         Mass, centre, inertia.
     """
-    r, rho = _positive([radius, density], "radius and density")
+    r, rho = _positive(radius, "m", "radius"), _positive(density, "kg/m^3", "density")
     mass = rho * 4.0 / 3.0 * np.pi * r**3
-    return Solid(float(mass), np.asarray(centre, dtype=float), 0.4 * mass * r * r * np.eye(3))
+    return Solid(float(mass), _place(centre, "centre"), 0.4 * mass * r * r * np.eye(3))
 
 
-def cylinder(density: float, radius: float, start: Sequence[float], end: Sequence[float]) -> Solid:
+def cylinder(density: Number, radius: Number, start: Sequence[Number], end: Sequence[Number]) -> Solid:
     """Give the mass properties of a round bar between two points.
 
     Parameters
@@ -106,7 +111,7 @@ def cylinder(density: float, radius: float, start: Sequence[float], end: Sequenc
 
 
 def tube(
-    density: float, inner_radius: float, outer_radius: float, start: Sequence[float], end: Sequence[float]
+    density: Number, inner_radius: Number, outer_radius: Number, start: Sequence[Number], end: Sequence[Number]
 ) -> Solid:
     """Give the mass properties of a tube between two points.
 
@@ -129,21 +134,21 @@ def tube(
     AssemblyError
         When a size is not positive or the inner radius is not below the outer one.
     """
-    rho, outer = _positive([density, outer_radius], "density and outer radius")
-    if not 0.0 <= inner_radius < outer:
-        raise AssemblyError("not an inner radius", found=inner_radius, allowed=f"0 to below {outer:g} m")
-    one, other = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
-    length = float(np.linalg.norm(other - one))
-    (length,) = _positive([length], "distance of the ends")
+    rho, outer = _positive(density, "kg/m^3", "density"), _positive(outer_radius, "m", "outer radius")
+    inner = to_si(inner_radius, "m", where="inner radius")
+    if not 0.0 <= inner < outer:
+        raise AssemblyError("not an inner radius", found=f"{inner:g} m", allowed=f"0 to below {outer:g} m")
+    one, other = _place(start, "start"), _place(end, "end")
+    length = _positive(float(np.linalg.norm(other - one)), "m", "distance of the ends")
     axis = (other - one) / length
-    mass = rho * np.pi * (outer**2 - inner_radius**2) * length
-    squares = outer**2 + inner_radius**2
+    mass = rho * np.pi * (outer**2 - inner**2) * length
+    squares = outer**2 + inner**2
     along, across = 0.5 * mass * squares, mass * (squares / 4.0 + length**2 / 12.0)
     inertia = across * np.eye(3) + (along - across) * np.outer(axis, axis)
     return Solid(float(mass), 0.5 * (one + other), inertia)
 
 
-def mesh(density: float, surface: str | Path | tuple[ArrayLike, ArrayLike], scale: float = 1.0) -> Solid:
+def mesh(density: Number, surface: str | Path | tuple[ArrayLike, ArrayLike], scale: float = 1.0) -> Solid:
     """Give the mass properties of a closed triangle mesh, by the library trimesh (extra ``mesh``).
 
     Parameters
@@ -163,13 +168,13 @@ def mesh(density: float, surface: str | Path | tuple[ArrayLike, ArrayLike], scal
     Raises
     ------
     AssemblyError
-        When the surface is not closed, or its faces do not all point outwards.
+        When the file cannot be read, the surface is not closed, or its faces do not all point outwards.
     """
     trimesh = require("trimesh", "mesh")
     if isinstance(surface, tuple):
         found = trimesh.Trimesh(vertices=np.asarray(surface[0], dtype=float), faces=np.asarray(surface[1]))
     else:
-        found = trimesh.load(str(surface), force="mesh")
+        found = _read(trimesh, Path(surface))
     if not found.is_watertight or not found.is_winding_consistent or found.volume <= 0.0:
         raise AssemblyError(
             "the surface does not enclose a volume",
@@ -177,9 +182,23 @@ def mesh(density: float, surface: str | Path | tuple[ArrayLike, ArrayLike], scal
             found=f"{len(found.faces)} faces, watertight: {found.is_watertight}, volume {found.volume:.4g}",
             hint="Close the mesh and let all faces point outwards.",
         )
-    rho, unit = _positive([density, scale], "density and scale")
+    rho, unit = _positive(density, "kg/m^3", "density"), _positive(scale, "m", "scale")
     inertia = np.asarray(found.moment_inertia) * rho * unit**5
     return Solid(float(found.volume * rho * unit**3), np.asarray(found.center_mass) * unit, inertia)
+
+
+def _read(trimesh: ModuleType, file: Path) -> Any:
+    """Surface in a file."""
+    if not file.is_file():
+        raise AssemblyError("no such file", where=str(file))
+    try:
+        found = trimesh.load(str(file), force="mesh")
+    except Exception as error:  # the readers of many formats raise what they like
+        hint = "Take STL, OBJ or PLY."
+        raise AssemblyError("not a surface that can be read", where=str(file), found=str(error), hint=hint) from error
+    if not isinstance(found, trimesh.Trimesh) or not len(found.faces):
+        raise AssemblyError("no surface in the file", where=str(file), found="no faces")
+    return found
 
 
 def combined(*solids: Solid) -> Solid:
@@ -194,7 +213,14 @@ def combined(*solids: Solid) -> Solid:
     -------
     Solid
         Mass (kg), centre (m), inertia (kg m^2).
+
+    Raises
+    ------
+    AssemblyError
+        Without any part.
     """
+    if not solids:
+        raise AssemblyError("nothing to combine", hint="Give at least one solid.")
     mass = sum(solid.mass for solid in solids)
     centre = np.asarray(sum(solid.mass * solid.centre_of_mass for solid in solids)) / mass
     inertia = np.zeros((3, 3))
@@ -227,8 +253,18 @@ def check_inertia(name: str, mass: float, inertia: Array) -> None:
         )
 
 
-def _positive(values: Sequence[float], what: str) -> list[float]:
-    for value in values:
-        if not (np.isfinite(value) and value > 0.0):
-            raise AssemblyError(f"not a {what}", found=value, allowed="above 0")
-    return [float(value) for value in values]
+def _positive(value: Number, unit: str, what: str) -> float:
+    number = to_si(value, unit, where=what)
+    if not number > 0.0:
+        raise AssemblyError(f"not a {what}", found=f"{number:g} {unit}", allowed="above 0")
+    return number
+
+
+def _three(values: Sequence[Number], what: str) -> Sequence[Number]:
+    if len(values) != 3:
+        raise AssemblyError("not a vector", where=what, found=f"{len(values)} numbers", allowed="three: x, y, z")
+    return values
+
+
+def _place(values: Sequence[Number], what: str) -> Array:
+    return np.array([to_si(value, "m", where=what) for value in _three(values, what)])
