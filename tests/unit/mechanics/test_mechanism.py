@@ -1,0 +1,177 @@
+"""What the authoring API promises: order does not matter where it need not, numbers change without compiling, names."""
+
+from __future__ import annotations
+
+import re
+
+import casadi
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.simulation import compiled
+
+X, Y, Z, ORIGIN = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, 0.0)
+BALL = (0.1, 0.1, 0.1)
+CHAIN = ((0.0, 0.0), (0.0, 0.2), (0.4, 0.3), (0.5, 0.0))
+
+
+def pendulum():
+    mechanism = jn.mechanics.Mechanism()
+    body = mechanism.body("bob", "500 g", ("80 cm", 0.0, 0.0), ("0.01 kg*m^2", 0.01, 0.01))
+    mechanism.revolute("pivot", mechanism.ground, body, at=ORIGIN, axis=(0.0, 3.0, 0.0))
+    mechanism.watch_body(body)
+    return mechanism, body
+
+
+def chain():
+    mechanism = jn.mechanics.Mechanism()
+    a, b, c, d = (np.array([x, 0.0, z]) for x, z in CHAIN)
+    crank, coupler, rocker = (
+        mechanism.body(name, 1.0, 0.5 * (one + other), (0.01, 0.01, 0.01))
+        for name, one, other in (("crank", a, b), ("coupler", b, c), ("rocker", c, d))
+    )
+    mechanism.revolute("left.A", mechanism.ground, crank, at=a, axis=Y)
+    mechanism.revolute("left.B", crank, coupler, at=b, axis=Y)
+    mechanism.revolute("right.D", mechanism.ground, rocker, at=d, axis=Y)
+    mechanism.revolute("right.C", coupler, rocker, at=c, axis=Y)
+    mechanism.watch_coordinates()
+    mechanism.watch_energy()
+    return mechanism
+
+
+def test_texts_with_units_are_read():
+    mechanism, _ = pendulum()
+    assert mechanism.values["bob.mass"] == 0.5
+    assert mechanism.values["bob.centre_of_mass[0]"] == pytest.approx(0.8)
+    run = jn.simulate_mechanism(mechanism, "200 ms", start={"pivot.angle": "-90 deg", "pivot.angle rate": "60 deg/s"})
+    assert float(run["bob.z"][0]) == pytest.approx(0.8)
+    assert float(run["bob.vx"][0]) == pytest.approx(0.8 * np.pi / 3.0)
+
+
+def test_other_numbers_need_no_other_model(monkeypatch):
+    mechanism, _ = pendulum()
+    jn.simulate_mechanism(mechanism, 0.1)
+    monkeypatch.setattr(compiled, "compile_functions", lambda *_: pytest.fail("compiled anew"))
+    run = jn.simulate_mechanism(mechanism, 0.1, values={"bob.centre_of_mass[0]": "1 m", "gravity": 5.0})
+    assert float(run["bob.x"][0]) == 1.0
+    assert float(run["bob.az"][0]) == pytest.approx(-5.0 * 0.5 / (0.5 + 0.01))
+    assert mechanism.values["gravity"] == 9.81
+
+
+def test_what_is_added_after_a_run_counts():
+    mechanism, body = pendulum()
+    first = jn.simulate_mechanism(mechanism, 0.1)
+    tip = mechanism.body("tip", 1.0, (1.0, 0.0, 0.0), BALL)
+    mechanism.fixed("weld", body, tip)
+    mechanism.watch_point("end", tip, (1.0, 0.0, 0.0))
+    second = jn.simulate_mechanism(mechanism, 0.1)
+    assert "end.z" not in first
+    inertia, moment = 0.01 + 0.5 * 0.8**2 + 0.1 + 1.0, 0.5 * 0.8 + 1.0
+    assert float(second["end.az"][0]) == pytest.approx(-9.81 * moment / inertia)
+
+
+def test_reactions_and_energies_may_be_asked_for_early():
+    early, late = (jn.mechanics.Mechanism() for _ in range(2))
+    runs = []
+    for mechanism, is_early in ((early, True), (late, False)):
+        body = mechanism.body("bob", 1.0, (1.0, 0.0, 0.0), BALL)
+        mechanism.revolute("pivot", mechanism.ground, body, at=ORIGIN, axis=Y)
+        for turn in (is_early, not is_early):
+            if turn:
+                mechanism.watch_reaction("pivot")
+                mechanism.watch_energy()
+                mechanism.watch_coordinates()
+            else:
+                end = mechanism.body("end", 2.0, (2.0, 0.0, 0.0), BALL)
+                mechanism.revolute("elbow", body, end, at=(1.5, 0.0, 0.0), axis=Y)
+                mechanism.apply_force(end, casadi.SX([0.0, 0.0, 4.0]), end.point(casadi.SX([2.0, 0.0, 0.0])))
+        runs.append(jn.simulate_mechanism(mechanism, 0.2, output_step=0.05))
+    assert set(runs[0].data_vars) == set(runs[1].data_vars)
+    for name in runs[0].data_vars:
+        np.testing.assert_allclose(runs[0][name], runs[1][name], rtol=0.0, atol=1e-9, err_msg=name)
+
+
+def test_refused_redundancy_can_be_removed_afterwards():
+    mechanism = chain()
+    with pytest.raises(jn.AssemblyError, match=re.escape("right.C: redundant joints")) as caught:
+        jn.simulate_mechanism(mechanism, 0.2)
+    assert "in the loop of right.C, right.D, left.A, left.B" in str(caught.value)
+    run = jn.simulate_mechanism(mechanism, 0.2, redundant="remove")
+    assert float(run["constraint.violation"].max()) < 1e-12
+    with pytest.raises(jn.AssemblyError, match="redundant joints"):
+        jn.simulate_mechanism(mechanism, 0.2)
+
+
+def test_assembly_says_what_it_moved_and_keeps_what_was_given():
+    run = jn.simulate_mechanism(
+        chain(), 0.1, start={"left.A.angle": 0.5, "left.A.angle rate": 3.0}, redundant="remove", output_step=0.05
+    )
+    assert float(run["left.A.angle"][0]) == pytest.approx(0.5, abs=1e-12)
+    assert float(run["left.A.angle rate"][0]) == pytest.approx(3.0, abs=1e-12)
+    assert [text.split(":")[1].strip() for text in run.attrs["findings"]] == ["left.B.angle", "right.D.angle"]
+    assert "assembly moved it from 0 to -0.602196" in run.attrs["findings"][0]
+
+
+def test_motions_decide_where_a_run_starts():
+    mechanism = chain()
+    mechanism.motion("drive", mechanism.coordinate_named("left.A.angle"), mechanism.track("turn"))
+    motions = {"turn": jn.mechanics.steady(2.0, start=0.5)}
+    run = jn.simulate_mechanism(mechanism, 0.2, motions=motions, redundant="remove", output_step=0.05)
+    np.testing.assert_allclose(run["left.A.angle"], 0.5 + 2.0 * run["time"], rtol=0.0, atol=1e-12)
+    assert set(run.data_vars) >= {"energy.supplied", "left.A.angle acceleration"}
+
+
+def test_orientations_are_taken_at_length_one_and_shown():
+    mechanism = jn.mechanics.Mechanism(gravity=0.0)
+    mechanism.free("flight", mechanism.body("bob", 1.0, ORIGIN, BALL))
+    mechanism.watch_coordinates()
+    run = jn.simulate_mechanism(mechanism, 0.2, start={"flight.e0": 2.0, "flight.e3": 2.0, "flight.wz": 1.0})
+    assert float(run["flight.e0"][0]) == pytest.approx(np.sqrt(0.5))
+    turn = 0.25 * np.pi + 0.5 * run["time"]
+    np.testing.assert_allclose(run["flight.e3"], np.sin(turn), rtol=0.0, atol=1e-8)
+    assert run["flight.wz"].attrs["units"] == "rad/s"
+    assert run["flight.x acceleration"].attrs["units"] == "m/s^2"
+
+
+def test_reaction_in_the_axes_of_a_body():
+    mechanism = jn.mechanics.Mechanism()
+    body = mechanism.body("bob", 1.0, (1.0, 0.0, 0.0))
+    mechanism.revolute("pivot", mechanism.ground, body, at=ORIGIN, axis=Y)
+    mechanism.watch_reaction("pivot", frame="bob")
+    mechanism.watch_coordinates()
+    run = jn.simulate_mechanism(mechanism, 1.0, output_step=0.05, tolerance=1e-9)
+    fallen = np.sin(run["pivot.angle"])  # a point on a string that falls from level: tension 3 m g sin
+    np.testing.assert_allclose(run["pivot.fx"], -3.0 * 9.81 * fallen, rtol=0.0, atol=1e-6)
+    np.testing.assert_allclose(run["pivot.fz"], 0.0, rtol=0.0, atol=1e-9)
+
+
+def test_turn_between_bodies_is_seen_along_an_axis():
+    mechanism = jn.mechanics.Mechanism(gravity=0.0)
+    table = mechanism.body("table", 1.0, ORIGIN, BALL)
+    arm = mechanism.body("arm", 1.0, ORIGIN, BALL)
+    mechanism.revolute("one", mechanism.ground, table, at=ORIGIN, axis=Z)
+    mechanism.revolute("two", table, arm, at=ORIGIN, axis=Z)
+    mechanism.watch_angle("between", table, arm, (0.0, 0.0, 2.0))
+    mechanism.watch_angle("whole", mechanism.ground, arm, Z)
+    start = {"one.angle rate": 1.0, "two.angle rate": -3.0, "two.angle": 0.3}
+    run = jn.simulate_mechanism(mechanism, 1.0, start=start, output_step=0.1, tolerance=1e-9)
+    np.testing.assert_allclose(run["between"], 0.3 - 3.0 * run["time"], rtol=0.0, atol=1e-9)
+    np.testing.assert_allclose(run["whole rate"], -2.0, rtol=1e-9)
+    np.testing.assert_allclose(run["whole acceleration"], 0.0, rtol=0.0, atol=1e-9)
+
+
+def test_motions_are_what_they_say():
+    time = np.array([-1.0, 0.0, 0.25, 1.0, 3.0])
+    value, rate = jn.mechanics.harmonic(2.0, 1.0, phase=0.5, mean=1.0).evaluate(time)
+    np.testing.assert_allclose(value, 1.0 + 2.0 * np.sin(2.0 * np.pi * time + 0.5), rtol=1e-12)
+    np.testing.assert_allclose(rate, 4.0 * np.pi * np.cos(2.0 * np.pi * time + 0.5), rtol=1e-12)
+    assert jn.mechanics.held(3.0).evaluate(time)[0].tolist() == [3.0] * 5
+    spline = jn.mechanics.through([0.0, 0.5, 1.0], [0.0, 1.0, 0.0])
+    value, rate = spline.evaluate(time)
+    assert value[[1, 3]].tolist() == pytest.approx([0.0, 0.0])
+    assert rate[0] == rate[1]  # straight on before the first point
+    assert rate[4] == rate[3]
+    assert value[4] == pytest.approx(2.0 * rate[3])
+    lines = jn.mechanics.through([0.0, 0.5, 1.0], [0.0, 1.0, 0.0], smooth=False)
+    assert lines.evaluate(np.array([0.25, 0.75]))[1].tolist() == [2.0, -2.0]
