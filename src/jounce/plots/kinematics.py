@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError, nearest
 from jounce.core.serialise import write_files
-from jounce.plots.display import DisplayUnit, display_unit
+from jounce.plots.display import display_unit
 from jounce.plots.style import MUTED, PALETTE, new_figure, style, styled
 
 if TYPE_CHECKING:
@@ -69,6 +69,7 @@ SHEETS: dict[str, tuple[str, ...]] = {
 """Quantities that belong together, sheet by sheet; what no sheet names comes on the last one."""
 _OTHERS = "others"
 _COLUMNS = 3
+_TO_INFINITY = ("instant_centre", "swing_arm", "turning_radius", "roll_centre_y", "ackermann")
 _ASYMPTOTE = 8.0  # curves that leave their middle half by this many times its width run to infinity
 _MOST_LINES = 5
 
@@ -176,15 +177,20 @@ def _along(sweep: xr.Dataset) -> str:
 def _draw(axes: Axes, sweep: xr.Dataset, name: str) -> None:
     along = _along(sweep)
     lines = _lines(sweep, name, along)
-    unit = _unit(sweep[lines[0][2]], np.concatenate([values for _, values, _ in lines]))
+    if any(word in name for word in _TO_INFINITY):
+        lines = [(label, _cut(values), variable) for label, values, variable in lines]
+    everything = np.concatenate([values for _, values, _ in lines])
+    finite = everything[np.isfinite(everything)]
+    largest = float(np.max(np.abs(finite), initial=0.0))
+    unit = display_unit(str(sweep[lines[0][2]].attrs.get("units", "1")), largest)
     across = display_unit(str(sweep[along].attrs.get("units", "1")))
     x = sweep[along].to_numpy() * across.factor
     for k, (label, values, _) in enumerate(lines):
         mark = "." if len(x) < 12 else None
-        axes.plot(x, _cut(values) * unit.factor, color=PALETTE[k % len(PALETTE)], label=label, marker=mark)
+        axes.plot(x, values * unit.factor, color=PALETTE[k % len(PALETTE)], label=label, marker=mark)
     axes.set_title(unit.label(name.replace("_", " ")), loc="left")
     axes.axvline(0.0, color=MUTED, linewidth=0.6, zorder=0.5)
-    _steady(axes, np.concatenate([_cut(values) for _, values, _ in lines]) * unit.factor)
+    _steady(axes, finite * unit.factor)
 
 
 def _lines(sweep: xr.Dataset, name: str, along: str) -> list[tuple[str, Array, str]]:
@@ -224,17 +230,12 @@ def _cut(values: Array) -> Array:
 
 def _steady(axes: Axes, values: Array) -> None:
     """Give a curve that does not change room above and below, so that rounding is not drawn as a wave."""
-    finite = values[np.isfinite(values)]
-    if not len(finite):
+    if not len(values):
         return
-    middle = float(np.mean(finite))
-    if np.ptp(finite) <= 1e-9 * max(abs(middle), 1e-6):
+    middle = float(np.mean(values))
+    if np.ptp(values) <= 1e-9 * max(abs(middle), 1e-6):
         room = 0.1 * abs(middle) or 1.0
         axes.set_ylim(middle - room, middle + room)
-
-
-def _unit(variable: xr.DataArray, values: Array) -> DisplayUnit:
-    return display_unit(str(variable.attrs.get("units", "1")), float(np.nanmax(np.abs(_cut(values)), initial=0.0)))
 
 
 def _finish(figure: Figure, grid: Any, sweep: xr.Dataset, count: int) -> None:

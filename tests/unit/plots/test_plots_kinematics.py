@@ -66,3 +66,10 @@ def test_sweeps_are_shown_like_every_result(sweep) -> None:
     figure = jn.plots.figure_of(sweep, quantities=["toe"])
     assert figure.axes[0].get_title("left") == "toe [°]"
     assert jn.plots.figure_of(jn.sweep_roll(RIG, [0.0, 0.01])).axes[0].get_xlabel() in {"", "roll angle [°]"}
+
+
+def test_jumps_of_stops_are_drawn_whole() -> None:
+    rig = RIG.with_changes({"strut.bump_stop": {"gap": 0.03, "rate": 900e3}})
+    found = jn.sweep_travel(rig, np.linspace(-0.08, 0.08, 41))
+    drawn = kinematic_curves(found, ["wheel_rate"]).axes[0].lines[0].get_data()[1]
+    assert drawn == pytest.approx(1e-3 * found["wheel_rate"].to_numpy())
