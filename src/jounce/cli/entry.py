@@ -12,6 +12,7 @@ from typing import Any
 import typer
 
 from jounce.cli import (
+    adjust,
     bench,
     campaign,
     check,
@@ -49,6 +50,7 @@ def application() -> typer.Typer:
     app.add_typer(campaign.app, name="campaign")
     app.command("simulate")(simulate.simulate)
     app.command("modes")(modes.modes)
+    app.command("adjust")(adjust.adjust)
     app.command("kinematics")(kinematics.kinematics)
     app.command("plot")(plot.plot)
     app.command("draw")(draw.draw)

@@ -1,4 +1,4 @@
-"""``jounce study``: shipped studies on real measurements."""
+"""``jounce study``: shipped studies, on real measurements and of models."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.options import AsJson, Force
+from jounce.cli.options import AsJson, Force, RigName, positive_quantity
 from jounce.cli.reply import Reply, progress
 from jounce.cli.tables import show_findings, table
 
@@ -16,7 +16,8 @@ if TYPE_CHECKING:
 
     from jounce.studies.proving_ground import ProvingGround
 
-app = typer.Typer(no_args_is_help=True, help="Shipped studies on real measurements.")
+app = typer.Typer(no_args_is_help=True, help="Shipped studies.")
+_SPEEDS = ("1.95 m/s", "2.86 m/s", "3.79 m/s")
 
 
 @app.callback()
@@ -48,6 +49,64 @@ def proving_ground(
             write_proving_ground(study, out, force=force, progress=say)
     plain = {**study.to_dict(), "out": None if out is None else str(out)}
     return Reply(plain, lambda console: _draw(console, plain, study, out), as_json)
+
+
+@app.command("lumped-vs-spatial")
+def lumped_vs_spatial(
+    rig: RigName,
+    lumped: Annotated[
+        str | None, typer.Option(help="A quarter car to compare; without it the one that the rig amounts to at rest.")
+    ] = None,
+    road: Annotated[str | None, typer.Option(help="A road: file, or a name of `jounce library`.")] = None,
+    speed: Annotated[list[str] | None, typer.Option(help='Speed over the road, e.g. "1.95 m/s". Repeat it.')] = None,
+    duration: Annotated[str, typer.Option(help="Length of each run.")] = "2 s",
+    as_json: AsJson = False,
+) -> Reply:
+    """Say where a lumped quarter car differs from a rig in 3-D, and why.
+
+    Example: jounce study lumped-vs-spatial kart-double-wishbone --lumped kart-quarter-car
+    """
+    trials = _trials(road, speed or list(_SPEEDS), positive_quantity(duration, "s", "--duration"))
+    with progress() as say:
+        say("loading")
+        from jounce.parts import load
+        from jounce.studies.model_comparison import compare_models
+
+        pair = load(rig), None if lumped is None else load(lumped)
+        say("comparing")
+        found = compare_models(*pair, trials)
+    plain = {"rig": rig, "lumped_rig": lumped, **found.to_dict()}
+    return Reply(plain, lambda console: _draw_models(console, plain), as_json)
+
+
+def _trials(road: str | None, speeds: list[str], duration: float) -> dict[str, Any]:
+    """Give trials by name; without a road over the bench's obstacle (estimated: 10 mm high, 60 mm long)."""
+    from jounce.roads import HalfSine, Trial, load_road
+
+    course = HalfSine(height=0.010, length=0.060, start=0.2) if road is None else load_road(road)
+    return {
+        text: Trial(road=course, speed=positive_quantity(text, "m/s", "--speed"), duration=duration) for text in speeds
+    }
+
+
+def _draw_models(console: Console, plain: dict[str, Any]) -> None:
+    other = plain["lumped_rig"] or "the quarter car it amounts to at rest"
+    rows = [(row["quantity"], row["unit"], row["spatial"], row["lumped"], row["why"]) for row in plain["rows"]]
+    header = ("about rest", "unit", "3-D", "lumped", "why")
+    console.print(table(f"{plain['rig']} and {other}", header, rows, text=(0, 1, 4)))
+    curve = zip(plain["travel"], plain["motion_ratio"], plain["wheel_rate"], strict=True)
+    points = [
+        (1e3 * travel, ratio, plain["lumped_motion_ratio"], rate, plain["lumped_wheel_rate"])
+        for travel, ratio, rate in list(curve)[::3]
+    ]
+    columns = ("travel mm", "motion ratio 3-D", "lumped", "wheel rate 3-D N/m", "lumped")
+    console.print(table("Over travel", columns, points, text=()))
+    peaks = [
+        (peak["trial"], peak["channel"], peak["unit"], peak["spatial"], peak["lumped"], 100.0 * peak["relative"])
+        for peak in plain["peaks"]
+    ]
+    names = ("trial", "largest", "unit", "3-D", "lumped", "difference %")
+    console.print(table("Peaks", names, peaks, text=(0, 1, 2)))
 
 
 def _draw(console: Console, plain: dict[str, Any], study: ProvingGround, out: Path | None) -> None:

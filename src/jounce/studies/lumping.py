@@ -195,8 +195,8 @@ def lump(rig: Rig) -> Lumping:
     --------
     >>> import jounce as jn
     >>> found = lump(jn.load("kart-double-wishbone"))
-    >>> round(found.motion_ratio, 4), round(sum(found.static_masses), 2)   # cos(26 deg); 21.6 kg in all
-    (0.8988, 21.6)
+    >>> round(found.motion_ratio, 4), round(sum(found.static_masses), 2)   # cos(26 deg); 21.8 kg in all
+    (0.8988, 21.8)
     """
     corner = _heaving(rig)
     rest = equilibrium(corner)
@@ -252,7 +252,7 @@ def lumped_from(rig: Rig) -> QuarterCar:
     >>> import jounce as jn
     >>> car = lumped_from(jn.load("kart-double-wishbone"))
     >>> round(float(np.degrees(car.strut.angle)), 1), round(car.sprung.mass, 1), round(car.unsprung.mass, 1)
-    (26.0, 16.4, 4.8)
+    (26.0, 16.4, 5.0)
     """
     corner, found = _heaving(rig), lump(rig)
     ratio = found.damper_ratio

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,7 @@ from jounce.parts.advice import BODY_POINTS
 from jounce.parts.points import Triple, distance
 
 Array = NDArray[np.float64]
+C = TypeVar("C", bound=Corner)
 _STRAIGHT = 1e-6
 """Size of the second extent of a group of points, relative to the first, below which they lie on one line."""
 
@@ -31,7 +32,7 @@ def rigs_along(rig: Corner, travels: Sequence[float]) -> list[Corner]:
     ]
 
 
-def moved_rig(rig: Corner, places: Mapping[str, Triple]) -> Corner:
+def moved_rig(rig: C, places: Mapping[str, Triple]) -> C:
     """Give the rig with hardpoints in other places, as it would be described there.
 
     Parameters
