@@ -33,8 +33,8 @@ class Quantity:
     clause : str
         Where a standard defines it; empty where none does.
     needs : str
-        ``"axis"`` (a steering axis), ``"rack"``, ``"bar"`` (an anti-roll bar), ``"stiffness"`` (a linear tyre); empty
-        for what every corner has.
+        ``"axis"`` (a steering axis), ``"rack"``, ``"bar"`` (an anti-roll bar), ``"stiffness"`` (a tyre
+        whose deflection is known); empty for what every corner has.
     """
 
     name: str
@@ -109,7 +109,7 @@ def _contact_rate(view: CornerView) -> ca.SX:
 
 
 def _ride_rate(view: CornerView) -> ca.SX:
-    wheel, tyre = _wheel_rate(view), view.mechanism.parameter("tyre.stiffness")
+    wheel, tyre = _wheel_rate(view), view.tyre_stiffness
     return wheel * tyre / (wheel + tyre)
 
 
@@ -449,6 +449,6 @@ def quantities(view: CornerView) -> tuple[Quantity, ...]:
         "axis": view.steers,
         "rack": view.rack is not None,
         "bar": rig.anti_roll_bar is not None,
-        "stiffness": rig.tyre.stiffness is not None,
+        "stiffness": view.has_tyre_stiffness,
     }
     return tuple(row for row in CATALOGUE if has[row.needs])

@@ -14,7 +14,7 @@ import casadi as ca
 
 from jounce.mechanics import Mechanism
 from jounce.mechanics.bodies import Body
-from jounce.mechanics.elements import damper_force, damper_map_force
+from jounce.mechanics.elements import curve_force, damper_force, damper_map_force
 from jounce.mechanics.frames import Moving
 from jounce.mechanics.rotations import unit
 from jounce.mechanics.system import Track
@@ -284,6 +284,22 @@ class CornerView:
     def tyre_deflection(self) -> ca.SX:
         """Undeformed radius minus the distance of the ground in the wheel's plane."""
         return undeformed_radius(self.linkage) - self.radius
+
+    @property
+    def has_tyre_stiffness(self) -> bool:
+        """Tell whether the tyre has one stiffness, or a curve and a known deflection on it."""
+        tyre = self.linkage.rig.tyre
+        return tyre.curve is None or tyre.undeformed_radius is not None
+
+    @cached_property
+    def tyre_stiffness(self) -> ca.SX:
+        """Slope of the tyre's force at its deflection, N/m."""
+        curve = self.linkage.rig.tyre.curve
+        if curve is None:
+            return self.mechanism.parameter("tyre.stiffness")
+        deflection = ca.SX.sym("tyre deflection")
+        force = curve_force(self.mechanism, curve, "tyre.curve", deflection)
+        return ca.substitute(ca.jacobian(force, deflection), deflection, self.tyre_deflection)
 
     @cached_property
     def bar_angle(self) -> ca.SX:

@@ -32,8 +32,18 @@ def test_rows_that_a_corner_cannot_have_are_absent() -> None:
     assert names - full == {row.name for row in CATALOGUE if row.needs == "bar"}
     arm = {row.name for row in kinematic_model(jn.load("semi-trailing-arm")).rows}
     assert names - arm == {row.name for row in CATALOGUE if row.needs in {"bar", "axis", "rack"}}
-    curved = kinematic_model(jn.load("hmmwv-front")) if jn.load("hmmwv-front").tyre.stiffness is None else None
-    assert curved is None or "ride_rate" not in {row.name for row in curved.rows}
+
+
+def test_a_curved_tyre_has_its_slope_at_the_deflection_given() -> None:
+    curve = {"kind": "polynomial", "coefficients": [150e3, 4e6]}
+    rig = jn.load("reference-double-wishbone")
+    table = {"curve": curve, "undeformed_radius": 0.31}
+    found = jn.sweep_travel(rig.with_changes({"tyre": table}), 0.0)
+    tyre, wheel = 150e3 + 2.0 * 4e6 * 0.01, float(found["wheel_rate"][0])
+    assert float(found["tyre_deflection"][0]) == pytest.approx(0.01)
+    assert float(found["ride_rate"][0]) == pytest.approx(wheel * tyre / (wheel + tyre), rel=1e-12)
+    unknown = jn.sweep_travel(rig.with_changes({"tyre": {"curve": curve}}), 0.0)
+    assert "ride_rate" not in unknown
 
 
 def test_corners_that_differ_in_numbers_share_a_model() -> None:
