@@ -138,7 +138,7 @@ class Tree(System):
         elements = list(inertia)
         if np.shape(np.asarray(inertia, dtype=object)) == (3, 3):
             tensor = np.asarray(inertia, dtype=float)
-            if not np.allclose(tensor, tensor.T, rtol=1e-9, atol=0.0):
+            if not np.allclose(tensor, tensor.T, rtol=1e-9, atol=1e-12 * float(np.max(np.abs(tensor)))):
                 raise AssemblyError("not a tensor of inertia", where=path, found="not symmetric")
             elements = [tensor[i, j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
         if len(elements) not in (3, 6):

@@ -82,7 +82,7 @@ def with_strut_angle(rig: R, angle: float | str) -> R:
     >>> from jounce.parts import load
     >>> rig = with_strut_angle(load("kart-double-wishbone"), "16 deg")
     >>> [round(1e3 * x, 2) for x in rig.hardpoints.strut_top]   # mm
-    [30.0, 274.87, 252.25]
+    [30.0, 279.87, 242.25]
     """
     wanted = to_si(angle, "rad", where="strut angle")
     if isinstance(rig, QuarterCar):

@@ -111,6 +111,15 @@ def run(substeps: int) -> dict[str, np.ndarray]:
     sensors["ball_force"] = mbs.AddSensor(force)
     length = items.SensorObject(objectNumber=spring, outputVariableType=kind.Distance, **kept)
     sensors["spring_length"] = mbs.AddSensor(length)
+    _solve(mbs, substeps)
+    rows = {name: np.array(mbs.GetSensorStoredData(sensor)) for name, sensor in sensors.items()}
+    return {"time": rows["ball"][:, 0]} | {name: row[:, 1:] for name, row in rows.items()}
+
+
+def _solve(mbs, substeps: int) -> None:
+    """Run the assembled system by the generalised alpha method with a full Newton iteration."""
+    import exudyn as exu
+
     mbs.Assemble()
     settings = exu.SimulationSettings()
     count = round(MODEL["duration"] / MODEL["output_step"])
@@ -124,8 +133,6 @@ def run(substeps: int) -> dict[str, np.ndarray]:
     settings.solution.file.write = False
     settings.solution.sensors.writePeriod = MODEL["output_step"]
     mbs.SolveDynamic(settings, solverType=exu.DynamicSolverType.GeneralizedAlpha)
-    rows = {name: np.array(mbs.GetSensorStoredData(sensor)) for name, sensor in sensors.items()}
-    return {"time": rows["ball"][:, 0]} | {name: row[:, 1:] for name, row in rows.items()}
 
 
 def extrapolated(substeps: int) -> tuple[dict[str, np.ndarray], dict[str, float]]:
