@@ -234,3 +234,53 @@ def test_windows_pass_their_singular_poses():
         np.testing.assert_allclose(run[f"foot {i}.angle"], exact.y[0], rtol=0.0, atol=1e-5)
     assert float(run["foot 0.angle"].max()) > np.radians(270.0)
     assert float(run["constraint.violation"].max()) < 1e-9
+
+
+@cache
+def scissors(stages: int) -> jn.mechanics.Mechanism:
+    """Pairs of crossed bars of 1 m and 1 kg on a fixed hinge and a slider, held at the slider."""
+    mechanism = jn.mechanics.Mechanism()
+    width, height = np.cos(SPREAD), np.sin(SPREAD)
+    slider = mechanism.body("slider", 0.5, (width, 0.0, 0.0), (0.01, 0.01, 0.01))
+    place = mechanism.prismatic("slide", mechanism.ground, slider, axis=(1.0, 0.0, 0.0), at=(width, 0.0, 0.0))
+    left, right = mechanism.ground, slider
+    for i in range(stages):
+        low, high = i * height, (i + 1) * height
+        up = bar(mechanism, f"up {i}", 1.0, (0.0, 0.0, low), (width, 0.0, high))
+        down = bar(mechanism, f"down {i}", 1.0, (width, 0.0, low), (0.0, 0.0, high))
+        mechanism.revolute(f"left {i}", left, up, at=(0.0, 0.0, low), axis=Y)
+        mechanism.revolute(f"right {i}", right, down, at=(width, 0.0, low), axis=Y)
+        mechanism.revolute(f"cross {i}", up, down, at=(0.5 * width, 0.0, low + 0.5 * height), axis=Y)
+        left, right = down, up
+    mechanism.output(
+        "hold.force", mechanism.motion("hold", place, mechanism.track("spread")), "N", "force on the slider"
+    )
+    mechanism.watch_point("top", right, (width, 0.0, stages * height))
+    mechanism.watch_coordinates()
+    mechanism.watch_energy()
+    return mechanism
+
+
+SPREAD = np.radians(40.0)
+
+
+def test_scissors_take_the_force_of_virtual_work_and_lift_as_they_close():
+    """The hinges that close its loops repeat each other across the plane, so most of their equations go."""
+    stages, speed = 2, -0.2
+    run = jn.simulate_mechanism(
+        scissors(stages),
+        0.5,
+        motions={"spread": jn.mechanics.step(0.0, speed, begin=0.1, stop=0.4)},
+        redundant="remove",
+        output_step=0.01,
+        tolerance=1e-9,
+    )
+    width = np.cos(SPREAD) + run["slide.distance"]
+    np.testing.assert_allclose(run["top.z"], stages * np.sqrt(1.0 - width**2), rtol=0.0, atol=1e-12)
+    rise = -width / np.sqrt(1.0 - width**2)  # of one stage for 1 m of the slider
+    still = 2.0 * 9.81 * 0.5 * stages**2 * rise  # 2 kg a stage, its middle at (i + 1/2) of a stage's height
+    np.testing.assert_allclose(run["hold.force"][:10], still[:10], rtol=1e-10)
+    np.testing.assert_allclose(run["hold.force"][41:], still[41:], rtol=1e-10)
+    balance = run["energy.kinetic"] + run["energy.weight"] - run["energy.supplied"]
+    assert float(abs(balance).max()) < 1e-7
+    assert float(run["constraint.violation"].max()) < 1e-12
