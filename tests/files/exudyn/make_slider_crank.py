@@ -87,8 +87,10 @@ def run(substeps: int) -> dict[str, np.ndarray]:
     joint(bodies["slider"], bodies["rod"], MODEL["cross"], frame(second, first), [1, 1, 1, 0, 0, 1])
     ends = [marker(bodies["crank"], MODEL["ball"]), marker(bodies["rod"], MODEL["ball"])]
     ball = mbs.AddObject(items.SphericalJoint(markerNumbers=ends))
-    ends = [marker(ground, MODEL["spring_ground"]), marker(bodies["slider"], MODEL["spring_slider"])]
-    law = MODEL["spring"]
+    law, ends = (
+        MODEL["spring"],
+        [marker(ground, MODEL["spring_ground"]), marker(bodies["slider"], MODEL["spring_slider"])],
+    )
     spring = mbs.AddObject(
         items.SpringDamper(
             markerNumbers=ends, stiffness=law["rate"], damping=law["damping"], referenceLength=law["free_length"]
@@ -107,10 +109,8 @@ def run(substeps: int) -> dict[str, np.ndarray]:
             ("rod_spin", "rod", MODEL["rod"][1], kind.AngularVelocity),
         )
     }
-    force = items.SensorObject(objectNumber=ball, outputVariableType=kind.Force, **kept)
-    sensors["ball_force"] = mbs.AddSensor(force)
-    length = items.SensorObject(objectNumber=spring, outputVariableType=kind.Distance, **kept)
-    sensors["spring_length"] = mbs.AddSensor(length)
+    for name, of, what in (("ball_force", ball, kind.Force), ("spring_length", spring, kind.Distance)):
+        sensors[name] = mbs.AddSensor(items.SensorObject(objectNumber=of, outputVariableType=what, **kept))
     _solve(mbs, substeps)
     rows = {name: np.array(mbs.GetSensorStoredData(sensor)) for name, sensor in sensors.items()}
     return {"time": rows["ball"][:, 0]} | {name: row[:, 1:] for name, row in rows.items()}
