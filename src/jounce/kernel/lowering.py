@@ -163,6 +163,13 @@ class Lowering:
         builder.cbranch(builder.icmp_signed("<", following, end), loop, leave)
         ir.IRBuilder(leave).ret_void()
 
+    def add_single(self, name: str, many: str) -> None:
+        """Append ``void name(x, u, p, m, out)``: one sample of a function that takes many."""
+        native = self.declare(name, [_DOUBLE.as_pointer()] * 5)
+        builder = ir.IRBuilder(native.append_basic_block())
+        builder.call(self.module.globals[many], [*native.args, _INDEX(1), _INDEX(0), _INDEX(1)])
+        builder.ret_void()
+
     def declare(self, name: str, arguments: list[Any]) -> ir.Function:
         """Append an empty function; its pointers must not overlap."""
         native = ir.Function(self.module, ir.FunctionType(ir.VoidType(), arguments), name)

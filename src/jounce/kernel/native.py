@@ -23,10 +23,12 @@ from numpy.typing import NDArray
 from jounce.kernel.lowering import Lanes, Lowering
 from jounce.kernel.steps import STEP_NAMES, Step, add_step_functions
 
-_FORMAT = "jounce-kernel-17"
+_FORMAT = "jounce-kernel-18"
 MANY = ("output", "project_many")
-SELDOM = ("slopes", "derived", "derived_lanes", "constraint")
+SELDOM = ("slopes", "switch_slope", "derived", "derived_lanes", "constraint", "constraint_s")
 """Functions called a few times a run: they are compiled without the optimiser, which makes them little faster."""
+SINGLE = {"project": "project_many"}
+"""Functions of one sample that are made of those of many, where a module has these."""
 _PROTOTYPE = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5, *[ctypes.c_int64] * 3)
 _CHECKSUM, _LENGTH = 32, 8
 
@@ -105,7 +107,7 @@ def kept_code(identity: str, make: Callable[[], Source]) -> tuple[Native, str]:
         with contextlib.suppress(Exception):  # whatever is wrong with it: rebuild
             return _load(cached)
     source = make()
-    names = [*source.functions, *(STEP_NAMES if source.step else ())]
+    names = [*source.functions, *_singles(source.functions), *(STEP_NAMES if source.step else ())]
     head = json.dumps({"names": names, "notes": source.notes}).encode()
     content = len(head).to_bytes(_LENGTH, "little") + head + _emit(source.functions, source.step)
     _write(key, content)
@@ -127,6 +129,10 @@ def cache_folder() -> Path:
     return (Path(shared) if shared else Path.home() / ".cache") / "jounce"
 
 
+def _singles(functions: Mapping[str, object]) -> dict[str, str]:
+    return {name: many for name, many in SINGLE.items() if many in functions and name not in functions}
+
+
 def _emit(functions: Mapping[str, ca.Function | Lanes], step: Step | None = None) -> bytes:
     lowering = Lowering()
     for name, function in functions.items():
@@ -134,6 +140,8 @@ def _emit(functions: Mapping[str, ca.Function | Lanes], step: Step | None = None
         if name in SELDOM:
             for attribute in ("optnone", "noinline"):
                 lowering.module.globals[name].attributes.add(attribute)
+    for name, many in _singles(functions).items():
+        lowering.add_single(name, many)
     if step:
         add_step_functions(lowering, step)
     module = llvm.parse_assembly(str(lowering.module))

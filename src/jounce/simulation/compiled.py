@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import asdict, dataclass, field
 from functools import cache, cached_property
 from pathlib import Path
@@ -110,14 +110,6 @@ class Compiled:
         lanes = self.native.evaluate("derived_lanes", (self.lanes * len(self.free),), inputs, *_NOTHING)
         return np.concatenate([values, lanes])
 
-    def _lanes_of(self, p: Array, group: Sequence[int]) -> Array:
-        """Lanes of the extended parameters along some of the parameters."""
-        count = len(self.facts.parameters)
-        inputs = np.zeros(count * (1 + SLOPE_LANES))
-        inputs[:count] = p[:count]
-        inputs[count:].reshape(count, SLOPE_LANES)[group, range(len(group))] = 1.0
-        return self.native.evaluate("derived_lanes", (self.lanes * SLOPE_LANES,), inputs, *_NOTHING)
-
     def evaluate(self, name: str, x: Array, u: Array, p: Array, m: Array) -> Array:
         """Value of a function (vectors flat), or a slope such as ``rate_x``; ``p`` may be extended already."""
         plain = self.plain
@@ -128,19 +120,15 @@ class Compiled:
         values = p if len(p) == plain.scalars else plain.extended(p)
         return plain.native.evaluate(name, (rows,) if columns == 1 else (rows, columns), x, u, values, m)
 
-    def slopes(
-        self, by: str, x: Array, u: Array, p: Array, m: Array, columns: Sequence[int] | None = None
-    ) -> dict[str, Array]:
+    def slopes(self, by: str, x: Array, u: Array, p: Array, m: Array) -> dict[str, Array]:
         """Slopes of rates, outputs, switches and constraints.
 
         Parameters
         ----------
-        by : {"x", "u", "p"}
-            States, inputs or parameters.
+        by : {"x", "u"}
+            States or inputs.
         x, u, p, m : ndarray
             Where; ``p`` may be extended already.
-        columns : sequence of int, optional
-            The ones wanted; all otherwise.
 
         Returns
         -------
@@ -150,28 +138,32 @@ class Compiled:
         plain, facts = self.plain, self.facts
         rows, n, n_u = plain.shapes["slopes"][0], len(x), len(u)
         values = p if len(p) == plain.scalars else plain.extended(p)
-        wanted = range({"x": n, "u": n_u, "p": len(facts.parameters)}[by]) if columns is None else columns
-        states, numbers = np.zeros(n + (n + n_u) * SLOPE_LANES), np.zeros(plain.scalars + plain.lanes * SLOPE_LANES)
-        states[:n], numbers[: plain.scalars] = x, values
+        states, count = np.zeros(n + (n + n_u) * SLOPE_LANES), {"x": n, "u": n_u}[by]
+        states[:n] = x
         seeds = states[n + (n * SLOPE_LANES if by == "u" else 0) :].reshape(-1, SLOPE_LANES)
-        whole = np.empty((rows, len(wanted)))
-        for first in range(0, len(wanted), SLOPE_LANES):
-            group = list(wanted[first : first + SLOPE_LANES])
-            if by == "p":
-                numbers[plain.scalars :] = plain._lanes_of(values, group)
-            else:
-                seeds[:] = 0.0
-                seeds[group, range(len(group))] = 1.0
-            found = plain.native.evaluate("slopes", (rows * SLOPE_LANES,), states, u, numbers, m)
+        whole = np.empty((rows, count))
+        for first in range(0, count, SLOPE_LANES):
+            group = range(first, min(first + SLOPE_LANES, count))
+            seeds[:] = 0.0
+            seeds[group, range(len(group))] = 1.0
+            found = plain.native.evaluate("slopes", (rows * SLOPE_LANES,), states, u, values, m)
             whole[:, first : first + len(group)] = found.reshape(rows, SLOPE_LANES)[:, : len(group)]
         parts, begin = {}, 0
         for name, names in zip(SLOPES, (facts.states, facts.outputs, facts.switches, facts.constraints), strict=True):
             parts[name], begin = whole[begin : begin + len(names)], begin + len(names)
         return parts
 
+    def free_slopes(self, x: Array, u: Array, p: Array, m: Array) -> tuple[Array, Array]:
+        """Slopes of rates and constraints along the free parameters, states kept; one column for each of them."""
+        n, count, values = len(x), len(self.free), self.extended(p)
+        states = np.concatenate([x, np.zeros(n * count)])
+        rate = self.native.evaluate("rate_s", (n * (1 + count),), states, u, values, m)[n:]
+        loops = self.native.evaluate("constraint_s", (len(self.facts.constraints) * count,), states, u, values, m)
+        return rate.reshape(-1, count), loops.reshape(-1, count)
+
     def projected(self, x: Array, u: Array, p: Array, m: Array) -> Array:
         """Move a state one step towards the constraints, its speeds onto them."""
-        return self.evaluate("project", x, u, p, m)[2:] if self.facts.projects else x
+        return self.evaluate("project_many", x, u, p, m)[2:] if self.facts.projects else x
 
     def parameter_values(self, parameters: dict[str, float]) -> Array:
         """Pick the model's parameters from the values by path."""

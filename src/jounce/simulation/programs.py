@@ -42,20 +42,20 @@ class Program:
 
 
 def plain_program(model: Model) -> Program:
-    """Functions of the states alone, and their slopes along any direction.
+    """Functions of the states alone, and their slopes along states and inputs.
 
     ``slopes`` takes lanes of (states, inputs) behind the states, and gives the lanes of ``SLOPES``.
     """
-    dx, du, dp = (ca.SX.sym(f"d{name}", getattr(model, name).shape[0]) for name in "xup")
-    along = tangent(model, dx, du, dp)
+    dx, du = (ca.SX.sym(f"d{name}", getattr(model, name).shape[0]) for name in "xu")
+    along = tangent(model, dx, du, ca.SX(model.p.shape[0], 1))
     parts = {"rate": model.rate, "output": model.output, "switch": model.switch, "constraint": model.constraint}
     if model.projection.shape[0]:
-        parts["project"] = parts["project_many"] = _violation_first(model)
+        parts["project_many"] = _violation_first(model)
     slopes = ca.vertcat(*(getattr(along, name) for name in SLOPES))
-    hoisted = _Hoisted({**parts, "slopes": slopes}, model.p, dp)
+    hoisted = _Hoisted({**parts, "slopes": slopes}, model.p, ca.SX(0, 1))
     functions: dict[str, ca.Function | Lanes] = {name: hoisted.function(name, model) for name in parts}
     functions["slopes"] = hoisted.lanes("slopes", model, ca.vertcat(dx, du), SLOPE_LANES, 0)
-    functions |= hoisted.derived(SLOPE_LANES)
+    functions |= hoisted.derived(0)
     n = model.x.shape[0]
     step = Step("rate", n, n, model.u.shape[0], model.switch.shape[0])
     shapes = {name: (part.shape[0], part.shape[1]) for name, part in {**parts, "slopes": slopes}.items()}
@@ -84,9 +84,10 @@ def sensitive_program(model: Model, free: tuple[str, ...]) -> Program:
     if model.projection.shape[0]:
         parts["project_many"] = _violation_first(model)
         parts["project_s"] = ca.vertcat(parts["project_many"], along.projection)
+    parts["constraint_s"] = along.constraint
     hoisted = _Hoisted(parts, model.p, chosen)
     functions: dict[str, ca.Function | Lanes] = {}
-    scalars = {"rate_s": n, "output_s": model.output.shape[0], "project_s": n + 2}
+    scalars = {"rate_s": n, "output_s": model.output.shape[0], "project_s": n + 2, "constraint_s": 0}
     scalars["switch_slope"] = model.switch.shape[0] * (n + 1)
     for name in parts:
         if name in scalars:
@@ -163,11 +164,13 @@ class _Hoisted:
         return Lanes(function, count, first)
 
     def derived(self, count: int) -> dict[str, ca.Function | Lanes]:
-        """Extended parameters, and their lanes, from parameters and their directions (both in place of states)."""
+        """Extended parameters, and lanes of them, from parameters and their directions (both in place of states)."""
         none = [ca.SX.sym(name, 0) for name in "upm"]
         values = ca.densify(ca.vertcat(self._p, *(value for _, value in self._single)))
         wide = ca.densify(ca.vertcat(self._dp, *(value for _, value in self._wide)))
         single = ca.Function("derived", [self._p, *none], [ca.cse(values)])
+        if not self.lanes_count:
+            return {"derived": single}
         lanes = ca.Function("derived_lanes", [ca.vertcat(self._p, self._dp), *none], [ca.cse(wide)])
         size = self._p.shape[0]
         return {"derived": single, "derived_lanes": Lanes(lanes, count, (size, 0, 0, 0, 0))}

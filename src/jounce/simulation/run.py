@@ -408,11 +408,9 @@ def _rest_sensitivity(compiled: Compiled, p: Array, rest: Rest, u: Array) -> Arr
     """How the equilibrium moves with the free parameters (implicit function theorem), state after state."""
     if not compiled.free:
         return np.zeros(0)
-    columns = [compiled.facts.parameters.index(path) for path in compiled.free]
-    slopes = compiled.slopes("p", rest.x, u, p, rest.modes, columns)
-    pull = slopes["rate"][rest.rows]
-    if compiled.facts.constraints:
-        shift = np.linalg.lstsq(rest.balance, -np.vstack([pull, slopes["constraint"]]), rcond=None)[0]
+    rate, loops = compiled.free_slopes(rest.x, u, p, rest.modes)
+    if len(loops):
+        shift = np.linalg.lstsq(rest.balance, -np.vstack([rate[rest.rows], loops]), rcond=None)[0]
     else:
-        shift = np.linalg.solve(rest.balance, -pull)
+        shift = np.linalg.solve(rest.balance, -rate[rest.rows])
     return np.asarray((rest.moved @ shift).ravel())
