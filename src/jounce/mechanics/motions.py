@@ -88,7 +88,7 @@ def step(start: float, end: float, begin: float, stop: float) -> Segments:
 
 
 def through(time: ArrayLike, value: ArrayLike, *, smooth: bool = True) -> Segments:
-    """Give a motion through points: a cubic spline, or straight lines; beyond the points it goes straight on.
+    """Give a motion through points: a cubic spline, or straight lines; held at its end values beyond the points.
 
     Parameters
     ----------
@@ -113,15 +113,15 @@ def through(time: ArrayLike, value: ArrayLike, *, smooth: bool = True) -> Segmen
     if t.ndim != 1 or len(t) < 2 or t.shape != x.shape or not np.all(np.diff(t) > 0.0) or not np.all(np.isfinite(x)):
         found = f"times of shape {t.shape}, values of shape {x.shape}"
         raise AssemblyError("not a motion", found=found, allowed="two finite points or more, ascending in time")
-    if not smooth:
-        return piecewise_linear(t, x)
-    from scipy.interpolate import CubicSpline
+    pieces = piecewise_linear(t, x).coefficients
+    if smooth:
+        from scipy.interpolate import CubicSpline
 
-    spline = CubicSpline(t, x, bc_type="natural")
-    first, last = (float(slope) for slope in spline([t[0], t[-1]], 1))
-    before, after = [x[0] - first, first, 0.0, 0.0], [x[-1], last, 0.0, 0.0]
+        pieces = CubicSpline(t, x, bc_type="natural").c[::-1].T
+    ends = np.zeros((2, 4))
+    ends[:, 0] = x[0], x[-1]
     edges = np.concatenate([[t[0] - 1.0], t, [t[-1] + 1.0]])
-    return Segments(edges, np.zeros(len(t) + 1, dtype=np.int64), np.vstack([before, spline.c[::-1].T, after]))
+    return Segments(edges, np.zeros(len(t) + 1, dtype=np.int64), np.vstack([ends[:1], pieces, ends[1:]]))
 
 
 def held(value: float) -> Segments:
