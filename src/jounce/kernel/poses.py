@@ -1,8 +1,9 @@
 """Poses of a driven mechanism along prescribed motions: each target is reached from the one it continues.
 
 A target's start is extrapolated from the poses before it and corrected by Newton steps until the violation is at
-rounding. Where the correction is not small against the way, the way is halved, so that the walk stays on its branch;
-where the way cannot be shortened any more, the mechanism has reached the end of its travel.
+rounding. Where the correction is not small against the way, or a coordinate has not gone as far as its slopes at both
+ends say, the way is halved, so that the walk stays on its branch; where it cannot be shortened any more, the mechanism
+has reached the end of its travel.
 """
 
 from __future__ import annotations
@@ -19,7 +20,9 @@ Array = NDArray[np.float64]
 REACHED, END_OF_TRAVEL, NOT_TRIED = range(3)
 _STEPS = 8
 _CLOSED = 1e-8  # violation that one step brings down to rounding
-_STRAY = 0.3  # correction allowed, as a share of the way
+_STRAY = 0.1  # correction allowed, as a share of the way predicted
+_BENT = 0.15  # share by which a coordinate's way may differ from that of its mean slope
+_SMALL = 0.02  # share of the largest coordinate's way that is small
 _SHORTEST = 2e-6  # way (m) below which the end of travel is reached
 _GROWTH = 2.0
 
@@ -57,7 +60,7 @@ class Found(NamedTuple):
 
 
 class Work(NamedTuple):
-    """Scratch: rows 0 to 2 of ``rows`` are the pose tried, the one walked from and its slope along the way."""
+    """Scratch: rows of ``rows`` are the pose tried, the one walked from, the one predicted, the slopes along the way."""
 
     rows: Array
     u: Array
@@ -77,7 +80,7 @@ def space_for(walk: Walk, outputs: int) -> tuple[Found, Work]:
         np.full(count, NOT_TRIED, dtype=np.int64),
         np.zeros(count),
     )
-    work = Work(np.zeros((3, size)), np.zeros(tracks), np.zeros((1, size * (1 + tracks) + 1)), np.zeros(1))
+    work = Work(np.zeros((4, size)), np.zeros(tracks), np.zeros((1, size * (1 + tracks) + 1)), np.zeros(1))
     return found, work
 
 
@@ -99,13 +102,24 @@ def _correct(walk: Any, work: Any, size: int) -> bool:
 
 
 @part()
-def _moved(walk: Any, work: Any, size: int, length: float) -> bool:
-    """Tell whether the corrected pose in row 0 belongs to the one predicted in row 2, for a step of that length."""
-    off, way = 0.0, 0.0
+def _belongs(walk: Any, work: Any, i: int, step: float, length: float) -> bool:
+    """Tell whether the corrected pose in row 0 goes on from the one in row 1, for a share of a way of that length."""
+    size, tracks, j = len(walk.start), walk.targets.shape[1], walk.before[i]
+    off, way, slack = 0.0, 0.0, 1e-9 + 1e-6 * step * length
     for d in range(size):
         off = max(off, abs(work.rows[0, d] - work.rows[2, d]))
-        way = max(way, abs(work.rows[0, d] - work.rows[1, d]))
-    return off <= _STRAY * way + 1e-9 + 1e-6 * abs(length)
+        way = max(way, abs(work.rows[2, d] - work.rows[1, d]))
+    if off > _STRAY * way + slack:
+        return False
+    for d in range(size):
+        ahead = 0.0
+        for t in range(tracks):
+            origin = walk.targets[j, t] if j >= 0 else walk.origin[t]
+            ahead += (walk.targets[i, t] - origin) * work.out[0, size + 1 + t * size + d]
+        gone, mean = work.rows[0, d] - work.rows[1, d], 0.5 * step * (ahead + work.rows[3, d])
+        if abs(gone - mean) > _BENT * step * max(abs(ahead), abs(work.rows[3, d])) + _SMALL * way + slack:
+            return False
+    return True
 
 
 @part()
@@ -157,8 +171,9 @@ def _go(walk: Any, found: Any, work: Any, i: int) -> float:
                 second, third = _curved(walk, found, i, j, d, slope, size)
             work.rows[0, d] = work.rows[1, d] + step * (slope + step * (second + step * third))
             work.rows[2, d] = work.rows[0, d]
+            work.rows[3, d] = slope
         _drive(walk, work, i, done + step)
-        if _correct(walk, work, size) and _moved(walk, work, size, length * step):
+        if _correct(walk, work, size) and _belongs(walk, work, i, step, length):
             for d in range(size):
                 work.rows[1, d] = work.rows[0, d]
             done = 1.0 if 1.0 - done - step < 1e-12 else done + step

@@ -56,3 +56,29 @@ def test_bad_changes_are_refused(changes: dict[str, list[float]], text: str) -> 
 def test_unknown_quantities_are_refused() -> None:
     with pytest.raises(jn.DescriptionError, match="no such quantity"):
         jn.sweep_variants(RIG, {"wheel.camber": [0.0]}, TRAVEL, quantities=["cambre"])
+
+
+@pytest.mark.parametrize(
+    ("name", "size"),
+    [
+        ("reference-double-wishbone", 0.06),
+        ("generic-mcpherson", 0.06),
+        ("sedan-multi-link", 0.06),
+        ("formula-student-front", 0.03),
+    ],
+)
+def test_wide_steps_stay_on_the_branch_of_fine_ones(name: str, size: float) -> None:
+    """Random mechanisms up to their ends of travel: poses far apart are those of poses close together."""
+    random = np.random.default_rng(3)
+    rig = jn.load(name)
+    base = {path: value for path, value in rig.parameters().items() if path.startswith("hardpoints.")}
+    changes = {path: value + random.uniform(-size, size, 400) for path, value in base.items()}
+    names = ["camber", "steer", "spring_length"]
+    wide = jn.sweep_variants(rig, changes, np.linspace(-4.0, 4.0, 11) * size, quantities=names)
+    fine = jn.sweep_variants(rig, changes, np.linspace(-4.0, 4.0, 201) * size, quantities=names)
+    for quantity in names:
+        one, other = wide[quantity].to_numpy(), fine[quantity].to_numpy()[:, ::20]
+        both = np.isfinite(one) & np.isfinite(other)
+        assert both.mean() > 0.6
+        assert np.mean(np.isfinite(one) != np.isfinite(other)) < 1e-3
+        assert np.max(np.abs(one - other)[both]) < 1e-8
