@@ -43,6 +43,7 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.parts import QuarterCar as QuarterCar
     from jounce.parts import Rig as Rig
     from jounce.parts import load as load
+    from jounce.parts.strut_angle import with_strut_angle as with_strut_angle
     from jounce.recordings import Sensor as Sensor
     from jounce.recordings import apply_sensors as apply_sensors
     from jounce.recordings import read_recording as read_recording
@@ -73,7 +74,12 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.simulation import sensitivities as sensitivities
     from jounce.simulation import simulate as simulate
     from jounce.simulation import simulate_mechanism as simulate_mechanism
+    from jounce.studies.adjustment_effects import adjust_report as adjust_report
+    from jounce.studies.adjustment_effects import lengths_for as lengths_for
+    from jounce.studies.adjustments import adjusted as adjusted
     from jounce.studies.campaign import run_campaign as run_campaign
+    from jounce.studies.lumping import lumped_from as lumped_from
+    from jounce.studies.model_comparison import compare_models as compare_models
     from jounce.studies.speed_sweep import speed_sweep as speed_sweep
 
     __version__: str
@@ -114,16 +120,21 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "UpdatedParameter": "jounce.identify.update",
     "Vehicle": "jounce.kinematics",
     "Versine": "jounce.roads",
+    "adjust_report": "jounce.studies.adjustment_effects",
+    "adjusted": "jounce.studies.adjustments",
     "apply_sensors": "jounce.recordings",
+    "compare_models": "jounce.studies.model_comparison",
     "compliance": "jounce.kinematics",
     "equilibrium": "jounce.simulation",
     "fit_damper": "jounce.identify.damper_fit",
     "fit_decay": "jounce.identify.decay",
     "fit_stiffness": "jounce.identify.stiffness",
     "gradient": "jounce.simulation",
+    "lengths_for": "jounce.studies.adjustment_effects",
     "linearise": "jounce.simulation",
     "load": "jounce.parts",
     "load_road": "jounce.roads",
+    "lumped_from": "jounce.studies.lumping",
     "mechanics": "jounce.mechanics",
     "modes": "jounce.simulation",
     "pickup_loads": "jounce.kinematics",
@@ -140,6 +151,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "sweep_travel": "jounce.kinematics",
     "sweep_variants": "jounce.kinematics",
     "update_model": "jounce.identify.update",
+    "with_strut_angle": "jounce.parts.strut_angle",
     "write_recording": "jounce.recordings",
     "write_sweep": "jounce.kinematics",
 }

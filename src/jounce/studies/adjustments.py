@@ -7,7 +7,7 @@ a rigid body until both arms, the tie rod and the height of the wheel centre agr
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from typing import cast
 
@@ -66,7 +66,12 @@ class Setting:
     highest: float
     text: str
     source: str
-    base: Callable[[DoubleWishbone], float] = lambda _rig: 0.0
+    base: Callable[[DoubleWishbone], float] = field(default_factory=lambda: _unchanged)
+
+
+def _unchanged(_rig: DoubleWishbone) -> float:
+    """Value that a change has in a rig as it is."""
+    return 0.0
 
 
 def _preload(rig: DoubleWishbone) -> float:
