@@ -96,6 +96,17 @@ def run(substeps: int) -> dict[str, np.ndarray]:
             markerNumbers=ends, stiffness=law["rate"], damping=law["damping"], referenceLength=law["free_length"]
         )
     )
+    sensors = _sensors(mbs, marker, bodies, ball, spring)
+    _solve(mbs, substeps)
+    rows = {name: np.array(mbs.GetSensorStoredData(sensor)) for name, sensor in sensors.items()}
+    return {"time": rows["ball"][:, 0]} | {name: row[:, 1:] for name, row in rows.items()}
+
+
+def _sensors(mbs, marker, bodies: dict, ball: int, spring: int) -> dict[str, int]:
+    """Sensors by name."""
+    import exudyn as exu
+    import exudyn.itemInterface as items  # noqa: N813
+
     kept, kind = {"storeInternal": True, "writeToFile": False}, exu.OutputVariableType
     sensors = {
         name: mbs.AddSensor(
@@ -111,9 +122,7 @@ def run(substeps: int) -> dict[str, np.ndarray]:
     }
     for name, of, what in (("ball_force", ball, kind.Force), ("spring_length", spring, kind.Distance)):
         sensors[name] = mbs.AddSensor(items.SensorObject(objectNumber=of, outputVariableType=what, **kept))
-    _solve(mbs, substeps)
-    rows = {name: np.array(mbs.GetSensorStoredData(sensor)) for name, sensor in sensors.items()}
-    return {"time": rows["ball"][:, 0]} | {name: row[:, 1:] for name, row in rows.items()}
+    return sensors
 
 
 def _solve(mbs, substeps: int) -> None:
