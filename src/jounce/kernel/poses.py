@@ -23,7 +23,7 @@ _CLOSED = 1e-8  # violation that one step brings down to rounding
 _STRAY = 0.1  # correction allowed, as a share of the way predicted
 _BENT = 0.15  # share by which a coordinate's way may differ from that of its mean slope
 _SMALL = 0.02  # share of the largest coordinate's way that is small
-_SHORTEST = 2e-6  # way (m) below which the end of travel is reached
+_SHORTEST = 1e-7  # way (m) below which the end of travel is reached
 _GROWTH = 2.0
 
 
@@ -60,7 +60,7 @@ class Found(NamedTuple):
 
 
 class Work(NamedTuple):
-    """Scratch: rows of ``rows`` are the pose tried, the one walked from, the one predicted, the slopes along the way."""
+    """Scratch: rows of ``rows`` are the pose tried, the one walked from, the one predicted, slopes along the way."""
 
     rows: Array
     u: Array

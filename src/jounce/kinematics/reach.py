@@ -14,6 +14,7 @@ from jounce.kinematics.grids import Grid
 from jounce.kinematics.model import KinematicModel
 
 Array = NDArray[np.float64]
+_JUST_BEFORE = 0.999  # share of the last way: where the joints are asked
 _HOLDS = 0.25  # share of the largest constraint force from which a joint is named
 
 
@@ -62,7 +63,7 @@ def ends_of_travel(model: KinematicModel, walk: Walk, layout: Grid, found: Found
         j = int(layout.before[i])
         start = layout.targets[j] if j >= 0 else np.zeros(2)
         last = start + found.share[i] * (layout.targets[i] - start)
-        joints = _holding(model, walk, found, int(i), last)
+        joints = _holding(model, walk, found, int(i), start + _JUST_BEFORE * (last - start))
         wanted = layout.targets[i]
         ends.append(End(float(last[0]), float(last[1]), float(wanted[0]), float(wanted[1]), joints))
     return ends
@@ -75,9 +76,10 @@ def _holding(model: KinematicModel, walk: Walk, found: Found, i: int, last: Arra
     near = _to_target(walk, found, j, last[:tracks])
     again, work = space_for(near, len(model.rows))
     walk_poses(near, again, work)
-    if not np.all(np.isfinite(again.poses[:, 0])):
-        return ()
-    matrix = model.functions["gradient"](again.poses[:, 0], last[:tracks], walk.p, 0.0).full()
+    pose, at = again.poses[:, 0], near.targets[0]
+    if not np.all(np.isfinite(pose)):
+        pose, at = near.start, near.origin
+    matrix = model.functions["gradient"](pose, at, walk.p, 0.0).full()
     shares = np.abs(np.linalg.svd(matrix)[0][:, -1])
     names: dict[str, float] = {}
     for name, share in zip(model.constraints, shares * np.linalg.norm(matrix, axis=1), strict=True):
