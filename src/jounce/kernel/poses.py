@@ -20,6 +20,8 @@ Array = NDArray[np.float64]
 REACHED, END_OF_TRAVEL, NOT_TRIED = range(3)
 _STEPS = 8
 _CLOSED = 1e-8  # violation that one step brings down to rounding
+_NEAR = 1e-7  # change (m, rad) that one more step brings down to rounding
+_ROUNDING = 1e-15
 _STRAY = 0.1  # correction allowed, as a share of the way predicted
 _BENT = 0.15  # share by which a coordinate's way may differ from that of its mean slope
 _SMALL = 0.02  # share of the largest coordinate's way that is small
@@ -93,9 +95,11 @@ def _correct(walk: Any, work: Any, size: int) -> bool:
         violation = work.out[0, size]
         if not violation < np.inf or (violation > 2.0 * last and violation > _CLOSED):
             return False
+        change = 0.0
         for d in range(size):
+            change = max(change, abs(work.out[0, d] - work.rows[0, d]))
             work.rows[0, d] = work.out[0, d]
-        if violation < _CLOSED:
+        if violation < _CLOSED and (change < _NEAR or violation < _ROUNDING):
             return True
         last = violation
     return False

@@ -17,7 +17,7 @@ from jounce.kernel.poses import REACHED
 from jounce.kinematics.catalogue import Quantity
 from jounce.kinematics.grids import Values, sweep_values
 from jounce.kinematics.model import check_corner
-from jounce.kinematics.reach import End, no_pose
+from jounce.kinematics.reach import End, no_pose, told
 from jounce.kinematics.sweeps import PreparedSweep, prepare_sweep
 from jounce.parts import Corner, Rig
 
@@ -335,7 +335,7 @@ class AxleVariables:
             "side": "both",
             "status": "end_of_travel" if ends else "completed",
             "reached": [float(self.values[kept].min()), float(self.values[kept].max())],
-            "stopped": "; ".join(map(str, ends)),
+            "stopped": told(ends),
         }
         at = xr.Variable((self.along,), self.values[kept], self._coordinate)
         return xr.Dataset(variables, {self.along: at}, facts)

@@ -19,7 +19,7 @@ from jounce.core.units import Force, Unit
 from jounce.kinematics.balance import BODY, Balance
 from jounce.kinematics.grids import Values
 from jounce.kinematics.model import check_corner
-from jounce.kinematics.reach import no_pose
+from jounce.kinematics.reach import no_pose, told
 from jounce.kinematics.sweeps import PreparedSweep, prepare_sweep
 from jounce.mechanics.rotations import normals, unit
 from jounce.parts import Corner, Rig
@@ -268,7 +268,7 @@ def _dataset(sweep: PreparedSweep, joints: Joints, travel: Array, unknowns: Arra
     facts = {
         "model": str(getattr(joints.rig, "model", "")),
         "status": "end_of_travel" if ends else "completed",
-        "stopped": "; ".join(map(str, ends)),
+        "stopped": told(ends),
     }
     return xr.Dataset(variables, at, facts)
 

@@ -14,6 +14,7 @@ from jounce.kinematics.grids import Grid
 from jounce.kinematics.model import KinematicModel
 
 Array = NDArray[np.float64]
+_TOLD = 4  # ends that are told one by one
 _JUST_BEFORE = 0.999  # share of the last way: where the joints are asked
 _HOLDS = 0.25  # share of the largest constraint force from which a joint is named
 
@@ -50,6 +51,12 @@ class End:
         return f"the mechanism reaches the end of its travel {at}, on the way to {wanted}{held}"
 
 
+def told(ends: Sequence[End]) -> str:
+    """Say where a sweep had to stop; of many ends the first."""
+    more = f"; and {len(ends) - _TOLD} more ends of travel" if len(ends) > _TOLD else ""
+    return "; ".join(map(str, ends[:_TOLD])) + more
+
+
 def no_pose(ends: Sequence[End]) -> SimulationError:
     """Build the error for a sweep without any pose."""
     why = f": {ends[0]}" if ends else ""
@@ -57,13 +64,14 @@ def no_pose(ends: Sequence[End]) -> SimulationError:
 
 
 def ends_of_travel(model: KinematicModel, walk: Walk, layout: Grid, found: Found) -> list[End]:
-    """Give the places where a walk had to stop, each with the joints that hold it."""
-    ends = []
+    """Give the places where a walk had to stop, the first of them with the joints that hold it."""
+    ends: list[End] = []
     for i in np.flatnonzero(found.outcome == END_OF_TRAVEL):
         j = int(layout.before[i])
         start = layout.targets[j] if j >= 0 else np.zeros(2)
         last = start + found.share[i] * (layout.targets[i] - start)
-        joints = _holding(model, walk, found, int(i), start + _JUST_BEFORE * (last - start))
+        first = len(ends) < _TOLD
+        joints = _holding(model, walk, found, int(i), start + _JUST_BEFORE * (last - start)) if first else ()
         wanted = layout.targets[i]
         ends.append(End(float(last[0]), float(last[1]), float(wanted[0]), float(wanted[1]), joints))
     return ends

@@ -15,7 +15,7 @@ from jounce.kernel.poses import REACHED, Found, Walk, Work, space_for, walk_pose
 from jounce.kinematics import vehicle as around
 from jounce.kinematics.grids import Grid, Values, grid, sweep_values
 from jounce.kinematics.model import KinematicModel, check_corner, has_rack, kinematic_model
-from jounce.kinematics.reach import End, ends_of_travel, no_pose
+from jounce.kinematics.reach import End, ends_of_travel, no_pose, told
 from jounce.kinematics.vehicle import Vehicle
 from jounce.parts import Corner, Rig
 
@@ -301,5 +301,5 @@ class Result:
             "side": self.rig.side,
             "status": "end_of_travel" if ends else "completed",
             "reached": [float(np.nanmin(travel)), float(np.nanmax(travel))],
-            "stopped": "; ".join(map(str, ends)),
+            "stopped": told(ends),
         }

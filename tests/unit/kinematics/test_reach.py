@@ -69,3 +69,9 @@ def test_a_roll_too_far_keeps_what_can_be_reached() -> None:
     assert found.attrs["stopped"]
     with pytest.raises(jn.DescriptionError, match="too steep"):
         jn.sweep_roll(RIG, [2.0])
+
+
+def test_many_ends_are_counted() -> None:
+    found = jn.sweep_travel(RIG, [-0.3, 0.0, 0.3], rack=np.linspace(-0.02, 0.02, 9))
+    assert found.attrs["stopped"].count("on the way to") == 4
+    assert found.attrs["stopped"].endswith("; and 14 more ends of travel")
