@@ -6,7 +6,6 @@ Schiehlen, Multibody Systems Handbook, 1990; Hairer and Wanner, Solving Ordinary
 
 from __future__ import annotations
 
-import casadi
 import numpy as np
 
 import jounce as jn
@@ -67,7 +66,7 @@ def squeezer() -> jn.mechanics.Mechanism:
     mechanism.spring_damper(
         "spring", mechanism.ground, k3, c, b + toward(GAMMA, 0.02, -0.018), stiffness=4530.0, free_length=0.07785
     )
-    mechanism.apply_torque(k1, casadi.SX([0.0, 0.0, 0.033]))
+    mechanism.apply_torque(k1, (0.0, 0.0, 0.033))
     mechanism.watch_coordinates()
     mechanism.watch_energy()
     return mechanism

@@ -6,7 +6,7 @@ Works on the symbolic model with CasADi's own evaluation, before anything is com
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import casadi as ca
@@ -23,6 +23,7 @@ _ITERATIONS = 100
 _CLOSED = 1e-12  # m or rad
 _HELD = (0.0, 1e-3)  # how much a given coordinate gives way against the others: not at all, else little
 _DEPENDENT = 1e-9  # singular value of the loop equations, relative to the largest, below which one repeats others
+_FIRM = 1e-2  # singular value above which equations without those that repeat them are as good as others
 _PART = 1e-6  # share of an equation in a dependence that is worth naming
 _NUDGE = 1e-3  # m or rad, to tell a singular pose from equations that repeat each other everywhere
 _MOVED = 1e-9
@@ -176,37 +177,54 @@ def _normalise(model: Model, x: Array) -> None:
             x[i : i + 4] /= length
 
 
-def superfluous(model: Model, p: Array, u: Array, x: Array) -> tuple[str, ...]:
+def removable(
+    model: Model,
+    p: Array,
+    u: Array,
+    start: Mapping[str, float | str] | None = None,
+    known: Iterable[frozenset[str]] = (),
+) -> frozenset[str]:
     """Loop equations that can go without loosening anything at a pose: the others say the same.
 
     Parameters
     ----------
     model : Model
-        The equations.
-    p, u, x : ndarray
-        Parameters, inputs and an assembled state, SI.
+        The equations, all of them.
+    p, u : ndarray
+        Parameters and inputs, SI.
+    start : mapping, optional
+        SI, as for :func:`assemble`.
+    known : iterable of frozenset of str
+        Choices that are taken again if they do.
 
     Returns
     -------
-    tuple of str
+    frozenset of str
         Names of equations.
 
     Raises
     ------
     AssemblyError
-        At a dead point, where it cannot be told.
+        When the loops cannot be closed, or at a dead point, where it cannot be told.
     """
     from scipy.linalg import qr
 
+    x = assemble(model, p, u, start, redundant="keep").x
     evaluator = _Evaluator(model, p, u)
     slope = evaluator.at(x)[1]
     groups = _dependences(slope, model.constraints)
-    if groups and _is_singular_here_only(evaluator, x, len(groups)):
+    if not groups:
+        return frozenset()
+    scaled = slope / np.maximum(np.linalg.norm(slope, axis=1), 1e-300)[:, None]
+    for dropped in known:
+        kept = np.array([name not in dropped for name in model.constraints])
+        if np.sum(kept) + len(groups) == len(kept) and np.linalg.svd(scaled[kept])[1][-1] > _FIRM:
+            return dropped
+    if _is_singular_here_only(evaluator, x, len(groups)):
         raise _dead_point(groups)
-    scale = np.maximum(np.linalg.norm(slope, axis=1), 1e-300)
-    _, triangle, order = qr((slope / scale[:, None]).T, pivoting=True, mode="economic")
+    _, triangle, order = qr(scaled.T, pivoting=True, mode="economic")
     rank = int(np.sum(np.abs(np.diag(triangle)) > _DEPENDENT * abs(triangle[0, 0])))
-    return tuple(model.constraints[i] for i in sorted(order[rank:]))
+    return frozenset(model.constraints[i] for i in order[rank:])
 
 
 def _closed_near(evaluator: _Evaluator, first: Array, given: Mapping[str, float]) -> tuple[Array, tuple[Array, ...]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import casadi as ca
@@ -38,13 +39,13 @@ class Body:
     mass_properties: MassProperties | None = None
     frame: Frame | None = None
 
-    def point(self, design: ca.SX) -> Moving:
+    def point(self, design: ca.SX | Sequence[float]) -> Moving:
         """Follow the point of the body that lies at ``design`` (m) in the design pose."""
-        return self._frame.point(design)
+        return self._frame.point(as_vector(design))
 
-    def direction(self, design: ca.SX) -> Moving:
+    def direction(self, design: ca.SX | Sequence[float]) -> Moving:
         """Follow the direction of the body that is ``design`` in the design pose."""
-        return self._frame.direction(design)
+        return self._frame.direction(as_vector(design))
 
     @property
     def spin(self) -> ca.SX:
@@ -57,6 +58,11 @@ class Body:
         if self.frame is None:
             raise AssemblyError("the body hangs on nothing yet", where=self.name, hint="Give its joint first.")
         return self.frame
+
+
+def as_vector(numbers: ca.SX | Sequence[float]) -> ca.SX:
+    """Three numbers as an expression; an expression is taken as it is."""
+    return numbers if isinstance(numbers, ca.SX) else ca.SX([float(part) for part in numbers])
 
 
 class RigidMass:

@@ -1,0 +1,213 @@
+"""Forces on the bodies of a mechanism, their weights and masses, and what is kept account of for the energies."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import AssemblyError, unknown
+from jounce.mechanics.bodies import Body, RigidMass, as_vector
+from jounce.mechanics.frames import Moving
+from jounce.mechanics.model import Model
+from jounce.mechanics.system import Track
+from jounce.mechanics.tree import Number, Tree, Vector
+
+_POINT = 1e-12  # m: a line shorter than that has no direction
+
+
+class Loaded(Tree):
+    """A tree of bodies with weights and forces.
+
+    Parameters
+    ----------
+    gravity : float or casadi.SX
+        m/s^2, along -z.
+    """
+
+    def __init__(self, gravity: Number = 9.81) -> None:
+        super().__init__()
+        self.gravity = self.number("gravity", gravity, "m/s^2")
+        self._settled: set[str] = set()
+        self._stored: list[ca.SX] = []
+        self._lost: list[ca.SX] = []
+        self._supplied: list[ca.SX] = []
+
+    def apply_force(self, body: Body, force: ca.SX | Sequence[float], point: Moving | ca.SX | Sequence[float]) -> None:
+        """Let a force (N, ground axes) act on a point of a body, given by ``body.point`` or its design place (m)."""
+        self._held("force", body)
+        where, push = point if isinstance(point, Moving) else body.point(point), as_vector(force)
+        self.load(where.rate, push)
+        self.note(body, push, where.value)
+
+    def apply_torque(self, body: Body, torque: ca.SX | Sequence[float]) -> None:
+        """Let a torque (N m, ground axes) act on a body."""
+        self._held("torque", body)
+        twist = as_vector(torque)
+        self.load(body.spin, twist)
+        self.note(body, torque=twist)
+
+    def push_apart(self, first: Body, second: Body, at: Moving, second_at: Moving, force: ca.SX) -> None:
+        """Let a force (N) push two points apart along the line between them."""
+        reach = second_at - at
+        along = reach.value / _length(reach.value)
+        self.load(ca.dot(along, reach.rate), force)
+        for body, point, sign in ((first, at, -1.0), (second, second_at, 1.0)):
+            self.note(body, sign * force * along, point.value)
+
+    def spring_damper(
+        self,
+        name: str,
+        first: Body,
+        second: Body,
+        at: Vector,
+        second_at: Vector,
+        *,
+        stiffness: Number = 0.0,
+        damping: Number = 0.0,
+        free_length: Number | None = None,
+        force: ca.SX | None = None,
+    ) -> tuple[ca.SX, ca.SX]:
+        """Put a spring and damper between two points; give its length (m) and force (N, compression positive).
+
+        Parameters
+        ----------
+        name : str
+            Its name.
+        first, second : Body
+            The bodies it pushes apart.
+        at, second_at : sequence of float, shape (3,)
+            Its ends in the design pose, m.
+        stiffness : float
+            N/m.
+        damping : float
+            N s/m.
+        free_length : float, optional
+            m; by default the length in the design pose.
+        force : casadi.SX, optional
+            A law of your own in place of stiffness and damping, N, positive in compression.
+
+        Returns
+        -------
+        tuple of casadi.SX
+            Length and force.
+        """
+        self._held(name, first, second)
+        places = self.vector(f"{name}.at", at), self.vector(f"{name}.second_at", second_at)
+        ends = first.point(places[0]), second.point(places[1])
+        reach = ends[1] - ends[0]
+        length = _length(reach.value)
+        if force is None:
+            rate = ca.dot(reach.value, reach.rate) / length
+            design = _length(places[1] - places[0])
+            free = design if free_length is None else self.number(f"{name}.free_length", free_length, "m")
+            force = self._spring_and_damper(
+                self.number(f"{name}.stiffness", stiffness, "N/m"),
+                length - free,
+                self.number(f"{name}.damping", damping, "N*s/m"),
+                rate,
+            )
+        self.push_apart(first, second, *ends, force)
+        return length, force
+
+    def rotational_spring_damper(
+        self,
+        name: str,
+        joint: str,
+        *,
+        stiffness: Number = 0.0,
+        damping: Number = 0.0,
+        free_angle: Number = 0.0,
+        torque: ca.SX | None = None,
+    ) -> ca.SX:
+        """Put a spring and damper on the angle of a revolute or cylindrical joint of the tree; give its torque (N m).
+
+        Parameters
+        ----------
+        name : str
+            Its name.
+        joint : str
+            The joint.
+        stiffness : float
+            N m/rad.
+        damping : float
+            N m s/rad.
+        free_angle : float
+            Angle without torque, rad.
+        torque : casadi.SX, optional
+            A law of your own (use ``coordinate_named`` and ``rate_of``), N m, positive along the angle.
+
+        Returns
+        -------
+        casadi.SX
+            Torque on the second body along the joint's axis.
+        """
+        if joint not in self._joints or f"{joint}.angle" not in self._coordinates:
+            turning = [text for text in self._joints if f"{text}.angle" in self._coordinates]
+            raise unknown(joint, turning, what="joint with an angle in the tree", where=name)
+        angle = self._coordinates[f"{joint}.angle"]
+        if torque is None:
+            torque = self._spring_and_damper(
+                self.number(f"{name}.stiffness", stiffness, "N*m/rad"),
+                angle - self.number(f"{name}.free_angle", free_angle, "rad"),
+                self.number(f"{name}.damping", damping, "N*m*s/rad"),
+                self.rate_of(angle),
+            )
+        hung = self._joints[joint]
+        assert hung.axis is not None
+        along = hung.parent.direction(hung.axis).value * torque
+        self.load(self.rate_of(angle), torque)
+        self.note(hung.child, torque=along)
+        self.note(hung.parent, torque=-along)
+        return torque
+
+    def _spring_and_damper(self, stiffness: ca.SX, stretch: ca.SX, damping: ca.SX, rate: ca.SX) -> ca.SX:
+        """Force of a linear spring and damper against a stretch and its rate; its energies are kept account of."""
+        self._stored.append(0.5 * stiffness * stretch**2)
+        self._lost.append(damping * rate**2)
+        return -stiffness * stretch - damping * rate
+
+    def motion(self, name: str, coordinate: ca.SX, track: Track) -> ca.SX:
+        """Drive a coordinate (m or rad) along a prescribed input; give the force or torque that it takes."""
+        force = super().motion(name, coordinate, track)
+        self._supplied.append(force * track.rate)
+        return force
+
+    def mass_matrix(self, model: Model) -> ca.Function:
+        """Give the mass matrix (kg, kg m, kg m^2) of the speeds as a function of the model's x, u and p."""
+        v = ca.vertcat(*self._speeds.values())
+        matrix = ca.SX(v.shape[0], v.shape[0])
+        for inertia in self._inertias:
+            matrix += inertia.matrix(v)
+        return ca.Function("mass", [model.x, model.u, model.p], [matrix])
+
+    def mass_values(self, values: Mapping[str, float]) -> dict[str, tuple[float, NDArray[np.float64]]]:
+        """Mass (kg) and inertia (kg m^2, (3, 3)) of every body at parameter values."""
+        paths = list(self._parameters)
+        p, numbers = ca.vertcat(*self._parameters.values()), [values[path] for path in paths]
+        found = {}
+        for body in self._bodies.values():
+            properties = body.mass_properties
+            if properties is not None:
+                mass, inertia = ca.Function("mass", [p], [properties.mass, properties.inertia])(numbers)
+                found[body.name] = float(mass), inertia.full()
+        return found
+
+    def settle(self) -> None:
+        """Add masses and weights of all bodies that have theirs not yet; called by ``finish``."""
+        for body in self._bodies.values():
+            if body.frame is None:
+                raise AssemblyError("the body hangs on nothing", where=body.name, hint="Give it a joint, or free().")
+            properties = body.mass_properties
+            if properties is not None and body.name not in self._settled:
+                self.inertia(RigidMass(body.frame, properties))
+                weight = ca.vertcat(0.0, 0.0, -properties.mass * self.gravity)
+                self.apply_force(body, weight, body.point(properties.centre))
+            self._settled.add(body.name)
+
+
+def _length(vector: ca.SX) -> ca.SX:
+    """Length of a vector, m, above zero."""
+    return ca.sqrt(ca.dot(vector, vector) + _POINT**2)
