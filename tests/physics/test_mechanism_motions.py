@@ -178,3 +178,50 @@ def test_driven_chain_stops_at_the_end_of_its_travel():
     np.testing.assert_allclose(run["A.angle"], run["time"], rtol=0.0, atol=1e-7)
     with pytest.raises(jn.SimulationError, match=rf"stopped after.*{end:.2f}"):
         jn.simulate_mechanism(mechanism, 2.0, motions=drive, redundant="remove", output_step=1e-3)
+
+
+@cache
+def sled() -> jn.mechanics.Mechanism:
+    """A sled between two stops with friction, beside a wheel that a brake holds back."""
+    mechanism = jn.mechanics.Mechanism()
+    sled = mechanism.body("sled", 2.0, ORIGIN, (0.1, 0.1, 0.1))
+    place = mechanism.prismatic("rail", mechanism.ground, sled, axis=X)
+    stops = mechanism.stop("stops", place, lower="-100 mm", upper=0.2, stiffness="5 N/mm", damping=20.0)
+    mechanism.output("stops.force", stops, "N", "force of the stops")
+    mechanism.output("drag.force", mechanism.friction("drag", place, 1.5), "N", "friction of the rail")
+    wheel = mechanism.body("wheel", 1.0, ORIGIN, (0.03, 0.03, 0.05))
+    turn = mechanism.revolute("shaft", mechanism.ground, wheel, at=ORIGIN, axis=Y)
+    mechanism.friction("brake", turn, "0.2 N*m", regularisation_rate=1e-3)
+    mechanism.watch_coordinates()
+    mechanism.watch_energy()
+    return mechanism
+
+
+def test_stops_and_friction_take_what_they_should():
+    start = {"rail.distance rate": 4.0, "shaft.angle rate": 6.0}
+    run = jn.simulate_mechanism(sled(), 1.0, start=start, output_step=1e-3, tolerance=1e-9)
+    time, place, rate = run["time"].values, run["rail.distance"].values, run["rail.distance rate"].values
+    free = time < 0.04
+    np.testing.assert_allclose(place[free], 4.0 * time[free] - 0.375 * time[free] ** 2, rtol=0.0, atol=1e-7)
+    depth = np.maximum(place - 0.2, 0.0) - np.maximum(-0.1 - place, 0.0)
+    pushed = np.where(depth == 0.0, 0.0, 5000.0 * depth + 20.0 * rate)
+    pushed = np.where(np.sign(pushed) == np.sign(depth), pushed, 0.0)
+    np.testing.assert_allclose(run["stops.force"], -pushed, rtol=0.0, atol=1e-6)
+    assert float(place.max()) > 0.2
+    assert float(place.min()) < -0.1
+    total = run["energy.kinetic"] + run["energy.weight"] + run["energy.elastic"] + run["energy.dissipated"]
+    np.testing.assert_allclose(total, total[0], rtol=1e-6)
+    early, late = time < 0.89, time > 0.91  # the brake stops it after 6 * 0.03 / 0.2 s
+    np.testing.assert_allclose(run["shaft.angle rate"][early], 6.0 - 0.2 / 0.03 * time[early], rtol=0.0, atol=1e-6)
+    assert float(abs(run["shaft.angle rate"][late]).max()) < 1e-6
+
+
+def test_stops_hold_a_weight_in_equilibrium():
+    mechanism = jn.mechanics.Mechanism()
+    block = mechanism.body("block", 2.0, ORIGIN, (0.1, 0.1, 0.1))
+    mechanism.stop("floor", mechanism.prismatic("fall", mechanism.ground, block, axis=Z), lower=-0.1, stiffness=1e4)
+    mechanism.watch_coordinates()
+    run = jn.simulate_mechanism(mechanism, 0.2, start={"fall.distance": -0.11}, at_rest=True, output_step=0.1)
+    np.testing.assert_allclose(run["fall.distance"], -0.1 - 2.0 * 9.81 / 1e4, rtol=0.0, atol=1e-12)
+    with pytest.raises(jn.SimulationError, match="no static equilibrium was found"):
+        jn.simulate_mechanism(mechanism, 0.2, at_rest=True)

@@ -44,7 +44,7 @@ class Body:
         return self._frame.point(as_vector(design))
 
     def direction(self, design: ca.SX | Sequence[float]) -> Moving:
-        """Follow the direction of the body that is ``design`` in the design pose."""
+        """Follow the direction of the body that is ``design`` (of any length, m) in the design pose."""
         return self._frame.direction(as_vector(design))
 
     @property

@@ -15,6 +15,7 @@ from jounce.mechanics.model import Model
 from jounce.mechanics.system import Track
 from jounce.mechanics.tree import Number, Tree, Vector
 
+_SLIDING = 3.0  # regularisation rates; tanh(3) = 0.995
 _POINT = 1e-12  # m: a line shorter than that has no direction
 
 
@@ -163,6 +164,75 @@ class Loaded(Tree):
         self.note(hung.parent, torque=-along)
         return torque
 
+    def stop(
+        self,
+        name: str,
+        coordinate: ca.SX,
+        *,
+        lower: Number | None = None,
+        upper: Number | None = None,
+        stiffness: Number,
+        damping: Number = 0.0,
+    ) -> ca.SX:
+        """Put elastic stops at the ends of a coordinate's travel; give their force or torque on it (N or N m).
+
+        Parameters
+        ----------
+        name : str
+            Its name.
+        coordinate : casadi.SX
+            What the joint gave, such as its angle or distance.
+        lower, upper : float, optional
+            Where they are touched, m or rad.
+        stiffness : float
+            N/m or N m/rad.
+        damping : float
+            N s/m or N m s/rad while touched; a stop does not pull, so the loss ends where it would.
+        """
+        self._check_condition(name, coordinate)
+        length, push = ("rad", "N*m") if _is_angle(coordinate) else ("m", "N")
+        firm, lossy = (
+            self.number(f"{name}.stiffness", stiffness, f"{push}/{length}"),
+            self.number(f"{name}.damping", damping, f"{push}*s/{length}"),
+        )
+        total = ca.SX(0.0)
+        for tag, end, sign in (("lower", lower, 1.0), ("upper", upper, -1.0)):
+            if end is None:
+                continue
+            depth = sign * (self.number(f"{name}.{tag}", end, length) - coordinate)
+            rate = self.rate_of(depth)
+            touched = self.switch(f"{name} {tag} touched", depth)
+            pushing = self.switch(f"{name} {tag} pushing", firm * depth + lossy * rate)
+            self._stored.append(touched * 0.5 * firm * depth**2)
+            self._lost.append(touched * rate * (pushing * (firm * depth + lossy * rate) - firm * depth))
+            total += sign * touched * pushing * (firm * depth + lossy * rate)
+        self.force(coordinate, total)
+        return total
+
+    def friction(self, name: str, coordinate: ca.SX, force: Number, *, regularisation_rate: Number = 2e-3) -> ca.SX:
+        """Put Coulomb friction on a coordinate; give its force or torque on it (N or N m).
+
+        Parameters
+        ----------
+        name : str
+            Its name.
+        coordinate : casadi.SX
+            What the joint gave, such as its angle or distance.
+        force : float
+            N or N m, whatever the joint carries.
+        regularisation_rate : float
+            m/s or rad/s: below about that rate the force turns over smoothly, so a joint that should stick creeps.
+        """
+        self._check_condition(name, coordinate)
+        length, push = ("rad", "N*m") if _is_angle(coordinate) else ("m", "N")
+        rate = self.rate_of(coordinate)
+        sharp = rate / self.number(f"{name}.regularisation_rate", regularisation_rate, f"{length}/s")
+        self.switch(f"{name} sliding", ca.fabs(sharp) - _SLIDING)
+        drag = -self.number(f"{name}.force", force, push) * ca.tanh(sharp)
+        self._lost.append(-drag * rate)
+        self.force(coordinate, drag)
+        return drag
+
     def _spring_and_damper(self, stiffness: ca.SX, stretch: ca.SX, damping: ca.SX, rate: ca.SX) -> ca.SX:
         """Force of a linear spring and damper against a stretch and its rate; its energies are kept account of."""
         self._stored.append(0.5 * stiffness * stretch**2)
@@ -206,6 +276,11 @@ class Loaded(Tree):
                 weight = ca.vertcat(0.0, 0.0, -properties.mass * self.gravity)
                 self.apply_force(body, weight, body.point(properties.centre))
             self._settled.add(body.name)
+
+
+def _is_angle(coordinate: ca.SX) -> bool:
+    """Whether what is given counts in radians."""
+    return bool(coordinate.is_symbolic() and coordinate.name().endswith("angle"))
 
 
 def _length(vector: ca.SX) -> ca.SX:

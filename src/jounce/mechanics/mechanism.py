@@ -160,9 +160,9 @@ class Mechanism(Loaded):
     def watch_energy(self) -> None:
         """Let energies be seen (J), and what is left open of the loops.
 
-        ``energy.kinetic``, ``energy.weight`` and, where there are such, ``energy.elastic`` of linear springs,
-        ``energy.dissipated`` by linear dampers and ``energy.supplied`` by motions since the start. Forces by laws of
-        your own and bushings are not among them. ``constraint.violation`` is in m and rad.
+        ``energy.kinetic``, ``energy.weight`` and, where there are such, ``energy.elastic`` of springs and stops,
+        ``energy.dissipated`` by dampers, stops and friction and ``energy.supplied`` by motions since the start. Forces
+        by laws of your own and bushings are not among them. ``constraint.violation`` is in m and rad.
         """
         self._watched["energy"] = self._show_energy
 

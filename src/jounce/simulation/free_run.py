@@ -20,6 +20,7 @@ from jounce.mechanics.mass import check_inertia
 from jounce.recordings.schema import recording
 from jounce.simulation.compiled import Compiled, compile_model
 from jounce.simulation.run import MAX_STEPS, STEP_SHARE, Prepared, check_settings, output_times, room, samples_reached
+from jounce.simulation.statics import find_rest
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -42,6 +43,7 @@ def simulate_mechanism(
     output_step: float = 1e-3,
     tolerance: float = 1e-6,
     redundant: str = "refuse",
+    at_rest: bool = False,
     check: bool = True,
 ) -> xr.Dataset:
     """Simulate a mechanism from given coordinates and speeds.
@@ -65,6 +67,8 @@ def simulate_mechanism(
         Relative error of coordinates and speeds.
     redundant : {"refuse", "remove"}
         What to do about loop equations that repeat each other.
+    at_rest : bool
+        Start in a static equilibrium near the start, with the tracks held.
     check : bool
         Raise when the run does not reach its end.
 
@@ -78,7 +82,7 @@ def simulate_mechanism(
     AssemblyError
         When the loops cannot be closed or repeat each other, or a motion of the joints moves no mass.
     SimulationError
-        For unknown names or, with ``check``, when the run does not reach its end.
+        For unknown names, where no equilibrium is found, or, with ``check``, when the run does not reach its end.
 
     Examples
     --------
@@ -105,7 +109,8 @@ def simulate_mechanism(
     pose = assemble(model, p, u, start, redundant="refuse" if redundant == "refuse" else "keep")
     _check_masses(mechanism, model, pose.x, u, p)
     compiled = compile_model(model)
-    prepared = _prepare(compiled, p, tracks, pose.x, u, output_times(seconds, output_step), tolerance)
+    first = find_rest(compiled, p, u, pose.x[: len(model.coordinates)]).x if at_rest else pose.x
+    prepared = _prepare(compiled, p, tracks, first, u, output_times(seconds, output_step), tolerance)
     solution = prepared.run()
     reach = samples_reached(solution, compiled.facts, check=check)
     channels = {
