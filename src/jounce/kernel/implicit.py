@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.kernel import rodas5p
-from jounce.kernel.call import call_native, compiled, part
+from jounce.kernel.call import call_native, call_step, compiled, part
 from jounce.kernel.explicit import (
     _CHATTER,
     _COMPLETED,
@@ -33,13 +33,13 @@ from jounce.kernel.explicit import (
 )
 from jounce.kernel.layout import DENSE, END, FIRST_PROBE, PROBES, RATES, ROWS, STATE, TRIAL
 from jounce.kernel.rodas5p import GAMMA, STAGES
-from jounce.kernel.sampling import Samples, sample_step
+from jounce.kernel.rosenbrock_steps import STAGE_RATE
+from jounce.kernel.sampling import Samples, finish_samples, place_samples
 from jounce.kernel.tracks import advance, fill, fill_rates
 
 Array = NDArray[np.float64]
-_A, _B, _C, _D, _H = rodas5p.A, rodas5p.B, rodas5p.C, rodas5p.D, rodas5p.H
+_C = rodas5p.C
 _NODES = 6  # stages that see an input of their own: the last three all stand at the end of the step
-_RATE = RATES + 1
 _ORDER = 5.0
 _SOUND = 1e-9  # soundness of the factors below which a shorter step is taken
 _SAFETY, _SHRINK, _GROW = 0.9, 0.2, 4.0
@@ -50,28 +50,27 @@ class Slopes(NamedTuple):
 
     ``look`` gives the ``size`` slopes at a state, ``along_input`` those of the rates along the inputs, column after
     column; ``factor`` makes ``room`` numbers of slopes and shift, the first of which is the soundness of the factors;
-    ``solve`` uses them.
+    ``stages`` and ``interpolant`` use them (see ``rosenbrock_steps``).
     """
 
     look: int
     along_input: int
     factor: int
-    solve: int
+    stages: NDArray[np.int64]
+    interpolant: int
     size: int
     room: int
 
 
 class Stages(NamedTuple):
-    """Scratch arrays of a step: stages ``k``, slopes, the linear system, rates of the inputs, drift of the rates."""
+    """Scratch arrays of a step: stages and drift of the rates, slopes, the linear system, rates of the inputs."""
 
     k: Array
     slopes: Array
-    shift: Array
     factors: Array
     right: Array
     by_input: Array
     moving: Array
-    drift: Array
 
 
 @part()
@@ -80,65 +79,40 @@ def _look(problem: Any, slopes: Any, work: Any, stages: Any, t: float) -> None:
     work.times[0] = t
     fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
     call_native(slopes.look, work.rows, STATE, work.u, problem.p, problem.m, stages.slopes, 0)
-    n, count = len(stages.drift), problem.inputs
+    n, drift = stages.k.shape[1], stages.k[STAGES]
     for d in range(n):
-        stages.drift[d] = 0.0
-    if count == 0:
+        drift[d] = 0.0
+    fill_rates(problem.tracks, problem.piece, t, stages.moving)
+    still = True
+    for i in range(problem.inputs):
+        still = still and stages.moving[i] == 0.0
+    if still:
         return
     call_native(slopes.along_input, work.rows, STATE, work.u, problem.p, problem.m, stages.by_input, 0)
-    fill_rates(problem.tracks, problem.piece, t, stages.moving)
-    for i in range(count):
+    for i in range(problem.inputs):
         for d in range(n):
-            stages.drift[d] += stages.by_input[0, i * n + d] * stages.moving[i]
-
-
-@part(fastmath={"contract"})
-def _stage(slopes: Any, stages: Any, rows: Any, h: float, i: int, rate: int) -> None:
-    """Stage ``i`` of a step, from the rate in row ``rate``."""
-    k, right, n = stages.k, stages.right, len(stages.drift)
-    late = _D[i] * h
-    for d in range(n):
-        right[0, d] = rows[rate, d] + late * stages.drift[d]
-    for j in range(i):
-        weight = _B[i, j] / h
-        for d in range(n):
-            right[0, d] += weight * k[j, d]
-    call_native(slopes.solve, right, 0, stages.shift, stages.factors, stages.slopes, k, i)
-
-
-@part(fastmath={"contract"})
-def _place(stages: Any, rows: Any, i: int, at: int) -> None:
-    """Put into row ``at`` where stage ``i`` is, or the end of the step after the last one."""
-    k, n = stages.k, len(stages.drift)
-    for d in range(n):
-        rows[at, d] = rows[STATE, d]
-    for j in range(i):
-        weight = _A[i, j]
-        for d in range(n):
-            rows[at, d] += weight * k[j, d]
+            drift[d] += stages.by_input[0, i * n + d] * stages.moving[i]
 
 
 @part()
 def _step(problem: Any, slopes: Any, work: Any, stages: Any, t: float, h: float) -> bool:
     """One step from the state to the end row; tell whether its matrix was regular."""
-    stages.shift[0] = 1.0 / (GAMMA * h)
-    call_native(slopes.factor, stages.slopes, 0, stages.shift, problem.p, problem.m, stages.factors, 0)
+    stages.right[0] = 1.0 / (GAMMA * h)
+    call_native(slopes.factor, stages.slopes, 0, stages.right, problem.p, problem.m, stages.factors, 0)
     if not stages.factors[0, 0] > _SOUND:
         return False
     for i in range(1, _NODES):
         work.times[i] = t + _C[i] * h
     fill(problem.tracks, problem.piece, work.times[1:_NODES], work.u[:, 1:_NODES])
-    _stage(slopes, stages, work.rows, h, 0, RATES)
-    for i in range(1, STAGES):
-        node = min(i, _NODES - 1)
-        _place(stages, work.rows, i, TRIAL)
-        call_native(problem.engine.rate, work.rows, TRIAL, work.u[:, node:], problem.p, problem.m, work.rows, _RATE)
-        _stage(slopes, stages, work.rows, h, i, _RATE)
-    _place(stages, work.rows, STAGES, END)
+    for i in range(STAGES):
+        call_step(slopes.stages[i], work.rows, stages.k, stages.slopes, stages.factors, stages.right, h)
+        if i + 1 < STAGES:
+            u = work.u[:, min(i + 1, _NODES - 1) :]
+            call_native(problem.engine.rate, work.rows, TRIAL, u, problem.p, problem.m, work.rows, STAGE_RATE)
     return True
 
 
-@part()
+@part(fastmath={"contract", "reassoc"})
 def _error(work: Any, stages: Any, tolerance: float) -> float:
     """Error of the states relative to what is allowed (root mean square); it is of order 4."""
     total, n = 0.0, len(work.widest)
@@ -148,20 +122,10 @@ def _error(work: Any, stages: Any, tolerance: float) -> float:
     return math.sqrt(total / n)
 
 
-@part(fastmath={"contract"})
-def _prepare_dense(problem: Any, work: Any, stages: Any, t: float, h: float) -> None:
+@part()
+def _prepare_dense(problem: Any, slopes: Any, work: Any, stages: Any, t: float, h: float) -> None:
     """Coefficients of the interpolant, in the nested form of ``explicit``, and the inputs at the probes."""
-    rows, k = work.rows, stages.k
-    for d in range(len(stages.drift)):
-        first, second, third = 0.0, 0.0, 0.0
-        for j in range(STAGES):
-            first += _H[0, j] * k[j, d]
-            second += _H[1, j] * k[j, d]
-            third += _H[2, j] * k[j, d]
-        rows[DENSE, d] = rows[END, d] - rows[STATE, d]
-        rows[DENSE + 1, d] = first
-        rows[DENSE + 2, d] = second + third
-        rows[DENSE + 3, d] = -third
+    call_step(slopes.interpolant, work.rows, stages.k, stages.slopes, stages.factors, stages.right, h)
     if len(problem.m) > 0:
         _inputs(problem, work, t, h, FIRST_PROBE, FIRST_PROBE + len(PROBES))
 
@@ -182,13 +146,13 @@ def _attempt(
     if error > 1.0:
         return 0.0, max(_SHRINK, factor), -1
     if dense or len(problem.m) > 0:
-        _prepare_dense(problem, work, stages, t, h)
+        _prepare_dense(problem, slopes, work, stages, t, h)
     if len(problem.m) > 0:
         theta, which = _crossing(problem, work, control.dead_band, t, h, edge)
         if which >= 0:
             if 0.0 < theta < 1.0:
                 _step(problem, slopes, work, stages, t, theta * h)
-                _prepare_dense(problem, work, stages, t, theta * h)
+                _prepare_dense(problem, slopes, work, stages, t, theta * h)
             return theta, max(1.0 - theta, 0.1), which
     return 1.0, factor, -1
 
@@ -201,14 +165,12 @@ def integrate(problem: Problem, slopes: Slopes, control: Control, out: Samples, 
     """
     n = len(problem.x0)
     stages = Stages(
-        np.zeros((STAGES, n)),
+        np.zeros((STAGES + 1, n)),
         np.zeros((1, slopes.size)),
-        np.zeros(1),
         np.zeros((1, slopes.room)),
-        np.zeros((1, n)),
+        np.zeros(1 + n),
         np.zeros((1, n * max(problem.inputs, 1))),
         np.zeros(problem.inputs),
-        np.zeros(n),
     )
     work = _scratch(problem, control)
     work.rows[DENSE:ROWS] = 0.0
@@ -217,6 +179,13 @@ def integrate(problem: Problem, slopes: Slopes, control: Control, out: Samples, 
 
 @compiled()
 def _integrate(problem: Any, slopes: Any, control: Any, work: Any, stages: Any, out: Any, counts: Any) -> int:
+    status = _walk(problem, slopes, control, work, stages, out, counts)
+    finish_samples(problem, work, out)
+    return int(status)
+
+
+@part()
+def _walk(problem: Any, slopes: Any, control: Any, work: Any, stages: Any, out: Any, counts: Any) -> int:
     times = out.times
     t, end = times[0], times[-1]
     slack = 1e-12 * max(1.0, abs(end))
@@ -225,14 +194,13 @@ def _integrate(problem: Any, slopes: Any, control: Any, work: Any, stages: Any, 
     _look(problem, slopes, work, stages, t)
     h, stalled = min(1e-4, end - t, control.longest), 0
     at_edge, rejected = True, False
-    sample = np.int64(0)  # a literal would make Numba compile sample_step for it as well
     while t < end - slack:
         stop = min(edge, end)
         tried = stop - t if stop - t < 1.1 * h else h
         limit = _limit(control, counts, t, tried)
         if limit != _COMPLETED:
             return int(limit)
-        wanted = sample < len(times) and times[sample] < t + tried - slack
+        wanted = work.marks[0] < len(times) and times[work.marks[0]] < t + tried - slack
         share, factor, which = _attempt(problem, slopes, control, work, stages, t, tried, wanted, at_edge)
         h = min(_next_step(h, tried, share, factor, which, rejected), control.longest)
         rejected = share == 0.0 and which < 0
@@ -251,7 +219,7 @@ def _integrate(problem: Any, slopes: Any, control: Any, work: Any, stages: Any, 
             counts[0] += 1
             now = t + share * tried
             now = stop if stop - now <= slack else now
-            sample = sample_step(problem, work, t, share * tried, now - slack, sample, out)
+            place_samples(problem, work, t, share * tried, now - slack, out)
             t = now
             _rate_at_end(problem, work, t)
             arrived = _arrive(problem, work, t)
@@ -261,11 +229,12 @@ def _integrate(problem: Any, slopes: Any, control: Any, work: Any, stages: Any, 
             edge, at_edge = advance(problem.tracks, problem.piece, t, slack), True
             _rate(problem, work, t, RATES)
         if which >= 0:
+            finish_samples(problem, work, out)
             _flip(problem, work, t, which, share < 0.0)
             counts[2] += 1
         _look(problem, slopes, work, stages, t)
     _stand_still(work.rows)
-    sample_step(problem, work, t, 1.0, np.inf, sample, out)
+    place_samples(problem, work, t, 1.0, np.inf, out)
     return _COMPLETED
 
 

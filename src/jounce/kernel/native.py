@@ -21,12 +21,14 @@ from llvmlite import binding as llvm
 from numpy.typing import NDArray
 
 from jounce.kernel.lowering import Lanes, Lowering
-from jounce.kernel.steps import STEP_NAMES, Step, add_step_functions
+from jounce.kernel.rosenbrock_steps import RosenbrockStep
+from jounce.kernel.steps import Step
 
 _FORMAT = "jounce-kernel-18"
 MANY = ("output", "project_many")
 SELDOM = ("slopes", "switch_slope", "derived", "derived_lanes", "constraint", "constraint_s")
 """Functions called a few times a run: they are compiled without the optimiser, which makes them little faster."""
+AnyStep = Step | RosenbrockStep
 SINGLE = {"project": "project_many"}
 """Functions of one sample that are made of those of many, where a module has these."""
 _PROTOTYPE = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5, *[ctypes.c_int64] * 3)
@@ -38,7 +40,7 @@ class Source:
     """What native code is made of: functions by name, the step around them, and notes that are kept with the code."""
 
     functions: Mapping[str, ca.Function | Lanes]
-    step: Step | None = None
+    step: AnyStep | None = None
     notes: str = ""
 
 
@@ -62,7 +64,7 @@ class Native:
         return out
 
 
-def compile_functions(functions: Mapping[str, ca.Function | Lanes], step: Step | None = None) -> Native:
+def compile_functions(functions: Mapping[str, ca.Function | Lanes], step: AnyStep | None = None) -> Native:
     """Compile SX functions for this processor, or load them from the cache.
 
     Parameters
@@ -70,7 +72,7 @@ def compile_functions(functions: Mapping[str, ca.Function | Lanes], step: Step |
     functions : dict
         Name to CasADi function; all inputs and outputs dense.
     step : Step, optional
-        Adds the functions of an integration step (``STEP_NAMES``) around the rate and switching functions.
+        Adds the functions of an integration step around them.
 
     Returns
     -------
@@ -107,7 +109,7 @@ def kept_code(identity: str, make: Callable[[], Source]) -> tuple[Native, str]:
         with contextlib.suppress(Exception):  # whatever is wrong with it: rebuild
             return _load(cached)
     source = make()
-    names = [*source.functions, *_singles(source.functions), *(STEP_NAMES if source.step else ())]
+    names = [*source.functions, *_singles(source.functions), *(source.step.names if source.step else ())]
     head = json.dumps({"names": names, "notes": source.notes}).encode()
     content = len(head).to_bytes(_LENGTH, "little") + head + _emit(source.functions, source.step)
     _write(key, content)
@@ -133,7 +135,7 @@ def _singles(functions: Mapping[str, object]) -> dict[str, str]:
     return {name: many for name, many in SINGLE.items() if many in functions and name not in functions}
 
 
-def _emit(functions: Mapping[str, ca.Function | Lanes], step: Step | None = None) -> bytes:
+def _emit(functions: Mapping[str, ca.Function | Lanes], step: AnyStep | None = None) -> bytes:
     lowering = Lowering()
     for name, function in functions.items():
         (lowering.add_many if name in MANY else lowering.add)(name, function)
@@ -143,7 +145,7 @@ def _emit(functions: Mapping[str, ca.Function | Lanes], step: Step | None = None
     for name, many in _singles(functions).items():
         lowering.add_single(name, many)
     if step:
-        add_step_functions(lowering, step)
+        step.add(lowering)
     module = llvm.parse_assembly(str(lowering.module))
     module.verify()
     tuning = llvm.create_pipeline_tuning_options(speed_level=3)

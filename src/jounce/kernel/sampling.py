@@ -101,12 +101,3 @@ def place_samples(problem: Any, work: Any, t: float, h: float, until: float, out
             _carry_samples(problem, work, t, h, first, last, out)
         elif last - work.marks[1] >= _BLOCK:
             finish_samples(problem, work, out)
-
-
-@part(forceinline=True)
-def sample_step(problem: Any, work: Any, t: float, h: float, until: float, first: int, out: Any) -> int:
-    """Write states, inputs and outputs at all times before ``until`` on the step from ``t``; give the next sample."""
-    work.marks[0] = work.marks[1] = first
-    place_samples(problem, work, t, h, until, out)
-    finish_samples(problem, work, out)
-    return int(work.marks[0])

@@ -33,6 +33,15 @@ class Step:
     inputs: int
     switches: int
 
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the functions."""
+        return STEP_NAMES
+
+    def add(self, lowering: Lowering) -> None:
+        """Append the functions."""
+        add_step_functions(lowering, self)
+
 
 def add_step_functions(lowering: Lowering, step: Step) -> None:
     """Append the functions of ``STEP_NAMES``; the module has the rate function and ``switch`` already.

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from jounce.core.errors import SimulationError
 from jounce.kernel.implicit import Slopes
 from jounce.kernel.native import Native, Source, compile_functions, kept_code
+from jounce.kernel.rosenbrock_steps import RosenbrockStep
 from jounce.mechanics import Model
 from jounce.simulation.compiled import Compiled
 from jounce.simulation.newton_matrix import linear_functions
@@ -98,7 +99,7 @@ def longest_step(pace: Pace, waves: float, tolerance: float) -> float:
     return float(_OVERSAMPLED * (tolerance / 1e-5) ** 0.2 / fastest)
 
 
-_FUNCTIONS = ("look", "along_input", "factor", "solve")
+_FUNCTIONS = ("look", "along_input", "factor", "interpolant")
 _made: dict[int, tuple[Compiled, Slopes, Native]] = {}
 
 
@@ -110,13 +111,15 @@ def slopes_of(compiled: Compiled) -> Slopes:
             native, notes = kept_code(f"implicit {plain.identity}", lambda: _source(plain.model))
         else:
             source = _source(plain.model)
-            native, notes = compile_functions(source.functions), source.notes
-        look, along_input, factor, solve = (native.address[name] for name in _FUNCTIONS)
+            native, notes = compile_functions(source.functions, source.step), source.notes
+        look, along_input, factor, interpolant = (native.address[name] for name in _FUNCTIONS)
+        stages = np.array([address for name, address in native.address.items() if name.startswith("stage_")])
         size, room = json.loads(notes)
-        _made[id(plain)] = plain, Slopes(look, along_input, factor, solve, size, room), native
+        _made[id(plain)] = plain, Slopes(look, along_input, factor, stages, interpolant, size, room), native
     return _made[id(plain)][1]
 
 
 def _source(model: Model) -> Source:
     functions = linear_functions(model)
-    return Source(functions, notes=json.dumps([functions[name].size1_out(0) for name in ("look", "factor")]))
+    step = RosenbrockStep(model.x.shape[0])
+    return Source(functions, step, notes=json.dumps([functions[name].size1_out(0) for name in ("look", "factor")]))
