@@ -225,3 +225,21 @@ def test_library(cli, tmp_path: Path) -> None:
     unknown = cli("library", "kart-quarter")
     assert unknown.exit_code == 2
     assert "Did you mean 'kart-quarter-car'?" in unknown.err
+
+
+def test_method_is_chosen_and_told(cli, bump: Path) -> None:
+    words = ("simulate", RIG, "--road", bump, *DRIVE)
+    assert cli(*words, "--json").json["method"] == "explicit"
+    found = cli(*words, "--method", "implicit", "--json").json
+    assert found["method"] == "implicit"
+    assert found["channels"]["sprung.z"]["maximum"] == pytest.approx(
+        cli(*words, "--json").json["channels"]["sprung.z"]["maximum"], rel=1e-4
+    )
+    assert "implicit method" in cli(*words, "--method", "implicit").out
+
+
+def test_a_method_that_does_not_exist(cli, bump: Path) -> None:
+    outcome = cli("simulate", RIG, "--road", bump, *DRIVE, "--method", "euler")
+    assert outcome.exit_code == 2
+    assert "euler" in outcome.err
+    assert "auto, explicit, implicit" in outcome.err

@@ -118,7 +118,10 @@ def test_van_der_pol():
 def test_tolerance_is_met(lift_off, friction):
     """Displacements of the quarter car, also across contact and friction, against the explicit method."""
     rig = KART.with_changes({"tyre.lift_off": lift_off, "strut.friction": friction})
-    compiled, road = compile_model(build(rig)), HalfSine(height=0.01, length=0.06, start=0.1).segments(3.0).in_time(2.86)
+    compiled, road = (
+        compile_model(build(rig)),
+        HalfSine(height=0.01, length=0.06, start=0.1).segments(3.0).in_time(2.86),
+    )
     p, times = compiled.parameter_values(rig.parameters()), output_times(0.8, 1e-3)
     reference = solve(compiled, p, road, times, tolerance=1e-11, method="explicit").states[:2]
     for tolerance in (1e-4, 1e-6, 1e-8):

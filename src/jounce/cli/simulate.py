@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, cast
 
 import typer
 
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
     from jounce.core.findings import Finding
     from jounce.roads import Trial
+    from jounce.simulation.stiff import Method
 
 _RECORDING_SUFFIXES = (".nc", ".csv")
 
@@ -31,6 +32,7 @@ def simulate(
     set_: Changes = None,
     output_step: Annotated[str, typer.Option(help="Distance of the output samples.")] = "1 ms",
     tolerance: Annotated[str, typer.Option(help="Relative error of the displacements.")] = "1e-5",
+    method: Annotated[str, typer.Option(help="How to integrate: auto, explicit, implicit (stiff rigs).")] = "auto",
     out: Annotated[Path | None, typer.Option(help="Write the recording: RUN.nc or RUN.csv.")] = None,
     force: Force = False,
     as_json: AsJson = False,
@@ -54,7 +56,7 @@ def simulate(
         wanted = changes(set_)
         chosen = chosen.with_changes(wanted) if wanted else chosen
         say("simulating")
-        run = run_simulation(chosen, trial, output_step=step, tolerance=error)
+        run = run_simulation(chosen, trial, output_step=step, tolerance=error, method=cast("Method", method))
         if out is not None:
             write_recording(run, out, force=force)
     findings = trial_findings(trial)
@@ -95,6 +97,7 @@ def _summary(run: xr.Dataset, trial: Trial) -> dict[str, Any]:
         "duration": trial.duration,
         "samples": len(time),
         "status": run.attrs["status"],
+        "method": run.attrs["method"],
         "steps": int(run.attrs["steps"]),
         "events": int(run.attrs["events"]),
         "channels": channels,
@@ -108,7 +111,7 @@ def _draw(out: Console, plain: dict[str, Any], findings: list[Finding]) -> None:
     out.print(table(f"{plain['rig']} on {on}, {plain['duration']:g} s", header, rows, text=(0, 1)))
     events = "event" if plain["events"] == 1 else "events"
     out.print(
-        f"{plain['samples']} samples, {plain['steps']} steps, {plain['events']} {events} "
+        f"{plain['samples']} samples, {plain['method']} method, {plain['steps']} steps, {plain['events']} {events} "
         "(the tyre leaves or meets the road, a stop opens or closes)"
     )
     show_findings(out, findings)

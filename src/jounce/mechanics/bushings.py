@@ -32,8 +32,8 @@ class Deflection:
         Of the second body against the first, m and rad; a turn by an angle counts as its sine.
     force, torque : casadi.SX
         On the second body, N and N m.
-    energy : casadi.SX
-        Stored in it, J.
+    energy, power : casadi.SX
+        Stored in it, J, and taken up by it, W: the rate of the energy and what damping loses.
     """
 
     displacement: ca.SX
@@ -41,6 +41,7 @@ class Deflection:
     force: ca.SX
     torque: ca.SX
     energy: ca.SX
+    power: ca.SX
 
 
 def add_bushing(
@@ -94,13 +95,15 @@ def add_bushing(
     displacement, rate = _displacement(first, second, at)
     rotation, turning = _rotation(first, second)
     force = -stiffness * displacement - damping * rate
-    twist = -rotational_stiffness * rotation - rotational_damping * (turning @ _relative_spin(first, second))
+    spin = _relative_spin(first, second)
+    twist = -rotational_stiffness * rotation - rotational_damping * (turning @ spin)
     torque = turning.T @ twist
     tree.load(rate, force)
-    tree.load(_relative_spin(first, second), torque)
+    tree.load(spin, torque)
     _note_pair(tree, first, second, second.point(at).value, force, torque)
     energy = 0.5 * (ca.dot(displacement, stiffness * displacement) + ca.dot(rotation, rotational_stiffness * rotation))
-    return Deflection(displacement, rotation, force, torque, energy)
+    power = -ca.dot(force, rate) - ca.dot(torque, spin)
+    return Deflection(displacement, rotation, force, torque, energy, power)
 
 
 def add_elastic_rod(
@@ -112,8 +115,8 @@ def add_elastic_rod(
     second_at: Vector,
     stiffness: Vector,
     damping: Vector = _NONE,
-) -> ca.SX:
-    """Tie two points by a massless rod with a bushing at its first end; give its force (N, tension positive).
+) -> tuple[ca.SX, ca.SX]:
+    """Tie two points by a massless rod with a bushing at its first end; give tension (N) and the power taken up (W).
 
     Such a rod only carries force along itself, so what counts of the bushing is its compliance along the rod,
     ``sum e_i^2 / k_i`` with the rod's direction ``e`` in the design pose, and the damping that loses as much in a slow
@@ -146,12 +149,12 @@ def add_elastic_rod(
     tension = along * (length - ca.sqrt(ca.dot(design, design))) + loss * rate
     tree.load(rate, -tension)
     _note_pair(tree, first, second, other.value, -tension * reach.value / length, _NONE, in_ground=True)
-    return tension
+    return tension, tension * rate
 
 
 def add_sliding_bushing(
     tree: Tree, first: Body, second: Body, at: ca.SX, axis: ca.SX, point: ca.SX, stiffness: ca.SX, damping: ca.SX
-) -> ca.SX:
+) -> tuple[ca.SX, ca.SX]:
     """Hold a point of the second body by a bushing on a line of the first, along which it slides freely.
 
     Parameters
@@ -169,8 +172,8 @@ def add_sliding_bushing(
 
     Returns
     -------
-    casadi.SX, shape (3,)
-        Force on the second body, N, in its axes.
+    tuple of casadi.SX
+        Force on the second body, N, in its axes, shape (3,), and the power taken up, W.
     """
     held, along = second.point(point), first.direction(axis)
     own = second.frame
@@ -183,7 +186,7 @@ def add_sliding_bushing(
     force = -stiffness * gap - damping * rate
     tree.load(rate, force)
     _note_pair(tree, first, second, held.value, own.orientation.rotate(force), _NONE, in_ground=True)
-    return force
+    return force, -ca.dot(force, rate)
 
 
 def _displacement(first: Body, second: Body, at: ca.SX) -> tuple[ca.SX, ca.SX]:

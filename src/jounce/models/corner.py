@@ -22,7 +22,7 @@ from jounce.models.attachments import (
     spring_law,
     stop_law,
 )
-from jounce.models.detail import show_energy, show_hardpoints, show_reactions
+from jounce.models.detail import show_bushings, show_energy, show_hardpoints, show_reactions
 from jounce.models.double_wishbone import double_wishbone
 from jounce.models.five_link import five_link
 from jounce.models.linkage import Linkage, guided
@@ -93,7 +93,10 @@ def corner(rig: Corner, *, detail: bool = False) -> Model:
     if detail:
         show_hardpoints(linkage)
         show_reactions(linkage)
+        show_bushings(linkage)
         elements["tyre"] = force, mechanism.rate_of(deflection)
+        if linkage.bushings:
+            elements["bushings"] = sum((power for _, power in linkage.bushings.values()), ca.SX(0.0)), ca.SX(1.0)
         show_energy(linkage, elements, force * road.rate)
     return mechanism.finish()
 

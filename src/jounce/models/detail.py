@@ -24,6 +24,14 @@ def show_reactions(linkage: Linkage) -> None:
         mechanism.watch_reaction(joint)
 
 
+def show_bushings(linkage: Linkage) -> None:
+    """Let the force of every bushing on the suspension be seen, N, ground axes."""
+    for point, (force, _) in linkage.bushings.items():
+        for i, axis in enumerate(_AXES):
+            text = f"{point.replace('_', ' ')}, force of the bushing on the suspension along {axis}"
+            linkage.mechanism.output(f"{point}.f{axis}", force[i], "N", text)
+
+
 def show_energy(linkage: Linkage, elements: dict[str, tuple[ca.SX, ca.SX]], road_power: ca.SX) -> None:
     """Let energies be seen, J: kinetic, of weights, what each element has taken up and what the road has put in.
 

@@ -37,6 +37,8 @@ class Linkage:
         The body that each hardpoint moves with.
     lines : dict
         What to draw: name of a part to the hardpoints along it.
+    bushings : dict
+        Hardpoint to the force (N, ground axes) of its bushing on the suspension, and the power (W) it takes up.
     """
 
     rig: Corner
@@ -48,6 +50,7 @@ class Linkage:
     carriers: dict[str, Body] = field(default_factory=dict)
     owners: dict[str, Body] = field(default_factory=dict)
     lines: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    bushings: dict[str, tuple[ca.SX, ca.SX]] = field(default_factory=dict)
 
     def hardpoint(self, name: str) -> ca.SX:
         """Design place of a hardpoint, m."""
@@ -102,7 +105,13 @@ class Linkage:
         else:
             self.mechanism.free(name, arm)
         for end in soft:
-            add_bushing(self.mechanism, end, self.chassis, arm, self.hardpoint(end), **self.bushing_of(end))
+            self.cushion(end, self.chassis, arm)
+
+    def cushion(self, point: str, first: Body, second: Body) -> None:
+        """Put the bushing at a hardpoint between two bodies."""
+        bushing = add_bushing(self.mechanism, point, first, second, self.hardpoint(point), **self.bushing_of(point))
+        assert first.frame is not None
+        self.bushings[point] = first.frame.orientation.rotate(bushing.force), bushing.power
 
     def has_bushing(self, point: str) -> bool:
         """Tell whether the description puts a bushing at a hardpoint."""
@@ -122,7 +131,11 @@ class Linkage:
         massless, soft = getattr(self.rig.bodies, name, None) is None, self.has_bushing(inner)
         if massless and soft:
             law = self.bushing_of(inner)
-            add_elastic_rod(self.mechanism, name, holder, carrier, start, end, law["stiffness"], law["damping"])
+            ends = carrier.point(end) - holder.point(start)
+            tension, power = add_elastic_rod(
+                self.mechanism, name, holder, carrier, start, end, law["stiffness"], law["damping"]
+            )
+            self.bushings[inner] = -tension * unit(ends.value), power
             return
         if massless:
             self.mechanism.rod(name, holder, carrier, start, end)
@@ -130,8 +143,9 @@ class Linkage:
         link = self.body(name)
         first, second = normals(unit(end - start))
         if soft:
-            self.mechanism.universal(f"{name}_outer", carrier, link, end, first, second)
-            add_bushing(self.mechanism, inner, holder, link, start, **self.bushing_of(inner))
+            self.mechanism.spherical(f"{name}_outer", carrier, link, end)
+            self.mechanism.perpendicular(f"{name}_spin", holder, link, first, second)  # as at the ideal joint
+            self.cushion(inner, holder, link)
             return
         self.mechanism.universal(f"{name}_inner", holder, link, start, first, second)
         self.mechanism.coincident(f"{name}_outer", link, carrier, end)

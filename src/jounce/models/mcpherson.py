@@ -5,7 +5,7 @@ from __future__ import annotations
 import casadi as ca
 
 from jounce.mechanics.bodies import Body
-from jounce.mechanics.bushings import add_bushing, add_sliding_bushing
+from jounce.mechanics.bushings import add_sliding_bushing
 from jounce.mechanics.rotations import unit
 from jounce.models.linkage import Linkage
 
@@ -32,7 +32,7 @@ def _slide(linkage: Linkage, upright: Body, foot: ca.SX, top: ca.SX) -> None:
         strut = linkage.body("strut")
         mechanism.prismatic("strut_slider", upright, strut, axis=along, at=foot)
         if soft:
-            add_bushing(mechanism, "strut_top", linkage.chassis, strut, top, **linkage.bushing_of("strut_top"))
+            linkage.cushion("strut_top", linkage.chassis, strut)
         else:
             mechanism.coincident("strut_top", linkage.chassis, strut, at=top)
     elif soft:
