@@ -78,6 +78,8 @@ class Lumping:
         Shortening of spring and damper over rise of the wheel centre [1].
     motion_ratio_rate : float
         Change of the spring's motion ratio with travel, 1/m.
+    spring_deflection : float
+        Shortening of the spring from its design length at rest, m.
     spring_force : float
         Force of spring and stops at rest, N.
     wheel_rate_spring, wheel_rate_preload, wheel_rate_weight : float
@@ -99,6 +101,7 @@ class Lumping:
     motion_ratio: float
     damper_ratio: float
     motion_ratio_rate: float
+    spring_deflection: float
     spring_force: float
     wheel_rate_spring: float
     wheel_rate_preload: float
@@ -210,6 +213,7 @@ def lump(rig: Rig) -> Lumping:
         values["motion_ratio"],
         values["damper_motion_ratio"],
         values["motion_ratio_rate"],
+        corner.hardpoints.length("spring") - values["spring_length"],
         spring_force,
         values["wheel_rate_spring"],
         values["wheel_rate"] - values["wheel_rate_spring"],
@@ -237,7 +241,8 @@ def lumped_from(rig: Rig) -> QuarterCar:
         ``strut.angle`` is the angle whose cosine is the damper's motion ratio, so that damper and friction keep their
         laws; the spring rate makes the wheel rate (preload term and weights included); the preload puts zero
         deflection at design; masses are those that give both natural frequencies. A spring or tyre curve becomes its
-        slope at rest (spring) or is kept (tyre); rebound stops and bushings have no place in it.
+        slope at rest (spring) or is kept (tyre); the bump stop is met where it is met; rebound stops and bushings have
+        no place in it.
 
     Raises
     ------
@@ -266,8 +271,9 @@ def lumped_from(rig: Rig) -> QuarterCar:
             hint="Describe the quarter car by hand, with rates and coefficients at the wheel.",
         )
     sprung, unsprung = found.effective_masses
-    rate = found.wheel_rate / ratio**2
-    static = found.spring_force * found.motion_ratio / ratio
+    stop, stop_force, stop_rate = _stop(corner, found)
+    rate = (found.wheel_rate - stop_rate * found.motion_ratio**2) / ratio**2
+    static = (found.spring_force - stop_force) * found.motion_ratio / ratio
     tyre = corner.tyre.model_dump(by_alias=True, exclude_none=True, exclude={"law", "undeformed_radius"})
     table: dict[str, Any] = {
         "schema": "jounce.rig/1",
@@ -287,13 +293,8 @@ def lumped_from(rig: Rig) -> QuarterCar:
         table["strut"]["friction"] = corner.strut.friction.model_dump()
     if corner.guide_friction is not None:
         table["guide"] = {"friction": corner.guide_friction.model_dump()}
-    if corner.strut.bump_stop is not None:
-        stop, scale = corner.strut.bump_stop, found.motion_ratio / ratio
-        table["strut"]["bump_stop"] = {
-            "gap": stop.gap / scale,
-            "rate": stop.rate * scale**2,
-            "progression": stop.progression * scale**4,
-        }
+    if stop:
+        table["strut"]["bump_stop"] = stop
     return QuarterCar.from_table(table)
 
 
@@ -342,6 +343,23 @@ def _tyre_slope(rig: Corner, deflection: float) -> float:
     step = 1e-6 * deflection
     upper, lower = (force_at(rig.tyre.curve, deflection + sign * step) for sign in (1.0, -1.0))
     return (upper - lower) / (2.0 * step)
+
+
+def _stop(rig: Corner, found: Lumping) -> tuple[dict[str, float], float, float]:
+    """Bump stop along the lumped strut, and its force (N) and stiffness (N/m) along the spring at rest."""
+    stop, scale = rig.strut.bump_stop, found.motion_ratio / found.damper_ratio
+    if stop is None:
+        return {}, 0.0, 0.0
+    depth = found.spring_deflection - stop.gap
+    table = {
+        "gap": found.damper_ratio * found.travel - depth / scale,
+        "rate": stop.rate * scale**2,
+        "progression": stop.progression * scale**4,
+    }
+    if depth <= 0.0:
+        return table, 0.0, 0.0
+    force = stop.rate * depth + stop.progression * depth**3
+    return table, force, stop.rate + 3.0 * stop.progression * depth**2
 
 
 def _damper(rig: Corner, found: Lumping) -> dict[str, Any]:

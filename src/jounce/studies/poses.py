@@ -111,10 +111,10 @@ def _body_motion(
     rig: Corner, body: str, before: Mapping[str, Triple], after: Mapping[str, Triple]
 ) -> tuple[Array, Array]:
     names = [name for name in BODY_POINTS.get(body, rig.hardpoints.outer) if name in before]
-    if body in ("upright", "wheel"):
+    if body in ("upright", "wheel", "strut"):  # the sliding part of a McPherson turns with the upright
         names = [name for name in (*rig.hardpoints.outer, "arm_inner", "arm_outer") if name in before]
     turn, shift = rigid_motion(np.array([before[n] for n in names]), np.array([after[n] for n in names]))
-    if body == "strut":  # the sliding part of a McPherson hangs on the car's body
+    if body == "strut":  # and hangs on the car's body
         shift = np.array(after["strut_top"]) - turn @ np.array(before["strut_top"])
     return turn, shift
 
