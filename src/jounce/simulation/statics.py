@@ -151,13 +151,24 @@ def _closed(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> A
 
 
 def _solve(matrix: Array, rhs: Array) -> Array | None:
-    """Solution of a square system; the shortest one where loops repeat each other or nothing decides a motion."""
+    """Solution of a square system; the shortest one where loops repeat each other or nothing decides a motion.
+
+    Rows and columns are scaled to size one first, so that stiff and soft, metres and radians count alike.
+    """
+    rows = np.max(np.abs(matrix), axis=1, keepdims=True)
+    scaled = matrix / np.where(rows > 0.0, rows, 1.0)
+    columns = np.max(np.abs(scaled), axis=0)
+    columns = np.where(columns > 0.0, columns, 1.0)
+    scaled, wanted = scaled / columns, rhs / np.where(rows > 0.0, rows, 1.0)[:, 0]
     try:
-        square = matrix.shape[0] == matrix.shape[1] and np.linalg.cond(matrix) < _UNDECIDED
-        found = np.linalg.solve(matrix, rhs) if square else np.linalg.lstsq(matrix, rhs, rcond=1.0 / _UNDECIDED)[0]
+        square = scaled.shape[0] == scaled.shape[1] and np.linalg.cond(scaled) < _UNDECIDED
+        found = (
+            np.linalg.solve(scaled, wanted) if square else np.linalg.lstsq(scaled, wanted, rcond=1.0 / _UNDECIDED)[0]
+        )
     except np.linalg.LinAlgError:
         return None
-    return np.asarray(found, dtype=np.float64) if np.all(np.isfinite(found)) else None
+    found = np.asarray(found / columns, dtype=np.float64)
+    return found if np.all(np.isfinite(found)) else None
 
 
 @dataclass(frozen=True)
