@@ -3,6 +3,7 @@
 2026-11-21, first version: quarter car with 43 operations a right-hand side.
 2026-11-21, what depends on parameters only is computed once a run (``derived``): 41; one lane of sensitivities a
 parameter instead of the equations written out for each: 73 instead of 127 for three.
+2026-11-21, every 3-D template: a double wishbone with 1335 operations a right-hand side, 3046 with sensitivities.
 """
 
 from __future__ import annotations
@@ -11,13 +12,35 @@ import pytest
 
 import jounce as jn
 from jounce.models import build
-from jounce.simulation.compiled import compile_model
+from jounce.simulation.compiled import compile_model, compile_rig
 
 PINNED = {
     "kart-quarter-car": {"rate": 41, "output": 49, "switch": 13},
     "audi-a6-quarter-car": {"rate": 41, "output": 49, "switch": 13},
     "hmmwv-front-corner": {"rate": 45, "output": 53, "switch": 18},
 }
+CORNERS = {
+    "kart-double-wishbone": {"rate": 1335, "output": 1484, "switch": 118, "project_many": 973, "slopes": 3063},
+    "generic-mcpherson": {"rate": 2141, "output": 2284, "switch": 118, "project_many": 1525, "slopes": 5122},
+    "sedan-multi-link": {"rate": 4207, "output": 4076, "switch": 17, "project_many": 3667, "slopes": 7865},
+    "semi-trailing-arm": {"rate": 229, "output": 279, "switch": 98, "slopes": 531},
+    "formula-student-front": {"rate": 1644, "output": 1784, "switch": 187, "project_many": 1216, "slopes": 3638},
+    "hmmwv-front": {"rate": 2760, "output": 2883, "switch": 251, "project_many": 1799, "slopes": 5656},
+}
+ARMS = ("lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear")
+ON_BUSHINGS = {"rate": 3269, "output": 3452, "switch": 181, "project_many": 2210, "slopes": 7146}
+TEN = (
+    "hardpoints.strut_bottom[2]",
+    "hardpoints.upper_ball_joint[1]",
+    "hardpoints.lower_ball_joint[1]",
+    "hardpoints.tie_rod_outer[2]",
+    "hardpoints.lower_arm_front[2]",
+    "sprung.mass",
+    "bodies.upright.mass",
+    "strut.spring.rate",
+    "strut.damper.coefficient",
+    "tyre.stiffness",
+)
 FREE = ("strut.spring.rate", "strut.damper.coefficient", "tyre.stiffness")
 
 
@@ -31,3 +54,23 @@ def test_sensitivities_do_not_grow():
     functions = compile_model(build(jn.load("kart-quarter-car")), FREE).functions
     assert functions["rate_s"].n_instructions() == 73
     assert functions["output_s"].n_instructions() == 91
+
+
+def counts(functions, names):
+    return {name: functions[name].n_instructions() for name in names}
+
+
+@pytest.mark.parametrize("name", CORNERS)
+def test_equations_of_corners_do_not_grow(name):
+    assert counts(compile_rig(jn.load(name)).functions, CORNERS[name]) == CORNERS[name]
+
+
+def test_equations_on_bushings_do_not_grow():
+    law = {"stiffness": [1e7] * 3, "rotational_stiffness": [20.0] * 3}
+    rig = jn.load("kart-double-wishbone").with_changes({"bushings": dict.fromkeys(ARMS, law)})
+    assert counts(compile_rig(rig).functions, ON_BUSHINGS) == ON_BUSHINGS
+
+
+def test_sensitivities_of_the_double_wishbone_do_not_grow():
+    expected = {"rate_s": 3046, "output_s": 3480, "project_s": 1617, "switch_slope": 459, "derived_lanes": 482}
+    assert counts(compile_rig(jn.load("kart-double-wishbone"), TEN).functions, expected) == expected
