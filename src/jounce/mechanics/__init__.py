@@ -1,6 +1,6 @@
 """Symbolic authoring of mechanical systems: bodies, joints, loops, force elements -> equations of motion."""
 
-from jounce.mechanics.assembly import Assembly, Moved, assemble
+from jounce.mechanics.assembly import Assembly, Moved, assemble, orientation
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.bushings import add_bushing, add_elastic_rod
 from jounce.mechanics.elements import (
@@ -44,6 +44,7 @@ __all__ = [
     "harmonic",
     "held",
     "mesh",
+    "orientation",
     "sphere",
     "spring_force",
     "steady",

@@ -6,7 +6,7 @@ Works on the symbolic model with CasADi's own evaluation, before anything is com
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import casadi as ca
@@ -175,6 +175,42 @@ def _normalise(model: Model, x: Array) -> None:
                     "no orientation", where=joint, found="a quaternion of zeros", allowed="e0 to e3 of it"
                 )
             x[i : i + 4] /= length
+
+
+def orientation(joint: str, axis: Sequence[float], angle: float | str) -> dict[str, float]:
+    """Give the start of a spherical joint or a free body that is turned out of its design pose, as a quaternion.
+
+    Parameters
+    ----------
+    joint : str
+        Its name.
+    axis : sequence of float, shape (3,)
+        What it is turned about, in the ground's axes, of any length (1).
+    angle : float or str
+        rad, or text with a unit; right-handed.
+
+    Returns
+    -------
+    dict
+        Coordinate to value (1), for ``start``.
+
+    Raises
+    ------
+    AssemblyError
+        When the axis is zero.
+
+    Examples
+    --------
+    >>> {name: round(value, 3) for name, value in orientation("tip", axis=(0, 2, 0), angle="90 deg").items()}
+    {'tip.e0': 0.707, 'tip.e1': 0.0, 'tip.e2': 0.707, 'tip.e3': 0.0}
+    """
+    along = np.array([float(part) for part in axis])
+    length = float(np.linalg.norm(along))
+    if along.shape != (3,) or not (np.isfinite(length) and length > 0.0):
+        raise AssemblyError("an axis without direction", where=joint, found=tuple(axis))
+    half = 0.5 * to_si(angle, "rad", where=f"angle of {joint}")
+    parts = (np.cos(half), *(np.sin(half) * along / length))
+    return {f"{joint}.e{i}": float(part) for i, part in enumerate(parts)}
 
 
 def removable(

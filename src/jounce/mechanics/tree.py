@@ -193,19 +193,20 @@ class Tree(System):
         return q
 
     def universal(self, name: str, parent: Body, child: Body, at: Vector, axis: Vector, second_axis: Vector) -> ca.SX:
-        """Cross of two axes at right angles, one on each body; give the angles about them (rad)."""
+        """Cross of two axes at right angles, the first on the first body; give the angles about them (rad)."""
         place, along = self._place(name, at, axis)
         second = self.direction(f"{name}.second_axis", second_axis)
         self._refuse_skew(name, axis, second_axis)
         if self._closes(name, parent, child):
             return self._closures.universal(name, parent, child, place, along, second)
-        ordered, child = self._ordered(name, parent, child)
-        if ordered is not parent:
-            along, second = second, along
+        ordered, child, sign = self._signed(name, parent, child)
         names = [f"{name}.angle", f"{name}.second_angle"]
         q, v = self.coordinates(names, [f"{text} rate" for text in names])
-        frame = self._frame_of(ordered).at(place).turned(along, q[0], v[0]).turned(second, q[1], v[1])
-        self._hang(name, "universal", ordered, child, frame, sign=1.0 if ordered is parent else -1.0)
+        turns = [(sign * along, q[0], v[0]), (sign * second, q[1], v[1])]
+        frame = self._frame_of(ordered).at(place)
+        for turn in turns if sign > 0.0 else turns[::-1]:  # from the child outwards the other way round
+            frame = frame.turned(*turn)
+        self._hang(name, "universal", ordered, child, frame, sign=sign)
         return q
 
     def spherical(self, name: str, parent: Body, child: Body, at: Vector) -> ca.SX:

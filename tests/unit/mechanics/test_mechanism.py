@@ -189,3 +189,35 @@ def test_motions_are_what_they_say():
     np.testing.assert_allclose(rate, [0.0, 3.0, 2.25, 0.0, 0.0], rtol=0.0, atol=1e-14)
     lines = jn.mechanics.through([0.0, 0.5, 1.0], [0.0, 1.0, 0.0], smooth=False)
     assert lines.evaluate(np.array([0.25, 0.75]))[1].tolist() == [2.0, -2.0]
+
+
+def test_universal_joint_counts_from_the_first_body_to_the_second():
+    runs = []
+    for swapped in (False, True):
+        mechanism = jn.mechanics.Mechanism(gravity=0.0)
+        body = mechanism.body("bob", 1.0, (1.0, 0.0, 0.0), BALL)
+        bodies, axes = (mechanism.ground, body), (Z, Y)
+        if swapped:
+            bodies, axes = bodies[::-1], axes[::-1]
+        mechanism.universal("cross", *bodies, at=ORIGIN, axis=axes[0], second_axis=axes[1])
+        mechanism.watch_point("tip", body, (1.0, 0.0, 0.0))
+        angles = (-0.3, -0.5) if swapped else (0.5, 0.3)  # about z on the ground, then about y on the body
+        start = dict(zip(("cross.angle", "cross.second_angle"), angles, strict=True))
+        start["cross.second_angle rate" if swapped else "cross.angle rate"] = -2.0 if swapped else 2.0
+        runs.append(jn.simulate_mechanism(mechanism, 0.5, start=start, output_step=0.1, tolerance=1e-9))
+    tip = np.array([np.cos(0.5) * np.cos(0.3), np.sin(0.5) * np.cos(0.3), -np.sin(0.3)])
+    for axis, value in zip("xyz", tip, strict=True):
+        assert float(runs[0][f"tip.{axis}"][0]) == pytest.approx(value)
+        np.testing.assert_allclose(runs[1][f"tip.{axis}"], runs[0][f"tip.{axis}"], rtol=0.0, atol=1e-8)
+
+
+def test_orientation_turns_a_start():
+    mechanism = jn.mechanics.Mechanism()
+    body = mechanism.body("bob", 1.0, (1.0, 0.0, 0.0), BALL)
+    mechanism.spherical("ball", mechanism.ground, body, at=ORIGIN)
+    mechanism.watch_body(body)
+    start = jn.mechanics.orientation("ball", axis=(0.0, 3.0, 0.0), angle="90 deg")
+    run = jn.simulate_mechanism(mechanism, 0.1, start=start, output_step=0.05)
+    np.testing.assert_allclose(run["bob.z"], -1.0, rtol=0.0, atol=1e-12)  # it hangs
+    with pytest.raises(jn.AssemblyError, match="ball: an axis without direction"):
+        jn.mechanics.orientation("ball", axis=ORIGIN, angle=1.0)
