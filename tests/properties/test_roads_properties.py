@@ -21,7 +21,7 @@ from jounce.roads import (
     Versine,
 )
 
-heights = st.floats(-0.05, 0.05)
+heights = st.floats(-0.05, 0.05).filter(lambda h: h == 0.0 or abs(h) > 1e-9)  # m: circles of 1e10 m radius are rounding
 lengths = st.floats(0.02, 2.0)
 starts = st.floats(0.0, 3.0)
 
