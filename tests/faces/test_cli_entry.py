@@ -21,6 +21,7 @@ COMMANDS = [
     ("campaign", "new"),
     ("simulate",),
     ("modes",),
+    ("adjust",),
     ("plot",),
     ("check",),
     ("library",),
@@ -33,6 +34,7 @@ COMMANDS = [
     ("bench", "scale"),
     ("bench", "springs"),
     ("study", "proving-ground"),
+    ("study", "lumped-vs-spatial"),
     ("version",),
 ]
 SCRIPT = Path(sys.executable).with_name("jounce")

@@ -13,6 +13,8 @@ from jounce.core.serialise import write_files
 from jounce.parts import rig_from_table
 from jounce.parts.strut_angle import strut_angle, with_strut_angle
 from jounce.recordings import write_recording
+from jounce.report.campaign.lumped import lumped as lumped_section
+from jounce.report.page import Table
 from jounce.studies.campaign import run_campaign
 from jounce.studies.campaign.template import campaign_texts
 from jounce.studies.lumping import lump
@@ -140,6 +142,15 @@ def test_campaign_on_a_3d_rig_finds_its_values_and_keeps_its_file(folder):
     assert 'free_length = "207.955 mm"' in text
 
 
+def test_what_looks_wrong_in_the_rig_is_a_finding_of_the_campaign(folder):
+    rig = folder / "rig.toml"
+    rig.write_text(rig.read_text().replace('damper = {coefficient = "150 N*s/m"}', "damper = {coefficient = 150}"))
+    assert not [f for f in run_campaign(folder / "campaign.toml").findings if f.place.startswith("rig.toml")]
+    rig.write_text(rig.read_text().replace('camber = "0 deg"', "camber = -1"))
+    found = [f for f in run_campaign(folder / "campaign.toml").findings if f.place.startswith("rig.toml")]
+    assert [f.place for f in found] == ["rig.toml: wheel.camber"]
+
+
 def test_each_trial_runs_at_its_own_angle(folder):
     result = run_campaign(folder / "campaign.toml")
     knowledge = result.strategies[0].knowledge
@@ -253,6 +264,28 @@ def test_the_linkage_explains_more_of_the_wheel_than_two_masses(shipped, tmp_pat
 
     assert misfit(shipped) < misfit(quick)
     assert misfit(shipped) > 0.03  # the bench is richer than either
+
+
+def test_report_says_where_the_lumped_model_differs(shipped):
+    found = shipped.lumped
+    assert {peak.trial for peak in found.peaks} == {f"trial {i}" for i in range(1, 17)}
+    assert all(abs(peak.relative) < 0.1 for peak in found.peaks)
+    assert found.lumping.damper_ratio == pytest.approx(np.cos(np.radians(26.0)), rel=1e-3)
+    plain = shipped.to_dict()["lumped"]
+    assert {"rows", "peaks", "lumping", "lumped", "travel", "motion_ratio", "wheel_rate"} <= plain.keys()
+    section = lumped_section(found)
+    tables = [block for block in section.blocks if isinstance(block, Table)]
+    assert [len(table.rows) for table in tables] == [11, 3, 48]
+    assert all(len(row) == len(table.header) for table in tables for row in table.rows)
+
+
+def test_a_lumped_rig_has_no_such_section(folder):
+    file = folder / "campaign.toml"
+    text = file.read_text().replace('rig = "rig.toml"', 'rig = "kart-quarter-car"')
+    file.write_text(text)
+    result = run_campaign(file)
+    assert result.lumped is None
+    assert result.to_dict()["lumped"] is None
 
 
 def test_quick_look_differs_from_the_campaign_in_the_rig_only():

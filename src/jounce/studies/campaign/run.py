@@ -12,7 +12,7 @@ from jounce.core.errors import DescriptionError, FitError, JounceError, unknown
 from jounce.core.findings import Finding
 from jounce.identify.update import FitTrial, check_free, update_model
 from jounce.models import build
-from jounce.parts import Corner, Rig, load, rig_path
+from jounce.parts import Corner, Rig, load, rig_findings, rig_path
 from jounce.parts.strut_angle import strut_angle_findings, with_strut_angle
 from jounce.recordings import read_recording
 from jounce.roads import Road, Train, Trial, read_roads
@@ -73,7 +73,7 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
     roads = read_roads(campaign.roads, where=str(file), text=text, folder=file.parent)
     _check_references(campaign, roads, file)
     _check_sensors(campaign, rig, file)
-    findings = _check_strut_angles(campaign, rig, file)
+    findings = rig_findings(rig, rig_file.name) + _check_strut_angles(campaign, rig, file)
     _check_updates(campaign, rig, file)
     progress("bench: " + ", ".join(name for name in ("spring", "tyre", "decay") if getattr(campaign.bench, name)))
     bench, knowledge = characterise(rig, campaign.bench, file.parent)
