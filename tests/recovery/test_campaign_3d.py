@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.cli.checking import check_file
 from jounce.core.errors import DescriptionError
 from jounce.core.serialise import write_files
 from jounce.parts import rig_from_table
@@ -170,6 +171,7 @@ def test_an_angle_for_a_strut_that_guides_the_wheel_is_refused_before_any_work(f
     file.write_text(file.read_text().replace('rig = "rig.toml"', 'rig = "generic-mcpherson"'))
     with pytest.raises(DescriptionError, match=r"trial\[0\].strut_angle \(number 1\): a McPherson strut guides"):
         run_campaign(file)
+    assert any("McPherson strut guides" in problem for problem in check_file(file).problems)
 
 
 def test_a_measured_intercept_goes_into_the_free_length(folder):

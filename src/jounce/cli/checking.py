@@ -122,12 +122,14 @@ def _campaign(checked: Checked) -> None:
     from jounce.parts import load, rig_path
     from jounce.roads import read_roads
     from jounce.studies.campaign import load_campaign
+    from jounce.studies.campaign.run import check_strut_angles
 
     campaign, text = load_campaign(checked.file)
     folder, where = checked.file.parent, str(checked.file)
     checked.what = f"{len(campaign.trial)} trials, {len(campaign.update)} updates"
     with checked.step():
-        load(folder / campaign.rig if campaign.rig.endswith(".toml") else rig_path(campaign.rig))
+        rig = load(folder / campaign.rig if campaign.rig.endswith(".toml") else rig_path(campaign.rig))
+        check_strut_angles(campaign, rig, checked.file)
     roads: dict[str, Any] = dict.fromkeys(campaign.roads)
     with checked.step():
         roads = dict(read_roads(campaign.roads, where=where, text=text, folder=folder))

@@ -73,7 +73,7 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
     roads = read_roads(campaign.roads, where=str(file), text=text, folder=file.parent)
     _check_references(campaign, roads, file)
     _check_sensors(campaign, rig, file)
-    findings = rig_findings(rig, rig_file.name) + _check_strut_angles(campaign, rig, file)
+    findings = rig_findings(rig, rig_file.name) + check_strut_angles(campaign, rig, file)
     _check_updates(campaign, rig, file)
     progress("bench: " + ", ".join(name for name in ("spring", "tyre", "decay") if getattr(campaign.bench, name)))
     bench, knowledge = characterise(rig, campaign.bench, file.parent)
@@ -114,7 +114,7 @@ def _check_sensors(campaign: Campaign, rig: Rig, file: Path) -> None:
             raise unknown(name, channels, what="channel", where=f"{file}: sensors")
 
 
-def _check_strut_angles(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
+def check_strut_angles(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
     """Refuse angles that this rig's strut cannot take; list those that the literature rejects."""
     findings: list[Finding] = []
     for i, entry in enumerate(campaign.trial):
