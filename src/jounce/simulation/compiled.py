@@ -261,10 +261,10 @@ def _facts(table: dict[str, Any]) -> Facts:
 
 @cache
 def _sources() -> str:
-    """Digest of everything that turns a rig into code: our sources and the version of the algebra."""
+    """Digest of everything that turns a rig into code: our sources (and version) and the version of the algebra."""
     from importlib.metadata import version
 
-    digest = hashlib.sha256(version("casadi").encode())
+    digest = hashlib.sha256(f"{version('casadi')} {version('jounce')}".encode())
     root = Path(__file__).parent.parent
     for package in _PACKAGES:
         for file in sorted((root / package).rglob("*.py")):
