@@ -131,6 +131,21 @@ def test_damping_takes_energy_as_its_power_says():
     assert float(energy[-1]) < 0.9 * float(energy[0])
 
 
+def test_methods_agree_on_a_mechanism_of_ones_own():
+    """Strongly damped bushing: the implicit method is chosen; both give the same motion."""
+    more = {"damping": (3e4, 3e4, 3e4), "rotational_damping": (300.0, 300.0, 300.0)}
+    start = {"second.x": 1e-3, "first.wx": 4.0, "second.y rate": 0.5}
+    runs = {
+        method: jn.simulate_mechanism(two_bodies(**more), 1.0, start=start, output_step=1e-2, method=method)
+        for method in ("auto", "explicit", "implicit")
+    }
+    assert [run.attrs["method"] for run in runs.values()] == ["implicit", "explicit", "implicit"]
+    assert runs["implicit"].attrs["steps"] < 0.05 * runs["explicit"].attrs["steps"]
+    for axis in "xyz":
+        difference = runs["implicit"][f"second.p{axis}"] - runs["explicit"][f"second.p{axis}"]
+        assert float(abs(difference[1:]).max()) < 1e-5
+
+
 def test_an_elastic_rod_is_its_bushing_along_itself():
     """A mass on a slanting rod, moved along it: the compliance is ``sum e_i^2 / k_i``."""
     along, length = np.array([0.6, 0.0, 0.8]), 0.5

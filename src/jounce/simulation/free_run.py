@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -21,6 +22,8 @@ from jounce.recordings.schema import recording
 from jounce.simulation.compiled import Compiled, compile_model
 from jounce.simulation.run import MAX_STEPS, STEP_SHARE, Prepared, check_settings, output_times, room, samples_reached
 from jounce.simulation.statics import find_rest
+from jounce.simulation.stiff import STEP_SHARE as IMPLICIT_SHARE
+from jounce.simulation.stiff import Method, check_method, longest_step_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -29,11 +32,13 @@ Array = NDArray[np.float64]
 _SMALLEST = 1e-3  # m, rad, m/s or rad/s: motions below that need not be resolved relative to themselves
 _LONGEST = 1.2  # radians of the fastest motion at the start in one step
 _SHARE = 0.02  # of the duration, the longest step
+_DECAYING = 0.9  # share of its decay in how fast a motion is, above which it is no oscillation
+_STIFF, _LONG_RUN = 20.0, 1e4  # decay over oscillation, and decays in a run, beyond which the implicit method pays
 _MASSLESS = 1e-12  # mass that a motion moves, relative to that of the coordinates by themselves
 _MOVING = 1e-3  # share of a coordinate in a motion that is worth naming
 
 
-def simulate_mechanism(
+def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a default
     mechanism: Mechanism,
     duration: float | str,
     *,
@@ -42,6 +47,7 @@ def simulate_mechanism(
     values: Mapping[str, float | str] | None = None,
     output_step: float = 1e-3,
     tolerance: float = 1e-6,
+    method: Method = "auto",
     redundant: str = "refuse",
     at_rest: bool = False,
     check: bool = True,
@@ -65,6 +71,9 @@ def simulate_mechanism(
         Distance of the output samples, s.
     tolerance : float
         Relative error of coordinates and speeds.
+    method : {"auto", "explicit", "implicit"}
+        How to integrate, see :func:`jounce.simulate`; by itself the implicit method where something decays at the start
+        far faster than anything oscillates, and after an explicit run that used up its steps.
     redundant : {"refuse", "remove"}
         What to do about loop equations that repeat each other.
     at_rest : bool
@@ -99,6 +108,7 @@ def simulate_mechanism(
     if not seconds > 0.0:
         raise SimulationError("not a duration", where="duration", found=f"{seconds:g} s", allowed="above 0 s")
     check_settings(seconds, output_step, tolerance)
+    check_method(method)
     if redundant not in ("refuse", "remove"):
         raise unknown(redundant, ("refuse", "remove"), what="choice", where="redundant")
     every, given = _values(mechanism, values or {}), _motions(mechanism, motions or {})
@@ -110,7 +120,7 @@ def simulate_mechanism(
     _check_masses(mechanism, model, pose.x, u, p)
     compiled = compile_model(model)
     first = find_rest(compiled, p, u, pose.x[: len(model.coordinates)]).x if at_rest else pose.x
-    prepared = _prepare(compiled, p, tracks, first, u, output_times(seconds, output_step), tolerance)
+    prepared = _prepare(compiled, p, tracks, first, u, output_times(seconds, output_step), tolerance, method)
     solution = prepared.run()
     reach = samples_reached(solution, compiled.facts, check=check)
     channels = {
@@ -119,7 +129,7 @@ def simulate_mechanism(
     }
     run = recording(solution.time[:reach], channels)
     run.attrs["status"] = solution.status.name.lower()
-    run.attrs["steps"], run.attrs["events"] = solution.steps, solution.events
+    run.attrs["method"], run.attrs["steps"], run.attrs["events"] = solution.method, solution.steps, solution.events
     run.attrs["findings"] = _findings(pose)
     return run
 
@@ -187,7 +197,14 @@ def _check_masses(mechanism: Mechanism, model: Model, x: Array, u: Array, p: Arr
 
 
 def _prepare(
-    compiled: Compiled, p: Array, tracks: list[Segments], x: Array, u: Array, times: Array, tolerance: float
+    compiled: Compiled,
+    p: Array,
+    tracks: list[Segments],
+    x: Array,
+    u: Array,
+    times: Array,
+    tolerance: float,
+    method: Method,
 ) -> Prepared:
     facts = compiled.facts
     modes = (compiled.evaluate("switch", x, u, p, np.ones(len(facts.switches))) > 0.0).astype(float)
@@ -196,14 +213,22 @@ def _prepare(
         names = [name for name, value in zip(facts.states, rate, strict=True) if not np.isfinite(value)]
         hint = "Check the forces and the start."
         raise SimulationError("the start has no finite rates", where=", ".join(names), found="not a number", hint=hint)
-    fastest = float(np.max(np.abs(np.linalg.eigvals(compiled.evaluate("rate_x", x, u, p, modes))), initial=1e-3))
-    longest = min(_LONGEST / fastest, _SHARE * float(times[-1] - times[0]))
+    pace, duration = np.linalg.eigvals(compiled.evaluate("rate_x", x, u, p, modes)), float(times[-1] - times[0])
+    fastest = float(np.max(np.abs(pace), initial=1e-3))
+    moving = float(np.max(np.abs(pace[-pace.real < _DECAYING * np.abs(pace)]), initial=1e-3))
+    longest = min(_LONGEST / fastest, _SHARE * duration)
     scale = np.full(len(x), _SMALLEST)
     control = Control(STEP_SHARE * tolerance, scale, np.full(len(modes), 1e-13), MAX_STEPS, longest)
     flat = flatten(tracks or [held(0.0)])
     first = flat.first[: len(tracks)].copy()
     problem = Problem(compiled.engine, flat, first, compiled.extended(p), modes.copy(), x, len(u))
-    return Prepared(compiled, problem, control, room(compiled, times), None, modes)
+    prepared = Prepared(compiled, problem, control, room(compiled, times), None, modes)
+    if method == "explicit":
+        return prepared
+    coarse = min(longest_step_of(moving, tolerance), _SHARE * duration)
+    stiff = control._replace(tolerance=IMPLICIT_SHARE * tolerance, longest=coarse)
+    implicitly = method == "implicit" or (fastest > _STIFF * moving and fastest * duration > _LONG_RUN)
+    return replace(prepared, stiff=lambda: stiff, method="implicit" if implicitly else "explicit")
 
 
 def _findings(pose: Assembly) -> list[str]:

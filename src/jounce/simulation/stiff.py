@@ -95,7 +95,11 @@ def pays(pace: Pace, waves: float, explicit: float, tolerance: float) -> bool:
 
 def longest_step(pace: Pace, waves: float, tolerance: float) -> float:
     """Step (s) beyond which samples inside it would be worse than its end, or a contact could be passed over."""
-    fastest = max(pace.fastest(_CARRIED), waves, 1e-3)
+    return longest_step_of(max(pace.fastest(_CARRIED), waves, 1e-3), tolerance)
+
+
+def longest_step_of(fastest: float, tolerance: float) -> float:
+    """Longest step (s) for the fastest motion (rad/s) that samples must show."""
     return float(_OVERSAMPLED * (tolerance / 1e-5) ** 0.2 / fastest)
 
 
