@@ -296,9 +296,7 @@ def _out_of_reach(rig: DoubleWishbone, wished: Mapping[str, float]) -> Descripti
 
 def _effect(rig: DoubleWishbone, setting: Setting, findings: list[Finding]) -> Effect:
     """Take a setting over its range; notes where the linkage does not go together are added to ``findings``."""
-    base, lowest, highest = setting.base(rig), setting.lowest, setting.highest
-    if setting.name == "short_upper_arm":
-        highest = base
+    base, (lowest, highest) = setting.base(rig), setting.range_for(rig)
 
     def at(value: float) -> WheelState | None:
         try:

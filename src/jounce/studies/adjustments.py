@@ -20,6 +20,7 @@ from jounce.core.findings import Finding
 from jounce.core.units import to_si
 from jounce.mechanics import Mechanism, Model, assemble
 from jounce.parts import DoubleWishbone, Rig
+from jounce.parts.leverage import static_spring_force
 from jounce.parts.points import Triple, distance
 from jounce.parts.strut_angle import LARGEST, strut_angle, strut_angle_findings, with_strut_angle
 from jounce.studies.poses import moved_rig, rigid_motion
@@ -51,13 +52,15 @@ class Setting:
     unit : str
         SI unit of its value.
     lowest, highest : float
-        Range, SI.
+        Range, SI; of the prototype where it depends on the rig.
     text : str
         What it is.
     source : str
         Where the range comes from: the paper, or an estimate.
     base : callable
         Value that a rig has as it is.
+    ends : callable or None
+        Range for a rig, where it depends on it.
     """
 
     name: str
@@ -67,6 +70,11 @@ class Setting:
     text: str
     source: str
     base: Callable[[DoubleWishbone], float] = field(default_factory=lambda: _unchanged)
+    ends: Callable[[DoubleWishbone], tuple[float, float]] | None = None
+
+    def range_for(self, rig: DoubleWishbone) -> tuple[float, float]:
+        """Lowest and highest value for a rig, SI."""
+        return (self.lowest, self.highest) if self.ends is None else self.ends(rig)
 
 
 def _unchanged(_rig: DoubleWishbone) -> float:
@@ -93,6 +101,16 @@ def arm_length(rig: DoubleWishbone, arm: str) -> float:
     return float(np.linalg.norm(along))
 
 
+def _preloads(rig: DoubleWishbone) -> tuple[float, float]:
+    """From no load to twice what the spring carries at rest, N."""
+    return 0.0, 2.0 * static_spring_force(rig)
+
+
+def _short_arms(rig: DoubleWishbone) -> tuple[float, float]:
+    """From half of the upper arm's length to all of it, m."""
+    return 0.5 * arm_length(rig, "upper"), arm_length(rig, "upper")
+
+
 _PAPER = "quarter-car prototype paper, section 4"
 _ESTIMATED = "the paper gives no range; estimated"
 _FIVE, _TOE = float(np.radians(5.0)), float(np.radians(10.5))
@@ -114,17 +132,20 @@ SETTINGS: dict[str, Setting] = {
             f"10, 16, 21, 26 deg: {_PAPER}",
             strut_angle,
         ),
-        Setting("spring_preload", "N", 0.0, 400.0, "spring force at design length", _ESTIMATED, _preload),
+        Setting(
+            "spring_preload", "N", 0.0, 361.7, "spring force at design length", _ESTIMATED, _preload, ends=_preloads
+        ),
         Setting("camber_wedge", "rad", -_FIVE, _FIVE, "tilt of the wheel on the upright, top outward", _ESTIMATED),
         Setting("toe_wedge", "rad", -_TOE, _TOE, "turn of the wheel on the upright, toe-in", _ESTIMATED),
         Setting(
             "short_upper_arm",
             "m",
-            0.110,
+            0.1125,
             0.225,
             "length of a short upper arm, its inner supports on a block of 2.6 kg",
             f"block: {_PAPER}; lengths estimated",
             lambda rig: arm_length(rig, "upper"),
+            ends=_short_arms,
         ),
     )
 }
@@ -152,11 +173,7 @@ def read_settings(rig: Rig, settings: Mapping[str, Value]) -> dict[str, float]:
             raise unknown(name, SETTINGS, what="setting", where="adjust")
         setting = SETTINGS[name]
         value = to_si(given, setting.unit, where=name)
-        low, high = setting.lowest, setting.highest
-        if name == "strut_angle":
-            low, high = -LARGEST, LARGEST
-        if name == "short_upper_arm":
-            high = arm_length(corner, "upper")
+        low, high = (-LARGEST, LARGEST) if name == "strut_angle" else setting.range_for(corner)
         if not low - 1e-12 <= value <= high + 1e-12:
             raise DescriptionError(
                 "out of range",

@@ -27,6 +27,7 @@ CHANNELS = ("sprung.az", "unsprung.az", "tyre.force")
 _REACH = 0.15
 """Travel to either side that curves show, as a share of the wheel's radius."""
 _POINTS = 13
+_SAME_LINE = 1e-6
 
 
 @dataclass(frozen=True)
@@ -238,6 +239,7 @@ def _rows(spatial: Corner, found: Lumping, lumped: QuarterCar, rate: float, damp
             "3-D: shortening of the spring over rise of the wheel centre, from the joints. Lumped: cosine of the "
             "strut's angle, as if it stood at the wheel.",
         ),
+        *_damper_row(found, ratio),
         Difference(
             "change of the motion ratio with travel",
             "1/m",
@@ -282,12 +284,22 @@ def _rows(spatial: Corner, found: Lumping, lumped: QuarterCar, rate: float, damp
     return (*rows, *_mode_rows(modes(without_friction(spatial)), modes(without_friction(lumped))))
 
 
+def _damper_row(found: Lumping, ratio: float) -> list[Difference]:
+    """Motion ratio of a damper that does not stand on the spring's line."""
+    if abs(found.damper_ratio - found.motion_ratio) < _SAME_LINE:
+        return []
+    why = "Spring and damper stand on lines of their own; a lumped strut has one angle for both."
+    return [Difference("motion ratio of the damper at rest", "1", found.damper_ratio, ratio, why)]
+
+
 def _mode_rows(spatial: tuple[Mode, ...], lumped: tuple[Mode, ...]) -> list[Difference]:
     """Modes of both, the slow one first; those that do not oscillate are missing."""
     why = "Follows from the rates, damping, masses and inertance above."
     rows = []
     for name in ("body bounce", "wheel hop"):
         one, other = _named(name, spatial), _named(name, lumped)
+        if one is None and other is None:
+            continue
         frequencies = None if one is None else one.frequency_hz, None if other is None else other.frequency_hz
         ratios = None if one is None else one.damping_ratio, None if other is None else other.damping_ratio
         rows.append(Difference(f"{name}, natural frequency", "Hz", *frequencies, why))

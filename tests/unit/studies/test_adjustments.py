@@ -53,6 +53,9 @@ def test_published_ranges():
     for setting in SETTINGS.values():
         assert "section 4" in setting.source or "estimated" in setting.source
         assert setting.lowest < setting.highest
+        assert setting.range_for(KART) == pytest.approx((setting.lowest, setting.highest), rel=1e-3, abs=1e-9)
+    # a car's spring carries more than the prototype's
+    assert SETTINGS["spring_preload"].range_for(REFERENCE)[1] > 5e3
 
 
 def test_block_adds_its_mass_and_shortens_the_upper_arm_only():
@@ -65,7 +68,7 @@ def test_block_adds_its_mass_and_shortens_the_upper_arm_only():
     # a short upper arm swings the wheel's top in with bump, the more the shorter
     camber = [
         float(jn.sweep_travel(one, [0.02])["camber"][0])
-        for one in (KART, rig, adjusted(KART, {"short_upper_arm": "110 mm"}))
+        for one in (KART, rig, adjusted(KART, {"short_upper_arm": "113 mm"}))
     ]
     assert camber[0] > camber[1] > camber[2]
     assert camber[2] < -np.radians(0.2)
@@ -255,7 +258,7 @@ def test_what_the_published_lengths_do_not_reach_is_refused_with_their_range(wis
         ({"upper_arm_length": "3 deg"}, "wrong unit"),
         ({"strut_angle": "80 deg"}, "out of range"),
         ({"spring_preload": -1.0}, "out of range"),
-        ({"short_upper_arm": "300 mm"}, "110 mm to 225 mm"),
+        ({"short_upper_arm": "300 mm"}, "112.5 mm to 225 mm"),
     ],
 )
 def test_settings_that_cannot_be_made_are_refused(settings, message):
@@ -275,9 +278,9 @@ def test_nothing_wished_is_refused():
 
 
 def test_a_linkage_that_does_not_go_together_is_refused_by_name():
-    """A tie rod that cannot reach: with its inner end moved far away 20 mm are too much."""
+    """A tie rod that stands upright over its outer end cannot be 20 mm shorter: nothing lets the end rise."""
     stretched = KART.with_changes({"hardpoints.tie_rod_inner": [-0.1061, 0.3266, 0.212]})
     points = stretched.hardpoints
     assert distance(points.tie_rod_inner, points.tie_rod_outer) == pytest.approx(0.107)
     with pytest.raises(AssemblyError, match="do not go together"):
-        adjusted(stretched, {"tie_rod_length": "20 mm"})
+        adjusted(stretched, {"tie_rod_length": "-20 mm"})
