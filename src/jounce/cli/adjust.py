@@ -9,6 +9,7 @@ import typer
 
 from jounce.cli.options import AsJson, Force, RigName, bare_number, pairs
 from jounce.cli.reply import Reply
+from jounce.cli.rigs import chosen_rig
 from jounce.cli.tables import show_findings, table
 from jounce.core.errors import DescriptionError
 
@@ -41,13 +42,12 @@ def adjust(
     Example: jounce adjust kart-double-wishbone --camber "-2 deg" --toe "0.5 deg" --out cambered.toml
     """
     from jounce.core.serialise import check_writable, write_atomically
-    from jounce.parts import load
     from jounce.studies.adjustment_effects import adjust_report, lengths_for
 
     given = {name: bare_number(value) for name, value in pairs(set_, "--set", 'upper_arm_length="10 mm"').items()}
     if out is not None:
         check_writable(out, force=force)
-    chosen, lengths = load(rig), None
+    chosen, lengths = chosen_rig(rig, {}), None
     if camber is not None or toe is not None:
         _refuse_both(given)
         wished = (None if value is None else bare_number(value) for value in (camber, toe))

@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 import sys
+from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
-import numpy as np
 import typer
-from numpy.typing import NDArray
 
 from jounce.cli.options import AsJson, Changes, Force, RigName, changes, output_folder, pairs
 from jounce.cli.reply import DONE, REFUSED, Reply, progress
+from jounce.cli.rigs import chosen_rig
 from jounce.cli.tables import table
 from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
+    import numpy as np
     import xarray as xr
+    from numpy.typing import NDArray
     from rich.console import Console
 
     from jounce.kinematics.vehicle import Vehicle
@@ -68,11 +70,7 @@ def kinematics(
         output_folder(plot, force=force)
     with progress() as say:
         say("loading")
-        from jounce.parts import load
-
-        wanted = changes(set_)
-        chosen = load(rig)
-        chosen = chosen.with_changes(wanted) if wanted else chosen
+        chosen = chosen_rig(rig, changes(set_))
         say("sweeping")
         sweep = _sweep(chosen, travel, rack, roll, _vehicle(vehicle), axle=axle, points=points)
         if out is not None:
@@ -162,6 +160,8 @@ def _vehicle(texts: list[str] | None) -> Vehicle | None:
 
 def plain_sweep(sweep: xr.Dataset) -> dict[str, Any]:
     """Every quantity with its unit and values in SI; None where there is no finite value."""
+    import numpy as np
+
     names = [*map(str, sweep.coords), *map(str, sweep.data_vars)]
     shape = tuple(sweep.sizes.values())
     found = {}
@@ -175,10 +175,12 @@ def plain_sweep(sweep: xr.Dataset) -> dict[str, Any]:
 
 
 def _finite(value: float) -> float | None:
-    return float(value) if np.isfinite(value) else None
+    return float(value) if isfinite(value) else None
 
 
 def _draw(out: Console, rig: str, sweep: xr.Dataset, written: list[str]) -> None:
+    import numpy as np
+
     from jounce.plots.display import display_unit
 
     along, *others = map(str, sweep.dims)

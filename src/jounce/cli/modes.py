@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from jounce.cli.options import AsJson, Changes, RigName, changes
 from jounce.cli.reply import Reply
+from jounce.cli.rigs import chosen_rig
 from jounce.cli.tables import table
 
 if TYPE_CHECKING:
@@ -20,13 +21,11 @@ def modes(rig: RigName, set_: Changes = None, as_json: AsJson = False) -> Reply:
     Example: jounce modes kart-quarter-car --set strut.angle="16 deg"
     """
     from jounce.core.serialise import to_plain
-    from jounce.parts import load
     from jounce.simulation import equilibrium
     from jounce.simulation import modes as find_modes
 
-    chosen = load(rig)
     wanted = changes(set_)
-    chosen = chosen.with_changes(wanted) if wanted else chosen
+    chosen = chosen_rig(rig, wanted)
     plain = {
         "rig": rig,
         "changes": wanted,

@@ -9,6 +9,7 @@ import typer
 
 from jounce.cli.options import AsJson, Changes, Force, RigName, changes, positive_quantity
 from jounce.cli.reply import Reply, progress
+from jounce.cli.rigs import chosen_rig
 from jounce.cli.tables import show_findings, table
 from jounce.cli.trial_options import DrivenSpeed, Duration, ExcitationFile, RoadName, trial_findings, trial_of
 
@@ -48,13 +49,11 @@ def simulate(
     trial = trial_of(road, excitation, speed, duration, where="jounce simulate")
     with progress() as say:
         say("loading")
-        from jounce.parts import load
         from jounce.recordings import write_recording
         from jounce.simulation import simulate as run_simulation
 
-        chosen = load(rig)
         wanted = changes(set_)
-        chosen = chosen.with_changes(wanted) if wanted else chosen
+        chosen = chosen_rig(rig, wanted)
         say("simulating")
         run = run_simulation(chosen, trial, output_step=step, tolerance=error, method=cast("Method", method))
         if out is not None:

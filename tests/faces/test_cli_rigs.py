@@ -1,0 +1,50 @@
+"""What looks wrong with a rig is said wherever it is used: on stderr, one line each; stdout keeps its JSON."""
+
+from __future__ import annotations
+
+import re
+from importlib.resources import files
+from pathlib import Path
+
+import pytest
+
+TRIAL = ("--road", "bump.toml", "--speed", "1.95 m/s", "--duration", "0.1 s")
+COMMANDS = {
+    "modes": (),
+    "kinematics": ("--travel", "0"),
+    "simulate": TRIAL,
+    "adjust": ("--set", "spring_preload=100 N"),
+}
+
+
+@pytest.fixture
+def in_metres(tmp_path: Path) -> Path:
+    """The reference rig with its millimetres given as metres."""
+    text = (files("jounce") / "parts" / "library" / "reference-double-wishbone.toml").read_text(encoding="utf-8")
+    file = tmp_path / "metres.toml"
+    file.write_text(re.sub(r'"(-?[\d.]+) mm"', r"\1", text), encoding="utf-8")
+    return file
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_warnings_about_the_rig_are_on_stderr(cli, in_metres: Path, bump: Path, command: str) -> None:
+    assert bump.exists()
+    outcome = cli(command, in_metres, *COMMANDS[command], "--json")
+    first = outcome.err.splitlines()[0]
+    assert first.startswith(f"warning: {in_metres}: hardpoints: ")
+    assert "millimetres given as metres?" in first
+    assert outcome.json
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_a_sound_rig_warns_of_nothing(cli, bump: Path, command: str) -> None:
+    assert bump.exists()
+    outcome = cli(command, "kart-double-wishbone", *COMMANDS[command], "--json")
+    assert outcome.exit_code == 0
+    assert outcome.err == ""
+
+
+def test_changes_are_warned_of_too(cli) -> None:
+    outcome = cli("modes", "kart-double-wishbone", "--set", "wheel.camber=30 deg", "--json")
+    assert outcome.exit_code == 0
+    assert re.fullmatch(r"warning: kart-double-wishbone: wheel\.camber: 30 deg is a lot.*\n", outcome.err)
