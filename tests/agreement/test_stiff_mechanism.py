@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -15,7 +17,7 @@ from jounce.simulation.newton_matrix import linear_functions
 from jounce.simulation.run import MAX_STEPS, output_times, prepare, solve
 from jounce.simulation.statics import find_rest
 
-RIGID = parts.load("tests/files/prototype-double-wishbone.toml")
+RIGID = parts.load(Path(__file__).parents[1] / "files" / "prototype-double-wishbone.toml")
 ARMS = ("lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear")
 FRICTION = {"force": 10.0, "regularisation_velocity": 0.001}
 

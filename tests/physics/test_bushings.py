@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import casadi
 import numpy as np
 import pytest
@@ -11,7 +13,7 @@ from jounce import parts
 from jounce.mechanics import Mechanism, add_bushing, add_elastic_rod
 from jounce.roads import HalfSine, Trial
 
-PROTOTYPE = parts.load("tests/files/prototype-double-wishbone.toml")
+PROTOTYPE = parts.load(Path(__file__).parents[1] / "files" / "prototype-double-wishbone.toml")
 ARMS = ("lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear")
 BUMP = Trial(road=HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="0.3 s")
 STIFFNESS, TURNING = (3e5, 5e5, 2e5), (300.0, 500.0, 200.0)
