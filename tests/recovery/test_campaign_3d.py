@@ -16,6 +16,7 @@ from jounce.parts.strut_angle import strut_angle, with_strut_angle
 from jounce.recordings import write_recording
 from jounce.report.campaign.lumped import lumped as lumped_section
 from jounce.report.page import Table
+from jounce.studies import demo
 from jounce.studies.campaign import run_campaign
 from jounce.studies.campaign.template import campaign_texts
 from jounce.studies.lumping import lump
@@ -297,3 +298,18 @@ def test_quick_look_differs_from_the_campaign_in_the_rig_only():
     full.pop("title"), quick.pop("title")
     written = str(full).replace("guide_friction.force", "guide.friction.force")
     assert written == str(quick)
+
+
+@pytest.mark.parametrize(("quick", "name"), [(False, "campaign.toml"), (True, "quick-look.toml")])
+def test_demo_runs_the_campaign_that_is_asked_for(tmp_path, monkeypatch, quick, name):
+    monkeypatch.setattr(demo, "measurement_texts", lambda *_, **__: {})
+    monkeypatch.setattr(demo, "run_campaign", lambda file: file)
+    folder, file = demo.run_demo(tmp_path / "here", quick=quick)
+    assert (folder, file.name) == (tmp_path / "here", name)
+    assert sorted(p.name for p in file.parent.iterdir()) == [
+        "campaign.toml",
+        "quarter-car.toml",
+        "quick-look.toml",
+        "rig.toml",
+        "truth.toml",
+    ]
