@@ -212,14 +212,21 @@ def windows(count: int) -> jn.mechanics.Mechanism:
     return mechanism
 
 
-def test_windows_pass_their_singular_poses():
+@pytest.mark.parametrize(("push", "tolerance"), [(1.1, 1e-5), (0.7, 1e-6), (1.37, 1e-7), (1.0, 1e-8), (0.83, 1e-9)])
+def test_windows_pass_their_singular_poses(push: float, tolerance: float):
     """The N four-bar benchmark (IFToMM library of benchmark problems): all bars lie on one line at 90 and 270 degrees.
 
-    All uprights turn together, so the closed form is that of one pendulum.
+    All uprights turn together, so the closed form is that of one pendulum. Without a second look at such poses about
+    half of these runs would end there, or go on on another branch with another energy.
     """
-    count, push = 2, 1.0
+    count = 2
     run = jn.simulate_mechanism(
-        windows(count), 4.0, start={"foot 0.angle rate": push}, redundant="remove", output_step=0.01, tolerance=1e-9
+        windows(count),
+        4.0,
+        start={"foot 0.angle rate": push},
+        redundant="remove",
+        output_step=0.01,
+        tolerance=tolerance,
     )
     inertia = (count + 1) * (1.0 / 3.0 + 1e-4) + count
     lever = (count + 1) * 0.5 + count
@@ -227,12 +234,11 @@ def test_windows_pass_their_singular_poses():
     def swing(_, state):
         return state[1], 9.81 * lever / inertia * np.sin(state[0])
 
-    exact = solve_ivp(
-        swing, (0.0, 4.0), (0.0, push), rtol=1e-12, atol=1e-12, t_eval=run["time"].values, method="DOP853"
-    )
+    time = run["time"].values
+    exact = solve_ivp(swing, (0.0, 4.0), (0.0, push), rtol=1e-12, atol=1e-12, t_eval=time, method="DOP853")
     for i in range(count + 1):
-        np.testing.assert_allclose(run[f"foot {i}.angle"], exact.y[0], rtol=0.0, atol=1e-5)
-    assert float(run["foot 0.angle"].max()) > np.radians(270.0)
+        np.testing.assert_allclose(run[f"foot {i}.angle"], exact.y[0], rtol=0.0, atol=max(1e-4, 100.0 * tolerance))
+    assert float(run["foot 0.angle"].max()) > np.radians(630.0)
     assert float(run["constraint.violation"].max()) < 1e-9
 
 

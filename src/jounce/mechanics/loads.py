@@ -12,7 +12,6 @@ from jounce.core.errors import AssemblyError, unknown
 from jounce.mechanics.bodies import Body, RigidMass, as_vector
 from jounce.mechanics.frames import Moving
 from jounce.mechanics.model import Model
-from jounce.mechanics.system import Track
 from jounce.mechanics.tree import Number, Tree, Vector
 
 _SLIDING = 3.0  # regularisation rates; tanh(3) = 0.995
@@ -239,11 +238,20 @@ class Loaded(Tree):
         self._lost.append(damping * rate**2)
         return -stiffness * stretch - damping * rate
 
-    def motion(self, name: str, coordinate: ca.SX, track: Track) -> ca.SX:
-        """Drive a coordinate (m or rad) along a prescribed input; give the force or torque that it takes."""
-        force = super().motion(name, coordinate, track)
-        self._supplied.append(force * track.rate)
-        return force
+    def condition(self, name: str, expression: ca.SX) -> ca.SX:
+        """Keep any expression of coordinates and tracks at zero; give its multiplier."""
+        multiplier = super().condition(name, expression)
+        values = ca.vertcat(*(track.value for track in self._tracks.values()))
+        if self._tracks and ca.depends_on(ca.SX(expression), values):
+            rates = ca.vertcat(*(track.rate for track in self._tracks.values()))
+            self._supplied.append(-multiplier * ca.jtimes(ca.SX(expression), values, rates))
+        return multiplier
+
+    def power(self) -> ca.SX | None:
+        """Power of all forces, weights among them, and of prescribed motions, W; None where a body moves by a track."""
+        if any(joint.kind == "driven" for joint in self._joints.values()) and self._tracks:
+            return None
+        return sum((ca.dot(rate, force) for rate, force in self._loads), ca.SX(0.0)) + sum(self._supplied, ca.SX(0.0))
 
     def mass_matrix(self, model: Model) -> ca.Function:
         """Give the mass matrix (kg, kg m, kg m^2) of the speeds as a function of the model's x, u and p."""

@@ -18,6 +18,8 @@ from jounce.mechanics.rotations import normals
 from jounce.mechanics.tree import Number, Vector
 
 Array = NDArray[np.float64]
+BALANCE = "energy.balance"
+"""Work of all forces as a state; kinetic energy less that as an output, in mechanisms with loops."""
 _NONE = ca.SX(3, 1)
 
 
@@ -162,7 +164,8 @@ class Mechanism(Loaded):
 
         ``energy.kinetic``, ``energy.weight`` and, where there are such, ``energy.elastic`` of springs and stops,
         ``energy.dissipated`` by dampers, stops and friction and ``energy.supplied`` by motions since the start. Forces
-        by laws of your own and bushings are not among them. ``constraint.violation`` is in m and rad.
+        by laws of your own and bushings are not among them. ``energy.balance``, where there are loops, is the kinetic
+        energy less the work of all forces: constant but for errors. ``constraint.violation`` is in m and rad.
         """
         self._watched["energy"] = self._show_energy
 
@@ -318,9 +321,19 @@ class Mechanism(Loaded):
     def _kept(self, dropped: frozenset[str]) -> Model:
         """The model without some of the loop equations, formed once."""
         if (dropped, *self._size()) not in self._finished:
+            self._account()
             model = self._formed(dropped)  # what is watched may add to the size
             self._finished[dropped, *self._size()] = model
         return self._finished[dropped, *self._size()]
+
+    def _account(self) -> None:
+        """Let a run see what its loops make of the energy: none of it may come or go there."""
+        self.settle()
+        power = self.power()
+        if self._constraints and power is not None:
+            taken = self._internal[BALANCE][0] if BALANCE in self._internal else self.internal_state(BALANCE)
+            self.set_internal_rate(BALANCE, power)
+            self.output(BALANCE, self.kinetic_energy() - taken, "J", "kinetic energy less the work of all forces")
 
     def _size(self) -> tuple[object, ...]:
         """What grows with everything that is added."""

@@ -18,9 +18,19 @@ from jounce.kernel.tracks import flatten
 from jounce.mechanics import Mechanism, Model, assemble, held
 from jounce.mechanics.assembly import Assembly
 from jounce.mechanics.mass import check_inertia
+from jounce.mechanics.mechanism import BALANCE
 from jounce.recordings.schema import recording
 from jounce.simulation.compiled import Compiled, compile_model
-from jounce.simulation.run import MAX_STEPS, STEP_SHARE, Prepared, check_settings, output_times, room, samples_reached
+from jounce.simulation.dead_points import run_through
+from jounce.simulation.run import (
+    MAX_STEPS,
+    STEP_SHARE,
+    Prepared,
+    check_settings,
+    output_times,
+    room,
+    samples_reached,
+)
 from jounce.simulation.statics import find_rest
 from jounce.simulation.stiff import STEP_SHARE as IMPLICIT_SHARE
 from jounce.simulation.stiff import Method, check_method, longest_step_of
@@ -120,12 +130,21 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     _check_masses(mechanism, model, pose.x, u, p)
     compiled = compile_model(model)
     first = find_rest(compiled, p, u, pose.x[: len(model.coordinates)]).x if at_rest else pose.x
-    prepared = _prepare(compiled, p, tracks, first, u, output_times(seconds, output_step), tolerance, method)
-    solution = prepared.run()
+    times = output_times(seconds, output_step)
+
+    def begin(x: Array, after: Array, error: float) -> Prepared:
+        u = _inputs(model.facts.track_order, tracks, float(after[0]))
+        return _prepare(compiled, p, tracks, x, u, after, error, method)
+
+    if model.constraints:
+        solution = run_through(begin, first, times, tolerance, tracks)
+    else:
+        solution = begin(first, times, tolerance).run()
     reach = samples_reached(solution, compiled.facts, check=check)
     channels = {
         output.name: (solution.outputs[i, :reach], output.unit, output.long_name)
         for i, output in enumerate(compiled.facts.outputs)
+        if output.name != BALANCE or "energy.kinetic" in compiled.output_names
     }
     run = recording(solution.time[:reach], channels)
     run.attrs["status"] = solution.status.name.lower()
@@ -165,11 +184,11 @@ def _motions(mechanism: Mechanism, motions: Mapping[str, Segments]) -> dict[str,
     return {name: motion.with_finite_slopes() for name, motion in motions.items()}
 
 
-def _inputs(order: int, tracks: list[Segments]) -> Array:
-    """Inputs at t = 0; accelerations are not needed for a start."""
+def _inputs(order: int, tracks: list[Segments], time: float = 0.0) -> Array:
+    """Inputs at a time (s); accelerations are not needed for a start."""
     u = np.zeros(order * len(tracks))
     for i, track in enumerate(tracks):
-        value, rate = track.evaluate(np.zeros(1))
+        value, rate = track.evaluate(np.array([time]))
         u[i * order : i * order + 2] = value[0], rate[0]
     return u
 
