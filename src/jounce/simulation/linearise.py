@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from jounce.core.errors import SimulationError, unknown
 from jounce.mechanics.model import Facts
 from jounce.parts import Rig
+from jounce.simulation.branch import flipped_at
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.statics import Rest, find_rest
 
@@ -216,4 +217,12 @@ def _at_rest(rig: Rig, road_height: float) -> tuple[Compiled, Array, Rest, Array
     compiled = compile_rig(rig)
     p = compiled.parameter_values(rig.parameters())
     u = compiled.inputs(road_height)
-    return compiled, p, find_rest(compiled, p, u), u
+    rest = find_rest(compiled, p, u)
+    outputs = compiled.evaluate("output", rest.x, u, compiled.plain.extended(p), rest.modes)
+    if flipped_at(compiled.output_names, outputs[:, None]) is not None:
+        raise SimulationError(
+            "the linkage goes together the wrong way round only",
+            where="static equilibrium",
+            hint="Is the rack's travel beyond what the tie rod reaches, or the spring far too strong or too weak?",
+        )
+    return compiled, p, rest, u

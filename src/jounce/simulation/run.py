@@ -21,6 +21,7 @@ from jounce.mechanics.model import Facts
 from jounce.parts import Rig
 from jounce.recordings.schema import recording
 from jounce.roads import Trial
+from jounce.simulation.branch import flipped_at
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.statics import Rest, find_rest, state_scale
 from jounce.simulation.stiff import STEP_SHARE as IMPLICIT_SHARE
@@ -296,6 +297,7 @@ def simulate(
     times = output_times(trial.duration, output_step)
     start = _offset(compiled, offset)
     solution = solve(compiled, p, trial.segments(), times, tolerance=tolerance, offset=start, method=method)
+    solution = held_to_its_branch(compiled, solution)
     reach = samples_reached(solution, compiled.facts, check=check)
     channels = {
         output.name: (solution.outputs[i, :reach], output.unit, output.long_name)
@@ -305,6 +307,15 @@ def simulate(
     run.attrs["status"] = solution.status.name.lower()
     run.attrs["method"], run.attrs["steps"], run.attrs["events"] = solution.method, solution.steps, solution.events
     return run
+
+
+def held_to_its_branch(compiled: Compiled, solution: Solution) -> Solution:
+    """Give the run up to where the wheel flips over, if it does, with a status that says so."""
+    flipped = flipped_at(compiled.output_names, solution.outputs)
+    if flipped is None:
+        return solution
+    solution.states[:, flipped + 1 :] = np.nan
+    return replace(solution, status=Status.FLIPPED)
 
 
 def check_settings(duration: float, output_step: float, tolerance: float) -> None:
@@ -339,7 +350,7 @@ def samples_reached(solution: Solution, facts: Facts, *, check: bool) -> int:
 
 def _pose(solution: Solution, facts: Facts, at: int) -> str:
     """Pose of a mechanism at a sample, where the mechanism is what stopped the run."""
-    if solution.status not in (Status.LOOP_OPENED, Status.LOCKED_UP):
+    if solution.status not in (Status.LOOP_OPENED, Status.LOCKED_UP, Status.FLIPPED):
         return ""
     values = zip(facts.coordinates, solution.states[:, at], strict=False)
     return "; pose: " + ", ".join(f"{name} = {value:.5g}" for name, value in values)
