@@ -49,7 +49,9 @@ Begin = Callable[[Array, Array, float], Prepared]
 """A run from a state at the first of some times (s) with a tolerance."""
 
 
-def run_through(begin: Begin, x: Array, times: Array, tolerance: float, tracks: list[Segments]) -> Solution:
+def run_through(
+    begin: Begin, x: Array, times: Array, tolerance: float, tracks: list[Segments]
+) -> tuple[Solution, tuple[float, ...]]:
     """Run a mechanism with loops, through dead points where it gets through.
 
     Parameters
@@ -64,20 +66,26 @@ def run_through(begin: Begin, x: Array, times: Array, tolerance: float, tracks: 
         Relative error.
     tracks : list of Segments
         Motions.
+
+    Returns
+    -------
+    tuple
+        The run, and the times (s) about which it was taken through a dead point by other steps.
     """
     strict = not any(_has_kinks(track) for track in tracks)
     first = _judged(begin(x, times, tolerance), tolerance, strict=strict)
-    whole, reached = first, _reached(first)
+    whole, reached, crossings = first, _reached(first), []
     for _ in range(_CROSSINGS):
         if whole.status not in _LOST_WAY or not strict:
-            return whole
+            break
         past = _passed(begin, whole, reached, tolerance)
         if past is None:
-            return whole
+            break
+        crossings.append(float(times[reached - 1]))
         at = _reached(past) - 1
         rest = _judged(begin(past.states[:, at], times[at:], tolerance), tolerance, strict=strict)
         whole, reached = _joined(past, rest, at), at + _reached(rest)
-    return whole
+    return whole, tuple(crossings)
 
 
 def _passed(begin: Begin, run: Solution, reached: int, tolerance: float) -> Solution | None:

@@ -94,7 +94,8 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     Returns
     -------
     xarray.Dataset
-        The outputs on ``time`` (s), SI. ``attrs["findings"]`` says what assembly moved.
+        The outputs on ``time`` (s), SI. ``attrs["findings"]`` says what assembly moved, and where a dead point was
+        passed only by other steps.
 
     Raises
     ------
@@ -136,8 +137,9 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
         u = _inputs(model.facts.track_order, tracks, float(after[0]))
         return _prepare(compiled, p, tracks, x, u, after, error, method)
 
+    crossings: tuple[float, ...] = ()
     if model.constraints:
-        solution = run_through(begin, first, times, tolerance, tracks)
+        solution, crossings = run_through(begin, first, times, tolerance, tracks)
     else:
         solution = begin(first, times, tolerance).run()
     reach = samples_reached(solution, compiled.facts, check=check)
@@ -149,7 +151,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     run = recording(solution.time[:reach], channels)
     run.attrs["status"] = solution.status.name.lower()
     run.attrs["method"], run.attrs["steps"], run.attrs["events"] = solution.method, solution.steps, solution.events
-    run.attrs["findings"] = _findings(pose)
+    run.attrs["findings"] = _findings(pose, crossings)
     return run
 
 
@@ -250,8 +252,10 @@ def _prepare(
     return replace(prepared, stiff=lambda: stiff, method="implicit" if implicitly else "explicit")
 
 
-def _findings(pose: Assembly) -> list[str]:
-    return [
-        str(Finding(move.coordinate, "note", f"assembly moved it from {move.before:.6g} to {move.after:.6g}"))
+def _findings(pose: Assembly, crossings: tuple[float, ...]) -> list[str]:
+    moved = [
+        Finding(move.coordinate, "note", f"assembly moved it from {move.before:.6g} to {move.after:.6g}")
         for move in pose.moved
     ]
+    passed = [Finding(f"{time:.6g} s", "note", "a dead point, passed with other steps") for time in crossings]
+    return [str(finding) for finding in (*moved, *passed)]
