@@ -39,7 +39,10 @@ class Output:
 
 @dataclass(frozen=True)
 class Facts:
-    """Names and counts of a model: all that is known of it without its equations (see :class:`Model`)."""
+    """Names and counts of a model: all that is known of it without its equations (see :class:`Model`).
+
+    ``start`` holds the coordinates in the design pose (m, rad, 1 for quaternions).
+    """
 
     coordinates: tuple[str, ...]
     speeds: tuple[str, ...]
@@ -117,7 +120,7 @@ class Model:
     outputs : tuple of Output
         Signals, in the order of ``output``.
     start : tuple of float
-        Coordinates in the design pose.
+        Coordinates in the design pose (m, rad; 1 for quaternions).
     x, u, p, m : casadi.SX
         Symbols of states, inputs, parameters and modes.
     rate, output, switch : casadi.SX

@@ -56,7 +56,7 @@ class System:
     def coordinates(
         self, names: Sequence[str], speeds: Sequence[str], start: Sequence[float] | None = None
     ) -> tuple[ca.SX, ca.SX]:
-        """Add coordinates with as many speeds, which are their rates; give the symbols of both."""
+        """Add coordinates (from ``start``, m or rad) with as many speeds, their rates; give the symbols of both."""
         q, v = self._symbols_of(names, speeds, start)
         self._rates.append(v)
         return q, v
