@@ -167,8 +167,8 @@ def _solve(matrix: Array, rhs: Array) -> Array | None:
         )
     except np.linalg.LinAlgError:
         return None
-    found = np.asarray(found / columns, dtype=np.float64)
-    return found if np.all(np.isfinite(found)) else None
+    unscaled: Array = np.asarray(found / columns, dtype=np.float64)
+    return unscaled if np.all(np.isfinite(unscaled)) else None
 
 
 @dataclass(frozen=True)
