@@ -152,7 +152,8 @@ def test_linear_systems_against_dense_ones(rig):
     p, u = compiled.parameter_values(rig.parameters()), compiled.inputs()
     rest = find_rest(compiled, p, u)
     x, r = rest.x + 1e-4 * random.standard_normal(len(rest.x)), random.standard_normal(len(rest.x))
-    slopes = functions["look"](x, u, p, rest.modes)
+    looked, n = functions["look"](x, u, p, rest.modes), len(x)
+    slopes, rate = looked[:-n], looked[-n:].full()[:, 0]
     for shift in (1e2, 1e4, 1e6):
         factors = functions["factor"](slopes, shift, [], [])
         found = functions["solve"](r, [], factors, slopes).full()[:, 0]
@@ -160,6 +161,8 @@ def test_linear_systems_against_dense_ones(rig):
         wanted = np.linalg.solve(matrix, r)
         assert float(factors[0]) > 1e-3
         np.testing.assert_allclose(found, wanted, atol=1e-9 * np.max(np.abs(wanted)))
+    wanted = compiled.evaluate("rate", x, u, p, rest.modes)
+    np.testing.assert_allclose(rate, wanted, atol=1e-12 * np.max(np.abs(wanted)))
     by_input = functions["along_input"](x, u, p, rest.modes).full()
     wanted = compiled.evaluate("rate_u", x, u, p, rest.modes)
     np.testing.assert_allclose(by_input, wanted, atol=1e-12 * np.max(np.abs(wanted)))

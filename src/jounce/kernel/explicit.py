@@ -326,6 +326,14 @@ def _scratch(problem: Problem, control: Control) -> Work:
 @part()
 def _project(problem: Any, work: Any, t: float) -> int:
     """Move the state onto the constraints and renew its rate; tell how that ended."""
+    status = _close(problem, work, t)
+    call_native(problem.engine.rate, work.rows, STATE, work.u, problem.p, problem.m, work.rows, RATES)
+    return int(status)
+
+
+@part(forceinline=True)
+def _close(problem: Any, work: Any, t: float) -> int:
+    """Move the state onto the constraints; tell how that ended."""
     size = work.rows.shape[1]
     work.times[0] = t
     fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
@@ -335,7 +343,6 @@ def _project(problem: Any, work: Any, t: float) -> int:
         for d in range(size):
             work.rows[STATE, d] = work.projected[0, 2 + d]
         if violation < _CLOSED:
-            call_native(problem.engine.rate, work.rows, STATE, work.u, problem.p, problem.m, work.rows, RATES)
             return _COMPLETED if conditioning > _SINGULAR else _LOCKED_UP
     return _LOOP_OPENED
 

@@ -18,20 +18,19 @@ from jounce.kernel.call import call_native, call_step, compiled, part
 from jounce.kernel.explicit import (
     _CHATTER,
     _COMPLETED,
-    _LAST_RATE,
     _NOT_FINITE,
     _STEP_TOO_SMALL,
     Control,
     Problem,
-    _arrive,
+    _accept,
+    _close,
     _crossing,
     _flip,
     _inputs,
     _limit,
-    _rate,
     _scratch,
 )
-from jounce.kernel.layout import DENSE, END, FIRST_PROBE, PROBES, RATES, ROWS, STATE, TRIAL
+from jounce.kernel.layout import DENSE, FIRST_PROBE, PROBES, RATES, ROWS, STATE, TRIAL
 from jounce.kernel.rodas5p import GAMMA, STAGES
 from jounce.kernel.rosenbrock_steps import STAGE_RATE
 from jounce.kernel.sampling import Samples, finish_samples, place_samples
@@ -48,9 +47,9 @@ _SAFETY, _SHRINK, _GROW = 0.9, 0.2, 4.0
 class Slopes(NamedTuple):
     """Addresses of native functions for the linear systems of a step.
 
-    ``look`` gives the ``size`` slopes at a state, ``along_input`` those of the rates along the inputs, column after
-    column; ``factor`` makes ``room`` numbers of slopes and shift, the first of which is the soundness of the factors;
-    ``stages`` and ``interpolant`` use them (see ``rosenbrock_steps``).
+    ``look`` gives slopes at a state and last the rates, ``size`` numbers; ``along_input`` the slopes of the rates along
+    the inputs, column after column; ``factor`` makes ``room`` numbers of slopes and shift, the first of which is the
+    soundness of the factors; ``stages`` and ``interpolant`` use them (see ``rosenbrock_steps``).
     """
 
     look: int
@@ -75,12 +74,13 @@ class Stages(NamedTuple):
 
 @part()
 def _look(problem: Any, slopes: Any, work: Any, stages: Any, t: float) -> None:
-    """Slopes of the rates at the state and ``t``, and how the rates change in time through the input alone."""
+    """Rates and their slopes at the state and ``t``, and how the rates change in time through the input alone."""
     work.times[0] = t
     fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
     call_native(slopes.look, work.rows, STATE, work.u, problem.p, problem.m, stages.slopes, 0)
     n, drift = stages.k.shape[1], stages.k[STAGES]
     for d in range(n):
+        work.rows[RATES, d] = stages.slopes[0, slopes.size - n + d]
         drift[d] = 0.0
     fill_rates(problem.tracks, problem.piece, t, stages.moving)
     still = True
@@ -190,7 +190,6 @@ def _walk(problem: Any, slopes: Any, control: Any, work: Any, stages: Any, out: 
     t, end = times[0], times[-1]
     slack = 1e-12 * max(1.0, abs(end))
     edge = advance(problem.tracks, problem.piece, t, slack)
-    _rate(problem, work, t, RATES)
     _look(problem, slopes, work, stages, t)
     h, stalled = min(1e-4, end - t, control.longest), 0
     at_edge, rejected = True, False
@@ -221,13 +220,11 @@ def _walk(problem: Any, slopes: Any, control: Any, work: Any, stages: Any, out: 
             now = stop if stop - now <= slack else now
             place_samples(problem, work, t, share * tried, now - slack, out)
             t = now
-            _rate_at_end(problem, work, t)
-            arrived = _arrive(problem, work, t)
+            arrived = _settle(problem, work, t)
             if arrived != _COMPLETED:
                 return int(arrived)
         if edge <= t + slack:
             edge, at_edge = advance(problem.tracks, problem.piece, t, slack), True
-            _rate(problem, work, t, RATES)
         if which >= 0:
             finish_samples(problem, work, out)
             _flip(problem, work, t, which, share < 0.0)
@@ -255,9 +252,8 @@ def _stand_still(rows: Any) -> None:
 
 
 @part()
-def _rate_at_end(problem: Any, work: Any, t: float) -> None:
-    """Rate at the end of the step, where it is not made anew after projection."""
-    if problem.engine.project == 0:
-        work.times[0] = t
-        fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
-        call_native(problem.engine.rate, work.rows, END, work.u, problem.p, problem.m, work.rows, _LAST_RATE)
+def _settle(problem: Any, work: Any, t: float) -> int:
+    """Take over the end of the step, on the constraints; tell how that ended. The rates are made by a look."""
+    if not _accept(problem.x0, work.rows, work.widest):
+        return _NOT_FINITE
+    return _close(problem, work, t) if problem.engine.project != 0 else _COMPLETED

@@ -24,7 +24,7 @@ def linear_functions(model: Model) -> dict[str, ca.Function]:
     Returns
     -------
     dict
-        - ``look(x, u, p, m)``: non-zero elements of the slopes of the balance and of the rates;
+        - ``look(x, u, p, m)``: non-zero elements of the slopes of the balance and of the rates, then the rates;
         - ``along_input(x, u, p, m)``: slopes of the rates along the inputs, column after column;
         - ``factor(slopes, shift, -, -)``: soundness of the pivots (1 is best, 0 useless), then the factors;
         - ``solve(r, -, factors, slopes)``: the solution, ``factors`` as ``factor`` gives them.
@@ -38,7 +38,7 @@ def linear_functions(model: Model) -> dict[str, ca.Function]:
     solved = slopes.ordered(factors.solve(symbols[1:], slopes.right_side(r)))
     factor = ca.vertcat(factors.soundness, factors.values)
     return {
-        "look": ca.Function("look", known, [ca.cse(ca.densify(_found(model, looked)))]),
+        "look": ca.Function("look", known, [ca.cse(ca.densify(_found(model, ca.vertcat(looked, model.balance.rate))))]),
         "along_input": ca.Function("along_input", known, [ca.cse(ca.densify(_along_input(model)))]),
         "factor": ca.Function("factor", [flat, shift, none, none], [ca.cse(ca.densify(factor))]),
         "solve": ca.Function("solve", [r, none, symbols, flat], [ca.cse(ca.densify(solved))]),

@@ -21,7 +21,7 @@ from jounce.simulation.statics import Rest
 Array = NDArray[np.float64]
 Method = Literal["auto", "explicit", "implicit"]
 METHODS: tuple[str, ...] = get_args(Method)
-STEP_SHARE = 0.1  # of the tolerance for one step of the implicit method
+STEP_SHARE = 0.12  # of the tolerance for one step of the implicit method
 _CARRIED = 1e-2  # share of the quasi-static motion at which a mode must be seen in the samples
 _FELT = 300.0  # tolerances: share at which a mode must be followed through its oscillations
 _PAYS = 4.0  # steps of the explicit method for one of the implicit method, above which the latter is faster
