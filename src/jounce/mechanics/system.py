@@ -170,7 +170,10 @@ class System:
 
     def output(self, name: str, expression: ca.SX, unit: str, long_name: str) -> None:
         """Add a signal the model can give."""
-        self._outputs[Output(name, unit, long_name)] = ca.SX(expression)
+        made = Output(name, unit, long_name)
+        if made not in self._outputs:
+            self._refuse_twice(name, {known.name for known in self._outputs})
+        self._outputs[made] = ca.SX(expression)
 
     def finish(self) -> Model:
         """Form the equations of motion."""
