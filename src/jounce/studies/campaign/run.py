@@ -11,11 +11,11 @@ import xarray as xr
 from jounce.core.errors import DescriptionError, FitError, JounceError, unknown
 from jounce.core.findings import Finding
 from jounce.identify.update import FitTrial, check_free, update_model
-from jounce.models import build
 from jounce.parts import Corner, Rig, load, rig_findings, rig_path
 from jounce.parts.strut_angle import strut_angle_findings, with_strut_angle
 from jounce.recordings import read_recording
 from jounce.roads import Road, Train, Trial, read_roads
+from jounce.simulation.compiled import compile_rig
 from jounce.studies.campaign.characterise import Characterisation, characterise, polynomial_tyres
 from jounce.studies.campaign.description import Campaign, TrialEntry, UpdateEntry, load_campaign
 from jounce.studies.campaign.result import CampaignResult, StrategyResult, TrialResult
@@ -108,7 +108,7 @@ def _check_references(campaign: Campaign, roads: dict[str, Road], file: Path) ->
 
 
 def _check_sensors(campaign: Campaign, rig: Rig, file: Path) -> None:
-    channels = [output.name for output in build(rig).outputs]
+    channels = compile_rig(rig).output_names
     for name in campaign.sensors:
         if name not in channels:
             raise unknown(name, channels, what="channel", where=f"{file}: sensors")
