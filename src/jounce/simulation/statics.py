@@ -129,7 +129,7 @@ def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Rest | None:
     modes = (compiled.evaluate("switch", x, u, p, np.ones(len(compiled.facts.switches))) > 0.0).astype(float)
     for _ in range(_ITERATIONS):
         now = _balance(compiled, x, u, p, modes)
-        step = _solve(now.matrix, -now.residual)
+        step = (_solve if compiled.facts.projects else _solve_square)(now.matrix, -now.residual)
         if step is None or np.max(np.abs(step)) > _FAR:
             return None
         if compiled.facts.projects:  # a mechanism curves: go on in short steps, and close its loops after each
@@ -148,6 +148,15 @@ def _closed(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> A
     for _ in range(_PROJECTIONS if compiled.facts.projects else 0):
         x = compiled.projected(x, u, p, modes)
     return x
+
+
+def _solve_square(matrix: Array, rhs: Array) -> Array | None:
+    """Solution where every motion is decided by the balance, as in lumped models; None where it is not."""
+    try:
+        found: Array = np.asarray(np.linalg.solve(matrix, rhs), dtype=np.float64)
+    except np.linalg.LinAlgError:
+        return None
+    return found if np.all(np.isfinite(found)) else None
 
 
 def _solve(matrix: Array, rhs: Array) -> Array | None:
@@ -249,8 +258,9 @@ def _lift(slope: Array, n_q: int, n_v: int, free: NDArray[np.intp], motions: Arr
     lift[:n_q, :f] = slope[:n_q, n_q : n_q + n_v] @ motions
     lift[n_q : n_q + n_v, f : 2 * f] = motions
     lift[n_q + n_v :, 2 * f :] = np.eye(internal)
-    back = np.linalg.pinv(slope[:n_q, n_q : n_q + n_v])
-    pick[:f, :n_q] = back[free]
+    kinematics = slope[:n_q, n_q : n_q + n_v]
+    plain = n_q == n_v and np.array_equal(kinematics, np.eye(n_q))
+    pick[:f, :n_q] = np.eye(n_q)[free] if plain else np.linalg.pinv(kinematics)[free]
     pick[f + np.arange(f), n_q + free] = 1.0
     pick[2 * f :, n_q + n_v :] = np.eye(internal)
     return lift, pick
