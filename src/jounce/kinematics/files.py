@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from jounce.core.errors import OutputError
-from jounce.core.serialise import check_writable, replacing, to_plain, write_atomically
+from jounce.core.serialise import check_writable, replacing, write_atomically
+from jounce.recordings.writing import storable
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -62,20 +62,15 @@ def write_sweep(sweep: xr.Dataset, path: Path | str, *, force: bool = False) -> 
     if file.suffix.lower() == ".csv":
         return write_atomically(file, _csv_text(sweep), force=force)
     with replacing(file) as temporary:
-        _storable(sweep).to_netcdf(temporary, engine="h5netcdf")
+        storable(_arrayed(sweep)).to_netcdf(temporary, engine="h5netcdf")
     return file
 
 
-def _storable(sweep: xr.Dataset) -> xr.Dataset:
-    copy = sweep.copy(deep=False)
-    copy.attrs = {str(key): _storable_attribute(value) for key, value in sweep.attrs.items()}
-    return copy
-
-
-def _storable_attribute(value: Any) -> Any:
-    if isinstance(value, (list, tuple)) and all(isinstance(item, float) for item in value):
-        return np.array(value)
-    return value if isinstance(value, (str, int, float)) else json.dumps(to_plain(value), ensure_ascii=False)
+def _arrayed(sweep: xr.Dataset) -> xr.Dataset:
+    """The same sweep with attributes that list numbers as arrays, which a file can hold."""
+    listed = {str(key): value for key, value in sweep.attrs.items() if isinstance(value, (list, tuple))}
+    numbers = {key: np.array(value) for key, value in listed.items() if all(isinstance(x, float) for x in value)}
+    return sweep.assign_attrs(numbers)
 
 
 def _csv_text(sweep: xr.Dataset) -> str:

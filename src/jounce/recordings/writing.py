@@ -54,12 +54,12 @@ def write_recording(dataset: xr.Dataset, path: Path | str, *, force: bool = Fals
             "recordings are not written in this format", where=str(file), found=file.suffix, allowed=".nc, .csv"
         )
     with replacing(file) as temporary:
-        _storable(dataset).to_netcdf(temporary, engine="h5netcdf")
+        storable(dataset).to_netcdf(temporary, engine="h5netcdf")
     return file
 
 
-def _storable(dataset: xr.Dataset) -> xr.Dataset:
-    """The same recording with attributes a file can hold: what is neither text nor number becomes JSON text."""
+def storable(dataset: xr.Dataset) -> xr.Dataset:
+    """The same dataset with attributes a file can hold: what is neither text nor number becomes JSON text."""
     copy = dataset.copy(deep=False)
     copy.attrs = {str(key): _storable_attribute(value) for key, value in dataset.attrs.items()}
     for variable in copy.variables.values():
