@@ -7,7 +7,8 @@ the same route (see ``equations``).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 import casadi as ca
@@ -48,6 +49,24 @@ class System:
         self._outputs: dict[Output, ca.SX] = {}
         self._accelerations: dict[str, ca.SX] = {}
         self._dropped: frozenset[str] = frozenset()
+        self._scope = ("", "")
+
+    @contextmanager
+    def within(self, place: str, path: str | None = None) -> Iterator[None]:
+        """Put ``place.`` before every name and ``path.`` (the place by default) before every parameter made inside.
+
+        So one law or suspension is built several times; corners of one ``path`` share their numbers.
+        """
+        before = self._scope
+        self._scope = f"{before[0]}{place}.", f"{before[1]}{place if path is None else path}."
+        try:
+            yield
+        finally:
+            self._scope = before
+
+    def placed(self, name: str) -> str:
+        """Give a name with the place that is being built before it."""
+        return self._scope[0] + name
 
     def coordinate(self, name: str) -> ca.SX:
         """Add a coordinate and give its symbol."""
@@ -63,7 +82,7 @@ class System:
 
     def coordinate_named(self, name: str) -> ca.SX:
         """Give the symbol of a coordinate."""
-        return self._coordinates[name]
+        return self._coordinates[self.placed(name)]
 
     def quaternion(self, name: str) -> tuple[ca.SX, ca.SX]:
         """Add an orientation: four coordinates, three speeds (rad/s in the body's axes); give the symbols of both."""
@@ -78,6 +97,7 @@ class System:
     def _symbols_of(
         self, names: Sequence[str], speeds: Sequence[str], start: Sequence[float] | None
     ) -> tuple[ca.SX, ca.SX]:
+        names, speeds = ([self.placed(name) for name in given] for given in (names, speeds))
         for name in (*names, *speeds):
             self._refuse_twice(name, {**self._coordinates, **self._speeds})
         self._start.update(zip(names, start or [0.0] * len(names), strict=True))
@@ -89,6 +109,7 @@ class System:
 
     def internal_state(self, name: str) -> ca.SX:
         """Add a first-order state (hysteresis, actuator); give its rate later with ``set_internal_rate``."""
+        name = self.placed(name)
         self._refuse_twice(name, self._internal)
         symbol = ca.SX.sym(name)
         self._internal[name] = (symbol, None)
@@ -96,10 +117,12 @@ class System:
 
     def set_internal_rate(self, name: str, rate: ca.SX) -> None:
         """Say how fast an internal state changes."""
+        name = self.placed(name)
         self._internal[name] = (self._internal[name][0], rate)
 
     def track(self, name: str) -> Track:
         """Add a prescribed input motion and give its value and rates."""
+        name = self.placed(name)
         self._refuse_twice(name, self._tracks)
         symbols = (ca.SX.sym(text) for text in (name, f"{name} rate", f"{name} acceleration"))
         self._tracks[name] = Track(*symbols)
@@ -107,12 +130,14 @@ class System:
 
     def parameter(self, path: str) -> ca.SX:
         """Give the symbol of the number at ``path`` of the description; the same path gives the same symbol."""
+        path = self._scope[1] + path
         if path not in self._parameters:
             self._parameters[path] = ca.SX.sym(path)
         return self._parameters[path]
 
     def switch(self, name: str, expression: ca.SX) -> ca.SX:
         """Give the mode symbol that is 1 where ``expression`` is above zero and 0 elsewhere."""
+        name = self.placed(name)
         self._refuse_twice(name, self._switches)
         mode = ca.SX.sym(name)
         self._switches[name] = (mode, ca.SX(expression))
@@ -137,6 +162,7 @@ class System:
 
     def constrain(self, names: Sequence[str], value: ca.SX, rate: ca.SX, bias: ca.SX) -> ca.SX:
         """Add equations ``value = 0`` with their two rates; give the symbols of their multipliers (forces)."""
+        names = [self.placed(name) for name in names]
         known = {name for constraint in self._constraints for name in constraint.names}
         for name in names:
             self._refuse_twice(name, known)
@@ -170,6 +196,7 @@ class System:
 
     def output(self, name: str, expression: ca.SX, unit: str, long_name: str) -> None:
         """Add a signal the model can give."""
+        name = self.placed(name)
         made = Output(name, unit, long_name)
         if made not in self._outputs:
             self._refuse_twice(name, {known.name for known in self._outputs})

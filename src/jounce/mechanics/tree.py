@@ -115,8 +115,8 @@ class Tree(System):
         Body
             For joints, points and forces.
         """
-        self._refuse_twice(name, self._bodies)
-        body = Body(name)
+        self._refuse_twice(self.placed(name), self._bodies)
+        body = Body(self.placed(name))
         if mass is not None:
             if centre_of_mass is None:
                 raise AssemblyError("a mass without its place", where=name, hint="Give centre_of_mass.")
@@ -127,7 +127,7 @@ class Tree(System):
             )
         elif inertia is not None or centre_of_mass is not None:
             raise AssemblyError("a centre of mass or an inertia without a mass", where=name, hint="Give mass.")
-        self._bodies[name] = body
+        self._bodies[body.name] = body
         return body
 
     def _tensor(self, path: str, inertia: Sequence[float | str] | NDArray[np.float64] | ca.SX | None) -> ca.SX:
@@ -381,6 +381,7 @@ class Tree(System):
         axis: ca.SX | None = None,
         sign: float = 1.0,
     ) -> None:
+        name = self.placed(name)
         self._refuse_twice(name, self._joints)
         if child.frame is not None:
             raise AssemblyError("the body hangs already", where=name, found=child.name, hint="It needs one joint only.")

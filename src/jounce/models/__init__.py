@@ -6,12 +6,19 @@ from collections.abc import Callable
 
 from jounce.mechanics import Model
 from jounce.models.corner import TEMPLATES, corner
+from jounce.models.full_car import full_car
+from jounce.models.half_car import half_car
+from jounce.models.half_car_4dof import half_car_4dof
 from jounce.models.quarter_car import quarter_car
 from jounce.parts import QuarterCar, Rig
 from jounce.parts.parameters import structure_of
+from jounce.parts.vehicles import FullCar, HalfCar, HalfCar4
 
 _BUILDERS: dict[type[Rig], Callable[..., Model]] = {
     QuarterCar: quarter_car,
+    HalfCar: half_car,
+    HalfCar4: half_car_4dof,
+    FullCar: full_car,
     **dict.fromkeys(TEMPLATES, corner),
 }
 _built: dict[tuple[str, bool], Model] = {}

@@ -3,15 +3,20 @@
 from jounce.parts.advice import rig_findings
 from jounce.parts.loading import changed_text, library, load, rig_from_table, rig_path
 from jounce.parts.rigs import Corner, DoubleWishbone, FiveLink, McPherson, QuarterCar, Rig, TrailingArm
+from jounce.parts.vehicles import FullCar, HalfCar, HalfCar4, Vehicle
 
 __all__ = [
     "Corner",
     "DoubleWishbone",
     "FiveLink",
+    "FullCar",
+    "HalfCar",
+    "HalfCar4",
     "McPherson",
     "QuarterCar",
     "Rig",
     "TrailingArm",
+    "Vehicle",
     "changed_text",
     "library",
     "load",

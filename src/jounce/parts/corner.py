@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Literal, Self
 
-from pydantic import model_validator
+from pydantic import Field, model_validator
 
 from jounce.core.description import Description, misplaced
 from jounce.core.units import Acceleration, Angle, Mass, PositiveLength
@@ -43,6 +43,7 @@ class Corner(Rig):
     ``guide`` says how the body is held: not free, free along z, or free along z and to turn about ``sprung.joint``.
     """
 
+    schema_: Literal["jounce.rig/1"] = Field(default="jounce.rig/1", alias="schema")
     gravity: Acceleration = 9.81
     side: Literal["left", "right"] = "left"
     guide: Literal["fixed", "vertical", "vertical+spherical"] = "vertical"

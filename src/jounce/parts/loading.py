@@ -1,4 +1,4 @@
-"""Rig files: read, write back changed values, and the shipped library."""
+"""Rig and vehicle files: read, write back changed values, and the shipped library."""
 
 from __future__ import annotations
 
@@ -13,10 +13,14 @@ from jounce.core.description import dotted, read_toml
 from jounce.core.errors import DescriptionError, nearest, unknown
 from jounce.parts.parameters import split_path, unit_of, unknown_path
 from jounce.parts.rigs import RIGS, Rig
+from jounce.parts.vehicles import VEHICLES
+
+SCHEMAS: dict[str, dict[str, type[Rig]]] = {"jounce.rig/1": RIGS, "jounce.vehicle/1": {**VEHICLES}}
+"""Models by their name in a file, for each kind of file."""
 
 
 def library() -> dict[str, Path]:
-    """Give the shipped rigs: name to file."""
+    """Give the shipped rigs and vehicles: name to file."""
     folder = Path(str(resources.files("jounce.parts") / "library"))
     return {file.stem: file for file in sorted(folder.glob("*.toml"))}
 
@@ -37,17 +41,17 @@ def rig_path(name: str | Path) -> Path:
 
 
 def load(name: str | Path) -> Rig:
-    """Load a rig from a TOML file or, by name, from the shipped library.
+    """Load a rig or a vehicle from a TOML file or, by name, from the shipped library.
 
     Parameters
     ----------
     name : str or Path
-        Path to a file, or the name of a shipped rig (see ``jounce library``).
+        Path to a file, or the name of a shipped rig or vehicle (see ``jounce library``).
 
     Returns
     -------
     Rig
-        The frozen description.
+        The frozen description; a vehicle is one, too.
 
     Raises
     ------
@@ -65,27 +69,28 @@ def load(name: str | Path) -> Rig:
 
 
 def rig_from_table(table: dict[str, Any], *, where: str = "", text: str = "") -> Rig:
-    """Build the rig that a TOML table describes; ``model`` selects its class."""
-    check_schema(table, "jounce.rig/1", where)
+    """Build the rig or vehicle that a TOML table describes; ``schema`` and ``model`` select its class."""
+    models = SCHEMAS[check_schema(table, tuple(SCHEMAS), where)]
     model = table.get("model")
     if not isinstance(model, str):
-        raise DescriptionError("the key 'model' is missing", where=where, allowed=", ".join(RIGS))
-    if model not in RIGS:
-        raise unknown(model, RIGS, what="model", where=where)
-    return RIGS[model].from_table(table, where=where, text=text)
+        raise DescriptionError("the key 'model' is missing", where=where, allowed=", ".join(models))
+    if model not in models:
+        raise unknown(model, models, what="model", where=where)
+    return models[model].from_table(table, where=where, text=text)
 
 
-def check_schema(table: dict[str, Any], expected: str, where: str) -> None:
-    """Refuse a file of another kind or version."""
+def check_schema(table: dict[str, Any], expected: tuple[str, ...], where: str) -> str:
+    """Give the kind and version of a file; refuse others than the expected ones."""
     found = table.get("schema")
-    if found != expected:
-        raise DescriptionError(
-            "the schema line is missing or another one",
-            where=where,
-            found=found,
-            allowed=f'schema = "{expected}"',
-            hint="Is this the right kind of file?",
-        )
+    if found in expected:
+        return str(found)
+    raise DescriptionError(
+        "the schema line is missing or another one",
+        where=where,
+        found=found,
+        allowed=" or ".join(f'schema = "{name}"' for name in expected),
+        hint="Is this the right kind of file?",
+    )
 
 
 def changed_text(text: str, rig: Rig, values: dict[str, float]) -> str:

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal, Self
-
-from pydantic import Field
+from typing import Any, Self
 
 from jounce.core.description import Description
 from jounce.parts.parameters import change_table, parameters_of
 
 
 class Rig(Description):
-    """Description of what is tested; its subclasses are the models."""
+    """Description of what is tested, a rig or a whole vehicle; its subclasses are the models."""
 
-    schema_: Literal["jounce.rig/1"] = Field(default="jounce.rig/1", alias="schema")
     source: str = ""
     estimated: tuple[str, ...] = ()
 

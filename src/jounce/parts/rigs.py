@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import model_validator
+from pydantic import Field, model_validator
 
 from jounce.core.description import Description
 from jounce.core.units import Acceleration, Mass, Unit
@@ -44,6 +44,7 @@ class QuarterCar(Rig):
     Signs: z up, deflections and forces positive in compression. ``gravity`` in m/s^2.
     """
 
+    schema_: Literal["jounce.rig/1"] = Field(default="jounce.rig/1", alias="schema")
     model: Literal["quarter-car"] = "quarter-car"
     gravity: Acceleration = 9.81
     sprung: Lump

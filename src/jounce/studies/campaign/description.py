@@ -139,5 +139,5 @@ def load_campaign(path: Path | str) -> tuple[Campaign, str]:
         With file, line, path, found value and what is allowed.
     """
     table, text = read_toml(path)
-    check_schema(table, "jounce.campaign/1", str(path))
+    check_schema(table, ("jounce.campaign/1",), str(path))
     return Campaign.from_table(table, where=str(path), text=text), text

@@ -1,0 +1,49 @@
+"""A wheel under the body of a lumped vehicle: unsprung mass between strut and tyre."""
+
+from __future__ import annotations
+
+import casadi as ca
+
+from jounce.mechanics import System
+from jounce.mechanics.elements import tyre_force
+from jounce.models.vehicle import show_height, show_strut, strut_force
+from jounce.parts.vehicles import WheeledAxle
+
+
+def add_wheel(
+    system: System, axle: WheeledAxle, height: ca.SX, gravity: ca.SX, *, wheels: int = 1
+) -> tuple[ca.SX, ca.SX]:
+    """Hang one wheel (or a pair that moves as one) under the body; give heights of wheel and strut deflection.
+
+    Parameters
+    ----------
+    system : System
+        Within the place of the wheel.
+    axle : WheeledAxle
+        Its laws.
+    height : casadi.SX
+        Height of the body above the wheel, m.
+    gravity : casadi.SX
+        m/s^2.
+    wheels : int
+        How many move together; forces that are shown are those of one.
+    """
+    road = system.track("road.z")
+    unsprung = system.coordinate("unsprung.z")
+    mass = wheels * system.parameter("unsprung_mass")
+    system.point_mass(mass, unsprung)
+    system.force(unsprung, -mass * gravity)
+    deflection = unsprung - height
+    velocity = system.rate_of(deflection)
+    force = strut_force(system, axle, deflection, velocity)
+    system.force(-deflection, wheels * force)
+    tyre_deflection = road.value - unsprung
+    contact = tyre_force(system, axle.tyre, tyre_deflection, system.rate_of(tyre_deflection))
+    system.force(unsprung, wheels * contact)
+    system.output("road.z", road.value, "m", "road height under the wheel")
+    show_height(system, "sprung", height, "body above the wheel")
+    show_height(system, "unsprung", unsprung, "unsprung mass")
+    show_strut(system, deflection, velocity, force)
+    system.output("tyre.deflection", tyre_deflection, "m", "tyre deflection from undeformed, compression positive")
+    system.output("tyre.force", contact, "N", "contact force of one wheel, compression positive")
+    return unsprung, deflection

@@ -1,0 +1,193 @@
+"""Vehicles: a body on two axles, as half car or full car; every class by the name that ``model`` has in its file."""
+
+from __future__ import annotations
+
+from typing import ClassVar, Literal, NamedTuple, Self
+
+from pydantic import Field, model_validator
+
+from jounce.core.description import Description
+from jounce.core.units import (
+    Acceleration,
+    Length,
+    Mass,
+    MomentOfInertia,
+    NonNegativeDampingCoefficient,
+    NonNegativeStiffness,
+    PositiveLength,
+    PositiveStiffness,
+)
+from jounce.parts.elements import BumpStop, Damper, Friction, LinearDamper, Spring, Tyre, require_one
+from jounce.parts.rig import Rig
+
+Compat = Literal["physical", "sign-corrected", "simulink"]
+
+
+class Place(NamedTuple):
+    """Where a wheel stands: how far behind the front axle (m), and on which side (1 left, -1 right, 0 in the middle)."""
+
+    behind: float
+    side: int
+
+
+class VehicleBody(Description):
+    """Body: ``mass`` (kg), ``pitch_inertia`` (kg m^2) about its centre of gravity, ``height`` (m) of that over the road.
+
+    Without ``height`` there is no deceleration among the inputs: its pitch moment is unknown.
+    """
+
+    mass: Mass
+    pitch_inertia: MomentOfInertia
+    height: PositiveLength | None = None
+
+
+class RollingBody(VehicleBody):
+    """Body that rolls, too: ``roll_inertia`` (kg m^2) about the x axis through its centre of gravity."""
+
+    roll_inertia: MomentOfInertia
+
+
+class Axle(Description):
+    """Massless axle of two equal wheels: ``distance`` from the centre of gravity (m), spring and damper per wheel."""
+
+    distance: PositiveLength
+    spring_rate: PositiveStiffness
+    damping_coefficient: NonNegativeDampingCoefficient
+
+
+class WheeledAxle(Description):
+    """Axle of two equal wheels with masses and tyres; every number is that of one wheel, springs act at the wheel.
+
+    Deflections count from where the springs are undeformed, compression positive; the stops' gaps, too.
+
+    Attributes
+    ----------
+    distance : float
+        Of the axle from the body's centre of gravity, m.
+    unsprung_mass : float
+        kg.
+    tyre : Tyre
+        Radial tyre.
+    spring_rate, damping_coefficient : float or None
+        N/m and N s/m. In place of them ``spring`` and ``damper`` as in rigs.
+    bump_stop, rebound_stop : BumpStop or None
+        Stops; a rebound stop's gap counts in extension.
+    friction : Friction or None
+        Of the strut.
+    """
+
+    distance: PositiveLength
+    unsprung_mass: Mass
+    tyre: Tyre
+    spring_rate: PositiveStiffness | None = None
+    spring: Spring | None = None
+    damping_coefficient: NonNegativeDampingCoefficient | None = None
+    damper: Damper | None = None
+    bump_stop: BumpStop | None = None
+    rebound_stop: BumpStop | None = None
+    friction: Friction | None = None
+
+    @model_validator(mode="after")
+    def _one_law(self) -> Self:
+        require_one(self, "spring_rate", "spring")
+        require_one(self, "damping_coefficient", "damper")
+        return self
+
+    @property
+    def spring_law(self) -> Spring:
+        """The spring, a constant rate as well."""
+        return self.spring if self.spring is not None else Spring(rate=self.spring_rate)
+
+    @property
+    def damper_law(self) -> Damper:
+        """The damper, a constant coefficient as well."""
+        return self.damper if self.damper is not None else LinearDamper(coefficient=self.damping_coefficient)
+
+
+class FullAxle(WheeledAxle):
+    """Axle of a full car.
+
+    Attributes
+    ----------
+    track : float
+        Distance between the wheels' contact points, m.
+    anti_roll_bar_rate : float
+        Force on a wheel for each metre by which its strut deflects more than the other's, N/m.
+    roll_centre_height : float
+        Over the road, m; where the axle's share of a lateral force acts on the body.
+    """
+
+    track: PositiveLength
+    anti_roll_bar_rate: NonNegativeStiffness = 0.0
+    roll_centre_height: Length = 0.0
+
+
+class Vehicle(Rig):
+    """What all vehicles share: a body that heaves and pitches on a front and a rear axle, driven over a road.
+
+    Signs: z up; pitch positive nose down, roll positive right side down (ISO 8855). ``gravity`` in m/s^2.
+    """
+
+    schema_: Literal["jounce.vehicle/1"] = Field(default="jounce.vehicle/1", alias="schema")
+    gravity: Acceleration = 9.81
+    corners: ClassVar[tuple[str, ...]] = ("front", "rear")
+
+    @property
+    def wheelbase(self) -> float:
+        """Distance between the axles, m."""
+        front, rear = (getattr(self, axle).distance for axle in ("front", "rear"))
+        return float(front + rear)
+
+    @property
+    def wheels(self) -> dict[str, Place]:
+        """Where each corner's wheel stands."""
+        return {corner: _place(corner, self.wheelbase) for corner in self.corners}
+
+
+def _place(corner: str, wheelbase: float) -> Place:
+    side = 1 if corner.endswith("left") else -1 if corner.endswith("right") else 0
+    return Place(wheelbase if corner.startswith("rear") else 0.0, side)
+
+
+class HalfCar(Vehicle):
+    """Half car in the form of paper 2 (eqs 6-11): body with bounce and pitch on massless axles, two wheels each.
+
+    ``compat`` says whose road it is: ``"physical"`` (the rear axle follows by wheelbase over speed, dampers feel the
+    road's rate), ``"simulink"`` (the well-known demo literally: a bump counts downwards, both axles at once, dampers
+    feel the body only) or ``"sign-corrected"`` (the demo with a bump upwards). The printed sign of the rear moment in
+    paper 2, eq. (9), makes pitch unstable and is not offered.
+    """
+
+    model: Literal["half-car"] = "half-car"
+    compat: Compat = "physical"
+    body: VehicleBody
+    front: Axle
+    rear: Axle
+
+    @property
+    def wheels(self) -> dict[str, Place]:
+        """Where each corner's wheel stands; both axles meet the road at once except in the physical form."""
+        found = super().wheels
+        return found if self.compat == "physical" else {corner: Place(0.0, 0) for corner in found}
+
+
+class HalfCar4(Vehicle):
+    """Half car with unsprung masses: bounce and pitch of the body, two wheel heights (4 degrees of freedom)."""
+
+    model: Literal["half-car-4dof"] = "half-car-4dof"
+    body: VehicleBody
+    front: WheeledAxle
+    rear: WheeledAxle
+
+
+class FullCar(Vehicle):
+    """Full car: heave, pitch and roll of the body, four wheel heights (7 degrees of freedom), anti-roll bars."""
+
+    model: Literal["full-car"] = "full-car"
+    body: RollingBody
+    front: FullAxle
+    rear: FullAxle
+    corners: ClassVar[tuple[str, ...]] = ("front_left", "front_right", "rear_left", "rear_right")
+
+
+VEHICLES: dict[str, type[Vehicle]] = {"half-car": HalfCar, "half-car-4dof": HalfCar4, "full-car": FullCar}
