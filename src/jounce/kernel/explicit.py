@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from jounce.kernel.call import call_native, call_step, compiled, part
 from jounce.kernel.dop853 import DENSE_STAGES
+from jounce.kernel.feedback import NO_FEEDBACK, Feedback, regulate
 from jounce.kernel.layout import DENSE, END, FIRST_PROBE, LAST_STAGE, NODES, PROBES, RATES, ROWS, STATE
 from jounce.kernel.sampling import Samples, finish_samples, place_samples
 from jounce.kernel.tracks import Tracks, advance, fill
@@ -65,7 +66,7 @@ class Control(NamedTuple):
 class Problem(NamedTuple):
     """What is integrated: native functions, tracks, parameter values, modes (changed in place) and first state.
 
-    ``inputs`` is the number of inputs that the tracks make: two or three for each.
+    ``inputs`` is the number of inputs that the tracks make: two or three for each; ``feedback`` a controller around it.
     """
 
     engine: Engine
@@ -75,6 +76,7 @@ class Problem(NamedTuple):
     m: Array
     x0: Array
     inputs: int
+    feedback: Feedback = NO_FEEDBACK
 
 
 class Work(NamedTuple):
@@ -397,11 +399,17 @@ def _walk(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> int:
     t, end = times[0], times[-1]
     slack = 1e-12 * max(1.0, abs(end))
     edge = advance(problem.tracks, problem.piece, t, slack)
+    instant = t if problem.feedback.law != 0 else np.inf
+    if instant <= t:
+        controlled = regulate(problem, work.rows, t)
+        if controlled != _COMPLETED:
+            return int(controlled)
+        instant = times[0] + problem.feedback.period * problem.feedback.count[0]
     _rate(problem, work, t, RATES)
     h, stalled = min(1e-3, end - t, control.longest), 0
     at_edge = True
     while t < end - slack:
-        stop = min(edge, end)
+        stop = min(edge, instant, end)
         tried = stop - t if stop - t < 1.1 * h else h
         limit = _limit(control, counts, t, tried)
         if limit != _COMPLETED:
@@ -430,8 +438,15 @@ def _walk(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> int:
             arrived = _arrive(problem, work, t)
             if arrived != _COMPLETED:
                 return int(arrived)
-        if edge <= t + slack:
-            edge, at_edge = advance(problem.tracks, problem.piece, t, slack), True
+        if min(edge, instant) <= t + slack:
+            if edge <= t + slack:
+                edge = advance(problem.tracks, problem.piece, t, slack)
+            if instant <= t + slack < end:
+                controlled = regulate(problem, work.rows, t)
+                if controlled != _COMPLETED:
+                    return int(controlled)
+                instant = times[0] + problem.feedback.period * problem.feedback.count[0]
+            at_edge = True
             _rate(problem, work, t, RATES)
         if which >= 0:
             finish_samples(problem, work, out)

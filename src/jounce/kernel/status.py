@@ -22,6 +22,11 @@ class Status(Enum):
         7,
         "the suspension went over a dead point and the wheel flipped over: an obstacle is too high, stops are too soft",
     )
+    DIVERGED = (
+        8,
+        "the closed loop diverges: smaller gains, a faster actuator or a higher control rate may hold it",
+    )
+    NO_COMMAND = (9, "the controller gave no finite command")
 
     def __init__(self, code: int, text: str) -> None:
         self.code, self.help = code, text
