@@ -26,6 +26,13 @@ _KINKED = {
         "FMOD",
     )
 }  # a derivative does not show these
+ROAD = "road.z"
+"""Last words of the name of a track that is the road under a wheel."""
+
+
+def is_road(track: str) -> bool:
+    """Tell whether a track is the road under a wheel, m; other tracks are loads and commands."""
+    return track == ROAD or track.endswith(f".{ROAD}")
 
 
 @dataclass(frozen=True)

@@ -30,5 +30,3 @@ def _axle(system: System, vehicle: HalfCar, height: ca.SX) -> None:
     system.output("road.z", road.value, "m", "road height under the axle")
     show_height(system, "sprung", height, "body above the axle")
     show_strut(system, deflection, velocity, force)
-
-

@@ -24,14 +24,14 @@ Compat = Literal["physical", "sign-corrected", "simulink"]
 
 
 class Place(NamedTuple):
-    """Where a wheel stands: how far behind the front axle (m), and on which side (1 left, -1 right, 0 in the middle)."""
+    """Where a wheel stands: how far behind the front axle (m), and its side (1 left, -1 right, 0 in the middle)."""
 
     behind: float
     side: int
 
 
 class VehicleBody(Description):
-    """Body: ``mass`` (kg), ``pitch_inertia`` (kg m^2) about its centre of gravity, ``height`` (m) of that over the road.
+    """Body: ``mass`` (kg), ``pitch_inertia`` (kg m^2) about its centre of gravity, ``height`` (m) of that centre.
 
     Without ``height`` there is no deceleration among the inputs: its pitch moment is unknown.
     """

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from dataclasses import replace
 from typing import Self
 
 import numpy as np
@@ -52,13 +53,15 @@ class Road(Description, ABC):
             _check_recurrence(self.profile(), self.recurrence)
         return self
 
-    def segments(self, distance: float) -> Segments:
+    def segments(self, distance: float, behind: float = 0.0) -> Segments:
         """Give the road over [0, ``distance``] as closed-form pieces.
 
         Parameters
         ----------
         distance : float
             Driven distance in m, above 0.
+        behind : float
+            How far the wheel follows behind the one at distance 0, m: it meets everything so much later.
 
         Returns
         -------
@@ -79,7 +82,8 @@ class Road(Description, ABC):
         """
         if not (np.isfinite(distance) and distance > 0.0):
             raise DescriptionError("not a distance to drive", found=f"{distance} m", allowed="above 0 m and finite")
-        return self._between(0.0, float(distance))
+        pieces = self._between(-float(behind), float(distance - behind))
+        return replace(pieces, edges=pieces.edges + behind) if behind else pieces
 
     def height_at(self, x: ArrayLike) -> Array:
         """Height of the road in m (up positive) at the distances ``x`` in m, any shape.

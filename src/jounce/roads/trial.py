@@ -8,8 +8,9 @@ from typing import Annotated, Self
 from pydantic import BeforeValidator, model_validator
 
 from jounce.core.description import Description
-from jounce.core.segments import Segments
+from jounce.core.segments import Segments, flat
 from jounce.core.units import PositiveSpeed, Unit
+from jounce.roads.loads import LOADS, DrivingAcceleration, PitchMoment
 from jounce.roads.measured import (
     Crg,
     Interpolation,
@@ -79,7 +80,7 @@ def _from_file(value: object) -> object:
 
 
 class Trial(Description):
-    """One run: a road driven over at a constant speed, or an excitation in time.
+    """One run: a road driven over at a constant speed, or an excitation in time; for vehicles also loads of driving.
 
     Attributes
     ----------
@@ -91,6 +92,14 @@ class Trial(Description):
         Instead of road and speed; a path stands for ``{file = path}``.
     duration : float
         Length of the run in s, above 0. Only with an excitation it may be left out: up to its last sample.
+    right : Road or None
+        Road under the right wheels of a full car; by default they roll over the same road as the left ones.
+    pitch_moment : PitchMoment or None
+        Moment of braking on a vehicle's body, N m, nose down positive; ``"100 N*m"`` stands for a constant one.
+    deceleration : DrivingAcceleration or None
+        Braking, m/s^2: its moment is that of the body's mass at the height of its centre of gravity.
+    lateral_acceleration : DrivingAcceleration or None
+        Of a full car, m/s^2, positive to the left.
 
     Examples
     --------
@@ -104,6 +113,10 @@ class Trial(Description):
     speed: PositiveSpeed | None = None
     excitation: Annotated[Excitation | None, BeforeValidator(_from_file)] = None
     duration: Annotated[float, Unit("s", above=0.0)] = 0.0  # replaced by the excitation's last time
+    right: AnyRoad | None = None
+    pitch_moment: PitchMoment | None = None
+    deceleration: DrivingAcceleration | None = None
+    lateral_acceleration: DrivingAcceleration | None = None
 
     @model_validator(mode="after")
     def _checked(self) -> Self:
@@ -114,6 +127,8 @@ class Trial(Description):
             raise ValueError("the speed is missing; a road is driven over at a speed, e.g. speed = '1.95 m/s'")
         if self.excitation is not None and self.speed is not None:
             raise ValueError("a speed is given with an excitation, which is in time already; leave out the speed")
+        if self.right is not None and self.road is None:
+            raise ValueError("a road under the right wheels is given without road, the one under the left wheels")
         if "duration" not in self.model_fields_set:
             object.__setattr__(self, "duration", self._default_duration())
         return self
@@ -126,19 +141,38 @@ class Trial(Description):
             raise ValueError(f"the excitation's last time is {end:g} s; it must lie after 0, where the trial starts")
         return end
 
-    def segments(self) -> Segments:
-        """Give the height under the tyre over [0, ``duration``] as closed-form pieces.
+    def segments(self, behind: float = 0.0, side: int = 1) -> Segments:
+        """Give the height under a tyre over [0, ``duration``] as closed-form pieces.
+
+        Parameters
+        ----------
+        behind : float
+            How far the wheel follows behind the front axle, m: it meets the road later. An excitation moves all wheels
+            at once.
+        side : int
+            1 for the left road (the only one unless ``right`` is given), -1 for the right one.
 
         Returns
         -------
         Segments
             Pieces against time in s; heights in m, up positive. Every jump of height or slope is an edge.
         """
-        if self.road is not None and self.speed is not None:
-            return self.road.segments(self.speed * self.duration).in_time(self.speed)
+        road = self.right if self.right is not None and side < 0 else self.road
+        if road is not None and self.speed is not None:
+            return road.segments(self.speed * self.duration, behind).in_time(self.speed)
         if self.excitation is None:
             raise AssertionError("a trial has a road or an excitation")
         return laid_out(self.excitation.profile(), [(0.0, 0.0)], 0.0, self.duration)
+
+    def load(self, name: str) -> Segments:
+        """Give one of the loads of driving over [0, ``duration``] (s), zero where the trial has none."""
+        given: PitchMoment | DrivingAcceleration | None = getattr(self, name)
+        return flat(self.duration) if given is None else given.segments(self.duration)
+
+    @property
+    def loads(self) -> tuple[str, ...]:
+        """Names of the loads of driving that are given."""
+        return tuple(name for name in LOADS if getattr(self, name) is not None)
 
     def obstacle_end(self) -> float:
         """Time in s at which the obstacle pass ends; 0 for measured profiles and excitations, which have none."""

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from jounce.kernel.explicit import Engine
 from jounce.kernel.native import Native, Source, compile_functions, kept_code
 from jounce.kernel.steps import STEP_NAMES
-from jounce.mechanics.model import Facts, Model, Output
+from jounce.mechanics.model import Facts, Model, Output, is_road
 from jounce.parts import Rig
 from jounce.parts.parameters import structure_of
 from jounce.simulation.programs import SLOPE_LANES, SLOPES, Program, plain_program, sensitive_program
@@ -170,10 +170,10 @@ class Compiled:
         return np.array([parameters[path] for path in self.facts.parameters])
 
     def inputs(self, values: dict[str, float] | float = 0.0) -> Array:
-        """Inputs at rest: the value of every track, or of some by name; their rates are zero."""
+        """Inputs at rest: the height (m) of all roads, or the value of some tracks by name; their rates are zero."""
         facts = self.facts
         u = np.zeros(len(facts.tracks) * facts.track_order)
-        given = values if isinstance(values, dict) else dict.fromkeys(facts.tracks, values)
+        given = values if isinstance(values, dict) else dict.fromkeys(filter(is_road, facts.tracks), values)
         for name, value in given.items():
             u[facts.tracks.index(name) * facts.track_order] = value
         return u

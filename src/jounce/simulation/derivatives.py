@@ -16,6 +16,7 @@ from jounce.parts.parameters import unit_of, unknown_path
 from jounce.recordings.schema import place_of
 from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig
+from jounce.simulation.excitation import excitation
 from jounce.simulation.run import Solution, check_settings, output_times, solve
 
 if TYPE_CHECKING:
@@ -192,7 +193,8 @@ def _run(
         if path not in values:
             raise unknown_path(f"parameters: {path}", values, name=path)
     compiled = compile_rig(rig, tuple(parameters))
-    solution = solve(compiled, compiled.parameter_values(values), trial.segments(), times, tolerance=tolerance)
+    signals = excitation(compiled.facts, rig, trial)
+    solution = solve(compiled, compiled.parameter_values(values), signals, times, tolerance=tolerance)
     if solution.status is not Status.COMPLETED:
         raise SimulationError("the run did not reach its end", found=solution.status.help)
     return compiled, solution

@@ -87,7 +87,8 @@ class Mode:
     damping_ratio : float
         Of critical (1).
     shape : dict
-        Height (channel such as ``sprung.z``) to (real, imaginary) part (1) of the eigenvector, the largest set to 1.
+        Height (channel such as ``sprung.z``, m; of vehicles also ``body.pitch`` and ``body.roll``, rad) to (real,
+        imaginary) part of the eigenvector, the largest set to 1.
     """
 
     frequency_hz: float
@@ -164,7 +165,7 @@ def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
     """
     model = linearise(rig, road_height)
     values, vectors = np.linalg.eig(model.A)
-    heights = [i for i, name in enumerate(model.outputs) if name.endswith(".z") and np.any(model.C[i])]
+    heights = [i for i, name in enumerate(model.outputs) if _is_shown(name, model.outputs) and np.any(model.C[i])]
     names = [model.outputs[i] for i in heights]
     found = []
     for value, vector in zip(values, (model.C[heights] @ vectors).T, strict=True):
@@ -180,6 +181,13 @@ def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
                 )
             )
     return tuple(sorted(found, key=lambda mode: mode.frequency_hz))
+
+
+def _is_shown(name: str, outputs: tuple[str, ...]) -> bool:
+    """Whether a channel belongs to a mode's shape: heights; of a vehicle's body its own height and angles."""
+    if "body.z" in outputs and name.endswith("sprung.z") and not name.endswith("unsprung.z"):
+        return False
+    return name.endswith(".z") or name in ("body.pitch", "body.roll")
 
 
 def equilibrium(rig: Rig, road_height: float = 0.0) -> dict[str, float]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from typing import TYPE_CHECKING
@@ -17,12 +17,13 @@ from jounce.kernel.explicit import Control, Problem, integrate
 from jounce.kernel.sampling import Samples
 from jounce.kernel.status import Status
 from jounce.kernel.tracks import flatten
-from jounce.mechanics.model import Facts
+from jounce.mechanics.model import Facts, is_road
 from jounce.parts import Rig
 from jounce.recordings.schema import recording
 from jounce.roads import Trial
 from jounce.simulation.branch import flipped_at
 from jounce.simulation.compiled import Compiled, compile_rig
+from jounce.simulation.excitation import excitation
 from jounce.simulation.statics import Rest, find_rest, state_scale
 from jounce.simulation.stiff import STEP_SHARE as IMPLICIT_SHARE
 from jounce.simulation.stiff import Method, check_method, longest_step, pace_of, pays, slopes_of
@@ -139,14 +140,14 @@ class Prepared:
 def prepare(
     compiled: Compiled,
     p: Array,
-    road: Segments,
+    signals: Segments | Sequence[Segments],
     times: Array,
     *,
     tolerance: float = 1e-5,
     offset: Array | None = None,
     method: Method = "auto",
 ) -> Prepared:
-    """Lay out a run from static equilibrium at the road height of ``times[0]``.
+    """Lay out a run from static equilibrium under what the signals are at ``times[0]``.
 
     Parameters
     ----------
@@ -154,8 +155,8 @@ def prepare(
         Model with native code; its free parameters bring their sensitivities along.
     p : ndarray, shape (n_parameters,)
         Parameter values, SI.
-    road : Segments
-        Road height (m) against time (s).
+    signals : Segments or sequence of Segments
+        Every track of the model against time (s): road heights (m), loads; one alone for a model with one track.
     times : ndarray, shape (n,)
         Output times, s, ascending.
     tolerance : float
@@ -167,24 +168,25 @@ def prepare(
     """
     check_method(method, compiled)
     n_q, n_v = compiled.facts.counts
-    height = float(road.evaluate(times[:1])[0][0])
-    still = compiled.inputs({compiled.facts.tracks[0]: height})
+    tracks = dict(zip(compiled.facts.tracks, [signals] if isinstance(signals, Segments) else signals, strict=True))
+    still = compiled.inputs({name: float(signal.evaluate(times[:1])[0][0]) for name, signal in tracks.items()})
     rest = find_rest(compiled, p, still)
     x = rest.x if offset is None else rest.x + offset
     modes = rest.modes if offset is None else _modes(compiled, x, p, still)
-    scale = state_scale(rest, n_q, n_v, _motion_size(road, rest.x[:n_q] - compiled.facts.start, offset))
+    scale = state_scale(rest, n_q, n_v, _motion_size(tracks, rest.x[:n_q] - compiled.facts.start, offset))
     band = _dead_band(compiled, p, rest, scale, still)
-    limit = _explicit_limit(rest, road)
+    waves = max((_waves(signal) for signal in tracks.values()), default=0.0)
+    limit = _explicit_limit(rest, waves)
     control = Control(STEP_SHARE * tolerance, 0.1 * scale, band, MAX_STEPS, _longest_step(limit, tolerance))
     start = np.concatenate([x, _rest_sensitivity(compiled, p, rest, still)])
-    tracks = flatten([road.with_finite_slopes()])
+    pieces = flatten([signal.with_finite_slopes() for signal in tracks.values()])
     values = compiled.extended(p)
-    problem = Problem(compiled.engine, tracks, tracks.first[:-1].copy(), values, modes.copy(), start, len(still))
+    problem = Problem(compiled.engine, pieces, pieces.first[:-1].copy(), values, modes.copy(), start, len(still))
     exact = _exact(compiled, problem, times) if method == "auto" else None
     prepared = Prepared(compiled, problem, control, room(compiled, times), exact, modes)
     if exact is not None or compiled.free or method == "explicit":
         return prepared
-    pace, waves = cache(lambda: pace_of(compiled, p, rest, still)), _waves(road)
+    pace = cache(lambda: pace_of(compiled, p, rest, still))
 
     @cache
     def stiff() -> Control:
@@ -213,7 +215,7 @@ def room(compiled: Compiled, times: Array) -> Samples:
 def solve(
     compiled: Compiled,
     p: Array,
-    road: Segments,
+    signals: Segments | Sequence[Segments],
     times: Array,
     *,
     tolerance: float = 1e-5,
@@ -221,7 +223,7 @@ def solve(
     method: Method = "auto",
 ) -> Solution:
     """Run a model once; arguments as for :func:`prepare`."""
-    return prepare(compiled, p, road, times, tolerance=tolerance, offset=offset, method=method).run()
+    return prepare(compiled, p, signals, times, tolerance=tolerance, offset=offset, method=method).run()
 
 
 def _exact(compiled: Compiled, problem: Problem, times: Array) -> tuple[linear.Plan, Array] | None:
@@ -296,7 +298,8 @@ def simulate(
     p = compiled.parameter_values(rig.parameters())
     times = output_times(trial.duration, output_step)
     start = _offset(compiled, offset)
-    solution = solve(compiled, p, trial.segments(), times, tolerance=tolerance, offset=start, method=method)
+    signals = excitation(compiled.facts, rig, trial)
+    solution = solve(compiled, p, signals, times, tolerance=tolerance, offset=start, method=method)
     solution = held_to_its_branch(compiled, solution)
     reach = samples_reached(solution, compiled.facts, check=check)
     channels = {
@@ -370,13 +373,18 @@ def _offset(compiled: Compiled, offset: dict[str, float] | None) -> Array | None
     return np.array([offset.get(name, 0.0) for name in names])
 
 
-def _motion_size(road: Segments, rest: Array, offset: Array | None) -> float:
-    """How far things will move, m: the road's range or the start offset, at least a thousandth of the static drop."""
-    first, last = road.edges[:-1], road.edges[1:]
-    points = np.concatenate([first, 0.5 * (first + last), np.nextafter(last, first)])
-    height, _ = road.evaluate(points)
+def _motion_size(tracks: dict[str, Segments], rest: Array, offset: Array | None) -> float:
+    """How far things will move, m: the roads' range or the start offset, at least a thousandth of the static drop."""
     moved = 0.0 if offset is None else float(np.max(np.abs(offset[: len(rest)])))
-    return max(float(np.ptp(height)), moved, 1e-3 * float(np.max(np.abs(rest))), 1e-9)
+    roads = [_range(signal) for name, signal in tracks.items() if is_road(name)]
+    return max(*roads, moved, 1e-3 * float(np.max(np.abs(rest))), 1e-9)
+
+
+def _range(signal: Segments) -> float:
+    """Difference of the highest and the lowest value, at the ends and in the middle of the pieces."""
+    first, last = signal.edges[:-1], signal.edges[1:]
+    points = np.concatenate([first, 0.5 * (first + last), np.nextafter(last, first)])
+    return float(np.ptp(signal.evaluate(points)[0]))
 
 
 def _modes(compiled: Compiled, x: Array, p: Array, u: Array) -> Array:
@@ -398,12 +406,12 @@ def _waves(road: Segments) -> float:
     return float(np.max(np.abs(road.coefficients[road.kind == SINE, 2]) * road.rate, initial=0.0))
 
 
-def _explicit_limit(rest: Rest, road: Segments) -> float:
+def _explicit_limit(rest: Rest, waves: float) -> float:
     """What limits the steps of the explicit method, rad/s: the fastest oscillation, wave or decay."""
     f = len(rest.free)
     stiffness = np.max(np.abs(np.linalg.eigvals(rest.reduced[f : 2 * f, :f])), initial=0.0)
     decay = float(np.max(np.abs(np.linalg.eigvals(rest.reduced)), initial=0.0))
-    return max(float(np.sqrt(stiffness)), _waves(road), _STABLE * decay, 1e-3)
+    return max(float(np.sqrt(stiffness)), waves, _STABLE * decay, 1e-3)
 
 
 def _dead_band(compiled: Compiled, p: Array, rest: Rest, scale: Array, u: Array) -> Array:

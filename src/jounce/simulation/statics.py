@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
+from jounce.mechanics.model import is_road
 from jounce.simulation.compiled import Compiled
 
 Array = NDArray[np.float64]
@@ -110,18 +111,16 @@ def _starts(compiled: Compiled, u: Array, start: Array | None) -> list[Array]:
     count = len(facts.coordinates)
     first = np.zeros(compiled.state_count)
     first[:count] = facts.start if start is None else start
+    roads = [u[i * facts.track_order] for i, track in enumerate(facts.tracks) if is_road(track)]
+    road = float(np.mean(roads)) if roads else 0.0
     if start is not None:
         return [first]
     if facts.projects:
         heave = np.array([name == _HEAVE for name in facts.states], dtype=float)
-        return [first + heave * ((u[0] if len(u) else 0.0) - sag) for sag in (_SAGS if heave.any() else (0.0,))]
-    depth = np.arange(count, 0, -1, dtype=float)
-    guesses = []
-    for sag in _SAGS:
-        guess = first.copy()
-        guess[:count] += (u[0] if len(u) else 0.0) - sag * depth
-        guesses.append(guess)
-    return guesses
+        return [first + heave * (road - sag) for sag in (_SAGS if heave.any() else (0.0,))]
+    heights = np.array([name.endswith(".z") for name in facts.states], dtype=float)
+    depth = heights * np.cumsum(heights[::-1])[::-1]  # what hangs on the rest sags more
+    return [first + heights * road - sag * depth for sag in _SAGS]
 
 
 def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Rest | None:

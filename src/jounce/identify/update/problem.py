@@ -20,6 +20,7 @@ from jounce.recordings.alignment import shift_with_derivative
 from jounce.recordings.sensors import Sensor, bias_of, filter_signals
 from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig
+from jounce.simulation.excitation import excitation
 from jounce.simulation.run import Solution, solve
 
 Array = NDArray[np.float64]
@@ -103,7 +104,8 @@ class Prepared:
         p = self.start.copy()
         for column, path in enumerate(self.compiled.free):
             p[self.compiled.facts.parameters.index(path)] = values[column] * self.factors[column]
-        solution = solve(self.compiled, p, self.source.trial.segments(), self.times, tolerance=tolerance)
+        signals = excitation(self.compiled.facts, self.source.rig, self.source.trial)
+        solution = solve(self.compiled, p, signals, self.times, tolerance=tolerance)
         if solution.status is not Status.COMPLETED:
             raise SimulationError("the simulation diverged", where=self.source.name, found=solution.status.help)
         return solution

@@ -1,0 +1,65 @@
+"""What a trial makes of the inputs of a model: the road under each wheel, the loads of driving."""
+
+from __future__ import annotations
+
+from jounce.core.errors import SimulationError
+from jounce.core.segments import Segments, flat
+from jounce.mechanics.model import ROAD, Facts, is_road
+from jounce.parts import Rig
+from jounce.parts.vehicles import Place, Vehicle
+from jounce.roads import Trial
+from jounce.roads.loads import LOADS
+
+_ONE_WHEEL = {"": Place(0.0, 1)}
+
+
+def excitation(facts: Facts, rig: Rig, trial: Trial) -> list[Segments]:
+    """Give every track of a model against time (s), in the order of the model.
+
+    Parameters
+    ----------
+    facts : Facts
+        Of the rig's model.
+    rig : Rig
+        A vehicle says where its wheels stand; rigs have one wheel.
+    trial : Trial
+        Road and speed, or excitation, and loads.
+
+    Raises
+    ------
+    SimulationError
+        When the trial has something that the model cannot feel.
+    """
+    _refuse_unfelt(facts, rig, trial)
+    wheels = rig.wheels if isinstance(rig, Vehicle) else _ONE_WHEEL
+    found = []
+    for track in facts.tracks:
+        if is_road(track):
+            place = wheels[track.removesuffix(ROAD).removesuffix(".")]
+            found.append(trial.segments(place.behind, place.side))
+        else:
+            found.append(trial.load(track) if track in LOADS else flat(trial.duration))
+    return found
+
+
+def _refuse_unfelt(facts: Facts, rig: Rig, trial: Trial) -> None:
+    for load in trial.loads:
+        if load not in facts.tracks:
+            hint = "Give body.height, the height of its centre of gravity." if isinstance(rig, Vehicle) else ""
+            raise SimulationError(
+                "the model has no such input",
+                where=f"trial: {load}",
+                allowed=", ".join(track for track in facts.tracks if not is_road(track)) or "the road only",
+                hint=hint,
+            )
+    if trial.right is not None and not any(place.side for place in _sides(rig)):
+        raise SimulationError(
+            "a road under the right wheels is given",
+            where="trial: right",
+            found=getattr(rig, "model", ""),
+            allowed="road only; right is for full cars",
+        )
+
+
+def _sides(rig: Rig) -> list[Place]:
+    return list(rig.wheels.values()) if isinstance(rig, Vehicle) else []
