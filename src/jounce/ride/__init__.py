@@ -1,0 +1,1 @@
+"""Ride comfort, road holding, spectra and road roughness from measured or simulated signals."""

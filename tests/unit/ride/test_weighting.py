@@ -1,0 +1,76 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.ride.weighting import WEIGHTINGS, Start, weighted, weighting_response
+
+
+def test_a_long_record_is_the_same_as_its_parts() -> None:
+    signal = np.random.default_rng(3).normal(size=400_000)  # several blocks
+    whole = weighted(signal, 1000.0, "Wk")
+    first = weighted(signal[:150_000], 1000.0, "Wk")
+    np.testing.assert_allclose(first[:-600], whole[: first.size - 600], atol=1e-5)
+    assert abs(first - whole[: first.size]).max() < 2e-3  # the last samples feel what is not there yet
+
+
+def test_nothing_answers_before_it_happens() -> None:
+    pulse = np.zeros(4000)
+    pulse[2000:2100] = np.hanning(100)
+    answer = weighted(pulse, 1000.0, "Wk")
+    assert abs(answer[:1990]).max() < 1e-5
+    assert abs(answer).max() > 0.1
+
+
+@pytest.mark.parametrize(("start", "first"), [("rest", 0.8), ("first", 0.0), ("mean", 0.0)])
+def test_what_was_before_an_offset(start: Start, first: float) -> None:
+    # gravity in the signal: a step of the filter when nothing was before, nothing at all when it was always there
+    answer = weighted(np.full(20_000, 9.81), 1000.0, "Wk", start=start)
+    assert abs(answer).max() / 9.81 == pytest.approx(first, abs=0.35 if first else 1e-12)
+    assert abs(answer[10_000:]).max() < 1e-6
+
+
+def test_a_cosine_needs_its_settling_only_at_the_start() -> None:
+    time = np.arange(0.0, 30.0, 0.001)
+    answer = weighted(np.cos(2.0 * np.pi * 2.0 * time), 1000.0, "Wk")
+    gain = weighting_response("Wk", 2.0)
+    expected = np.real(gain * np.exp(2j * np.pi * 2.0 * time))
+    assert abs(answer - expected)[:500].max() > 0.1
+    np.testing.assert_allclose(answer[20_000:-20], expected[20_000:-20], atol=1e-6)
+
+
+@pytest.mark.parametrize("name", WEIGHTINGS)
+def test_ends_of_the_response(name: str) -> None:
+    gains = abs(weighting_response(name, [0.0, 1e-3, 1e5]))
+    assert gains[0] == 0.0
+    assert np.all(gains[1:] < 1e-3)
+
+
+def test_the_largest_gain_of_wk() -> None:
+    frequency = np.linspace(5.0, 7.0, 2001)
+    gain = abs(weighting_response("Wk", frequency))
+    assert frequency[gain.argmax()] == pytest.approx(6.17, abs=0.01)
+    assert gain.max() == pytest.approx(1.0545, abs=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("values", "rate", "name", "text"),
+    [
+        ([0.0, 1.0], 1000.0, "Wq", "unknown weighting 'Wq'; allowed: Wc, Wd, We, Wf, Wk"),
+        ([0.0, np.nan], 1000.0, "Wk", "sample 2 is not a finite number"),
+        ([0.0, 1.0], 40.0, "Wk", "the sample rate is too low for the weighting; found '40 Hz'; allowed: 50 Hz or more"),
+        ([0.0, 1.0], np.nan, "Wk", "the sample rate is too low"),
+        ([0.0], 1000.0, "Wk", "not a signal"),
+        ([[0.0, 1.0]], 1000.0, "Wk", "not a signal"),
+    ],
+)
+def test_bad_input_is_one_message(values, rate, name, text) -> None:
+    with pytest.raises(jn.JounceError) as caught:
+        weighted(values, rate, name)
+    assert text in str(caught.value)
+
+
+def test_an_unknown_start_is_refused() -> None:
+    with pytest.raises(jn.DescriptionError, match="unknown start of the record 'gravity'"):
+        weighted([0.0, 1.0], 1000.0, "Wk", start="gravity")
