@@ -6,6 +6,8 @@ themselves are parameters of the model.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import casadi as ca
 
 from jounce.mechanics.system import System
@@ -62,12 +64,19 @@ def spring_force(system: System, spring: Spring, path: str, deflection: ca.SX) -
     return preload + system.parameter(f"{path}.rate") * deflection
 
 
-def damper_force(system: System, damper: Damper, path: str, deflection: ca.SX, velocity: ca.SX) -> ca.SX:
-    """Damper force (N) at a deflection (m) and a deflection rate (m/s)."""
+def damper_force(
+    system: System,
+    damper: Damper,
+    path: str,
+    deflection: ca.SX,
+    velocity: ca.SX,
+    number: Callable[[str], ca.SX] | None = None,
+) -> ca.SX:
+    """Damper force (N) at a deflection (m) and a deflection rate (m/s).
 
-    def number(name: str) -> ca.SX:
-        return system.parameter(f"{path}.{name}")
-
+    ``number`` gives the numbers of a law with one form (not of a table) where they are not parameters themselves.
+    """
+    number = number or (lambda name: system.parameter(f"{path}.{name}"))
     if isinstance(damper, LinearDamper):
         return number("coefficient") * velocity
     if isinstance(damper, BilinearDamper):
@@ -79,7 +88,7 @@ def damper_force(system: System, damper: Damper, path: str, deflection: ca.SX, v
         hysteresis = number("force") * ca.tanh(number("slope") * lagged)
         return number("coefficient") * velocity + number("stiffness") * deflection + hysteresis + number("offset")
     if isinstance(damper, BoucWenDamper):
-        z = _bouc_wen_state(system, path, velocity)
+        z = _bouc_wen_state(system, path, velocity, number)
         linear = number("coefficient") * velocity + number("stiffness") * deflection
         return linear + number("hysteretic_force") * z + number("offset")
     return table_force(system, path, "velocity", len(damper.velocity), velocity)
@@ -139,14 +148,14 @@ def _contact_stiffness(system: System, tyre: Tyre) -> ca.SX:
     )
 
 
-def _bouc_wen_state(system: System, path: str, velocity: ca.SX) -> ca.SX:
+def _bouc_wen_state(system: System, path: str, velocity: ca.SX, number: Callable[[str], ca.SX]) -> ca.SX:
     """Normalised hysteretic state with its rate set; ``|z|^n`` by logarithm so that n may be fitted.
 
     The absolute values are switches, so that steps land where the motion or the hysteresis turns over.
     """
     name = f"{path} z"
     z = system.internal_state(name)
-    rate, sigma, exponent = (system.parameter(f"{path}.{key}") for key in ("rate", "sigma", "exponent"))
+    rate, sigma, exponent = (number(key) for key in ("rate", "sigma", "exponent"))
     forward = 2.0 * system.switch(f"{path} forward", velocity) - 1.0
     side = 2.0 * system.switch(f"{path} side", z) - 1.0
     size = side * z
