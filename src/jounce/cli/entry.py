@@ -20,6 +20,7 @@ from jounce.cli import (
     draw,
     fit,
     importing,
+    iri,
     kinematics,
     library,
     modes,
@@ -52,6 +53,7 @@ def application() -> typer.Typer:
     app.command("modes")(modes.modes)
     app.command("adjust")(adjust.adjust)
     app.command("kinematics")(kinematics.kinematics)
+    app.command("iri")(iri.iri)
     app.command("plot")(plot.plot)
     app.command("draw")(draw.draw)
     app.command("animate")(draw.animate)
