@@ -208,6 +208,11 @@ class Mechanism(Loaded):
         return tuple(self._tracks)
 
     @property
+    def bodies(self) -> dict[str, Body]:
+        """All bodies by name, the ground first."""
+        return dict(self._bodies)
+
+    @property
     def joints(self) -> tuple[str, ...]:
         """Names of the joints of the tree, from the ground outwards."""
         return tuple(self._joints)

@@ -50,6 +50,7 @@ class System:
         self._accelerations: dict[str, ca.SX] = {}
         self._dropped: frozenset[str] = frozenset()
         self._scope = ("", "")
+        self._shared: tuple[str, ...] = ()
 
     @contextmanager
     def within(self, place: str, path: str | None = None) -> Iterator[None]:
@@ -63,6 +64,10 @@ class System:
             yield
         finally:
             self._scope = before
+
+    def share(self, speeds: Sequence[str]) -> None:
+        """Name the speeds of a body that carries several suspensions, each of them complete with the body held."""
+        self._shared = tuple(speeds)
 
     def placed(self, name: str) -> str:
         """Give a name with the place that is being built before it."""
@@ -209,7 +214,8 @@ class System:
         q, v = ca.vertcat(*self._coordinates.values()), ca.vertcat(*self._speeds.values())
         internal = ca.vertcat(*(symbol for symbol, _ in self._internal.values()))
         constraint = self._all_constraints()
-        solved = solve(v, self._inertias, self._load(v), constraint, self._moved)
+        shared = [list(self._speeds).index(name) for name in self._shared]
+        solved = solve(v, self._inertias, self._load(v), constraint, self._moved, shared)
         dropped = ca.vertcat(*(row for name, row in self._multipliers() if name in self._dropped))
         unknown = ca.vertcat(*self._accelerations.values(), constraint.multipliers, dropped)
         found = ca.densify(ca.vertcat(solved.acceleration, solved.multipliers, ca.SX(dropped.shape[0], 1)))

@@ -7,18 +7,20 @@ from collections.abc import Callable
 from jounce.mechanics import Model
 from jounce.models.corner import TEMPLATES, corner
 from jounce.models.full_car import full_car
+from jounce.models.full_car_3d import full_car_3d
 from jounce.models.half_car import half_car
 from jounce.models.half_car_4dof import half_car_4dof
 from jounce.models.quarter_car import quarter_car
 from jounce.parts import QuarterCar, Rig
 from jounce.parts.parameters import structure_of
-from jounce.parts.vehicles import FullCar, HalfCar, HalfCar4
+from jounce.parts.vehicles import FullCar, FullCar3D, HalfCar, HalfCar4
 
 _BUILDERS: dict[type[Rig], Callable[..., Model]] = {
     QuarterCar: quarter_car,
     HalfCar: half_car,
     HalfCar4: half_car_4dof,
     FullCar: full_car,
+    FullCar3D: full_car_3d,
     **dict.fromkeys(TEMPLATES, corner),
 }
 _built: dict[tuple[str, bool], Model] = {}

@@ -10,6 +10,7 @@ from collections.abc import Callable
 import casadi as ca
 
 from jounce.mechanics import Mechanism, Model
+from jounce.mechanics.bodies import Body
 from jounce.mechanics.elements import friction_force
 from jounce.mechanics.system import Track
 from jounce.models.attachments import (
@@ -59,7 +60,19 @@ def suspension(
     Linkage
         The bodies, and what the template says of them.
     """
-    chassis = guided(mechanism, guide or rig.guide)
+    return hung(rig, mechanism, guided(mechanism, guide or rig.guide), rack=rack)
+
+
+def hung(
+    rig: Corner,
+    mechanism: Mechanism,
+    chassis: Body,
+    *,
+    rack: Track | ca.SX | None = None,
+    ahead: ca.SX | float = 0.0,
+    mirrored: bool = False,
+) -> Linkage:
+    """Hang the bodies of a suspension on a body, moved ``ahead`` (m) along x, on the other side where ``mirrored``."""
     steering = getattr(rig, "steering", None)
     if rack is None and steering is not None:
         rack = mechanism.parameter("steering.rack_travel")
@@ -67,7 +80,7 @@ def suspension(
     if rack is not None:
         holder = mechanism.body("rack")
         mechanism.driven("rack", chassis, holder, axis=ca.SX([0.0, 1.0, 0.0]), travel=rack)
-    linkage = Linkage(rig, mechanism, chassis, holder)
+    linkage = Linkage(rig, mechanism, chassis, holder, ahead=ahead, mirrored=mirrored)
     TEMPLATES[type(rig)](linkage)
     add_rocker(linkage)
     add_strut_points(linkage)
@@ -84,7 +97,7 @@ def corner(rig: Corner, *, detail: bool = False) -> Model:
     road = mechanism.track("road.z")
     linkage = suspension(rig, mechanism)
     mechanism.output("road.z", road.value, "m", "road height under the wheel")
-    elements = _strut(linkage)
+    elements = add_strut(linkage)
     deflection, force = add_tyre(linkage, road)
     mechanism.output("tyre.deflection", deflection, "m", "tyre deflection from undeformed, compression positive")
     mechanism.output("tyre.force", force, "N", "contact force, compression positive")
@@ -101,7 +114,7 @@ def corner(rig: Corner, *, detail: bool = False) -> Model:
     return mechanism.finish()
 
 
-def _strut(linkage: Linkage) -> dict[str, tuple[ca.SX, ca.SX]]:
+def add_strut(linkage: Linkage) -> dict[str, tuple[ca.SX, ca.SX]]:
     """Add spring, stops and damper; give force and deflection rate of each element."""
     mechanism = linkage.mechanism
     spring, damper = line_of(linkage, "spring"), line_of(linkage, "damper")
@@ -135,6 +148,11 @@ def _motions(linkage: Linkage) -> None:
         mechanism.output(f"{name}.z", z, "m", f"{text}, height above design")
         mechanism.output(f"{name}.vz", mechanism.rate_of(z), "m/s", f"{text}, vertical velocity")
         mechanism.output(f"{name}.az", mechanism.acceleration_of(z), "m/s^2", f"{text}, vertical acceleration")
-    axis = linkage.spin_direction.value
+    show_wheel(linkage)
+
+
+def show_wheel(linkage: Linkage) -> None:
+    """Let the angles of the wheel be seen."""
+    axis, mechanism = linkage.spin_direction.value, linkage.mechanism
     mechanism.output("wheel.camber", -ca.asin(axis[2]), "rad", "camber, positive top outward")
     mechanism.output("wheel.steer", ca.atan2(-linkage.side * axis[0], linkage.side * axis[1]), "rad", "steer about +z")

@@ -3,13 +3,14 @@
 from jounce.parts.advice import rig_findings
 from jounce.parts.loading import changed_text, library, load, rig_from_table, rig_path
 from jounce.parts.rigs import Corner, DoubleWishbone, FiveLink, McPherson, QuarterCar, Rig, TrailingArm
-from jounce.parts.vehicles import FullCar, HalfCar, HalfCar4, Vehicle
+from jounce.parts.vehicles import FullCar, FullCar3D, HalfCar, HalfCar4, Vehicle
 
 __all__ = [
     "Corner",
     "DoubleWishbone",
     "FiveLink",
     "FullCar",
+    "FullCar3D",
     "HalfCar",
     "HalfCar4",
     "McPherson",

@@ -76,7 +76,19 @@ def rig_from_table(table: dict[str, Any], *, where: str = "", text: str = "") ->
         raise DescriptionError("the key 'model' is missing", where=where, allowed=", ".join(models))
     if model not in models:
         raise unknown(model, models, what="model", where=where)
-    return models[model].from_table(table, where=where, text=text)
+    return models[model].from_table(_with_corners(table, where), where=where, text=text)
+
+
+def _with_corners(table: dict[str, Any], where: str) -> dict[str, Any]:
+    """Give a vehicle's table with the rigs in place of the names that its axles have as ``corner``."""
+    found = dict(table)
+    for axle in ("front", "rear"):
+        entry = table.get(axle)
+        if isinstance(entry, dict) and isinstance(entry.get("corner"), str):
+            beside = Path(where).parent / entry["corner"]
+            name = beside if where and beside.is_file() else entry["corner"]
+            found[axle] = {**entry, "corner": read_toml(rig_path(name))[0]}
+    return found
 
 
 def check_schema(table: dict[str, Any], expected: tuple[str, ...], where: str) -> str:

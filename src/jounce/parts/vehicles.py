@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import ClassVar, Literal, NamedTuple, Self
+from typing import Annotated, ClassVar, Literal, NamedTuple, Self
 
 from pydantic import Field, model_validator
 
-from jounce.core.description import Description
+from jounce.core.description import Description, misplaced
 from jounce.core.units import (
     Acceleration,
     Length,
@@ -17,9 +17,11 @@ from jounce.core.units import (
     PositiveLength,
     PositiveStiffness,
 )
+from jounce.parts.corners import DoubleWishbone, FiveLink, McPherson, TrailingArm
 from jounce.parts.elements import BumpStop, Damper, Friction, LinearDamper, Spring, Tyre, require_one
 from jounce.parts.rig import Rig
 
+AnyCorner = Annotated[DoubleWishbone | McPherson | FiveLink | TrailingArm, Field(discriminator="model")]
 Compat = Literal["physical", "sign-corrected", "simulink"]
 
 
@@ -190,4 +192,50 @@ class FullCar(Vehicle):
     corners: ClassVar[tuple[str, ...]] = ("front_left", "front_right", "rear_left", "rear_right")
 
 
-VEHICLES: dict[str, type[Vehicle]] = {"half-car": HalfCar, "half-car-4dof": HalfCar4, "full-car": FullCar}
+class SpatialBody(RollingBody):
+    """Body of a full car on 3-D corners; ``height`` (m) places its centre of gravity, whose axes are principal."""
+
+    height: PositiveLength
+
+
+class SpatialAxle(Description):
+    """Axle of two mirrored 3-D corners.
+
+    Attributes
+    ----------
+    distance : float
+        Of the wheel centres from the body's centre of gravity at design, m; hardpoints are shifted along x to it.
+    corner : Corner
+        The left corner; its own ``sprung`` and ``guide`` do not matter here. In a file also the name of a shipped rig
+        or the path of a rig file, from the vehicle file's folder.
+    anti_roll_bar_rate : float
+        Force on a wheel for each metre by which it travels further than the other one, N/m.
+    """
+
+    distance: PositiveLength
+    corner: AnyCorner
+    anti_roll_bar_rate: NonNegativeStiffness = 0.0
+
+    @model_validator(mode="after")
+    def _is_left(self) -> Self:
+        if self.corner.side != "left":
+            raise misplaced(("corner", "side"), 'found "right"; allowed: the left corner, the right one is its mirror')
+        return self
+
+
+class FullCar3D(Vehicle):
+    """Full car on four 3-D corners: the body heaves, pitches and rolls on its suspensions; it does not yaw or slide."""
+
+    model: Literal["full-car-3d"] = "full-car-3d"
+    body: SpatialBody
+    front: SpatialAxle
+    rear: SpatialAxle
+    corners: ClassVar[tuple[str, ...]] = FullCar.corners
+
+
+VEHICLES: dict[str, type[Vehicle]] = {
+    "half-car": HalfCar,
+    "half-car-4dof": HalfCar4,
+    "full-car": FullCar,
+    "full-car-3d": FullCar3D,
+}

@@ -22,10 +22,10 @@ def flipped_at(names: tuple[str, ...], outputs: Array) -> int | None:
         Samples, SI; the first one is the rest that the run starts from.
     """
     first: int | None = None
-    for name in _ANGLES:
-        if name not in names:
+    for row, name in enumerate(names):
+        if not name.endswith(_ANGLES):
             continue
-        angle = outputs[names.index(name)]
+        angle = outputs[row]
         turned = np.abs(np.angle(np.exp(1j * (angle - angle[0])))) > _TURNED
         if abs(angle[0]) > _STEERED:
             turned[0] = True
