@@ -1,0 +1,422 @@
+"""Closed forms of the linear quarter car: variances on white-noise roads, best dampers, invariants, first designs.
+
+All of them are those of the two-mass model with an undamped tyre; rates and coefficients are those at the wheel.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from jounce.core.errors import DescriptionError
+from jounce.core.units import to_si
+
+GRAVITY = 9.81
+"""m/s^2, as in descriptions that say nothing else."""
+
+
+@dataclass(frozen=True)
+class LumpedCorner:
+    """Numbers of a quarter car at the wheel, SI.
+
+    Attributes
+    ----------
+    sprung_mass, unsprung_mass : float
+        kg.
+    wheel_rate, tyre_stiffness : float
+        N/m.
+    damping_coefficient : float
+        At the wheel, N*s/m.
+    """
+
+    sprung_mass: float
+    unsprung_mass: float
+    wheel_rate: float
+    tyre_stiffness: float
+    damping_coefficient: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name, value in vars(self).items():
+            least = name == "damping_coefficient"
+            if not (math.isfinite(value) and (value >= 0.0 if least else value > 0.0)):
+                raise DescriptionError(
+                    "out of range", where=name, found=value, allowed="at least 0" if least else "above 0"
+                )
+
+    @property
+    def total_mass(self) -> float:
+        """Sprung and unsprung mass together, kg."""
+        return self.sprung_mass + self.unsprung_mass
+
+
+@dataclass(frozen=True)
+class Variances:
+    """Variances on a road whose vertical velocity is white noise, SI.
+
+    Attributes
+    ----------
+    acceleration : float
+        Of the body's acceleration, (m/s^2)^2.
+    deflection : float
+        Of the suspension deflection at the wheel, m^2.
+    tyre_deflection : float
+        m^2.
+    tyre_force : float
+        Of the dynamic wheel load, N^2.
+    """
+
+    acceleration: float
+    deflection: float
+    tyre_deflection: float
+    tyre_force: float
+
+
+def white_noise_variances(corner: LumpedCorner, intensity: float) -> Variances:
+    """Variances of a quarter car on a white-noise road, in closed form.
+
+    Parameters
+    ----------
+    corner : LumpedCorner
+        Its damping coefficient must be above 0.
+    intensity : float
+        W of the road's vertical velocity, m^2/s (:func:`jounce.roads.roughness.white_noise_intensity`).
+
+    Returns
+    -------
+    Variances
+        SI.
+
+    Raises
+    ------
+    DescriptionError
+        Without damping: nothing holds the variances.
+
+    Examples
+    --------
+    >>> found = white_noise_variances(LumpedCorner(400.0, 40.0, 25e3, 200e3, 1500.0), 1.0)
+    >>> round(found.acceleration, 4), round(found.deflection, 8), round(found.tyre_deflection, 9)
+    (1510.4167, 0.14666667, 0.016977083)
+    """
+    m, u, k, kt, c = _numbers(corner)
+    if c == 0.0:
+        raise DescriptionError("no stationary response", where="damping_coefficient", found=c, allowed="above 0 N*s/m")
+    total = m + u
+    acceleration = (c**2 * kt + k**2 * total) / (2.0 * c * m**2)
+    tyre = c**2 * kt * total**2 + _holding_term(m, u, k, kt)
+    deflection, tyre_deflection = total / (2.0 * c), tyre / (2.0 * c * kt**2 * m**2)
+    return Variances(
+        *(intensity * value for value in (acceleration, deflection, tyre_deflection, kt**2 * tyre_deflection))
+    )
+
+
+def _numbers(corner: LumpedCorner) -> tuple[float, float, float, float, float]:
+    return (
+        corner.sprung_mass,
+        corner.unsprung_mass,
+        corner.wheel_rate,
+        corner.tyre_stiffness,
+        corner.damping_coefficient,
+    )
+
+
+def _holding_term(m: float, u: float, k: float, kt: float) -> float:
+    total = m + u
+    return k**2 * total**3 - 2.0 * k * kt * m * u * total + kt**2 * m**2 * u
+
+
+def comfort_damping(corner: LumpedCorner) -> float:
+    """Damping coefficient (N*s/m, at the wheel) with the least body acceleration, ``k sqrt(M / k_t)``.
+
+    Examples
+    --------
+    >>> round(comfort_damping(LumpedCorner(400.0, 40.0, 25e3, 200e3)), 3)
+    1172.604
+    """
+    return corner.wheel_rate * math.sqrt(corner.total_mass / corner.tyre_stiffness)
+
+
+def least_acceleration_variance(corner: LumpedCorner, intensity: float) -> float:
+    """Variance ((m/s^2)^2) of the body's acceleration with that damper; ``intensity`` in m^2/s."""
+    root = math.sqrt(corner.tyre_stiffness * corner.total_mass)
+    return intensity * corner.wheel_rate * root / corner.sprung_mass**2
+
+
+def road_holding_damping(corner: LumpedCorner) -> float:
+    """Damping coefficient (N*s/m, at the wheel) with the least variation of the wheel load.
+
+    Examples
+    --------
+    >>> round(road_holding_damping(LumpedCorner(400.0, 40.0, 25e3, 200e3)), 3)
+    2483.624
+    """
+    m, u, k, kt, _ = _numbers(corner)
+    return math.sqrt(_holding_term(m, u, k, kt)) / (math.sqrt(kt) * (m + u))
+
+
+def road_holding_rate(corner: LumpedCorner) -> float:
+    """Wheel rate (N/m) with the least variation of the wheel load, ``k_t m_s m_u / M^2``, whatever the damper.
+
+    Examples
+    --------
+    >>> round(road_holding_rate(LumpedCorner(400.0, 40.0, 25e3, 200e3)), 1)
+    16528.9
+    """
+    return corner.tyre_stiffness * corner.sprung_mass * corner.unsprung_mass / corner.total_mass**2
+
+
+def mean_dissipated_power(tyre_stiffness: float, intensity: float) -> float:
+    """Mean power (W) that the damper of one wheel turns into heat, ``W k_t / 2``, whatever masses, spring and damper.
+
+    ``tyre_stiffness`` in N/m, ``intensity`` of the white-noise road in m^2/s.
+    """
+    return 0.5 * intensity * tyre_stiffness
+
+
+@dataclass(frozen=True)
+class Invariants:
+    """Points of the frequency response that no suspension law between body and wheel can move.
+
+    Attributes
+    ----------
+    acceleration_frequency_hz : float
+        Where the body's acceleration per road height is fixed, Hz.
+    acceleration_ratio : float
+        There, ``k_t / m_s``, 1/s^2, in phase with the road.
+    deflection_frequency_hz : float
+        Where the suspension deflection per road height is fixed, Hz.
+    deflection_ratio : float
+        Its magnitude there, ``M / m_s`` (1).
+    """
+
+    acceleration_frequency_hz: float
+    acceleration_ratio: float
+    deflection_frequency_hz: float
+    deflection_ratio: float
+
+
+def invariants(sprung_mass: float, unsprung_mass: float, tyre_stiffness: float) -> Invariants:
+    """Invariant points of a quarter car with an undamped tyre (Hedrick and Butsuen).
+
+    Parameters
+    ----------
+    sprung_mass, unsprung_mass : float
+        kg.
+    tyre_stiffness : float
+        N/m.
+
+    Returns
+    -------
+    Invariants
+        SI, frequencies in Hz. They hold for passive, semi-active and active suspensions alike.
+
+    Examples
+    --------
+    >>> found = invariants(400.0, 40.0, 200e3)
+    >>> round(found.acceleration_frequency_hz, 5), round(found.acceleration_ratio)
+    (11.25395, 500)
+    >>> round(found.deflection_frequency_hz, 5), round(found.deflection_ratio, 2)
+    (3.39319, 1.1)
+    """
+    total = sprung_mass + unsprung_mass
+    first, second = (math.sqrt(tyre_stiffness / mass) / (2.0 * math.pi) for mass in (unsprung_mass, total))
+    return Invariants(first, tyre_stiffness / sprung_mass, second, total / sprung_mass)
+
+
+def ride_rate(wheel_rate: float, tyre_stiffness: float | None) -> float:
+    """Rate (N/m) of wheel rate and tyre stiffness (N/m) in series; a rigid tyre is None."""
+    return wheel_rate if tyre_stiffness is None else wheel_rate * tyre_stiffness / (wheel_rate + tyre_stiffness)
+
+
+def approximate_frequencies(corner: LumpedCorner) -> tuple[float, float]:
+    """Body bounce and wheel hop (Hz) as if they did not know of each other: about 1 % from the undamped ones of a car.
+
+    Examples
+    --------
+    >>> [round(value, 3) for value in approximate_frequencies(LumpedCorner(400.0, 40.0, 25e3, 200e3))]
+    [1.186, 11.937]
+    """
+    body = ride_rate(corner.wheel_rate, corner.tyre_stiffness) / corner.sprung_mass
+    hop = (corner.wheel_rate + corner.tyre_stiffness) / corner.unsprung_mass
+    return math.sqrt(body) / (2.0 * math.pi), math.sqrt(hop) / (2.0 * math.pi)
+
+
+def static_deflection(sprung_mass: float, wheel_rate: float, gravity: float = GRAVITY) -> float:
+    """Suspension deflection (m) under a mass (kg) with a wheel rate (N/m) and no preload; ``gravity`` in m/s^2."""
+    return sprung_mass * gravity / wheel_rate
+
+
+def corner_masses(body_mass: float, front_distance: float, rear_distance: float) -> tuple[float, float]:
+    """Sprung mass (kg) over one front and one rear wheel, by the lever rule.
+
+    Parameters
+    ----------
+    body_mass : float
+        kg.
+    front_distance, rear_distance : float
+        Of the axles from the centre of gravity, m.
+
+    Returns
+    -------
+    tuple of float
+        Front and rear, kg, one wheel each.
+
+    Examples
+    --------
+    >>> [round(mass, 2) for mass in corner_masses(1636.0, 1.29, 1.62)]
+    [455.38, 362.62]
+    """
+    base = front_distance + rear_distance
+    return 0.5 * body_mass * rear_distance / base, 0.5 * body_mass * front_distance / base
+
+
+@dataclass(frozen=True)
+class SpringAndDamper:
+    """Spring and damper of one wheel.
+
+    Attributes
+    ----------
+    spring_rate, damping_coefficient : float
+        At the strut, N/m and N*s/m.
+    wheel_rate, wheel_damping_coefficient : float
+        At the wheel, N/m and N*s/m: by the motion ratio squared less.
+    ride_rate : float
+        Wheel rate and tyre in series, N/m.
+    frequency_hz : float
+        Of the sprung mass on the ride rate, undamped, the wheel's mass left out, Hz.
+    damping_ratio : float
+        Of the sprung mass on the wheel rate (1).
+    static_deflection : float
+        Of the suspension at the wheel without preload, m.
+    static_load : float
+        Weight of the sprung mass, N.
+    """
+
+    spring_rate: float
+    damping_coefficient: float
+    wheel_rate: float
+    wheel_damping_coefficient: float
+    ride_rate: float
+    frequency_hz: float
+    damping_ratio: float
+    static_deflection: float
+    static_load: float
+
+
+def spring_and_damper(
+    sprung_mass: float | str,
+    frequency: float | str,
+    damping_ratio: float,
+    *,
+    tyre_stiffness: float | str | None = None,
+    motion_ratio: float = 1.0,
+    gravity: float = GRAVITY,
+) -> SpringAndDamper:
+    """Spring and damper that give a mass a natural frequency and a damping ratio.
+
+    Parameters
+    ----------
+    sprung_mass : float or str
+        On this wheel, kg.
+    frequency : float or str
+        Undamped natural frequency of the body that is wanted, Hz.
+    damping_ratio : float
+        Wanted, of critical (1): ``c / (2 sqrt(k m))`` at the wheel, the tyre taken as rigid.
+    tyre_stiffness : float or str, optional
+        N/m; then the frequency is that of spring and tyre in series. A rigid tyre otherwise, as in first designs.
+    motion_ratio : float
+        Spring travel over wheel travel (1); of a lumped strut the cosine of its angle.
+    gravity : float
+        m/s^2.
+
+    Returns
+    -------
+    SpringAndDamper
+        SI.
+
+    Raises
+    ------
+    DescriptionError
+        For values out of range, and for a frequency that the tyre alone would fall short of.
+
+    Examples
+    --------
+    >>> found = spring_and_damper("460 kg", "1.4466 Hz", 0.24)   # the 38 N/mm and 2000 N*s/m of paper 2
+    >>> round(found.spring_rate, -2), round(found.damping_coefficient, -1)
+    (38000.0, 2010.0)
+    """
+    mass = _positive(sprung_mass, "kg", "sprung_mass")
+    wanted = _positive(frequency, "Hz", "frequency")
+    share = _positive(damping_ratio, "1", "damping_ratio", zero=True)
+    ratio = _positive(motion_ratio, "1", "motion_ratio")
+    stiffness = None if tyre_stiffness is None else _positive(tyre_stiffness, "N/m", "tyre_stiffness")
+    ride = mass * (2.0 * math.pi * wanted) ** 2
+    rate = ride
+    if stiffness is not None:
+        if ride >= stiffness:
+            most = math.sqrt(stiffness / mass) / (2.0 * math.pi)
+            raise DescriptionError(
+                "the tyre is too soft for this frequency",
+                where="frequency",
+                found=f"{wanted:g} Hz",
+                allowed=f"below {most:.4g} Hz",
+            )
+        rate = ride * stiffness / (stiffness - ride)
+    damping = 2.0 * share * math.sqrt(rate * mass)
+    lever = ratio**2
+    sag = static_deflection(mass, rate, gravity)
+    return SpringAndDamper(rate / lever, damping / lever, rate, damping, ride, wanted, share, sag, mass * gravity)
+
+
+def as_built(
+    sprung_mass: float,
+    spring_rate: float,
+    damping_coefficient: float,
+    *,
+    tyre_stiffness: float | None = None,
+    motion_ratio: float = 1.0,
+    gravity: float = GRAVITY,
+) -> SpringAndDamper:
+    """Frequency and damping ratio of a spring and damper that exist, the way back of :func:`spring_and_damper`.
+
+    Parameters
+    ----------
+    sprung_mass : float
+        kg.
+    spring_rate, damping_coefficient : float
+        At the strut, N/m and N*s/m.
+    tyre_stiffness : float, optional
+        N/m; None for a rigid tyre.
+    motion_ratio : float
+        Spring travel over wheel travel (1).
+    gravity : float
+        m/s^2.
+
+    Returns
+    -------
+    SpringAndDamper
+        SI.
+
+    Examples
+    --------
+    >>> front = as_built(455.38, 28000.0, 3000.0)   # paper 2, table 2
+    >>> round(front.frequency_hz, 3), round(front.damping_ratio, 2)
+    (1.248, 0.42)
+    """
+    lever = motion_ratio**2
+    rate, damping = spring_rate * lever, damping_coefficient * lever
+    ride = ride_rate(rate, tyre_stiffness)
+    frequency = math.sqrt(ride / sprung_mass) / (2.0 * math.pi)
+    share = damping / (2.0 * math.sqrt(rate * sprung_mass))
+    sag = static_deflection(sprung_mass, rate, gravity)
+    load = sprung_mass * gravity
+    return SpringAndDamper(spring_rate, damping_coefficient, rate, damping, ride, frequency, share, sag, load)
+
+
+def _positive(value: float | str, unit: str, where: str, *, zero: bool = False) -> float:
+    number = to_si(value, unit, where=where)
+    if number < 0.0 or (number == 0.0 and not zero):
+        shown = unit if unit != "1" else ""
+        raise DescriptionError(
+            "out of range", where=where, found=value, allowed=f"{'at least' if zero else 'above'} 0 {shown}".rstrip()
+        )
+    return number
