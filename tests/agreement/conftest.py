@@ -17,3 +17,13 @@ def twin():
     sys.modules[spec.name] = module
     spec.loader.exec_module(module)
     return module
+
+
+@pytest.fixture(scope="session")
+def vehicle_twin():
+    path = Path(__file__).parents[1] / "twins" / "vehicle_twin.py"
+    spec = importlib.util.spec_from_file_location("vehicle_twin", path)
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    return module
