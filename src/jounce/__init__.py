@@ -30,8 +30,8 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.identify.update import UpdatedParameter as UpdatedParameter
     from jounce.identify.update import UpdateResult as UpdateResult
     from jounce.identify.update import update_model as update_model
+    from jounce.kinematics import AxleLayout as AxleLayout
     from jounce.kinematics import ContactLoad as ContactLoad
-    from jounce.kinematics import Vehicle as Vehicle
     from jounce.kinematics import compliance as compliance
     from jounce.kinematics import pickup_loads as pickup_loads
     from jounce.kinematics import sweep_rack as sweep_rack
@@ -40,8 +40,13 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.kinematics import sweep_travel as sweep_travel
     from jounce.kinematics import sweep_variants as sweep_variants
     from jounce.kinematics import write_sweep as write_sweep
+    from jounce.parts import FullCar as FullCar
+    from jounce.parts import FullCar3D as FullCar3D
+    from jounce.parts import HalfCar as HalfCar
+    from jounce.parts import HalfCar4 as HalfCar4
     from jounce.parts import QuarterCar as QuarterCar
     from jounce.parts import Rig as Rig
+    from jounce.parts import Vehicle as Vehicle
     from jounce.parts import load as load
     from jounce.parts.strut_angle import with_strut_angle as with_strut_angle
     from jounce.recordings import Sensor as Sensor
@@ -86,6 +91,7 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
 
 _PUBLIC = {  # public name -> module that defines it; a module itself is its own value
     "AssemblyError": "jounce.core.errors",
+    "AxleLayout": "jounce.kinematics",
     "CircularSegment": "jounce.roads",
     "ContactLoad": "jounce.kinematics",
     "Crg": "jounce.roads",
@@ -96,7 +102,11 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "FitTrial": "jounce.identify.update",
     "Flat": "jounce.roads",
     "ForceDeflectionTrial": "jounce.identify.force_deflection",
+    "FullCar": "jounce.parts",
+    "FullCar3D": "jounce.parts",
     "Gradient": "jounce.simulation",
+    "HalfCar": "jounce.parts",
+    "HalfCar4": "jounce.parts",
     "HalfCylinder": "jounce.roads",
     "HalfSine": "jounce.roads",
     "JounceError": "jounce.core.errors",
@@ -118,7 +128,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "Triangle": "jounce.roads",
     "UpdateResult": "jounce.identify.update",
     "UpdatedParameter": "jounce.identify.update",
-    "Vehicle": "jounce.kinematics",
+    "Vehicle": "jounce.parts",
     "Versine": "jounce.roads",
     "adjust_report": "jounce.studies.adjustment_effects",
     "adjusted": "jounce.studies.adjustments",

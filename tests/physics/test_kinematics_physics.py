@@ -172,8 +172,8 @@ def test_trailing_arm_turns_about_its_axis() -> None:
 
 def test_anti_effects_are_the_slopes_times_the_vehicle() -> None:
     rig = jn.load("reference-double-wishbone")
-    front = jn.Vehicle(axle="front", wheelbase=2.7, centre_of_mass_height=0.55, brake_share=0.6)
-    rear = jn.Vehicle(axle="rear", wheelbase=2.7, centre_of_mass_height=0.55, brake_share=0.4)
+    front = jn.AxleLayout(axle="front", wheelbase=2.7, centre_of_mass_height=0.55, brake_share=0.6)
+    rear = jn.AxleLayout(axle="rear", wheelbase=2.7, centre_of_mass_height=0.55, brake_share=0.4)
     found, lever = jn.sweep_travel(rig, 0.0, vehicle=front), 2.7 / 0.55
     assert float(found["anti_dive"][0]) == pytest.approx(0.6 * lever * -0.005843, abs=2e-6)  # slopes: E5's table
     found = jn.sweep_travel(rig, 0.0, vehicle=rear)
@@ -248,7 +248,7 @@ def test_roll_moment_is_the_slope_of_the_spring_energy() -> None:
 
 def test_both_wheels_steer_alike() -> None:
     rig = jn.load("reference-double-wishbone")
-    car = jn.Vehicle(axle="front", wheelbase=2.7, centre_of_mass_height=0.55, brake_share=0.6)
+    car = jn.AxleLayout(axle="front", wheelbase=2.7, centre_of_mass_height=0.55, brake_share=0.6)
     found = jn.sweep_steering(rig, [-0.02, -0.01, 0.0, 0.01, 0.02], vehicle=car)
     assert found["left.steer"].to_numpy() == pytest.approx(-found["right.steer"].to_numpy()[::-1], abs=1e-12)
     assert found["ackermann"].to_numpy()[[0, 1]] == pytest.approx(found["ackermann"].to_numpy()[[4, 3]], rel=1e-9)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
     from rich.console import Console
 
-    from jounce.kinematics.vehicle import Vehicle
+    from jounce.kinematics.layout import AxleLayout
     from jounce.parts import Rig
 
 _SHOWN = 7
@@ -93,7 +93,7 @@ def _sweep(
     travel: str | None,
     rack: str | None,
     roll: str | None,
-    vehicle: Vehicle | None,
+    vehicle: AxleLayout | None,
     *,
     axle: bool,
     points: bool,
@@ -118,7 +118,7 @@ def _sweep(
 
 
 def _sweep_axle(
-    rig: Rig, travel: str | None, rack: NDArray[np.float64] | None, roll: str | None, vehicle: Vehicle | None
+    rig: Rig, travel: str | None, rack: NDArray[np.float64] | None, roll: str | None, vehicle: AxleLayout | None
 ) -> xr.Dataset:
     from jounce.kinematics import sweep_roll, sweep_steering
 
@@ -148,14 +148,14 @@ def _one_value(values: NDArray[np.float64], option: str, why: str) -> float:
     return float(values[0])
 
 
-def _vehicle(texts: list[str] | None) -> Vehicle | None:
+def _vehicle(texts: list[str] | None) -> AxleLayout | None:
     if not texts:
         return None
     from jounce.cli.options import bare_number
-    from jounce.kinematics.vehicle import Vehicle
+    from jounce.kinematics.layout import AxleLayout
 
     given = pairs(texts, "--vehicle", 'wheelbase="2.7 m"')
-    return Vehicle.from_table({name: bare_number(value) for name, value in given.items()}, where="--vehicle")
+    return AxleLayout.from_table({name: bare_number(value) for name, value in given.items()}, where="--vehicle")
 
 
 def plain_sweep(sweep: xr.Dataset) -> dict[str, Any]:

@@ -11,9 +11,9 @@ from jounce.core.errors import DescriptionError
 from jounce.core.units import to_si
 from jounce.kinematics.axle import Axle, AxleVariables, WheelRows
 from jounce.kinematics.grids import Values, sweep_values
+from jounce.kinematics.layout import AxleLayout
 from jounce.kinematics.model import check_corner, has_rack
 from jounce.kinematics.reach import no_pose
-from jounce.kinematics.vehicle import Vehicle
 from jounce.parts import Rig
 
 if TYPE_CHECKING:
@@ -23,7 +23,9 @@ Array = NDArray[np.float64]
 _STRAIGHT = 1e-6  # rad: turns below it share nothing
 
 
-def sweep_steering(rig: Rig, rack: Values, travel: float | str = 0.0, *, vehicle: Vehicle | None = None) -> xr.Dataset:
+def sweep_steering(
+    rig: Rig, rack: Values, travel: float | str = 0.0, *, vehicle: AxleLayout | None = None
+) -> xr.Dataset:
     """Steer an axle of a corner and its mirror image by one rack.
 
     Parameters
@@ -34,7 +36,7 @@ def sweep_steering(rig: Rig, rack: Values, travel: float | str = 0.0, *, vehicle
         Travel of the rack, m, positive to the left, ascending; or text, ``"-20 mm:20 mm:5 mm"``.
     travel : float or str
         Vertical travel of both wheel centres from design, m, bump positive.
-    vehicle : Vehicle, optional
+    vehicle : AxleLayout, optional
         Its wheelbase adds ``ackermann`` and ``turning_radius``.
 
     Returns
@@ -56,7 +58,7 @@ def sweep_steering(rig: Rig, rack: Values, travel: float | str = 0.0, *, vehicle
     Examples
     --------
     >>> import jounce as jn
-    >>> car = jn.Vehicle(axle="front", wheelbase="2.7 m", centre_of_mass_height="0.55 m", brake_share=0.6)
+    >>> car = jn.AxleLayout(axle="front", wheelbase="2.7 m", centre_of_mass_height="0.55 m", brake_share=0.6)
     >>> steered = jn.sweep_steering(jn.load("reference-double-wishbone"), [-0.02, 0.0, 0.02], vehicle=car)
     >>> bool(steered["mean_steer"][0] > 0.0)
     True
@@ -77,7 +79,7 @@ def sweep_steering(rig: Rig, rack: Values, travel: float | str = 0.0, *, vehicle
     return found.dataset(kept, axle, corner)
 
 
-def _add_rows(found: AxleVariables, left: WheelRows, right: WheelRows, vehicle: Vehicle | None) -> None:
+def _add_rows(found: AxleVariables, left: WheelRows, right: WheelRows, vehicle: AxleLayout | None) -> None:
     one, other = left.rows["steer"], -right.rows["steer"]
     mean = 0.5 * (one + other)
     difference = one - other  # the inner wheel is the left one in left turns, where both angles are positive

@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 from jounce.core.errors import DescriptionError
 from jounce.core.units import to_si
 from jounce.kernel.poses import REACHED, Found, Walk, Work, space_for, walk_poses
-from jounce.kinematics import vehicle as around
+from jounce.kinematics import layout as around
 from jounce.kinematics.grids import Grid, Values, grid, sweep_values
+from jounce.kinematics.layout import AxleLayout
 from jounce.kinematics.model import KinematicModel, check_corner, has_rack, kinematic_model
 from jounce.kinematics.reach import End, ends_of_travel, no_pose, told
-from jounce.kinematics.vehicle import Vehicle
 from jounce.parts import Corner, Rig
 
 if TYPE_CHECKING:
@@ -135,7 +135,7 @@ def sweep_travel(
     bump: Values,
     rack: Values | None = None,
     *,
-    vehicle: Vehicle | None = None,
+    vehicle: AxleLayout | None = None,
     points: bool = False,
 ) -> xr.Dataset:
     """Sweep the wheel of a corner up and down: the whole catalogue of kinematic quantities at each pose.
@@ -152,7 +152,7 @@ def sweep_travel(
     rack : float, str or array_like, shape (m,), optional
         Travel of the rack, m, positive to the left, or text; the description's own (or 0) by default. Several values
         give every pair of travel and rack.
-    vehicle : Vehicle, optional
+    vehicle : AxleLayout, optional
         Adds ``anti_dive`` (front), or ``anti_lift`` and ``anti_squat`` (rear) [1].
     points : bool
         Adds the place of every hardpoint and of the contact point as ``<name>.x``, ``.y``, ``.z`` (m, ground axes).
@@ -190,7 +190,7 @@ def sweep_travel(
 
 
 def sweep_rack(
-    rig: Rig, rack: Values, travel: float | str = 0.0, *, vehicle: Vehicle | None = None, points: bool = False
+    rig: Rig, rack: Values, travel: float | str = 0.0, *, vehicle: AxleLayout | None = None, points: bool = False
 ) -> xr.Dataset:
     """Sweep the steering rack of a corner with the wheel centre at one height.
 
@@ -202,7 +202,7 @@ def sweep_rack(
         Travel of the rack, m, positive to the left, ascending; or text, ``"-20 mm:20 mm:5 mm"``.
     travel : float or str
         Vertical travel of the wheel centre from design, m, bump positive.
-    vehicle : Vehicle, optional
+    vehicle : AxleLayout, optional
         Adds anti-dive, or anti-lift and anti-squat.
     points : bool
         Adds the places of all hardpoints, m.
@@ -238,7 +238,7 @@ def sweep_rack(
 
 
 def _swept(
-    sweep: PreparedSweep, along_rack: bool, along_travel: bool, vehicle: Vehicle | None, points: bool
+    sweep: PreparedSweep, along_rack: bool, along_travel: bool, vehicle: AxleLayout | None, points: bool
 ) -> xr.Dataset:
     values = sweep.run()
     ends = sweep.ends() if np.any(sweep.found.outcome != REACHED) else []

@@ -14,15 +14,15 @@ Array = NDArray[np.float64]
 _Share = Annotated[float, Unit("1", at_least=0.0, at_most=1.0)]
 
 
-class Vehicle(Description):
-    """Vehicle around a corner, for shares of load transfer that the suspension's geometry carries.
+class AxleLayout(Description):
+    """The car around a corner, for shares of load transfer that the suspension's geometry carries.
 
     ``axle`` says which one the corner belongs to; ``wheelbase`` (m), ``centre_of_mass_height`` (m, above the ground);
     ``brake_share`` is this axle's share of the braking force (outboard brakes).
 
     Examples
     --------
-    >>> Vehicle(axle="front", wheelbase="2.7 m", centre_of_mass_height="550 mm", brake_share=0.65).wheelbase
+    >>> AxleLayout(axle="front", wheelbase="2.7 m", centre_of_mass_height="550 mm", brake_share=0.65).wheelbase
     2.7
     """
 
@@ -40,12 +40,12 @@ ROWS = {
 SIGN = "positive: against the body's motion; 1 is all of it"
 
 
-def shares(vehicle: Vehicle, contact: Array, centre: Array) -> dict[str, Array]:
+def shares(vehicle: AxleLayout, contact: Array, centre: Array) -> dict[str, Array]:
     """Shares of the load transfer that the geometry carries (domain: brake and drive forces at the wheel).
 
     Parameters
     ----------
-    vehicle : Vehicle
+    vehicle : AxleLayout
         Dimensions (m) and brake share.
     contact, centre : ndarray
         dx/dz [1] of the contact patch with the wheel locked, and of the wheel centre.
