@@ -1,0 +1,279 @@
+"""Linear models as functions of a rig's numbers: matrices about static equilibrium, and their exact slopes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import SimulationError
+from jounce.mechanics.model import ROAD, is_road
+from jounce.parts import Rig
+from jounce.parts.parameters import structure_of, unknown_path
+from jounce.parts.vehicles import Place, Vehicle
+from jounce.simulation.compiled import Compiled, compile_rig
+from jounce.simulation.statics import Rest, find_rest
+
+Array = NDArray[np.float64]
+_EDGE = 1e-12  # a switch this near to its edge at rest is on it: the mean of both sides counts
+_STEP = 1e-3  # relative, of differences for mechanisms
+
+
+@dataclass(frozen=True)
+class Matrices:
+    """Linear model, or its slope along one number: ``dx/dt = A x + sum_j B_j d^j z/dt^j``, ``y = C x + D z ...``, SI.
+
+    Attributes
+    ----------
+    A : ndarray, shape (n, n)
+        States.
+    B : ndarray, shape (order, n, wheels)
+        For the heights of the road under the wheels and their time derivatives.
+    C : ndarray, shape (outputs, n)
+        Outputs.
+    D : ndarray, shape (order, outputs, wheels)
+        As B.
+    rest : ndarray, shape (outputs,)
+        Static values.
+    """
+
+    A: Array
+    B: Array
+    C: Array
+    D: Array
+    rest: Array
+
+    def of_rows(self, rows: Sequence[int]) -> Matrices:
+        """Give the model with some of its outputs only."""
+        chosen = list(rows)
+        return Matrices(self.A, self.B, self.C[chosen], self.D[:, chosen], self.rest[chosen])
+
+
+@dataclass(frozen=True)
+class LinearFamily:
+    """Linear models of one rig for any values of some of its numbers.
+
+    Attributes
+    ----------
+    rig : Rig
+        Gives all other numbers.
+    paths : tuple of str
+        The numbers that vary.
+    """
+
+    rig: Rig
+    paths: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        known = self.rig.parameters()
+        for path in self.paths:
+            if path not in known:
+                raise unknown_path(f"parameters: {path}", known, name=path)
+
+    @cached_property
+    def compiled(self) -> Compiled:
+        """The rig's model."""
+        return compile_rig(self.rig)
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether slopes are exact; those of mechanisms with loops are differences of fourth order."""
+        return not self.compiled.facts.projects
+
+    @cached_property
+    def start(self) -> Array:
+        """Values of the numbers that vary, as in the rig, SI."""
+        values = self.rig.parameters()
+        return np.array([values[path] for path in self.paths])
+
+    @cached_property
+    def wheels(self) -> tuple[str, ...]:
+        """Corner of each wheel; an empty text where there is only one."""
+        tracks = self.compiled.facts.tracks
+        return tuple(track.removesuffix(ROAD).removesuffix(".") for track in tracks if is_road(track))
+
+    @cached_property
+    def places(self) -> tuple[Place, ...]:
+        """Where each wheel stands."""
+        return _places(self.rig, self.wheels)
+
+    @cached_property
+    def behind(self) -> tuple[Array, Array]:
+        """How far each wheel follows the first (m) at the start, and its slopes (numbers, wheels): affine in each."""
+        first = np.array([place.behind for place in self.places])
+        slopes = [self._moved(path, first) for path in self.paths]
+        return first, np.array(slopes).reshape(len(self.paths), len(first))
+
+    def behind_at(self, values: Array) -> Array:
+        """How far each wheel follows the first, m, at some values (SI) of the numbers."""
+        first, slopes = self.behind
+        return np.asarray(first + (values - self.start) @ slopes)
+
+    def _moved(self, path: str, first: Array) -> Array:
+        if not isinstance(self.rig, Vehicle) or not first.any():
+            return np.zeros_like(first)
+        value = self.rig.parameters()[path]
+        step = 0.5 * abs(value) or 1.0
+        try:
+            other = self.rig.with_changes({path: value + step})
+        except Exception:  # noqa: BLE001 - the other side is allowed then
+            step = -step
+            other = self.rig.with_changes({path: value + step})
+        there = np.array([place.behind for place in _places(other, self.wheels)])
+        return np.asarray((there - first) / step)
+
+    def at(self, values: Array | None = None, *, slopes: bool = True) -> tuple[Matrices, tuple[Matrices, ...]]:
+        """Give the model at some values of the numbers, and its slope along each of them.
+
+        Parameters
+        ----------
+        values : ndarray, shape (numbers,), optional
+            SI; those of the rig otherwise.
+        slopes : bool
+            Whether the slopes are wanted.
+
+        Raises
+        ------
+        SimulationError
+            Where there is no static equilibrium.
+        """
+        given = dict(zip(self.paths, self.start if values is None else values, strict=True))
+        compiled = self.compiled
+        p = compiled.parameter_values({**self.rig.parameters(), **{path: float(v) for path, v in given.items()}})
+        if compiled.facts.projects:
+            return self._by_differences(p, slopes=slopes)
+        return self._exactly(p, slopes=slopes)
+
+    def _used(self, path: str) -> int | None:
+        """Place of a number among the model's parameters; None where the model does not feel it."""
+        known = self.compiled.facts.parameters
+        return known.index(path) if path in known else None
+
+    def _exactly(self, p: Array, *, slopes: bool) -> tuple[Matrices, tuple[Matrices, ...]]:
+        compiled = self.compiled
+        graphs, u = _graphs(compiled, self.rig), compiled.inputs(0.0)
+        rest, modes = _at_rest(compiled, p, u)
+        parts = [np.asarray(part) for part in graphs.values(rest.x, u, p, modes)]
+        model = self._shaped(parts)
+        found: list[Matrices] = []
+        for path in self.paths if slopes else ():
+            place, dp = self._used(path), np.zeros(len(p))
+            if place is not None:
+                dp[place] = 1.0
+            push = np.asarray(graphs.push(rest.x, u, p, modes, dp)).ravel()
+            dx = -np.linalg.lstsq(model.A, push, rcond=None)[0]
+            along = graphs.along(rest.x, u, p, modes, dx, dp)
+            found.append(self._shaped([np.asarray(part) for part in along]))
+        return model, tuple(found)
+
+    def _shaped(self, parts: Sequence[Array]) -> Matrices:
+        a, b, c, d, rest = parts
+        order, wheels = self.compiled.facts.track_order, len(self.wheels)
+        b3, d3 = (np.moveaxis(part.reshape(len(part), wheels, order), 2, 0) for part in (b, d))
+        return Matrices(a, b3, c, d3, rest.ravel())
+
+    def _by_differences(self, p: Array, *, slopes: bool) -> tuple[Matrices, tuple[Matrices, ...]]:
+        model, found = self._numeric(p), []
+        for path in self.paths if slopes else ():
+            place = self._used(path)
+            step = _STEP * (abs(p[place]) or 1.0) if place is not None else 1.0
+            sides = []
+            for count in (-2, -1, 1, 2):
+                moved = p.copy()
+                if place is not None:
+                    moved[place] += count * step
+                sides.append(self._numeric(moved))
+            weights = (1.0, -8.0, 8.0, -1.0)
+            names = ("A", "B", "C", "D", "rest")
+            found.append(
+                Matrices(
+                    *(
+                        sum(w * getattr(side, name) for w, side in zip(weights, sides, strict=True)) / (12.0 * step)
+                        for name in names
+                    )
+                )
+            )
+        return model, tuple(found)
+
+    def _numeric(self, p: Array) -> Matrices:
+        compiled, u = self.compiled, self.compiled.inputs(0.0)
+        rest, modes = _at_rest(compiled, p, u)
+        where = (rest.x, u, p, modes)
+        across, along = compiled.slopes("x", *where), compiled.slopes("u", *where)
+        columns = _road_columns(compiled)
+        parts = [
+            rest.pick @ across["rate"] @ rest.lift,
+            rest.pick @ along["rate"][:, columns],
+            across["output"] @ rest.lift,
+            along["output"][:, columns],
+            compiled.evaluate("output", *where),
+        ]
+        return self._shaped(parts)
+
+
+def _places(rig: Rig, wheels: Sequence[str]) -> tuple[Place, ...]:
+    known: Mapping[str, Place] = rig.wheels if isinstance(rig, Vehicle) else {}
+    return tuple(known.get(wheel, Place(0.0, 0)) for wheel in wheels)
+
+
+def _road_columns(compiled: Compiled) -> list[int]:
+    facts = compiled.facts
+    order = facts.track_order
+    return [i * order + j for i, track in enumerate(facts.tracks) if is_road(track) for j in range(order)]
+
+
+def _at_rest(compiled: Compiled, p: Array, u: Array) -> tuple[Rest, Array]:
+    """State of rest and modes; what is on its edge there counts by the mean of both sides."""
+    rest = find_rest(compiled, p, u)
+    if not np.all(np.isfinite(rest.x)):
+        raise SimulationError("no static equilibrium was found", where="linear model")
+    switch = compiled.evaluate("switch", rest.x, u, compiled.plain.extended(p), rest.modes)
+    return rest, np.where(np.abs(switch) < _EDGE, 0.5, rest.modes)
+
+
+@dataclass(frozen=True)
+class _Graphs:
+    """Matrices of a model, what pushes it from rest along a parameter, and the matrices' change along a direction."""
+
+    values: Any
+    push: Any
+    along: Any
+
+
+_made: dict[tuple[str, str], _Graphs] = {}
+
+
+def _graphs(compiled: Compiled, rig: Rig) -> _Graphs:
+    key = type(rig).__name__, structure_of(rig)
+    if key not in _made:
+        _made[key] = _built(compiled)
+    return _made[key]
+
+
+def _built(compiled: Compiled) -> _Graphs:
+    import casadi as ca
+
+    model = compiled.model
+    columns = _road_columns(compiled)
+    by_x = ca.jacobian(ca.vertcat(model.rate, model.output), model.x)
+    by_u = ca.jacobian(ca.vertcat(model.rate, model.output), model.u)[:, columns]
+    n = model.x.shape[0]
+    parts = [ca.densify(part) for part in (by_x[:n, :], by_u[:n, :], by_x[n:, :], by_u[n:, :], model.output)]
+    where = [model.x, model.u, model.p, model.m]
+    dx, dp = ca.SX.sym("dx", n), ca.SX.sym("dp", model.p.shape[0])
+    flat = ca.vertcat(*(ca.vec(part) for part in parts))
+    change = ca.jtimes(flat, ca.vertcat(model.x, model.p), ca.vertcat(dx, dp))
+    changes, begin = [], 0
+    for part in parts:
+        changes.append(ca.densify(ca.reshape(change[begin : begin + part.numel()], part.shape)))
+        begin += part.numel()
+    push = ca.densify(ca.jtimes(model.rate, model.p, dp))
+    return _Graphs(
+        ca.Function("values", where, parts),
+        ca.Function("push", [*where, dp], [push]),
+        ca.Function("along", [*where, dx, dp], changes),
+    )
