@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
 from jounce.core.units import to_si
+from jounce.ride.recursion import first_order
 
 Array = NDArray[np.float64]
 SPEED = 80.0 / 3.6
@@ -21,7 +22,6 @@ COARSEST, COARSE = 0.61, 0.3
 LARGEST_JITTER = 0.01
 ROUGHEST, NO_ROAD = 30.0, 300.0
 _NEARLY = 1e-6
-_BLOCK = 64
 
 
 @dataclass(frozen=True)
@@ -167,7 +167,7 @@ def rectified_slope(height: Array, spacing: float, run_up: float = RUN_UP) -> Ar
     rest = inverse @ np.array([ahead, 0.0, ahead, 0.0])
     upper = [i for i, value in enumerate(values) if value.imag > 0.0]  # the other two are their conjugates
     found = sum(
-        2.0 * (shown[i] * _recursion(slope * drive[i], complex(factors[i]), complex(rest[i]))).real for i in upper
+        2.0 * (shown[i] * first_order(slope * drive[i], complex(factors[i]), complex(rest[i]))).real for i in upper
     )
     return np.asarray(abs(found), dtype=float)
 
@@ -224,23 +224,6 @@ def _modes() -> tuple[NDArray[np.complex128], NDArray[np.complex128], NDArray[np
     """Eigenvalues (1/s), eigenvectors and their inverse: with them the matrix exponential is exact and cheap."""
     values, vectors = np.linalg.eig(_system())
     return values, vectors, np.linalg.inv(vectors)
-
-
-def _recursion(drive: NDArray[np.complex128], factor: complex, rest: complex) -> NDArray[np.complex128]:
-    """States ``w[i+1] = factor w[i] + drive[i]`` after each step, from ``w[0] = rest``, block by block."""
-    blocks = -(-drive.size // _BLOCK)
-    padded = np.zeros(blocks * _BLOCK, dtype=np.complex128)
-    padded[: drive.size] = drive
-    powers = factor ** np.arange(_BLOCK + 1)
-    gaps = np.subtract.outer(np.arange(_BLOCK), np.arange(_BLOCK))
-    own = padded.reshape(blocks, _BLOCK) @ np.where(gaps >= 0, powers[abs(gaps)], 0.0).T
-    carried = np.empty(blocks, dtype=np.complex128)
-    state, across = rest, complex(powers[_BLOCK])
-    for block, end in enumerate(own[:, -1].tolist()):
-        carried[block] = state
-        state = across * state + end
-    own += np.outer(carried, powers[1:])
-    return np.asarray(own.ravel()[: drive.size])
 
 
 def _segments(

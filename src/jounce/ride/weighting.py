@@ -127,7 +127,7 @@ def weighting_response(name: str, frequency: ArrayLike) -> NDArray[np.complex128
     Examples
     --------
     >>> [round(float(abs(w)), 4) for w in weighting_response("Wk", [1.0, 6.3096, 100.0])]
-    [0.4825, 1.0543, 0.0887]
+    [0.4825, 1.0544, 0.0887]
     """
     row = weighting(name)
     s = 2j * math.pi * np.asarray(frequency, dtype=float)

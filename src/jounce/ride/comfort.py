@@ -1,0 +1,206 @@
+"""Human exposure to vibration by ISO 2631-1: mean values, doses, advice, comfort, daily exposure.
+
+Signals are weighted accelerations (`jounce.ride.weighting`) at a constant rate; integrals over them are trapezoids.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from jounce.core.errors import RecordingError, unknown
+from jounce.core.findings import Finding
+from jounce.ride.recursion import first_order
+
+Array = NDArray[np.float64]
+Averaging = Literal["linear", "exponential"]
+TIME_CONSTANT = 1.0
+LARGEST_CREST_FACTOR, LARGEST_MTVV_RATIO, LARGEST_VDV_RATIO = 9.0, 1.5, 1.75
+SICK_PER_DOSE = 1.0 / 3.0 / 100.0
+WORKING_DAY = 8.0 * 3600.0
+ACTION_VALUE, LIMIT_VALUE = 0.5, 1.15
+ACTION_DOSE, LIMIT_DOSE = 9.1, 21.0
+COMFORT_FACTORS = {"x": 1.0, "y": 1.0, "z": 1.0}
+HEALTH_FACTORS = {"x": 1.4, "y": 1.4, "z": 1.0}
+COMFORT_SCALE: tuple[tuple[float, float, str], ...] = (
+    (0.0, 0.315, "not uncomfortable"),
+    (0.315, 0.63, "a little uncomfortable"),
+    (0.5, 1.0, "fairly uncomfortable"),
+    (0.8, 1.6, "uncomfortable"),
+    (1.25, 2.5, "very uncomfortable"),
+    (2.0, math.inf, "extremely uncomfortable"),
+)
+"""From, to (m/s^2, vibration total value) and words of ISO 2631-1, C.2.3; neighbours overlap."""
+
+
+def integral(values: Array, sample_rate: float) -> float:
+    """Trapezoid over the record: unit of ``values`` times s, with ``sample_rate`` in Hz."""
+    return float(values.sum() - 0.5 * (values[0] + values[-1])) / sample_rate
+
+
+def duration_of(values: Array, sample_rate: float) -> float:
+    """Time from the first to the last sample, s (``values`` in any unit, ``sample_rate`` in Hz)."""
+    return (values.size - 1) / sample_rate
+
+
+def rms(values: ArrayLike, sample_rate: float) -> float:
+    """Root of the mean square over the record, in the unit of ``values`` (rate in Hz)."""
+    signal = _checked(values, sample_rate)
+    return math.sqrt(integral(signal * signal, sample_rate) / duration_of(signal, sample_rate))
+
+
+def running_rms(
+    values: ArrayLike, sample_rate: float, *, averaging: Averaging = "linear", time_constant: float = TIME_CONSTANT
+) -> Array:
+    """Running root mean square of a weighted acceleration.
+
+    Parameters
+    ----------
+    values : array_like, shape (n,)
+        Weighted acceleration, m/s^2.
+    sample_rate : float
+        Samples per second, Hz.
+    averaging : {"linear", "exponential"}
+        Mean over the last ``time_constant`` seconds, or with a weight that decays with it.
+    time_constant : float
+        s; 1 s in the standard.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+        At each sample, m/s^2; there was nothing before the first one.
+
+    Raises
+    ------
+    RecordingError
+        For a record shorter than ``time_constant``.
+    DescriptionError
+        For an unknown averaging.
+
+    Notes
+    -----
+    Source: ISO 2631-1:1997, 6.3.1, equations 2 and 3 (``iso-2631-1``).
+    """
+    signal = _checked(values, sample_rate)
+    total = duration_of(signal, sample_rate)
+    if not total >= time_constant * (1.0 - 1e-9):
+        raise RecordingError(
+            "the record is too short for the running r.m.s.", found=f"{total:g} s", allowed=f"{time_constant:g} s"
+        )
+    squares = signal * signal
+    if averaging == "exponential":
+        return np.asarray(np.sqrt(_decaying_mean(squares, 1.0 / (sample_rate * time_constant))))
+    if averaging != "linear":
+        raise unknown(str(averaging), ("linear", "exponential"), what="averaging", where="running r.m.s.")
+    energy = np.concatenate([[0.0], np.cumsum(0.5 * (squares[1:] + squares[:-1]))]) / sample_rate
+    index = np.arange(signal.size)
+    before = np.interp(index - time_constant * sample_rate, index, energy)
+    return np.asarray(np.sqrt(np.maximum(energy - before, 0.0) / time_constant))
+
+
+def _decaying_mean(squares: Array, step: float) -> Array:
+    """Solution of ``time_constant y' = x - y`` from 0, for lines between the samples; ``step`` over time constant."""
+    decay = math.exp(-step)
+    lost = -math.expm1(-step) / step
+    new, old = 1.0 - lost, lost - decay
+    drive = np.concatenate([[0.0], new * squares[1:] + old * squares[:-1]])
+    return np.asarray(np.maximum(first_order(drive, decay), 0.0))
+
+
+def mtvv(values: ArrayLike, sample_rate: float, *, averaging: Averaging = "linear") -> float:
+    """Maximum transient vibration value, m/s^2: largest running r.m.s. over 1 s of a weighted signal (rate in Hz)."""
+    return float(running_rms(values, sample_rate, averaging=averaging).max())
+
+
+def vdv(values: ArrayLike, sample_rate: float) -> float:
+    """Fourth power vibration dose value of a weighted acceleration (m/s^2) at a rate in Hz; m/s^1.75."""
+    signal = _checked(values, sample_rate)
+    squares = signal * signal
+    return float(integral(squares * squares, sample_rate) ** 0.25)
+
+
+def evdv(values: ArrayLike, sample_rate: float) -> float:
+    """Estimated vibration dose value, 1.4 times r.m.s. times fourth root of duration; m/s^2 and Hz in, m/s^1.75 out."""
+    signal = _checked(values, sample_rate)
+    return float(1.4 * rms(signal, sample_rate) * duration_of(signal, sample_rate) ** 0.25)
+
+
+def msdv(values: ArrayLike, sample_rate: float) -> float:
+    """Motion sickness dose value of an acceleration (m/s^2) weighted by Wf, at a rate in Hz; m/s^1.5."""
+    signal = _checked(values, sample_rate)
+    return math.sqrt(integral(signal * signal, sample_rate))
+
+
+def crest_factor(values: ArrayLike, sample_rate: float) -> float:
+    """Largest absolute value over r.m.s. (1) of a weighted acceleration (m/s^2) at a rate in Hz."""
+    signal = _checked(values, sample_rate)
+    mean = rms(signal, sample_rate)
+    if not mean > 0.0:
+        raise RecordingError("nothing shakes, so there is no crest factor", found="0 m/s^2", allowed="above 0 m/s^2")
+    return float(abs(signal).max()) / mean
+
+
+def total_value(values: Mapping[str, float], factors: Mapping[str, float] = COMFORT_FACTORS) -> float:
+    """Vibration total value, m/s^2: root of the sum of squares of ``values`` by axis (m/s^2) times ``factors`` (1)."""
+    return math.sqrt(sum((factors[axis] * value) ** 2 for axis, value in values.items()))
+
+
+def comfort_words(acceleration: float) -> str:
+    """Likely reaction in public transport to a vibration total value in m/s^2; several where the scale overlaps.
+
+    Examples
+    --------
+    >>> comfort_words(0.2), comfort_words(0.9)
+    ('not uncomfortable', 'fairly uncomfortable to uncomfortable')
+    """
+    words = [text for low, high, text in COMFORT_SCALE if low <= acceleration <= high]
+    return " to ".join(words)
+
+
+def daily_exposure(acceleration: float, exposure: float = WORKING_DAY) -> float:
+    """A(8) in m/s^2 of a health-weighted ``acceleration`` (m/s^2) that lasts for ``exposure`` s a day."""
+    return acceleration * math.sqrt(exposure / WORKING_DAY)
+
+
+def time_to_reach(value: float, acceleration: float) -> float:
+    """Time in s a day after which A(8) reaches ``value`` (m/s^2) under a health-weighted ``acceleration`` (m/s^2)."""
+    return math.inf if acceleration <= 0.0 else WORKING_DAY * (value / acceleration) ** 2
+
+
+def advice(values: ArrayLike, sample_rate: float, *, place: str) -> tuple[Finding, ...]:
+    """What the standard says about shocks in a weighted acceleration (m/s^2, rate in Hz).
+
+    The basic method (r.m.s.) suffices up to a crest factor of 9 (ISO 2631-1, 6.2.1). Transient value and dose are
+    worth reporting, too, where MTVV / a_w exceeds 1.5 or VDV / (a_w T^(1/4)) exceeds 1.75 (6.3.3).
+    """
+    signal = _checked(values, sample_rate)
+    mean, total = rms(signal, sample_rate), duration_of(signal, sample_rate)
+    if mean <= 0.0:
+        return ()
+    crest, dose = crest_factor(signal, sample_rate), vdv(signal, sample_rate) / (mean * total**0.25)
+    found = []
+    if crest > LARGEST_CREST_FACTOR:
+        text = f"crest factor {crest:.3g} is above 9: a weighted r.m.s. says too little, use MTVV or VDV as well"
+        found.append(Finding(place, "warning", text, crest))
+    if total >= TIME_CONSTANT:
+        ratio = mtvv(signal, sample_rate) / mean
+        if ratio > LARGEST_MTVV_RATIO:
+            text = f"MTVV is {ratio:.3g} times the weighted r.m.s. (limit 1.5): report MTVV as well"
+            found.append(Finding(place, "note", text, ratio))
+    if dose > LARGEST_VDV_RATIO:
+        text = f"VDV is {dose:.3g} times weighted r.m.s. and T^(1/4) (limit 1.75): report VDV as well"
+        found.append(Finding(place, "note", text, dose))
+    return tuple(found)
+
+
+def _checked(values: ArrayLike, sample_rate: float) -> Array:
+    signal = np.asarray(values, dtype=float)
+    if signal.ndim != 1 or signal.size < 2 or not sample_rate > 0.0:
+        raise RecordingError(
+            "not a signal", found=f"shape {signal.shape} at {sample_rate:g} Hz", allowed="at least 2 samples at a rate"
+        )
+    return signal
