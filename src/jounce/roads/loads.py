@@ -10,7 +10,7 @@ from pydantic import model_validator
 
 from jounce.core.description import Description
 from jounce.core.segments import Segments
-from jounce.core.units import Acceleration, Unit
+from jounce.core.units import Acceleration, Number, Unit
 
 NonNegativeTime = Annotated[float, Unit("s", at_least=0.0)]
 Moment = Annotated[float, Unit("N*m")]
@@ -31,11 +31,11 @@ class Load(Description):
         In place of them: points, times strictly ascending, s; level before the first and after the last.
     """
 
-    value: float | None = None
+    value: Number | None = None
     start: NonNegativeTime = 0.0
     ramp: NonNegativeTime = 0.0
     time: tuple[NonNegativeTime, ...] = ()
-    values: tuple[float, ...] = ()
+    values: tuple[Number, ...] = ()
 
     @model_validator(mode="before")
     @classmethod

@@ -82,7 +82,7 @@ class Road(Description, ABC):
         """
         if not (np.isfinite(distance) and distance > 0.0):
             raise DescriptionError("not a distance to drive", found=f"{distance} m", allowed="above 0 m and finite")
-        pieces = self._between(-float(behind), float(distance - behind))
+        pieces = self._between(0.0 - behind, float(distance) - behind)
         return replace(pieces, edges=pieces.edges + behind) if behind else pieces
 
     def height_at(self, x: ArrayLike) -> Array:
