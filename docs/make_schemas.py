@@ -69,15 +69,16 @@ def campaign_schema() -> dict[str, Any]:
 
 
 def _roads(*, named: bool) -> dict[str, Any]:
-    """Schema of any road, ``kind`` required; ``named``: a train's obstacle may be the name of another road."""
+    """Schema of any road, ``kind`` required; ``named``: the road of a train or an enveloped one may be a name."""
     schema = TypeAdapter(AnyRoad).json_schema(by_alias=True)
     for kind in ROADS.values():
         definition = schema["$defs"][kind.__name__]
         definition["required"] = ["kind", *definition.get("required", [])]
     if named:
-        of = schema["$defs"]["Train"]["properties"]["of"]
         name = {"type": "string", "description": "name of a road"}
-        schema["$defs"]["Train"]["properties"]["of"] = {"anyOf": [name, of]}
+        for kind in ("Train", "Enveloped"):
+            properties = schema["$defs"][kind]["properties"]
+            properties["of"] = {"anyOf": [name, properties["of"]]}
     return schema
 
 

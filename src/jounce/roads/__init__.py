@@ -1,5 +1,7 @@
-"""Obstacles, trains, tables and measured courses: height and slope against distance, and the edges in them."""
+"""Obstacles, trains, rough roads, tables and measured courses: height and slope against distance, and their edges."""
 
+from jounce.roads.enveloping import Enveloped, contact_length
+from jounce.roads.iso8608 import Iso8608, SineSum
 from jounce.roads.loading import load_road, read_roads, road_library
 from jounce.roads.measured import Crg, Table
 from jounce.roads.obstacles import (
@@ -7,6 +9,8 @@ from jounce.roads.obstacles import (
     Flat,
     HalfCylinder,
     HalfSine,
+    Kerb,
+    Pothole,
     Ramp,
     Rectangle,
     Step,
@@ -16,6 +20,9 @@ from jounce.roads.obstacles import (
 )
 from jounce.roads.opencrg import read_crg_profile
 from jounce.roads.road import Road
+from jounce.roads.roughness import class_roughness, road_psd, roughness_class, track_coherence, white_noise_intensity
+from jounce.roads.spectra import RoadSpectrum, estimate_roughness
+from jounce.roads.sweeps import Sine, SineSweep, swept_sine
 from jounce.roads.train import ROADS, AnyRoad, Train
 from jounce.roads.trial import Excitation, Trial
 
@@ -24,13 +31,21 @@ __all__ = [
     "AnyRoad",
     "CircularSegment",
     "Crg",
+    "Enveloped",
     "Excitation",
     "Flat",
     "HalfCylinder",
     "HalfSine",
+    "Iso8608",
+    "Kerb",
+    "Pothole",
     "Ramp",
     "Rectangle",
     "Road",
+    "RoadSpectrum",
+    "Sine",
+    "SineSum",
+    "SineSweep",
     "Step",
     "Table",
     "Train",
@@ -38,8 +53,16 @@ __all__ = [
     "Trial",
     "Triangle",
     "Versine",
+    "class_roughness",
+    "contact_length",
+    "estimate_roughness",
     "load_road",
     "read_crg_profile",
     "read_roads",
     "road_library",
+    "road_psd",
+    "roughness_class",
+    "swept_sine",
+    "track_coherence",
+    "white_noise_intensity",
 ]

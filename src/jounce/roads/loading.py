@@ -9,6 +9,7 @@ from typing import Any
 
 from jounce.core.description import dotted, line_of, read_toml
 from jounce.core.errors import DescriptionError, nearest, unknown
+from jounce.roads.iso8608 import Iso8608
 from jounce.roads.measured import Crg, Table
 from jounce.roads.road import Road
 from jounce.roads.train import ROADS
@@ -29,14 +30,17 @@ def road_library() -> dict[str, Path]:
     return {file.stem: file for file in sorted(folder.glob("*.crg"))}
 
 
-def load_road(path: Path | str) -> Road:
-    """Read a road from a file, or a shipped course by its name.
+def load_road(path: Path | str, *, length: float | None = None) -> Road:
+    """Read a road from a file, or a shipped course by its name, or make a rough road of a class.
 
     Parameters
     ----------
     path : Path or str
         A TOML file with one road table at top level, an OpenCRG file (``.crg``, at lateral offset 0), a text table
-        (``.csv``, ``.txt``, ``.tsv``) with the columns ``x`` and ``z``, or a name of `road_library`.
+        (``.csv``, ``.txt``, ``.tsv``) with the columns ``x`` and ``z``, or a name of `road_library`; or ``"iso:C"``,
+        ``"iso:C:7"`` for a road of an ISO 8608 class (and seed, 0).
+    length : float, optional
+        Length in m of a road made from a class, 1000 m; other roads are as long as they are.
 
     Returns
     -------
@@ -56,6 +60,8 @@ def load_road(path: Path | str) -> Road:
     >>> round(course.end(), 9)
     504.75
     """
+    if isinstance(path, str) and path.lower().startswith("iso:"):
+        return _of_class(path, length)
     shipped = road_library()
     file = shipped.get(str(path), Path(path))
     suffix = file.suffix.lower()
@@ -63,7 +69,7 @@ def load_road(path: Path | str) -> Road:
         raise DescriptionError(
             "no such file and no shipped road of that name",
             where=str(path),
-            allowed=f"a path to a file, or one of {', '.join(shipped)}",
+            allowed=f"a path to a file, iso:A to iso:H, or one of {', '.join(shipped)}",
             hint=nearest(str(path), shipped),
         )
     if suffix == ".crg":
@@ -84,7 +90,7 @@ def read_roads(
     folder: Path | str = ".",
     path: tuple[str, ...] = ("roads",),
 ) -> dict[str, Road]:
-    """Build named roads; a train's ``of`` may name another of them, in any order.
+    """Build named roads; the ``of`` of a train or an enveloped road may name another of them, in any order.
 
     Parameters
     ----------
@@ -105,7 +111,7 @@ def read_roads(
     Raises
     ------
     DescriptionError
-        For wrong fields, unknown kinds and names (with the nearest match), and trains that contain themselves.
+        For wrong fields, unknown kinds and names (with the nearest match), and roads that contain themselves.
 
     Examples
     --------
@@ -118,6 +124,15 @@ def read_roads(
     """
     reader = _Reader(tables, where, text, Path(folder), path)
     return {name: reader.named(name, ()) for name in tables}
+
+
+def _of_class(text: str, length: float | None) -> Iso8608:
+    """Road of ``iso:CLASS`` or ``iso:CLASS:SEED``."""
+    _, name, *seeds = text.split(":")
+    if len(seeds) > 1 or (seeds and not seeds[0].isdecimal()):
+        raise DescriptionError("not a road class", where=text, allowed="iso:CLASS or iso:CLASS:SEED, e.g. iso:C:7")
+    table = {"class": name, "length": 1000.0 if length is None else length, "seed": int(seeds[0]) if seeds else 0}
+    return Iso8608.from_table({"kind": "iso-8608", **table}, where=text)
 
 
 def _without_schema(table: dict[str, Any], where: str) -> dict[str, Any]:
@@ -141,7 +156,7 @@ class _Reader:
         if name in asked_by:
             circle = " of ".join(repr(step) for step in (*asked_by[asked_by.index(name) :], name))
             raise DescriptionError(
-                f"the train contains itself: {circle}",
+                f"the {self.tables[name]['kind']} contains itself: {circle}",
                 where=self._place((*self.above, name, "of")),
                 hint="Break the circle.",
             )
@@ -169,7 +184,7 @@ class _Reader:
         resolved = dict(table)
         if isinstance(table.get("file"), str):
             resolved["file"] = self.folder / table["file"]
-        if kind == "train" and "of" in table:
+        if "of" in ROADS[kind].model_fields and "of" in table:
             resolved["of"] = self._obstacle(table["of"], (*path, "of"), asked_by)
         return resolved
 

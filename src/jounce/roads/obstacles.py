@@ -6,7 +6,7 @@ import math
 from typing import Literal
 
 from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE
-from jounce.core.units import Length, PositiveLength
+from jounce.core.units import Length, NonNegativeLength, PositiveLength
 from jounce.roads.profile import Piece, Profile, profile
 from jounce.roads.road import Road
 
@@ -109,6 +109,8 @@ class Trapezoid(Road):
     ----------
     height, length, ramp : float
         Plateau height, total length and the length of each ramp, in m; twice the ramp fits into the length.
+    shape : {"linear", "cosine"}
+        Straight ramps, or half cosine waves ``h/2 (1 - cos(pi x / ramp))`` that have no kink.
 
     Examples
     --------
@@ -120,6 +122,7 @@ class Trapezoid(Road):
     height: Length
     length: PositiveLength
     ramp: PositiveLength
+    shape: Literal["linear", "cosine"] = "linear"
 
     def check(self) -> None:
         """Refuse ramps that do not fit."""
@@ -130,9 +133,12 @@ class Trapezoid(Road):
             )
 
     def profile(self) -> Profile:
-        """Three lines; no plateau when the ramps meet."""
-        slope = self.height / self.ramp
+        """Ramp, plateau, ramp; no plateau when the ramps meet."""
         plateau = _line(max(self.length - 2.0 * self.ramp, 0.0), self.height, 0.0)
+        if self.shape == "cosine":
+            up, down = (_half_wave(self.ramp, self.height, side) for side in (-0.5, 0.5))
+            return profile(up, plateau, down)
+        slope = self.height / self.ramp
         return profile(_line(self.ramp, 0.0, slope), plateau, _line(self.ramp, self.height, -slope))
 
 
@@ -267,6 +273,90 @@ class Ramp(Road):
         """One line or one sine piece."""
         if self.shape == "linear":
             return profile(_line(self.length, 0.0, self.height / self.length), after=self.height)
-        half = 0.5 * self.height
-        wave = (self.length, SINE, (half, half, math.pi / self.length, -0.5 * math.pi))
-        return profile(wave, after=self.height)
+        return profile(_half_wave(self.length, self.height, -0.5), after=self.height)
+
+
+class Kerb(Road):
+    """Kerb with a rounded edge: up to a new level, or down from one when the height is negative.
+
+    Attributes
+    ----------
+    height : float
+        Level after the kerb in m.
+    edge_radius : float
+        Radius in m of the rounded upper edge, at most the kerb's height; 0 for a `Step`.
+
+    Examples
+    --------
+    >>> Kerb(height="120 mm", edge_radius="20 mm").height_at([0.0, 0.02, 3.0]).round(12).tolist()
+    [0.1, 0.12, 0.12]
+    """
+
+    kind: Literal["kerb"] = "kerb"
+    height: Length
+    edge_radius: NonNegativeLength = 0.0
+
+    def check(self) -> None:
+        """Refuse an edge that is rounder than the kerb is high."""
+        _check_edge(self.edge_radius, self.height, "height")
+
+    def profile(self) -> Profile:
+        """A quarter of a circle, and the rest of the height as a jump."""
+        upper = max(self.height, 0.0)
+        return profile(_edge(self.edge_radius, upper, down=self.height < 0.0), after=self.height)
+
+
+class Pothole(Road):
+    """Hole with upright walls whose upper edges may be rounded.
+
+    Attributes
+    ----------
+    depth, length : float
+        Depth and length at the road's surface, in m, above 0.
+    edge_radius : float
+        Radius in m of the upper edges, at most the depth and half the length; 0 for sharp ones.
+
+    Examples
+    --------
+    >>> Pothole(depth="50 mm", length="0.4 m", edge_radius="10 mm").height_at([0.0, 0.2, 0.4]).round(12).tolist()
+    [0.0, -0.05, 0.0]
+    """
+
+    kind: Literal["pothole"] = "pothole"
+    depth: PositiveLength
+    length: PositiveLength
+    edge_radius: NonNegativeLength = 0.0
+
+    def check(self) -> None:
+        """Refuse edges that are rounder than the hole is deep or long."""
+        _check_edge(self.edge_radius, self.depth, "depth")
+        if 2.0 * self.edge_radius > self.length * (1.0 + 1e-9):
+            raise ValueError(
+                f"two edges of radius {self.edge_radius:g} m do not fit into the length {self.length:g} m; "
+                f"allowed: an edge_radius up to {0.5 * self.length:g} m"
+            )
+
+    def profile(self) -> Profile:
+        """Edge, bottom, edge."""
+        bottom = _line(max(self.length - 2.0 * self.edge_radius, 0.0), -self.depth, 0.0)
+        radius = self.edge_radius
+        return profile(_edge(radius, 0.0, down=True), bottom, _edge(radius, 0.0, down=False))
+
+
+def _half_wave(length: float, height: float, quarter: float) -> Piece:
+    """Half a cosine wave: up from 0 to ``height`` (quarter -0.5) or down to 0 (0.5)."""
+    half = 0.5 * height
+    return length, SINE, (half, half, math.pi / length, quarter * math.pi)
+
+
+def _edge(radius: float, upper: float, *, down: bool) -> Piece:
+    """Quarter of a circle below the level ``upper``: from it down, or up to it."""
+    return radius, CIRCLE, (upper - radius, radius, 0.0 if down else radius, 1.0)
+
+
+def _check_edge(radius: float, height: float, name: str) -> None:
+    if radius > abs(height) * (1.0 + 1e-9):
+        raise ValueError(
+            f"an edge of radius {radius:g} m is rounder than the {name} {abs(height):g} m; "
+            f"allowed: an edge_radius up to {abs(height):g} m"
+        )

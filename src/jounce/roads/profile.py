@@ -77,6 +77,24 @@ def cubic_profile(x: Array, height: Array) -> Profile:
     return Profile(np.asarray(x, dtype=float), kind, coefficients, float(height[0]), float(height[-1]))
 
 
+def hermite_profile(x: Array, height: Array, slope: Array) -> Profile:
+    """Cubics through points (``x`` strictly ascending, m or s; heights in m) with the given slopes there."""
+    return hermite_pieces(x, height[:-1], height[1:], slope[:-1], slope[1:])
+
+
+def hermite_pieces(x: Array, left: Array, right: Array, left_slope: Array, right_slope: Array) -> Profile:
+    """Cubics between edges ``x`` (m or s), each with its own heights in m and slopes at both ends; jumps are kept."""
+    span = np.diff(x)
+    mean = (right - left) / span
+    coefficients = np.empty((len(span), 4))
+    coefficients[:, 0] = left
+    coefficients[:, 1] = left_slope
+    coefficients[:, 2] = (3.0 * mean - 2.0 * left_slope - right_slope) / span
+    coefficients[:, 3] = (left_slope + right_slope - 2.0 * mean) / span**2
+    edges = np.asarray(x, dtype=float)
+    return Profile(edges, np.zeros(len(span), dtype=np.int64), coefficients, float(left[0]), float(right[-1]))
+
+
 def repeated(one: Profile, count: int, pitch: float) -> Profile:
     """Lay ``count`` profiles with ``pitch`` in m from start to start, each on the level the last one left."""
     if count == 1:

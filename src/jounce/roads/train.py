@@ -7,12 +7,16 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from jounce.core.units import PositiveLength
+from jounce.roads.enveloping import Enveloped
+from jounce.roads.iso8608 import Iso8608, SineSum
 from jounce.roads.measured import Crg, Table
 from jounce.roads.obstacles import (
     CircularSegment,
     Flat,
     HalfCylinder,
     HalfSine,
+    Kerb,
+    Pothole,
     Ramp,
     Rectangle,
     Step,
@@ -22,6 +26,7 @@ from jounce.roads.obstacles import (
 )
 from jounce.roads.profile import Profile, repeated
 from jounce.roads.road import Road
+from jounce.roads.sweeps import Sine, SineSweep
 
 
 class Train(Road):
@@ -79,12 +84,20 @@ AnyRoad = Annotated[
     | CircularSegment
     | Step
     | Ramp
+    | Kerb
+    | Pothole
+    | Sine
+    | SineSweep
+    | SineSum
+    | Iso8608
     | Table
     | Crg
-    | Train,
+    | Train
+    | Enveloped,
     Field(discriminator="kind"),
 ]
 Train.model_rebuild()
+Enveloped.model_rebuild(_types_namespace={"AnyRoad": AnyRoad})
 
 ROADS: dict[str, type[Road]] = {
     road.model_fields["kind"].default: road
@@ -99,8 +112,15 @@ ROADS: dict[str, type[Road]] = {
         CircularSegment,
         Step,
         Ramp,
+        Kerb,
+        Pothole,
+        Sine,
+        SineSweep,
+        SineSum,
+        Iso8608,
         Table,
         Crg,
         Train,
+        Enveloped,
     )
 }

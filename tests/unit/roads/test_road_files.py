@@ -184,4 +184,4 @@ def test_mistakes_name_file_and_line(tmp_path) -> None:
 
 def test_every_kind_is_registered_under_its_own_name() -> None:
     assert {name: kind.model_fields["kind"].default for name, kind in ROADS.items()} == {name: name for name in ROADS}
-    assert len(ROADS) == 13
+    assert len(ROADS) == 20

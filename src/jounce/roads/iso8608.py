@@ -1,0 +1,351 @@
+"""Rough roads: random ones of ISO 8608 for the left and the right track, and a benchmark that everybody can repeat."""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import BeforeValidator, Field
+
+from jounce.core.errors import DescriptionError
+from jounce.core.segments import Segments
+from jounce.core.units import Length, NonNegativeLength, PositiveLength, PositiveNumber, Unit
+from jounce.roads.profile import Profile, hermite_profile, laid_out, linear_profile
+from jounce.roads.road import Road
+from jounce.roads.roughness import BAND, REFERENCE, RoadClass, class_roughness, height_variance, track_coherence
+
+Array = NDArray[np.float64]
+SpatialFrequency = Annotated[float, Unit("1/m", above=0.0)]
+Roughness = Annotated[float, Unit("m^3", above=0.0)]
+Waviness = Annotated[float, Unit("1", above=0.0, at_most=5.0)]
+GOLDEN = 0.6180339887498949  # (sqrt(5) - 1) / 2
+MOST_POINTS = 20_000_000
+_LINES = 10.0  # spectral lines at least up to twice the lowest frequency
+
+
+def _letter(value: object) -> object:
+    """Read a class as the user writes it; the error lists the classes."""
+    if isinstance(value, str):
+        try:
+            class_roughness(value)
+        except DescriptionError as error:
+            raise ValueError(f"{error.what}; allowed: {error.allowed}") from None
+        return value.strip().upper()
+    return value
+
+
+ClassName = Annotated[RoadClass, BeforeValidator(_letter)]
+
+
+def _one_roughness(class_: str | None, roughness: float | None) -> float:
+    if (class_ is None) == (roughness is None):
+        given = "neither a class nor a roughness is" if class_ is None else "both a class and a roughness are"
+        raise ValueError(f'{given} given; give class = "A" to "H", or roughness = G_d(0.1 1/m) in m^3')
+    return class_roughness(class_) if class_ is not None else float(roughness or 0.0)
+
+
+class Iso8608(Road):
+    """Random road of an ISO 8608 class, the same for the same seed.
+
+    The height is a sum of cosines with equally spaced spatial frequencies, random phases and amplitudes
+    A = sqrt(2 G_d(n) dn), so every road has the level of its class exactly; its mean is zero. Over ``run_in`` at either
+    end it is faded in and out by half a cosine wave: it begins and ends level, without a jump or a kink. Roads of both
+    sides with the same seed are the two tracks of one road.
+
+    Attributes
+    ----------
+    class : {"A", ..., "H"}
+        Road class, its geometric mean; ``class_`` in Python. Either this or ``roughness``.
+    roughness : float
+        Degree of roughness G_d(n0) in m^3 at n0 = 0.1 1/m.
+    length : float
+        Length in m; before and after it the road is level.
+    step : float
+        Distance of the points in m, 5 cm; made a little smaller where the length is no multiple of it.
+    seed : int
+        Which of all roads of that class.
+    waviness : float
+        Exponent w (1) of the spectrum, 2.
+    band : tuple of float
+        Lowest and highest spatial frequency in 1/m, 0.011 to 2.83; never more than half the rate of the points.
+    run_in : float or None
+        Length in m of the fades; 10 m, or a tenth of the length where that is less. Metrics may leave it out.
+    side : {"left", "right"}
+        Track.
+    track : float
+        Lateral distance in m of the two tracks, 1.5 m.
+    coherence : {"isotropic", "exponential"}
+        How alike the tracks are, see `track_coherence`.
+    coherence_decay : float
+        Decay (1) of the exponential coherence.
+    interpolation : {"linear", "cubic"}
+        Lines between the points, or cubics with the exact slopes.
+    start : float
+        Distance in m at which the road begins; negative when the drive begins inside it.
+
+    Notes
+    -----
+    Spectrum: ISO 8608:2016 (key iso-8608). The fades take 5/8 of the power of 2 ``run_in``: -0.055 dB for a kilometre.
+    Lines weaken a wave of spatial frequency n by sinc^2(n step): 6 % in height at 2.83 1/m and 5 cm.
+
+    Examples
+    --------
+    >>> left = Iso8608(class_="C", length="500 m", seed=1)
+    >>> right = left.other_track()
+    >>> float(left.height_at(0.0)), right.side, bool(abs(left.height_at(250.0)) < 0.1)
+    (0.0, 'right', True)
+    """
+
+    kind: Literal["iso-8608"] = "iso-8608"
+    start: Length = 0.0
+    class_: ClassName | None = Field(default=None, alias="class")
+    roughness: Roughness | None = None
+    length: PositiveLength
+    step: PositiveLength = 0.05
+    seed: int = Field(default=0, ge=0, lt=2**63, strict=True)
+    waviness: Waviness = 2.0
+    band: tuple[SpatialFrequency, SpatialFrequency] = BAND
+    run_in: NonNegativeLength | None = None
+    side: Literal["left", "right"] = "left"
+    track: PositiveLength = 1.5
+    coherence: Literal["isotropic", "exponential"] = "isotropic"
+    coherence_decay: PositiveNumber = 5.7
+    interpolation: Literal["linear", "cubic"] = "linear"
+
+    def check(self) -> None:
+        """Refuse a class and a roughness, fades that do not fit, and more points than a computer holds."""
+        _one_roughness(self.class_, self.roughness)
+        low, high = self.band
+        if high <= low:
+            raise ValueError(f"band: {high:g} 1/m does not lie above {low:g} 1/m; give [lowest, highest]")
+        if low >= 0.5 / self.step:
+            raise ValueError(f"points every {self.step:g} m hold no waves of {low:g} 1/m and more; make step smaller")
+        if 2.0 * self.fade > self.length * (1.0 + 1e-9):
+            raise ValueError(
+                f"two fades of {self.fade:g} m do not fit into the length {self.length:g} m; "
+                f"allowed: a run_in up to {0.5 * self.length:g} m"
+            )
+        points = _points(self.length, self.step) * _periods(self.length, low)
+        if points > MOST_POINTS:
+            raise ValueError(f"{points} points; allowed: up to {MOST_POINTS}; make step larger or the road shorter")
+
+    @property
+    def degree_of_roughness(self) -> float:
+        """G_d(n0) in m^3 at n0 = 0.1 1/m, of the class or as given."""
+        return _one_roughness(self.class_, self.roughness)
+
+    @property
+    def fade(self) -> float:
+        """Length in m over which the road is faded in and out."""
+        return min(10.0, 0.1 * self.length) if self.run_in is None else self.run_in
+
+    def other_track(self) -> Iso8608:
+        """Give the track of the other side of the same road."""
+        return self.model_copy(update={"side": "left" if self.side == "right" else "right"})
+
+    def points(self) -> tuple[Array, Array]:
+        """Points of the road.
+
+        Returns
+        -------
+        x, height : ndarray, shape (n + 1,)
+            Distance from ``start`` and height in m.
+        """
+        x, height, _ = self._sampled()
+        return x, height
+
+    def profile(self) -> Profile:
+        """Pieces between the points."""
+        return _iso_profile(*self._key())
+
+    def end(self) -> float:
+        """Distance in m at which the road ends."""
+        return self.start + self.length
+
+    def _key(self) -> tuple[Any, ...]:
+        coherence = (self.track, self.coherence, self.coherence_decay) if self.side == "right" else None
+        spectrum = (self.degree_of_roughness, self.waviness, self.band)
+        return spectrum, self.length, self.step, self.seed, self.fade, coherence, self.interpolation
+
+    def _sampled(self) -> tuple[Array, Array, Array | None]:
+        return _sampled(*self._key())
+
+
+def _points(length: float, step: float) -> int:
+    return max(2, math.ceil(length / step - 1e-9))
+
+
+def _periods(length: float, low: float) -> int:
+    """How many lengths the period of the sum of cosines spans: short roads need lines between their own."""
+    return max(1, math.ceil(_LINES / (low * length) - 1e-9))
+
+
+def _phases(seed: int, stream: int, count: int) -> Array:
+    """Angles in rad, evenly distributed over [0, 2 pi): the bit stream of PCG64, which NumPy keeps forever."""
+    bits = np.random.PCG64(np.random.SeedSequence((seed, stream))).random_raw(count)
+    return np.asarray(bits >> np.uint64(11), dtype=float) * (2.0 * math.pi / 2**53)
+
+
+def _track_offset(n: Array, seed: int, waviness: float, coherence: tuple[float, str, float]) -> Array:
+    """Phase in rad by which the other track differs: normally distributed, so that its mean cosine is gamma."""
+    from scipy.special import ndtri
+
+    track, model, decay = coherence
+    gamma = np.sqrt(track_coherence(n, track, model=model, decay=decay, waviness=waviness))
+    share = np.clip(_phases(seed, 1, len(n)) / (2.0 * math.pi), 2.0**-54, 1.0 - 2.0**-53)
+    return np.asarray(np.sqrt(-2.0 * np.log(np.clip(gamma, 1e-200, 1.0))) * ndtri(share))
+
+
+def _sampled(
+    spectrum: tuple[float, float, tuple[float, float]],
+    length: float,
+    step: float,
+    seed: int,
+    fade: float,
+    coherence: tuple[float, str, float] | None,
+    interpolation: str,
+) -> tuple[Array, Array, Array | None]:
+    """Points of a road and, for cubics, its slopes there."""
+    roughness, waviness, (low, high) = spectrum
+    count, periods = _points(length, step), _periods(length, low)
+    total, spacing = count * periods, 1.0 / (length * periods)
+    high = min(high, 0.5 * count / length)
+    first, last = max(1, round(low / spacing)), min(round(high / spacing), (total - 1) // 2)
+    lines = np.arange(first, last + 1)
+    n: Array = np.asarray(lines * spacing, dtype=float)
+    # each line has the power of its own bin; the first and the last one only what lies inside the band
+    power = height_variance(
+        roughness, np.clip(n - 0.5 * spacing, low, high), np.clip(n + 0.5 * spacing, low, high), waviness
+    )
+    phase = _phases(seed, 0, len(n))
+    if coherence is not None:
+        phase += _track_offset(n, seed, waviness, coherence)
+    waves = np.zeros(total // 2 + 1, dtype=complex)
+    waves[lines] = 0.5 * total * np.sqrt(2.0 * power) * np.exp(1j * phase)
+    x = np.linspace(0.0, length, count + 1)
+    height = _over_length(waves, total, count)
+    if interpolation == "linear":
+        return x, height * _fade(x, length, fade)[0], None
+    waves[lines] *= 2j * math.pi * n
+    slope = _over_length(waves, total, count)
+    share, share_slope = _fade(x, length, fade)
+    return x, height * share, slope * share + height * share_slope
+
+
+def _over_length(waves: Array | NDArray[np.complex128], total: int, count: int) -> Array:
+    """Values at the first ``count + 1`` points of a period of ``total``."""
+    values = np.fft.irfft(waves, total)
+    return np.append(values[:count], values[count % total])
+
+
+def _fade(x: Array, length: float, fade: float) -> tuple[Array, Array]:
+    """Share of the height that is left, and its derivative (1/m): half a cosine wave at either end."""
+    if fade == 0.0:
+        return np.ones_like(x), np.zeros_like(x)
+    near = np.minimum(x, length - x)
+    inside = near < fade
+    angle = math.pi * near / fade
+    side = np.where(x < 0.5 * length, 1.0, -1.0)
+    share = np.where(inside, 0.5 * (1.0 - np.cos(angle)), 1.0)
+    return share, np.where(inside, side * 0.5 * math.pi / fade * np.sin(angle), 0.0)
+
+
+@lru_cache(maxsize=8)
+def _iso_profile(*key: Any) -> Profile:
+    x, height, slope = _sampled(*key)
+    return linear_profile(x, height) if slope is None else hermite_profile(x, height, slope)
+
+
+class SineSum(Road):
+    """Rough road without chance: cosines at multiples of one spatial frequency, phases from the golden ratio.
+
+    z(x) = sum of A_i cos(2 pi n_i x + phi_i) with n_i = i ``spacing``, A_i = sqrt(2 G_d(n_i) spacing) and
+    phi_i = 2 pi frac(0.6180339887498949 i), for i from ``first`` to ``last``. It repeats after 1 / ``spacing``, without
+    an end on either side, so steady values can be taken over one period. The defaults are the benchmark of class C
+    against which controllers are compared.
+
+    Attributes
+    ----------
+    class : {"A", ..., "H"}
+        Road class; ``class_`` in Python. Either this or ``roughness``; C without both.
+    roughness : float
+        Degree of roughness G_d(n0) in m^3 at n0 = 0.1 1/m.
+    spacing : float
+        Spatial frequency n_1 in 1/m, 0.01.
+    first, last : int
+        Numbers of the lowest and the highest cosine, 2 and 300.
+    waviness : float
+        Exponent w (1) of the spectrum, 2.
+    step : float
+        Distance of the points in m, 2 cm; cubics with the exact slopes join them.
+    start : float
+        Distance in m at which x = 0 lies.
+
+    Examples
+    --------
+    >>> road = SineSum()
+    >>> x = road.period() * np.arange(1000) / 1000
+    >>> round(1e3 * float(np.sqrt(np.mean(road.height_at(x) ** 2))), 5), road.period()  # mm, m
+    (12.81605, 100.0)
+    """
+
+    kind: Literal["sine-sum"] = "sine-sum"
+    start: Length = 0.0
+    class_: ClassName | None = Field(default=None, alias="class")
+    roughness: Roughness | None = None
+    spacing: SpatialFrequency = 0.01
+    first: int = Field(default=2, ge=1, strict=True)
+    last: int = Field(default=300, ge=1, le=1_000_000, strict=True)
+    waviness: Waviness = 2.0
+    step: PositiveLength = 0.02
+
+    def check(self) -> None:
+        """Refuse an empty sum, two levels, a belt loop, and points too far apart for the shortest wave."""
+        if self.recurrence is not None:
+            raise ValueError("the sum of sines repeats by itself; leave out recurrence")
+        self._roughness()
+        if self.last < self.first:
+            raise ValueError(f"last = {self.last} is below first = {self.first}")
+        shortest = 1.0 / (self.last * self.spacing)
+        if self.step > 0.25 * shortest:
+            raise ValueError(f"points every {self.step:g} m do not follow waves of {shortest:g} m; make step smaller")
+        if _points(self.period(), self.step) > MOST_POINTS:
+            raise ValueError(f"more than {MOST_POINTS} points in one period; make step or spacing larger")
+
+    def period(self) -> float:
+        """Distance in m after which the road repeats."""
+        return 1.0 / self.spacing
+
+    def profile(self) -> Profile:
+        """Pieces of one period."""
+        return _sum_profile(self._roughness(), self.spacing, self.first, self.last, self.waviness, self.step)
+
+    def _roughness(self) -> float:
+        if self.class_ is None and self.roughness is None:
+            return class_roughness("C")
+        return _one_roughness(self.class_, self.roughness)
+
+    def _between(self, low: float, high: float) -> Segments:
+        return laid_out(self.profile(), periodic_places(self.start, self.period(), low, high), low, high)
+
+
+def periodic_places(start: float, period: float, low: float, high: float) -> list[tuple[float, float]]:
+    """Places (m) at which periods that go on forever to both sides begin, over the window from ``low`` to ``high``."""
+    first, last = math.floor((low - start) / period) - 1, math.ceil((high - start) / period) + 1
+    return [(start + k * period, 0.0) for k in range(first, last)]
+
+
+@lru_cache(maxsize=8)
+def _sum_profile(roughness: float, spacing: float, first: int, last: int, waviness: float, step: float) -> Profile:
+    count = _points(1.0 / spacing, step)
+    i = np.arange(first, last + 1)
+    n = spacing * i
+    amplitude = np.sqrt(2.0 * roughness * (n / REFERENCE) ** -waviness * spacing)
+    waves = np.zeros(count // 2 + 1, dtype=complex)
+    waves[i] = 0.5 * count * amplitude * np.exp(2j * math.pi * np.mod(GOLDEN * i, 1.0))
+    height = _over_length(waves, count, count)
+    waves[i] *= 2j * math.pi * n
+    return hermite_profile(np.linspace(0.0, 1.0 / spacing, count + 1), height, _over_length(waves, count, count))

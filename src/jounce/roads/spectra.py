@@ -1,0 +1,158 @@
+"""How rough a measured profile is: its spectrum by Welch's method, fitted as ISO 8608 does."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from jounce.core.errors import RecordingError
+from jounce.roads.roughness import BAND, REFERENCE, RoadClass, roughness_class
+
+Array = NDArray[np.float64]
+_UNEVEN = 1e-3  # of the spacing
+_PER_OCTAVE = 3  # bands that the line is fitted through
+
+
+@dataclass(frozen=True)
+class RoadSpectrum:
+    """Spectrum of a profile and the straight line through it, SI units.
+
+    Attributes
+    ----------
+    roughness : float
+        G_d(n0) of the line in m^3 at n0 = 0.1 1/m.
+    waviness : float
+        Exponent w (1) of the line.
+    road_class : str
+        Class of ISO 8608 that holds this roughness.
+    band : tuple of float
+        Spatial frequencies in 1/m between which the line was fitted.
+    deviation : float
+        Standard deviation of the smoothed spectrum from the line in dB.
+    n, psd : ndarray
+        Spatial frequencies in 1/m and one-sided density G_d in m^3.
+    """
+
+    roughness: float
+    waviness: float
+    road_class: RoadClass
+    band: tuple[float, float]
+    deviation: float
+    n: Array = field(repr=False)
+    psd: Array = field(repr=False)
+
+
+def estimate_roughness(
+    x: ArrayLike, height: ArrayLike, *, band: tuple[float, float] = BAND, waviness: float | None = None
+) -> RoadSpectrum:
+    """Spectrum, degree of roughness and class of a profile with evenly spaced points.
+
+    Parameters
+    ----------
+    x : array_like, shape (n,)
+        Distance in m, ascending and evenly spaced.
+    height : array_like, shape (n,)
+        Height in m.
+    band : tuple of float
+        Lowest and highest spatial frequency in 1/m for the fit; what the profile does not hold is left out.
+    waviness : float, optional
+        Exponent (1) kept fixed, 2 for a class by the standard; fitted when left out.
+
+    Returns
+    -------
+    RoadSpectrum
+        Spectrum, the line through it (least squares in logarithms over bands of a third of an octave), its class.
+
+    Raises
+    ------
+    RecordingError
+        For unequal lengths, values that are not finite, x that does not ascend evenly, and profiles too short or too
+        coarse for a fit over two octaves.
+
+    Notes
+    -----
+    Welch's method (Hann windows that overlap by half) on the slope, whose spectrum is flat, so that long waves do not
+    leak into short ones; then divided by the gain of the difference. Leave out fades at the ends of a synthetic road.
+
+    Examples
+    --------
+    >>> from jounce.roads import Iso8608
+    >>> x, height = Iso8608(class_="D", length=4000.0, run_in=0.0).points()
+    >>> spectrum = estimate_roughness(x, height)
+    >>> spectrum.road_class, round(spectrum.waviness, 1)
+    ('D', 2.0)
+    """
+    step, z = _checked(x, height)
+    n, psd, averages = _welch(step, z, band[0])
+    low, high = max(band[0], n[0]), min(band[1], 0.4 / step)
+    centre, level, weight = _banded(n, psd, (low, high), averages)
+    if len(centre) < 2 * _PER_OCTAVE:
+        raise RecordingError(
+            "the profile is too short or too coarse for its roughness",
+            found=f"{step * (len(z) - 1):g} m with points every {step:g} m",
+            allowed=f"waves over two octaves between {band[0]:g} and {band[1]:g} 1/m",
+        )
+    across = np.log10(centre / REFERENCE)
+    if waviness is None:
+        slope, offset = np.polyfit(across, level, 1, w=np.sqrt(weight))
+    else:
+        slope = -waviness
+        offset = float(np.average(level - slope * across, weights=weight))
+    rest = level - slope * across - offset
+    roughness = float(10.0**offset)
+    deviation = 10.0 * float(np.sqrt(np.average(rest**2, weights=weight)))
+    return RoadSpectrum(
+        roughness, -float(slope), roughness_class(roughness), (float(low), float(high)), deviation, n, psd
+    )
+
+
+def _checked(x: ArrayLike, height: ArrayLike) -> tuple[float, Array]:
+    at, z = np.asarray(x, dtype=float), np.asarray(height, dtype=float)
+    if at.ndim != 1 or at.shape != z.shape or len(at) < 16:
+        raise RecordingError(
+            "not a profile", found=f"{at.shape} distances, {z.shape} heights", allowed="16 or more of both"
+        )
+    if not (np.isfinite(at).all() and np.isfinite(z).all()):
+        raise RecordingError("the profile holds NaN or infinite values", hint="Fill the gaps or cut them off.")
+    steps = np.diff(at)
+    step = float((at[-1] - at[0]) / (len(at) - 1))
+    if step <= 0.0 or np.abs(steps - step).max() > _UNEVEN * step:
+        i = int(np.argmax(np.abs(steps - step)))
+        raise RecordingError(
+            "the distance is reversed" if step <= 0.0 else "the points are not evenly spaced",
+            found=f"{steps[i]:g} m after x = {at[i]:g} m, on average {step:g} m",
+            hint="Sort the points, or interpolate them to even spacing.",
+        )
+    return step, z
+
+
+def _welch(step: float, z: Array, low: float) -> tuple[Array, Array, float]:
+    """Spatial frequencies (1/m), density (m^3) by way of the slope, and how many values each one averages."""
+    from scipy.signal import welch
+
+    segment = min(len(z) - 1, max(16, round(5.0 / (low * step))))
+    n, slope_psd = welch(np.diff(z) / step, fs=1.0 / step, nperseg=segment, detrend="constant")
+    n, slope_psd = n[2:], slope_psd[2:]  # the window smears the mean over the first two
+    return n, slope_psd / (2.0 * np.sin(np.pi * n * step) / step) ** 2, (len(z) - 1) / segment
+
+
+def _banded(n: Array, psd: Array, band: tuple[float, float], averages: float) -> tuple[Array, Array, Array]:
+    """Mean level (log10 m^3) in bands of a third of an octave, and the weight of each (1)."""
+    low, high = band[0], band[1] - n[0]  # the window smears the end of the band over two lines
+    count = int(np.ceil(_PER_OCTAVE * np.log2(high / low) - 1e-9)) if high > low else 0
+    borders = low * 2.0 ** (np.arange(count + 1) / _PER_OCTAVE)
+    centres, levels, weights = [], [], []
+    for left, right in pairwise(borders):
+        inside = (n >= left) & (n < min(right, high))
+        if inside.any():
+            centre = 10.0 ** np.log10(n[inside]).mean()
+            flat = psd[inside] * (n[inside] / centre) ** 2
+            values = float(inside.sum()) * averages  # independent ones, of two degrees of freedom each
+            # the mean of a logarithm lies below the logarithm of the mean
+            levels.append(np.log10(np.mean(flat)) + 0.5 / (values * np.log(10.0)))
+            centres.append(centre)
+            weights.append(values / (values + 10.0))
+    return np.array(centres), np.array(levels), np.array(weights)

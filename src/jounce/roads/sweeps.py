@@ -1,0 +1,197 @@
+"""Waves: a sine, and sines that sweep through wavelengths along a road or through frequencies in time."""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import DescriptionError
+from jounce.core.segments import SINE
+from jounce.core.units import Angle, Length, PositiveLength, to_si
+from jounce.roads.profile import Profile, hermite_profile
+from jounce.roads.road import Road
+
+if TYPE_CHECKING:
+    from jounce.roads.trial import Excitation
+
+Array = NDArray[np.float64]
+Law = Literal["linear", "logarithmic"]
+PER_WAVE = 64  # points on one wave; cubics between them are within 3e-7 of the amplitude
+MOST_WAVES = 20_000
+
+
+class Sine(Road):
+    """Waves ``a sin(2 pi x / wavelength + phase)``; the last height holds afterwards.
+
+    Attributes
+    ----------
+    amplitude, wavelength : float
+        Half the height from trough to crest, and the distance from crest to crest, in m.
+    length : float
+        Length of the waves in m.
+    phase : float
+        Phase in rad at their begin; the road before it has the height there.
+
+    Examples
+    --------
+    >>> waves = Sine(amplitude="10 mm", wavelength="2 m", length="20 m", start="5 m")
+    >>> waves.height_at([5.0, 5.5, 30.0]).round(12).tolist()
+    [0.0, 0.01, -0.0]
+    """
+
+    kind: Literal["sine"] = "sine"
+    amplitude: Length
+    wavelength: PositiveLength
+    length: PositiveLength
+    phase: Angle = 0.0
+
+    def profile(self) -> Profile:
+        """One sine piece."""
+        rate = 2.0 * math.pi / self.wavelength
+        height = [self.amplitude * math.sin(self.phase + rate * x) for x in (0.0, self.length)]
+        return Profile(
+            edges=np.array([0.0, self.length]),
+            kind=np.array([SINE], dtype=np.int64),
+            coefficients=np.array([[0.0, self.amplitude, rate, self.phase]]),
+            before=height[0],
+            after=height[1],
+        )
+
+
+class SineSweep(Road):
+    """Waves of one amplitude whose wavelength changes along the road; the last height holds afterwards.
+
+    The spatial frequency n = 1 / wavelength goes from the first to the last one linearly or logarithmically (equal
+    ratios over equal distances); the height is ``a sin(2 pi integral of n dx)``.
+
+    Attributes
+    ----------
+    amplitude : float
+        Half the height from trough to crest, in m.
+    first_wavelength, last_wavelength : float
+        Wavelengths in m at the begin and at the end.
+    length : float
+        Length of the sweep in m.
+    law : {"logarithmic", "linear"}
+        How the spatial frequency changes with distance.
+
+    Examples
+    --------
+    >>> sweep = SineSweep(amplitude="5 mm", first_wavelength="10 m", last_wavelength="0.5 m", length="100 m")
+    >>> sweep.end(), float(sweep.height_at(0.0)), round(1e3 * float(sweep.height_at(np.linspace(0, 9, 9001)).max()), 4)
+    (100.0, 0.0, 5.0)
+    """
+
+    kind: Literal["sine-sweep"] = "sine-sweep"
+    amplitude: Length
+    first_wavelength: PositiveLength
+    last_wavelength: PositiveLength
+    length: PositiveLength
+    law: Law = "logarithmic"
+
+    def check(self) -> None:
+        """Refuse more waves than anybody drives over."""
+        waves = _cycles(1.0 / self.first_wavelength, 1.0 / self.last_wavelength, self.length, self.law)
+        if waves > MOST_WAVES:
+            raise ValueError(f"{waves:.0f} waves; allowed: up to {MOST_WAVES}; make the sweep shorter")
+
+    def profile(self) -> Profile:
+        """Cubics with the exact slopes, 64 to a wave."""
+        return _sweep_profile(
+            self.amplitude, 1.0 / self.first_wavelength, 1.0 / self.last_wavelength, self.length, self.law
+        )
+
+
+def swept_sine(
+    amplitude: str | float,
+    first_frequency: str | float,
+    last_frequency: str | float,
+    duration: str | float,
+    *,
+    law: Law = "logarithmic",
+) -> Excitation:
+    """Sine sweep of the support against time, as a shaker gives it.
+
+    Parameters
+    ----------
+    amplitude : str or float
+        Half the stroke, in m or with a unit.
+    first_frequency, last_frequency : str or float
+        Frequencies at the begin and at the end, above 0 Hz, in Hz or with a unit; either may be the higher one.
+    duration : str or float
+        Length of the sweep, above 0 s, in s or with a unit.
+    law : {"logarithmic", "linear"}
+        How the frequency changes with time.
+
+    Returns
+    -------
+    Excitation
+        Height in m against time in s, 64 samples to a wave with a cubic spline through them.
+
+    Raises
+    ------
+    DescriptionError
+        For wrong units, frequencies and durations that are not above 0, and more than 20 000 waves.
+
+    Examples
+    --------
+    >>> sweep = swept_sine("2 mm", "1 Hz", "25 Hz", "10 s")
+    >>> sweep.end(), round(max(sweep.height), 5)
+    (10.0, 0.002)
+    """
+    from jounce.roads.trial import Excitation
+
+    a = to_si(amplitude, "m", where="amplitude")
+    named = (("first_frequency", first_frequency, "Hz"), ("last_frequency", last_frequency, "Hz"))
+    first, last, length = (_positive(name, value, si) for name, value, si in (*named, ("duration", duration, "s")))
+    if law not in ("linear", "logarithmic"):
+        raise DescriptionError("unknown law", where="law", found=law, allowed="linear, logarithmic")
+    waves = _cycles(first, last, length, law)
+    if waves > MOST_WAVES:
+        raise DescriptionError("too many waves", where="duration", found=f"{waves:.0f}", allowed=f"up to {MOST_WAVES}")
+    time, phase, _ = _swept(first, last, length, law)
+    return Excitation(time=time, height=a * np.sin(phase))
+
+
+def _positive(name: str, value: str | float, si: str) -> float:
+    number = to_si(value, si, where=name)
+    if number <= 0.0:
+        raise DescriptionError("out of range", where=name, found=value, allowed=f"above 0 {si}")
+    return number
+
+
+def _cycles(first: float, last: float, length: float, law: str) -> float:
+    """Waves in a sweep whose frequency (1/m or Hz) goes from ``first`` to ``last`` over ``length`` (m or s)."""
+    if law == "linear" or math.isclose(first, last, rel_tol=1e-9):
+        return 0.5 * (first + last) * length
+    return length * (last - first) / math.log(last / first)
+
+
+def _swept(first: float, last: float, length: float, law: str) -> tuple[Array, Array, Array]:
+    """Coordinate (m or s), phase (rad) and frequency (1/m or Hz) at points evenly spaced in phase."""
+    total = _cycles(first, last, length, law)
+    count = max(8, math.ceil(PER_WAVE * total))
+    cycles = total * np.arange(count + 1) / count
+    change = (last - first) / length
+    if math.isclose(first, last, rel_tol=1e-9):
+        x = cycles / first
+        frequency = np.full_like(x, first)
+    elif law == "linear":
+        frequency = np.sqrt(np.maximum(first**2 + 2.0 * change * cycles, 0.0))
+        x = 2.0 * cycles / (first + frequency)
+    else:
+        rate = math.log(last / first) / length
+        frequency = first + rate * cycles
+        x = np.log(frequency / first) / rate
+    x[0], x[-1] = 0.0, length
+    return x, 2.0 * math.pi * cycles, frequency
+
+
+@lru_cache(maxsize=8)
+def _sweep_profile(amplitude: float, first: float, last: float, length: float, law: str) -> Profile:
+    x, phase, n = _swept(first, last, length, law)
+    return hermite_profile(x, amplitude * np.sin(phase), amplitude * 2.0 * math.pi * n * np.cos(phase))
