@@ -1,0 +1,147 @@
+"""Trials for ride studies: a class of ISO 8608 or a measured road under every wheel of a rig or vehicle."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from jounce.core.errors import DescriptionError, RecordingError
+from jounce.core.findings import Finding
+from jounce.parts import FullCar, FullCar3D, Rig, Vehicle
+from jounce.roads import Crg, Trial
+from jounce.roads.iso8608 import Iso8608
+from jounce.roads.road import Road
+
+DEFAULT_DURATION = 60.0
+"""s, of a run over a synthetic road; a measured one is driven to its end."""
+_RUN_IN = 10.0  # m over which a synthetic road fades in, and out behind the end of the run
+
+
+@dataclass(frozen=True)
+class RideTrial:
+    """A trial and the part of it that counts.
+
+    Attributes
+    ----------
+    trial : Trial
+        Road under the left and the right wheels, speed and duration.
+    settling : float
+        s at the start that metrics leave out: the road fades in, and the last axle has not yet met it.
+    findings : tuple of Finding
+        What weakens a ride figure of this trial.
+    """
+
+    trial: Trial
+    settling: float
+    findings: tuple[Finding, ...] = ()
+
+
+def iso_trial(
+    rig: Rig, class_: str, speed: float, *, duration: float = DEFAULT_DURATION, seed: int = 0, step: float = 0.05
+) -> RideTrial:
+    """Drive over a random road of ISO 8608; full cars meet its two coherent tracks.
+
+    Parameters
+    ----------
+    rig : Rig
+        Rig or vehicle.
+    class_ : {"A", ..., "H"}
+        Road class.
+    speed : float
+        m/s.
+    duration : float
+        Time over the rough road, s; the time it takes to come in is added in front.
+    seed : int
+        Which of all roads of that class.
+    step : float
+        Distance of the road's points, m.
+
+    Returns
+    -------
+    RideTrial
+        The trial, longer than ``duration`` by what it leaves out at its start.
+
+    Raises
+    ------
+    DescriptionError
+        For an unknown class, and numbers out of range.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> ride = iso_trial(jn.load("audi-a6-full-car"), "C", 20.0, duration=10.0)
+    >>> ride.trial.right.side, round(ride.settling, 4), round(ride.trial.duration, 4)
+    ('right', 0.6455, 10.6455)
+    """
+    settling = (_RUN_IN + _wheelbase(rig)) / speed
+    lasting = settling + duration
+    left = Iso8608(class_=class_, length=speed * lasting + _RUN_IN, step=step, seed=seed, run_in=_RUN_IN)
+    if isinstance(rig, FullCar | FullCar3D):
+        left = left.model_copy(update={"track": _track(rig)})
+        return RideTrial(_trial(left, left.other_track(), speed, lasting), settling)
+    return RideTrial(_trial(left, None, speed, lasting), settling)
+
+
+def road_trial(rig: Rig, road: Road, speed: float, *, duration: float | None = None) -> RideTrial:
+    """Drive over a given road; a measured course with a width is read under both tracks of a full car.
+
+    Parameters
+    ----------
+    rig : Rig
+        Rig or vehicle.
+    road : Road
+        What is driven over.
+    speed : float
+        m/s.
+    duration : float, optional
+        s; by default until the last axle reaches the road's end.
+
+    Returns
+    -------
+    RideTrial
+        The trial; a finding says where the run goes on beyond the road.
+
+    Raises
+    ------
+    DescriptionError
+        For numbers out of range.
+    """
+    behind = _wheelbase(rig)
+    whole = (road.end() + behind) / speed
+    if duration is None and whole <= 0.0:
+        raise DescriptionError("the road ends where it begins", where="road", hint="Give the duration.")
+    lasting = whole if duration is None else duration
+    findings = []
+    if lasting > whole * (1.0 + 1e-9):
+        text = f"the road ends after {whole:.4g} s; the rest of the run, which counts, is level"
+        findings.append(Finding("duration", "warning", text, lasting))
+    left, right = _tracks(rig, road)
+    return RideTrial(_trial(left, right, speed, lasting), behind / speed, tuple(findings))
+
+
+def _trial(left: Road, right: Road | None, speed: float, duration: float) -> Trial:
+    return Trial(road=left, right=right, speed=speed, duration=duration)
+
+
+def _wheelbase(rig: Rig) -> float:
+    return rig.wheelbase if isinstance(rig, Vehicle) else 0.0
+
+
+def _track(rig: FullCar | FullCar3D) -> float:
+    """Distance of the front wheels, m."""
+    if isinstance(rig, FullCar):
+        return rig.front.track
+    return 2.0 * abs(rig.front.corner.hardpoints.wheel_centre[1])
+
+
+def _tracks(rig: Rig, road: Road) -> tuple[Road, Road | None]:
+    """The road under the left and the right wheels."""
+    if isinstance(rig, FullCar | FullCar3D) and isinstance(road, Crg):
+        half = 0.5 * _track(rig)
+        left, right = (road.model_copy(update={"v": road.v + side * half}) for side in (1.0, -1.0))
+        try:
+            left.profile()
+            right.profile()
+        except RecordingError:  # too narrow for the car: both sides roll along the given offset
+            return road, None
+        return left, right
+    return road, None
