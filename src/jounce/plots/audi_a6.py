@@ -1,0 +1,244 @@
+"""Curves of paper 2: half car over obstacle and pothole (figures 12 to 16), corner on its excenter (figure 8)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from jounce.core.errors import RecordingError, nearest
+from jounce.plots.style import INK, MUTED, PALETTE, legend_above, new_figure, styled
+from jounce.studies.audi_a6_paper import FREE_LENGTH, READ_LENGTH
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from jounce.studies.audi_a6 import AudiCase, CaseRun
+    from jounce.studies.audi_a6_excenter import Excenter
+
+_QUANTITIES = {
+    "bounce.displacement": ("bounce", "mm", 1e3),
+    "pitch.angle": ("pitch, nose down", "mrad", 1e3),
+    "front.force": ("front force", "kN", 1e-3),
+    "rear.force": ("rear force", "kN", 1e-3),
+    "front.road.z": ("road, front", "mm", 1e3),
+    "rear.road.z": ("road, rear", "mm", 1e3),
+    "pitch.moment": ("moment", "N·m", 1.0),
+}
+_LINES: dict[str, dict[str, Any]] = {
+    "simulink": {"color": PALETTE[1], "linestyle": (0, (4, 1.6)), "zorder": 3},
+    "sign-corrected": {"color": PALETTE[0], "linestyle": "-", "zorder": 2},
+    "physical": {"color": PALETTE[2], "linestyle": "-", "zorder": 1.9},
+}
+_MODELS: dict[str, dict[str, Any]] = {
+    "summed": {"color": PALETTE[1], "linestyle": "-", "zorder": 2},
+    "series": {"color": PALETTE[4], "linestyle": (0, (2.5, 2.5)), "zorder": 3},
+    "two-mass": {"color": PALETTE[0], "linestyle": "-", "zorder": 2},
+}
+_BEGIN, _END = 2.5, 10.0
+_EVENTS = (3.0, 6.0, 8.0)
+_TURNS = 0.4  # s
+
+
+@styled
+def case_curve(study: AudiCase, channel: str = "bounce.displacement") -> Figure:
+    r"""Draw one signal of a case against time: one set of axes for each moment, one line for each variant.
+
+    Parameters
+    ----------
+    study : AudiCase
+        As :func:`jounce.studies.audi_a6.run_audi_a6` gives it.
+    channel : str
+        ``bounce.displacement`` (m), ``pitch.angle`` (rad) or another signal of its runs.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        In mm, mrad, kN.
+
+    Raises
+    ------
+    RecordingError
+        For a channel that the runs do not hold.
+
+    Examples
+    --------
+    >>> from jounce.studies.audi_a6 import run_audi_a6
+    >>> figure = case_curve(run_audi_a6("case-a"), "pitch.angle")
+    >>> [axes.get_ylabel() for axes in figure.axes]
+    ['pitch, nose down\n[mrad]', 'pitch, nose down\n[mrad]']
+    """
+    if channel not in _QUANTITIES:
+        raise RecordingError(
+            f"no channel {channel!r}", allowed=", ".join(_QUANTITIES), hint=nearest(channel, list(_QUANTITIES))
+        )
+    by_moment = {run.moment: [other for other in study.runs if other.moment == run.moment] for run in study.runs}
+    figure = new_figure(0.7 + 2.3 * len(by_moment))
+    rows = figure.subplots(len(by_moment), 1, sharex=True, squeeze=False)[:, 0]
+    for axes, (moment, runs) in zip(rows, by_moment.items(), strict=True):
+        _draw(axes, runs, channel)
+        axes.set_title(f"pitch moment {_text(moment)} N·m from 3 s on")
+    _finish(figure, list(rows))
+    return figure
+
+
+@styled
+def case_overview(study: AudiCase, moment: float) -> Figure:
+    """Draw what the paper's last figure shows, one above the other: bounce, pitch, forces, road and moment.
+
+    Parameters
+    ----------
+    study : AudiCase
+        As :func:`jounce.studies.audi_a6.run_audi_a6` gives it.
+    moment : float
+        Which of its pitch moments, N m.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        One set of axes for each signal, one line for each variant.
+
+    Raises
+    ------
+    RecordingError
+        For a moment that the study did not run.
+    """
+    runs = [run for run in study.runs if run.moment == moment]
+    if not runs:
+        allowed = ", ".join(f"{one:g}" for one in sorted({run.moment for run in study.runs}))
+        raise RecordingError("no run with this moment", found=f"{moment:g} N m", allowed=allowed)
+    figure = new_figure(8.4)
+    rows = figure.subplots(len(_QUANTITIES), 1, sharex=True)
+    for axes, channel in zip(rows, _QUANTITIES, strict=True):
+        _draw(axes, runs, channel)
+    _finish(figure, list(rows))
+    return figure
+
+
+@styled
+def start_up_transient(study: AudiCase) -> Figure:
+    """Draw how the paper's vehicle falls into its balance from where the demo starts its own.
+
+    Parameters
+    ----------
+    study : AudiCase
+        As :func:`jounce.studies.audi_a6.run_audi_a6` gives it.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Height of the body (mm) against time (s).
+    """
+    found = study.start_up
+    figure = new_figure(2.6)
+    axes = figure.subplots()
+    axes.plot(found.signals["time"], 1e3 * found.signals["body.z"], color=PALETTE[0])
+    for value, text, above in ((found.initial, "where the demo starts", -10), (found.equilibrium, "balance", 4)):
+        axes.axhline(1e3 * value, color=MUTED, linewidth=0.8, linestyle=(0, (3, 2)))
+        note = f"{text}: {_text(1e3 * value, '.1f')} mm"
+        axes.annotate(
+            note, (1.0, 1e3 * value), (-2, above), xycoords=("axes fraction", "data"), textcoords="offset points",
+            ha="right", color=MUTED, fontsize=8.5,
+        )  # fmt: skip
+    axes.set(xlabel="time [s]", ylabel="height of the body [mm]", xlim=(0.0, float(found.signals["time"][-1])))
+    return figure
+
+
+@styled
+def excenter_spring(study: Excenter, duration: float = 3.0) -> Figure:
+    """Draw length and force of the spring over time for all models of the corner on its excenter.
+
+    Parameters
+    ----------
+    study : Excenter
+        As :func:`jounce.studies.audi_a6_excenter.run_excenter` gives it.
+    duration : float
+        How long, s.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Plate (mm), length of the spring (mm) with the paper's two lengths, and its force (kN) against time (s).
+    """
+    figure = new_figure(6.4)
+    rows = figure.subplots(3, 1, sharex=True, gridspec_kw={"height_ratios": [0.5, 1.6, 1.2]})
+    plate = study.runs[0].signals.isel(time=study.runs[0].signals["time"] <= duration)
+    rows[0].plot(plate["time"], 1e3 * plate["plate.z"], color=INK, linewidth=0.9)
+    for run in study.runs:
+        part = run.signals.isel(time=run.signals["time"] <= duration)
+        style = {"label": run.variant, **_MODELS[run.variant]}
+        rows[1].plot(part["time"], 1e3 * part["spring.length"], **style)
+        rows[2].plot(part["time"], 1e-3 * part["spring.force"], **style)
+    for length in (FREE_LENGTH, READ_LENGTH):
+        rows[1].axhline(1e3 * length, color=MUTED, linewidth=0.8, linestyle=(0, (3, 2)))
+    rows[1].annotate(
+        f"dashed: the paper's {1e3 * FREE_LENGTH:g} mm and {1e3 * READ_LENGTH:g} mm",
+        (1.0, 1e3 * READ_LENGTH), (-2, -27), xycoords=("axes fraction", "data"), textcoords="offset points",
+        ha="right", color=MUTED, fontsize=8.5,
+    )  # fmt: skip
+    labels = ("plate\n[mm]", "length of the spring\n[mm]", "force of the spring\n[kN]")
+    for axes, label in zip(rows, labels, strict=True):
+        axes.set_ylabel(label)
+    rows[1].margins(y=0.1)
+    rows[2].set(xlabel="time [s]", xlim=(0.0, duration))
+    legend_above(rows[0], handles=rows[1].get_legend_handles_labels()[0])
+    figure.align_ylabels(rows)
+    return figure
+
+
+@styled
+def excenter_torque_curve(study: Excenter) -> Figure:
+    """Draw the torque that the excenter asks for over two turns of steady motion, beside what eq. (5) gives.
+
+    Parameters
+    ----------
+    study : Excenter
+        As :func:`jounce.studies.audi_a6_excenter.run_excenter` gives it.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Torque (N m) and force of the excenter on the plate (kN) against time (s).
+    """
+    figure = new_figure(4.6)
+    rows = figure.subplots(2, 1, sharex=True)
+    for run in study.runs:
+        time = run.signals["time"]
+        part = run.signals.isel(time=time >= float(time[-1]) - _TURNS)
+        style = {"label": run.variant, **_MODELS[run.variant]}
+        rows[0].plot(part["time"], part["excenter.torque"], **style)
+        rows[1].plot(part["time"], 1e-3 * part["plate.force"], **style)
+    rows[0].axhline(study.torque, color=MUTED, linewidth=0.8, linestyle=(0, (3, 2)))
+    rows[0].annotate(
+        f"eq. (5): {study.torque:.2f} N·m, constant", (1.0, study.torque), (-2, -10),
+        xycoords=("axes fraction", "data"), textcoords="offset points", ha="right", color=MUTED, fontsize=8.5,
+    )  # fmt: skip
+    rows[0].set_ylabel("torque of the drive\n[N·m]")
+    rows[1].set(xlabel="time [s]", ylabel="excenter on plate\n[kN]")
+    rows[1].margins(x=0.0)
+    legend_above(rows[0])
+    figure.align_ylabels(rows)
+    return figure
+
+
+def _draw(axes: Axes, runs: Sequence[CaseRun], channel: str) -> None:
+    words, unit, factor = _QUANTITIES[channel]
+    for run in runs:
+        part = run.signals.isel(time=run.signals["time"] >= _BEGIN)
+        line = _LINES[run.variant]
+        axes.plot(part["time"], factor * part[channel], label=run.variant, linewidth=1.2, **line)
+    axes.set_ylabel(f"{words}\n[{unit}]")
+
+
+def _finish(figure: Figure, rows: Sequence[Axes]) -> None:
+    for axes in rows:
+        for event in _EVENTS:
+            axes.axvline(event, color="#b9c0c7", linewidth=0.7, zorder=0)
+        axes.set_xlim(_BEGIN, _END)
+    rows[-1].set_xlabel("time [s]")
+    legend_above(rows[0])
+    figure.align_ylabels(rows)
+
+
+def _text(value: float, form: str = ".6g") -> str:
+    return f"{value:{form}}".replace("-", "−")

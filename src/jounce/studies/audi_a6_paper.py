@@ -1,0 +1,400 @@
+"""Paper 2 as printed beside what is correct: slips of the pen, missing terms, values that contradict each other."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.serialise import to_plain
+from jounce.parts import QuarterCar, load
+from jounce.parts.vehicles import HalfCar
+from jounce.recordings.schema import recording
+from jounce.roads import Flat, Trial
+from jounce.simulation import equilibrium, simulate
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+POWER, FREQUENCY, LOAD = 2200.0, 5.0, 4512.6
+"""Of the drive (W), of the excenter (Hz), and on the quarter car (N): Table 1."""
+FREE_LENGTH, READ_LENGTH, CALCULATED = 0.341, 0.3288, 0.130
+"""Spring before and in the paper's simulation, and the compression its manual calculation took, m."""
+DEMO_HEIGHT, DEMO_PITCH = -0.12, 0.0
+"""Where the demo starts its own car: height of the body in m, pitch in rad."""
+PRINTED_RATE = 38.0
+"""Front spring rate as printed, N/m."""
+_START_UP = 3.0
+
+
+@dataclass(frozen=True)
+class Slip:
+    """One place where the paper is to be read with care.
+
+    Attributes
+    ----------
+    place : str
+        Where in the paper.
+    printed, correct : str
+        What it says, and what it should be, in words.
+    why : str
+        How one can tell.
+    printed_value, correct_value : float or None
+        The two numbers in the SI unit ``unit``, where there are numbers.
+    unit : str
+        SI unit.
+    """
+
+    place: str
+    printed: str
+    correct: str
+    why: str
+    printed_value: float | None = None
+    correct_value: float | None = None
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class PrintedSign:
+    """What the printed sign of eq. (9), M_rear = -L_r F_rear, makes of the half car.
+
+    Attributes
+    ----------
+    growth_rate : float
+        Largest real part of the eigenvalues with the printed sign, 1/s: above zero, pitch runs away.
+    pitch_at_rest : float
+        Pitch (rad) of the equilibrium that the printed equations have.
+    eigenvalues, correct_eigenvalues : tuple of (float, float)
+        Real and imaginary parts, 1/s, with the printed sign and with the correct one.
+    """
+
+    growth_rate: float
+    pitch_at_rest: float
+    eigenvalues: tuple[tuple[float, float], ...]
+    correct_eigenvalues: tuple[tuple[float, float], ...]
+
+
+@dataclass(frozen=True)
+class StartUp:
+    """What the demo's initial height makes of the paper's vehicle.
+
+    Attributes
+    ----------
+    initial, equilibrium : float
+        Height of the body where the demo starts, and where the vehicle is in balance, m.
+    transient : float
+        Difference, m: how far the body falls before it has found its balance.
+    lowest : float
+        Lowest height on the way, m.
+    signals : xarray.Dataset
+        Height and pitch over time.
+    """
+
+    initial: float
+    equilibrium: float
+    transient: float
+    lowest: float
+    signals: xr.Dataset
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give the results as plain data in SI, without signals."""
+        names = ("initial", "equilibrium", "transient", "lowest")
+        plain: dict[str, Any] = to_plain({name: getattr(self, name) for name in names})
+        return plain
+
+
+def half_car_matrices(vehicle: HalfCar, rear_sign: float = 1.0) -> tuple[Array, Array, Array]:
+    """Mass, damping and stiffness matrix of a half car by eqs. (6) to (11), coordinates height (m) and pitch (rad).
+
+    Parameters
+    ----------
+    vehicle : HalfCar
+        The vehicle.
+    rear_sign : float
+        Of the rear axle's moment, M_rear = rear_sign L_r F_rear: 1 is correct, -1 as eq. (9) is printed.
+
+    Returns
+    -------
+    tuple of ndarray, each (2, 2)
+        kg, N s/m and N/m in the first place; SI with metres and radians elsewhere.
+    """
+    front, rear = vehicle.front, vehicle.rear
+    seen = np.array([[1.0, -front.distance], [1.0, rear.distance]])  # heights of the body above the axles
+    moved = np.array([[1.0, 1.0], [-front.distance, rear_sign * rear.distance]])  # what axle forces do to the body
+
+    def matrix(first: float, second: float) -> Array:
+        return np.asarray(moved @ np.diag([2.0 * first, 2.0 * second]) @ seen)
+
+    mass = np.diag([vehicle.body.mass, vehicle.body.pitch_inertia])
+    damping = matrix(front.damping_coefficient, rear.damping_coefficient)
+    return mass, damping, matrix(front.spring_rate, rear.spring_rate)
+
+
+def eigenvalues(mass: Array, damping: Array, stiffness: Array) -> NDArray[np.complex128]:
+    """Eigenvalues (1/s) of a system of second order, each matrix (n, n) in SI, by falling real part."""
+    n = len(mass)
+    lower = -np.linalg.solve(mass, np.hstack([stiffness, damping]))
+    values = np.linalg.eigvals(np.vstack([np.hstack([np.zeros((n, n)), np.eye(n)]), lower]))
+    return np.asarray(sorted(values.astype(complex), key=lambda value: (-value.real, -value.imag)))
+
+
+def printed_sign(vehicle: HalfCar) -> PrintedSign:
+    """Solve a half car with the sign of eq. (9) as it is printed, and with the correct one."""
+    printed, correct = (half_car_matrices(vehicle, sign) for sign in (-1.0, 1.0))
+    weight = np.array([-vehicle.body.mass * vehicle.gravity, 0.0])
+    values = eigenvalues(*printed)
+    return PrintedSign(
+        float(values[0].real),
+        float(np.linalg.solve(printed[2], weight)[1]),
+        _pairs(values),
+        _pairs(eigenvalues(*correct)),
+    )
+
+
+def _pairs(values: NDArray[np.complex128]) -> tuple[tuple[float, float], ...]:
+    return tuple((float(value.real), float(value.imag)) for value in values)
+
+
+def start_up(vehicle: HalfCar) -> StartUp:
+    """Start a half car where the demo starts its own, on a level road."""
+    rest = equilibrium(vehicle)
+    offset = {"body.z": DEMO_HEIGHT - rest["body.z"], "body.pitch": DEMO_PITCH - rest["body.pitch"]}
+    run = simulate(vehicle, Trial(road=Flat(), speed=10.0, duration=_START_UP), offset=offset)
+    height = run["body.z"].to_numpy()
+    channels = {
+        "body.z": (height, "m", "height of the body"),
+        "body.pitch": (run["body.pitch"].to_numpy(), "rad", "pitch of the body, nose down"),
+    }
+    signals = recording(run["time"].to_numpy(), channels)
+    return StartUp(DEMO_HEIGHT, rest["body.z"], offset["body.z"], float(height.min()), signals)
+
+
+def excenter_torque(power: float, frequency: float) -> float:
+    """Torque in N m of a drive of a power in W that turns at a frequency in Hz: eq. (5) in the right units.
+
+    Examples
+    --------
+    >>> round(excenter_torque(2200.0, 5.0), 2)
+    70.03
+    """
+    return float(power / (2.0 * np.pi * frequency))
+
+
+def series(*stiffnesses: float) -> float:
+    """Stiffness (N/m) of springs one behind the other.
+
+    Examples
+    --------
+    >>> round(series(38000.0, 300000.0))
+    33728
+    """
+    return 1.0 / sum(1.0 / stiffness for stiffness in stiffnesses)
+
+
+def series_at(rig: QuarterCar, frequency: float) -> tuple[float, float]:
+    """Stiffness (N/m) and damping coefficient (N s/m) of suspension and tyre in series at a frequency in Hz."""
+    omega = 2.0 * np.pi * frequency
+    suspension = complex(rig.strut.spring.rate or np.nan, omega * _damping(rig))
+    tyre = complex(rig.tyre.stiffness or np.nan, omega * rig.tyre.damping_coefficient)
+    both = suspension * tyre / (suspension + tyre)
+    return float(both.real), float(both.imag / omega)
+
+
+def _damping(rig: QuarterCar) -> float:
+    return float(rig.strut.damper.coefficient)  # type: ignore[union-attr]
+
+
+def paper_slips() -> tuple[Slip, ...]:
+    """Put the paper's numbers and equations beside the correct ones; every number is computed from its tables."""
+    car, demo, corner = (load(name) for name in ("audi-a6-half-car", "sldemo-half-car", "audi-a6-quarter-car"))
+    assert isinstance(car, HalfCar)
+    assert isinstance(demo, HalfCar)
+    assert isinstance(corner, QuarterCar)
+    return (*_stand(corner), *_loads(car, corner), *_equations(car), *_demo(car, demo))
+
+
+def _stand(corner: QuarterCar) -> tuple[Slip, ...]:
+    """Section 4: the Inventor model on its excenter."""
+    spring, tyre = corner.strut.spring.rate or np.nan, corner.tyre.stiffness or np.nan
+    damper, pneumatic = _damping(corner), corner.tyre.damping_coefficient
+    torque, both = excenter_torque(POWER, FREQUENCY), series(spring, tyre)
+    merged, chain, alone = LOAD / (spring + tyre), LOAD / both, LOAD / spring
+    at_frequency = series_at(corner, FREQUENCY)[1]
+    read = FREE_LENGTH - READ_LENGTH
+    metre = partial(Slip, unit="m")
+    return (
+        Slip(
+            "eq. (5)",
+            f"M = 60 P / (2π f) = {60.0 * torque:.1f} N m with f = {FREQUENCY:g} Hz",
+            f"M = P / (2π f) = {torque:.2f} N m",
+            f"the 60 belongs to a speed in revolutions per minute; n = {60.0 * FREQUENCY:g} rpm gives the same "
+            f"{torque:.2f} N m",
+            60.0 * torque,
+            torque,
+            "N*m",
+        ),
+        Slip(
+            "section 4, spring constant",
+            f"sum of tyre and spring: {1e-3 * (spring + tyre):.0f} N/mm",
+            f"in series: {1e-3 * both:.3f} N/mm",
+            "wheel and body move against each other: one load goes through both springs, their compressions add up",
+            spring + tyre,
+            both,
+            "N/m",
+        ),
+        Slip(
+            "section 4, damping constant",
+            f"sum: {damper + pneumatic:.0f} N s/m",
+            f"in series: {at_frequency:.0f} N s/m at {FREQUENCY:g} Hz",
+            "dampers beside springs in series have no constant coefficient: it falls with frequency, towards "
+            f"c c_t/(c + c_t) = {series(damper, pneumatic):.0f} N s/m",
+            damper + pneumatic,
+            at_frequency,
+            "N*s/m",
+        ),
+        metre(
+            "section 4, static compression",
+            f"of the summed spring: {1e3 * merged:.3f} mm",
+            f"{1e3 * chain:.2f} mm: spring {1e3 * alone:.2f} mm and tyre {1e3 * LOAD / tyre:.2f} mm",
+            f"{LOAD:g} N on {1e-3 * (spring + tyre):.0f} N/mm, and on {1e-3 * both:.3f} N/mm",
+            merged,
+            chain,
+        ),
+        metre(
+            "section 4, result",
+            f"{1e3 * read:.1f} mm (341 mm to 328.8 mm), which 'corresponds approximately' to {1e3 * CALCULATED:.0f} mm",
+            f"{1e3 * merged:.1f} mm for the summed spring, {1e3 * chain:.1f} mm in series",
+            f"they differ by a factor of {CALCULATED / read:.1f}: either 130 is a misprint of 13.0 (the summed "
+            "spring), or the manual calculation is right (in series) and the simulation wrong",
+            read,
+            chain,
+        ),
+        Slip(
+            "table 1, c_pneu",
+            f"{pneumatic:.0f} N s/m",
+            "50 to 100 N s/m",
+            "tyres of passenger cars damp 10 to 20 times less",
+            pneumatic,
+            None,
+            "N*s/m",
+        ),
+        Slip(
+            "section 4, principle and frequency",
+            f"EUSAMA principle at {FREQUENCY:g} Hz, stroke not given",
+            "EUSAMA runs down from 25 Hz with a stroke of 6 mm",
+            "power and frequency are those of a THETA tester; here the excenter's amplitude is 3 mm (estimated)",
+        ),
+    )
+
+
+def _signed(value: float) -> str:
+    return f"{value:+.3f}".replace("-", "−")
+
+
+def _loads(car: HalfCar, corner: QuarterCar) -> tuple[Slip, ...]:
+    """Masses and rates that contradict each other."""
+    wheel = equilibrium(car)["front.strut.force"]
+    quarter = 0.25 * car.body.mass * car.gravity
+    rate = PRINTED_RATE
+    return (
+        Slip(
+            "table 1, load F",
+            f"{LOAD:g} N = {LOAD / corner.gravity:.1f} kg × {corner.gravity:g} m/s²",
+            f"{wheel:.0f} N",
+            f"table 2 gives {0.25 * car.body.mass:.0f} kg ({quarter:.0f} N) as a quarter of the body, and by the lever "
+            f"rule {wheel:.0f} N on a front wheel",
+            LOAD,
+            wheel,
+            "N",
+        ),
+        Slip(
+            "section 5, front spring rate",
+            "'modified from 38 N/m to 28 N/m'",
+            "38 N/mm to 28 N/mm",
+            f"with {rate:g} N/m the springs would have to be compressed by {wheel / rate:.0f} m to carry the car",
+            rate,
+            1e3 * rate,
+            "N/m",
+        ),
+    )
+
+
+def _equations(car: HalfCar) -> tuple[Slip, ...]:
+    """Section 5: the half car's equations."""
+    printed = printed_sign(car)
+    slowest = max(real for real, _ in printed.correct_eigenvalues)
+    return (
+        Slip(
+            "section 3",
+            "'the dynamic model of car damping has six degrees of freedom'",
+            "two: the quarter car of eqs. (1) to (4); and two for the half car: bounce and pitch",
+            "the equations that follow have no more",
+        ),
+        Slip(
+            "eqs. (6) and (8)",
+            "no road height",
+            "F_front = 2 K_f (h + L_f θ − z) + ..., F_rear = 2 K_r (h − L_r θ − z) + ...",
+            "without h no obstacle could be felt; the text describes it as an input",
+        ),
+        Slip(
+            "eq. (7), text",
+            "'determines pitch angle at the front axle'",
+            "pitch moment due to the front axle",
+            "it is a force times a lever",
+        ),
+        Slip(
+            "eq. (9)",
+            "M_rear = −L_r F_rear",
+            "M_rear = +L_r F_rear",
+            f"as printed the car is unstable: an eigenvalue of {_signed(printed.growth_rate)} 1/s and an equilibrium "
+            f"at a pitch of {printed.pitch_at_rest:.3f} rad; with the right sign the real parts are "
+            f"{_signed(slowest)} 1/s and below",
+            printed.growth_rate,
+            slowest,
+            "1/s",
+        ),
+    )
+
+
+def _demo(car: HalfCar, demo: HalfCar) -> tuple[Slip, ...]:
+    """What the demo brought along."""
+    rest, own = equilibrium(car)["body.z"], equilibrium(demo)["body.z"]
+    rates = f"{car.front.spring_rate:.0f} and {car.rear.spring_rate:.0f} N/m"
+    same = (car.front.spring_rate, car.rear.spring_rate) == (demo.front.spring_rate, demo.rear.spring_rate)
+    return (
+        Slip(
+            "section 5, road in the demo",
+            "F = 2 K (... − (z + h)): an obstacle lowers the body",
+            "F = 2 K (... − (z − h))",
+            "variant sign-corrected; the road also meets both axles at once and is not felt by the dampers, which only "
+            "the variant physical mends",
+        ),
+        Slip(
+            "table 2, K_f and K_r",
+            rates,
+            "not known",
+            "exactly the defaults of the demo, so probably left over from it"
+            if same
+            else "not the defaults of the demo",
+        ),
+        Slip(
+            "demo, initial height",
+            f"z = −{-DEMO_HEIGHT:g} m, the balance of the demo's own car (−{-own:.6f} m)",
+            f"z = −{-rest:.6f} m",
+            f"unless it is changed a start-up transient of {1e3 * (DEMO_HEIGHT - rest):.1f} mm runs through the curves",
+            DEMO_HEIGHT,
+            rest,
+            "m",
+        ),
+        Slip(
+            "section 5, M_y",
+            "never given",
+            "m_b a h: mass × deceleration × height of the centre of gravity",
+            "the demo has a step of 100 N m at 3 s; 3 m/s² at 0.55 m (estimated) would be "
+            f"{car.body.mass * 3.0 * 0.55:.1f} N m",
+        ),
+    )
