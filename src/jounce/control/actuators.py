@@ -1,0 +1,255 @@
+"""Actuators of controlled suspensions as frozen descriptions: what a command does, its limits and its lag."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, ClassVar, Literal, Self
+
+from pydantic import Discriminator, Tag, model_validator
+
+from jounce.control.corner import CornerModel
+from jounce.core.description import Description
+from jounce.core.units import Frequency, NonNegativeDampingCoefficient, PositiveNumber, Unit
+from jounce.parts.elements import BoucWenDamper, TanhDamper
+from jounce.parts.parameters import parameters_of
+
+SOFTEST, FIRMEST = 0.2, 8.0 / 3.0
+"""Smallest and largest coefficient of a damper that says none, as shares of the corner's own damping coefficient."""
+_Lag = Annotated[float, Unit("s", at_least=0.0)]
+_Voltage = Annotated[float, Unit("V", above=0.0)]
+_Rate = Annotated[float, Unit("N*s/m/s", above=0.0)]
+_ForceRate = Annotated[float, Unit("N/s", above=0.0)]
+_VoltageRate = Annotated[float, Unit("V/s", above=0.0)]
+_ForceLimit = Annotated[float, Unit("N", above=0.0)]
+
+
+class _Actuator(Description):
+    """What all actuators share: a command with its unit, and the numbers that the model of the car needs."""
+
+    unit: ClassVar[str] = ""
+    dissipative: ClassVar[bool] = True
+
+    @property
+    def structure(self) -> str:
+        """Text that says which equations the actuator has; numbers do not matter."""
+        raise NotImplementedError
+
+    @property
+    def plant_numbers(self) -> dict[str, float]:
+        """Numbers of those equations, SI."""
+        raise NotImplementedError
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Smallest and largest command, in the unit of the command."""
+        raise NotImplementedError
+
+    @property
+    def rest(self) -> float:
+        """Command before the first control instant."""
+        return self.limits[0]
+
+    def resolved(self, corner: CornerModel) -> Self:  # noqa: ARG002 - others need it
+        """Give the same actuator with every number that was left open filled in for a corner."""
+        return self
+
+
+class SemiActiveDamper(_Actuator):
+    """Damper whose coefficient is commanded: ``F = c * velocity``, in place of the corner's own damper.
+
+    Attributes
+    ----------
+    minimum, maximum : float or None
+        Bounds of the coefficient, N s/m; left out: 0.2 and 8/3 of the corner's own damping coefficient.
+    lag : float
+        Time constant of the first-order lag of the coefficient, s; 0: none.
+    rate_limit : float or None
+        Fastest change of the commanded coefficient, N s/m per s.
+    """
+
+    kind: Literal["semi-active"] = "semi-active"
+    minimum: NonNegativeDampingCoefficient | None = None
+    maximum: NonNegativeDampingCoefficient | None = None
+    lag: _Lag = 0.01
+    rate_limit: _Rate | None = None
+    unit: ClassVar[str] = "N*s/m"
+
+    @model_validator(mode="after")
+    def _ordered(self) -> Self:
+        if self.minimum is not None and self.maximum is not None and self.maximum <= self.minimum:
+            raise ValueError(
+                f"maximum = {self.maximum:g} N*s/m does not lie above minimum = {self.minimum:g} N*s/m; "
+                "swap them, or give the damper a range to work in"
+            )
+        return self
+
+    @property
+    def structure(self) -> str:
+        """Text that says which equations the actuator has."""
+        return f"semi-active, lag {self.lag > 0.0}"
+
+    @property
+    def plant_numbers(self) -> dict[str, float]:
+        """Numbers of those equations."""
+        return {"lag": self.lag} if self.lag > 0.0 else {}
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Smallest and largest coefficient, N s/m."""
+        if self.minimum is None or self.maximum is None:
+            raise AssertionError("the damper is resolved first")
+        return self.minimum, self.maximum
+
+    def resolved(self, corner: CornerModel) -> Self:
+        """Give the same damper with both bounds."""
+        low = SOFTEST * corner.reference_damping if self.minimum is None else self.minimum
+        high = FIRMEST * corner.reference_damping if self.maximum is None else self.maximum
+        table = {**self.model_dump(exclude_none=True), "minimum": low, "maximum": high}
+        return type(self).from_table(table, where="actuator")
+
+
+class ActiveActuator(_Actuator):
+    """Force actuator beside spring and damper; positive pushes body and wheel apart.
+
+    Attributes
+    ----------
+    force_limit : float or None
+        Largest force, N; left out: half of the corner's static load.
+    lag : float
+        Time constant of a first-order lag, s; 0: none.
+    bandwidth : float or None
+        Natural frequency of a second-order actuator instead of the lag, Hz (hydraulic ones: 20 to 25 Hz).
+    damping_ratio : float
+        Of the second-order actuator; below 1 the force overshoots its command, and its limit, for a moment.
+    rate_limit : float or None
+        Fastest change of the commanded force, N/s.
+    """
+
+    kind: Literal["active"] = "active"
+    force_limit: _ForceLimit | None = None
+    lag: _Lag = 0.005
+    bandwidth: Frequency | None = None
+    damping_ratio: PositiveNumber = 1.0
+    rate_limit: _ForceRate | None = None
+    unit: ClassVar[str] = "N"
+    dissipative: ClassVar[bool] = False
+
+    @model_validator(mode="after")
+    def _one_speed(self) -> Self:
+        if self.bandwidth is not None and "lag" in self.model_fields_set and self.lag > 0.0:
+            raise ValueError("both lag and bandwidth are given; give one of them")
+        return self
+
+    @property
+    def structure(self) -> str:
+        """Text that says which equations the actuator has."""
+        return f"active, {'second order' if self.bandwidth is not None else f'lag {self.lag > 0.0}'}"
+
+    @property
+    def plant_numbers(self) -> dict[str, float]:
+        """Numbers of those equations."""
+        if self.bandwidth is not None:
+            return {"bandwidth": self.bandwidth, "damping_ratio": self.damping_ratio}
+        return {"lag": self.lag} if self.lag > 0.0 else {}
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Smallest and largest force, N."""
+        if self.force_limit is None:
+            raise AssertionError("the actuator is resolved first")
+        return -self.force_limit, self.force_limit
+
+    @property
+    def rest(self) -> float:
+        """No force, N."""
+        return 0.0
+
+    def resolved(self, corner: CornerModel) -> Self:
+        """Give the same actuator with its limit."""
+        limit = 0.5 * corner.sprung_mass * corner.gravity if self.force_limit is None else self.force_limit
+        return self.model_copy(update={"force_limit": limit})
+
+
+class MagnetorheologicalDamper(_Actuator):
+    """Magneto-rheological damper in place of the corner's own: a hysteretic law that moves with the voltage.
+
+    Both laws come from measurements (:func:`jounce.fit_damper` gives their tables); every number is interpolated
+    between them by the voltage that has arrived, a first-order lag behind the command.
+
+    Attributes
+    ----------
+    off, on : TanhDamper or BoucWenDamper
+        Law at 0 V and at ``maximum``; both of the same kind.
+    maximum : float
+        Largest voltage, V.
+    lag : float
+        Time constant of the voltage, s; 0: none.
+    rate_limit : float or None
+        Fastest change of the commanded voltage, V/s.
+
+    Examples
+    --------
+    >>> law = {"kind": "tanh", "coefficient": 400.0, "force": 60.0, "slope": 25.0}
+    >>> damper = MagnetorheologicalDamper(off=law, on={**law, "coefficient": 900.0, "force": 900.0}, maximum="5 V")
+    >>> damper.limits   # V
+    (0.0, 5.0)
+    """
+
+    kind: Literal["magnetorheological"] = "magnetorheological"
+    off: TanhDamper | BoucWenDamper
+    on: TanhDamper | BoucWenDamper
+    maximum: _Voltage
+    lag: _Lag = 0.005
+    rate_limit: _VoltageRate | None = None
+    unit: ClassVar[str] = "V"
+
+    @model_validator(mode="before")
+    @classmethod
+    def _laws_by_kind(cls, table: Any) -> Any:
+        if not isinstance(table, dict):
+            return table
+        laws = {"tanh": TanhDamper, "bouc-wen": BoucWenDamper}
+        found = dict(table)
+        for name in ("off", "on"):
+            law = found.get(name)
+            if isinstance(law, dict):
+                if law.get("kind") not in laws:
+                    raise ValueError(f"{name}: the law's kind is {law.get('kind')!r}; allowed: tanh, bouc-wen")
+                found[name] = laws[law["kind"]].from_table(law, where=name)
+        return found
+
+    @model_validator(mode="after")
+    def _same_kind(self) -> Self:
+        if self.off.kind != self.on.kind:
+            raise ValueError(f"off is a {self.off.kind!r} law and on a {self.on.kind!r} one; give two of one kind")
+        return self
+
+    @property
+    def structure(self) -> str:
+        """Text that says which equations the damper has."""
+        return f"magnetorheological, {self.off.kind}, lag {self.lag > 0.0}"
+
+    @property
+    def plant_numbers(self) -> dict[str, float]:
+        """Numbers of those equations."""
+        found = {**parameters_of(self.off, "off."), **parameters_of(self.on, "on."), "maximum": self.maximum}
+        return {**found, "lag": self.lag} if self.lag > 0.0 else found
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Smallest and largest voltage, V."""
+        return 0.0, self.maximum
+
+
+def _kind(value: Any) -> str:
+    if isinstance(value, dict):
+        return str(value.get("kind", "semi-active"))
+    return str(getattr(value, "kind", "semi-active"))
+
+
+Actuator = Annotated[
+    Annotated[SemiActiveDamper, Tag("semi-active")]
+    | Annotated[ActiveActuator, Tag("active")]
+    | Annotated[MagnetorheologicalDamper, Tag("magnetorheological")],
+    Discriminator(_kind),
+]
+AnyActuator = SemiActiveDamper | ActiveActuator | MagnetorheologicalDamper

@@ -1,0 +1,308 @@
+"""Gains from the corner model: linear quadratic regulator, Kalman filter, H-infinity. The equations are libraries' work.
+
+States, signs and channels are those of :mod:`jounce.control.corner`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.control.corner import CornerModel, corner_equations, corner_outputs
+from jounce.core.errors import SimulationError
+from jounce.core.optional import require
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Weights:
+    """Cost ``J = integral of az^2 + deflection x1^2 + tyre x3^2 + force u^2`` over time.
+
+    Attributes
+    ----------
+    deflection, tyre : float
+        On suspension and tyre deflection, 1/s^4.
+    force : float
+        On the force, 1/kg^2.
+    """
+
+    deflection: float
+    tyre: float
+    force: float
+
+
+def cost_matrices(
+    corner: CornerModel, weights: Weights, damping_coefficient: float | None = None
+) -> tuple[Array, Array, Array]:
+    """Matrices ``Q``, ``R``, ``S`` of the cost ``x'Qx + u'Ru + 2 x'Su``.
+
+    Parameters
+    ----------
+    corner : CornerModel
+        The plant.
+    weights : Weights
+        Of the cost.
+    damping_coefficient : float, optional
+        N s/m at the wheel; the corner's own damper otherwise.
+    """
+    C, D = corner_outputs(corner, ("sprung.az",), damping_coefficient)
+    Q = C.T @ C + np.diag([weights.deflection, 0.0, weights.tyre, 0.0])
+    R = D.T @ D + weights.force
+    return np.asarray(Q), np.asarray(R), np.asarray(C.T @ D)
+
+
+def regulator_gains(corner: CornerModel, weights: Weights, damping_coefficient: float | None = None) -> Array:
+    """Gains ``K`` of the force ``u = -K x`` (N, up on the body) that makes the cost least [hrovat1997].
+
+    Returns
+    -------
+    ndarray, shape (4,)
+        N/m, N s/m, N/m, N s/m.
+    """
+    from scipy.linalg import solve_continuous_are
+
+    A, B, _ = corner_equations(corner, damping_coefficient)
+    Q, R, S = cost_matrices(corner, weights, damping_coefficient)
+    try:
+        X = solve_continuous_are(A, B, Q, R, s=S)
+    except (np.linalg.LinAlgError, ValueError) as error:
+        raise SimulationError(
+            "no regulator gains were found", where="lqr", found=str(error), hint="Check the weights and the corner."
+        ) from None
+    return np.asarray(np.linalg.solve(R, B.T @ X + S.T), dtype=np.float64)[0]
+
+
+@dataclass(frozen=True)
+class Observer:
+    """Kalman filter at the control instants: ``x- = F x + H u``, ``x = x- + L (y - C x- - D u)``."""
+
+    F: Array
+    H: Array
+    L: Array
+    C: Array
+    D: Array
+
+
+def observer(
+    corner: CornerModel,
+    channels: tuple[str, ...],
+    deviations: Array,
+    roughness: float,
+    period: float,
+    damping_coefficient: float | None = None,
+) -> Observer:
+    """Steady Kalman filter of the corner on a road whose velocity is white noise.
+
+    Parameters
+    ----------
+    corner : CornerModel
+        The plant.
+    channels : tuple of str
+        What is measured.
+    deviations : ndarray, shape (n,)
+        Standard deviation of each measurement, SI.
+    roughness : float
+        Intensity of the road's velocity, m^2/s.
+    period : float
+        Control period, s.
+    damping_coefficient : float, optional
+        N s/m at the wheel; the corner's own damper otherwise.
+    """
+    from scipy.linalg import solve_discrete_are
+
+    A, B, G = corner_equations(corner, damping_coefficient)
+    C, D = corner_outputs(corner, channels, damping_coefficient)
+    F, H, spread = sampled(A, B, roughness * G @ G.T, period)
+    noise = np.diag(np.asarray(deviations) ** 2)
+    try:
+        P = solve_discrete_are(F.T, C.T, spread, noise)
+    except (np.linalg.LinAlgError, ValueError) as error:
+        raise SimulationError("no Kalman filter was found", where="lqg", found=str(error)) from None
+    L = np.linalg.solve(C @ P @ C.T + noise, C @ P).T
+    return Observer(F, H[:, 0], np.asarray(L), C, D[:, 0])
+
+
+def sampled(A: Array, B: Array, intensity: Array, period: float) -> tuple[Array, Array, Array]:
+    """State, input and noise covariance over one period (s), the input held: Van Loan's exponential [vanloan1978]."""
+    from scipy.linalg import expm
+
+    n, m = B.shape
+    held = np.zeros((n + m, n + m))
+    held[:n, :n], held[:n, n:] = A, B
+    whole = expm(held * period)
+    both = np.zeros((2 * n, 2 * n))
+    both[:n, :n], both[:n, n:], both[n:, n:] = -A, intensity, A.T
+    found = expm(both * period)
+    return whole[:n, :n], whole[:n, n:], found[n:, n:].T @ found[:n, n:]
+
+
+@dataclass(frozen=True)
+class Dynamic:
+    """A linear controller at its instants: ``x+ = A x + B y``, ``u = C x + D y``."""
+
+    A: Array
+    B: Array
+    C: Array
+    D: Array
+
+
+H_INFINITY_CHANNELS = ("strut.deflection", "sprung.az")
+H_INFINITY_ORDER = 6
+
+
+@dataclass(frozen=True)
+class Targets:
+    """What an H-infinity controller is to hold down, and what may disturb it.
+
+    Attributes
+    ----------
+    road : float
+        Height of the road's disturbance, m.
+    acceleration, deflection : float
+        Body acceleration (m/s^2) and suspension deflection (m) for that road that count as much as each other.
+    force : float
+        Force (N) at low frequency that counts as much.
+    noise : tuple of float
+        Of the two measurements, m and m/s^2.
+    """
+
+    road: float
+    acceleration: float
+    deflection: float
+    force: float
+    noise: tuple[float, float]
+
+
+def h_infinity(
+    corner: CornerModel,
+    targets: Targets,
+    actuator_rate: float,
+    period: float,
+    damping_coefficient: float | None = None,
+) -> tuple[Dynamic, float]:
+    """H-infinity controller from suspension deflection and body acceleration to force; SLICOT synthesises it.
+
+    Parameters
+    ----------
+    corner : CornerModel
+        The plant.
+    targets : Targets
+        Weights.
+    actuator_rate : float
+        Corner of the actuator's first-order lag, rad/s.
+    period : float
+        Control period, s (the controller is made discrete by Tustin's rule).
+    damping_coefficient : float, optional
+        N s/m at the wheel; the corner's own damper otherwise.
+
+    Returns
+    -------
+    Dynamic, float
+        The controller, and a bound of the norm that it reaches (1).
+    """
+    from scipy.signal import cont2discrete
+
+    slycot = require("slycot", "control")
+    plant, scale = _generalised(corner, targets, actuator_rate, damping_coefficient)
+
+    def made(bound: float) -> tuple[Array, ...] | None:
+        a, b, c, d = (part.copy() for part in plant)
+        try:
+            found = slycot.sb10fd(len(a), b.shape[1], len(c), 1, 2, bound, a, b, c, d)
+        except (slycot.exceptions.SlycotError, ValueError):
+            return None
+        controller = tuple(np.asarray(part) for part in found[:4])
+        return controller if _norm(slycot, *_closed(plant, controller)) <= 1.01 * bound else None
+
+    norm = _least(made)
+    controller = made(_RELAXED * norm) if np.isfinite(norm) else None
+    if controller is None:
+        raise SimulationError(
+            "no H-infinity controller was found",
+            where="h-infinity",
+            hint="Loosen the targets of deflection and acceleration.",
+        )
+    A, B, C, D, _ = cont2discrete(controller, period, method="bilinear")
+    measured, force = scale
+    return Dynamic(A, B / measured, force * C, force * D / measured), _RELAXED * norm
+
+
+def _closed(plant: tuple[Array, ...], controller: tuple[Array, ...]) -> tuple[Array, Array, Array, Array]:
+    """The generalised plant with a controller from its two measurements to its last input."""
+    (a, b, c, d), (A, B, C, D) = plant, controller
+    b_w, b_u, c_z, c_y = b[:, :-1], b[:, -1:], c[:-2], c[-2:]
+    d_zw, d_zu, d_yw = d[:-2, :-1], d[:-2, -1:], d[-2:, :-1]
+    whole = np.block([[a + b_u @ D @ c_y, b_u @ C], [B @ c_y, A]])
+    into = np.vstack([b_w + b_u @ D @ d_yw, B @ d_yw])
+    return whole, into, np.hstack([c_z + d_zu @ D @ c_y, d_zu @ C]), d_zw + d_zu @ D @ d_yw
+
+
+def _norm(slycot: Any, A: Array, B: Array, C: Array, D: Array) -> float:
+    """H-infinity norm of a system; infinite where it is unstable."""
+    if np.max(np.linalg.eigvals(A).real) >= 0.0:
+        return float("inf")
+    n = len(A)
+    try:
+        peak, _ = slycot.ab13dd("C", "I", "S", "D", n, B.shape[1], len(C), A, np.eye(n), B, C, D, tol=1e-4)
+    except slycot.exceptions.SlycotError:
+        return float("inf")
+    return float(peak)
+
+
+_RELAXED = 1.1  # times the least norm: there the equations are well conditioned
+_BOUNDS = 1e-2, 1e4
+
+
+def _least(made: Callable[[float], tuple[Array, ...] | None]) -> float:
+    """Smallest bound, to 1 %, for which a controller exists; infinite where none does."""
+    low, high = _BOUNDS[0], 1.0
+    while made(high) is None:
+        low, high = high, 2.0 * high
+        if high > _BOUNDS[1]:
+            return float("inf")
+    while high > 1.01 * low:
+        middle = float(np.sqrt(low * high))
+        low, high = (low, middle) if made(middle) is not None else (middle, high)
+    return high
+
+
+def _generalised(
+    corner: CornerModel, targets: Targets, actuator_rate: float, damping_coefficient: float | None
+) -> tuple[tuple[Array, Array, Array, Array], tuple[Array, float]]:
+    """Generalised plant: (road, two noises, command) to (force, deflection, acceleration, two measurements).
+
+    The road is a height here, so ``x3`` is the wheel's height; ``x5`` is the force, ``x6`` belongs to the force's weight
+    ``(s + 50) / (s + 500)``. All is scaled to size one; the scales of measurements and force come along.
+    """
+    A4, B4, _ = corner_equations(corner, damping_coefficient)
+    C, D = corner_outputs(corner, H_INFINITY_CHANNELS, damping_coefficient)
+    A, B, slow, fast = np.zeros((6, 6)), np.zeros((6, 4)), 50.0, 500.0
+    A[:4, :4], A[:4, 4:5] = A4, B4
+    B[3, 0] = corner.tyre_stiffness / corner.unsprung_mass * targets.road
+    A[4, 4], B[4, 3] = -actuator_rate, actuator_rate
+    A[5, 5], B[5, 3] = -fast, fast - slow
+    outputs, through = np.zeros((5, 6)), np.zeros((5, 4))
+    price = fast / slow / targets.force
+    outputs[0, 5], through[0, 3] = -price, price
+    outputs[1, 0] = 1.0 / targets.deflection
+    outputs[2, :4], outputs[2, 4:5] = C[1] / targets.acceleration, D[1] / targets.acceleration
+    outputs[3:, :4], outputs[3:, 4:5] = C, D
+    through[3, 1], through[4, 2] = targets.noise
+    force = 0.1 * targets.force
+    measured = np.array([0.2 * targets.road, targets.acceleration])
+    frequency = np.sqrt(corner.spring_rate / corner.sprung_mass)
+    length = 0.2 * targets.road
+    states = np.array([length, length * frequency, length, 5.0 * length * frequency, force, force])
+    rows, columns = np.array([1.0, 1.0, 1.0, *measured]), np.array([1.0, 1.0, 1.0, force])
+    scaled = (
+        A * states / states[:, None],
+        B * columns / states[:, None],
+        outputs * states / rows[:, None],
+        through * columns / rows[:, None],
+    )
+    return scaled, (measured, force)

@@ -1,0 +1,261 @@
+"""Model predictive control with preview of the road: one quadratic programme an instant and corner."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, Any, ClassVar, Literal
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field
+
+from jounce.control.actuators import ActiveActuator, Actuator, AnyActuator, SemiActiveDamper
+from jounce.control.controller import given
+from jounce.control.conversion import Means
+from jounce.control.corner import CornerModel, corner_equations, corner_outputs
+from jounce.control.design import sampled
+from jounce.control.regulator import CallbackController, Limits, Regulator, Setting
+from jounce.core.errors import SimulationError
+from jounce.core.units import Frequency, PositiveLength, PositiveTime, Unit
+
+Array = NDArray[np.float64]
+_Weight = Annotated[float, Unit("1/s^4", at_least=0.0)]
+_ForceWeight = Annotated[float, Unit("1/kg^2", at_least=0.0)]
+_CHANNELS = ("strut.deflection", "sprung.vz", "tyre.deflection", "unsprung.vz", "strut.velocity")
+_SOLVERS = ("daqp", "qpoases", "osqp")
+_QUIET: dict[str, dict[str, Any]] = {
+    "daqp": {},
+    "qpoases": {"printLevel": "none"},
+    "osqp": {"osqp": {"verbose": False}},
+}
+_SOFT = 1e4  # weight of a slack against the weight of what it belongs to
+
+
+class PreviewMPC(CallbackController):
+    """Model predictive control that sees the road ahead; a library (casadi's QP interface) does the optimisation.
+
+    The cost is that of the regulator over ``preview``, the regulator's own from there on. A damper's force is bounded
+    by its limits at the velocities that the plan of the instant before expects, so the problem stays a quadratic
+    programme. Stroke and tyre load are kept as well as possible (soft constraints).
+
+    Attributes
+    ----------
+    preview : float
+        Time the road is known ahead, and horizon, s.
+    stroke : float or None
+        Largest suspension deflection from rest at the wheel, m; left out: no limit.
+    keep_contact : bool
+        Whether the tyre's load shall not fall below zero.
+    deflection_weight, tyre_weight : float or None
+        Of suspension and tyre deflection against body acceleration, 1/s^4; left out: 1 and 10 times the fourth power of
+        the body's natural angular frequency.
+    force_weight : float
+        Of the force, 1/kg^2.
+    """
+
+    law: Literal["mpc"] = "mpc"
+    rate: Frequency = 200.0
+    preview: PositiveTime = 0.08
+    stroke: PositiveLength | None = None
+    keep_contact: bool = True
+    deflection_weight: _Weight | None = None
+    tyre_weight: _Weight | None = None
+    force_weight: _ForceWeight = 0.0
+    actuator: Actuator = SemiActiveDamper()
+    schema_: Literal["jounce.control/1"] = Field(default="jounce.control/1", alias="schema")
+    needs_wheel: ClassVar[bool] = True
+
+    def regulator(self, setting: Setting) -> Regulator:
+        """Give what the loop calls."""
+        return _Planner(self, setting)
+
+
+@dataclass(frozen=True)
+class _Horizon:
+    """Predictions over the horizon: states ``X = Fx x + Fu U + Fw W`` (all instants, one after another), and the QP."""
+
+    Fx: Array
+    Fu: Array
+    Fw: Array
+    H: Array
+    gx: Array
+    gw: Array
+    rows: Array
+    margin: Array
+
+
+def _horizon(mpc: PreviewMPC, corner: CornerModel, steps: int) -> _Horizon:
+    """Condense the problem of a corner: forces and two slacks are its variables."""
+    from scipy.linalg import block_diag, solve_discrete_are
+
+    base = None if isinstance(mpc.actuator, ActiveActuator) else 0.0
+    A, B, G = corner_equations(corner, base)
+    F, both, _ = sampled(A, np.hstack([B, G]), np.zeros((4, 4)), 1.0 / mpc.rate)
+    H, V = both[:, :1], both[:, 1:]
+    square = (corner.spring_rate / corner.sprung_mass) ** 2
+    weights = given(mpc.deflection_weight, lambda: square), given(mpc.tyre_weight, lambda: 10.0 * square)
+    C, D = corner_outputs(corner, ("sprung.az",), base)
+    Q, R, S = C.T @ C + np.diag([weights[0], 0.0, weights[1], 0.0]), D.T @ D + mpc.force_weight, C.T @ D
+    P = solve_discrete_are(F, H, Q, R, s=S)
+    powers = [np.linalg.matrix_power(F, i) for i in range(steps + 1)]
+    Fx = np.vstack(powers)  # states at 0 .. steps
+    Fu, Fw = np.zeros((4 * (steps + 1), steps)), np.zeros((4 * (steps + 1), steps))
+    for i in range(1, steps + 1):
+        for j in range(i):
+            Fu[4 * i : 4 * i + 4, j : j + 1] = powers[i - 1 - j] @ H
+            Fw[4 * i : 4 * i + 4, j : j + 1] = powers[i - 1 - j] @ V
+    whole = block_diag(*[Q] * steps, P)
+    cross = np.zeros((4 * (steps + 1), steps))
+    for i in range(steps):
+        cross[4 * i : 4 * i + 4, i : i + 1] = S
+    hessian = Fu.T @ whole @ Fu + Fu.T @ cross + cross.T @ Fu + R[0, 0] * np.eye(steps)
+    gx, gw = (Fu.T @ whole + cross.T) @ Fx, (Fu.T @ whole + cross.T) @ Fw
+    rows, margin = _limits(mpc, corner, steps)
+    slack = _SOFT * np.array([max(weights[0], 1.0), max(weights[1], 1.0)])
+    return _Horizon(Fx, Fu, Fw, block_diag(hessian, np.diag(slack)), gx, gw, rows, margin)
+
+
+def _limits(mpc: PreviewMPC, corner: CornerModel, steps: int) -> tuple[Array, Array]:
+    """Rows that pick what is limited from all states, and how far it may go (m)."""
+    rows, margin = [], []
+    for i in range(1, steps + 1):
+        for state, sign, limit in _limited(mpc, corner):
+            row = np.zeros(4 * (steps + 1) + 2)
+            row[4 * i + state] = sign
+            row[-2 if state == 0 else -1] = -1.0
+            rows.append(row)
+            margin.append(limit)
+    return np.array(rows).reshape(-1, 4 * (steps + 1) + 2), np.array(margin)
+
+
+def _limited(mpc: PreviewMPC, corner: CornerModel) -> list[tuple[int, float, float]]:
+    found = []
+    if mpc.stroke is not None:
+        found += [(0, 1.0, mpc.stroke), (0, -1.0, mpc.stroke)]
+    if mpc.keep_contact:
+        weight = (corner.sprung_mass + corner.unsprung_mass) * corner.gravity
+        found.append((2, 1.0, weight / corner.tyre_stiffness))
+    return found
+
+
+class _Planner:
+    """Plans for all corners."""
+
+    from_rest = True
+
+    def __init__(self, mpc: PreviewMPC, setting: Setting) -> None:
+        corners = tuple(setting.controllers)
+        self.channels = tuple(f"{corner}.{name}" if corner else name for corner in corners for name in _CHANNELS)
+        self._limits = Limits(setting.controllers)
+        steps = max(int(round(mpc.preview * mpc.rate)), 1)
+        times = np.arange(setting.instants + steps + 1) / mpc.rate
+        self._plans = [
+            _Plan(mpc, setting.controllers[name].actuator, setting.models[name], steps, setting.road(name, times))
+            for name in corners
+        ]
+        self._instant = 0
+
+    def start(self) -> None:
+        """Begin a run."""
+        self._instant = 0
+        self._limits.start()
+        for plan in self._plans:
+            plan.forget()
+
+    def __call__(self, values: list[float]) -> list[float]:
+        """Commands from measurements."""
+        count = len(_CHANNELS)
+        commands = [
+            plan.command(values[i * count : (i + 1) * count], self._instant) for i, plan in enumerate(self._plans)
+        ]
+        self._instant += 1
+        return self._limits.kept(commands)
+
+
+class _Plan:
+    """The problem of one corner, solved again at every instant."""
+
+    def __init__(self, mpc: PreviewMPC, actuator: AnyActuator, corner: CornerModel, steps: int, road: Array) -> None:
+        self._steps, self._corner = steps, corner
+        self._horizon = _horizon(mpc, corner, steps)
+        self._bumps = np.diff(road) * mpc.rate  # mean velocity of the road in each period
+        self._bounds, self._command = _of_actuator(actuator, corner, steps)
+        horizon = self._horizon
+        columns = np.vstack([np.hstack([horizon.Fu, np.zeros((len(horizon.Fu), 2))]), np.zeros((2, steps + 2))])
+        columns[-2, -2] = columns[-1, -1] = 1.0
+        self._rows = horizon.rows @ columns
+        shape = {"h": ca.Sparsity.dense(*horizon.H.shape), "a": ca.Sparsity.dense(*self._rows.shape)}
+        name = next((name for name in _SOLVERS if ca.has_conic(name)), None)
+        if name is None:
+            raise SimulationError("this build of casadi has no solver of quadratic programmes", allowed=", ".join(_SOLVERS))
+        self._solver = ca.conic("plan", name, shape, {**_QUIET[name], "error_on_fail": False})
+        scale = np.trace(horizon.H[:steps, :steps]) / steps
+        self._h, self._a, self._scale = ca.DM(horizon.H / scale), ca.DM(self._rows), scale
+        self._forces = np.zeros(steps)
+
+    def forget(self) -> None:
+        """Forget the last plan."""
+        self._forces = np.zeros(self._steps)
+
+    def command(self, values: list[float], instant: int) -> float:
+        """Command of an instant from what is measured."""
+        r, horizon, n = self._corner.motion_ratio, self._horizon, self._steps
+        deflection, body, tyre, wheel, velocity = values
+        x = np.array([-deflection / r, body, -tyre, wheel])
+        w = self._bumps[instant : instant + n]
+        free = horizon.Fx @ x + horizon.Fw @ w
+        expected = (free + horizon.Fu @ np.append(self._forces[1:], self._forces[-1])).reshape(-1, 4)[:n]
+        along = r * (expected[:, 3] - expected[:, 1])
+        along[0] = velocity
+        low, high = self._bounds(along, -r * expected[:, 0])
+        gradient = np.append(horizon.gx @ x + horizon.gw @ w, [0.0, 0.0]) / self._scale
+        room = horizon.margin - horizon.rows[:, :-2] @ free
+        forces = self._solved(gradient, np.minimum(low, high) * r, np.maximum(low, high) * r, room)
+        self._forces = forces
+        return self._command(float(forces[0]) / r, velocity, deflection)
+
+    def _solved(self, gradient: Array, low: Array, high: Array, room: Array) -> Array:
+        """Forces at the wheel, N, of the plan; the nearest allowed ones to the last plan where none was found."""
+        none = np.zeros(2)
+        found = self._solver(
+            h=self._h,
+            g=gradient,
+            a=self._a,
+            lba=np.full(len(room), -np.inf),
+            uba=room,
+            lbx=np.append(low, none),
+            ubx=np.append(high, none + np.inf),
+        )
+        forces = np.asarray(found["x"]).ravel()[: self._steps]
+        if not np.all(np.isfinite(forces)):
+            forces = self._forces
+        return np.clip(forces, low, high)
+
+
+def _of_actuator(actuator: AnyActuator, corner: CornerModel, steps: int) -> tuple[Any, Any]:
+    """Force bounds (N) at velocities and deflections, and the command for a force, of an actuator."""
+    low, high = actuator.limits
+    if isinstance(actuator, ActiveActuator):
+        return (lambda v, x: (np.full(len(v), low), np.full(len(v), high))), (lambda f, v, x: f)
+    if isinstance(actuator, SemiActiveDamper):
+
+        def coefficient(force: float, velocity: float, _: float) -> float:
+            if force * velocity <= 0.0:
+                return low
+            return min(max(force / velocity, low), high)
+
+        return (lambda v, x: (low * v, high * v)), coefficient
+    known = {**actuator.plant_numbers, "minimum": low, "maximum": high, "static_deflection": corner.static_deflection}
+    force, velocity, deflection = (ca.SX.sym(name) for name in ("force", "velocity", "deflection"))
+    seen = {"strut.velocity": velocity, "strut.deflection": deflection}
+    means = Means(actuator, seen.__getitem__, lambda name: ca.SX(known[name]), ca.SX(0.0))
+    ends = [means.force_of(means.command_for_level(ca.SX(level))) for level in (0.0, 1.0)]
+    bounds = ca.Function("bounds", [velocity, deflection], ends).map(steps)
+    command = ca.Function("command", [force, velocity, deflection], [means.command_for_force(force)])
+
+    def both(v: Array, x: Array) -> tuple[Array, Array]:
+        found = bounds(v[None, :], x[None, :])
+        return np.asarray(found[0]).ravel(), np.asarray(found[1]).ravel()
+
+    return both, lambda f, v, x: float(command(f, v, x))
