@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from jounce.core.errors import SimulationError
+from jounce.core.errors import JounceError, SimulationError
 from jounce.mechanics.model import ROAD, is_road
 from jounce.parts import Rig
 from jounce.parts.parameters import structure_of, unknown_path
@@ -102,29 +102,31 @@ class LinearFamily:
         return _places(self.rig, self.wheels)
 
     @cached_property
-    def behind(self) -> tuple[Array, Array]:
-        """How far each wheel follows the first (m) at the start, and its slopes (numbers, wheels): affine in each."""
-        first = np.array([place.behind for place in self.places])
+    def geometry(self) -> tuple[Array, Array]:
+        """How far each wheel follows the first and the width between left and right (all m), and their slopes.
+
+        Shapes (wheels + 1,) and (numbers, wheels + 1); they are affine in every number.
+        """
+        first = _geometry(self.rig, self.wheels)
         slopes = [self._moved(path, first) for path in self.paths]
         return first, np.array(slopes).reshape(len(self.paths), len(first))
 
-    def behind_at(self, values: Array) -> Array:
-        """How far each wheel follows the first, m, at some values (SI) of the numbers."""
-        first, slopes = self.behind
-        return np.asarray(first + (values - self.start) @ slopes)
+    def geometry_at(self, values: Array | None = None) -> Array:
+        """Distances of ``geometry`` (m) at some values (SI) of the numbers."""
+        first, slopes = self.geometry
+        return first if values is None else np.asarray(first + (values - self.start) @ slopes)
 
     def _moved(self, path: str, first: Array) -> Array:
-        if not isinstance(self.rig, Vehicle) or not first.any():
+        if not isinstance(self.rig, Vehicle):
             return np.zeros_like(first)
         value = self.rig.parameters()[path]
         step = 0.5 * abs(value) or 1.0
         try:
             other = self.rig.with_changes({path: value + step})
-        except Exception:  # noqa: BLE001 - the other side is allowed then
+        except JounceError:  # the other side is allowed then
             step = -step
             other = self.rig.with_changes({path: value + step})
-        there = np.array([place.behind for place in _places(other, self.wheels)])
-        return np.asarray((there - first) / step)
+        return np.asarray((_geometry(other, self.wheels) - first) / step)
 
     def at(self, values: Array | None = None, *, slopes: bool = True) -> tuple[Matrices, tuple[Matrices, ...]]:
         """Give the model at some values of the numbers, and its slope along each of them.
@@ -218,6 +220,23 @@ class LinearFamily:
 def _places(rig: Rig, wheels: Sequence[str]) -> tuple[Place, ...]:
     known: Mapping[str, Place] = rig.wheels if isinstance(rig, Vehicle) else {}
     return tuple(known.get(wheel, Place(0.0, 0)) for wheel in wheels)
+
+
+def _geometry(rig: Rig, wheels: Sequence[str]) -> Array:
+    return np.array([*(place.behind for place in _places(rig, wheels)), _track_width(rig)])
+
+
+def _track_width(rig: Rig) -> float:
+    """Mean distance between left and right wheels, m; 0 where there is only one side."""
+    widths = []
+    for name in ("front", "rear"):
+        axle = getattr(rig, name, None)
+        corner = getattr(axle, "corner", None)
+        if corner is not None:
+            widths.append(2.0 * abs(corner.hardpoints.wheel_centre[1]))
+        else:
+            widths.append(getattr(axle, "track", 0.0))
+    return float(np.mean(widths))
 
 
 def _road_columns(compiled: Compiled) -> list[int]:

@@ -1,0 +1,284 @@
+"""Stationary responses to random roads from the linear model: standard deviations without a simulation."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import unknown
+from jounce.core.findings import Finding
+from jounce.core.serialise import to_plain
+from jounce.parts import Rig
+from jounce.ride.covariance import KICKED, WANDERS
+from jounce.ride.family import LinearFamily
+from jounce.ride.moments import Analysis, Gain, Moments, Signal
+from jounce.ride.surface import Density, Sides, Surface, surface
+
+Array = NDArray[np.float64]
+_ABSENT = {
+    WANDERS: f'{WANDERS}; give band="iso" or a cut_off',
+    KICKED: f'{KICKED}; give band="iso"',
+}
+_LIFTS = 3.0  # standard deviations
+_TINY = 1e-12
+
+
+@dataclass(frozen=True)
+class StationaryResponse:
+    """Standard deviations of a rig's channels on a random road, from its linear model about rest, SI.
+
+    Attributes
+    ----------
+    standard_deviation : dict
+        Channel to the standard deviation about its static value.
+    weighted : dict
+        The same of the channels for which a weighting was given, weighted.
+    static : dict
+        Channel to the static value.
+    absent : dict
+        Channel without a stationary variance to the reason.
+    units : dict
+        Channel to SI unit.
+    slopes : dict
+        Number's path to channel to the slope of the standard deviation, per SI unit of the number.
+    weighted_slopes : dict
+        The same of the weighted ones.
+    surface : Surface
+        Road and speed.
+    findings : tuple of Finding
+        Where the linear model says more than the rig could do.
+    """
+
+    standard_deviation: dict[str, float]
+    weighted: dict[str, float]
+    static: dict[str, float]
+    absent: dict[str, str]
+    units: dict[str, str]
+    slopes: dict[str, dict[str, float]]
+    weighted_slopes: dict[str, dict[str, float]]
+    surface: Surface
+    findings: tuple[Finding, ...] = ()
+
+    def __getitem__(self, channel: str) -> float:
+        """Standard deviation of a channel, SI.
+
+        Raises
+        ------
+        DescriptionError
+            For a channel that is unknown or absent, with the reason.
+        """
+        if channel in self.standard_deviation:
+            return self.standard_deviation[channel]
+        error = unknown(channel, self.standard_deviation, what="stationary channel", where="stationary response")
+        if channel in self.absent:
+            error = type(error)(
+                f"{channel!r} has no stationary variance", where="stationary response", hint=self.absent[channel] + "."
+            )
+        raise error
+
+    @property
+    def load_coefficients(self) -> dict[str, float]:
+        """Dynamic wheel load coefficient (1) by channel: standard deviation of the tyre force over its static value."""
+        return {
+            name: value / self.static[name]
+            for name, value in self.standard_deviation.items()
+            if _is_part(name, "tyre.force") and self.static[name] > 0.0
+        }
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give plain values, SI."""
+        plain: dict[str, Any] = to_plain(self)
+        plain["surface"].pop("density")
+        return {**plain, "load_coefficients": to_plain(self.load_coefficients)}
+
+
+def stationary(
+    rig: Rig,
+    road: str | float | Density,
+    speed: float | str,
+    *,
+    band: tuple[float, float] | Literal["iso"] | None = None,
+    cut_off: float | None = None,
+    waviness: float = 2.0,
+    sides: Sides | None = None,
+    contact_length: float | str = 0.0,
+    weighting: Mapping[str, str | Gain] | None = None,
+    parameters: Sequence[str] = (),
+) -> StationaryResponse:
+    """Standard deviations of all channels on a random road, from the linear model about rest.
+
+    Without a band the road's vertical velocity is white noise, and the covariance comes from Lyapunov equations, the
+    rear wheels' delay and all, exactly. With a band it is an integral over the road's spectrum.
+
+    Parameters
+    ----------
+    rig : Rig
+        Rig or vehicle.
+    road : str, float or callable
+        Class ("C", "iso:C"), degree of roughness G_d(n0) in m^3, or one-sided density (m^3) as a function of an array
+        of spatial frequencies (1/m).
+    speed : float or str
+        m/s.
+    band : tuple of float or "iso", optional
+        Lowest and highest spatial frequency in 1/m; "iso" is 0.011 to 2.83, where ISO 8608 recommends to measure.
+    cut_off : float, optional
+        Spatial frequency n00 in 1/m below which the road is flat: ``dz/dt = -2 pi n00 v z + w``.
+    waviness : float
+        Exponent w of the spectrum (1); other than 2 needs a band.
+    sides : {"uncorrelated", "same", "isotropic", "exponential"}, optional
+        What left and right wheels share; the last two (:func:`jounce.roads.roughness.track_coherence`) need a band.
+        By default uncorrelated without a band and isotropic with one.
+    contact_length : float or str
+        Length over which the tyre averages the road, m; needs a band.
+    weighting : mapping, optional
+        Channel, or its last words for those of all corners ("sprung.az"), to a weighting by ISO 2631-1 ("Wk") or to a
+        function that gives the magnitude at frequencies (Hz); needs a band.
+    parameters : sequence of str
+        Paths of numbers along which slopes are wanted.
+
+    Returns
+    -------
+    StationaryResponse
+        SI. Channels that follow the road's height wander without limit on white noise and are absent.
+
+    Raises
+    ------
+    DescriptionError
+        For unknown classes, channels, paths, and choices that do not fit each other.
+    SimulationError
+        When there is no equilibrium, or the model about it is not asymptotically stable.
+
+    Notes
+    -----
+    Small motions about static equilibrium: lift-off, stops and friction are not in it; findings say when they matter.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> response = stationary(jn.load("audi-a6-half-car-4dof"), "B", "20 m/s", band="iso")
+    >>> round(response["body.az"], 2), round(response.load_coefficients["front.tyre.force"], 2)
+    (0.58, 0.11)
+    """
+    chosen = surface(
+        road, speed, waviness=waviness, band=band, cut_off=cut_off, sides=sides, contact_length=contact_length
+    )
+    family = LinearFamily(rig, tuple(parameters))
+    outputs = family.compiled.facts.outputs
+    names = [output.name for output in outputs]
+    gains = _gains(weighting or {}, names)
+    if gains and chosen.band is None:
+        raise unknown_band()
+    signals = [Signal(i) for i in range(len(names))] + [Signal(names.index(name), gain) for name, gain in gains.items()]
+    found = Analysis(family, chosen, tuple(signals)).at()
+    units = {output.name: output.unit for output in outputs}
+    return _response(found, family, chosen, names, list(gains), units)
+
+
+def unknown_band() -> Exception:
+    """Build the error for a weighting on white noise."""
+    from jounce.core.errors import DescriptionError
+
+    return DescriptionError(
+        "this needs a band of frequencies", where="weighting", hint='Give band="iso" (0.011 to 2.83 1/m).'
+    )
+
+
+def _response(
+    found: Moments, family: LinearFamily, chosen: Surface, names: list[str], weighted: list[str], units: dict[str, str]
+) -> StationaryResponse:
+    count = len(names)
+    sigma = np.sqrt(np.maximum(found.variances, 0.0))
+    size = np.where(sigma > 0.0, 2.0 * sigma, np.inf)
+    slopes = found.variance_slopes / size
+    there = [i for i in range(count) if i not in found.absent]
+    static = dict(zip(names, map(float, found.rest[:count]), strict=True))
+    values = {names[i]: float(sigma[i]) for i in there}
+    return StationaryResponse(
+        values,
+        {name: float(sigma[count + i]) for i, name in enumerate(weighted)},
+        static,
+        {names[i]: _ABSENT[reason] for i, reason in sorted(found.absent.items())},
+        units,
+        {path: {names[i]: float(slopes[k, i]) for i in there} for k, path in enumerate(family.paths)},
+        {
+            path: {name: float(slopes[k, count + i]) for i, name in enumerate(weighted)}
+            for k, path in enumerate(family.paths)
+        },
+        chosen,
+        tuple(linear_findings(family.rig, values, static)),
+    )
+
+
+def weighting_gain(weighting: str | Gain) -> Gain:
+    """Give the magnitude of a weighting as a function of frequency (Hz)."""
+    if callable(weighting):
+        return weighting
+    from jounce.ride.weighting import weighting_response
+
+    return lambda frequency: np.abs(weighting_response(weighting, frequency))
+
+
+def _gains(weighting: Mapping[str, str | Gain], names: Sequence[str]) -> dict[str, Gain]:
+    found: dict[str, Gain] = {}
+    for name, chosen in weighting.items():
+        channels = channels_of(name, names)
+        if not channels:
+            raise unknown(name, names, what="channel", where="weighting")
+        found.update(dict.fromkeys(channels, weighting_gain(chosen)))
+    return found
+
+
+def channels_of(name: str, names: Sequence[str]) -> list[str]:
+    """Channels of that name: the channel itself, or the one of every corner that ends with it."""
+    return [name] if name in names else [channel for channel in names if _is_part(channel, name)]
+
+
+def _is_part(channel: str, name: str) -> bool:
+    return channel == name or channel.endswith(f".{name}")
+
+
+def linear_findings(rig: Rig, sigma: Mapping[str, float], static: Mapping[str, float]) -> list[Finding]:
+    """Say where a linear model about rest says more than the rig can do; standard deviations and static values, SI."""
+    found = []
+    for name, value in sigma.items():
+        if _is_part(name, "tyre.force") and 0.0 < static[name] < _LIFTS * value:
+            times = static[name] / value
+            share = 0.5 * math.erfc(times / math.sqrt(2.0))
+            text = (
+                f"the wheel would lose contact for {100 * share:.2g} % of the time (its static load is {times:.2g} "
+                "standard deviations of the dynamic load), which the linear model does not know."
+            )
+            found.append(Finding(name, "warning", text, share))
+    numbers = rig.parameters()
+    found += _stop_findings(numbers, sigma, static)
+    frictions = [path for path, value in numbers.items() if path.endswith("friction.force") and value > _TINY]
+    for path in frictions:
+        text = "friction is linearised at rest, where it is far stiffer than on a road; leave it out or simulate."
+        found.append(Finding(path, "warning", text, numbers[path]))
+    for path in (path for path in numbers if path.endswith("bump_coefficient")):
+        found.append(Finding(path, "note", "bump and rebound count with the mean of both coefficients.", numbers[path]))
+    return found
+
+
+def _stop_findings(
+    numbers: Mapping[str, float], sigma: Mapping[str, float], static: Mapping[str, float]
+) -> list[Finding]:
+    found = []
+    for name, value in sigma.items():
+        if not _is_part(name, "strut.deflection") or value == 0.0:
+            continue
+        corner = name.removesuffix("strut.deflection").removesuffix(".")
+        axle = corner.partition("_")[0]
+        for stop, sign in (("bump_stop", 1.0), ("rebound_stop", -1.0)):
+            prefix = f"{axle}.{stop}.gap" if axle else f"strut.{stop}.gap"
+            if prefix in numbers:
+                room = (numbers[prefix] - sign * static[name]) / value
+                if room < _LIFTS:
+                    text = f"the {stop.replace('_', ' ')} is {room:.2g} standard deviations away from rest; the linear "
+                    found.append(Finding(name, "warning", text + "model does not reach it.", room))
+    return found
