@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
+from jounce.control.actuators import AnyActuator
+from jounce.core.errors import AssemblyError
 from jounce.mechanics import Model
 from jounce.models.corner import TEMPLATES, corner
 from jounce.models.full_car import full_car
@@ -23,17 +26,24 @@ _BUILDERS: dict[type[Rig], Callable[..., Model]] = {
     FullCar3D: full_car_3d,
     **dict.fromkeys(TEMPLATES, corner),
 }
-_built: dict[tuple[str, bool], Model] = {}
+_CONTROLLED = (QuarterCar, HalfCar, HalfCar4, FullCar)
+_built: dict[tuple[str, bool, str], Model] = {}
 
 
-def build(rig: Rig, *, detail: bool = False) -> Model:
+def build(rig: Rig, *, detail: bool = False, actuator: AnyActuator | None = None) -> Model:
     """Give the symbolic model of a rig; rigs that differ in numbers only share one.
 
-    With ``detail`` a 3-D rig shows its hardpoints, joint reactions and energies, too; a lumped one has no more.
+    With ``detail`` a 3-D rig shows its hardpoints, joint reactions and energies, too; a lumped one has no more. With
+    an ``actuator`` every strut has one, and an input ``command``; only its structure matters.
     """
-    key = structure_of(rig), detail and type(rig) in TEMPLATES
+    key = structure_of(rig), detail and type(rig) in TEMPLATES, actuator.structure if actuator else ""
     if key not in _built:
-        options = {"detail": True} if key[1] else {}
+        options: dict[str, Any] = {"detail": True} if key[1] else {}
+        if actuator is not None:
+            if not isinstance(rig, _CONTROLLED):
+                allowed = ", ".join(kind.__name__ for kind in _CONTROLLED)
+                raise AssemblyError("no actuators in this model", found=type(rig).__name__, allowed=allowed)
+            options["actuator"] = actuator
         _built[key] = _BUILDERS[type(rig)](rig, **options)
     return _built[key]
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
+from jounce.control.actuators import AnyActuator
 from jounce.mechanics import Model, System
 from jounce.models.vehicle import Body, add_body
 from jounce.models.wheels import add_wheel
@@ -23,13 +24,13 @@ class _Wheel:
     deflection: ca.SX
 
 
-def full_car(vehicle: FullCar) -> Model:
+def full_car(vehicle: FullCar, *, actuator: AnyActuator | None = None) -> Model:
     """Write the equations of a full car; the values in ``vehicle`` matter only through its structure."""
     system = System()
     body = add_body(system, vehicle, rolls=True)
     axles = {}
     for name, axle, side in (("front", vehicle.front, 1.0), ("rear", vehicle.rear, -1.0)):
-        axles[name] = _axle(system, name, axle, body, side)
+        axles[name] = _axle(system, name, axle, body, side, actuator)
         left, right = axles[name]["left"], axles[name]["right"]
         twist = system.parameter(f"{name}.anti_roll_bar_rate") * (left.deflection - right.deflection)
         system.force(right.deflection - left.deflection, twist)
@@ -38,7 +39,9 @@ def full_car(vehicle: FullCar) -> Model:
     return system.finish()
 
 
-def _axle(system: System, name: str, axle: FullAxle, body: Body, end: float) -> dict[str, _Wheel]:
+def _axle(
+    system: System, name: str, axle: FullAxle, body: Body, end: float, actuator: AnyActuator | None
+) -> dict[str, _Wheel]:
     """Two wheels of an axle ahead (``end`` 1) or behind (-1); the numbers are the axle's."""
     gravity = system.parameter("gravity")
     wheels = {}
@@ -46,7 +49,7 @@ def _axle(system: System, name: str, axle: FullAxle, body: Body, end: float) -> 
         with system.within(f"{name}_{side}", name):
             x, y = end * system.parameter("distance"), 0.5 * sign * system.parameter("track")
             height = body.height(x, y)
-            unsprung, deflection = add_wheel(system, axle, height, gravity)
+            unsprung, deflection = add_wheel(system, axle, height, gravity, actuator=actuator)
             wheels[side] = _Wheel(unsprung, height, deflection)
     return wheels
 

@@ -7,13 +7,15 @@ from __future__ import annotations
 
 import casadi as ca
 
+from jounce.control.actuators import AnyActuator
 from jounce.mechanics import Model, System
 from jounce.mechanics.elements import bump_stop_force, damper_force, friction_force, spring_force, tyre_force
 from jounce.mechanics.system import Track
+from jounce.models.actuation import controlled_force
 from jounce.parts import QuarterCar
 
 
-def quarter_car(rig: QuarterCar) -> Model:
+def quarter_car(rig: QuarterCar, *, actuator: AnyActuator | None = None) -> Model:
     """Write the equations of a quarter car; the values in ``rig`` matter only through its structure."""
     system = System()
     road = system.track("road.z")
@@ -22,18 +24,26 @@ def quarter_car(rig: QuarterCar) -> Model:
         mass = system.parameter(f"{body}.mass")
         system.point_mass(mass, z)
         system.force(z, -mass * system.parameter("gravity"))
-    _strut(system, rig, sprung, unsprung)
+    _strut(system, rig, sprung, unsprung, actuator)
     _tyre(system, rig, road, unsprung)
     _motions(system, road, sprung, unsprung)
     return system.finish()
 
 
-def _strut(system: System, rig: QuarterCar, sprung: ca.SX, unsprung: ca.SX) -> None:
+def _strut(
+    system: System, rig: QuarterCar, sprung: ca.SX, unsprung: ca.SX, actuator: AnyActuator | None
+) -> None:
     strut = rig.strut
     deflection = ca.cos(system.parameter("strut.angle")) * (unsprung - sprung)
     velocity = system.rate_of(deflection)
     spring = spring_force(system, strut.spring, "strut.spring", deflection)
-    damper = damper_force(system, strut.damper, "strut.damper", deflection, velocity)
+    damper = controlled_force(
+        system,
+        actuator,
+        deflection,
+        velocity,
+        lambda: damper_force(system, strut.damper, "strut.damper", deflection, velocity),
+    )
     friction = friction_force(system, strut.friction, "strut.friction", velocity)
     stop = bump_stop_force(system, strut.bump_stop, "strut.bump_stop", deflection)
     force = spring + damper + friction + stop

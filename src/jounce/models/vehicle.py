@@ -10,8 +10,10 @@ from dataclasses import dataclass
 
 import casadi as ca
 
+from jounce.control.actuators import AnyActuator
 from jounce.mechanics import System
 from jounce.mechanics.elements import bump_stop_force, damper_force, friction_force, spring_force
+from jounce.models.actuation import controlled_force
 from jounce.parts.vehicles import Vehicle, WheeledAxle
 
 _TURNS = {"pitch": "nose down", "roll": "right side down"}
@@ -86,16 +88,23 @@ def show_strut(system: System, deflection: ca.SX, velocity: ca.SX, force: ca.SX)
     system.output("strut.force", force, "N", "strut force of one wheel, compression positive")
 
 
-def strut_force(system: System, axle: WheeledAxle, deflection: ca.SX, velocity: ca.SX) -> ca.SX:
+def strut_force(
+    system: System, axle: WheeledAxle, deflection: ca.SX, velocity: ca.SX, actuator: AnyActuator | None = None
+) -> ca.SX:
     """Force (N) of one wheel's spring, damper, friction and stops."""
     if axle.spring is None:
         force = system.parameter("spring_rate") * deflection
     else:
         force = spring_force(system, axle.spring, "spring", deflection)
-    if axle.damper is None:
-        force += system.parameter("damping_coefficient") * velocity
-    else:
-        force += damper_force(system, axle.damper, "damper", deflection, velocity)
+    force += controlled_force(
+        system, actuator, deflection, velocity, lambda: _damper(system, axle, deflection, velocity)
+    )
     force += friction_force(system, axle.friction, "friction", velocity)
     force += bump_stop_force(system, axle.bump_stop, "bump_stop", deflection)
     return force - bump_stop_force(system, axle.rebound_stop, "rebound_stop", -deflection)
+
+
+def _damper(system: System, axle: WheeledAxle, deflection: ca.SX, velocity: ca.SX) -> ca.SX:
+    if axle.damper is None:
+        return system.parameter("damping_coefficient") * velocity
+    return damper_force(system, axle.damper, "damper", deflection, velocity)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import casadi as ca
 
+from jounce.control.actuators import AnyActuator
 from jounce.mechanics import System
 from jounce.mechanics.elements import tyre_force
 from jounce.models.vehicle import show_height, show_strut, strut_force
@@ -11,7 +12,13 @@ from jounce.parts.vehicles import WheeledAxle
 
 
 def add_wheel(
-    system: System, axle: WheeledAxle, height: ca.SX, gravity: ca.SX, *, wheels: int = 1
+    system: System,
+    axle: WheeledAxle,
+    height: ca.SX,
+    gravity: ca.SX,
+    *,
+    wheels: int = 1,
+    actuator: AnyActuator | None = None,
 ) -> tuple[ca.SX, ca.SX]:
     """Hang one wheel (or a pair that moves as one) under the body; give heights of wheel and strut deflection.
 
@@ -27,6 +34,8 @@ def add_wheel(
         m/s^2.
     wheels : int
         How many move together; forces that are shown are those of one.
+    actuator : AnyActuator, optional
+        Of each strut.
     """
     road = system.track("road.z")
     unsprung = system.coordinate("unsprung.z")
@@ -35,7 +44,7 @@ def add_wheel(
     system.force(unsprung, -mass * gravity)
     deflection = unsprung - height
     velocity = system.rate_of(deflection)
-    force = strut_force(system, axle, deflection, velocity)
+    force = strut_force(system, axle, deflection, velocity, actuator)
     system.force(-deflection, wheels * force)
     tyre_deflection = road.value - unsprung
     contact = tyre_force(system, axle.tyre, tyre_deflection, system.rate_of(tyre_deflection))

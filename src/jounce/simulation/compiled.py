@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.control.actuators import AnyActuator
 from jounce.kernel.explicit import Engine
 from jounce.kernel.native import Native, Source, compile_functions, kept_code
 from jounce.kernel.steps import STEP_NAMES
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
     import casadi as ca
 
 Array = NDArray[np.float64]
-_PACKAGES = ("core", "parts", "mechanics", "models", "kernel", "simulation")
+_PACKAGES = ("core", "parts", "control", "mechanics", "models", "kernel", "simulation")
 """Packages whose sources say what a rig compiles to."""
 
 
@@ -208,7 +209,9 @@ def compile_model(model: Model, free: tuple[str, ...] = ()) -> Compiled:
     return _compiled[key]
 
 
-def compile_rig(rig: Rig, free: tuple[str, ...] = (), *, detail: bool = False) -> Compiled:
+def compile_rig(
+    rig: Rig, free: tuple[str, ...] = (), *, detail: bool = False, actuator: AnyActuator | None = None
+) -> Compiled:
     """Give the native code of a rig's model; where the cache holds it, the model is not even built.
 
     Parameters
@@ -219,24 +222,26 @@ def compile_rig(rig: Rig, free: tuple[str, ...] = (), *, detail: bool = False) -
         Paths of parameters to differentiate with respect to.
     detail : bool
         As for :func:`jounce.models.build`.
+    actuator : AnyActuator, optional
+        Of every strut; its numbers are parameters, too.
 
     Raises
     ------
     SimulationError
         When a free parameter does not occur in the model.
     """
-    key = (type(rig).__name__, structure_of(rig), detail, free)
+    key = (type(rig).__name__, structure_of(rig), detail, free, actuator.structure if actuator else "")
     if key not in _compiled:
 
         def model() -> Model:
             from jounce.models import build
 
-            return build(rig, detail=detail)
+            return build(rig, detail=detail, actuator=actuator)
 
         identity = f"{_sources()} {key}"
         native, notes = kept_code(identity, lambda: _source(model(), free))
         table: dict[str, Any] = json.loads(notes)
-        without = compile_rig(rig, detail=detail) if free else None
+        without = compile_rig(rig, detail=detail, actuator=actuator) if free else None
         shapes = {name: (rows, columns) for name, (rows, columns) in table["shapes"].items()}
         numbers = (shapes, table["scalars"], table["lanes"])
         _compiled[key] = Compiled(_facts(table["facts"]), free, native, *numbers, model, without, identity)
