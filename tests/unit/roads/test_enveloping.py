@@ -1,0 +1,110 @@
+"""Enveloped roads: fields, windows, names in files."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from jounce.core.errors import DescriptionError
+from jounce.roads import (
+    Enveloped,
+    HalfSine,
+    Iso8608,
+    Rectangle,
+    SineSum,
+    Step,
+    Table,
+    Train,
+    contact_length,
+    read_roads,
+)
+
+CLEAT = Rectangle(height="20 mm", length="40 mm", start="1 m")
+METHODS = [
+    {"method": "moving-average", "contact_length": 0.12},
+    {"method": "rigid-circle", "radius": 0.3},
+    {"method": "tandem-cam", "radius": 0.3, "contact_length": 0.12},
+]
+
+
+@pytest.mark.parametrize("fields", METHODS, ids=lambda f: f["method"])
+def test_windows_of_one_road_agree(fields) -> None:
+    for of in (CLEAT, Train(of=CLEAT, count=3, pitch=0.3), Iso8608(class_="E", length=4, start="-1 m"), SineSum()):
+        road = Enveloped(of=of, **fields)
+        x = np.linspace(0.0, 2.9, 800)
+        height = road.height_at(x)
+        np.testing.assert_allclose(road.segments(3.0).evaluate(x)[0], height, rtol=0, atol=2e-5)
+        rear = road.segments(3.0, behind=2.6)
+        np.testing.assert_allclose(rear.evaluate(x)[0], road.height_at(x - 2.6), rtol=0, atol=2e-5)
+        assert (np.diff(rear.edges) > 0).all()
+        assert rear.edges[[0, -1]].tolist() == [0.0, 3.0]
+
+
+@pytest.mark.parametrize("fields", METHODS, ids=lambda f: f["method"])
+def test_a_level_road_stays_level_and_a_lifted_one_is_lifted(fields) -> None:
+    flat = Enveloped(of=Table(x=[0, 10], height=[0.3, 0.3]), **fields).segments(10.0)
+    assert np.abs(flat.evaluate(np.linspace(0, 10, 99))[0] - 0.3).max() < 1e-12
+    road = Enveloped(of=Step(height=0.02, start=1), **fields)
+    assert road.height_at([1.0 - road.reach(), 1.0 + road.reach() + 1e-9]) == pytest.approx([0.0, 0.02], abs=1e-9)
+    assert road.end() == pytest.approx(1.0 + road.reach())
+
+
+@pytest.mark.parametrize("fields", METHODS, ids=lambda f: f["method"])
+def test_a_belt_loop_and_a_train_of_felt_obstacles(fields) -> None:
+    belt = Enveloped(of=Rectangle(height="20 mm", length="40 mm", start="1 m", recurrence="1.97 m"), **fields)
+    assert (belt.start, belt.recurrence) == (1.0, 1.97)
+    x = np.linspace(0.5, 1.6, 200)
+    np.testing.assert_allclose(belt.height_at(x + 1.97), belt.height_at(x), rtol=0, atol=2e-6)
+    one = Enveloped(of=CLEAT, **fields)
+    train = Train(of=one, count=2, pitch="1.5 m")
+    np.testing.assert_allclose(train.height_at(x), one.height_at(x), rtol=0, atol=2e-6)
+    np.testing.assert_allclose(train.height_at(x + 1.5), one.height_at(x), rtol=0, atol=2e-6)
+
+
+def test_plain_form_gives_the_road_back() -> None:
+    for fields in METHODS:
+        road = Enveloped(of=CLEAT, **fields)
+        assert Enveloped.model_validate_json(road.model_dump_json()) == road
+
+
+def test_roads_in_files_are_named() -> None:
+    roads = read_roads(
+        {
+            "felt": {"kind": "enveloped", "of": "bump", "method": "rigid-circle", "radius": "0.3 m"},
+            "bump": {"kind": "half-sine", "height": "10 mm", "length": "60 mm", "start": "1 m"},
+        }
+    )
+    assert roads["felt"].of == HalfSine(height=0.01, length=0.06, start=1.0)
+    with pytest.raises(DescriptionError, match="the enveloped contains itself: 'felt' of 'felt'"):
+        read_roads({"felt": {"kind": "enveloped", "of": "felt", "method": "rigid-circle", "radius": 0.3}})
+
+
+@pytest.mark.parametrize(
+    ("fields", "says"),
+    [
+        ({"method": "moving-average"}, "the method 'moving-average' needs contact_length"),
+        ({"method": "moving-average", "contact_length": 0.1, "radius": 0.3}, "does not use radius"),
+        ({"method": "rigid-circle", "radius": 0}, "radius: out of range"),
+        ({"method": "tandem-cam", "radius": 0.3}, "the method 'tandem-cam' needs contact_length"),
+        ({"method": "string", "radius": 0.3}, "method: "),
+        ({"method": "rigid-circle", "radius": 0.3, "start": 3.0}, "start belongs to the road inside"),
+        ({"method": "rigid-circle", "radius": 0.3, "cam_exponent": 1.0}, "cam with corners"),
+        ({}, "method: the key is missing"),
+    ],
+)
+def test_refuses(fields, says) -> None:
+    with pytest.raises(DescriptionError, match=says):
+        Enveloped(of=CLEAT, **fields)
+
+
+def test_a_wall_is_refused() -> None:
+    with pytest.raises(DescriptionError, match="the wheel meets a wall"):
+        Enveloped(of=Step(height="0.35 m", start="1 m"), method="rigid-circle", radius="0.3 m").segments(3.0)
+
+
+def test_length_of_the_contact() -> None:
+    # domain D3: a = R0 [q1 sqrt(Fz/(cz R0)) + q2 Fz/(cz R0)], q1 = .671, q2 = .733
+    share = 4000.0 / (200e3 * 0.32)
+    assert contact_length(4000.0, 200e3, 0.32) == pytest.approx(0.64 * (0.671 * share**0.5 + 0.733 * share), rel=1e-12)
+    with pytest.raises(DescriptionError, match="not a loaded tyre"):
+        contact_length(0.0, 200e3, 0.32)
