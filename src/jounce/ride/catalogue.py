@@ -1,0 +1,382 @@
+"""Every ride metric: one frozen row with name, unit, label, source, and what it must not be taken for.
+
+Integrals and means are over time from the end of the settling on. Deflections are positive in compression.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from jounce.ride import comfort, holding
+from jounce.ride.views import Corner, Motion, Point
+
+Scope = Literal["motion", "rotation", "comfort", "point", "corner"]
+LINEAR, VERTICAL, TURNING = ("ax", "ay", "az"), ("az",), ("roll_acceleration", "pitch_acceleration", "yaw_acceleration")
+_STRUT, _TYRE = "strut.deflection", "tyre.force"
+
+
+@dataclass(frozen=True)
+class Metric:
+    """One row of the catalogue.
+
+    Attributes
+    ----------
+    name : str
+        How results call it.
+    unit : str
+        SI unit; "1" for ratios and counts.
+    label : str
+        What it is.
+    formula : callable
+        Its value for a view of the recording.
+    scope : {"motion", "rotation", "comfort", "point", "corner"}
+        Of what there is one value: each acceleration, each rotational one, each where people or goods are, all axes of
+        such a place together, each corner.
+    needs : tuple of str
+        Ends of the channels' names: one of them (motions, points), or all of them (corners).
+    source : str
+        Standard or definition.
+    is_not : str
+        What it is often confused with.
+    """
+
+    name: str
+    unit: str
+    label: str
+    formula: Callable[[Any], float]
+    scope: Scope
+    needs: tuple[str, ...]
+    source: str
+    is_not: str
+
+
+def _total(view: Point) -> float:
+    return comfort.total_value({axis: comfort.rms(m.weighted(), m.rate) for axis, m in view.motions.items()})
+
+
+def _exposure(view: Motion) -> float:
+    value = comfort.HEALTH_FACTORS[view.axis] * comfort.rms(view.weighted(), view.rate)
+    return comfort.daily_exposure(value, view.choices.exposure)
+
+
+def _sickness(view: Motion) -> float:
+    return comfort.SICK_PER_DOSE * comfort.msdv(view.weighted("Wf"), view.rate)
+
+
+def _power(view: Corner) -> float:
+    force = view["strut.damper_force"] if view.has("strut.damper_force") else view["strut.force"]
+    return holding.mean(force * view["strut.velocity"])
+
+
+def _use(view: Corner) -> float:
+    return holding.peak_use(view[_STRUT], *view.travel)
+
+
+_ISO, _DIRECTIVE, _PLAIN = "ISO 2631-1:1997, ", "2002/44/EC and ISO 2631-1:1997, 7.2", "statistics of the signal"
+_OWN = "definition of jounce"
+
+CATALOGUE: tuple[Metric, ...] = (
+    Metric(
+        "rms_acceleration",
+        "m/s^2",
+        "r.m.s. of the acceleration about its mean",
+        lambda v: holding.deviation(v.signal),
+        "motion",
+        LINEAR,
+        _PLAIN,
+        "not weighted: what people feel depends on frequency",
+    ),
+    Metric(
+        "peak_acceleration",
+        "m/s^2",
+        "largest acceleration from its mean, either way",
+        lambda v: float(abs(v.signal - holding.mean(v.signal)).max()),
+        "motion",
+        LINEAR,
+        _PLAIN,
+        "not weighted, and one sample decides",
+    ),
+    Metric(
+        "rms_rotation",
+        "rad/s^2",
+        "r.m.s. of the angular acceleration about its mean",
+        lambda v: holding.deviation(v.signal),
+        "rotation",
+        TURNING,
+        _PLAIN,
+        "not weighted",
+    ),
+    Metric(
+        "weighted_rms_rotation",
+        "rad/s^2",
+        "weighted r.m.s. angular acceleration, We",
+        lambda v: comfort.rms(v.weighted(), v.rate),
+        "rotation",
+        TURNING,
+        _ISO + "6.1",
+        "not yet comparable with translation: multiply by 0.63, 0.4, 0.2 m/rad (roll, pitch, yaw)",
+    ),
+    Metric(
+        "weighted_rms",
+        "m/s^2",
+        "weighted r.m.s. acceleration a_w (Wk vertical, Wd horizontal)",
+        lambda v: comfort.rms(v.weighted(), v.rate),
+        "comfort",
+        LINEAR,
+        _ISO + "6.1",
+        "at the place of the channel, without a seat's transmissibility; says little about single shocks",
+    ),
+    Metric(
+        "mtvv",
+        "m/s^2",
+        "maximum transient vibration value: largest running r.m.s. over 1 s",
+        lambda v: comfort.mtvv(v.weighted(), v.rate),
+        "comfort",
+        LINEAR,
+        _ISO + "6.3.1, eq. 2",
+        "not a peak: shorter shocks are averaged over 1 s",
+    ),
+    Metric(
+        "mtvv_exponential",
+        "m/s^2",
+        "maximum transient vibration value, exponential averaging",
+        lambda v: comfort.mtvv(v.weighted(), v.rate, averaging="exponential"),
+        "comfort",
+        LINEAR,
+        _ISO + "6.3.1, eq. 3",
+        "up to 30 % off the linear one for longer shocks; say which is used",
+    ),
+    Metric(
+        "vdv",
+        "m/s^1.75",
+        "fourth power vibration dose value",
+        lambda v: comfort.vdv(v.weighted(), v.rate),
+        "comfort",
+        LINEAR,
+        _ISO + "6.3.2",
+        "grows with the length of the record: compare equal lengths only",
+    ),
+    Metric(
+        "evdv",
+        "m/s^1.75",
+        "estimated vibration dose value, 1.4 a_w T^(1/4)",
+        lambda v: comfort.evdv(v.weighted(), v.rate),
+        "comfort",
+        LINEAR,
+        _ISO + "annex B",
+        "an estimate for vibration without shocks; where both differ, VDV counts",
+    ),
+    Metric(
+        "crest_factor",
+        "1",
+        "largest weighted acceleration over a_w",
+        lambda v: comfort.crest_factor(v.weighted(), v.rate),
+        "comfort",
+        LINEAR,
+        _ISO + "6.2.1",
+        "no measure of severity: it says whether a_w suffices (up to 9)",
+    ),
+    Metric(
+        "daily_exposure",
+        "m/s^2",
+        "A(8): 1.4 a_w (x, y) or a_w (z), if it lasts for the exposure a day",
+        _exposure,
+        "comfort",
+        LINEAR,
+        _DIRECTIVE,
+        "per axis: the largest of the three counts against 0.5 (action) and 1.15 m/s^2 (limit)",
+    ),
+    Metric(
+        "msdv_z",
+        "m/s^1.5",
+        "motion sickness dose value, Wf",
+        lambda v: comfort.msdv(v.weighted("Wf"), v.rate),
+        "comfort",
+        VERTICAL,
+        _ISO + "annex D",
+        "of vertical motion only, for 20 min to 6 h; grows with the length of the record",
+    ),
+    Metric(
+        "motion_sickness",
+        "1",
+        "share of unadapted people who may vomit, MSDV_z / 300",
+        _sickness,
+        "comfort",
+        VERTICAL,
+        _ISO + "annex D",
+        "for 20 min to 6 h and a mixed population; not for single bumps",
+    ),
+    Metric(
+        "vibration_total_value",
+        "m/s^2",
+        "a_v: root of the sum of squares of a_w over the axes recorded",
+        _total,
+        "point",
+        LINEAR,
+        _ISO + "6.5 and annex C",
+        "without rotation, seat back and feet; axes that are not recorded count nothing",
+    ),
+    Metric(
+        "travel_rms",
+        "m",
+        "r.m.s. deflection of the strut about its mean",
+        lambda v: holding.deviation(v[_STRUT]),
+        "corner",
+        (_STRUT,),
+        _PLAIN,
+        "along the strut, not at the wheel",
+    ),
+    Metric(
+        "travel_peak_to_peak",
+        "m",
+        "largest minus smallest deflection of the strut",
+        lambda v: holding.peak_to_peak(v[_STRUT]),
+        "corner",
+        (_STRUT,),
+        _PLAIN,
+        "along the strut; grows with the length of the record",
+    ),
+    Metric(
+        "travel_use",
+        "1",
+        "largest share used of the bump or the rebound travel, from the mean deflection",
+        _use,
+        "corner",
+        (_STRUT,),
+        _OWN,
+        "1 means that a stop is reached; above 1 it is compressed",
+    ),
+    Metric(
+        "travel_use_rms",
+        "1",
+        "r.m.s. deflection over the whole travel available",
+        lambda v: holding.deviation(v[_STRUT]) / sum(v.travel),
+        "corner",
+        (_STRUT,),
+        _OWN,
+        "no probability of a contact",
+    ),
+    Metric(
+        "travel_use_peak_to_peak",
+        "1",
+        "peak to peak deflection over the whole travel available",
+        lambda v: holding.peak_to_peak(v[_STRUT]) / sum(v.travel),
+        "corner",
+        (_STRUT,),
+        _OWN,
+        "may be below 1 while one stop is hit",
+    ),
+    Metric(
+        "bump_stop_hits",
+        "1",
+        "how often the bump stop is met",
+        lambda v: holding.contacts(v[_STRUT], v.stop_gap("bump")),
+        "corner",
+        (_STRUT,),
+        _OWN,
+        "a count over the record, not a force",
+    ),
+    Metric(
+        "rebound_stop_hits",
+        "1",
+        "how often the rebound stop is met",
+        lambda v: holding.contacts(-v[_STRUT], v.stop_gap("rebound")),
+        "corner",
+        (_STRUT,),
+        _OWN,
+        "a count over the record, not a force",
+    ),
+    Metric(
+        "bump_stop_time",
+        "1",
+        "share of the time on the bump stop",
+        lambda v: holding.share(v[_STRUT] > v.stop_gap("bump")),
+        "corner",
+        (_STRUT,),
+        _OWN,
+        "no measure of how hard it is met",
+    ),
+    Metric(
+        "dissipated_power",
+        "W",
+        "mean power into the strut (into the damper where its force is recorded)",
+        _power,
+        "corner",
+        ("strut.force", "strut.velocity"),
+        "mean of force times velocity",
+        "of the whole strut it is what the damper takes only over closed cycles: what springs keep returns",
+    ),
+    Metric(
+        "dynamic_load_rms",
+        "N",
+        "r.m.s. wheel load about its mean",
+        lambda v: holding.deviation(v[_TYRE]),
+        "corner",
+        (_TYRE,),
+        _PLAIN,
+        "a sum for the axle or the car only where the wheels are independent",
+    ),
+    Metric(
+        "dynamic_load_coefficient",
+        "1",
+        "standard deviation over mean of the wheel load",
+        lambda v: holding.load_coefficient(v[_TYRE]),
+        "corner",
+        (_TYRE,),
+        "Sweatman 1983",
+        "of the record's own mean, which braking and bends move",
+    ),
+    Metric(
+        "minimum_wheel_load",
+        "N",
+        "smallest wheel load",
+        lambda v: holding.smallest(v[_TYRE]),
+        "corner",
+        (_TYRE,),
+        _PLAIN,
+        "0 for lift-off, however long",
+    ),
+    Metric(
+        "adhesion",
+        "1",
+        "smallest over mean wheel load",
+        lambda v: holding.adhesion(v[_TYRE]),
+        "corner",
+        (_TYRE,),
+        "as the EUSAMA value, on the road",
+        "not the tester's value: another excitation",
+    ),
+    Metric(
+        "lift_off_time",
+        "1",
+        "share of the time without wheel load",
+        lambda v: holding.share(v[_TYRE] <= v.choices.lift_off_load),
+        "corner",
+        (_TYRE,),
+        _OWN,
+        "measured loads never are exactly 0: give a threshold",
+    ),
+    Metric(
+        "road_stress_factor",
+        "1",
+        "mean fourth power of the wheel load over that of its mean",
+        lambda v: holding.stress_factor(v[_TYRE]),
+        "corner",
+        (_TYRE,),
+        "Eisenmann 1975",
+        "1 + 6 c^2 + 3 c^4 for Gaussian loads of coefficient c; says nothing about a place on the road",
+    ),
+    Metric(
+        "tyre_deflection_rms",
+        "m",
+        "r.m.s. deflection of the tyre about its mean",
+        lambda v: holding.deviation(v["tyre.deflection"]),
+        "corner",
+        ("tyre.deflection",),
+        _PLAIN,
+        "with lift-off not proportional to the load",
+    ),
+)
+"""Every ride metric, in the order of reports."""

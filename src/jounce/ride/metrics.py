@@ -1,0 +1,392 @@
+"""All ride metrics of one recording at once, each with its reason where it cannot be had."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import DescriptionError, RecordingError, nearest, unknown
+from jounce.core.findings import Finding
+from jounce.core.units import to_si
+from jounce.parts import Rig
+from jounce.recordings.quality import check_time
+from jounce.recordings.schema import check_recording
+from jounce.ride import comfort
+from jounce.ride.catalogue import CATALOGUE, Metric, Scope
+from jounce.ride.gaps import Given, by_corner, gaps_of
+from jounce.ride.views import USUAL_WEIGHTING, Choices, Corner, Motion, Point, carries_passengers
+from jounce.ride.weighting import STARTS, Start, weighting
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+_AXES = {"ax": "x", "ay": "y", "az": "z"}
+_TURNS = {"roll_acceleration": "roll", "pitch_acceleration": "pitch", "yaw_acceleration": "yaw"}
+_PARTS = ("strut.deflection", "strut.velocity", "strut.force", "strut.damper_force", "tyre.force", "tyre.deflection")
+_OFFSET = 3.0  # standard deviations: a larger mean is an offset, not motion
+
+
+@dataclass(frozen=True)
+class MetricValue:
+    """Value of one metric at one place.
+
+    Attributes
+    ----------
+    metric : str
+        Its name in the catalogue.
+    place : str
+        Channel (accelerations), place (totals) or corner (struts and tyres; empty for a quarter car).
+    value : float
+        In ``unit``.
+    unit : str
+        SI.
+    label : str
+        What it is.
+    """
+
+    metric: str
+    place: str
+    value: float
+    unit: str
+    label: str
+
+
+@dataclass(frozen=True)
+class AbsentMetric:
+    """Metric that this recording does not give.
+
+    Attributes
+    ----------
+    metric : str
+        Its name in the catalogue.
+    place : str
+        Where; empty for everywhere.
+    reason : str
+        Why.
+    """
+
+    metric: str
+    place: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class RideMetrics:
+    """Ride comfort, suspension travel and road holding of one recording.
+
+    Attributes
+    ----------
+    values : tuple of MetricValue
+        In the order of the catalogue, SI.
+    absent : tuple of AbsentMetric
+        What could not be had, and why.
+    comfort : dict of str to str
+        Words of ISO 2631-1 for the vibration total value, by place.
+    duration : float
+        Time that counts, s.
+    settling : float
+        Time left out at the start, s.
+    sample_rate : float
+        Hz.
+    findings : tuple of Finding
+        What the reader must know, with the advice of the standard.
+    """
+
+    values: tuple[MetricValue, ...]
+    absent: tuple[AbsentMetric, ...]
+    comfort: dict[str, str]
+    duration: float
+    settling: float
+    sample_rate: float
+    findings: tuple[Finding, ...] = ()
+
+    def value(self, metric: str, place: str | None = None) -> float:
+        """Value of a metric in its SI unit; ``place`` may be left out where there is only one.
+
+        Raises
+        ------
+        RecordingError
+            When the recording does not give it, with the reason.
+        DescriptionError
+            For unknown names and places, or when the place is needed.
+        """
+        if metric not in {row.name for row in CATALOGUE}:
+            raise unknown(metric, (row.name for row in CATALOGUE), what="metric")
+        found = {item.place: item.value for item in self.values if item.metric == metric}
+        if place in found:
+            return found[place]
+        for item in self.absent:
+            if item.metric == metric and place in (item.place, None) and not found:
+                raise RecordingError(item.reason, where=metric)
+        if place is None and len(found) == 1:
+            return next(iter(found.values()))
+        raise DescriptionError(
+            "say which place" if place is None else f"no value at {place!r}",
+            where=metric,
+            allowed=", ".join(map(repr, found)),
+            hint=nearest(place or "", found),
+        )
+
+    def __str__(self) -> str:
+        width = max((len(item.metric) for item in self.values), default=0)
+        there = max((len(item.place) for item in self.values), default=0)
+        lines = [f"Ride metrics of {self.duration:g} s at {self.sample_rate:g} Hz ({self.settling:g} s left out)"]
+        lines += [f"{v.metric:{width}}  {v.place:{there}}  {v.value:12.5g} {v.unit}" for v in self.values]
+        lines += [f"{place}: {words}" for place, words in self.comfort.items()]
+        lines += [f"no {item.metric}{' at ' * bool(item.place)}{item.place}: {item.reason}" for item in self.absent]
+        return "\n".join([*lines, *map(str, self.findings)])
+
+
+def ride_metrics(
+    run: xr.Dataset,
+    rig: Rig | None = None,
+    *,
+    settling: float | str = 0.0,
+    weighting: Mapping[str, str] | None = None,
+    start: Start = "rest",
+    travel: Given = None,
+    stop_gap: Given = None,
+    exposure: float | str = "8 h",
+    lift_off_load: float | str = 0.0,
+    metrics: Sequence[str] | None = None,
+) -> RideMetrics:
+    """Ride comfort, suspension travel and road holding of a simulated or measured recording.
+
+    Parameters
+    ----------
+    run : xarray.Dataset
+        Recording in SI on uniform time. Accelerations are found by the ends of their names (``.az``,
+        ``.pitch_acceleration``), corners by ``strut.deflection``, ``tyre.force`` and so on (``front_left.tyre.force``).
+    rig : Rig, optional
+        Rig or vehicle of the run; gives the gaps of its stops where ``stop_gap`` does not.
+    settling : float or str
+        Time at the start that does not count (run-in, transient of the weightings), s or text with a unit.
+    weighting : mapping of str to str, optional
+        Weighting by channel or axis (``{"z": "Wf"}``) in place of Wk for z, Wd for x and y, We for rotations.
+    start : {"rest", "first", "mean"}
+        What was before the record, as in `jounce.ride.weighting.weighted`; ``"mean"`` for signals with gravity in them.
+    travel : pair of float or str, or mapping, optional
+        Rebound and bump travel available from the mean deflection, m; for all corners, or by corner or axle.
+    stop_gap : float or str, pair of them, or mapping, optional
+        Deflection at which the bump stop is met, or a pair for rebound and bump stop, m; for all, or by corner or axle.
+    exposure : float or str
+        How long the vibration lasts a day, s or text, for A(8).
+    lift_off_load : float or str
+        Wheel load up to which a tyre counts as lifted, N; 0 suits simulations.
+    metrics : sequence of str, optional
+        Names of the catalogue that are wanted; by default all. What is asked for by name and cannot be had is an error.
+
+    Returns
+    -------
+    RideMetrics
+        Values by metric and place, and what is absent with its reason.
+
+    Raises
+    ------
+    RecordingError
+        For a Dataset that is no recording, time that is not uniform, a settling time longer than the record.
+    DescriptionError
+        For unknown metrics, weightings and corners, and units that do not fit.
+
+    Notes
+    -----
+    Source: ISO 2631-1:1997 (``iso-2631-1``), ISO 8041-1:2017 (``iso-8041-1``); each row of
+    `jounce.ride.catalogue.CATALOGUE` names its own, and what it must not be taken for.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="3 s")
+    >>> found = ride_metrics(jn.simulate(jn.load("kart-quarter-car"), trial))
+    >>> round(found.value("weighted_rms"), 2), round(found.value("lift_off_time"), 3)
+    (2.64, 0.027)
+    """
+    rate, first, left_out = _time(run, settling)
+    wanted = _wanted(metrics)
+    names = [str(name) for name in run.data_vars]
+    corners = _corner_names(names)
+    choices = Choices(
+        settling=left_out,
+        weighting=_weightings(weighting or {}, names),
+        start=_start(start),
+        travel=by_corner(travel, corners, "travel"),
+        stop_gap=by_corner(stop_gap, corners, "stop_gap") if stop_gap is not None else gaps_of(rig, corners),
+        exposure=to_si(exposure, "s", where="exposure"),
+        lift_off_load=to_si(lift_off_load, "N", where="lift_off_load"),
+    )
+    views = _views(run, names, corners, rate, first, choices)
+    values, absent = _evaluated(wanted, views)
+    if metrics is not None:
+        _refuse_missing(wanted, values, absent)
+    totals = {item.place: item.value for item in values if item.metric == "vibration_total_value"}
+    words = {place: comfort.comfort_words(value) for place, value in totals.items()}
+    findings = tuple(_findings(views, values, {row.name for row in wanted}, rate, choices.exposure / 3600.0))
+    duration = (run["time"].size - 1 - first) / rate
+    return RideMetrics(tuple(values), tuple(absent), words, duration, left_out, rate, findings)
+
+
+def _time(run: xr.Dataset, settling: float | str) -> tuple[float, int, float]:
+    """Sample rate in Hz, index of the first sample that counts, and time left out in s."""
+    check_recording(run)
+    time = np.asarray(run["time"].values, dtype=float)
+    if check_time(time, where="recording")[1]:
+        hint = "Read it with read_recording, or resample it."
+        raise RecordingError("time is not uniform", where="recording", allowed="constant steps", hint=hint)
+    duration = float(time[-1] - time[0])
+    left_out = to_si(settling, "s", where="settling")
+    if not 0.0 <= left_out < duration:
+        raise RecordingError(
+            "nothing is left of the record",
+            where="settling",
+            found=f"{left_out:g} s",
+            allowed=f"0 s up to less than {duration:g} s, the duration of the record",
+        )
+    rate = (time.size - 1) / duration
+    first = min(int(np.ceil(left_out * rate - 1e-6)), time.size - 2)
+    return rate, first, left_out
+
+
+def _wanted(metrics: Sequence[str] | None) -> tuple[Metric, ...]:
+    if metrics is None:
+        return CATALOGUE
+    rows = {row.name: row for row in CATALOGUE}
+    for name in metrics:
+        if name not in rows:
+            raise unknown(name, rows, what="metric", where="metrics")
+    return tuple(row for row in CATALOGUE if row.name in metrics)
+
+
+def _start(start: Start) -> Start:
+    if start not in STARTS:
+        raise unknown(str(start), STARTS, what="start of the record", where="start")
+    return start
+
+
+def _weightings(given: Mapping[str, str], names: Sequence[str]) -> Mapping[str, str]:
+    for key, name in given.items():
+        if key not in (*names, *USUAL_WEIGHTING):
+            raise unknown(key, (*names, *USUAL_WEIGHTING), what="channel or axis", where="weighting")
+        weighting(name)
+    return given
+
+
+def _corner_names(names: Sequence[str]) -> tuple[str, ...]:
+    """Corners in the order of their channels; empty text for channels without a prefix."""
+    found = [name.removesuffix(part).removesuffix(".") for name in names for part in _PARTS if _ends(name, part)]
+    return tuple(dict.fromkeys(found))
+
+
+def _ends(name: str, part: str) -> bool:
+    return name == part or name.endswith(f".{part}")
+
+
+Views = dict[Scope, list[tuple[str, Any]]]
+
+
+def _views(
+    run: xr.Dataset, names: Sequence[str], corners: Sequence[str], rate: float, first: int, choices: Choices
+) -> Views:
+    """Views of the recording by scope, each with its place."""
+    signals = {name: np.asarray(run[name].values, dtype=float) for name in names}
+
+    def motions(axes: Mapping[str, str]) -> Iterator[Motion]:
+        for name, values in signals.items():
+            axis = axes.get(name.rpartition(".")[2])
+            if axis is not None:
+                yield Motion(name, axis, values, rate, first, choices)
+
+    linear = list(motions(_AXES))
+    felt = [motion for motion in linear if carries_passengers(motion.channel.rpartition(".")[0])]
+    places: dict[str, dict[str, Motion]] = {}
+    for motion in felt:
+        places.setdefault(motion.channel.rpartition(".")[0], {})[motion.axis] = motion
+    found: Views = {
+        "motion": [(motion.channel, motion) for motion in linear],
+        "rotation": [(motion.channel, motion) for motion in motions(_TURNS)],
+        "comfort": [(motion.channel, motion) for motion in felt],
+        "point": [(place, Point(place, axes)) for place, axes in places.items()],
+        "corner": [],
+    }
+    for corner in corners:
+        prefix = f"{corner}." if corner else ""
+        own = {part: signals[prefix + part][first:] for part in _PARTS if prefix + part in signals}
+        found["corner"].append((corner, Corner(corner, own, rate, choices)))
+    return found
+
+
+def _evaluated(rows: Sequence[Metric], views: Views) -> tuple[list[MetricValue], list[AbsentMetric]]:
+    values: list[MetricValue] = []
+    absent: list[AbsentMetric] = []
+    for row in rows:
+        seen = [(place, view) for place, view in views[row.scope] if _concerns(row, place)]
+        if not seen:
+            absent.append(AbsentMetric(row.name, "", f"no channel {' or '.join(row.needs)}"))
+        for place, view in seen:
+            try:
+                values.append(MetricValue(row.name, place, float(row.formula(view)), row.unit, row.label))
+            except RecordingError as error:
+                absent.append(AbsentMetric(row.name, place, str(error).removeprefix(f"{place}: ").rstrip(".")))
+    return values, absent
+
+
+def _concerns(row: Metric, place: str) -> bool:
+    """Whether a row has a value at a place: accelerations by their axis, places and corners always."""
+    return row.scope in ("point", "corner") or place.rpartition(".")[2] in row.needs
+
+
+def _refuse_missing(rows: Sequence[Metric], values: Sequence[MetricValue], absent: Sequence[AbsentMetric]) -> None:
+    there = {item.metric for item in values}
+    for row in rows:
+        if row.name not in there:
+            reason = next(item.reason for item in absent if item.metric == row.name)
+            raise RecordingError(f"the metric cannot be had: {reason}", where=row.name)
+
+
+def _findings(
+    views: Views, values: Sequence[MetricValue], wanted: set[str], rate: float, hours: float
+) -> Iterator[Finding]:
+    weighted_ones = wanted & {row.name for row in CATALOGUE if row.scope in ("comfort", "point")}
+    for place, motion in views["comfort"] if weighted_ones else ():
+        yield from _about_signal(place, motion, rate)
+        yield from _advice(place, motion)
+    for item in values:
+        if item.metric == "daily_exposure" and item.value > comfort.ACTION_VALUE:
+            yield _exposed(item, hours)
+    for corner, view in views["corner"]:
+        if "dissipated_power" in wanted and view.has("strut.force") and not view.has("strut.damper_force"):
+            text = "dissipated power is that of the whole strut force: the damper's over closed cycles only"
+            yield Finding(corner or "strut", "note", text)
+
+
+def _exposed(item: MetricValue, hours: float) -> Finding:
+    is_over = item.value > comfort.LIMIT_VALUE
+    name, limit = ("limit", comfort.LIMIT_VALUE) if is_over else ("action", comfort.ACTION_VALUE)
+    text = f"for {hours:g} h a day A(8) is {item.value:.3g} m/s^2, above the {name} value of {limit:g} (2002/44/EC)"
+    return Finding(item.place, "note", text, item.value)
+
+
+def _about_signal(place: str, motion: Motion, rate: float) -> Iterator[Finding]:
+    mean, spread = float(motion.values.mean()), float(motion.values.std())
+    if motion.choices.start == "rest" and abs(mean) > _OFFSET * spread:
+        text = (
+            f"the signal has an offset of {mean:.3g} m/s^2 (gravity?), which starts the weighting with a step; "
+            "use start='mean', or a settling time"
+        )
+        yield Finding(place, "warning", text, mean)
+    row = weighting(motion.usual)
+    if rate < 2.0 * row.limits[2] and rate >= row.slowest_rate:
+        text = f"sampled at {rate:g} Hz: what {row.name} passes above {0.5 * rate:g} Hz is missing"
+        yield Finding(place, "note", text, rate)
+
+
+def _advice(place: str, motion: Motion) -> tuple[Finding, ...]:
+    """Advice of the standard, or none where the record is too short: the metric itself says so."""
+    try:
+        return comfort.advice(motion.weighted(), motion.rate, place=place)
+    except RecordingError:
+        return ()

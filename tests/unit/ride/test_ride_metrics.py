@@ -1,0 +1,281 @@
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.core.serialise import to_json, to_plain
+from jounce.recordings import recording
+from jounce.ride import comfort
+from jounce.ride.catalogue import CATALOGUE
+from jounce.ride.metrics import ride_metrics
+from jounce.ride.weighting import weighted
+
+UNITS = {"1", "m", "m/s^2", "rad/s^2", "m/s^1.75", "m/s^1.5", "N", "W"}
+TIME = np.arange(0.0, 40.0 + 5e-4, 1e-3)
+WAVE = np.sin(2.0 * np.pi * 5.0 * TIME)
+
+
+def recorded(**channels: np.ndarray):
+    """A recording; a double underscore in a name stands for a dot."""
+    units = {"az": "m/s^2", "ax": "m/s^2", "deflection": "m", "velocity": "m/s", "force": "N"}
+    units |= {"damper_force": "N", "pitch_acceleration": "rad/s^2"}
+    named = {name.replace("__", "."): values for name, values in channels.items()}
+    return recording(TIME, {name: (values, units[name.rpartition(".")[2]], "") for name, values in named.items()})
+
+
+@pytest.mark.parametrize("row", CATALOGUE, ids=lambda row: row.name)
+def test_every_row_says_what_it_is(row) -> None:
+    assert re.fullmatch(r"[a-z]+(_[a-z]+)*", row.name)
+    assert row.unit in UNITS
+    assert row.label
+    assert row.source
+    assert row.is_not
+    assert row.needs
+    assert row.scope in {"motion", "rotation", "comfort", "point", "corner"}
+
+
+def test_names_are_unique() -> None:
+    assert len({row.name for row in CATALOGUE}) == len(CATALOGUE)
+
+
+def test_the_page_lists_every_row() -> None:
+    page = (Path(__file__).parents[3] / "docs" / "ride.md").read_text(encoding="utf-8")
+    found = re.findall(r"^\| `(\w+)` \| (\S+) \| (.*) \| (.*) \|$", page, re.MULTILINE)
+    assert found == [(row.name, row.unit, row.label, row.is_not) for row in CATALOGUE]
+
+
+def test_accelerations_are_found_by_their_names() -> None:
+    run = recorded(body__az=WAVE, body__ax=0.5 * WAVE, front__unsprung__az=9.0 * WAVE, body__pitch_acceleration=WAVE)
+    found = ride_metrics(run, settling="10 s")
+    assert {v.place for v in found.values if v.metric == "rms_acceleration"} == {
+        "body.az",
+        "body.ax",
+        "front.unsprung.az",
+    }
+    assert {v.place for v in found.values if v.metric == "weighted_rms"} == {"body.az", "body.ax"}
+    assert found.value("rms_acceleration", "front.unsprung.az") == pytest.approx(9.0 * np.sqrt(0.5), rel=1e-6)
+    # gains of ISO 8041-1 at 5.0119 Hz: Wk 1.039, Wd 0.4081; here at 5 Hz
+    assert found.value("weighted_rms", "body.az") == pytest.approx(1.039 * np.sqrt(0.5), rel=1e-3)
+    assert found.value("weighted_rms", "body.ax") == pytest.approx(0.409 * 0.5 * np.sqrt(0.5), rel=2e-3)
+    assert found.value("daily_exposure", "body.ax") == pytest.approx(1.4 * found.value("weighted_rms", "body.ax"))
+    total = np.hypot(found.value("weighted_rms", "body.az"), found.value("weighted_rms", "body.ax"))
+    assert found.value("vibration_total_value", "body") == pytest.approx(total)
+    assert found.comfort == {"body": comfort.comfort_words(total)}
+    assert found.value("weighted_rms_rotation") == pytest.approx(0.2 * np.sqrt(0.5), rel=0.05)  # We falls as 1/f
+    assert found.duration == pytest.approx(30.0)
+
+
+def test_other_weightings_may_be_chosen() -> None:
+    run = recorded(body__az=WAVE, seat__az=WAVE)
+    found = ride_metrics(run, weighting={"seat.az": "Wd"}, settling=10.0)
+    ratio = found.value("weighted_rms", "seat.az") / found.value("weighted_rms", "body.az")
+    assert ratio == pytest.approx(0.4081 / 1.039, rel=3e-3)
+    slow = ride_metrics(run, weighting={"z": "Wf"}, settling=10.0)
+    assert slow.value("weighted_rms", "body.az") < 1e-3
+    with pytest.raises(jn.DescriptionError, match="unknown weighting 'Wq'"):
+        ride_metrics(run, weighting={"z": "Wq"})
+    with pytest.raises(jn.DescriptionError, match="unknown channel or axis 'sprung"):
+        ride_metrics(run, weighting={"sprung.az": "Wk"})
+
+
+def test_what_settles_does_not_count_but_is_remembered() -> None:
+    shaken = np.where(TIME < 10.0, 5.0 * WAVE, WAVE)
+    run = recorded(body__az=shaken)
+    assert ride_metrics(run, settling=12.0).value("rms_acceleration") == pytest.approx(np.sqrt(0.5), rel=1e-6)
+    assert ride_metrics(run).value("rms_acceleration") > 1.5
+    after = weighted(shaken, 1000.0, "Wk")[12_000:]
+    assert ride_metrics(run, settling=12.0).value("vdv") == pytest.approx(comfort.vdv(after, 1000.0), rel=1e-9)
+
+
+@pytest.mark.parametrize("settling", ["40 s", "41 s", "-1 s"])
+def test_nothing_left_is_an_error(settling: str) -> None:
+    with pytest.raises(jn.RecordingError, match="nothing is left of the record"):
+        ride_metrics(recorded(body__az=WAVE), settling=settling)
+
+
+def corner_run():
+    load = 4000.0 + 1000.0 * WAVE
+    lifting = np.maximum(4000.0 * (1.0 + 1.5 * WAVE), 0.0)
+    deflection = 0.05 + 0.02 * WAVE
+    rate = 0.02 * 2.0 * np.pi * 5.0 * np.cos(2.0 * np.pi * 5.0 * TIME)
+    return recorded(
+        front_left__strut__deflection=deflection,
+        front_left__strut__velocity=rate,
+        front_left__strut__force=20e3 * deflection + 1500.0 * rate,
+        front_left__tyre__force=load,
+        rear_right__tyre__force=lifting,
+        rear_right__strut__deflection=deflection,
+    )
+
+
+def test_corners_are_found_by_their_names() -> None:
+    found = ride_metrics(
+        corner_run(), travel=("60 mm", "40 mm"), stop_gap={"front": "65 mm", "rear_right": ["1 mm", 0.1]}
+    )
+    here = "front_left"
+    assert found.value("dynamic_load_coefficient", here) == pytest.approx(0.25 * np.sqrt(0.5), rel=1e-9)
+    assert found.value("dynamic_load_rms", here) == pytest.approx(1000.0 * np.sqrt(0.5), rel=1e-9)
+    assert found.value("minimum_wheel_load", here) == pytest.approx(3000.0)
+    assert found.value("adhesion", here) == pytest.approx(0.75)
+    assert found.value("lift_off_time", here) == 0.0
+    # mean of (1 + c sin)^4 over a period: 1 + 3 c^2 + 3/8 c^4 with c = 0.25
+    assert found.value("road_stress_factor", here) == pytest.approx(1.0 + 3.0 * 0.25**2 + 0.375 * 0.25**4, rel=1e-9)
+    assert found.value("travel_rms", here) == pytest.approx(0.02 * np.sqrt(0.5), rel=1e-9)
+    assert found.value("travel_peak_to_peak", here) == pytest.approx(0.04)
+    assert found.value("travel_use", here) == pytest.approx(0.5)
+    assert found.value("travel_use_rms", here) == pytest.approx(0.2 * np.sqrt(0.5), rel=1e-9)
+    assert found.value("travel_use_peak_to_peak", here) == pytest.approx(0.4)
+    assert found.value("bump_stop_hits", here) == 200.0
+    share = (np.pi - 2.0 * np.arcsin(0.75)) / (2.0 * np.pi)
+    assert found.value("bump_stop_time", here) == pytest.approx(share, abs=6e-3)  # 200 samples a period
+    assert found.value("bump_stop_hits", "rear_right") == 0.0
+    assert found.value("rebound_stop_hits", "rear_right") == 0.0
+    power = 1500.0 * (0.02 * 2.0 * np.pi * 5.0) ** 2 / 2.0  # the spring's part cancels over whole periods
+    assert found.value("dissipated_power", here) == pytest.approx(power, rel=1e-6)
+    off = (np.pi - 2.0 * np.arcsin(1.0 / 1.5)) / (2.0 * np.pi)
+    assert found.value("lift_off_time", "rear_right") == pytest.approx(off, abs=6e-3)
+    assert found.value("adhesion", "rear_right") == 0.0
+
+
+def test_travel_up_to_the_stops() -> None:
+    found = ride_metrics(corner_run(), stop_gap=(0.01, 0.09))
+    assert found.value("travel_use", "front_left") == pytest.approx(0.5)  # 20 mm of 90 - 50 mm
+    assert found.value("travel_use_peak_to_peak", "front_left") == pytest.approx(0.4)
+
+
+def test_a_damper_force_counts_before_that_of_the_strut() -> None:
+    run = corner_run()
+    name = "front_left.strut.damper_force"
+    run[name] = run["front_left.strut.velocity"] * 1000.0
+    run[name].attrs = {"units": "N", "long_name": "", "place": "front_left.strut"}
+    found = ride_metrics(run)
+    assert found.value("dissipated_power", "front_left") == pytest.approx(1000.0 * (0.2 * np.pi) ** 2 / 2.0, rel=1e-6)
+    assert not any("dissipated power" in finding.message for finding in found.findings)
+
+
+def test_stops_of_the_description() -> None:
+    rig = jn.load("kart-quarter-car").with_changes({"strut.bump_stop": {"gap": 0.012, "rate": 2e5}})
+    trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="0.6 s")
+    run = jn.simulate(rig, trial)
+    found = ride_metrics(run, rig, metrics=["bump_stop_hits"])
+    expected = np.count_nonzero(np.diff((run["strut.deflection"].to_numpy() > 0.012).astype(int)) == 1)
+    assert found.value("bump_stop_hits") == expected > 0
+    assert len(found.values) == 1
+
+
+def test_what_is_absent_says_why() -> None:
+    found = ride_metrics(recorded(front__strut__deflection=0.05 + 0.02 * WAVE))
+    reasons = {(item.metric, item.place): item.reason for item in found.absent}
+    assert reasons["weighted_rms", ""] == "no channel ax or ay or az"
+    assert reasons["dissipated_power", "front"] == "no channel front.strut.force"
+    assert reasons["bump_stop_hits", "front"] == "no bump stop's gap is given"
+    assert "nor both stops' gaps" in reasons["travel_use", "front"]
+    assert found.value("travel_rms") == pytest.approx(0.02 * np.sqrt(0.5), rel=1e-9)
+    with pytest.raises(jn.RecordingError, match="no channel ax or ay or az"):
+        found.value("mtvv")
+
+
+def test_a_short_record_gives_what_it_can() -> None:
+    run = recorded(body__az=WAVE).isel(time=slice(0, 2001))
+    found = ride_metrics(run)
+    assert found.value("rms_acceleration") == pytest.approx(np.sqrt(0.5), rel=1e-6)
+    reason = next(item.reason for item in found.absent if item.metric == "weighted_rms")
+    assert reason.startswith("the measurement is too short for Wk; found '2 s'; allowed: 2.5 s or more")
+    with pytest.raises(jn.RecordingError, match=r"weighted_rms: the metric cannot be had: .* too short for Wk"):
+        ride_metrics(run, metrics=["weighted_rms"])
+
+
+def test_metrics_may_be_chosen() -> None:
+    found = ride_metrics(recorded(body__az=WAVE), metrics=["vdv", "weighted_rms"])
+    assert [item.metric for item in found.values] == ["weighted_rms", "vdv"]
+    assert found.absent == ()
+    with pytest.raises(jn.DescriptionError, match=r"unknown metric 'vdw'.*Did you mean 'vdv'\?"):
+        ride_metrics(recorded(body__az=WAVE), metrics=["vdw"])
+
+
+def test_advice_reaches_the_reader() -> None:
+    shock = 0.05 * WAVE + np.where(abs(TIME - 20.0) < 0.01, 30.0, 0.0)
+    found = ride_metrics(recorded(body__az=shock), settling=5.0)
+    assert any("crest factor" in finding.message for finding in found.findings)
+    assert "crest factor" in str(found)
+
+
+def test_gravity_in_the_signal_is_noticed() -> None:
+    run = recorded(body__az=9.81 + WAVE)
+    loud = ride_metrics(run)
+    assert any("offset of 9.81 m/s^2" in finding.message for finding in loud.findings)
+    quiet = ride_metrics(run, start="mean", settling=5.0)
+    assert not any("offset" in finding.message for finding in quiet.findings)
+    assert quiet.value("weighted_rms") == pytest.approx(1.039 * np.sqrt(0.5), rel=1e-3)
+    assert loud.value("mtvv") > 2.0 * quiet.value("mtvv")
+
+
+def test_coarse_sampling_is_noticed() -> None:
+    found = ride_metrics(recorded(body__az=WAVE).isel(time=slice(None, None, 10)))
+    assert any("sampled at 100 Hz: what Wk passes above 50 Hz is missing" in f.message for f in found.findings)
+    with_reason = ride_metrics(recorded(body__az=WAVE).isel(time=slice(None, None, 40)))
+    assert any("sample rate is too low" in item.reason for item in with_reason.absent)
+
+
+def test_exposure_is_held_against_the_directive() -> None:
+    run = recorded(body__az=WAVE)
+    short, long = (ride_metrics(run, exposure=time) for time in ("1 h", "16 h"))
+    assert short.value("daily_exposure") == pytest.approx(long.value("daily_exposure") / 4.0)
+    assert [f.message.rpartition("above the ")[2][:6] for f in long.findings if "A(8)" in f.message] == ["action"]
+    assert not any("A(8)" in f.message for f in short.findings)
+
+
+def test_results_can_be_stored() -> None:
+    found = ride_metrics(corner_run())
+    plain = to_plain(found)
+    assert plain["values"][0].keys() == {"metric", "place", "value", "unit", "label"}
+    assert "NaN" not in to_json(found)
+    assert "dynamic_load_coefficient" in str(found)
+
+
+@pytest.mark.parametrize(
+    ("options", "text"),
+    [
+        ({"start": "gravity"}, "unknown start of the record 'gravity'"),
+        ({"travel": {"middle": (0.1, 0.1)}}, "unknown corner 'middle'"),
+        ({"travel": (0.1, 0.1, 0.1)}, "not a pair"),
+        ({"stop_gap": "5 s"}, "wrong unit"),
+        ({"settling": "5 m"}, "wrong unit"),
+    ],
+)
+def test_bad_options(options, text: str) -> None:
+    with pytest.raises(jn.DescriptionError) as caught:
+        ride_metrics(corner_run(), **options)
+    assert text in str(caught.value)
+
+
+def test_bad_recordings() -> None:
+    run = recorded(body__az=WAVE)
+    with pytest.raises(jn.RecordingError, match="another unit"):
+        ride_metrics(run.assign({"body.az": run["body.az"].assign_attrs(units="g")}))
+    with pytest.raises(jn.RecordingError, match="not a finite number"):
+        ride_metrics(recorded(body__az=np.where(TIME > 30.0, np.nan, WAVE)))
+    uneven = run.assign_coords(time=("time", TIME**1.01, {"units": "s"}))
+    with pytest.raises(jn.RecordingError):
+        ride_metrics(uneven)
+
+
+def test_negative_travel_is_a_reason() -> None:
+    found = ride_metrics(corner_run(), stop_gap=(0.0, 0.02))
+    reasons = {item.reason for item in found.absent if item.metric == "travel_use"}
+    assert len(reasons) == 1
+    assert "the available travel is not positive; found '0.05 m in rebound, -0.03 m in bump'" in reasons.pop()
+
+
+def test_places_must_be_clear() -> None:
+    found = ride_metrics(corner_run())
+    with pytest.raises(jn.DescriptionError, match="say which place; allowed: 'front_left', 'rear_right'"):
+        found.value("adhesion")
+    with pytest.raises(jn.DescriptionError, match="no value at 'front'"):
+        found.value("adhesion", "front")
+    with pytest.raises(jn.DescriptionError, match="unknown metric"):
+        found.value("adhesions")
