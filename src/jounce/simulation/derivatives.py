@@ -75,7 +75,8 @@ def sensitivities(
     DescriptionError
         For a path that the description does not have.
     SimulationError
-        For a parameter that the model does not use, or when the run does not reach its end.
+        For a parameter that the model does not use, the wheelbase on a road (it delays the rear axle), or when the run
+        does not reach its end.
 
     Examples
     --------
@@ -193,7 +194,7 @@ def _run(
         if path not in values:
             raise unknown_path(f"parameters: {path}", values, name=path)
     compiled = compile_rig(rig, tuple(parameters))
-    signals = excitation(compiled.facts, rig, trial)
+    signals = excitation(compiled.facts, rig, trial, compiled.free)
     solution = solve(compiled, compiled.parameter_values(values), signals, times, tolerance=tolerance)
     if solution.status is not Status.COMPLETED:
         raise SimulationError("the run did not reach its end", found=solution.status.help)

@@ -7,13 +7,13 @@ from jounce.core.segments import Segments, flat
 from jounce.mechanics.model import ROAD, Facts, is_road
 from jounce.parts import Rig
 from jounce.parts.vehicles import Place, Vehicle
-from jounce.roads import Trial
+from jounce.roads import Flat, Trial
 from jounce.roads.loads import LOADS
 
 _ONE_WHEEL = {"": Place(0.0, 1)}
 
 
-def excitation(facts: Facts, rig: Rig, trial: Trial) -> list[Segments]:
+def excitation(facts: Facts, rig: Rig, trial: Trial, free: tuple[str, ...] = ()) -> list[Segments]:
     """Give every track of a model against time (s), in the order of the model.
 
     Parameters
@@ -24,13 +24,16 @@ def excitation(facts: Facts, rig: Rig, trial: Trial) -> list[Segments]:
         A vehicle says where its wheels stand; rigs have one wheel.
     trial : Trial
         Road and speed, or excitation, and loads.
+    free : tuple of str
+        Parameters that a run is differentiated by, or that move under the same tracks.
 
     Raises
     ------
     SimulationError
-        When the trial has something that the model cannot feel.
+        When the trial has something that the model cannot feel, or a free parameter would move the tracks themselves.
     """
     _refuse_unfelt(facts, rig, trial)
+    _refuse_shifts(rig, trial, free)
     wheels = rig.wheels if isinstance(rig, Vehicle) else _ONE_WHEEL
     found = []
     for track in facts.tracks:
@@ -58,6 +61,20 @@ def _refuse_unfelt(facts: Facts, rig: Rig, trial: Trial) -> None:
             where="trial: right",
             found=getattr(rig, "model", ""),
             allowed="road only; right is for full cars",
+        )
+
+
+def _refuse_shifts(rig: Rig, trial: Trial, free: tuple[str, ...]) -> None:
+    """Refuse derivatives by the wheelbase where a road is driven over: it is the rear axle's delay, too."""
+    shifting = [path for path in free if path in ("front.distance", "rear.distance")]
+    if not shifting or not isinstance(rig, Vehicle) or trial.road is None or isinstance(trial.road, Flat):
+        return
+    if any(place.behind for place in rig.wheels.values()):
+        raise SimulationError(
+            "derivatives by the wheelbase on a road are not available: it changes when the rear axle meets the road",
+            where=f"parameters: {shifting[0]}",
+            allowed="other parameters; on a flat road, an excitation in time, or without delay also this one",
+            hint="Take the difference of two runs.",
         )
 
 

@@ -104,7 +104,7 @@ class Prepared:
         p = self.start.copy()
         for column, path in enumerate(self.compiled.free):
             p[self.compiled.facts.parameters.index(path)] = values[column] * self.factors[column]
-        signals = excitation(self.compiled.facts, self.source.rig, self.source.trial)
+        signals = excitation(self.compiled.facts, self.source.rig, self.source.trial, self.compiled.free)
         solution = solve(self.compiled, p, signals, self.times, tolerance=tolerance)
         if solution.status is not Status.COMPLETED:
             raise SimulationError("the simulation diverged", where=self.source.name, found=solution.status.help)
