@@ -9,6 +9,7 @@ import typer
 
 from jounce.cli.options import AsJson, Force, RigName, positive_quantity
 from jounce.cli.reply import Reply, progress
+from jounce.cli.study_audi import register
 from jounce.cli.tables import show_findings, table
 
 if TYPE_CHECKING:
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from jounce.studies.proving_ground import ProvingGround
 
 app = typer.Typer(no_args_is_help=True, help="Shipped studies.")
+register(app)
 _SPEEDS = ("1.95 m/s", "2.86 m/s", "3.79 m/s")
 
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 _QUANTITIES = {
     "bounce.displacement": ("bounce", "mm", 1e3),
-    "pitch.angle": ("pitch, nose down", "mrad", 1e3),
+    "pitch.angle": ("pitch", "mrad", 1e3),
     "front.force": ("front force", "kN", 1e-3),
     "rear.force": ("rear force", "kN", 1e-3),
     "front.road.z": ("road, front", "mm", 1e3),
@@ -66,7 +66,7 @@ def case_curve(study: AudiCase, channel: str = "bounce.displacement") -> Figure:
     >>> from jounce.studies.audi_a6 import run_audi_a6
     >>> figure = case_curve(run_audi_a6("case-a"), "pitch.angle")
     >>> [axes.get_ylabel() for axes in figure.axes]
-    ['pitch, nose down\n[mrad]', 'pitch, nose down\n[mrad]']
+    ['pitch\n[mrad]', 'pitch\n[mrad]']
     """
     if channel not in _QUANTITIES:
         raise RecordingError(

@@ -142,8 +142,8 @@ class Page:
         Said at the top, on every section, in every figure and on every printed page, e.g. that data are synthetic.
     figure_note : str
         Short form of the banner for the foot of each figure.
-    files : dict of str to str
-        Further text files written beside the page, by name.
+    files : tuple of (str, str or bytes)
+        Further files written beside the page: path and content.
     name : str
         File name of the page.
     """
@@ -153,7 +153,7 @@ class Page:
     subtitle: str = ""
     banner: str = ""
     figure_note: str = ""
-    files: tuple[tuple[str, str], ...] = ()
+    files: tuple[tuple[str, str | bytes], ...] = ()
     name: str = "report.html"
 
     def pictures(self) -> tuple[Picture, ...]:

@@ -283,10 +283,11 @@ def _stand(corner: QuarterCar) -> tuple[Slip, ...]:
             "N*s/m",
         ),
         Slip(
-            "section 4, principle and frequency",
+            "section 4, principle",
             f"EUSAMA principle at {FREQUENCY:g} Hz, stroke not given",
             "EUSAMA runs down from 25 Hz with a stroke of 6 mm",
-            "power and frequency are those of a THETA tester; here the excenter's amplitude is 3 mm (estimated)",
+            "power and frequency are those of a THETA tester; the excenter's amplitude is an input here (3 mm, "
+            "estimated)",
         ),
     )
 
