@@ -53,6 +53,10 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.recordings import apply_sensors as apply_sensors
     from jounce.recordings import read_recording as read_recording
     from jounce.recordings import write_recording as write_recording
+    from jounce.ride.iri import Roughness as Roughness
+    from jounce.ride.iri import iri as iri
+    from jounce.ride.metrics import RideMetrics as RideMetrics
+    from jounce.ride.metrics import ride_metrics as ride_metrics
     from jounce.roads import CircularSegment as CircularSegment
     from jounce.roads import Crg as Crg
     from jounce.roads import Excitation as Excitation
@@ -117,7 +121,9 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "Ramp": "jounce.roads",
     "RecordingError": "jounce.core.errors",
     "Rectangle": "jounce.roads",
+    "RideMetrics": "jounce.ride.metrics",
     "Rig": "jounce.parts",
+    "Roughness": "jounce.ride.iri",
     "Sensor": "jounce.recordings",
     "SimulationError": "jounce.core.errors",
     "Step": "jounce.roads",
@@ -140,6 +146,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "fit_decay": "jounce.identify.decay",
     "fit_stiffness": "jounce.identify.stiffness",
     "gradient": "jounce.simulation",
+    "iri": "jounce.ride.iri",
     "lengths_for": "jounce.studies.adjustment_effects",
     "linearise": "jounce.simulation",
     "load": "jounce.parts",
@@ -150,6 +157,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "pickup_loads": "jounce.kinematics",
     "plots": "jounce.plots",
     "read_recording": "jounce.recordings",
+    "ride_metrics": "jounce.ride.metrics",
     "run_campaign": "jounce.studies.campaign",
     "sensitivities": "jounce.simulation",
     "simulate": "jounce.simulation",
