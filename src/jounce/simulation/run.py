@@ -31,6 +31,8 @@ from jounce.simulation.stiff import Method, check_method, longest_step, pace_of,
 if TYPE_CHECKING:
     import xarray as xr
 
+    from jounce.simulation.controlled import AnyControl
+
 Array = NDArray[np.float64]
 MAX_STEPS, _MAX_SAMPLES = 5_000_000, 20_000_000
 _STABLE = 0.4  # share of the fastest decay at rest that the method must resolve: friction holding a rig, sensitivities
@@ -85,7 +87,8 @@ class Prepared:
     """A run with everything laid out: ``run`` only computes, into ``out``, as often as wanted.
 
     ``stiff`` says how the implicit method is steered, None where there is only the explicit one; ``method`` is the one
-    used first. In place of an explicit run that used up its steps the implicit method has a try.
+    used first. In place of an explicit run that used up its steps the implicit method has a try. ``rest`` is the
+    equilibrium under the inputs ``still``; ``begin`` sets back what a controller keeps.
     """
 
     compiled: Compiled
@@ -94,8 +97,11 @@ class Prepared:
     out: Samples
     exact: tuple[linear.Plan, Array] | None
     modes: Array
+    rest: Rest
+    still: Array
     stiff: Callable[[], Control] | None = None
     method: Method = "explicit"
+    begin: Callable[[], None] | None = None
 
     def run(self) -> Solution:
         """Fill the arrays and say how the run ended."""
@@ -123,6 +129,8 @@ class Prepared:
     def _start(self) -> None:
         self.problem.piece[:] = self.problem.tracks.first[:-1]
         self.problem.m[:] = self.modes
+        if self.begin is not None:
+            self.begin()
 
     def _integrate(self, counts: NDArray[np.int64]) -> tuple[str, int]:
         """Name of the method and return code."""
@@ -183,7 +191,7 @@ def prepare(
     values = compiled.extended(p)
     problem = Problem(compiled.engine, pieces, pieces.first[:-1].copy(), values, modes.copy(), start, len(still))
     exact = _exact(compiled, problem, times) if method == "auto" else None
-    prepared = Prepared(compiled, problem, control, room(compiled, times), exact, modes)
+    prepared = Prepared(compiled, problem, control, room(compiled, times), exact, modes, rest, still)
     if exact is not None or compiled.free or method == "explicit":
         return prepared
     pace = cache(lambda: pace_of(compiled, p, rest, still))
@@ -249,6 +257,7 @@ def simulate(
     offset: dict[str, float] | None = None,
     detail: bool = False,
     check: bool = True,
+    control: AnyControl | None = None,
 ) -> xr.Dataset:
     """Simulate a rig over a trial, from static equilibrium.
 
@@ -272,6 +281,9 @@ def simulate(
         For 3-D rigs also all hardpoints (m), joint reactions (N, N m, on the second body, ground axes), energies (J).
     check : bool
         Raise when the run does not reach its end; otherwise ``attrs["status"]`` says how it ended.
+    control : Controller, str, Path or callable, optional
+        Controls all struts (see ``jounce.control``): a controller, its name (``"skyhook"``), a TOML file, or a function
+        ``control(measurement, t) -> command``. Adds ``command`` and ``actuator.force`` (N) of every corner.
 
     Returns
     -------
@@ -294,12 +306,22 @@ def simulate(
     """
     check_settings(trial.duration, output_step, tolerance)
     check_method(method)
-    compiled = compile_rig(rig, detail=detail)
-    p = compiled.parameter_values(rig.parameters())
+    from jounce.simulation.controlled import close_loop, complain  # they stand on this module
+
+    loop = close_loop(rig, control)
+    compiled = compile_rig(rig, detail=detail, actuator=loop.actuator if loop else None)
+    p = compiled.parameter_values({**rig.parameters(), **(loop.parameters(compiled) if loop else {})})
     times = output_times(trial.duration, output_step)
     start = _offset(compiled, offset)
     signals = excitation(compiled.facts, rig, trial)
-    solution = solve(compiled, p, signals, times, tolerance=tolerance, offset=start, method=method)
+    if loop:
+        signals, method = loop.with_rest(compiled, signals), "explicit"
+    prepared = prepare(compiled, p, signals, times, tolerance=tolerance, offset=start, method=method)
+    if loop:
+        prepared = loop.around(compiled, prepared, signals)
+    solution = prepared.run()
+    if loop:
+        complain(loop, solution)
     solution = held_to_its_branch(compiled, solution)
     reach = samples_reached(solution, compiled.facts, check=check)
     channels = {

@@ -1,0 +1,288 @@
+"""Runs under control: a controller fitted to a rig, and its law in the loop."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.control.actuators import AnyActuator
+from jounce.control.catalogue import as_controller
+from jounce.control.controller import Controller
+from jounce.control.corner import CornerModel
+from jounce.control.laws import Passive
+from jounce.control.program import program, sensor_noise, values
+from jounce.control.regulator import CallbackController, Setting
+from jounce.core.errors import JounceError, SimulationError
+from jounce.core.segments import Segments, flat
+from jounce.kernel.callbacks import Callback
+from jounce.kernel.feedback import Feedback, feedback
+from jounce.kernel.native import Native, compile_functions
+from jounce.parts import Rig
+from jounce.simulation.compiled import Compiled
+from jounce.simulation.corner_models import corner_models
+from jounce.simulation.run import Prepared, Solution
+
+Array = NDArray[np.float64]
+AnyControl = Controller | str | Path | Callable[..., Any]
+_FAR, _AT_LEAST = 1e3, 10.0  # sizes of the usual motion, and m or rad, beyond which a closed loop counts as diverging
+_COMMAND = "command"
+
+
+@dataclass(frozen=True)
+class Loop:
+    """A controller fitted to a rig.
+
+    Attributes
+    ----------
+    controllers : dict
+        Corner to the controller with all open numbers of its actuator filled in.
+    models : dict
+        Corner to what the gains are designed for.
+    """
+
+    controllers: dict[str, Controller]
+    models: dict[str, CornerModel]
+    raised: list[BaseException] = field(default_factory=list)
+
+    @property
+    def corners(self) -> tuple[str, ...]:
+        """Names of the corners."""
+        return tuple(self.controllers)
+
+    @property
+    def first(self) -> Controller:
+        """Any of the controllers: all are of one structure, rate and noise."""
+        return next(iter(self.controllers.values()))
+
+    @property
+    def actuator(self) -> AnyActuator:
+        """Actuator of the first corner."""
+        return self.first.actuator
+
+    def parameters(self, compiled: Compiled) -> dict[str, float]:
+        """Numbers of the actuators that the model has, by path; corners of an axle share theirs."""
+        found = {}
+        for path in compiled.facts.parameters:
+            place, _, name = path.rpartition("actuator.") if path.startswith("actuator.") else _split(path)
+            if name:
+                corner = next(corner for corner in self.corners if corner.startswith(place))
+                found[path] = self.controllers[corner].actuator.plant_numbers[name]
+        return found
+
+    def with_rest(self, compiled: Compiled, signals: Sequence[Segments]) -> list[Segments]:
+        """Signals of a run with the commands before the first control instant."""
+        found = list(signals)
+        for corner in self.corners:
+            track = compiled.facts.tracks.index(_command(corner))
+            end = float(found[track].edges[-1])
+            found[track] = flat(end, self.controllers[corner].actuator.rest)
+        return found
+
+    def around(self, compiled: Compiled, prepared: Prepared, signals: Sequence[Segments]) -> Prepared:
+        """Put the law around a run that is laid out."""
+        pieces = np.array([compiled.facts.tracks.index(_command(corner)) for corner in self.corners], dtype=np.int64)
+        law = _Law(self, compiled, prepared, signals, pieces)
+        control = prepared.control._replace(scale=self._scale(compiled, prepared.control.scale))
+        problem = prepared.problem._replace(feedback=law.feedback)
+        return replace(prepared, problem=problem, control=control, begin=law.start)
+
+    def _scale(self, compiled: Compiled, scale: Array) -> Array:
+        """Typical sizes of the states; those of the actuators from their limits."""
+        found = scale.copy()
+        for i, name in enumerate(compiled.facts.states):
+            place, _, word = name.rpartition("actuator.")
+            if word in ("coefficient", "force", "voltage", "force rate"):
+                corner = next(corner for corner in self.corners if corner.startswith(place.removesuffix(".")))
+                actuator = self.controllers[corner].actuator
+                found[i] = 0.1 * max(map(abs, actuator.limits))
+                if word == "force rate":
+                    found[i] *= 2.0 * np.pi * getattr(actuator, "bandwidth")  # noqa: B009 - it has one
+        return found
+
+
+def _split(path: str) -> tuple[str, str, str]:
+    place, found, name = path.partition(".actuator.")
+    return (place, found, name) if found else ("", "", "")
+
+
+def _command(corner: str) -> str:
+    return f"{corner}.{_COMMAND}" if corner else _COMMAND
+
+
+def close_loop(rig: Rig, control: AnyControl | None) -> Loop | None:
+    """Fit a controller to a rig.
+
+    Parameters
+    ----------
+    rig : Rig
+        Rig or vehicle.
+    control : Controller, str, Path, callable or None
+        A controller, its name, its file, or a Python function.
+
+    Returns
+    -------
+    Loop or None
+        None where nothing controls: without a controller, and for the rig as it is (``Passive()``).
+
+    Raises
+    ------
+    DescriptionError
+        For a controller that does not exist.
+    SimulationError
+        For one that the rig's corners are not fit for.
+    """
+    controller = None if control is None else as_controller(control)
+    if controller is None or (isinstance(controller, Passive) and controller.damping_coefficient is None):
+        return None
+    models = corner_models(rig)
+    if controller.needs_wheel and any(model.unsprung_mass <= 0.0 for model in models.values()):
+        raise SimulationError(
+            f"the law {controller.name!r} needs wheels with mass and tyre",
+            where="control",
+            found=f"massless axles ({type(rig).__name__})",
+            allowed="skyhook, pid and others that need the body only, or a model with wheels",
+        )
+    return Loop({corner: controller.resolved(model) for corner, model in models.items()}, models)
+
+
+class _Law:
+    """The law as the engine calls it."""
+
+    def __init__(
+        self,
+        loop: Loop,
+        compiled: Compiled,
+        prepared: Prepared,
+        signals: Sequence[Segments],
+        tracks: NDArray[np.int64],
+    ) -> None:
+        self._loop, self._compiled, self._prepared, self._signals = loop, compiled, prepared, signals
+        self._rest_commands = np.array([controller.actuator.rest for controller in loop.controllers.values()])
+        self._begin: list[Callable[[], None]] = []
+        pieces = prepared.problem.tracks.first[tracks]
+        first, times = loop.first, prepared.out.times
+        self._instants = int(np.ceil((times[-1] - times[0]) * first.rate - 1e-9)) + 1
+        self._pieces = pieces
+        self.feedback = self._python() if isinstance(first, CallbackController) else self._native()
+
+    def start(self) -> None:
+        """Begin a run: commands of rest, no memory."""
+        control = self.feedback
+        control.count[0] = 0
+        control.memory[:] = 0.0
+        if control.memory.shape[1]:
+            control.memory[0, -len(self._rest_commands) :] = self._rest_commands
+        self._prepared.problem.tracks.coefficients[self._pieces, 0] = self._rest_commands
+        for begin in self._begin:
+            begin()
+
+    @cached_property
+    def _rest_outputs(self) -> Array:
+        prepared = self._prepared
+        where = (prepared.rest.x, prepared.still, prepared.problem.p, prepared.rest.modes)
+        return self._compiled.evaluate("output", *where)
+
+    def _around(self, law: int, channels: tuple[str, ...], p: Array, memory: int, *, from_rest: bool) -> Feedback:
+        prepared, first = self._prepared, self._loop.first
+        names, n_q = self._compiled.output_names, self._compiled.facts.counts[0]
+        select = np.array([names.index(name) for name in channels], dtype=np.int64)
+        bound = np.full(self._compiled.state_count, np.inf)
+        bound[:n_q] = np.maximum(10.0 * _FAR * prepared.control.scale[:n_q], _AT_LEAST)
+        self._check_noise(first, names)
+        return feedback(
+            law,
+            1.0 / first.rate,
+            pieces=self._pieces,
+            select=select,
+            offset=self._rest_outputs[select] if from_rest else np.zeros(len(select)),
+            noise=sensor_noise(first.noise, first.seed, channels, self._instants),
+            bound=bound,
+            p=p,
+            memory=memory,
+            inputs=prepared.problem.inputs,
+            outputs=len(names),
+        )
+
+    @staticmethod
+    def _check_noise(controller: Controller, names: tuple[str, ...]) -> None:
+        for channel in controller.noise:
+            if not any(name == channel or name.endswith(f".{channel}") for name in names):
+                raise SimulationError(
+                    "noise on a channel that the model does not have",
+                    where="control: noise",
+                    found=channel,
+                    allowed=", ".join(names),
+                )
+
+    def _native(self) -> Feedback:
+        loop = self._loop
+        made = program(loop.first, loop.corners)
+        address = _compiled_law(made.function).address["control"]
+        p = values(loop.controllers, loop.models, made.numbers)
+        return self._around(address, made.channels, p, made.memory, from_rest=True)
+
+    def _python(self) -> Feedback:
+        loop, first = self._loop, self._loop.first
+        assert isinstance(first, CallbackController)
+        names = self._compiled.output_names
+        setting = Setting(loop.controllers, loop.models, names, self._instants, self._road)
+        regulator = first.regulator(setting)
+        made: list[Feedback] = []
+
+        def call() -> None:
+            made[0].result[0, :] = regulator(made[0].measured.tolist())
+
+        def failed() -> None:
+            made[0].result[:] = np.nan
+            loop.raised[:] = [callback.raised] if callback.raised else []
+
+        callback = Callback(call, failed)
+        made.append(self._around(callback.address, regulator.channels, np.zeros(1), 0, from_rest=regulator.from_rest))
+        self._begin += [regulator.start, loop.raised.clear]
+        self._callback = callback
+        return made[0]
+
+    def _road(self, corner: str, times: Array) -> Array:
+        """Height (m) of the road under a wheel; after the run it stays as it was."""
+        track = f"{corner}.road.z" if corner else "road.z"
+        signal = self._signals[self._compiled.facts.tracks.index(track)]
+        return signal.evaluate(np.minimum(times, signal.edges[-1]))[0]
+
+
+_laws: dict[int, tuple[object, Native]] = {}
+
+
+def _compiled_law(function: Any) -> Native:
+    """Native code of a law, made once a process."""
+    key = id(function)
+    if key not in _laws:
+        _laws[key] = function, compile_functions({"control": function})
+    return _laws[key][1]
+
+
+def complain(loop: Loop, solution: Solution) -> None:
+    """Raise what a Python controller raised during a run, as one error that says when."""
+    if not loop.raised:
+        return
+    error = loop.raised[0]
+    if isinstance(error, JounceError) or not isinstance(error, Exception):
+        raise error
+    reached = solution.time[np.isfinite(solution.states[0])]
+    at = f"t = {reached[-1]:.6g} s" if len(reached) else "the first instant"
+    raise SimulationError(
+        f"the controller raised {type(error).__name__}: {error}", where=f"control function after {at}"
+    ) from error
+
+
+def command_names(corners: Sequence[str]) -> tuple[str, ...]:
+    """Channels of the commands of some corners."""
+    return tuple(_command(corner) for corner in corners)
+
+
+__all__ = ["Loop", "close_loop", "command_names", "complain"]

@@ -1,0 +1,122 @@
+"""The corners of a rig or a vehicle as gains are designed for them: quarter cars about static equilibrium."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.control.corner import CornerModel
+from jounce.core.errors import SimulationError
+from jounce.parts import Rig
+from jounce.parts.vehicles import Vehicle
+from jounce.simulation.compiled import Compiled, compile_rig
+from jounce.simulation.statics import Rest, find_rest
+
+Array = NDArray[np.float64]
+_TYPICAL_VELOCITY = 0.3  # m/s at which a damper is taken for a constant coefficient
+
+
+def corners_of(rig: Rig) -> tuple[str, ...]:
+    """Names of the corners; a quarter car or a 3-D corner has one without a name."""
+    return tuple(rig.corners) if isinstance(rig, Vehicle) else ("",)
+
+
+def corner_models(rig: Rig) -> dict[str, CornerModel]:
+    """Quarter-car equivalents of all corners.
+
+    The sprung mass is the static share of the body's load; spring, tyre and unsprung mass come from the linearised
+    model, anti-roll bars are left out; the damper counts with its mean coefficient at 0.3 m/s.
+
+    Parameters
+    ----------
+    rig : Rig
+        Rig or vehicle.
+
+    Returns
+    -------
+    dict
+        Corner (``""`` for a quarter car) to what it is.
+
+    Raises
+    ------
+    SimulationError
+        When there is no equilibrium, or no gravity that could say what a corner carries.
+
+    Examples
+    --------
+    >>> from jounce.parts import load
+    >>> round(corner_models(load("kart-quarter-car"))[""].sprung_mass, 6)   # kg
+    16.0
+    """
+    values = rig.parameters()
+    gravity = values.get("gravity", 0.0)
+    if gravity <= 0.0:
+        raise SimulationError(
+            "no gravity: nothing says what a corner carries", where="gravity", found=gravity, allowed="above 0 m/s^2"
+        )
+    compiled = compile_rig(rig)
+    p = compiled.parameter_values(values)
+    still = compiled.inputs(0.0)
+    rest = find_rest(compiled, p, still)
+    view = _View(compiled, p, rest, still)
+    return {corner: _corner(view, f"{corner}." if corner else "", gravity) for corner in corners_of(rig)}
+
+
+class _View:
+    """Outputs of a model at rest and their slopes along free displacements and speeds, by channel."""
+
+    def __init__(self, compiled: Compiled, p: Array, rest: Rest, still: Array) -> None:
+        self._compiled, self._p, self._rest, self._still = compiled, p, rest, still
+        slopes = compiled.slopes("x", rest.x, still, p, rest.modes)["output"] @ rest.lift
+        free = len(rest.free)
+        self._along = slopes[:, :free], slopes[:, free : 2 * free]
+        self._driven = compiled.slopes("u", rest.x, still, p, rest.modes)["output"]
+        self._value = compiled.evaluate("output", rest.x, still, p, rest.modes)
+        self._names = compiled.output_names
+
+    def has(self, name: str) -> bool:
+        return name in self._names
+
+    def value(self, name: str) -> float:
+        return float(self._value[self._names.index(name)])
+
+    def row(self, name: str, rates: bool = False) -> Array:
+        return np.asarray(self._along[rates][self._names.index(name)])
+
+    def driven(self, name: str, track: str) -> float:
+        facts = self._compiled.facts
+        return float(self._driven[self._names.index(name), facts.tracks.index(track) * facts.track_order])
+
+    def at_velocity(self, name: str, velocity: str, value: float) -> float:
+        """An output where another one, a velocity, has a value (m/s) and all displacements are those of rest."""
+        row = self.row(velocity, rates=True)
+        reduced = np.zeros(self._rest.lift.shape[1])
+        reduced[len(row) : 2 * len(row)] = row / (row @ row) * value
+        x = self._rest.x + self._rest.lift @ reduced
+        modes = np.ones(len(self._compiled.facts.switches))
+        modes = (self._compiled.evaluate("switch", x, self._still, self._p, modes) > 0.0).astype(float)
+        return float(self._compiled.evaluate("output", x, self._still, self._p, modes)[self._names.index(name)])
+
+
+def _corner(view: _View, prefix: str, gravity: float) -> CornerModel:
+    force, deflection, velocity = (f"{prefix}strut.{word}" for word in ("force", "deflection", "velocity"))
+    body, wheel = f"{prefix}sprung.vz", f"{prefix}unsprung.vz"
+    parting = -view.row(body, rates=True)
+    if view.has(wheel):
+        parting = parting + view.row(wheel, rates=True)
+    r = _share(view.row(velocity, rates=True), parting)
+    forces = [view.at_velocity(force, velocity, sign * _TYPICAL_VELOCITY) for sign in (1.0, -1.0)]
+    damping = (forces[0] - forces[1]) / (2.0 * _TYPICAL_VELOCITY) * r**2
+    spring = _share(view.row(force), view.row(deflection)) * r**2
+    mass, stiffness, load = 0.0, 0.0, view.value(force) * r
+    if view.has(wheel):
+        tyre, road = f"{prefix}tyre.force", f"{prefix}road.z"
+        stiffness = _share(view.row(tyre), view.row(f"{prefix}tyre.deflection"))
+        mass = view.driven(tyre, road) / view.driven(f"{prefix}unsprung.az", road)
+        load = view.value(tyre) - mass * gravity
+    return CornerModel(load / gravity, mass, spring, stiffness, damping, r, gravity, view.value(deflection))
+
+
+def _share(row: Array, of: Array) -> float:
+    """Factor by which one slope is another one."""
+    return float(row @ of / (of @ of))
