@@ -96,7 +96,9 @@ def relative_slope(model: Matrices, whole: Relative, along: Matrices) -> Relativ
     """Slope of all that, from the slope of the matrices."""
     e = -np.linalg.solve(model.A, along.B[0] + along.A @ whole.E)
     d = along.C @ whole.E + model.C @ e + along.D[0]
-    return Relative(along.A, along.C, along.B[1] - e, d, along.D[1], np.zeros_like(d), e)
+    sizes = np.abs(np.linalg.inv(model.A)) @ (np.abs(along.B[0]) + np.abs(along.A) @ np.abs(whole.E))
+    scale = np.abs(along.C) @ np.abs(whole.E) + np.abs(model.C) @ sizes + np.abs(along.D[0])
+    return Relative(along.A, along.C, along.B[1] - e, d, along.D[1], scale, e)
 
 
 @dataclass(frozen=True)
@@ -237,7 +239,10 @@ class Covariance:
         return found
 
     def slopes(self, along: Relative, later: Array) -> Array:
-        """Slope of the variances along a number: ``along`` of the model, ``later`` (wheels,) of the delays, s."""
+        """Slope of the variances along a number: ``along`` of the model, ``later`` (wheels,) of the delays, s.
+
+        What would begin to follow the road's height when the number moves has none: not a number.
+        """
         total = np.zeros(len(self.model.C))
         for source in self.sources:
             state = self._state(source)
@@ -245,6 +250,9 @@ class Covariance:
             total += 2.0 * np.einsum("ij,jk,ik->i", along.C, state, self.model.C)
             total += np.einsum("ij,jk,ik->i", self.model.C, change, self.model.C)
             total += self._offset_slope(source, along, later)
+            wheels = [i for group in source for i in group.wheels]
+            begins = np.abs(along.d[:, wheels].sum(axis=1)) > _NOTHING * along.scale[:, wheels].sum(axis=1)
+            total[begins] = np.nan
         return total
 
     def _moving(self, source: Source, along: Relative, later: Array) -> list[tuple[float, Array, float, Array]]:

@@ -45,7 +45,8 @@ class StationaryResponse:
     units : dict
         Channel to SI unit.
     slopes : dict
-        Number's path to channel to the slope of the standard deviation, per SI unit of the number.
+        Number's path to channel to the slope of the standard deviation, per SI unit of the number. Channels that would
+        begin to wander with the road when the number moves have none.
     weighted_slopes : dict
         The same of the weighted ones.
     surface : Surface
@@ -204,7 +205,10 @@ def _response(
         static,
         {names[i]: _ABSENT[reason] for i, reason in sorted(found.absent.items())},
         units,
-        {path: {names[i]: float(slopes[k, i]) for i in there} for k, path in enumerate(family.paths)},
+        {
+            path: {names[i]: float(slopes[k, i]) for i in there if np.isfinite(slopes[k, i])}
+            for k, path in enumerate(family.paths)
+        },
         {
             path: {name: float(slopes[k, count + i]) for i, name in enumerate(weighted)}
             for k, path in enumerate(family.paths)
