@@ -46,6 +46,8 @@ class Load(Description):
     def _one_form(self) -> Self:
         if (self.value is None) == (not self.time):
             raise ValueError("give either value (with start and ramp), or time and values")
+        if self.time and (self.start or self.ramp):
+            raise ValueError("start and ramp go with value; points have their own times")
         if len(self.time) != len(self.values) or len(self.time) == 1:
             raise ValueError(
                 f"time has {len(self.time)} numbers and values has {len(self.values)}; give as many, at least 2"
@@ -58,20 +60,19 @@ class Load(Description):
     def segments(self, duration: float) -> Segments:
         """Give the load over [0, ``duration``] (s) as pieces, in its unit."""
         if self.value is not None:
-            points = ((0.0, 0.0), (self.start, 0.0), (self.start + self.ramp, self.value), (duration, self.value))
+            points = [(0.0, 0.0), (self.start, 0.0), (self.start + self.ramp, self.value)]
         else:
-            ends = (0.0, self.values[0]), (duration, self.values[-1])
-            points = (ends[0], *zip(self.time, self.values, strict=True), ends[1])
-        return _lines([point for point in points if point[0] <= max(duration, self.start)], duration)
+            points = [(0.0, self.values[0]), *zip(self.time, self.values, strict=True)]
+        return _lines(points, duration)
 
 
 def _lines(points: list[tuple[float, float]], duration: float) -> Segments:
-    """Lines through points; two points at one time are a jump."""
+    """Lines through points up to ``duration``, level after the last; two points at one time are a jump."""
     edges, pieces = [0.0], []
     for (t0, f0), (t1, f1) in pairwise(points):
-        if t1 > t0:
+        if t0 < min(t1, duration):
             pieces.append([f0, (f1 - f0) / (t1 - t0), 0.0, 0.0])
-            edges.append(t1)
+            edges.append(min(t1, duration))
     if edges[-1] < duration:
         pieces.append([points[-1][1], 0.0, 0.0, 0.0])
         edges.append(duration)
