@@ -1,0 +1,66 @@
+"""Figures of paper 2's cases show what the studies hold."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from jounce.core.errors import RecordingError
+from jounce.plots.audi_a6 import (
+    case_curve,
+    case_overview,
+    excenter_spring,
+    excenter_torque_curve,
+    start_up_transient,
+)
+from jounce.studies.audi_a6 import AudiCase, run_audi_a6
+from jounce.studies.audi_a6_excenter import Excenter, run_excenter
+
+
+@pytest.fixture(scope="module")
+def case() -> AudiCase:
+    return run_audi_a6("case-b")
+
+
+@pytest.fixture(scope="module")
+def excenter() -> Excenter:
+    return run_excenter()
+
+
+@pytest.mark.parametrize(("channel", "output"), [("bounce.displacement", "z"), ("pitch.angle", "theta")])
+def test_one_line_for_each_variant_in_thousandths(case, channel, output):
+    figure = case_curve(case, channel)
+    assert len(figure.axes) == 2
+    for axes, runs in zip(figure.axes, (case.runs[:3], case.runs[3:]), strict=True):
+        for run in runs:
+            line = next(line for line in axes.lines if line.get_label() == run.variant)
+            extremes = [window.max for window in run.outputs[output]]
+            assert np.max(line.get_ydata()) == pytest.approx(1e3 * max(extremes), rel=1e-4)
+
+
+def test_overview_has_a_row_for_each_signal(case):
+    figure = case_overview(case, case.runs[0].moment)
+    assert len(figure.axes) == 7
+    assert figure.axes[-1].get_ylabel() == "moment\n[N·m]"
+    assert min(figure.axes[-1].lines[0].get_ydata()) == -100.0
+
+
+def test_unknown_channel_and_moment(case):
+    with pytest.raises(RecordingError, match=r"pitch\.angle,"):
+        case_curve(case, "pitch.angel")
+    with pytest.raises(RecordingError, match="-100"):
+        case_overview(case, 5.0)
+
+
+def test_start_up(case):
+    line = start_up_transient(case).axes[0].lines[0]
+    assert line.get_ydata()[0] == pytest.approx(-120.0, abs=1e-9)
+    assert line.get_ydata()[-1] == pytest.approx(-163.9, abs=0.1)
+
+
+def test_excenter(excenter):
+    plate, length, _ = excenter_spring(excenter, 2.0).axes
+    assert max(plate.lines[0].get_ydata()) == pytest.approx(3.0, rel=1e-6)
+    assert [line.get_ydata()[0] for line in length.lines[:3]] == pytest.approx([341.0] * 3, abs=1e-9)
+    torque = excenter_torque_curve(excenter).axes[0]
+    assert {line.get_label() for line in torque.lines[:3]} == {"summed", "series", "two-mass"}
