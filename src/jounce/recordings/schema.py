@@ -224,7 +224,7 @@ def _check_channel(name: str, variable: xr.DataArray, where: str) -> None:
     unit = variable.attrs.get("units")
     if unit is None:
         raise RecordingError("the channel has no unit", where=at, allowed="an attribute 'units'")
-    if quantity_of(name) and unit != channel_unit(name):
+    if quantity_of(name) not in ("", "command") and unit != channel_unit(name):  # a command is in its actuator's unit
         raise RecordingError("the channel has another unit", where=at, found=unit, allowed=channel_unit(name))
     finite = np.isfinite(variable.values)
     if not finite.all():

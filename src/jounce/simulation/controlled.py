@@ -191,6 +191,14 @@ class _Law:
     def _around(self, law: int, channels: tuple[str, ...], p: Array, memory: int, *, from_rest: bool) -> Feedback:
         prepared, first = self._prepared, self._loop.first
         names, n_q = self._compiled.output_names, self._compiled.facts.counts[0]
+        missing = [name for name in channels if name not in names]
+        if missing:
+            raise SimulationError(
+                f"the law {first.name!r} needs a channel that the model does not have",
+                where="control",
+                found=", ".join(missing),
+                allowed=", ".join(names),
+            )
         select = np.array([names.index(name) for name in channels], dtype=np.int64)
         bound = np.full(self._compiled.state_count, np.inf)
         bound[:n_q] = np.maximum(10.0 * _FAR * prepared.control.scale[:n_q], _AT_LEAST)
