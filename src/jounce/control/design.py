@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -178,6 +179,7 @@ class Targets:
     noise: tuple[float, float]
 
 
+@lru_cache(maxsize=64)
 def h_infinity(
     corner: CornerModel,
     targets: Targets,

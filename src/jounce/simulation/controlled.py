@@ -26,7 +26,7 @@ from jounce.kernel.native import Native, compile_functions
 from jounce.parts import Rig
 from jounce.simulation.compiled import Compiled
 from jounce.simulation.corner_models import corner_models
-from jounce.simulation.run import Prepared, Solution
+from jounce.simulation.run import Prepared
 
 Array = NDArray[np.float64]
 AnyControl = Controller | str | Path | Callable[..., Any]
@@ -48,7 +48,7 @@ class Loop:
 
     controllers: dict[str, Controller]
     models: dict[str, CornerModel]
-    raised: list[BaseException] = field(default_factory=list)
+    raised: list[tuple[float, BaseException]] = field(default_factory=list)
 
     @property
     def corners(self) -> tuple[str, ...]:
@@ -248,7 +248,7 @@ class _Law:
 
         def failed() -> None:
             made[0].result[:] = np.nan
-            loop.raised[:] = [callback.raised] if callback.raised else []
+            loop.raised[:] = [(float(made[0].measured[-1]), callback.raised)] if callback.raised else []
 
         callback = Callback(call, failed)
         made.append(self._around(callback.address, regulator.channels, np.zeros(1), 0, from_rest=regulator.from_rest))
@@ -274,18 +274,15 @@ def _compiled_law(function: Any) -> Native:
     return _laws[key][1]
 
 
-def complain(loop: Loop, solution: Solution) -> None:
+def complain(loop: Loop) -> None:
     """Raise what a Python controller raised during a run, as one error that says when."""
     if not loop.raised:
         return
-    error = loop.raised[0]
+    t, error = loop.raised[0]
     if isinstance(error, JounceError) or not isinstance(error, Exception):
         raise error
-    reached = solution.time[np.isfinite(solution.states[0])]
-    at = f"t = {reached[-1]:.6g} s" if len(reached) else "the first instant"
-    raise SimulationError(
-        f"the controller raised {type(error).__name__}: {error}", where=f"control function after {at}"
-    ) from error
+    what = f"the controller raised {type(error).__name__}: {error}"
+    raise SimulationError(what, where=f"control function at t = {t:.6g} s") from error
 
 
 def command_names(corners: Sequence[str]) -> tuple[str, ...]:

@@ -307,6 +307,7 @@ def simulate(
     check_settings(trial.duration, output_step, tolerance)
     check_method(method)
     from jounce.simulation.controlled import close_loop, complain  # they stand on this module
+    from jounce.simulation.stability import check_stable
 
     loop = close_loop(rig, control)
     compiled = compile_rig(rig, detail=detail, actuator=loop.actuator if loop else None)
@@ -318,10 +319,12 @@ def simulate(
         signals, method = loop.with_rest(compiled, signals), "explicit"
     prepared = prepare(compiled, p, signals, times, tolerance=tolerance, offset=start, method=method)
     if loop:
+        if check:
+            check_stable(loop, compiled, p, prepared.rest, prepared.still)
         prepared = loop.around(compiled, prepared, signals)
     solution = prepared.run()
     if loop:
-        complain(loop, solution)
+        complain(loop)
     solution = held_to_its_branch(compiled, solution)
     reach = samples_reached(solution, compiled.facts, check=check)
     channels = {
