@@ -1,0 +1,387 @@
+"""Spectra of signals, transfer functions with coherence, third-octave bands, responses of linear models to spectra."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from jounce.core.errors import RecordingError, nearest, unknown
+from jounce.core.units import to_si
+from jounce.recordings.quality import check_time
+from jounce.ride.weighting import weighting_response
+from jounce.simulation.linearise import LinearModel
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+WINDOWS = {"hann": 1.5, "boxcar": 1.0}
+"""Windows, with their noise bandwidth (1) in steps of the frequency."""
+_USUAL_PARTS = 8
+_FEWEST_SAMPLES = 8
+_HALF_BAND = 10.0**0.05
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """One-sided power spectral density of a signal.
+
+    Attributes
+    ----------
+    frequency : ndarray, shape (n,)
+        Hz, from 0 in constant steps.
+    density : ndarray, shape (n,)
+        Unit of the signal squared per Hz; its integral over the frequency is the mean square.
+    resolution : float
+        Noise bandwidth of the window, Hz: nothing narrower can be seen.
+    averages : float
+        Number of independent spectra (1) in the mean; the relative standard error is one over its root.
+    """
+
+    frequency: Array
+    density: Array
+    resolution: float
+    averages: float
+
+    @property
+    def step(self) -> float:
+        """Distance of the frequencies, Hz."""
+        return float(self.frequency[1] - self.frequency[0])
+
+    def mean_square(self, low: float = 0.0, high: float = math.inf) -> float:
+        """Mean square between two frequencies (Hz), in the unit of the signal squared: bins count with their share."""
+        below = np.maximum(self.frequency - 0.5 * self.step, 0.0)
+        above = np.minimum(self.frequency + 0.5 * self.step, self.frequency[-1])
+        inside = np.clip(np.minimum(above, high) - np.maximum(below, low), 0.0, None)
+        share = inside / (above - below)  # the first and the last bin are half as wide
+        return float(np.sum(self.density * self.step * share))
+
+
+@dataclass(frozen=True)
+class Transfer:
+    """Complex response of an output to an input, by frequency.
+
+    Attributes
+    ----------
+    frequency : ndarray, shape (n,)
+        Hz.
+    response : ndarray of complex, shape (n,)
+        Unit of the output over that of the input; a positive angle leads.
+    coherence : ndarray, shape (n,)
+        Share (1) of the output that the input explains linearly; 1 for a linear model.
+    averages : float
+        Number of independent spectra (1) behind it; infinite for a linear model.
+    """
+
+    frequency: Array
+    response: NDArray[np.complex128]
+    coherence: Array
+    averages: float
+
+    @property
+    def relative_error(self) -> Array:
+        """Relative standard error (1) of the gain, from coherence and averages; infinite without coherence."""
+        with np.errstate(divide="ignore"):
+            return np.asarray(
+                np.sqrt(np.clip(1.0 - self.coherence, 0.0, None) / (2.0 * self.coherence * self.averages))
+            )
+
+
+@dataclass(frozen=True)
+class Bands:
+    """Third-octave bands.
+
+    Attributes
+    ----------
+    centre, low, high : ndarray, shape (n,)
+        Exact base-ten frequencies of IEC 61260, Hz.
+    rms : ndarray, shape (n,)
+        Root mean square in each band, in the unit of the signal.
+    """
+
+    centre: Array
+    low: Array
+    high: Array
+    rms: Array
+
+    def weighted(self, name: str) -> float:
+        """Weighted r.m.s. in the unit of the signal: root of the summed squares of gain times band (ISO 2631-1, 6.4.2)."""
+        return float(np.sqrt(np.sum((abs(weighting_response(name, self.centre)) * self.rms) ** 2)))
+
+
+def power_spectrum(
+    values: ArrayLike, sample_rate: float, *, segment: float | str | None = None, window: str = "hann"
+) -> Spectrum:
+    """One-sided power spectral density by Welch's method.
+
+    Parameters
+    ----------
+    values : array_like, shape (n,)
+        Signal in any unit at a constant rate.
+    sample_rate : float
+        Samples per second, Hz.
+    segment : float or str, optional
+        Length of the pieces that are averaged, s or text with a unit; by default an eighth of the record. Longer pieces
+        resolve more and scatter more.
+    window : {"hann", "boxcar"}
+        Hann pieces overlap by half; boxcar pieces do not.
+
+    Returns
+    -------
+    Spectrum
+        Density in the unit of ``values`` squared per Hz. The mean of each piece is taken off first.
+
+    Raises
+    ------
+    RecordingError
+        For a signal too short, values that are not finite, and a segment longer than the record.
+    DescriptionError
+        For an unknown window.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> t = np.arange(0.0, 20.0, 0.001)
+    >>> spectrum = power_spectrum(3.0 * np.sin(2.0 * np.pi * 10.0 * t), 1000.0)
+    >>> float(spectrum.frequency[spectrum.density.argmax()]), round(spectrum.mean_square(), 3)    # 3^2 / 2
+    (10.0, 4.5)
+    """
+    signal = _checked(values, sample_rate, "signal")
+    count = _piece(signal, sample_rate, segment, window)
+    frequency, density = _cross(signal, signal, sample_rate, count, window)
+    resolution = WINDOWS[window] * sample_rate / count
+    return Spectrum(frequency, density.real.copy(), resolution, _averages(signal.size, count, window))
+
+
+def transfer_function(
+    given: ArrayLike,
+    answer: ArrayLike,
+    sample_rate: float,
+    *,
+    segment: float | str | None = None,
+    window: str = "hann",
+) -> Transfer:
+    """Transfer function with coherence from two signals over time (H1: right when only the output is noisy).
+
+    Parameters
+    ----------
+    given : array_like, shape (n,)
+        Input signal, any unit, at a constant rate.
+    answer : array_like, shape (n,)
+        Output signal, any unit, on the same instants.
+    sample_rate : float
+        Samples per second, Hz.
+    segment : float or str, optional
+        Length of the pieces that are averaged, s or text with a unit; by default an eighth of the record. It must be
+        longer than the system rings, otherwise the peaks come out too low and the coherence drops.
+    window : {"hann", "boxcar"}
+        As in `power_spectrum`.
+
+    Returns
+    -------
+    Transfer
+        Unit of ``answer`` over unit of ``given``. Where the input has nothing, there is no coherence either.
+
+    Raises
+    ------
+    RecordingError
+        For signals of different lengths, too short or not finite, and fewer than two pieces: their coherence is 1
+        whatever they hold.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> noise = np.random.default_rng(0).normal(size=20_000)
+    >>> late = transfer_function(noise, 2.0 * np.roll(noise, 1), 1000.0)
+    >>> bool(np.allclose(abs(late.response), 2.0, rtol=0.05)), bool(late.coherence.min() > 0.99)
+    (True, True)
+    """
+    x, y = _checked(given, sample_rate, "input"), _checked(answer, sample_rate, "output")
+    if x.shape != y.shape:
+        raise RecordingError(
+            "input and output have different lengths", where="transfer function", found=f"{x.size} and {y.size} samples"
+        )
+    count = _piece(x, sample_rate, segment, window)
+    averages = _averages(x.size, count, window)
+    if averages <= 1.0:
+        raise RecordingError(
+            "a transfer function needs two pieces or more",
+            where="segment",
+            found=f"{count / sample_rate:g} s",
+            allowed=f"at most half the record of {x.size / sample_rate:g} s",
+        )
+    frequency, cross = _cross(x, y, sample_rate, count, window)
+    own = _cross(x, x, sample_rate, count, window)[1].real
+    other = _cross(y, y, sample_rate, count, window)[1].real
+    response = np.divide(cross, own, out=np.zeros_like(cross), where=own > 0.0)
+    both = own * other
+    coherence = np.divide(abs(cross) ** 2, both, out=np.zeros_like(own), where=both > 0.0)
+    return Transfer(frequency, response, np.clip(coherence, 0.0, 1.0), averages)
+
+
+def channel_transfer(
+    run: xr.Dataset, output: str, given: str = "road.z", *, segment: float | str | None = None, settling: float = 0.0
+) -> Transfer:
+    """Transfer function between two channels of a recording on uniform time, see `transfer_function`.
+
+    Parameters
+    ----------
+    run : xarray.Dataset
+        Recording.
+    output, given : str
+        Names of output and input channel.
+    segment : float or str, optional
+        Length of the pieces, s or text with a unit.
+    settling : float
+        Time at the start that does not count, s.
+
+    Returns
+    -------
+    Transfer
+        SI unit of the output over that of the input.
+    """
+    names = [str(name) for name in run.data_vars]
+    for name in (output, given):
+        if name not in names:
+            raise RecordingError(
+                f"no channel {name!r}", where="recording", found=", ".join(names), hint=nearest(name, names)
+            )
+    time = np.asarray(run["time"].values, dtype=float)
+    if check_time(time, where="recording")[1]:
+        raise RecordingError("time is not uniform", where="recording", hint="Resample the recording first.")
+    rate = (time.size - 1) / float(time[-1] - time[0])
+    first = math.ceil(settling * rate - 1e-6)
+    x, y = (np.asarray(run[name].values, dtype=float)[first:] for name in (given, output))
+    return transfer_function(x, y, rate, segment=segment)
+
+
+def model_transfer(model: LinearModel, frequency: ArrayLike, output: str, given: str = "road.z") -> Transfer:
+    """Transfer function (SI) of a linearised model at frequencies in Hz, like those of `transfer_function`."""
+    f = np.atleast_1d(np.asarray(frequency, dtype=float))
+    response = np.asarray(model.frequency_response(f, output, given), dtype=np.complex128)
+    return Transfer(f, response, np.ones_like(f), math.inf)
+
+
+def response_spectrum(
+    model: LinearModel,
+    frequency: ArrayLike,
+    density: ArrayLike,
+    output: str,
+    tracks: str | Mapping[str, float] = "road.z",
+) -> Array:
+    """One-sided density of a linear model's output on a random road: squared gain times the road's density.
+
+    Parameters
+    ----------
+    model : LinearModel
+        From `jounce.linearise`.
+    frequency : array_like, shape (n,)
+        Hz, above 0.
+    density : array_like, shape (n,)
+        One-sided density of the road's height over time, m^2/Hz.
+    output : str
+        Channel.
+    tracks : str or mapping of str to float
+        Input; or several that follow the same road, each with its delay in s (rear wheels: wheelbase over speed).
+
+    Returns
+    -------
+    ndarray, shape (n,)
+        Unit of the output squared per Hz.
+    """
+    f = np.atleast_1d(np.asarray(frequency, dtype=float))
+    delays = {tracks: 0.0} if isinstance(tracks, str) else tracks
+    gain = np.zeros(f.shape, dtype=np.complex128)
+    for track, delay in delays.items():
+        gain += model.frequency_response(f, output, track) * np.exp(-2j * math.pi * f * delay)
+    return np.asarray(abs(gain) ** 2 * np.asarray(density), dtype=np.float64)
+
+
+def third_octaves(spectrum: Spectrum) -> Bands:
+    """Root mean squares in third-octave bands with ideal edges, base ten.
+
+    Parameters
+    ----------
+    spectrum : Spectrum
+        From `power_spectrum`, in any unit squared per Hz.
+
+    Returns
+    -------
+    Bands
+        Those that are at least as wide as the spectrum's resolution and lie below half the sample rate.
+
+    Raises
+    ------
+    RecordingError
+        When the spectrum resolves no band at all.
+    """
+    width = _HALF_BAND - 1.0 / _HALF_BAND
+    lowest = math.ceil(10.0 * math.log10(spectrum.resolution / width) - 1e-9)
+    highest = math.floor(10.0 * math.log10(float(spectrum.frequency[-1]) / _HALF_BAND) + 1e-9)
+    if highest < lowest:
+        raise RecordingError(
+            "the spectrum resolves no third-octave band",
+            found=f"{spectrum.resolution:g} Hz up to {spectrum.frequency[-1]:g} Hz",
+            hint="Take longer segments.",
+        )
+    centre = 10.0 ** (np.arange(lowest, highest + 1) / 10.0)
+    low, high = centre / _HALF_BAND, centre * _HALF_BAND
+    squares = [spectrum.mean_square(a, b) for a, b in zip(low.tolist(), high.tolist(), strict=True)]
+    return Bands(centre, low, high, np.sqrt(squares))
+
+
+def _checked(values: ArrayLike, sample_rate: float, what: str) -> Array:
+    signal = np.asarray(values, dtype=float)
+    if signal.ndim != 1 or signal.size < _FEWEST_SAMPLES or not sample_rate > 0.0:
+        raise RecordingError(
+            "too little for a spectrum",
+            where=what,
+            found=f"shape {signal.shape} at {sample_rate:g} Hz",
+            allowed=f"at least {_FEWEST_SAMPLES} samples at a rate",
+        )
+    if not np.isfinite(signal).all():
+        raise RecordingError(f"sample {int(np.argmin(np.isfinite(signal))) + 1} is not a finite number", where=what)
+    return signal
+
+
+def _piece(signal: Array, sample_rate: float, segment: float | str | None, window: str) -> int:
+    """Samples in each piece."""
+    if window not in WINDOWS:
+        raise unknown(str(window), WINDOWS, what="window", where="spectrum")
+    if segment is None:
+        return max(signal.size // _USUAL_PARTS, _FEWEST_SAMPLES)
+    length = to_si(segment, "s", where="segment")
+    count = round(length * sample_rate)
+    if not _FEWEST_SAMPLES <= count <= signal.size:
+        shortest, longest = _FEWEST_SAMPLES / sample_rate, signal.size / sample_rate
+        raise RecordingError(
+            "the segment does not fit the record",
+            where="segment",
+            found=f"{length:g} s",
+            allowed=f"{shortest:g} s to {longest:g} s",
+        )
+    return count
+
+
+def _cross(x: Array, y: Array, sample_rate: float, count: int, window: str) -> tuple[Array, NDArray[np.complex128]]:
+    """One-sided cross spectrum: frequencies in Hz, mean of conj(X) Y per Hz."""
+    from scipy import signal
+
+    overlap = count // 2 if window == "hann" else 0
+    options: dict[str, Any] = {"fs": sample_rate, "window": window, "nperseg": count, "noverlap": overlap}
+    frequency, density = signal.csd(x, y, detrend="constant", scaling="density", **options)
+    return np.asarray(frequency, dtype=float), np.asarray(density, dtype=np.complex128)
+
+
+def _averages(samples: int, count: int, window: str) -> float:
+    """Number of independent pieces; Hann pieces that overlap by half count 0.947 of a piece each."""
+    if window != "hann":
+        return float(samples // count)
+    pieces = (samples - count) // (count - count // 2) + 1
+    shared = (1.0 / 6.0) ** 2  # squared correlation of Hann windows half a length apart
+    return pieces / (1.0 + 2.0 * shared * (pieces - 1) / pieces)
