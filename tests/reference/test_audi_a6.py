@@ -1,8 +1,8 @@
 """The studies of paper 2's half car: every window of the cases to the printed digits.
 
 Source: the paper's Table 2 and cases A and B with the correct sign of eq. (9), solved with DOP853 at 1e-10 and with
-matrix exponentials, which agree to 1e-3 mm and mrad; printed digits, z in mm, theta in mrad. Times are those of millisecond
-samples. Peak accelerations were printed with their digits cut off, not rounded.
+matrix exponentials, which agree to 1e-3 mm and mrad; printed digits, z in mm, theta in mrad. Times are those of
+millisecond samples. Peak accelerations were printed with their digits cut off, not rounded.
 """
 
 from __future__ import annotations
