@@ -110,7 +110,7 @@ class Bands:
     rms: Array
 
     def weighted(self, name: str) -> float:
-        """Weighted r.m.s. in the unit of the signal: root of the summed squares of gain times band (ISO 2631-1, 6.4.2)."""
+        """Weighted r.m.s. in the unit of the signal: root of the summed squares of gain times band (ISO 2631-1)."""
         return float(np.sqrt(np.sum((abs(weighting_response(name, self.centre)) * self.rms) ** 2)))
 
 
