@@ -16,7 +16,9 @@ if TYPE_CHECKING:
 
 
 def check(
-    given: Annotated[list[str], typer.Argument(metavar="FILE...", help="Rigs, campaigns, roads, recordings.")],
+    given: Annotated[
+        list[str], typer.Argument(metavar="FILE...", help="Rigs, vehicles, campaigns, roads, recordings.")
+    ],
     as_json: AsJson = False,
 ) -> Reply:
     """Check descriptions, and for campaigns every file they name. Exit code 2 when anything is wrong.

@@ -11,7 +11,12 @@ from typing import Any
 from jounce.core.errors import DescriptionError, JounceError, RecordingError, unknown
 
 _OTHER_COLUMNS = ("no column", "no channel")  # what readers say of a file of another kind
-_TOML_KINDS = {"jounce.rig/1": "rig", "jounce.campaign/1": "campaign", "jounce.road/1": "road"}
+_TOML_KINDS = {
+    "jounce.rig/1": "rig",
+    "jounce.vehicle/1": "vehicle",
+    "jounce.campaign/1": "campaign",
+    "jounce.road/1": "road",
+}
 
 
 @dataclass
@@ -56,7 +61,7 @@ def _toml(checked: Checked) -> None:
                 "the schema line is missing", where=str(checked.file), allowed=", ".join(_TOML_KINDS)
             )
         raise unknown(str(schema), _TOML_KINDS, what="schema", where=str(checked.file))
-    {"rig": _rig, "road": _road, "campaign": _campaign}[checked.kind](checked)
+    {"rig": _rig, "vehicle": _rig, "road": _road, "campaign": _campaign}[checked.kind](checked)
 
 
 def _rig(checked: Checked) -> None:

@@ -18,10 +18,10 @@ if TYPE_CHECKING:
 
 
 def library(
-    name: Annotated[str | None, typer.Argument(help="Print this rig file or describe this road.")] = None,
+    name: Annotated[str | None, typer.Argument(help="Print this rig or vehicle file, or describe this road.")] = None,
     as_json: AsJson = False,
 ) -> Reply:
-    """List the shipped rigs and roads, or print one of them.
+    """List the shipped rigs, vehicles and roads, or print one of them.
 
     Example: jounce library kart-quarter-car > my-rig.toml
     """
@@ -30,8 +30,10 @@ def library(
 
     shipped_rigs, shipped_roads = rigs(), roads()
     if name is None:
+        described = [_rig(*item) for item in shipped_rigs.items()]
         plain = {
-            "rigs": [_rig(*item) for item in shipped_rigs.items()],
+            "rigs": [item for item in described if item["kind"] == "rig"],
+            "vehicles": [item for item in described if item["kind"] == "vehicle"],
             "roads": [_road(*item) for item in shipped_roads.items()],
         }
         return Reply(plain, lambda out: _draw_list(out, plain), as_json)
@@ -45,12 +47,12 @@ def library(
 
 
 def _rig(name: str, file: Path) -> dict[str, Any]:
-    from jounce.parts import load
+    from jounce.parts import Vehicle, load
 
     rig = load(file)
     return {
         "name": name,
-        "kind": "rig",
+        "kind": "vehicle" if isinstance(rig, Vehicle) else "rig",
         "what": getattr(rig, "model", ""),
         "source": rig.source,
         "estimated": list(rig.estimated),
@@ -88,10 +90,10 @@ def _print_raw(text: str) -> None:
 
 
 def _draw_list(out: Console, plain: dict[str, Any]) -> None:
-    for title, kind in (("Rigs", "rigs"), ("Roads", "roads")):
+    for title, kind in (("Rigs", "rigs"), ("Vehicles", "vehicles"), ("Roads", "roads")):
         rows = [(item["name"], item["what"], item["source"]) for item in plain[kind]]
         out.print(table(title, ("name", "what", "source"), rows, text=(0, 1, 2)))
-    out.print("jounce library NAME prints one; give a name wherever a rig or a road is asked for.")
+    out.print("jounce library NAME prints one; give a name wherever a rig, a vehicle or a road is asked for.")
 
 
 def _draw_road(out: Console, road: dict[str, Any]) -> None:

@@ -1,4 +1,4 @@
-"""``jounce simulate``: one rig on one trial."""
+"""``jounce simulate``: one rig or vehicle on one trial."""
 
 from __future__ import annotations
 
@@ -11,7 +11,18 @@ from jounce.cli.options import AsJson, Changes, Force, RigName, changes, positiv
 from jounce.cli.reply import Reply, progress
 from jounce.cli.rigs import chosen_rig
 from jounce.cli.tables import show_findings, table
-from jounce.cli.trial_options import DrivenSpeed, Duration, ExcitationFile, RoadName, trial_findings, trial_of
+from jounce.cli.trial_options import (
+    Deceleration,
+    DrivenSpeed,
+    Duration,
+    ExcitationFile,
+    LateralAcceleration,
+    PitchMoment,
+    RightRoad,
+    RoadName,
+    trial_findings,
+    trial_of,
+)
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -30,6 +41,10 @@ def simulate(
     speed: DrivenSpeed = None,
     duration: Duration = None,
     excitation: ExcitationFile = None,
+    right_road: RightRoad = None,
+    pitch_moment: PitchMoment = None,
+    deceleration: Deceleration = None,
+    lateral_acceleration: LateralAcceleration = None,
     set_: Changes = None,
     output_step: Annotated[str, typer.Option(help="Distance of the output samples.")] = "1 ms",
     tolerance: Annotated[str, typer.Option(help="Relative error of the displacements.")] = "1e-5",
@@ -38,7 +53,7 @@ def simulate(
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
-    """Simulate a rig on a road or a shaker, from static equilibrium.
+    """Simulate a rig or a vehicle on a road or a shaker, from static equilibrium.
 
     Example: jounce simulate kart-quarter-car --road bump.toml --speed "1.95 m/s" --duration "3 s" --out run.nc
     """
@@ -46,7 +61,12 @@ def simulate(
         _check_output(out, force=force)
     step = positive_quantity(output_step, "s", "--output-step")
     error = positive_quantity(tolerance, "1", "--tolerance")
-    trial = trial_of(road, excitation, speed, duration, where="jounce simulate")
+    loads = {
+        "pitch_moment": pitch_moment,
+        "deceleration": deceleration,
+        "lateral_acceleration": lateral_acceleration,
+    }
+    trial = trial_of(road, excitation, speed, duration, where="jounce simulate", right=right_road, loads=loads)
     with progress() as say:
         say("loading")
         from jounce.recordings import write_recording
@@ -58,8 +78,9 @@ def simulate(
         run = run_simulation(chosen, trial, output_step=step, tolerance=error, method=cast("Method", method))
         if out is not None:
             write_recording(run, out, force=force)
-    findings = trial_findings(trial)
-    setup = {"rig": rig, "changes": wanted, "road": road, "excitation": excitation and str(excitation)}
+    findings = trial_findings(trial, chosen, output_step=step)
+    setup: dict[str, Any] = {"rig": rig, "changes": wanted, "road": road, "right_road": right_road, "loads": loads}
+    setup |= {"excitation": excitation and str(excitation)}
     plain = {**setup, **_summary(run, trial), "findings": findings, "out": out and str(out)}
     return Reply(plain, lambda console: _draw(console, plain, findings), as_json)
 
