@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import casadi as ca
 
 from jounce.core.errors import AssemblyError
+from jounce.mechanics.carrier import STILL, Carrier
 from jounce.mechanics.frames import Frame, Moving
 from jounce.mechanics.rotations import skew
 
@@ -33,11 +34,14 @@ class Body:
         None for a body that only carries points.
     frame : Frame, optional
         Set by the joint that hangs it into the tree.
+    carrier : Carrier
+        What the axes of the frame belong to, the ground or a body that moves; "ground axes" are its axes then.
     """
 
     name: str
     mass_properties: MassProperties | None = None
     frame: Frame | None = None
+    carrier: Carrier = STILL
 
     def point(self, design: ca.SX | Sequence[float]) -> Moving:
         """Follow the point of the body that lies at ``design`` (m) in the design pose."""
@@ -50,8 +54,7 @@ class Body:
     @property
     def spin(self) -> ca.SX:
         """Angular velocity, rad/s, ground axes."""
-        orientation = self._frame.orientation
-        return orientation.rotate(orientation.spin)
+        return self.carrier.spin(self._frame.orientation)
 
     @property
     def _frame(self) -> Frame:

@@ -196,8 +196,10 @@ class _SharedLoops:
         return found, multipliers + self._react @ carrier
 
     def displaced(self, violation: ca.SX) -> ca.SX:
-        """Shortest displacement, in terms of the mass matrix, that makes a change of the constraints."""
-        return self.balance(ca.SX(len(self._shared) + len(self._inner), 1), -violation)[0]
+        """Shortest displacement, in terms of the mass matrix, with the shared speeds held."""
+        found = ca.SX(len(self._shared) + len(self._inner), 1)
+        found[self._inner] = self._loops.displaced(violation)
+        return found
 
     def conditioning(self) -> ca.SX:
         """How far from singular the loops are with the shared speeds held."""

@@ -41,6 +41,15 @@ class Orientation:
         """Turn a vector of the ground into the frame's axes."""
         return self.matrix.T @ vector
 
+    def turned(self, tensor: ca.SX) -> ca.SX:
+        """Turn a symmetric tensor of the frame into ground axes."""
+        return symmetric(self.matrix @ tensor @ self.matrix.T)
+
+    @property
+    def ground_spin(self) -> ca.SX:
+        """Angular velocity in ground axes, rad/s."""
+        return self.rotate(self.spin)
+
     def moving(self, vector: ca.SX) -> Moving:
         """Follow a vector that is fixed in the frame."""
         swept = ca.cross(self.spin, vector)
@@ -62,6 +71,10 @@ class Still(Orientation):
         """Nothing turns."""
         return vector
 
+    def turned(self, tensor: ca.SX) -> ca.SX:
+        """Nothing turns."""
+        return tensor
+
     def moving(self, vector: ca.SX) -> Moving:
         """Nothing moves."""
         return Moving(vector, _ZERO, _ZERO)
@@ -74,7 +87,8 @@ class Turned(Orientation):
         self.axis, self.angle, self.speed = axis, angle, speed
         self.sine, self.cosine = ca.sin(angle), ca.cos(angle)
         along = axis @ axis.T
-        matrix = along + self.cosine * (ca.SX.eye(3) - along) + self.sine * skew(axis)
+        self._shares = along, ca.SX.eye(3) - along, skew(axis)
+        matrix = along + self.cosine * self._shares[1] + self.sine * self._shares[2]
         super().__init__(matrix, axis * speed, _ZERO)
 
     def rotate(self, vector: ca.SX) -> ca.SX:
@@ -95,9 +109,28 @@ class Turned(Orientation):
         swept = self.cosine * sideways - self.sine * across
         return Moving(along + turned, self.speed * swept, -(self.speed**2) * turned)
 
+    def turned(self, tensor: ca.SX) -> ca.SX:
+        """Turn a symmetric tensor of the frame into ground axes: constants with sine, cosine and their products."""
+        p, q, k = self._shares
+        still, level, cross = p @ tensor @ p.T + q @ tensor @ q.T, k @ tensor @ k.T - q @ tensor @ q.T, k @ tensor @ q.T
+        straight, sideways = p @ tensor @ q.T, p @ tensor @ k.T
+        found = symmetric(still) + self.sine**2 * symmetric(level)
+        found += self.cosine * symmetric(straight + straight.T) + self.sine * symmetric(sideways + sideways.T)
+        return found + self.sine * self.cosine * symmetric(cross + cross.T)
+
+    @property
+    def ground_spin(self) -> ca.SX:
+        """Angular velocity in ground axes, rad/s."""
+        return self.spin
+
     def _parts(self, vector: ca.SX) -> tuple[ca.SX, ca.SX]:
         along = ca.dot(self.axis, vector) * self.axis
         return along, vector - along
+
+
+def symmetric(matrix: ca.SX) -> ca.SX:
+    """The same matrix, its lower triangle taken from the upper one."""
+    return ca.triu2symm(ca.triu(matrix))
 
 
 def by_quaternion(e: ca.SX, spin: ca.SX) -> Orientation:

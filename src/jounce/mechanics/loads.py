@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import AssemblyError, unknown
 from jounce.mechanics.bodies import Body, RigidMass, as_vector
+from jounce.mechanics.carrier import Carried, MovingCarrier
 from jounce.mechanics.frames import Moving
 from jounce.mechanics.model import Model
 from jounce.mechanics.tree import Number, Tree, Vector
@@ -30,20 +31,23 @@ class Loaded(Tree):
     def __init__(self, gravity: Number = 9.81) -> None:
         super().__init__()
         self.gravity = self.number("gravity", gravity, "m/s^2")
-        self._settled: set[str] = set()
+        self._settled: set[str | int] = set()
         self._stored: list[ca.SX] = []
         self._lost: list[ca.SX] = []
         self._supplied: list[ca.SX] = []
 
     def apply_force(self, body: Body, force: ca.SX | Sequence[float], point: Moving | ca.SX | Sequence[float]) -> None:
-        """Let a force (N, ground axes) act on a point of a body, given by ``body.point`` or its design place (m)."""
+        """Let a force (N, ground axes) act on a point of a body, given by ``body.point`` or its design place (m).
+
+        Where a carrier moves the body, force and point are in the carrier's axes.
+        """
         self._held("force", body)
         where, push = point if isinstance(point, Moving) else body.point(point), as_vector(force)
-        self.load(where.rate, push)
+        self.load(body.carrier.velocity(where), push)
         self.note(body, push, where.value)
 
     def apply_torque(self, body: Body, torque: ca.SX | Sequence[float]) -> None:
-        """Let a torque (N m, ground axes) act on a body."""
+        """Let a torque (N m, ground axes; its carrier's where one moves the body) act on a body."""
         self._held("torque", body)
         twist = as_vector(torque)
         self.load(body.spin, twist)
@@ -279,11 +283,31 @@ class Loaded(Tree):
             if body.frame is None:
                 raise AssemblyError("the body hangs on nothing", where=body.name, hint="Give it a joint, or free().")
             properties = body.mass_properties
-            if properties is not None and body.name not in self._settled:
+            if properties is not None and body.name not in self._settled and not body.carrier.moves:
                 self.inertia(RigidMass(body.frame, properties))
                 weight = ca.vertcat(0.0, 0.0, -properties.mass * self.gravity)
                 self.apply_force(body, weight, body.point(properties.centre))
             self._settled.add(body.name)
+        for carrier in {id(body.carrier): body.carrier for body in self._bodies.values()}.values():
+            if isinstance(carrier, MovingCarrier) and id(carrier) not in self._settled:
+                self.inertia(
+                    carrier.masses([_carried(body) for body in self._bodies.values() if _is_on(body, carrier)])
+                )
+                self._settled.add(id(carrier))
+
+
+def _is_on(body: Body, carrier: MovingCarrier) -> bool:
+    """Whether a body has mass and moves in some axes."""
+    return body.carrier is carrier and body.mass_properties is not None
+
+
+def _carried(body: Body) -> Carried:
+    """A body with mass, in moving axes."""
+    assert body.mass_properties is not None
+    assert body.frame is not None
+    properties, frame = body.mass_properties, body.frame
+    alone = RigidMass(frame, properties)
+    return Carried(properties.mass, frame.point(properties.centre), frame.orientation, properties.inertia, alone)
 
 
 def _is_angle(coordinate: ca.SX) -> bool:

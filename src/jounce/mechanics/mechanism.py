@@ -55,6 +55,7 @@ class Mechanism(Loaded):
         counted as the joint's; springs, dampers and friction of a joint are not. Ask when all forces and joints are in.
         """
         self.settle()
+        self._refuse_carried(f"reaction of {joint}", *self._bodies.values())
         if joint in self._joints:
             hung = self._joints[joint]
             bodies = self._hanging(hung.child)
@@ -72,6 +73,7 @@ class Mechanism(Loaded):
 
     def watch_point(self, name: str, body: Body, at: Vector) -> None:
         """Let a point of a body be seen: ``<name>.x, .vx, .ax`` and so on, ground axes (m, m/s, m/s^2)."""
+        self._refuse_carried(name, body)
         point = body.point(self.vector(f"{name}.place", at))
         acceleration = point.bias + self.accelerated(point.rate)
         for i, axis in enumerate("xyz"):

@@ -91,8 +91,9 @@ def kinetic_energy(bodies: Iterable[Body]) -> ca.SX:
     for body in bodies:
         properties = body.mass_properties
         if properties is not None and body.frame is not None:
-            velocity = body.point(properties.centre).rate
-            spin = body.frame.orientation.spin
+            velocity = body.carrier.velocity(body.point(properties.centre))
+            turn = body.frame.orientation
+            spin = turn.unrotate(body.spin) if body.carrier.moves else turn.spin
             energy += 0.5 * (properties.mass * ca.dot(velocity, velocity) + ca.dot(spin, properties.inertia @ spin))
     return energy
 
@@ -103,6 +104,6 @@ def weight_energy(bodies: Iterable[Body], gravity: ca.SX) -> ca.SX:
     for body in bodies:
         properties = body.mass_properties
         if properties is not None:
-            rise = body.point(properties.centre).value[2] - properties.centre[2]
+            rise = body.carrier.height(body.point(properties.centre).value) - properties.centre[2]
             energy += properties.mass * gravity * rise
     return energy

@@ -17,6 +17,7 @@ from pydantic import BaseModel
 from jounce.core.errors import AssemblyError
 from jounce.core.units import to_si
 from jounce.mechanics.bodies import Body, MassProperties
+from jounce.mechanics.carrier import MovingCarrier
 from jounce.mechanics.closures import Closures
 from jounce.mechanics.frames import GROUND, Frame, Moving, by_quaternion
 from jounce.mechanics.reactions import Wrench
@@ -129,6 +130,27 @@ class Tree(System):
             raise AssemblyError("a centre of mass or an inertia without a mass", where=name, hint="Give mass.")
         self._bodies[body.name] = body
         return body
+
+    def seat(self, body: Body, field: ca.SX) -> Body:
+        """Give moving axes on a body, for a mechanism that hangs on it: cheaper than joints to the body itself.
+
+        Parameters
+        ----------
+        body : Body
+            A body with a joint.
+        field : casadi.SX, shape (3,)
+            Acceleration that acts on all that hangs there, m/s^2, ground axes: gravity, inertia of driving.
+
+        Returns
+        -------
+        Body
+            It moves with the body; joints to it and between what hangs on it do not see that motion.
+        """
+        self._held("seat", body)
+        name = f"{body.name} axes"
+        self._refuse_twice(name, self._bodies)
+        self._bodies[name] = Body(name, frame=GROUND, carrier=MovingCarrier(self._frame_of(body), field))
+        return self._bodies[name]
 
     def _tensor(self, path: str, inertia: Sequence[float | str] | NDArray[np.float64] | ca.SX | None) -> ca.SX:
         if inertia is None:
@@ -335,9 +357,24 @@ class Tree(System):
             if body.frame is None:
                 hint = "Give the joint that carries it first."
                 raise AssemblyError("the body hangs on nothing yet", where=name, found=body.name, hint=hint)
+        self._refuse_apart(name, *bodies)
+
+    def _refuse_apart(self, name: str, *bodies: Body) -> None:
+        """Refuse bodies whose places are in different axes."""
+        carriers = {body.name: body.carrier for body in bodies if body.frame is not None}
+        if len(set(map(id, carriers.values()))) > 1:
+            found, hint = ", ".join(carriers), "Join what hangs on a seat to the seat, not to its body or the ground."
+            raise AssemblyError("the bodies hang on different seats", where=name, found=found, hint=hint)
+
+    def _refuse_carried(self, name: str, *bodies: Body) -> None:
+        """Refuse what is for places in ground axes only."""
+        for body in bodies:
+            if body.carrier.moves:
+                raise AssemblyError("not for what hangs on a seat", where=name, found=body.name)
 
     def _closes(self, name: str, first: Body, second: Body) -> bool:
         self._check(name, first, second)
+        self._refuse_apart(name, first, second)
         return first.frame is not None and second.frame is not None
 
     def _refuse_skew(self, name: str, axis: Vector, second_axis: Vector) -> None:
@@ -385,7 +422,7 @@ class Tree(System):
         self._refuse_twice(name, self._joints)
         if child.frame is not None:
             raise AssemblyError("the body hangs already", where=name, found=child.name, hint="It needs one joint only.")
-        child.frame = frame
+        child.frame, child.carrier = frame, parent.carrier
         self._joints[name] = TreeJoint(name, kind, parent, child, axis, sign < 0.0)
 
     def _place(self, name: str, at: Vector, axis: Vector) -> tuple[ca.SX, ca.SX]:

@@ -119,21 +119,22 @@ def undeformed_radius(linkage: Linkage) -> ca.SX:
 
 def wheel_down(linkage: Linkage) -> ca.SX:
     """Unit vector in the wheel's plane towards the road."""
-    axis = linkage.spin_direction.value
-    return unit(axis * axis[2] - ca.SX([0.0, 0.0, 1.0]))
+    axis, up = linkage.spin_direction.value, linkage.carrier.up
+    return unit(axis * ca.dot(axis, up) - up)
 
 
 def add_tyre(linkage: Linkage, road: Track) -> tuple[ca.SX, ca.SX]:
     """Let the tyre carry the wheel; give its deflection (m) and force (N), compression positive."""
-    rig, mechanism, centre = linkage.rig, linkage.mechanism, linkage.wheel_centre
-    height = centre.value[2] - road.value
+    rig, mechanism, centre, carrier = linkage.rig, linkage.mechanism, linkage.wheel_centre, linkage.carrier
+    height = carrier.height(centre.value) - road.value
     if rig.tyre.law == "radial":
-        down = wheel_down(linkage)
-        deflection = undeformed_radius(linkage) - height / -down[2]
-        along = -down
+        along = -wheel_down(linkage)
+        deflection = undeformed_radius(linkage) - height / ca.dot(along, carrier.up)
+        rate = mechanism.rate_of(deflection)
     else:
+        along = carrier.up
         deflection = undeformed_radius(linkage) - height
-        along = ca.SX([0.0, 0.0, 1.0])
-    force = tyre_force(mechanism, rig.tyre, deflection, mechanism.rate_of(deflection))
+        rate = road.rate - ca.dot(along, carrier.velocity(centre))
+    force = tyre_force(mechanism, rig.tyre, deflection, rate)
     mechanism.apply_force(linkage.upright, force * along, centre)
     return deflection, force

@@ -153,6 +153,6 @@ def _motions(linkage: Linkage) -> None:
 
 def show_wheel(linkage: Linkage) -> None:
     """Let the angles of the wheel be seen."""
-    axis, mechanism = linkage.spin_direction.value, linkage.mechanism
+    axis, mechanism = linkage.carrier.outward(linkage.spin_direction.value), linkage.mechanism
     mechanism.output("wheel.camber", -ca.asin(axis[2]), "rad", "camber, positive top outward")
     mechanism.output("wheel.steer", ca.atan2(-linkage.side * axis[0], linkage.side * axis[1]), "rad", "steer about +z")

@@ -40,13 +40,15 @@ def full_car_3d(vehicle: FullCar3D) -> Model:
     mechanism = Mechanism()
     mechanism.gravity = mechanism.parameter("gravity")
     body = _body(mechanism)
+    drive = _driving(mechanism, body)
+    seat = mechanism.seat(body, drive - mechanism.gravity * _UP)
     wheels: list[_Wheel] = []
     for name, axle, end in (("front", vehicle.front, 1.0), ("rear", vehicle.rear, -1.0)):
-        left, right = (_corner(mechanism, body, name, axle, end, side) for side in _SIDES)
+        left, right = (_corner(mechanism, seat, name, axle, end, side) for side in _SIDES)
         twist = mechanism.parameter(f"{name}.anti_roll_bar_rate") * (left.travel - right.travel)
-        mechanism.force(right.travel - left.travel, twist)
+        mechanism.load(right.centre.rate[2] - left.centre.rate[2], twist)
         wheels += [left, right]
-    _drive(mechanism, body, wheels)
+    _grip(mechanism, drive, wheels)
     mechanism.share(["sprung.distance rate", "attitude.angle rate", "attitude.second_angle rate"])
     return mechanism.finish()
 
@@ -72,12 +74,12 @@ def _body(mechanism: Mechanism) -> Body:
     return body
 
 
-def _corner(mechanism: Mechanism, body: Body, name: str, axle: SpatialAxle, end: float, side: str) -> _Wheel:
-    """Hang one corner under the body and stand it on its road."""
+def _corner(mechanism: Mechanism, seat: Body, name: str, axle: SpatialAxle, end: float, side: str) -> _Wheel:
+    """Hang one corner into the axes of the body and stand it on its road."""
     distance = mechanism.parameter(f"{name}.distance")
     with mechanism.within(f"{name}_{side}", f"{name}.corner"):
         ahead = end * distance - mechanism.parameter("hardpoints.wheel_centre[0]")
-        linkage = hung(axle.corner, mechanism, body, ahead=ahead, mirrored=_SIDES[side])
+        linkage = hung(axle.corner, mechanism, seat, ahead=ahead, mirrored=_SIDES[side])
         road = mechanism.track("road.z")
         mechanism.output("road.z", road.value, "m", "road height under the wheel")
         add_strut(linkage)
@@ -86,37 +88,36 @@ def _corner(mechanism: Mechanism, body: Body, name: str, axle: SpatialAxle, end:
         mechanism.output("tyre.force", load, "N", "contact force, compression positive")
         design = linkage.hardpoint("wheel_centre")
         centre = linkage.wheel_centre
-        wheel, above = centre.value[2] - design[2], body.point(design).value[2] - design[2]
-        show_height(mechanism, "unsprung", wheel, "wheel centre")
-        show_height(mechanism, "sprung", above, "body above the wheel")
+        for which, place, text in (
+            ("unsprung", centre.value, "wheel centre"),
+            ("sprung", design, "body above the wheel"),
+        ):
+            show_height(mechanism, which, linkage.carrier.height(place) - design[2], text)
         show_wheel(linkage)
         radius = undeformed_radius(linkage)
-    return _Wheel(linkage, centre, wheel - above, radius, deflection, load)
+    return _Wheel(linkage, centre, centre.value[2] - design[2], radius, deflection, load)
 
 
-def _drive(mechanism: Mechanism, body: Body, wheels: list[_Wheel]) -> None:
-    """Let a pitch moment, a deceleration and a lateral acceleration act."""
+def _driving(mechanism: Mechanism, body: Body) -> ca.SX:
+    """Let a pitch moment, a deceleration and a lateral acceleration act; give the inertia of the latter, m/s^2."""
     moment = mechanism.track("pitch_moment").value
     mechanism.apply_torque(body, moment * _LEFT)
     mechanism.output("body.pitch_moment", moment, "N*m", "moment given on the body, nose down positive")
     deceleration, lateral = (mechanism.track(name).value for name in ("deceleration", "lateral_acceleration"))
     inertia = deceleration * _FORWARD - lateral * _LEFT
-    total = ca.SX(0.0)
-    for part in mechanism.bodies.values():
-        if part.mass_properties is not None:
-            mechanism.apply_force(part, part.mass_properties.mass * inertia, part.mass_properties.centre)
-            total += part.mass_properties.mass
+    assert body.mass_properties is not None
+    mechanism.apply_force(body, body.mass_properties.mass * inertia, body.mass_properties.centre)
+    return inertia
+
+
+def _grip(mechanism: Mechanism, drive: ca.SX, wheels: list[_Wheel]) -> None:
+    """Let the road hold the car against the inertia of driving (m/s^2), each wheel by its share of the load."""
+    masses = (body.mass_properties.mass for body in mechanism.bodies.values() if body.mass_properties is not None)
     loads = sum((wheel.load for wheel in wheels), ca.SX(0.0))
+    needed = -sum(masses, ca.SX(0.0)) * drive / ca.fmax(loads, 1.0)
     for wheel in wheels:
-        grip = -total * inertia * wheel.load / ca.fmax(loads, 1.0)
-        _push_at_road(wheel, grip)
-
-
-def _push_at_road(wheel: _Wheel, force: ca.SX) -> None:
-    """Let a force (N) act on the upright where the tyre touches the road."""
-    upright, centre = wheel.linkage.upright, wheel.centre
-    reach = -(wheel.radius - wheel.deflection) * _UP
-    mechanism = wheel.linkage.mechanism
-    mechanism.apply_force(
-        upright, force, Moving(centre.value + reach, centre.rate + ca.cross(upright.spin, reach), _UP)
-    )
+        upright, centre, carrier = wheel.linkage.upright, wheel.centre, wheel.linkage.carrier
+        force = carrier.inward(needed * wheel.load)
+        mechanism.apply_force(upright, force, centre)
+        reach = (wheel.deflection - wheel.radius) * carrier.up
+        mechanism.apply_torque(upright, ca.cross(reach, force))

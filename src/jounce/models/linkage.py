@@ -10,6 +10,7 @@ import casadi as ca
 from jounce.mechanics import Mechanism
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.bushings import add_bushing, add_elastic_rod
+from jounce.mechanics.carrier import Carrier
 from jounce.mechanics.frames import Moving
 from jounce.mechanics.rotations import normals, unit
 from jounce.parts.corners import Corner
@@ -161,6 +162,11 @@ class Linkage:
             return
         self.mechanism.universal(f"{name}_inner", holder, link, start, first, second)
         self.mechanism.coincident(f"{name}_outer", link, carrier, end)
+
+    @property
+    def carrier(self) -> Carrier:
+        """What the suspension's axes belong to: the ground, or the body it hangs on."""
+        return self.chassis.carrier
 
     @property
     def side(self) -> float:

@@ -1,0 +1,169 @@
+"""Moving axes: a mechanism on a body that moves is written in that body's axes, as if the body stood still.
+
+Joints, loops and inner forces do not see the motion of what carries them; only masses and outer forces do. A point
+at ``r`` that moves at ``u`` in the axes of a body with origin velocity ``v``, spin ``w`` and angular acceleration
+``alpha`` has, in the same axes, velocity and acceleration
+
+    v + w x r + u,    a + alpha x r + w x (w x r) + 2 w x u + du/dt.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import casadi as ca
+
+from jounce.mechanics.equations import Inertia
+from jounce.mechanics.frames import Frame, Moving, Orientation, symmetric
+from jounce.mechanics.rotations import skew
+
+
+class Carrier:
+    """The ground: axes that stand still.
+
+    Attributes
+    ----------
+    up : casadi.SX, shape (3,)
+        The ground's z axis in the axes of the carrier.
+    moves : bool
+        Whether the axes move.
+    """
+
+    up = ca.SX([0.0, 0.0, 1.0])
+    moves = False
+
+    def height(self, place: ca.SX) -> ca.SX:
+        """Height of a place over z = 0 of the ground, m."""
+        return place[2]
+
+    def outward(self, vector: ca.SX) -> ca.SX:
+        """Turn a vector into ground axes."""
+        return vector
+
+    def inward(self, vector: ca.SX) -> ca.SX:
+        """Turn a vector of the ground into these axes."""
+        return vector
+
+    def velocity(self, point: Moving) -> ca.SX:
+        """Velocity of a point against the ground, m/s, in these axes."""
+        return point.rate
+
+    def spin(self, orientation: Orientation) -> ca.SX:
+        """Angular velocity of an orientation against the ground, rad/s, in these axes."""
+        return orientation.ground_spin
+
+
+class MovingCarrier(Carrier):
+    """Axes of a body that moves.
+
+    Parameters
+    ----------
+    frame : Frame
+        The body's.
+    field : casadi.SX, shape (3,)
+        Acceleration that acts on all masses alike, gravity and the inertia of driving, m/s^2, ground axes.
+    """
+
+    moves = True
+
+    def __init__(self, frame: Frame, field: ca.SX) -> None:
+        turn = self._turn = frame.orientation
+        self.turning_bias = turn.spin_bias
+        self._design, self._origin, self.up = frame.design, frame.origin, turn.unrotate(Carrier.up)
+        self.rate, self.turning, self._field = turn.unrotate(frame.origin.rate), turn.spin, field
+
+    def arm(self, place: ca.SX) -> ca.SX:
+        """A place as seen from the origin of the axes, m."""
+        return place - self._design
+
+    def height(self, place: ca.SX) -> ca.SX:
+        """Height of a place over z = 0 of the ground, m."""
+        return self._origin.value[2] + ca.dot(self.up, self.arm(place))
+
+    def outward(self, vector: ca.SX) -> ca.SX:
+        """Turn a vector into ground axes."""
+        return self._turn.rotate(vector)
+
+    def inward(self, vector: ca.SX) -> ca.SX:
+        """Turn a vector of the ground into these axes."""
+        return self._turn.unrotate(vector)
+
+    def velocity(self, point: Moving) -> ca.SX:
+        """Velocity of a point against the ground, m/s, in these axes."""
+        return self.rate + ca.cross(self.turning, self.arm(point.value)) + point.rate
+
+    def spin(self, orientation: Orientation) -> ca.SX:
+        """Angular velocity of an orientation against the ground, rad/s, in these axes."""
+        return self.turning + orientation.ground_spin
+
+    def masses(self, masses: Sequence[Carried]) -> CarriedMasses:
+        """Inertia of all that these axes carry, the field in it."""
+        turn = self._turn
+        start = turn.unrotate(self._origin.bias - self._field)
+        steady = skew(turn.spin_bias) + skew(turn.spin) @ skew(turn.spin)
+        return CarriedMasses(self, masses, start, steady)
+
+
+@dataclass(frozen=True)
+class Carried:
+    """A rigid body in moving axes: mass (kg), its centre, orientation, and inertia about the centre (kg m^2)."""
+
+    mass: ca.SX
+    centre: Moving
+    orientation: Orientation
+    inertia: ca.SX
+    alone: Inertia
+    """What it adds to the mass matrix where the axes stand still."""
+
+
+class CarriedMasses:
+    """Inertia of all bodies that one carrier moves; what they add to the carrier's motion is summed up first."""
+
+    def __init__(self, carrier: MovingCarrier, masses: Sequence[Carried], start: ca.SX, steady: ca.SX) -> None:
+        self._carrier, self._masses, self._start, self._steady = carrier, masses, start, steady
+        self._arms = [carrier.arm(one.centre.value) for one in masses]
+        self._tensors = [one.orientation.turned(one.inertia) for one in masses]
+
+    def matrix(self, v: ca.SX) -> ca.SX:
+        """Mass matrix for the speeds ``v``."""
+        size = v.shape[0]
+        total, alone, moment, tensor = ca.SX(0.0), ca.SX(size, size), ca.SX(3, 1), ca.SX(3, 3)
+        push, twist = ca.SX(3, size), ca.SX(3, size)  # momenta of the motions in these axes
+        for one, arm, turned in zip(self._masses, self._arms, self._tensors, strict=True):
+            shift, turn = ca.jacobian(one.centre.rate, v), ca.jacobian(one.orientation.ground_spin, v)
+            weighed = one.mass * arm
+            alone += one.alone.matrix(v)
+            push += one.mass * shift
+            twist += skew(weighed) @ shift + turned @ turn
+            total, moment = total + one.mass, moment + weighed
+            outer = symmetric(weighed @ arm.T)
+            tensor += turned + ca.trace(outer) * ca.SX.eye(3) - outer
+        linear, angular = ca.jacobian(self._carrier.rate, v), ca.jacobian(self._carrier.turning, v)
+        swept = skew(moment)
+        coupling = linear.T @ push + angular.T @ twist
+        own = linear.T @ (total * linear - swept @ angular) + angular.T @ (swept @ linear + tensor @ angular)
+        return alone + coupling + coupling.T + own
+
+    def bias(self, v: ca.SX) -> ca.SX:
+        """Generalised inertial force that is left when no speed changes, less that of the field."""
+        carrier, found = self._carrier, ca.SX(v.shape[0], 1)
+        push, twist = ca.SX(3, 1), ca.SX(3, 1)
+        coriolis = 2.0 * skew(carrier.turning)
+        for one, arm, tensor in zip(self._masses, self._arms, self._tensors, strict=True):
+            acceleration = self._start + self._steady @ arm + coriolis @ one.centre.rate + one.centre.bias
+            force, torque = one.mass * acceleration, self._torque(one, tensor)
+            found += ca.jacobian(one.centre.rate, v).T @ force + ca.jacobian(one.orientation.ground_spin, v).T @ torque
+            push, twist = push + force, twist + ca.cross(arm, force) + torque
+        linear, angular = ca.jacobian(carrier.rate, v), ca.jacobian(carrier.turning, v)
+        return found + linear.T @ push + angular.T @ twist
+
+    def _torque(self, one: Carried, tensor: ca.SX) -> ca.SX:
+        """Rate of a body's angular momentum about its centre when no speed changes."""
+        turning, seen = self._carrier.turning, one.orientation.ground_spin
+        spin = turning + seen
+        rate = self._carrier.turning_bias + ca.cross(turning, seen) + one.orientation.rotate(one.orientation.spin_bias)
+        return tensor @ rate + ca.cross(spin, tensor @ spin)
+
+
+STILL = Carrier()

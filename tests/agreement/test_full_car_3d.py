@@ -1,0 +1,115 @@
+"""Full car on 3-D corners: written in the body's axes (shipped) against everything in ground axes (twin)."""
+
+from __future__ import annotations
+
+import importlib.util
+import sys
+from pathlib import Path
+
+import casadi as ca
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.models import build
+
+AGREEMENT = 1e-9
+BODY = ("sprung.distance", "attitude.angle", "attitude.second_angle")
+
+
+@pytest.fixture(scope="module")
+def in_ground():
+    path = Path(__file__).parents[1] / "twins" / "full_car_in_ground_axes.py"
+    spec = importlib.util.spec_from_file_location("full_car_in_ground_axes", path)
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    return module.full_car_in_ground_axes
+
+
+def functions(model):
+    symbols = [model.x, model.u, model.p, model.m]
+    return {name: ca.Function(name, symbols, [getattr(model, name)]) for name in ("output", "projection", "switch")}
+
+
+def values_of(model, values):
+    return np.array([values[path] for path in model.parameters])
+
+
+def matrix(e):
+    w, x, y, z = e
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+
+
+def quaternion(r):
+    w = np.sqrt(1.0 + np.trace(r)) / 2.0
+    return np.array([w, (r[2, 1] - r[1, 2]) / (4 * w), (r[0, 2] - r[2, 0]) / (4 * w), (r[1, 0] - r[0, 1]) / (4 * w)])
+
+
+def state(model, seed):
+    """Any closed pose in motion, far from the design one."""
+    random, n_q = np.random.default_rng(seed), len(model.coordinates)
+    x = np.concatenate([model.start, np.zeros(len(model.speeds))])
+    x[:n_q] += 0.02 * random.normal(size=n_q)
+    x[n_q:] = 0.5 * random.normal(size=len(x) - n_q)
+    x[[model.coordinates.index(name) for name in BODY]] = 0.05 * random.normal(size=3)
+    u = 0.01 * random.normal(size=model.u.shape[0])
+    for i, track in enumerate(model.tracks):
+        if not track.endswith("road.z"):
+            u[i * model.track_order] = 3.0 * random.normal()
+    return x, u
+
+
+def in_ground_axes(model, x):
+    """Turn what is relative to the body in the shipped model (quaternions, spins) into what the twin counts."""
+    n_q = len(model.coordinates)
+    pitch, roll = (x[model.coordinates.index(name)] for name in BODY[1:])
+    pitching, rolling = (x[n_q + model.speeds.index(f"{name} rate")] for name in BODY[1:])
+    about_y = np.array([[np.cos(pitch), 0, np.sin(pitch)], [0, 1, 0], [-np.sin(pitch), 0, np.cos(pitch)]])
+    about_x = np.array([[1, 0, 0], [0, np.cos(roll), -np.sin(roll)], [0, np.sin(roll), np.cos(roll)]])
+    spin = np.array([rolling, pitching * np.cos(roll), -pitching * np.sin(roll)])
+    found = x.copy()
+    for i, name in enumerate(model.coordinates):
+        if name.endswith(".e0"):
+            seen, k = matrix(x[i : i + 4]), n_q + model.speeds.index(f"{name[:-2]}wx")
+            found[i : i + 4] = quaternion(about_y @ about_x @ seen)
+            found[k : k + 3] += seen.T @ spin
+    return found
+
+
+CARS = {
+    "double wishbones": jn.load("formula-student-car"),
+    "radial tyres": jn.load("formula-student-car").with_changes({"front.corner.tyre.law": "radial"}),
+}
+
+
+@pytest.mark.parametrize("name", CARS)
+@pytest.mark.parametrize("seed", range(3))
+def test_accelerations_and_forces_agree_in_any_motion(in_ground, name, seed):
+    vehicle = CARS[name]
+    shipped, twin = build(vehicle), in_ground(vehicle)
+    assert shipped.coordinates == twin.coordinates
+    assert shipped.speeds == twin.speeds
+    one, other = functions(shipped), functions(twin)
+    modes, p, q = np.ones(shipped.m.shape[0]), *(values_of(model, vehicle.parameters()) for model in (shipped, twin))
+    x, u = state(shipped, seed)
+    for _ in range(6):
+        x = one["projection"](x, u, p, modes).full().ravel()[: len(x)]
+    order = shipped.track_order
+    inputs = np.concatenate([u[shipped.tracks.index(track) * order :][:order] for track in twin.tracks])
+    y = in_ground_axes(shipped, x)
+    names = [output.name for output in shipped.outputs]
+    found = one["output"](x, u, p, modes).full().ravel()
+    wanted = other["output"](y, inputs, q, modes).full().ravel()
+    wanted = wanted[[[output.name for output in twin.outputs].index(name) for name in names]]
+    assert other["projection"](y, inputs, q, modes).full().ravel()[-2] < 1e-12  # closed there, too
+    assert np.max(np.abs(found - wanted) / (1.0 + np.abs(wanted))) < AGREEMENT
+    first = one["switch"](x, u, p, modes).full()
+    second = other["switch"](y, inputs, q, modes).full()
+    assert np.max(np.abs(first - second) / (1.0 + np.abs(second))) < AGREEMENT
