@@ -233,7 +233,7 @@ def run_excenter(
     --------
     >>> found = run_excenter()
     >>> [round(1e3 * run.statics["compression"], 2) for run in found.runs]    # mm
-    [13.35, 133.79, 135.29]
+    [13.35, 133.79, 135.27]
     """
     if not (np.isfinite(amplitude) and amplitude > 0.0):
         raise DescriptionError("not an amplitude", where="amplitude", found=amplitude, allowed="above 0 m")
