@@ -53,6 +53,12 @@ class Means:
         share = (force - off) * (on - off) / ca.fmax((on - off) ** 2, 1e-12)
         return low + (high - low) * _clipped(share, 0.0, 1.0)
 
+    def command_for_coefficient(self, coefficient: ca.SX) -> ca.SX:
+        """Command that makes a strut's damping coefficient, N s/m."""
+        if isinstance(self.actuator, SemiActiveDamper):
+            return _clipped(coefficient, self.number("minimum"), self.number("maximum"))
+        return self.command_for_force(coefficient * self.seen("strut.velocity"))
+
     def command_for_level(self, level: ca.SX) -> ca.SX:
         """Command between the softest (0) and the firmest (1) setting of a damper."""
         low, high = self.number("minimum"), self.number("maximum")

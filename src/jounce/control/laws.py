@@ -33,7 +33,7 @@ class Passive(Controller):
 
     def decide(self, seen: Seen, memory: list[ca.SX], number: Number, means: Means) -> Decision:  # noqa: ARG002
         """Write the law of one corner."""
-        return Decision(means.command_for_force(number("damping_coefficient") * seen("strut.velocity")))
+        return Decision(means.command_for_coefficient(number("damping_coefficient")))
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
         """Give the coefficient, N s/m."""

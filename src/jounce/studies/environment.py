@@ -1,0 +1,189 @@
+"""A suspension as a Gymnasium environment, for learning controllers (extra ``learn``)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.control.actuators import AnyActuator, SemiActiveDamper
+from jounce.core.errors import SimulationError, unknown
+from jounce.core.optional import require
+from jounce.kernel.status import Status
+from jounce.parts import Rig
+from jounce.roads import Trial
+from jounce.simulation.stepping import Stepper
+
+Array = NDArray[np.float64]
+OBSERVED = ("sprung.az", "sprung.vz", "unsprung.vz", "strut.deflection", "strut.velocity")
+"""What is observed of each corner by default, where the model has it."""
+COST = {"sprung.az": 1.0, "strut.deflection": 4e3, "tyre.deflection": 4e4}
+"""Default weights of the mean squares (changes from rest) in the cost, 1 over the square of each channel's unit."""
+_SCALES = {"az": 2.0, "vz": 0.3, "velocity": 0.5, "deflection": 0.03, "force": 2000.0, "z": 0.05}
+_WIDEST = 10.0
+_FINEST = 1e-3  # s between the samples that the cost is made of
+_LOST = 1e3  # reward when a run diverges
+
+
+def ride_environment(
+    rig: Rig,
+    trial: Trial | Callable[[np.random.Generator], Trial],
+    *,
+    actuator: AnyActuator | None = None,
+    rate: float = 100.0,
+    observed: Sequence[str] = OBSERVED,
+    cost: Mapping[str, float] | None = None,
+) -> Any:
+    """Make a Gymnasium environment of a rig or vehicle with actuators on a road.
+
+    An action is one number in [-1, 1] for each corner: from the smallest to the largest command. An observation holds
+    the observed channels of all corners as changes from rest, divided by a typical size and clipped to [-10, 10]. The
+    reward is minus the cost: weighted mean squares over the step, summed over the corners.
+
+    Parameters
+    ----------
+    rig : Rig
+        Rig or vehicle.
+    trial : Trial or callable
+        Road, speed and duration; or what makes one from a ``numpy.random.Generator`` at every reset.
+    actuator : SemiActiveDamper, ActiveActuator or MagnetorheologicalDamper, optional
+        Of every strut; a damper between 0.2 and 8/3 of the corner's own by default.
+    rate : float
+        Steps per second, Hz.
+    observed : sequence of str
+        Channels without their corner.
+    cost : mapping, optional
+        Channel without its corner to the weight of its mean square, 1 over the square of its unit.
+
+    Returns
+    -------
+    gymnasium.Env
+        With ``reset(seed=...)`` and ``step(action)``; ``info`` holds ``time`` (s), ``commands`` (by corner, in the
+        actuator's unit), ``cost`` by channel and, when it ends early, ``status``.
+
+    Raises
+    ------
+    MissingPackageError
+        When Gymnasium is not installed.
+    DescriptionError
+        For a channel that the model does not have.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> road = jn.HalfSine(height="10 mm", length="60 mm")
+    >>> trial = jn.Trial(road=road, speed="1.95 m/s", duration="1 s")
+    >>> environment = ride_environment(jn.load("kart-quarter-car"), trial)
+    >>> observation, info = environment.reset(seed=1)
+    >>> observation, reward, terminated, truncated, info = environment.step([0.0])
+    >>> bool(reward <= 0.0), terminated, truncated
+    (True, False, False)
+    """
+    return _environment_class()(rig, trial, actuator or SemiActiveDamper(), rate, observed, dict(cost or COST))
+
+
+@cache
+def _environment_class() -> Any:
+    gymnasium = require("gymnasium", "learn")
+
+    class RideEnv(gymnasium.Env):  # type: ignore[misc, name-defined] # the base is only there with the extra
+        """A suspension on a road; made by :func:`ride_environment`."""
+
+        metadata = {"render_modes": []}
+
+        def __init__(
+            self,
+            rig: Rig,
+            trial: Trial | Callable[[np.random.Generator], Trial],
+            actuator: AnyActuator,
+            rate: float,
+            observed: Sequence[str],
+            cost: dict[str, float],
+        ) -> None:
+            self._trial = trial
+            self._make = lambda chosen: _stepper(rig, chosen, actuator, rate)
+            first = trial if isinstance(trial, Trial) else trial(np.random.default_rng(0))
+            self._run = self._make(first)
+            self._observed, self._scales = _columns(self._run, observed, default=OBSERVED)
+            self._cost = _weights(self._run, cost, default=COST)
+            self._rest = self._run.start()
+            corners = len(self._run.corners)
+            self.action_space = gymnasium.spaces.Box(-1.0, 1.0, (corners,), np.float32)
+            shape = (len(self._observed),)
+            self.observation_space = gymnasium.spaces.Box(-_WIDEST, _WIDEST, shape, np.float32)
+
+        def reset(
+            self, *, seed: int | None = None, options: dict[str, Any] | None = None
+        ) -> tuple[NDArray[np.float32], dict[str, Any]]:
+            """Begin a run at rest; with a random trial on a new road."""
+            super().reset(seed=seed, options=options)
+            if not isinstance(self._trial, Trial):
+                self._run = self._make(self._trial(self.np_random))
+            self._rest = self._run.start()
+            return self._seen(self._rest), {"time": 0.0}
+
+        def step(
+            self, action: Any
+        ) -> tuple[NDArray[np.float32], float, bool, bool, dict[str, Any]]:
+            """Hold the commands of an action for one period."""
+            low, high = self._run.limits.T
+            share = 0.5 + 0.5 * np.clip(np.asarray(action, dtype=np.float64), -1.0, 1.0)
+            commands = low + (high - low) * share
+            outputs = self._run.step(commands)
+            info: dict[str, Any] = {
+                "time": self._run.time,
+                "commands": dict(zip(self._run.corners, commands.tolist(), strict=True)),
+            }
+            if self._run.status is not Status.COMPLETED:
+                info["status"] = self._run.status.name.lower()
+                return self._seen(self._rest), -_LOST, True, False, info
+            moved = outputs - self._rest[:, None]
+            info["cost"] = {name: weight * float(np.mean(moved[row] ** 2)) for name, row, weight in self._cost}
+            return self._seen(outputs[:, -1]), -sum(info["cost"].values()), False, self._run.finished, info
+
+        def _seen(self, outputs: Array) -> NDArray[np.float32]:
+            """Observation of a sample."""
+            scaled = (outputs - self._rest)[self._observed] / self._scales
+            return np.clip(scaled, -_WIDEST, _WIDEST).astype(np.float32)
+
+    return RideEnv
+
+
+def _stepper(rig: Rig, trial: Trial, actuator: AnyActuator, rate: float) -> Stepper:
+    if not (np.isfinite(rate) and rate > 0.0):
+        raise SimulationError("not a rate", where="rate", found=rate, allowed="above 0 Hz")
+    return Stepper(rig, trial, actuator, rate, samples=max(1, round(1.0 / (rate * _FINEST))))
+
+
+def _columns(run: Stepper, words: Sequence[str], default: Sequence[str]) -> tuple[NDArray[np.intp], Array]:
+    """Outputs that are observed and their typical sizes, corner after corner."""
+    names = [name for corner in run.corners for name in _present(run, corner, words, default)]
+    scales = [_SCALES.get(name.rpartition(".")[2], 1.0) for name in names]
+    return np.array([run.channels.index(name) for name in names], dtype=np.intp), np.array(scales)
+
+
+def _weights(run: Stepper, cost: Mapping[str, float], default: Mapping[str, float]) -> list[tuple[str, int, float]]:
+    """Channel, output and weight of everything that costs."""
+    found = []
+    for word, weight in cost.items():
+        if not (np.isfinite(weight) and weight >= 0.0):
+            raise SimulationError("not a weight", where=f"cost: {word}", found=weight, allowed="0 or more")
+        for corner in run.corners:
+            for name in _present(run, corner, [word], list(default)):
+                found.append((name, run.channels.index(name), weight))
+    return found
+
+
+def _present(run: Stepper, corner: str, words: Sequence[str], default: Sequence[str]) -> list[str]:
+    """Channels of a corner; what is asked for by default only may be missing (massless axles)."""
+    found = []
+    for word in words:
+        name = f"{corner}.{word}" if corner else word
+        if name in run.channels:
+            found.append(name)
+        elif word not in default:
+            raise unknown(name, run.channels, what="channel", where="environment")
+    return found
