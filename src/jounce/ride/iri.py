@@ -276,7 +276,7 @@ def _checked_spacing(x: Array, z: Array, place: str) -> float:
             where=place,
             found=f"a step of {steps[row - 1]:.6g} m",
             allowed=f"{usual:.6g} m within 1 %, as in the rest",
-            hint="Put the profile on constant steps with the program that recorded it.",
+            hint="Is a row missing, or was distance written with too few digits?",
         )
     return spacing
 
