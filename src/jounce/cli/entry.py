@@ -25,6 +25,7 @@ from jounce.cli import (
     library,
     modes,
     plot,
+    ride,
     simulate,
     study,
 )
@@ -53,6 +54,8 @@ def application() -> typer.Typer:
     app.command("modes")(modes.modes)
     app.command("adjust")(adjust.adjust)
     app.command("kinematics")(kinematics.kinematics)
+    app.command("ride")(ride.ride)
+    app.command("compare")(ride.compare)
     app.command("iri")(iri.iri)
     app.command("plot")(plot.plot)
     app.command("draw")(draw.draw)

@@ -174,7 +174,7 @@ class _Law:
     def start(self) -> None:
         """Begin a run: commands of rest, no memory."""
         control = self.feedback
-        control.count[0] = 0
+        control.instants[0] = 0
         control.memory[:] = 0.0
         if control.memory.shape[1]:
             control.memory[0, -len(self._rest_commands) :] = self._rest_commands
@@ -197,7 +197,7 @@ class _Law:
                 f"the law {first.name!r} needs a channel that the model does not have",
                 where="control",
                 found=", ".join(missing),
-                allowed=", ".join(names),
+                allowed="a law that needs other channels, or a model with wheels of their own",
             )
         select = np.array([names.index(name) for name in channels], dtype=np.int64)
         bound = np.full(self._compiled.state_count, np.inf)
@@ -212,9 +212,7 @@ class _Law:
             noise=sensor_noise(first.noise, first.seed, channels, self._instants),
             bound=bound,
             p=p,
-            memory=memory,
-            inputs=prepared.problem.inputs,
-            outputs=len(names),
+            counts=(memory, prepared.problem.inputs, len(names)),
         )
 
     @staticmethod

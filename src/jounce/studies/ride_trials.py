@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.findings import Finding
 from jounce.parts import FullCar, FullCar3D, Rig, Vehicle
@@ -13,6 +15,7 @@ from jounce.roads.road import Road
 
 DEFAULT_DURATION = 60.0
 """s, of a run over a synthetic road; a measured one is driven to its end."""
+_SAMPLE = 1e-3  # s
 _RUN_IN = 10.0  # m over which a synthetic road fades in, and out behind the end of the run
 
 
@@ -70,10 +73,10 @@ def iso_trial(
     >>> import jounce as jn
     >>> ride = iso_trial(jn.load("audi-a6-full-car"), "C", 20.0, duration=10.0)
     >>> ride.trial.right.side, round(ride.settling, 4), round(ride.trial.duration, 4)
-    ('right', 0.6455, 10.6455)
+    ('right', 0.646, 10.646)
     """
-    settling = (_RUN_IN + _wheelbase(rig)) / speed
-    lasting = settling + duration
+    settling = _whole_samples((_RUN_IN + _wheelbase(rig)) / speed)
+    lasting = settling + _whole_samples(duration)
     left = Iso8608(class_=class_, length=speed * lasting + _RUN_IN, step=step, seed=seed, run_in=_RUN_IN)
     if isinstance(rig, FullCar | FullCar3D):
         left = left.model_copy(update={"track": _track(rig)})
@@ -115,11 +118,16 @@ def road_trial(rig: Rig, road: Road, speed: float, *, duration: float | None = N
         text = f"the road ends after {whole:.4g} s; the rest of the run, which counts, is level"
         findings.append(Finding("duration", "warning", text, lasting))
     left, right = _tracks(rig, road)
-    return RideTrial(_trial(left, right, speed, lasting), behind / speed, tuple(findings))
+    return RideTrial(_trial(left, right, speed, _whole_samples(lasting)), behind / speed, tuple(findings))
 
 
 def _trial(left: Road, right: Road | None, speed: float, duration: float) -> Trial:
     return Trial(road=left, right=right, speed=speed, duration=duration)
+
+
+def _whole_samples(time: float) -> float:
+    """Time (s) made up to whole output steps, so that signals are uniform to their end."""
+    return float(np.ceil(time / _SAMPLE - 1e-6) * _SAMPLE)
 
 
 def _wheelbase(rig: Rig) -> float:

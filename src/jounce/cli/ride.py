@@ -1,0 +1,226 @@
+"""``jounce ride`` and ``jounce compare``: comfort, travel and road holding over a road, with and without control."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from jounce.cli.options import AsJson, Changes, Force, changes, positive_quantity
+from jounce.cli.reply import Reply, progress
+from jounce.cli.rigs import chosen_rig
+from jounce.cli.tables import show_findings, table
+from jounce.core.errors import DescriptionError, OutputError
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from jounce.parts import Rig
+    from jounce.studies.ride import Ride, RideStudy
+    from jounce.studies.ride_trials import RideTrial
+
+VehicleName = Annotated[
+    str, typer.Argument(metavar="VEHICLE", help="A vehicle or rig file, or a name of `jounce library`.")
+]
+RideRoad = Annotated[
+    str, typer.Option(help="A class of ISO 8608 (iso:A to iso:H), a road file, or a name of `jounce library`.")
+]
+RideSpeed = Annotated[str, typer.Option(help='Speed over the road, e.g. "20 m/s".')]
+RideDuration = Annotated[
+    str | None,
+    typer.Option(help="Time over the road; by default 60 s on ISO roads, else to the end of the road."),
+]
+Seed = Annotated[int, typer.Option(min=0, help="Which of all random roads of the class.")]
+FigureFile = Annotated[Path | None, typer.Option(help="Draw the result: .png, .svg or .pdf.")]
+_RECORDINGS = (".nc", ".csv")
+_ISO = "iso:"
+
+
+def ride(
+    vehicle: VehicleName,
+    road: RideRoad,
+    speed: RideSpeed,
+    control: Annotated[
+        list[str] | None,
+        typer.Option(help="A controller (see `jounce compare --help`), its file, or all. Repeat it; passive without."),
+    ] = None,
+    duration: RideDuration = None,
+    seed: Seed = 0,
+    set_: Changes = None,
+    out: Annotated[Path | None, typer.Option(help="Write the recording of the only run: RUN.nc or RUN.csv.")] = None,
+    figure: FigureFile = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Drive a vehicle over a rough road: ride metrics and, on ISO roads, what the linear model says of them.
+
+    Example: jounce ride audi-a6-full-car --road iso:C --speed "20 m/s" --control skyhook
+    """
+    names = _names(control or ["passive"])
+    if out is not None:
+        _check_recording(out, names, force=force)
+    study, plain = _study(vehicle, road, speed, duration, seed, names, set_, figure, force=force)
+    if out is not None:
+        from jounce.recordings import write_recording
+
+        write_recording(study.rides[0].run, out, force=force)
+    if figure is not None:
+        from jounce.plots.ride import ride_spectra
+        from jounce.plots.writing import write_figure
+
+        write_figure(ride_spectra(study.rides, settling=study.trial.settling), figure, force=force)
+    plain = {**plain, "out": out and str(out), "figure": figure and str(figure)}
+    return Reply(plain, lambda console: _draw_ride(console, plain, study), as_json)
+
+
+def compare(
+    vehicle: VehicleName,
+    control: Annotated[
+        list[str] | None,
+        typer.Option(help="all, or controllers by name or file: passive, skyhook, lqr, ... Repeat it."),
+    ] = None,
+    road: RideRoad = "iso:C",
+    speed: RideSpeed = "20 m/s",
+    duration: Annotated[str | None, typer.Option(help="Time over the road; by default 20 s on ISO roads.")] = None,
+    seed: Seed = 0,
+    set_: Changes = None,
+    figure: FigureFile = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Compare controllers over one road: comfort, travel and road holding, as a table and a picture of the trade-off.
+
+    Example: jounce compare audi-a6-half-car-4dof --control all --figure trade-off.png
+    """
+    length = duration or ("20 s" if road.startswith(_ISO) else None)
+    names = _names(control or ["all"])
+    study, plain = _study(vehicle, road, speed, length, seed, names, set_, figure, force=force)
+    if figure is not None:
+        from jounce.plots.ride import trade_off
+        from jounce.plots.writing import write_figure
+
+        write_figure(trade_off(study), figure, force=force)
+    plain = {**plain, "figure": figure and str(figure)}
+    return Reply(plain, lambda console: _draw_comparison(console, plain, study), as_json)
+
+
+def _names(given: list[str]) -> list[str]:
+    """Controllers in the order given, each once; ``all`` stands for every one."""
+    from jounce.studies.ride import all_controls
+
+    texts = [part.strip() for text in given for part in text.split(",") if part.strip()]
+    return list(dict.fromkeys(name for text in texts for name in (all_controls() if text == "all" else (text,))))
+
+
+def _study(
+    vehicle: str,
+    road: str,
+    speed: str,
+    duration: str | None,
+    seed: int,
+    names: list[str],
+    set_: list[str] | None,
+    figure: Path | None,
+    *,
+    force: bool,
+) -> tuple[RideStudy, dict[str, Any]]:
+    """Run the study that the options describe; give it with what ``--json`` prints."""
+    if figure is not None:
+        _check_figure(figure, force=force)
+    wanted, v = changes(set_), positive_quantity(speed, "m/s", "--speed")
+    lasting = None if duration is None else positive_quantity(duration, "s", "--duration")
+    with progress() as say:
+        say("loading")
+        from jounce.studies.ride import compare_rides
+
+        rig = chosen_rig(vehicle, wanted)
+        study = compare_rides(rig, _trial(rig, road, v, lasting, seed), names, progress=say)
+    return study, {"vehicle": vehicle, "changes": wanted, "road": road, "seed": seed, **study.to_dict()}
+
+
+def _trial(rig: Rig, road: str, speed: float, duration: float | None, seed: int) -> RideTrial:
+    from jounce.roads import load_road
+    from jounce.studies.ride_trials import DEFAULT_DURATION, iso_trial, road_trial
+
+    if road.startswith(_ISO):
+        lasting = DEFAULT_DURATION if duration is None else duration
+        return iso_trial(rig, road.removeprefix(_ISO), speed, duration=lasting, seed=seed)
+    return road_trial(rig, load_road(road), speed, duration=duration)
+
+
+def _check_figure(figure: Path, *, force: bool) -> None:
+    from jounce.core.serialise import check_writable
+    from jounce.plots.writing import SUFFIXES
+
+    if figure.suffix.lower() not in SUFFIXES:
+        allowed = ", ".join(SUFFIXES)
+        raise OutputError(
+            "figures are not written in this format", where="--figure", found=str(figure), allowed=allowed
+        )
+    check_writable(figure, force=force)
+
+
+def _check_recording(out: Path, names: list[str], *, force: bool) -> None:
+    from jounce.core.serialise import check_writable
+
+    if out.suffix.lower() not in _RECORDINGS:
+        raise OutputError(
+            "recordings are not written in this format", where=f"--out {out}", found=out.suffix, allowed=".nc, .csv"
+        )
+    if len(names) > 1:
+        raise DescriptionError(
+            "one file holds one run", where="--out", found=", ".join(names), allowed="one --control with --out"
+        )
+    check_writable(out, force=force)
+
+
+def _draw_ride(console: Console, plain: dict[str, Any], study: RideStudy) -> None:
+    for ride in study.rides:
+        rows, last = [], ""
+        for item in ride.metrics.values:
+            rows.append((item.label if item.label != last else "", item.place, item.value, item.unit))
+            last = item.label
+        title = f"{plain['vehicle']}, {ride.control}, on {plain['road']} at {plain['speed']:g} m/s"
+        console.print(table(title, ("metric", "place", "value", "unit"), rows, text=(0, 1, 3)))
+        for place, words in ride.metrics.comfort.items():
+            console.print(f"{place}: {words}")
+        _draw_stationary(console, study, ride)
+        show_findings(console, ride.metrics.findings)
+    _draw_end(console, plain, study)
+
+
+def _draw_stationary(console: Console, study: RideStudy, ride: Ride) -> None:
+    """Simulated beside stationary standard deviations, of the rig as it is."""
+    if study.stationary is None or ride.control != "passive":
+        return
+    signals = ride.run.sel(time=slice(study.trial.settling, None))
+    linear = study.stationary.standard_deviation
+    rows = [
+        (name, study.stationary.units[name], float(signals[name].std()), linear[name])
+        for name in linear
+        if linear[name]
+    ]
+    header = ("channel", "unit", "simulated", "linear model")
+    console.print(table("Standard deviations", header, rows, text=(0, 1)))
+    show_findings(console, study.stationary.findings)
+
+
+def _draw_comparison(console: Console, plain: dict[str, Any], study: RideStudy) -> None:
+    from jounce.studies.ride import MERITS
+
+    shown = [merit for merit in MERITS if any(merit.name in ride.merits for ride in study.rides)]
+    rows = [(ride.control, *(ride.merits.get(merit.name) for merit in shown)) for ride in study.rides]
+    header = ("controller", *(f"{merit.label} [{merit.unit}]" for merit in shown))
+    title = f"{plain['vehicle']} on {plain['road']} at {plain['speed']:g} m/s; smaller is better"
+    console.print(table(title, header, rows))
+    _draw_end(console, plain, study)
+
+
+def _draw_end(console: Console, plain: dict[str, Any], study: RideStudy) -> None:
+    for name, reason in study.failed.items():
+        console.print(f"not driven: {name}: {reason}", soft_wrap=True)
+    show_findings(console, study.trial.findings)
+    for key in ("out", "figure"):
+        if plain.get(key):
+            console.print(f"written: {plain[key]}")

@@ -1,0 +1,127 @@
+"""Ride studies: spectra of the body's acceleration, and comfort against road holding for several controllers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from jounce.plots.style import INK, MUTED, PALETTE, new_figure, styled
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from jounce.studies.ride import Merit, Ride, RideStudy
+
+_BODY = ("body.az", "sprung.az")
+_HIGHEST = 50.0  # Hz
+_SIZES = (40.0, 260.0)  # points^2
+
+
+@styled
+def ride_spectra(rides: Sequence[Ride], *, settling: float = 0.0) -> Figure:
+    r"""Draw the spectra of body acceleration and wheel load, one line for each ride.
+
+    Parameters
+    ----------
+    rides : sequence of Ride
+        Runs over the same road.
+    settling : float
+        Time at the start that is left out, s.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Power spectral densities over frequency (Hz): acceleration ((m/s^2)^2/Hz) above, wheel load (N^2/Hz) below
+        where the rig has a tyre.
+    """
+    from jounce.ride.spectra import power_spectrum
+
+    channels = [names[0] for names in (_of(rides[0].run, _BODY), _of(rides[0].run, ("tyre.force",))) if names]
+    figure = new_figure(2.9 * len(channels))
+    rows = figure.subplots(len(channels), 1, sharex=True, squeeze=False)[:, 0]
+    labels = {"az": "acceleration [(m/s²)²/Hz]", "force": "wheel load [N²/Hz]"}
+    for name, axes in zip(channels, rows, strict=True):
+        for i, ride in enumerate(rides):
+            signal = ride.run[name].sel(time=slice(settling, None))
+            rate = 1.0 / float(signal["time"][1] - signal["time"][0])
+            found = power_spectrum(signal.to_numpy(), rate)
+            band = (found.frequency > 0.0) & (found.frequency <= _HIGHEST)
+            style = "-" if i < len(PALETTE) else "--"
+            axes.loglog(
+                found.frequency[band], found.density[band], style, color=PALETTE[i % len(PALETTE)], label=ride.control
+            )
+        axes.set(title=name, ylabel=labels[name.rpartition(".")[2]])
+    rows[-1].set_xlabel("frequency [Hz]")
+    rows[-1].set_xlim(0.2, _HIGHEST)
+    if len(rides) > 1:
+        rows[0].legend(ncols=min(len(rides), 4), fontsize=8)
+    return figure
+
+
+def _of(run: xr.Dataset, names: Sequence[str]) -> list[str]:
+    """Channels of a recording with these names, at any corner."""
+    return [str(c) for name in names for c in run.data_vars if c == name or str(c).endswith(f".{name}")]
+
+
+@styled
+def trade_off(study: RideStudy) -> Figure:
+    """Draw comfort against road holding (travel, where the rig has no tyre), the size of a point showing the travel.
+
+    Parameters
+    ----------
+    study : RideStudy
+        Rides of one rig over one road.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        One point for each controller; better is to the lower left. Lines mark the passive rig.
+    """
+    from jounce.studies.ride import MERITS
+
+    merits = {merit.name: merit for merit in MERITS}
+    across = merits["comfort"]
+    up = merits["load_coefficient" if "load_coefficient" in study.rides[0].merits else "travel"]
+    figure = new_figure(5.2)
+    axes = figure.subplots()
+    travel = np.array([ride.merits["travel"] for ride in study.rides])
+    low, high = float(travel.min()), float(max(travel.max(), travel.min() * (1.0 + 1e-9)))
+    for ride, size in zip(study.rides, np.interp(travel, (low, high), _SIZES), strict=True):
+        is_passive = ride.control == "passive"
+        x, y = ride.merits[across.name], _shown(up, ride.merits[up.name])
+        axes.scatter(x, y, size, color=INK if is_passive else PALETTE[0], alpha=0.85, linewidths=0, zorder=3)
+        if is_passive:
+            axes.axvline(x, color=MUTED, linewidth=0.8, linestyle=":")
+            axes.axhline(y, color=MUTED, linewidth=0.8, linestyle=":")
+    _name_points(axes, [(r.control, r.merits[across.name], _shown(up, r.merits[up.name])) for r in study.rides])
+    axes.set(xlabel=f"{across.label} [m/s²]", ylabel=f"{up.label} [{'–' if up.unit == '1' else 'mm'}]")
+    axes.set_title(f"Better is to the lower left; size shows travel, {1e3 * low:.3g} to {1e3 * high:.3g} mm r.m.s.")
+    return figure
+
+
+def _shown(merit: Merit, value: float) -> float:
+    return 1e3 * value if merit.unit == "m" else value
+
+
+def _name_points(axes: Axes, points: Sequence[tuple[str, float, float]]) -> None:
+    """Write the names beside their points, each moved up until it covers no other; a line leads back to its point."""
+    axes.margins(0.08)
+    axes.autoscale_view()
+    (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
+    right += 0.18 * (right - left)
+    axes.set_xlim(left, right)
+    height, width = 0.034 * (top - bottom), 0.0115 * (right - left)
+    taken: list[tuple[float, float, float]] = []
+    for name, x, y in sorted(points, key=lambda point: (point[2], point[1])):
+        start, at = x + 0.017 * (right - left), y
+        end = start + width * len(name)
+        while any(abs(at - other) < height and start < last and end > first for first, last, other in taken):
+            at += 0.25 * height
+        taken.append((start, end, at))
+        line = {"arrowstyle": "-", "color": MUTED, "linewidth": 0.5, "shrinkA": 0.0, "shrinkB": 2.0}
+        moved = line if at > y else None
+        axes.annotate(name, (x, y), (start, at), fontsize=7.5, color=INK, va="center", arrowprops=moved, zorder=4)
