@@ -13,7 +13,7 @@ from pydantic import BeforeValidator, Field
 from jounce.core.errors import DescriptionError
 from jounce.core.segments import Segments
 from jounce.core.units import Length, NonNegativeLength, PositiveLength, PositiveNumber, Unit
-from jounce.roads.profile import Profile, hermite_profile, laid_out, linear_profile
+from jounce.roads.profile import Profile, hermite_profile, laid_out, linear_profile, periodic_places
 from jounce.roads.road import Road
 from jounce.roads.roughness import BAND, REFERENCE, RoadClass, class_roughness, height_variance, track_coherence
 
@@ -330,12 +330,6 @@ class SineSum(Road):
 
     def _between(self, low: float, high: float) -> Segments:
         return laid_out(self.profile(), periodic_places(self.start, self.period(), low, high), low, high)
-
-
-def periodic_places(start: float, period: float, low: float, high: float) -> list[tuple[float, float]]:
-    """Places (m) at which periods that go on forever to both sides begin, over the window from ``low`` to ``high``."""
-    first, last = math.floor((low - start) / period) - 1, math.ceil((high - start) / period) + 1
-    return [(start + k * period, 0.0) for k in range(first, last)]
 
 
 @lru_cache(maxsize=8)

@@ -12,10 +12,11 @@ from numpy.typing import NDArray
 from pydantic import BeforeValidator
 
 from jounce.core.columns import read_columns_csv
-from jounce.core.errors import RecordingError
+from jounce.core.errors import DescriptionError, RecordingError
+from jounce.core.segments import Segments
 from jounce.core.units import Length, Unit
-from jounce.roads.opencrg import read_crg_profile
-from jounce.roads.profile import Profile, cubic_profile, linear_profile
+from jounce.roads.opencrg import Course, read_course
+from jounce.roads.profile import Profile, cubic_profile, laid_out, linear_profile, periodic_places
 from jounce.roads.road import Road
 
 Array = NDArray[np.float64]
@@ -75,7 +76,9 @@ class Table(Road):
 
 
 class Crg(Road):
-    """Measured straight course from an OpenCRG file, at one lateral offset.
+    """Measured course from an OpenCRG file, straight or curved, at one lateral offset.
+
+    What lies before and after the course is what the file's options say: usually its first and last height.
 
     Attributes
     ----------
@@ -94,11 +97,43 @@ class Crg(Road):
 
     def check(self) -> None:
         """Read the file, so that whatever is wrong with it is said at once."""
-        self.profile()
+        if self._course().beyond in ("repeat", "reflect", "closed") and self.recurrence is not None:
+            raise ValueError("the options of the file say that the course repeats; leave out recurrence")
 
     def profile(self) -> Profile:
-        """Lines between the cross sections; the last height holds afterwards."""
-        return linear_profile(*read_crg_profile(self.file, self.v))
+        """Lines between the cross sections."""
+        return self._course().profile
+
+    def segments(self, distance: float, behind: float = 0.0) -> Segments:
+        """Give the road over [0, ``distance``] (m) for a wheel that follows ``behind`` metres, as closed-form pieces.
+
+        Raises
+        ------
+        DescriptionError
+            When the file says that there is no road beyond its ends and the drive goes there.
+        """
+        if self._course().beyond == "nothing" and not self.start <= -behind <= distance - behind <= self.end():
+            raise DescriptionError(
+                "the drive leaves the course, and the option BORDER_MODE_U = 0 says that there is no road",
+                where=str(self.file),
+                found=f"{0.0 - behind:g} to {distance - behind:g} m",
+                allowed=f"{self.start:g} to {self.end():g} m",
+            )
+        return super().segments(distance, behind)
+
+    def end(self) -> float:
+        """Distance in m at which the last cross section lies on the first pass."""
+        return self.start + float(self._course().s[-1])
+
+    def _course(self) -> Course:
+        return read_course(self.file, self.v)
+
+    def _between(self, low: float, high: float) -> Segments:
+        course = self._course()
+        if course.beyond in ("keep", "nothing"):
+            return super()._between(low, high)
+        places = periodic_places(self.start, course.profile.span, low, high)
+        return laid_out(course.profile, places, low, high)
 
 
 def check_source(file: Path | None, points: dict[str, tuple[float, ...]], interpolation: str) -> None:

@@ -184,3 +184,9 @@ def passes(first: float, recurrence: float | None, high: float) -> Iterable[tupl
         return [(first, 0.0)]
     count = max(1, math.ceil((high - first) / recurrence) + 1)
     return ((first + k * recurrence, 0.0) for k in range(count))
+
+
+def periodic_places(start: float, period: float, low: float, high: float) -> list[tuple[float, float]]:
+    """Places (m) at which periods that go on forever to both sides begin, over the window from ``low`` to ``high``."""
+    first, last = math.floor((low - start) / period) - 1, math.ceil((high - start) / period) + 1
+    return [(start + k * period, 0.0) for k in range(first, last)]
