@@ -18,6 +18,7 @@ from jounce.recordings.schema import check_recording
 from jounce.ride import comfort
 from jounce.ride.catalogue import CATALOGUE, Metric, Scope
 from jounce.ride.gaps import Given, by_corner, gaps_of
+from jounce.ride.printing import metrics_text
 from jounce.ride.views import USUAL_WEIGHTING, Choices, Corner, Motion, Point, carries_passengers
 from jounce.ride.weighting import STARTS, Start, weighting
 
@@ -133,13 +134,7 @@ class RideMetrics:
         )
 
     def __str__(self) -> str:
-        width = max((len(item.metric) for item in self.values), default=0)
-        there = max((len(item.place) for item in self.values), default=0)
-        lines = [f"Ride metrics of {self.duration:g} s at {self.sample_rate:g} Hz ({self.settling:g} s left out)"]
-        lines += [f"{v.metric:{width}}  {v.place:{there}}  {v.value:12.5g} {v.unit}" for v in self.values]
-        lines += [f"{place}: {words}" for place, words in self.comfort.items()]
-        lines += [f"no {item.metric}{' at ' * bool(item.place)}{item.place}: {item.reason}" for item in self.absent]
-        return "\n".join([*lines, *map(str, self.findings)])
+        return metrics_text(self)
 
 
 def ride_metrics(
@@ -357,10 +352,14 @@ def _findings(
     for item in values:
         if item.metric == "daily_exposure" and item.value > comfort.ACTION_VALUE:
             yield _exposed(item, hours)
-    for corner, view in views["corner"]:
-        if "dissipated_power" in wanted and view.has("strut.force") and not view.has("strut.damper_force"):
-            text = "dissipated power is that of the whole strut force: the damper's over closed cycles only"
-            yield Finding(corner or "strut", "note", text)
+    whole = [corner for corner, view in views["corner"] if view.has("strut.force")]
+    if (
+        "dissipated_power" in wanted
+        and whole
+        and not any(view.has("strut.damper_force") for _, view in views["corner"])
+    ):
+        text = "dissipated power is that of the whole strut force: what the damper takes over closed cycles only"
+        yield Finding(", ".join(filter(None, whole)) or "strut", "note", text)
 
 
 def _exposed(item: MetricValue, hours: float) -> Finding:

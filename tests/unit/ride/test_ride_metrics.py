@@ -237,6 +237,17 @@ def test_results_can_be_stored() -> None:
     assert "dynamic_load_coefficient" in str(found)
 
 
+def test_text_has_one_table_for_each_kind_of_place() -> None:
+    run = recorded(body__az=WAVE, front__strut__deflection=0.05 + 0.02 * WAVE, rear__strut__deflection=0.02 * WAVE)
+    lines = str(ride_metrics(run, settling=10.0)).splitlines()
+    assert lines[0] == "Ride metrics of 30 s at 1000 Hz (10 s left out)"
+    assert lines[1].split() == ["body.az"]
+    assert ["front", "rear"] in [line.split() for line in lines]
+    assert ["travel_rms", "m", "0.01414", "0.01414"] in [line.split() for line in lines]
+    assert sum("no bump stop's gap is given" in line for line in lines) == 1
+    assert "absent: dissipated_power (front, rear): no channel strut.force" in lines
+
+
 @pytest.mark.parametrize(
     ("options", "text"),
     [
