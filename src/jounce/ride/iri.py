@@ -20,7 +20,7 @@ BASE = 0.25
 RUN_UP = 11.0
 COARSEST, COARSE = 0.61, 0.3
 LARGEST_JITTER = 0.01
-ROUGHEST, NO_ROAD = 30.0, 300.0
+SMOOTHEST, ROUGHEST, NO_ROAD = 0.1, 30.0, 300.0
 _NEARLY = 1e-6
 
 
@@ -331,6 +331,9 @@ def _findings(whole: float, spacing: float, place: str) -> tuple[Finding, ...]:
     found = []
     if whole > ROUGHEST:
         text = f"IRI {whole:.3g} m/km is rougher than any road that is driven at 80 km/h; are the units right?"
+        found.append(Finding(place, "warning", text, whole))
+    if 0.0 < whole < SMOOTHEST:
+        text = f"IRI {whole:.3g} m/km is smoother than any road is built; are the units right?"
         found.append(Finding(place, "warning", text, whole))
     if spacing > COARSE:
         text = f"samples every {spacing:g} m; ASTM E1926 asks for 0.3 m or less, so the index comes out too low"
