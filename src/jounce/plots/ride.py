@@ -115,9 +115,10 @@ def _name_points(axes: Axes, points: Sequence[tuple[str, float, float]]) -> None
     right += 0.18 * (right - left)
     axes.set_xlim(left, right)
     height, width = 0.034 * (top - bottom), 0.0115 * (right - left)
-    taken: list[tuple[float, float, float]] = []
+    radius = 0.012 * (right - left)
+    taken = [(x - radius, x + radius, y) for _, x, y in points]
     for name, x, y in sorted(points, key=lambda point: (point[2], point[1])):
-        start, at = x + 0.017 * (right - left), y
+        start, at = x + 1.5 * radius, y
         end = start + width * len(name)
         while any(abs(at - other) < height and start < last and end > first for first, last, other in taken):
             at += 0.25 * height

@@ -76,13 +76,13 @@ def read_recording(
     located, findings = _locate_channels(signals, mapping, needs_time=sample_time is None)
     name_row = signals.columns.name_row
     time, time_findings, recorded = _time(located, signals.columns, sample_time, file)
-    values = {name: in_si(column, channel_unit(name)) for name, column in located.items() if name != "time"}
+    units = {name: _unit_of(name, column) for name, column in located.items() if name != "time"}
+    values = {name: in_si(located[name], unit) for name, unit in units.items()}
     findings += check_channels(values, where=str(file), name_row=name_row)
     if time_findings:
         values = _resampled(recorded, values, time)
     channels = {
-        name: (array, channel_unit(name), signals.long_names.get(located[name].name, ""))
-        for name, array in values.items()
+        name: (array, units[name], signals.long_names.get(located[name].name, "")) for name, array in values.items()
     }
     return recording(time, channels, attributes=signals.attributes), findings + time_findings
 
@@ -179,6 +179,11 @@ def locate(table: ColumnTable, spec: str) -> Column:
     if unit and column.unit and unit != column.unit:
         raise RecordingError("the column has another unit", where=column.where, found=column.unit, allowed=unit)
     return Column(column.name, unit or column.unit, column.values, column.file)
+
+
+def _unit_of(name: str, column: Column) -> str:
+    """SI unit of a channel; a command is in its actuator's, which only the file knows."""
+    return column.unit or "1" if quantity_of(name) == "command" else channel_unit(name)
 
 
 def in_si(column: Column, si: str) -> Array:

@@ -1,0 +1,116 @@
+"""``jounce ride`` and ``jounce compare``: answers, files, and what one can get wrong."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from jounce.studies.ride import MERITS, all_controls
+
+CAR = "audi-a6-half-car-4dof"
+SHORT = ("--road", "iso:C", "--speed", "20 m/s", "--duration", "5 s")
+
+
+def test_json_of_a_ride_holds_metrics_by_place(cli) -> None:
+    outcome = cli("ride", CAR, *SHORT, "--json")
+    assert outcome.exit_code == 0, outcome.err
+    found = outcome.json
+    assert (found["vehicle"], found["road"], found["speed"], found["failed"]) == (CAR, "iso:C", 20.0, {})
+    assert found["duration"] - found["settling"] == pytest.approx(5.0)
+    run = found["runs"][0]
+    assert (run["control"], run["status"]) == ("passive", "completed")
+    assert run["merits"]["comfort"] == run["metrics"]["weighted_rms"]["body.az"]
+    assert run["merits"]["travel"] == max(run["metrics"]["travel_rms"].values())
+    assert set(run["metrics"]["tyre_deflection_rms"]) == {"front", "rear"}
+
+
+def test_stationary_response_stands_beside_the_simulated_one(cli) -> None:
+    found = cli("ride", CAR, "--road", "iso:B", "--speed", "20 m/s", "--duration", "60 s", "--json").json
+    linear, simulated = found["stationary"]["standard_deviation"], found["runs"][0]["metrics"]
+    for channel in ("body.az", "front.unsprung.az"):
+        assert simulated["rms_acceleration"][channel] == pytest.approx(linear[channel], rel=0.03)
+    text = cli("ride", CAR, "--road", "iso:B", "--speed", "20 m/s", "--duration", "5 s").out
+    assert "linear model" in text
+
+
+def test_several_controls_and_a_picture(cli, tmp_path: Path) -> None:
+    outcome = cli("ride", CAR, *SHORT, "--control", "passive,skyhook", "--figure", "spectra.png")
+    assert outcome.exit_code == 0, outcome.err
+    assert "skyhook, on iso:C" in outcome.out
+    assert (tmp_path / "spectra.png").stat().st_size > 10_000
+    refused = cli("ride", CAR, *SHORT, "--figure", "spectra.png")
+    assert refused.exit_code == 2
+    assert "exists" in refused.err
+
+
+def test_the_recording_is_written(cli, tmp_path: Path) -> None:
+    import jounce as jn
+
+    assert cli("ride", CAR, *SHORT, "--control", "skyhook", "--out", "run.nc").exit_code == 0
+    run, _ = jn.read_recording(tmp_path / "run.nc")
+    assert {"body.az", "front.command", "rear.actuator.force"} <= set(map(str, run.data_vars))
+    assert float(run["front.command"].max()) > 0.0
+
+
+def test_skyhook_is_more_comfortable_and_the_table_says_so(cli) -> None:
+    outcome = cli("compare", CAR, "--control", "passive", "--control", "skyhook", "--duration", "10 s", "--json")
+    passive, skyhook = (run["merits"] for run in outcome.json["runs"])
+    assert skyhook["comfort"] < 0.85 * passive["comfort"]
+    assert set(passive) == {merit.name for merit in MERITS}
+    text = cli("compare", CAR, "--control", "passive", "--control", "skyhook", "--duration", "5 s").out
+    assert "smaller is better" in text
+
+
+def test_a_law_that_does_not_fit_is_listed_beside_those_that_do(cli) -> None:
+    outcome = cli("compare", "audi-a6-half-car", "--control", "passive,groundhook", "--duration", "3 s", "--json")
+    assert outcome.exit_code == 0
+    assert "unsprung.vz" in outcome.json["failed"]["groundhook"]
+    assert cli("compare", "audi-a6-half-car", "--control", "groundhook", "--duration", "3 s").exit_code == 2
+
+
+def test_all_stands_for_every_controller() -> None:
+    names = all_controls()
+    assert names[0] == "passive"
+    assert {"skyhook", "groundhook", "hybrid", "add", "sh-add", "lqr", "lqg", "h-infinity", "mpc", "pid"} <= set(names)
+    assert len(set(names)) == len(names)
+
+
+def test_a_measured_road_is_driven_to_its_end_under_both_tracks(cli) -> None:
+    outcome = cli("ride", "audi-a6-full-car", "--road", "detrended_rms_course_1in", "--speed", "10 m/s", "--json")
+    found = outcome.json
+    assert found["duration"] == pytest.approx((504.75 + 2.91) / 10.0, abs=1e-3)
+    assert found["settling"] == pytest.approx(0.291)
+    assert "stationary" not in found
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("ride", CAR, "--road", "iso:Z", "--speed", "20 m/s"), ("'Z'", "A, B, C")),
+        (("ride", CAR, "--road", "iso:C", "--speed", "-20 m/s"), ("--speed", "above 0")),
+        (("ride", CAR, "--road", "iso:C", "--speed", "20 kg"), ("--speed", "kg")),
+        (("ride", CAR, *SHORT, "--control", "skyhok"), ("skyhok", "Did you mean 'skyhook'?")),
+        (("ride", CAR, "--road", "nowhere.crg", "--speed", "20 m/s"), ("nowhere.crg",)),
+        (("ride", CAR, *SHORT, "--out", "run.xls"), (".xls", ".nc, .csv")),
+        (("ride", CAR, *SHORT, "--control", "passive,skyhook", "--out", "run.nc"), ("--out", "one")),
+        (("compare", CAR, "--figure", "picture.gif"), (".svg, .png, .pdf",)),
+        (("compare", "no-car"), ("no-car",)),
+    ],
+)
+def test_what_is_wrong_is_said_once(cli, tmp_path: Path, arguments: tuple[str, ...], words: tuple[str, ...]) -> None:
+    outcome = cli(*arguments)
+    assert outcome.exit_code == 2
+    assert outcome.err.count("\n") == 1
+    for word in words:
+        assert word in outcome.err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_tracks_of_a_full_car_differ(cli) -> None:
+    metrics = cli("ride", "audi-a6-full-car", *SHORT, "--json").json["runs"][0]["metrics"]
+    loads = metrics["dynamic_load_rms"]
+    assert len(loads) == 4
+    assert np.isfinite(metrics["rms_rotation"]["body.roll_acceleration"])
+    assert abs(loads["front_left"] / loads["front_right"] - 1.0) > 1e-3
