@@ -4,7 +4,17 @@ from jounce.control.actuators import ActiveActuator, MagnetorheologicalDamper, S
 from jounce.control.catalogue import CONTROLS, as_controller, controller
 from jounce.control.controller import Controller
 from jounce.control.corner import CornerModel
-from jounce.control.laws import ADD, PID, SHADD, Groundhook, Hybrid, Passive, Skyhook, TwoStateGroundhook, TwoStateSkyhook
+from jounce.control.laws import (
+    ADD,
+    PID,
+    SHADD,
+    Groundhook,
+    Hybrid,
+    Passive,
+    Skyhook,
+    TwoStateGroundhook,
+    TwoStateSkyhook,
+)
 from jounce.control.linear_laws import LQG, LQR, HInfinity
 from jounce.control.preview import PreviewMPC
 from jounce.control.regulator import PythonControl

@@ -207,7 +207,7 @@ class MagnetorheologicalDamper(_Actuator):
     def _laws_by_kind(cls, table: Any) -> Any:
         if not isinstance(table, dict):
             return table
-        laws = {"tanh": TanhDamper, "bouc-wen": BoucWenDamper}
+        laws: dict[str, type[Description]] = {"tanh": TanhDamper, "bouc-wen": BoucWenDamper}
         found = dict(table)
         for name in ("off", "on"):
             law = found.get(name)

@@ -9,7 +9,17 @@ from typing import Any
 
 from jounce.control.actuators import ActiveActuator, SemiActiveDamper
 from jounce.control.controller import Controller
-from jounce.control.laws import ADD, PID, SHADD, Groundhook, Hybrid, Passive, Skyhook, TwoStateGroundhook, TwoStateSkyhook
+from jounce.control.laws import (
+    ADD,
+    PID,
+    SHADD,
+    Groundhook,
+    Hybrid,
+    Passive,
+    Skyhook,
+    TwoStateGroundhook,
+    TwoStateSkyhook,
+)
 from jounce.control.linear_laws import LQG, LQR, HInfinity
 from jounce.control.preview import PreviewMPC
 from jounce.control.regulator import PythonControl
@@ -44,7 +54,9 @@ CONTROLS: dict[str, Kind] = {
     "skyhook": Kind(Skyhook, "damper between body and sky, clipped to a damper", _DAMPER),
     "skyhook-two-state": Kind(TwoStateSkyhook, "firm where a damper to the sky would pull the same way", _DAMPER),
     "groundhook": Kind(Groundhook, "damper between wheel and ground, clipped to a damper", _DAMPER),
-    "groundhook-two-state": Kind(TwoStateGroundhook, "firm where a damper to the ground would pull the same way", _DAMPER),
+    "groundhook-two-state": Kind(
+        TwoStateGroundhook, "firm where a damper to the ground would pull the same way", _DAMPER
+    ),
     "hybrid": Kind(Hybrid, "skyhook and groundhook mixed", _DAMPER),
     "add": Kind(ADD, "acceleration driven damping", _DAMPER),
     "sh-add": Kind(SHADD, "skyhook below a crossover frequency, acceleration driven above it", _DAMPER),

@@ -59,7 +59,7 @@ STATES = ("sprung.z - unsprung.z", "sprung.vz", "unsprung.z - road.z", "unsprung
 
 
 def corner_equations(corner: CornerModel, damping_coefficient: float | None = None) -> tuple[Array, Array, Array]:
-    """Matrices ``A``, ``B``, ``G`` of ``dx/dt = A x + B u + G w``: ``u`` pushes the body up (N), ``w`` is road.vz (m/s).
+    """Matrices ``A``, ``B``, ``G`` of ``dx/dt = A x + B u + G w``: ``u`` lifts the body (N), ``w`` is road.vz (m/s).
 
     Parameters
     ----------

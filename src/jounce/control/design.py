@@ -1,4 +1,4 @@
-"""Gains from the corner model: linear quadratic regulator, Kalman filter, H-infinity. The equations are libraries' work.
+"""Gains from the corner model: linear quadratic regulator, Kalman filter, H-infinity; libraries solve the equations.
 
 States, signs and channels are those of :mod:`jounce.control.corner`.
 """
@@ -75,7 +75,8 @@ def regulator_gains(corner: CornerModel, weights: Weights, damping_coefficient: 
         raise SimulationError(
             "no regulator gains were found", where="lqr", found=str(error), hint="Check the weights and the corner."
         ) from None
-    return np.asarray(np.linalg.solve(R, B.T @ X + S.T), dtype=np.float64)[0]
+    gains: Array = np.linalg.solve(R, B.T @ X + S.T)[0]
+    return gains
 
 
 @dataclass(frozen=True)
@@ -278,7 +279,7 @@ def _generalised(
 ) -> tuple[tuple[Array, Array, Array, Array], tuple[Array, float]]:
     """Generalised plant: (road, two noises, command) to (force, deflection, acceleration, two measurements).
 
-    The road is a height here, so ``x3`` is the wheel's height; ``x5`` is the force, ``x6`` belongs to the force's weight
+    The road is a height here, so ``x3`` is the wheel's height; ``x5`` is the force, ``x6`` belongs to its weight
     ``(s + 50) / (s + 500)``. All is scaled to size one; the scales of measurements and force come along.
     """
     A4, B4, _ = corner_equations(corner, damping_coefficient)

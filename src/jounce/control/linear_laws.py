@@ -127,9 +127,7 @@ class LQG(_Quadratic):
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
         """Give gains and filter."""
-        filter_ = observer(
-            corner, LQG_CHANNELS, self._deviations(), self.roughness, 1.0 / self.rate, self._base
-        )
+        filter_ = observer(corner, LQG_CHANNELS, self._deviations(), self.roughness, 1.0 / self.rate, self._base)
         parts = {name: getattr(filter_, name) for name in "FHLCD"}
         found = {key: value for name, part in parts.items() for key, value in _named(name, part).items()}
         return {**found, **_named("gain", self.gains(corner)), "motion_ratio": corner.motion_ratio}
@@ -206,8 +204,8 @@ def _quickness(actuator: Any) -> float:
     """Corner of an actuator's lag, rad/s."""
     bandwidth = getattr(actuator, "bandwidth", None)
     if bandwidth is not None:
-        return min(2.0 * math.pi * bandwidth, _QUICKEST)
-    return min(1.0 / actuator.lag, _QUICKEST) if actuator.lag > 0.0 else _QUICKEST
+        return float(min(2.0 * math.pi * bandwidth, _QUICKEST))
+    return float(min(1.0 / actuator.lag, _QUICKEST)) if actuator.lag > 0.0 else _QUICKEST
 
 
 def _named(name: str, values: Array | Sequence[float]) -> dict[str, float]:

@@ -148,7 +148,7 @@ class _Planner:
         corners = tuple(setting.controllers)
         self.channels = tuple(f"{corner}.{name}" if corner else name for corner in corners for name in _CHANNELS)
         self._limits = Limits(setting.controllers)
-        steps = max(int(round(mpc.preview * mpc.rate)), 1)
+        steps = max(round(mpc.preview * mpc.rate), 1)
         times = np.arange(setting.instants + steps + 1) / mpc.rate
         self._plans = [
             _Plan(mpc, setting.controllers[name].actuator, setting.models[name], steps, setting.road(name, times))
@@ -188,7 +188,9 @@ class _Plan:
         shape = {"h": ca.Sparsity.dense(*horizon.H.shape), "a": ca.Sparsity.dense(*self._rows.shape)}
         name = next((name for name in _SOLVERS if ca.has_conic(name)), None)
         if name is None:
-            raise SimulationError("this build of casadi has no solver of quadratic programmes", allowed=", ".join(_SOLVERS))
+            raise SimulationError(
+                "this build of casadi has no solver of quadratic programmes", allowed=", ".join(_SOLVERS)
+            )
         self._solver = ca.conic("plan", name, shape, {**_QUIET[name], "error_on_fail": False})
         scale = np.trace(horizon.H[:steps, :steps]) / steps
         self._h, self._a, self._scale = ca.DM(horizon.H / scale), ca.DM(self._rows), scale
@@ -213,7 +215,7 @@ class _Plan:
         room = horizon.margin - horizon.rows[:, :-2] @ free
         forces = self._solved(gradient, np.minimum(low, high) * r, np.maximum(low, high) * r, room)
         self._forces = forces
-        return self._command(float(forces[0]) / r, velocity, deflection)
+        return float(self._command(float(forces[0]) / r, velocity, deflection))
 
     def _solved(self, gradient: Array, low: Array, high: Array, room: Array) -> Array:
         """Forces at the wheel, N, of the plan; the nearest allowed ones to the last plan where none was found."""
@@ -230,14 +232,14 @@ class _Plan:
         forces = np.asarray(found["x"]).ravel()[: self._steps]
         if not np.all(np.isfinite(forces)):
             forces = self._forces
-        return np.clip(forces, low, high)
+        return np.asarray(np.clip(forces, low, high), dtype=np.float64)
 
 
 def _of_actuator(actuator: AnyActuator, corner: CornerModel, steps: int) -> tuple[Any, Any]:
     """Force bounds (N) at velocities and deflections, and the command for a force, of an actuator."""
     low, high = actuator.limits
     if isinstance(actuator, ActiveActuator):
-        return (lambda v, x: (np.full(len(v), low), np.full(len(v), high))), (lambda f, v, x: f)
+        return (lambda v, _: (np.full(len(v), low), np.full(len(v), high))), (lambda f, _v, _x: f)
     if isinstance(actuator, SemiActiveDamper):
 
         def coefficient(force: float, velocity: float, _: float) -> float:
@@ -245,7 +247,7 @@ def _of_actuator(actuator: AnyActuator, corner: CornerModel, steps: int) -> tupl
                 return low
             return min(max(force / velocity, low), high)
 
-        return (lambda v, x: (low * v, high * v)), coefficient
+        return (lambda v, _: (low * v, high * v)), coefficient
     known = {**actuator.plant_numbers, "minimum": low, "maximum": high, "static_deflection": corner.static_deflection}
     force, velocity, deflection = (ca.SX.sym(name) for name in ("force", "velocity", "deflection"))
     seen = {"strut.velocity": velocity, "strut.deflection": deflection}

@@ -65,10 +65,10 @@ def _written(controller: Controller, corners: tuple[str, ...]) -> Program:
     kept = [[ca.SX.sym(f"memory{i}") for i in range(controller.memory_size)] for _ in corners]
     last = [ca.SX.sym("last") for _ in corners]
     commands, memories = [], []
-    for corner, memory, before in zip(corners, kept, last, strict=True):
+    for corner, own, before in zip(corners, kept, last, strict=True):
         seen, number = _asked(channels, corner), _asked(numbers, corner)
         means = Means(controller.actuator, seen, number, before)
-        decision = controller.decide(seen, memory, number, means)
+        decision = controller.decide(seen, own, number, means)
         command = decision.command
         if controller.actuator.rate_limit is not None:
             command = held_back(command, before, number("rate_limit"))

@@ -153,9 +153,7 @@ class Limits:
         self._limits = [actuator.limits for actuator in actuators]
         rates = [actuator.rate_limit for actuator in actuators]
         periods = [1.0 / controller.rate for controller in controllers.values()]
-        self._steps = [
-            math.inf if rate is None else rate * period for rate, period in zip(rates, periods, strict=True)
-        ]
+        self._steps = [math.inf if rate is None else rate * period for rate, period in zip(rates, periods, strict=True)]
         self._rest = [actuator.rest for actuator in actuators]
         self.last = list(self._rest)
 

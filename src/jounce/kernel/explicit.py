@@ -378,6 +378,23 @@ def _limit(control: Any, counts: Any, t: float, h: float) -> int:
     return _STEP_TOO_SMALL if h < 1e-14 * max(1.0, abs(t)) else _COMPLETED
 
 
+@part()
+def _renew(
+    problem: Any, work: Any, start: float, t: float, edge: float, instant: float, slack: float
+) -> tuple[int, float, float]:
+    """Go on to new inputs at an edge, and to new commands at a control instant; give the next of both."""
+    status, following = _COMPLETED, instant
+    if edge <= t + slack:
+        edge = advance(problem.tracks, problem.piece, t, slack)
+    if problem.feedback.law == 0:
+        following = np.inf
+    elif instant <= t + slack:
+        status = regulate(problem, work.rows, t)
+        following = start + problem.feedback.period * problem.feedback.instants[0]
+    _rate(problem, work, t, RATES)
+    return int(status), edge, following
+
+
 def integrate(problem: Problem, control: Control, out: Samples, counts: NDArray[np.int64]) -> int:
     """Integrate from the first to the last sample; fill the arrays at every sample; give a status code.
 
@@ -398,14 +415,9 @@ def _walk(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> int:
     times = out.times
     t, end = times[0], times[-1]
     slack = 1e-12 * max(1.0, abs(end))
-    edge = advance(problem.tracks, problem.piece, t, slack)
-    instant = t if problem.feedback.law != 0 else np.inf
-    if instant <= t:
-        controlled = regulate(problem, work.rows, t)
-        if controlled != _COMPLETED:
-            return int(controlled)
-        instant = times[0] + problem.feedback.period * problem.feedback.count[0]
-    _rate(problem, work, t, RATES)
+    status, edge, instant = _renew(problem, work, t, t, t, t, slack)
+    if status != _COMPLETED:
+        return int(status)
     h, stalled = min(1e-3, end - t, control.longest), 0
     at_edge = True
     while t < end - slack:
@@ -429,31 +441,29 @@ def _walk(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> int:
                 return _CHATTER
             h = tried
         else:
-            stalled, at_edge = 0, False
+            stalled = 0
             counts[0] += 1
             now = t + share * tried
             now = stop if stop - now <= slack else now
             place_samples(problem, work, t, share * tried, now - slack, out)
             t = now
-            arrived = _arrive(problem, work, t)
-            if arrived != _COMPLETED:
-                return int(arrived)
-        if min(edge, instant) <= t + slack:
-            if edge <= t + slack:
-                edge = advance(problem.tracks, problem.piece, t, slack)
-            if instant <= t + slack < end:
-                controlled = regulate(problem, work.rows, t)
-                if controlled != _COMPLETED:
-                    return int(controlled)
-                instant = times[0] + problem.feedback.period * problem.feedback.count[0]
-            at_edge = True
-            _rate(problem, work, t, RATES)
+            status, at_edge = _arrive(problem, work, t), min(edge, instant) <= t + slack
+            if at_edge and status == _COMPLETED:
+                status, edge, instant = _renew(problem, work, times[0], t, edge, instant, slack)
+            if status != _COMPLETED:
+                return int(status)
         if which >= 0:
             finish_samples(problem, work, out)
             _flip(problem, work, t, which, share < 0.0)
             counts[2] += 1
+    _place_last(problem, work, t, out)
+    return _COMPLETED
+
+
+@part()
+def _place_last(problem: Any, work: Any, t: float, out: Any) -> None:
+    """Write the samples at the end of the run, where the state is."""
     for i in range(DENSE, ROWS):
         for d in range(work.rows.shape[1]):
             work.rows[i, d] = 0.0
     place_samples(problem, work, t, 1.0, np.inf, out)
-    return _COMPLETED

@@ -49,7 +49,7 @@ class Feedback(NamedTuple):
         What the law gives.
     time, states, inputs, outputs : ndarray
         Where the model is evaluated: columns.
-    count : ndarray of int64, shape (1,)
+    instants : ndarray of int64, shape (1,)
         Instants so far.
     """
 
@@ -68,7 +68,7 @@ class Feedback(NamedTuple):
     states: Array
     inputs: Array
     outputs: Array
-    count: NDArray[np.int64]
+    instants: NDArray[np.int64]
 
 
 _ROW, _COLUMN, _FLAT, _NUMBERS = np.zeros((1, 0)), np.zeros((0, 1)), np.zeros(0), np.zeros(0, dtype=np.int64)
@@ -88,11 +88,10 @@ def feedback(
     noise: Array,
     bound: Array,
     p: Array,
-    memory: int,
-    inputs: int,
-    outputs: int,
+    counts: tuple[int, int, int],
 ) -> Feedback:
-    """Make the arrays around a law; ``memory``, ``inputs`` and ``outputs`` are counts, the others as in the class."""
+    """Make the arrays around a law, for ``counts`` of memory, inputs and outputs; the others are as in the class."""
+    memory, inputs, outputs = counts
     scratch = (
         np.zeros((1, memory)),
         np.zeros(len(select) + 1),
@@ -117,7 +116,7 @@ def regulate(problem: Any, rows: Any, t: float) -> int:
     control.time[0] = t
     fill(problem.tracks, problem.piece, control.time, control.inputs)
     call_many(problem.engine.output, control.states, control.inputs, problem.p, problem.m, control.outputs, 0, 1)
-    instant, count = control.count[0], len(control.select)
+    instant, count = control.instants[0], len(control.select)
     for j in range(count):
         control.measured[j] = control.outputs[control.select[j], 0] - control.offset[j]
     if instant < control.noise.shape[0]:
@@ -132,5 +131,5 @@ def regulate(problem: Any, rows: Any, t: float) -> int:
         problem.tracks.coefficients[control.pieces[k], 0] = control.result[0, k]
     for k in range(control.memory.shape[1]):
         control.memory[0, k] = control.result[0, commands + k]
-    control.count[0] = instant + 1
+    control.instants[0] = instant + 1
     return REGULATED

@@ -105,9 +105,7 @@ def poles(loop: Loop, compiled: Compiled, p: Array, rest: Rest, still: Array) ->
 def _slopes(made: Program, p: Array) -> tuple[Array, Array]:
     """Slopes of (commands, next memory) along memory and measurements, at rest."""
     function = made.function
-    memory, measured, numbers, nothing = (
-        ca.SX.sym(f"i{i}", function.size1_in(i)) for i in range(function.n_in())
-    )
+    memory, measured, numbers, nothing = (ca.SX.sym(f"i{i}", function.size1_in(i)) for i in range(function.n_in()))
     result = function(memory, measured, numbers, nothing)
     slopes = [ca.jacobian(result, memory), ca.jacobian(result, measured)]
     evaluate = ca.Function("slopes", [memory, measured, numbers], [ca.densify(part) for part in slopes])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -92,7 +92,7 @@ def _environment_class() -> Any:
     class RideEnv(gymnasium.Env):  # type: ignore[misc, name-defined] # the base is only there with the extra
         """A suspension on a road; made by :func:`ride_environment`."""
 
-        metadata = {"render_modes": []}
+        metadata: ClassVar[dict[str, Any]] = {"render_modes": []}
 
         def __init__(
             self,
@@ -104,7 +104,7 @@ def _environment_class() -> Any:
             cost: dict[str, float],
         ) -> None:
             self._trial = trial
-            self._make = lambda chosen: _stepper(rig, chosen, actuator, rate)
+            self._make: Callable[[Trial], Stepper] = lambda chosen: _stepper(rig, chosen, actuator, rate)
             first = trial if isinstance(trial, Trial) else trial(np.random.default_rng(0))
             self._run = self._make(first)
             self._observed, self._scales = _columns(self._run, observed, default=OBSERVED)
@@ -125,9 +125,7 @@ def _environment_class() -> Any:
             self._rest = self._run.start()
             return self._seen(self._rest), {"time": 0.0}
 
-        def step(
-            self, action: Any
-        ) -> tuple[NDArray[np.float32], float, bool, bool, dict[str, Any]]:
+        def step(self, action: Any) -> tuple[NDArray[np.float32], float, bool, bool, dict[str, Any]]:
             """Hold the commands of an action for one period."""
             low, high = self._run.limits.T
             share = 0.5 + 0.5 * np.clip(np.asarray(action, dtype=np.float64), -1.0, 1.0)
@@ -171,9 +169,8 @@ def _weights(run: Stepper, cost: Mapping[str, float], default: Mapping[str, floa
     for word, weight in cost.items():
         if not (np.isfinite(weight) and weight >= 0.0):
             raise SimulationError("not a weight", where=f"cost: {word}", found=weight, allowed="0 or more")
-        for corner in run.corners:
-            for name in _present(run, corner, [word], list(default)):
-                found.append((name, run.channels.index(name), weight))
+        names = [name for corner in run.corners for name in _present(run, corner, [word], list(default))]
+        found += [(name, run.channels.index(name), weight) for name in names]
     return found
 
 
