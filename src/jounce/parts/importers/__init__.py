@@ -3,5 +3,16 @@
 from jounce.parts.importers.chrono import import_chrono
 from jounce.parts.importers.chrono_corner import ChronoCorner, DamperMap, read_chrono_corner, shipped_corner
 from jounce.parts.importers.chrono_file import RigidPart
+from jounce.parts.importers.tir import TyreProperties, read_tir, tyre_from_tir
 
-__all__ = ["ChronoCorner", "DamperMap", "RigidPart", "import_chrono", "read_chrono_corner", "shipped_corner"]
+__all__ = [
+    "ChronoCorner",
+    "DamperMap",
+    "RigidPart",
+    "TyreProperties",
+    "import_chrono",
+    "read_chrono_corner",
+    "read_tir",
+    "shipped_corner",
+    "tyre_from_tir",
+]

@@ -1,0 +1,391 @@
+"""Tyre property files (``.tir``): radial stiffness, damping and radius, in the units that the file declares."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from jounce.core.errors import DescriptionError, nearest
+from jounce.core.findings import Finding
+from jounce.core.units import conversion_factor
+
+_SECTION = re.compile(r"\[\s*([A-Za-z0-9_ ]+?)\s*\]")
+_VALUE = re.compile(r"([A-Za-z_]\w*)\s*=\s*(.*)")
+_UNITS = {
+    "LENGTH": {"meter metre m": "m", "millimeter millimetre mm": "mm", "centimeter centimetre cm": "cm",
+               "kilometer kilometre km": "km", "inch in": "inch", "foot feet ft": "foot"},
+    "FORCE": {"newton newtons n": "N", "kilo_newton kilonewton kn": "kN", "kilogram_force kgf": "kgf",
+              "pound_force lbf": "lbf", "dyne": "dyne", "ounce_force": "ounce_force"},
+    "TIME": {"second seconds sec s": "s", "millisecond ms": "ms", "minute min": "minute", "hour": "hour"},
+    "PRESSURE": {"pascal pa n/m^2": "Pa", "kilopascal kpa": "kPa", "megapascal mpa n/mm^2": "MPa", "bar": "bar",
+                 "psi": "psi"},
+}  # fmt: skip
+_SI = {"LENGTH": "m", "FORCE": "N", "TIME": "s", "PRESSURE": "Pa"}
+_USUAL = {"stiffness": (5e3, 5e6, "N/m"), "radius": (0.05, 2.0, "m"), "damping_coefficient": (0.0, 5e4, "N*s/m")}
+
+
+@dataclass(frozen=True)
+class TyreProperties:
+    """What a tyre property file says of the tyre's vertical behaviour, in SI units.
+
+    Attributes
+    ----------
+    name : str
+        Name of the file without its ending.
+    file_format : str
+        PROPERTY_FILE_FORMAT, e.g. "PAC2002".
+    stiffness : float
+        Radial stiffness in N/m at the nominal pressure, the scale factor LCZ included.
+    damping_coefficient : float
+        Radial damping in N*s/m; 0 where the file has none.
+    radius : float
+        Undeformed radius in m.
+    nominal_load : float or None
+        FNOMIN in N, the scale factor LFZO not included.
+    load_scale : float
+        LFZO (1).
+    pressure, nominal_pressure : float or None
+        Inflation pressure of the file and the one the stiffness is for, in Pa.
+    pressure_slope : float
+        PFZ1 (1): share by which the stiffness rises when the pressure rises by the nominal pressure; 0 where the
+        file has none.
+    deflection, load : tuple of float
+        Measured curve of the radial force (N) over the deflection (m); empty where the file has none.
+    load_curvature : float
+        Q_FZ2 (1): share of the load that rises with the square of deflection over radius; 0 where there is none.
+    bottoming_radius, bottoming_stiffness : float or None
+        Radius in m below which the rim hits the road, and its stiffness in N/m; None where the file has none, or 0.
+    findings : tuple of Finding
+        Values that are unusual, so that a wrong unit is seen.
+    """
+
+    name: str
+    file_format: str
+    stiffness: float
+    damping_coefficient: float
+    radius: float
+    nominal_load: float | None = None
+    load_scale: float = 1.0
+    pressure: float | None = None
+    nominal_pressure: float | None = None
+    pressure_slope: float = 0.0
+    deflection: tuple[float, ...] = ()
+    load: tuple[float, ...] = ()
+    load_curvature: float = 0.0
+    bottoming_radius: float | None = None
+    bottoming_stiffness: float | None = None
+    findings: tuple[Finding, ...] = field(default=(), compare=False)
+
+    def stiffness_at(self, pressure: float | None = None) -> float:
+        """Radial stiffness in N/m at an inflation pressure in Pa, by default at that of the file.
+
+        The stiffness is linear in the pressure: k (1 + PFZ1 (p - p_nominal) / p_nominal).
+
+        Raises
+        ------
+        DescriptionError
+            When the pressure is not above 0, the file does not say how the stiffness depends on it, or the line has
+            fallen to 0.
+        """
+        return self.stiffness * self._pressure_factor(pressure)
+
+    def _pressure_factor(self, pressure: float | None) -> float:
+        wanted = self.pressure if pressure is None else pressure
+        if wanted is None:
+            return 1.0
+        if not (math.isfinite(wanted) and wanted > 0.0):
+            raise DescriptionError("not an inflation pressure", found=f"{wanted} Pa", allowed="above 0 Pa")
+        nominal = self.nominal_pressure
+        if nominal is None or self.pressure_slope == 0.0:
+            if pressure is None or (nominal is not None and math.isclose(pressure, nominal, rel_tol=1e-9)):
+                return 1.0
+            raise DescriptionError(
+                "the file does not say how the stiffness depends on the pressure",
+                where=self.name,
+                found=f"{pressure:g} Pa",
+                allowed="files with PFZ1 and a nominal pressure" if nominal is None else f"{nominal:g} Pa",
+                hint="Leave out the pressure.",
+            )
+        factor = 1.0 + self.pressure_slope * (wanted - nominal) / nominal
+        if factor <= 0.0:
+            raise DescriptionError(
+                "no stiffness is left at this pressure",
+                where=self.name,
+                found=f"{wanted:g} Pa",
+                allowed=f"above {nominal * (1.0 - 1.0 / self.pressure_slope):g} Pa",
+            )
+        return factor
+
+    def tyre(self, pressure: float | None = None) -> dict[str, Any]:
+        """Give a tyre table for rigs: ``stiffness`` or ``curve``, ``damping_coefficient`` and ``undeformed_radius``.
+
+        A curve is given where the file has a measured one or one with Q_FZ2; ``pressure`` is in Pa, by default that
+        of the file. ``undeformed_radius`` (m) is not a field of lumped tyres: take it out for them.
+        """
+        factor = self._pressure_factor(pressure)
+        tyre: dict[str, Any] = {"stiffness": self.stiffness * factor}
+        if self.load:
+            force = [factor * value for value in self.load]
+            tyre = {"curve": {"kind": "table", "deflection": list(self.deflection), "force": force}}
+        elif self.load_curvature and self.nominal_load:
+            share = self.stiffness * self.radius / self.nominal_load
+            if share**2 < 4.0 * self.load_curvature:
+                raise DescriptionError(
+                    "Q_FZ2 is too large for the stiffness: the force would not rise from zero deflection",
+                    where=self.name,
+                    found=f"{self.load_curvature:g}",
+                    allowed=f"up to {0.25 * share**2:.4g}",
+                )
+            first = math.sqrt(share**2 - 4.0 * self.load_curvature)
+            scale = factor * self.nominal_load / self.radius
+            terms = [scale * first, scale * self.load_curvature / self.radius]
+            tyre = {"curve": {"kind": "polynomial", "coefficients": terms}}
+        return {**tyre, "damping_coefficient": self.damping_coefficient, "undeformed_radius": self.radius}
+
+
+def read_tir(path: Path | str) -> TyreProperties:
+    r"""Read the vertical properties from a tyre property file.
+
+    Parameters
+    ----------
+    path : Path or str
+        Text file with ``[SECTIONS]`` and ``KEY = value`` lines, of PAC2002, MF-Tyre 5 or 6 and their relatives.
+
+    Returns
+    -------
+    TyreProperties
+        Stiffness (N/m), damping (N*s/m), radius (m) and what belongs to them, converted from the units in the
+        section [UNITS]; the scale factor LCZ is applied to the stiffness.
+
+    Raises
+    ------
+    DescriptionError
+        For a missing or binary file, a missing section [UNITS], unknown units, a missing stiffness or radius, keys
+        given twice with different values, text instead of numbers, and values out of range; each with its line.
+
+    Examples
+    --------
+    >>> import tempfile, pathlib
+    >>> file = pathlib.Path(tempfile.mkdtemp()) / "small.tir"
+    >>> _ = file.write_text(
+    ...     "[UNITS]\nLENGTH = 'mm'\nFORCE = 'newton'\nTIME = 'second'\n[DIMENSION]\nUNLOADED_RADIUS = 300\n"
+    ...     "[VERTICAL]\nVERTICAL_STIFFNESS = 200 $ N/mm\nVERTICAL_DAMPING = 0.05\n"
+    ... )
+    >>> tyre = read_tir(file)
+    >>> tyre.stiffness, tyre.damping_coefficient, tyre.radius
+    (200000.0, 50.0, 0.3)
+    """
+    entries = _Entries(Path(path))
+    length, force = entries.unit("LENGTH"), entries.unit("FORCE")
+    rate = force / length
+    stiffness = entries.number(("VERTICAL", "PARAMETER"), "VERTICAL_STIFFNESS", rate, needed=True, above=0.0)
+    scale = entries.number(("SCALING_COEFFICIENTS", "SCALING"), "LCZ", 1.0, above=0.0)
+    damping = entries.number(("VERTICAL", "PARAMETER"), "VERTICAL_DAMPING", rate * entries.unit("TIME"), at_least=0.0)
+    radius = entries.number(("DIMENSION",), "UNLOADED_RADIUS", length, needed=True, above=0.0)
+    conditions = ("TIRE_CONDITIONS", "OPERATING_CONDITIONS", "INFLATION_PRESSURE", "VERTICAL", "MODEL")
+    pressures = [entries.pressure(conditions, names) for names in (("IP", "INFLPRES"), ("IP_NOM", "NOMPRES"))]
+    deflection, load = entries.curve("DEFLECTION_LOAD_CURVE", length, force)
+    tyre = TyreProperties(
+        name=entries.file.stem,
+        file_format=entries.text("MODEL", "PROPERTY_FILE_FORMAT") or entries.text("MODEL", "FITTYP") or "",
+        stiffness=(stiffness or 0.0) * (scale or 1.0),
+        damping_coefficient=damping or 0.0,
+        radius=radius or 0.0,
+        nominal_load=entries.number(("VERTICAL",), "FNOMIN", force, above=0.0),
+        load_scale=entries.number(("SCALING_COEFFICIENTS", "SCALING"), "LFZO", 1.0, above=0.0) or 1.0,
+        pressure=pressures[0],
+        nominal_pressure=pressures[1],
+        pressure_slope=entries.number(("VERTICAL",), "PFZ1", 1.0) or 0.0,
+        deflection=deflection,
+        load=load,
+        load_curvature=entries.number(("VERTICAL",), "Q_FZ2", 1.0) or 0.0,
+        bottoming_radius=entries.number(("DIMENSION", "VERTICAL"), "BOTTOMING_RADIUS", length) or None,
+        bottoming_stiffness=entries.number(("VERTICAL",), "BOTTOM_STIFF", rate) or None,
+    )
+    return _with_findings(tyre)
+
+
+def tyre_from_tir(path: Path | str, *, pressure: float | None = None) -> dict[str, Any]:
+    r"""Read a tyre property file as a table for rigs.
+
+    Parameters
+    ----------
+    path : Path or str
+        The ``.tir`` file.
+    pressure : float, optional
+        Inflation pressure in Pa; by default that of the file.
+
+    Returns
+    -------
+    dict
+        ``stiffness`` (N/m) or ``curve``, ``damping_coefficient`` (N*s/m) and ``undeformed_radius`` (m).
+
+    Raises
+    ------
+    DescriptionError
+        As `read_tir`, and when the file does not say how the stiffness depends on the pressure.
+
+    Examples
+    --------
+    >>> import tempfile, pathlib
+    >>> file = pathlib.Path(tempfile.mkdtemp()) / "small.tir"
+    >>> _ = file.write_text(
+    ...     "[UNITS]\nLENGTH='meter'\nFORCE='newton'\nTIME='second'\n[DIMENSION]\nUNLOADED_RADIUS=0.3\n"
+    ...     "[VERTICAL]\nVERTICAL_STIFFNESS=2e5\n"
+    ... )
+    >>> tyre_from_tir(file)
+    {'stiffness': 200000.0, 'damping_coefficient': 0.0, 'undeformed_radius': 0.3}
+    """
+    return read_tir(path).tyre(pressure)
+
+
+def _with_findings(tyre: TyreProperties) -> TyreProperties:
+    found = [
+        Finding(tyre.name, "warning", f"the {name} {value:g} {unit} is unusual for a tyre; check [UNITS].", value)
+        for name, (low, high, unit) in _USUAL.items()
+        if not low <= (value := getattr(tyre, name)) <= high
+    ]
+    object.__setattr__(tyre, "findings", tuple(found))
+    return tyre
+
+
+class _Entries:
+    """Keys and tables of a file by section, with their lines."""
+
+    def __init__(self, file: Path) -> None:
+        self.file = file
+        self.values: dict[tuple[str, str], tuple[str, int]] = {}
+        self.rows: dict[str, list[tuple[list[str], int]]] = {}
+        section = ""
+        for number, line in enumerate(_lines(file), 1):
+            bare = _without_comment(line)
+            if match := _SECTION.fullmatch(bare):
+                section = match[1].upper()
+            elif match := _VALUE.fullmatch(bare):
+                self._keep((section, match[1].upper()), match[2].strip().strip("'\"").strip(), number)
+            elif bare and not bare.startswith(("{", "(")):
+                self.rows.setdefault(section, []).append((bare.split(), number))
+        if not self.values:
+            raise DescriptionError("not a tyre property file", where=str(file), allowed="[SECTIONS] with KEY = value")
+        if not any(section == "UNITS" for section, _ in self.values):
+            raise DescriptionError(
+                "the section [UNITS] is missing",
+                where=str(file),
+                allowed="[UNITS] with LENGTH, FORCE and TIME",
+                hint="Without it nobody can tell N/mm from N/m.",
+            )
+
+    def _keep(self, key: tuple[str, str], text: str, line: int) -> None:
+        if key in self.values and self.values[key][0] != text:
+            raise DescriptionError(
+                f"{key[1]} is given twice in [{key[0]}]",
+                where=f"{self.file}, line {line}",
+                found=f"{self.values[key][0]} and {text}",
+            )
+        self.values.setdefault(key, (text, line))
+
+    def text(self, section: str, key: str) -> str | None:
+        found = self.values.get((section, key))
+        return found[0] if found else None
+
+    def unit(self, quantity: str) -> float:
+        """SI value of the unit that [UNITS] declares for a quantity."""
+        found = self.values.get(("UNITS", quantity))
+        if found is None:
+            raise DescriptionError(f"the unit of {quantity} is missing", where=f"{self.file}: [UNITS]")
+        known = {word: unit for words, unit in _UNITS[quantity].items() for word in words.split()}
+        unit = known.get(found[0].lower())
+        if unit is None:
+            raise DescriptionError(
+                f"unknown unit of {quantity}",
+                where=f"{self.file}, line {found[1]}",
+                found=found[0],
+                allowed=", ".join(words.split()[0] for words in _UNITS[quantity]),
+                hint=nearest(found[0].lower(), known),
+            )
+        return conversion_factor(unit, _SI[quantity])
+
+    def number(
+        self,
+        sections: tuple[str, ...],
+        key: str,
+        unit: float,
+        *,
+        needed: bool = False,
+        above: float | None = None,
+        at_least: float | None = None,
+    ) -> float | None:
+        """Value in SI from the first section that has the key; None where none has it."""
+        for section in sections:
+            if (section, key) in self.values:
+                text, line = self.values[section, key]
+                value = _number(text, f"{self.file}, line {line}: {key}")
+                bound = above if above is not None else at_least
+                if bound is not None and (value < bound or (value == bound and above is not None)):
+                    word = "above" if above is not None else "at least"
+                    where = f"{self.file}, line {line}: {key}"
+                    raise DescriptionError("out of range", where=where, found=text, allowed=f"{word} {bound:g}")
+                return value * unit
+        if needed:
+            keys = [name for section, name in self.values if section in sections]
+            raise DescriptionError(
+                f"{key} is missing",
+                where=str(self.file),
+                allowed=f"{key} in {' or '.join(f'[{section}]' for section in sections)}",
+                hint=nearest(key, keys),
+            )
+        return None
+
+    def pressure(self, sections: tuple[str, ...], keys: tuple[str, ...]) -> float | None:
+        """Pressure in Pa under any of its names; 0 means not stated."""
+        for key in keys:
+            if any((section, key) in self.values for section in sections):
+                declared = ("UNITS", "PRESSURE") in self.values
+                is_si = self.unit("LENGTH") == 1.0 and self.unit("FORCE") == 1.0
+                if not declared and not is_si:
+                    raise DescriptionError("the unit of PRESSURE is missing", where=f"{self.file}: [UNITS]")
+                return self.number(sections, key, self.unit("PRESSURE") if declared else 1.0, at_least=0.0) or None
+        return None
+
+    def curve(self, section: str, length: float, force: float) -> tuple[tuple[float, ...], tuple[float, ...]]:
+        """Deflections (m) and loads (N) of a table, which must ascend."""
+        pairs = []
+        for cells, line in self.rows.get(section, []):
+            where = f"{self.file}, line {line}: [{section}]"
+            if len(cells) != 2:
+                raise DescriptionError("not a pair of numbers", where=where, found=" ".join(cells))
+            pairs.append((_number(cells[0], where) * length, _number(cells[1], where) * force))
+            if len(pairs) > 1 and not (pairs[-1][0] > pairs[-2][0] and pairs[-1][1] >= pairs[-2][1]):
+                raise DescriptionError("the curve does not ascend", where=where, found=" ".join(cells))
+        if len(pairs) == 1:
+            raise DescriptionError("the curve has one point", where=f"{self.file}: [{section}]", allowed="2 or more")
+        return tuple(x for x, _ in pairs), tuple(y for _, y in pairs)
+
+
+def _lines(file: Path) -> list[str]:
+    if not file.is_file():
+        raise DescriptionError("no such file", where=str(file), hint="Check the path and the name.")
+    content = file.read_bytes()
+    if b"\0" in content:
+        raise DescriptionError("not a text file", where=str(file), allowed="a tyre property file")
+    return content.decode("cp1252", errors="replace").splitlines()
+
+
+def _without_comment(line: str) -> str:
+    """Text before the first ``$`` or ``!`` that stands outside quotes."""
+    found = re.match(r"(?:[^'$!]|'[^']*')*", line)
+    return found[0].strip() if found else ""
+
+
+def _number(text: str, where: str) -> float:
+    try:
+        value = float(re.sub(r"[dD](?=[+-]?\d+$)", "e", text)) if "_" not in text else math.nan
+    except ValueError:
+        hint = "Write a decimal point." if re.fullmatch(r"[+-]?\d+,\d+", text) else ""
+        raise DescriptionError("not a number", where=where, found=text, hint=hint) from None
+    if not math.isfinite(value):
+        raise DescriptionError("not a finite number", where=where, found=text)
+    return value
