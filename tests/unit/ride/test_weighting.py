@@ -2,15 +2,16 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy import signal
 
 import jounce as jn
 from jounce.ride.weighting import WEIGHTINGS, Start, weighted, weighting_response
 
 
 def test_a_long_record_is_the_same_as_its_parts() -> None:
-    signal = np.random.default_rng(3).normal(size=400_000)  # several blocks
-    whole = weighted(signal, 1000.0, "Wk")
-    first = weighted(signal[:150_000], 1000.0, "Wk")
+    noise = np.random.default_rng(3).normal(size=400_000)  # several blocks
+    whole = weighted(noise, 1000.0, "Wk")
+    first = weighted(noise[:150_000], 1000.0, "Wk")
     np.testing.assert_allclose(first[:-600], whole[: first.size - 600], atol=1e-5)
     assert abs(first - whole[: first.size]).max() < 2e-3  # the last samples feel what is not there yet
 
@@ -38,6 +39,31 @@ def test_a_cosine_needs_its_settling_only_at_the_start() -> None:
     expected = np.real(gain * np.exp(2j * np.pi * 2.0 * time))
     assert abs(answer - expected)[:500].max() > 0.1
     np.testing.assert_allclose(answer[20_000:-20], expected[20_000:-20], atol=1e-6)
+
+
+@pytest.mark.parametrize("name", ["Wk", "Wd", "Wf"])
+def test_the_start_is_that_of_the_filter(name: str) -> None:
+    """From rest, transient included: against the analog filter as a recursion at ten times the rate."""
+    rate, fine = 1000.0, 10_000.0
+    time = np.arange(0.0, 6.0, 1.0 / fine)
+    shaken = np.sin(2.0 * np.pi * 3.0 * time) + 0.3 * np.sin(2.0 * np.pi * 0.4 * time) * np.exp(-0.3 * time)
+    row = WEIGHTINGS[name]
+    numerator, denominator = np.array([1.0, 0.0, 0.0]), np.array([1.0])  # high pass, low pass, transition, step
+    for corner, quality in ((row.f1, 0.5**0.5), (row.f2, 0.5**0.5), (row.f4, row.q4), (row.f6, row.q6)):
+        if np.isfinite(corner):
+            w = 2.0 * np.pi * corner
+            denominator = np.polymul(denominator, [1.0 / w**2, 1.0 / (quality * w), 1.0])
+    numerator = numerator / (2.0 * np.pi * row.f1) ** 2
+    if np.isfinite(row.f3):
+        numerator = np.polymul(numerator, [1.0 / (2.0 * np.pi * row.f3), 1.0])
+    if np.isfinite(row.f5):
+        w = 2.0 * np.pi * row.f5
+        numerator = np.polymul(numerator, np.array([1.0 / w**2, 1.0 / (row.q5 * w), 1.0]) * (row.f5 / row.f6) ** 2)
+    zeros, poles, gain = signal.tf2zpk(numerator, denominator)
+    sections = signal.zpk2sos(*signal.bilinear_zpk(zeros, poles, gain, fine))
+    expected = signal.sosfilt(sections, shaken)[::10]
+    np.testing.assert_allclose(weighted(shaken[::10], rate, name)[:-20], expected[:-20], atol=2e-4)
+    assert abs(expected).max() > 0.02
 
 
 @pytest.mark.parametrize("name", WEIGHTINGS)
