@@ -1,5 +1,6 @@
 """Obstacles, trains, rough roads, tables and measured courses: height and slope against distance, and their edges."""
 
+from jounce.roads.coverage import check_covered, covered, point_spacing
 from jounce.roads.enveloping import Enveloped, contact_length
 from jounce.roads.iso8608 import Iso8608, SineSum
 from jounce.roads.loading import load_road, read_roads, road_library
@@ -53,10 +54,13 @@ __all__ = [
     "Trial",
     "Triangle",
     "Versine",
+    "check_covered",
     "class_roughness",
     "contact_length",
+    "covered",
     "estimate_roughness",
     "load_road",
+    "point_spacing",
     "read_crg_profile",
     "read_roads",
     "road_library",

@@ -74,6 +74,12 @@ class Table(Road):
             return file_profile(self.file, {"x": "m", "z": "m"}, self.interpolation)
         return point_profile(self.x, self.height, self.interpolation)
 
+    def points(self) -> tuple[Array, Array]:
+        """Points as they are given: distance from ``start`` and height, both in m, each of shape (n,)."""
+        if self.file is not None:
+            return file_points(self.file, {"x": "m", "z": "m"}, FEWEST[self.interpolation])
+        return np.asarray(self.x, dtype=float), np.asarray(self.height, dtype=float)
+
 
 class Crg(Road):
     """Measured course from an OpenCRG file, straight or curved, at one lateral offset.
@@ -97,7 +103,7 @@ class Crg(Road):
 
     def check(self) -> None:
         """Read the file, so that whatever is wrong with it is said at once."""
-        if self._course().beyond in ("repeat", "reflect", "closed") and self.recurrence is not None:
+        if self.is_endless() and self.recurrence is not None:
             raise ValueError("the options of the file say that the course repeats; leave out recurrence")
 
     def profile(self) -> Profile:
@@ -124,6 +130,15 @@ class Crg(Road):
     def end(self) -> float:
         """Distance in m at which the last cross section lies on the first pass."""
         return self.start + float(self._course().s[-1])
+
+    def points(self) -> tuple[Array, Array]:
+        """Cross sections: distance from ``start`` along the path and height, both in m, each of shape (n,)."""
+        course = self._course()
+        return course.s.copy(), course.height.copy()
+
+    def is_endless(self) -> bool:
+        """Whether the file's options say that the course repeats."""
+        return self._course().beyond in ("repeat", "reflect", "closed")
 
     def _course(self) -> Course:
         return read_course(self.file, self.v)
@@ -162,23 +177,49 @@ def point_profile(x: tuple[float, ...], height: tuple[float, ...], interpolation
 
 def file_profile(file: Path, columns: dict[str, str], interpolation: str, fewest: int = 2) -> Profile:
     """Pieces through the two columns (name to SI unit) of a text file with at least ``fewest`` rows."""
+    key = _key(file, columns, max(fewest, FEWEST[interpolation]))
+    return _file_profile(key, interpolation)
+
+
+def file_points(file: Path, columns: dict[str, str], fewest: int = 2) -> tuple[Array, Array]:
+    """Two columns (name to SI unit) of a text file with at least ``fewest`` rows, the first of which ascends."""
+    x, height = _file_points(_key(file, columns, fewest))
+    return x.copy(), height.copy()
+
+
+_Key = tuple[str, tuple[tuple[str, str], ...], int, int, int]
+
+
+def _key(file: Path, columns: dict[str, str], fewest: int) -> _Key:
+    """What a file is remembered by: its columns, and when it was changed."""
     if not file.is_file():
         raise RecordingError("no such file", where=str(file), hint="Check the path and the name.")
     status = file.stat()
-    rows = max(fewest, FEWEST[interpolation])
-    return _file_profile(str(file), tuple(columns.items()), interpolation, rows, status.st_mtime_ns, status.st_size)
+    return str(file), tuple(columns.items()), fewest, status.st_mtime_ns, status.st_size
 
 
 @lru_cache(maxsize=16)
-def _file_profile(
-    file: str, columns: tuple[tuple[str, str], ...], interpolation: str, fewest: int, _changed: int, _size: int
-) -> Profile:
+def _file_profile(key: _Key, interpolation: str) -> Profile:
+    return (linear_profile if interpolation == "linear" else cubic_profile)(*_file_points(key))
+
+
+@lru_cache(maxsize=16)
+def _file_points(key: _Key) -> tuple[Array, Array]:
+    file, columns, fewest = key[:3]
     table = read_columns_csv(file)
     x, height = (table[name].in_si(si) for name, si in columns)
     name, unit = columns[0]
     if len(x) < fewest:
         raise RecordingError("too few rows", where=file, found=len(x), allowed=f"at least {fewest}")
-    stays = np.flatnonzero(np.diff(x) <= 0.0)
+    steps = np.diff(x)
+    if (steps < 0.0).all():
+        raise RecordingError(
+            f"{name} runs backwards",
+            where=f"{file}: column {table[name].label!r}",
+            found=f"{x[0]:g} to {x[-1]:g} {unit}",
+            hint="Reverse the order of the rows; the drive goes towards larger values.",
+        )
+    stays = np.flatnonzero(steps <= 0.0)
     if len(stays):
         i = int(stays[0])
         raise RecordingError(
@@ -187,4 +228,4 @@ def _file_profile(
             found=f"{x[i]:g} {unit}, then {x[i + 1]:g} {unit}",
             hint="Sort the rows, and remove repeated ones.",
         )
-    return (linear_profile if interpolation == "linear" else cubic_profile)(x, height)
+    return x, height
