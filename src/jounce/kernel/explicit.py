@@ -460,7 +460,7 @@ def _walk(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> int:
     return _COMPLETED
 
 
-@part()
+@part(forceinline=True)
 def _place_last(problem: Any, work: Any, t: float, out: Any) -> None:
     """Write the samples at the end of the run, where the state is."""
     for i in range(DENSE, ROWS):
