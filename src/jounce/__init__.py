@@ -14,6 +14,23 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal to _PUBLIC
     from jounce import mechanics as mechanics
     from jounce import plots as plots
+    from jounce.control import ADD as ADD
+    from jounce.control import LQG as LQG
+    from jounce.control import LQR as LQR
+    from jounce.control import PID as PID
+    from jounce.control import SHADD as SHADD
+    from jounce.control import ActiveActuator as ActiveActuator
+    from jounce.control import Groundhook as Groundhook
+    from jounce.control import HInfinity as HInfinity
+    from jounce.control import Hybrid as Hybrid
+    from jounce.control import MagnetorheologicalDamper as MagnetorheologicalDamper
+    from jounce.control import Passive as Passive
+    from jounce.control import PreviewMPC as PreviewMPC
+    from jounce.control import SemiActiveDamper as SemiActiveDamper
+    from jounce.control import Skyhook as Skyhook
+    from jounce.control import TwoStateGroundhook as TwoStateGroundhook
+    from jounce.control import TwoStateSkyhook as TwoStateSkyhook
+    from jounce.control import controller as controller
     from jounce.core.errors import AssemblyError as AssemblyError
     from jounce.core.errors import DescriptionError as DescriptionError
     from jounce.core.errors import FitError as FitError
@@ -57,14 +74,24 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.ride.iri import iri as iri
     from jounce.ride.metrics import RideMetrics as RideMetrics
     from jounce.ride.metrics import ride_metrics as ride_metrics
+    from jounce.ride.spectra import power_spectrum as power_spectrum
+    from jounce.ride.spectra import transfer_function as transfer_function
+    from jounce.ride.stationary import stationary as stationary
     from jounce.roads import CircularSegment as CircularSegment
     from jounce.roads import Crg as Crg
+    from jounce.roads import Enveloped as Enveloped
     from jounce.roads import Excitation as Excitation
     from jounce.roads import Flat as Flat
     from jounce.roads import HalfCylinder as HalfCylinder
     from jounce.roads import HalfSine as HalfSine
+    from jounce.roads import Iso8608 as Iso8608
+    from jounce.roads import Kerb as Kerb
+    from jounce.roads import Pothole as Pothole
     from jounce.roads import Ramp as Ramp
     from jounce.roads import Rectangle as Rectangle
+    from jounce.roads import Sine as Sine
+    from jounce.roads import SineSum as SineSum
+    from jounce.roads import SineSweep as SineSweep
     from jounce.roads import Step as Step
     from jounce.roads import Table as Table
     from jounce.roads import Train as Train
@@ -72,6 +99,7 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.roads import Trial as Trial
     from jounce.roads import Triangle as Triangle
     from jounce.roads import Versine as Versine
+    from jounce.roads import estimate_roughness as estimate_roughness
     from jounce.roads import load_road as load_road
     from jounce.simulation import Gradient as Gradient
     from jounce.simulation import LinearModel as LinearModel
@@ -86,20 +114,29 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.studies.adjustment_effects import adjust_report as adjust_report
     from jounce.studies.adjustment_effects import lengths_for as lengths_for
     from jounce.studies.adjustments import adjusted as adjusted
+    from jounce.studies.audi_a6 import run_audi_a6 as run_audi_a6
+    from jounce.studies.audi_a6_excenter import run_excenter as run_excenter
     from jounce.studies.campaign import run_campaign as run_campaign
     from jounce.studies.lumping import lumped_from as lumped_from
     from jounce.studies.model_comparison import compare_models as compare_models
+    from jounce.studies.ride import compare_rides as compare_rides
+    from jounce.studies.ride import drive as drive
+    from jounce.studies.ride_trials import iso_trial as iso_trial
+    from jounce.studies.ride_trials import road_trial as road_trial
     from jounce.studies.speed_sweep import speed_sweep as speed_sweep
 
     __version__: str
 
 _PUBLIC = {  # public name -> module that defines it; a module itself is its own value
+    "ADD": "jounce.control",
+    "ActiveActuator": "jounce.control",
     "AssemblyError": "jounce.core.errors",
     "AxleLayout": "jounce.kinematics",
     "CircularSegment": "jounce.roads",
     "ContactLoad": "jounce.kinematics",
     "Crg": "jounce.roads",
     "DescriptionError": "jounce.core.errors",
+    "Enveloped": "jounce.roads",
     "Excitation": "jounce.roads",
     "Finding": "jounce.core.findings",
     "FitError": "jounce.core.errors",
@@ -109,14 +146,26 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "FullCar": "jounce.parts",
     "FullCar3D": "jounce.parts",
     "Gradient": "jounce.simulation",
+    "Groundhook": "jounce.control",
+    "HInfinity": "jounce.control",
     "HalfCar": "jounce.parts",
     "HalfCar4": "jounce.parts",
     "HalfCylinder": "jounce.roads",
     "HalfSine": "jounce.roads",
+    "Hybrid": "jounce.control",
+    "Iso8608": "jounce.roads",
     "JounceError": "jounce.core.errors",
+    "Kerb": "jounce.roads",
+    "LQG": "jounce.control",
+    "LQR": "jounce.control",
     "LinearModel": "jounce.simulation",
+    "MagnetorheologicalDamper": "jounce.control",
     "Mode": "jounce.simulation",
     "OutputError": "jounce.core.errors",
+    "PID": "jounce.control",
+    "Passive": "jounce.control",
+    "Pothole": "jounce.roads",
+    "PreviewMPC": "jounce.control",
     "QuarterCar": "jounce.parts",
     "Ramp": "jounce.roads",
     "RecordingError": "jounce.core.errors",
@@ -124,14 +173,22 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "RideMetrics": "jounce.ride.metrics",
     "Rig": "jounce.parts",
     "Roughness": "jounce.ride.iri",
+    "SHADD": "jounce.control",
+    "SemiActiveDamper": "jounce.control",
     "Sensor": "jounce.recordings",
     "SimulationError": "jounce.core.errors",
+    "Sine": "jounce.roads",
+    "SineSum": "jounce.roads",
+    "SineSweep": "jounce.roads",
+    "Skyhook": "jounce.control",
     "Step": "jounce.roads",
     "Table": "jounce.roads",
     "Train": "jounce.roads",
     "Trapezoid": "jounce.roads",
     "Trial": "jounce.roads",
     "Triangle": "jounce.roads",
+    "TwoStateGroundhook": "jounce.control",
+    "TwoStateSkyhook": "jounce.control",
     "UpdateResult": "jounce.identify.update",
     "UpdatedParameter": "jounce.identify.update",
     "Vehicle": "jounce.parts",
@@ -140,13 +197,18 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "adjusted": "jounce.studies.adjustments",
     "apply_sensors": "jounce.recordings",
     "compare_models": "jounce.studies.model_comparison",
+    "compare_rides": "jounce.studies.ride",
     "compliance": "jounce.kinematics",
+    "controller": "jounce.control",
+    "drive": "jounce.studies.ride",
     "equilibrium": "jounce.simulation",
+    "estimate_roughness": "jounce.roads",
     "fit_damper": "jounce.identify.damper_fit",
     "fit_decay": "jounce.identify.decay",
     "fit_stiffness": "jounce.identify.stiffness",
     "gradient": "jounce.simulation",
     "iri": "jounce.ride.iri",
+    "iso_trial": "jounce.studies.ride_trials",
     "lengths_for": "jounce.studies.adjustment_effects",
     "linearise": "jounce.simulation",
     "load": "jounce.parts",
@@ -156,18 +218,24 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "modes": "jounce.simulation",
     "pickup_loads": "jounce.kinematics",
     "plots": "jounce.plots",
+    "power_spectrum": "jounce.ride.spectra",
     "read_recording": "jounce.recordings",
     "ride_metrics": "jounce.ride.metrics",
+    "road_trial": "jounce.studies.ride_trials",
+    "run_audi_a6": "jounce.studies.audi_a6",
     "run_campaign": "jounce.studies.campaign",
+    "run_excenter": "jounce.studies.audi_a6_excenter",
     "sensitivities": "jounce.simulation",
     "simulate": "jounce.simulation",
     "simulate_mechanism": "jounce.simulation",
     "speed_sweep": "jounce.studies.speed_sweep",
+    "stationary": "jounce.ride.stationary",
     "sweep_rack": "jounce.kinematics",
     "sweep_roll": "jounce.kinematics",
     "sweep_steering": "jounce.kinematics",
     "sweep_travel": "jounce.kinematics",
     "sweep_variants": "jounce.kinematics",
+    "transfer_function": "jounce.ride.spectra",
     "update_model": "jounce.identify.update",
     "with_strut_angle": "jounce.parts.strut_angle",
     "write_recording": "jounce.recordings",

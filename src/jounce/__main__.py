@@ -2,4 +2,4 @@
 
 from jounce.cli import main
 
-main()
+raise SystemExit(main())

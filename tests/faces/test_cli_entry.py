@@ -194,3 +194,8 @@ def test_json_is_alone_on_stdout(cli, monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_application_is_built_once_per_call() -> None:
     assert entry.application() is not entry.application()
+
+
+def test_module_ends_with_the_exit_code_of_the_command() -> None:
+    done = subprocess.run([sys.executable, "-m", "jounce", "modes", "no-such-rig"], capture_output=True, check=False)
+    assert done.returncode == 2

@@ -129,7 +129,7 @@ class RideStudy:
         return plain
 
 
-def ride(rig: Rig, trial: RideTrial, control: AnyControl | None = None) -> Ride:
+def drive(rig: Rig, trial: RideTrial, control: AnyControl | None = None) -> Ride:
     """Drive once and say what it amounts to.
 
     Parameters
@@ -158,7 +158,7 @@ def ride(rig: Rig, trial: RideTrial, control: AnyControl | None = None) -> Ride:
     >>> import jounce as jn
     >>> from jounce.studies.ride_trials import iso_trial
     >>> car = jn.load("audi-a6-half-car-4dof")
-    >>> driven = ride(car, iso_trial(car, "B", 20.0, duration=5.0))
+    >>> driven = drive(car, iso_trial(car, "B", 20.0, duration=5.0))
     >>> driven.control, 0.2 < driven.merits["comfort"] < 0.8
     ('passive', True)
     """
@@ -202,7 +202,7 @@ def compare_rides(
         name = control_name(given)
         progress(f"driving: {name}")
         try:
-            rides.append(ride(rig, trial, None if name == PASSIVE else control))
+            rides.append(drive(rig, trial, None if name == PASSIVE else control))
         except JounceError as error:
             failed[name], problem = str(error), problem or error
             continue
