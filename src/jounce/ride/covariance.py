@@ -24,6 +24,8 @@ from jounce.ride.family import Matrices
 Array = NDArray[np.float64]
 _NOTHING = 1e-9
 """What is left of a sum of terms is nothing below this share of their sizes."""
+_DEFECTIVE = 1e5  # condition of the eigenvectors beyond which they are not used
+_BEGINS = 1e-5  # the same of slopes, which may be differences
 WANDERS = "follows the height of the road, which wanders without limit under white noise"
 KICKED = "feels the road's vertical velocity directly, whose variance is infinite under white noise"
 
@@ -92,13 +94,13 @@ def relative(model: Matrices) -> Relative:
     return Relative(model.A, model.C, model.B[1] - e, d, model.D[1], scale, e)
 
 
-def relative_slope(model: Matrices, whole: Relative, along: Matrices) -> Relative:
-    """Slope of all that, from the slope of the matrices."""
+def relative_slope(model: Matrices, whole: Relative, along: Matrices, size: float) -> Relative:
+    """Slope of all that along a number of some ``size`` (in its SI unit), from the slope of the matrices."""
     e = -np.linalg.solve(model.A, along.B[0] + along.A @ whole.E)
     d = along.C @ whole.E + model.C @ e + along.D[0]
     sizes = np.abs(np.linalg.inv(model.A)) @ (np.abs(along.B[0]) + np.abs(along.A) @ np.abs(whole.E))
     scale = np.abs(along.C) @ np.abs(whole.E) + np.abs(model.C) @ sizes + np.abs(along.D[0])
-    return Relative(along.A, along.C, along.B[1] - e, d, along.D[1], scale, e)
+    return Relative(along.A, along.C, along.B[1] - e, d, along.D[1], np.maximum(scale, whole.scale / size), e)
 
 
 @dataclass(frozen=True)
@@ -152,6 +154,49 @@ class Schur:
         inner = self.basis.T @ q @ self.basis
         found, scale, _ = dtrsyl(self.form, self.form, -inner, tranb="T")
         return np.asarray(scale * (self.basis @ found @ self.basis.T), dtype=np.float64)
+
+
+class Flow:
+    """Exponential of a matrix (n, n, in 1/s) over times, and its slopes, by eigenvectors where they are independent."""
+
+    def __init__(self, a: Array) -> None:
+        self.a = a
+        self._values, self._vectors = np.linalg.eig(a)
+        self._are_independent = bool(np.linalg.cond(self._vectors) < _DEFECTIVE)
+        self._inverse = np.linalg.inv(self._vectors) if self._are_independent else self._vectors
+        self._known: dict[float, Array] = {}
+
+    def at(self, time: float) -> Array:
+        """Flow over a time, s."""
+        if time not in self._known:
+            self._known[time] = self._exponential(time)
+        return self._known[time]
+
+    def _exponential(self, time: float) -> Array:
+        if self._are_independent:
+            return np.asarray(((self._vectors * np.exp(self._values * time)) @ self._inverse).real)
+        from scipy.linalg import expm
+
+        return np.asarray(expm(self.a * time), dtype=np.float64)
+
+    def slope(self, time: float, along: Array) -> Array:
+        """Slope of the flow over a time (s) along that of the matrix."""
+        if time == 0.0:
+            return np.zeros_like(self.a)
+        if not self._are_independent:
+            from scipy.linalg import expm_frechet
+
+            return np.asarray(expm_frechet(self.a * time, along * time, compute_expm=False), dtype=np.float64)
+        first, second = self._values[:, None] * time, self._values[None, :] * time
+        half = 0.5 * (first - second)
+        is_near = np.abs(half) < 1e-3
+        safe = np.where(is_near, 1.0, half)
+        steep = 1.0 + half**2 / 6.0 + half**4 / 120.0
+        divided = np.where(
+            is_near, np.exp(0.5 * (first + second)) * steep, (np.exp(first) - np.exp(second)) / (2.0 * safe)
+        )
+        inner = divided * (self._inverse @ along @ self._vectors) * time
+        return np.asarray((self._vectors @ inner @ self._inverse).real)
 
 
 @dataclass(frozen=True)
@@ -210,10 +255,12 @@ class Covariance:
     def _drives(self, source: Source) -> list[tuple[float, Array]]:
         return [(group.delay, self.model.b[:, list(group.wheels)].sum(axis=1)) for group in source]
 
-    def _flow(self, time: float) -> Array:
-        from scipy.linalg import expm
+    @cached_property
+    def _flows(self) -> Flow:
+        return Flow(self.model.A)
 
-        return np.asarray(expm(self.model.A * time), dtype=np.float64)
+    def _flow(self, time: float) -> Array:
+        return self._flows.at(time)
 
     def _steps(self, source: Source, d: Array) -> list[tuple[float, float, Array]]:
         """Between the delays: begin, end (s) and how far an output is moved by a unit step of the road meanwhile."""
@@ -251,7 +298,7 @@ class Covariance:
             total += np.einsum("ij,jk,ik->i", self.model.C, change, self.model.C)
             total += self._offset_slope(source, along, later)
             wheels = [i for group in source for i in group.wheels]
-            begins = np.abs(along.d[:, wheels].sum(axis=1)) > _NOTHING * along.scale[:, wheels].sum(axis=1)
+            begins = np.abs(along.d[:, wheels].sum(axis=1)) > _BEGINS * along.scale[:, wheels].sum(axis=1)
             total[begins] = np.nan
         return total
 
@@ -281,11 +328,8 @@ class Covariance:
 
     def _flow_slope(self, time: float, later: float, along: Array) -> tuple[Array, Array]:
         """Flow over a time and its slope along a number that moves A and the time."""
-        from scipy.linalg import expm_frechet
-
-        a = self.model.A
-        flow, slope = expm_frechet(a * time, along * time)
-        return np.asarray(flow), np.asarray(slope + a @ flow * later)
+        flow = self._flow(time)
+        return flow, self._flows.slope(time, along) + self.model.A @ flow * later
 
     def _reach_slope(self, time: float, later: float, along: Array) -> tuple[Array, Array]:
         flow, slope = self._flow_slope(time, later, along)

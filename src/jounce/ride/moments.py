@@ -116,8 +116,8 @@ class Analysis:
         found = relative(whole)
         covariance = Covariance(found, self._sources(values))
         slopes = [
-            intensity * covariance.slopes(relative_slope(whole, found, part), later)
-            for part, later in zip(parts, self._later, strict=True)
+            intensity * covariance.slopes(relative_slope(whole, found, part, size), later)
+            for part, later, size in zip(parts, self._later, _sizes(values), strict=True)
         ]
         return intensity * covariance.variances(), slopes, covariance.absent()
 
@@ -130,7 +130,8 @@ class Analysis:
         slopes = []
         for i, part in enumerate(along):
             wider = self._coherence_slope(band, i, values)
-            slopes.append(variance.slopes(relative_slope(model, found, part), self._later[i], wider))
+            moving = relative_slope(model, found, part, _sizes(values)[i])
+            slopes.append(variance.slopes(moving, self._later[i], wider))
         return variance.variances(), slopes, {}
 
     def _band(self, model: Relative, sources: tuple[Source, ...], track: float) -> Band:
@@ -157,3 +158,8 @@ class Analysis:
         assert sides[0] is not None
         assert sides[1] is not None
         return np.asarray(wider * (sides[0] - sides[1]) / (2.0 * step))
+
+
+def _sizes(values: Array) -> list[float]:
+    """Size of each number, 1 (of its SI unit) for zero."""
+    return [abs(float(value)) or 1.0 for value in values]
