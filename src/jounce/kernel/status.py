@@ -27,6 +27,10 @@ class Status(Enum):
         "the closed loop diverges: smaller gains, a faster actuator or a higher control rate may hold it",
     )
     NO_COMMAND = (9, "the controller gave no finite command")
+    RUN_AWAY = (
+        10,
+        "a strut deflects beyond 10 m or the body turns over: the model is unstable (see its modes) or loads extreme",
+    )
 
     def __init__(self, code: int, text: str) -> None:
         self.code, self.help = code, text

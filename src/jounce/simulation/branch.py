@@ -1,4 +1,4 @@
-"""A wheel that has gone over a dead point of its suspension: found by the angles that no suspension reaches."""
+"""Runs that have left what a suspension is: by angles and deflections that none reaches."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 _TURNED = 0.6  # rad: camber or steer that moves so far in a run belongs to another way of assembling the linkage
 _STEERED = 1.0  # rad: steer at rest that no rack makes
+_APART = 10.0  # m: no strut is that long
+_TURNS = ("body.pitch", "body.roll")  # rad: a car that has turned that far lies on its roof
 _ANGLES = ("wheel.camber", "wheel.steer")
 
 
@@ -33,3 +35,13 @@ def flipped_at(names: tuple[str, ...], outputs: Array) -> int | None:
             here = int(np.argmax(turned))
             first = here if first is None else min(first, here)
     return first
+
+
+def ran_away_at(names: tuple[str, ...], outputs: Array) -> int | None:
+    """Give the first sample at which a strut deflects by more than 10 m or the body turns by more than 1 rad, or None.
+
+    Arguments as above.
+    """
+    limits = [_APART if name.endswith("strut.deflection") else 1.0 if name in _TURNS else np.inf for name in names]
+    beyond = np.any(np.abs(outputs) > np.array(limits)[:, np.newaxis], axis=0)
+    return int(np.argmax(beyond)) if beyond.any() else None

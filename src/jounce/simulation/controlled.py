@@ -185,6 +185,8 @@ class _Law:
     @cached_property
     def _rest_outputs(self) -> Array:
         prepared = self._prepared
+        if prepared.rest is None:
+            raise AssertionError("a controlled run starts from rest")
         where = (prepared.rest.x, prepared.still, prepared.problem.p, prepared.rest.modes)
         return self._compiled.evaluate("output", *where)
 

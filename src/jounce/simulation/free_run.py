@@ -243,7 +243,7 @@ def _prepare(
     flat = flatten(tracks or [held(0.0)])
     first = flat.first[: len(tracks)].copy()
     problem = Problem(compiled.engine, flat, first, compiled.extended(p), modes.copy(), x, len(u))
-    prepared = Prepared(compiled, problem, control, room(compiled, times), None, modes)
+    prepared = Prepared(compiled, problem, control, room(compiled, times), None, modes, None, u)
     if method == "explicit":
         return prepared
     coarse = min(longest_step_of(moving, tolerance), _SHARE * duration)

@@ -21,7 +21,7 @@ from jounce.mechanics.model import Facts, is_road
 from jounce.parts import Rig
 from jounce.recordings.schema import recording
 from jounce.roads import Trial
-from jounce.simulation.branch import flipped_at
+from jounce.simulation.branch import flipped_at, ran_away_at
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.excitation import excitation
 from jounce.simulation.statics import Rest, find_rest, state_scale
@@ -88,7 +88,7 @@ class Prepared:
 
     ``stiff`` says how the implicit method is steered, None where there is only the explicit one; ``method`` is the one
     used first. In place of an explicit run that used up its steps the implicit method has a try. ``rest`` is the
-    equilibrium under the inputs ``still``; ``begin`` sets back what a controller keeps.
+    equilibrium under the inputs ``still``, if it starts from one; ``begin`` sets back what a controller keeps.
     """
 
     compiled: Compiled
@@ -97,7 +97,7 @@ class Prepared:
     out: Samples
     exact: tuple[linear.Plan, Array] | None
     modes: Array
-    rest: Rest
+    rest: Rest | None
     still: Array
     stiff: Callable[[], Control] | None = None
     method: Method = "explicit"
@@ -319,7 +319,7 @@ def simulate(
         signals, method = loop.with_rest(compiled, signals), "explicit"
     prepared = prepare(compiled, p, signals, times, tolerance=tolerance, offset=start, method=method)
     if loop:
-        if check:
+        if check and prepared.rest is not None:
             check_stable(loop, compiled, p, prepared.rest, prepared.still)
         prepared = loop.around(compiled, prepared, signals)
     solution = prepared.run()
@@ -338,12 +338,14 @@ def simulate(
 
 
 def held_to_its_branch(compiled: Compiled, solution: Solution) -> Solution:
-    """Give the run up to where the wheel flips over, if it does, with a status that says so."""
-    flipped = flipped_at(compiled.output_names, solution.outputs)
-    if flipped is None:
+    """Give the run up to where a wheel flips over or a suspension runs away, with a status that says so."""
+    left, status = flipped_at(compiled.output_names, solution.outputs), Status.FLIPPED
+    if left is None and solution.status in (Status.COMPLETED, Status.NOT_FINITE):
+        left, status = ran_away_at(compiled.output_names, solution.outputs), Status.RUN_AWAY
+    if left is None:
         return solution
-    solution.states[:, flipped + 1 :] = np.nan
-    return replace(solution, status=Status.FLIPPED)
+    solution.states[:, left + 1 :] = np.nan
+    return replace(solution, status=status)
 
 
 def check_settings(duration: float, output_step: float, tolerance: float) -> None:

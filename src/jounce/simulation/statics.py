@@ -92,9 +92,23 @@ def find_rest(compiled: Compiled, p: Array, u: Array, start: Array | None = None
     raise SimulationError(
         "no static equilibrium was found",
         where="the mechanism" if compiled.facts.projects else ", ".join(compiled.facts.coordinates),
-        hint=_joint_hint(compiled)
+        hint=_load_hint(compiled, u)
+        or _joint_hint(compiled)
         or "Check masses, spring rate or curve (it must carry the weight), preload and bump stops.",
     )
+
+
+def _load_hint(compiled: Compiled, u: Array) -> str:
+    values = u[:: compiled.facts.track_order]
+    loads = [
+        f"{name} {value:g}"
+        for name, value in zip(compiled.facts.tracks, values, strict=True)
+        if value and not is_road(name)
+    ]
+    if not loads:
+        return ""
+    given = ", ".join(loads)
+    return f"With {given} (SI) from the very start the car tips over or nothing holds it; begin later or lower it."
 
 
 def _joint_hint(compiled: Compiled) -> str:
