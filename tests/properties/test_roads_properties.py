@@ -8,10 +8,16 @@ from hypothesis import strategies as st
 
 from jounce.roads import (
     CircularSegment,
+    Enveloped,
     HalfCylinder,
     HalfSine,
+    Iso8608,
+    Kerb,
+    Pothole,
     Ramp,
     Rectangle,
+    Sine,
+    SineSweep,
     Step,
     Table,
     Train,
@@ -44,7 +50,13 @@ def obstacles(draw):
                 Versine(**common),
                 Rectangle(**common),
                 Triangle(**common),
-                Trapezoid(**common, ramp=0.3 * length),
+                Trapezoid(**common, ramp=0.3 * length, shape=draw(st.sampled_from(["linear", "cosine"]))),
+                Sine(amplitude=height, wavelength=0.4 * length, length=length, start=start, phase=draw(lengths)),
+                SineSweep(
+                    amplitude=height, first_wavelength=length, last_wavelength=0.3 * length, length=length, start=start
+                ),
+                Kerb(height=height, edge_radius=0.5 * abs(height), start=start),
+                Pothole(depth=0.01 + abs(height), length=length, edge_radius=0.009, start=start),
                 HalfCylinder(radius=0.5 * length, start=start),
                 CircularSegment(length=length, height=0.49 * length * height / 0.05, start=start),
                 Ramp(**common, shape=draw(st.sampled_from(["linear", "cosine"]))),
@@ -102,3 +114,57 @@ def test_after_the_end_the_road_is_level(road, beyond) -> None:
     after = road.profile().after
     assert road.height_at(road.end() + beyond) == after
     assert road.slope_at(road.end() + beyond) == 0.0
+
+
+@settings(deadline=None, max_examples=30)
+@given(roads(), st.floats(0.1, 0.5), st.sampled_from(["rigid-circle", "tandem-cam"]))
+def test_a_wheel_never_sinks_into_the_road(road, radius, method) -> None:
+    fields = {"contact_length": 0.3 * radius} if method == "tandem-cam" else {}
+    felt = Enveloped(of=road, method=method, radius=radius, **fields)
+    segments = felt.segments(6.0)
+    assert (np.diff(segments.edges) > 0.0).all()
+    x = np.linspace(0.0, 5.999, 700)
+    height = segments.evaluate(x)[0]
+    reach = felt.reach()
+    edges = road.segments(8.0 + reach, behind=1.0 + reach).edges - 1.0 - reach
+    around = road.height_at(np.concatenate([np.linspace(-reach, 6.0 + reach, 60_001), edges, edges - 1e-9]))
+    assert height.max() <= around.max() + 1e-5
+    assert height.min() >= around.min() - 1e-5
+    if method == "rigid-circle":
+        under = x + np.linspace(-0.3, 0.3, 7)[:, None] * radius  # points of the road beside the lowest one
+        depth = radius - np.sqrt(radius**2 - (under - x) ** 2)
+        assert (height - (road.height_at(under) - depth)).min() > -1e-5
+
+
+@settings(deadline=None, max_examples=30)
+@given(roads(), st.floats(0.02, 0.4))
+def test_the_mean_over_the_contact_keeps_the_area(road, length) -> None:
+    felt = Enveloped(of=road, method="moving-average", contact_length=length).segments(6.0)
+    x = np.linspace(0.0, 5.999, 300)
+    edges = road.segments(7.0, behind=0.5).edges - 0.5
+    at = np.unique(np.concatenate([np.linspace(-0.5, 6.5, 30_001), edges[1:-1] - 1e-9, edges[1:-1] + 1e-9]))
+    height = road.height_at(at)
+    area = np.concatenate([[0.0], np.cumsum(0.5 * (height[1:] + height[:-1]) * np.diff(at))])
+    mean = (np.interp(x + 0.5 * length, at, area) - np.interp(x - 0.5 * length, at, area)) / length
+    np.testing.assert_allclose(felt.evaluate(x)[0], mean, rtol=0, atol=2e-5)
+
+
+@settings(deadline=None, max_examples=30)
+@given(
+    st.sampled_from("ABCDEFGH"),
+    st.floats(5.0, 300.0),
+    st.floats(0.02, 0.3),
+    st.integers(0, 2**40),
+    st.sampled_from(["left", "right"]),
+    st.sampled_from(["linear", "cubic"]),
+)
+def test_rough_roads_are_level_at_both_ends_and_finite(name, length, step, seed, side, interpolation) -> None:
+    road = Iso8608(class_=name, length=length, step=step, seed=seed, side=side, interpolation=interpolation)
+    x, height = road.points()
+    assert (x[0], x[-1], height[0], height[-1]) == (0.0, length, 0.0, 0.0)
+    assert np.isfinite(height).all()
+    assert (np.diff(x) <= step * (1 + 1e-9)).all()
+    inside = 0.5 * (x[1:] + x[:-1])
+    between = road.height_at(inside)
+    assert np.abs(between - 0.5 * (height[1:] + height[:-1])).max() <= 0.6 * np.abs(np.diff(height)).max() + 1e-12
+    np.testing.assert_array_equal(road.points()[1], height)

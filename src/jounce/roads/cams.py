@@ -15,7 +15,9 @@ Array = NDArray[np.float64]
 Numbers = NDArray[np.int64]
 SHORTEST = 1e-9  # m; borders nearer to each other are one
 _STEEPEST = 50.0  # slope at which a wheel stands before a wall
-_GRADED = [side * 4.0**-k for k in (1, 2, 3) for side in (-1.0, 1.0)]  # cams of low exponent are sharp at the bottom
+_GRADED = [side * 4.0**-k for k in (1, 2, 3) for side in (-1.0, 1.0)]
+"""Shares of a step at which there are borders beside a place where a curve has no curvature that is finite."""
+_BENT = 0.03  # jump of the curvature times a^2 that a cam's height follows by more than a micrometre
 _PAIRS = 1_000_000  # nodes times pieces that are worked on at once
 
 
@@ -60,7 +62,9 @@ def averaged(road: Segments, half: float, low: float, high: float, step: float) 
     Exact where the road is made of lines and parabolas; elsewhere cubics at most ``step`` metres long with exact
     heights and slopes at their ends.
     """
-    borders = _borders([road.edges - half, road.edges + half], low, high)
+    upright = road.edges[:-1][road.kind == CIRCLE], road.edges[1:][road.kind == CIRCLE]
+    near = [feet + by + step * share for feet in upright for by in (-half, half) for share in _GRADED]
+    borders = _borders([road.edges - half, road.edges + half, *near], low, high)
     behind, ahead = _pieces(road, borders, -half), _pieces(road, borders, half)
     simple = (road.kind == POLYNOMIAL) & (road.coefficients[:, 3] == 0.0)
     borders = _refined(borders, np.where(simple[behind] & simple[ahead], np.inf, step))
@@ -96,9 +100,9 @@ def rolled(road: Segments, cam: Cam, low: float, high: float, step: float) -> Se
     """
     parts = _Parts.of(road, cam)
     nodes = _refined(_borders([np.array([low, high])], low, high), np.array([step]))
-    begins = parts.transitions()
-    near = [begins + step * share for share in _GRADED] if cam.c < 2.0 else []
-    nodes = _borders([nodes, begins, *near], low, high)
+    begins, bends = parts.transitions(parts.sharp), parts.transitions(parts.bent)
+    near = [begins + step * share for share in _GRADED] if cam.c < 2.0 else []  # such a cam is sharp at the bottom
+    nodes = _borders([nodes, begins, bends, *near], low, high)
     contact = parts.contact(nodes)
     nodes, left, right = _with_kinks(parts, nodes, contact)
     steep = max(np.abs(left[1]).max(), np.abs(right[1]).max())
@@ -121,7 +125,8 @@ class _Parts:
     piece: Numbers  # (n,): piece of the road that a part belongs to
     corner: Array  # (n + 1,): height of the borders in m, the higher one at a jump
     offset: Array  # (2, n): where the cam touches the slopes at either end of a part, in m from its middle
-    edge: NDArray[np.bool_]  # (n - 1,): inner borders at which height, slope or curvature jump
+    sharp: NDArray[np.bool_]  # (n - 1,): inner borders at which height or slope jump
+    bent: NDArray[np.bool_]  # (n - 1,): inner borders at which only the curvature does
 
     @classmethod
     def of(cls, road: Segments, cam: Cam) -> _Parts:
@@ -138,15 +143,15 @@ class _Parts:
         slopes = [road.on_pieces(piece, x)[1] for x in (border[:-1] + nudge, border[1:] - nudge)]
         corner = np.maximum(np.append(left, right[-1]), np.insert(right, 0, left[0]))
         offset = np.array([cam.offset(slope) for slope in slopes])
-        curved = _is_curved(road)[piece]
-        edge = (np.abs(offset[1, :-1] - offset[0, 1:]) > 1e-6 * cam.a) | (np.abs(left[1:] - right[:-1]) > 1e-12)
-        edge |= (np.diff(piece) > 0) & (curved[:-1] | curved[1:])
-        return cls(road, cam, border, piece, corner, offset, edge)
+        sharp = (np.abs(offset[1, :-1] - offset[0, 1:]) > 1e-6 * cam.a) | (np.abs(left[1:] - right[:-1]) > 1e-12)
+        bend = np.abs(_curvature(road, piece[1:], border[1:-1]) - _curvature(road, piece[:-1], border[1:-1]))
+        bent = ~sharp & (np.diff(piece) > 0) & (bend * cam.a**2 > _BENT)
+        return cls(road, cam, border, piece, corner, offset, sharp, bent)
 
-    def transitions(self) -> Array:
-        """Places in m of the cam at which a corner of the road may begin or cease to touch."""
-        corner = self.border[1:-1][self.edge]
-        return np.concatenate([corner - self.offset[1, :-1][self.edge], corner - self.offset[0, 1:][self.edge]])
+    def transitions(self, borders: NDArray[np.bool_]) -> Array:
+        """Places in m of the cam at which some of the inner borders begin or cease to touch."""
+        corner = self.border[1:-1][borders]
+        return np.concatenate([corner - self.offset[1, :-1][borders], corner - self.offset[0, 1:][borders]])
 
     def contact(self, x: Array) -> tuple[Array, Array]:
         """Height of the cam at its places ``x`` and the distance at which it touches, in m."""
@@ -199,6 +204,15 @@ class _Parts:
             low, high = np.where(ahead, middle, low), np.where(ahead, high, middle)
         touch[curved] = 0.5 * (low + high)
         return np.asarray(touch)
+
+
+def _curvature(road: Segments, piece: Numbers, x: Array) -> Array:
+    """Second derivative in 1/m of pieces at ``x``; for arcs a large number that no neighbour has."""
+    s = x - road.edges[piece]
+    _, c1, c2, c3 = np.moveaxis(road.coefficients[piece], -1, 0)
+    kind = road.kind[piece]
+    waves = np.where(kind == SINE, -c1 * c2**2 * np.sin(c2 * s + c3), 2.0 * c2 + 6.0 * c3 * s)
+    return np.asarray(np.where(kind == CIRCLE, 1e9 * (1.0 + piece), waves))
 
 
 def _is_curved(road: Segments) -> NDArray[np.bool_]:

@@ -6,10 +6,11 @@ import hashlib
 import math
 from collections import OrderedDict
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from pydantic import model_validator
 
 from jounce.core.errors import DescriptionError
 from jounce.core.segments import Segments
@@ -98,6 +99,11 @@ class Enveloped(Road):
                 raise ValueError(f"the method {self.method!r} {word} {name}")
         if self.cam_exponent <= 1.0:
             raise ValueError(f"cam_exponent {self.cam_exponent:g} gives a cam with corners; allowed: above 1")
+
+    @model_validator(mode="after")
+    def _checked(self) -> Self:
+        self.check()
+        return self  # the loop is that of the road inside, which has checked it
 
     def reach(self) -> float:
         """Distance in m to which the road is felt ahead of the wheel's centre and behind it."""
