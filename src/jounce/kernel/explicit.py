@@ -378,11 +378,14 @@ def _limit(control: Any, counts: Any, t: float, h: float) -> int:
     return _STEP_TOO_SMALL if h < 1e-14 * max(1.0, abs(t)) else _COMPLETED
 
 
-@part()
+@part(forceinline=True)
 def _renew(
     problem: Any, work: Any, start: float, t: float, edge: float, instant: float, slack: float
 ) -> tuple[int, float, float]:
-    """Go on to new inputs at an edge, and to new commands at a control instant; give the next of both."""
+    """Go on to new inputs at an edge, and to new commands at a control instant; give the next of both.
+
+    Inlined, as all that happens at every edge: a call would copy the whole problem.
+    """
     status, following = _COMPLETED, instant
     if edge <= t + slack:
         edge = advance(problem.tracks, problem.piece, t, slack)
