@@ -1,0 +1,270 @@
+"""Testers of shock absorbers: what moves the wheel's plate, how fast, and what such a lane accepts (domain: EGEA, THETA).
+
+A tester file serves both sides: the simulation reads the stroke, the plate and the programme, the evaluation of a record
+the limits and the names of the record's columns.
+"""
+
+from __future__ import annotations
+
+from importlib import resources
+from pathlib import Path
+from typing import Annotated, Any, ClassVar, Literal, Self
+
+from pydantic import Field, model_validator
+
+from jounce.core.description import Description, misplaced, read_toml
+from jounce.core.errors import DescriptionError, nearest
+from jounce.core.units import (
+    Frequency,
+    Mass,
+    NonNegativeDampingCoefficient,
+    NonNegativeForce,
+    PositiveLength,
+    PositiveStiffness,
+    Unit,
+)
+from jounce.parts.loading import check_schema
+
+SCHEMA = "jounce.tester/1"
+_Seconds = Annotated[float, Unit("s", at_least=0.0)]
+_SecondsPerNewton = Annotated[float, Unit("s/N", at_least=0.0)]
+_FrequencyOrRest = Annotated[float, Unit("Hz", at_least=0.0)]
+_Rate = Annotated[float, Unit("Hz/s", above=0.0)]
+_Inertia = Annotated[float, Unit("kg*m^2", above=0.0)]
+_Torque = Annotated[float, Unit("N*m", above=0.0)]
+_Friction = Annotated[float, Unit("N*m", at_least=0.0)]
+_Viscous = Annotated[float, Unit("N*m*s/rad", at_least=0.0)]
+
+
+class Programme(Description):
+    """What the excenter does over one test of one wheel.
+
+    Attributes
+    ----------
+    start_frequency, end_frequency : float
+        Hz; between them the frequency changes linearly in time, either way.
+    hold_time, hold_time_per_load : float
+        s and s/N: how long the start frequency is held, and how much longer for each newton of static load.
+    sweep_rate : float
+        Hz/s, the size only.
+    run_down : {"controlled", "free"}
+        Whether the drive follows the programme, or is switched off after the hold and runs down by itself.
+    duration : float
+        s; length of a free run-down, which stops earlier only if the excenter does.
+    pause : float
+        s between the wheels of an axle.
+    """
+
+    start_frequency: Frequency
+    end_frequency: _FrequencyOrRest = 0.0
+    hold_time: _Seconds = 0.0
+    hold_time_per_load: _SecondsPerNewton = 0.0
+    sweep_rate: _Rate = 2.5
+    run_down: Literal["controlled", "free"] = "controlled"
+    duration: Annotated[float, Unit("s", above=0.0)] = 10.0
+    pause: _Seconds = 1.0
+
+    def hold(self, static_load: float) -> float:
+        """Time (s) for which the start frequency is held under a static wheel load (N)."""
+        return self.hold_time + self.hold_time_per_load * static_load
+
+    def length(self, static_load: float) -> float:
+        """Length (s) of the test of one wheel with a static load (N)."""
+        sweep = abs(self.start_frequency - self.end_frequency) / self.sweep_rate
+        return self.hold(static_load) + (self.duration if self.run_down == "free" else sweep)
+
+
+class Motor(Description):
+    """Motor with a straight torque-speed line: ``stall_torque`` (N m) at rest, none at ``no_load_frequency`` (Hz)."""
+
+    stall_torque: _Torque
+    no_load_frequency: Frequency
+
+
+class Drive(Description):
+    """What turns the excenter: ``inertia`` (kg m^2), ``friction_torque`` (N m), ``viscous_friction`` (N m s/rad)."""
+
+    inertia: _Inertia
+    friction_torque: _Friction = 0.0
+    viscous_friction: _Viscous = 0.0
+    motor: Motor | None = None
+
+
+class TesterLimits(Description):
+    """What a test must keep to.
+
+    Attributes
+    ----------
+    wheel_load_min, wheel_load_max : float
+        N, of the static load of one wheel.
+    tyre_rigidity_min, tyre_rigidity_max : float
+        N/m; below: tyre under-inflated, above: over-inflated.
+    frequency_min, frequency_max : float
+        Hz; where the minimum phase angle is searched for, ends included.
+    sweep_rate_max : float
+        Hz/s; a faster sweep weakens the result.
+    sweep_time_min : float
+        s.
+    sampling_frequency_min : float
+        Hz.
+    calibration_force_per_frequency : float
+        N/Hz; what the unloaded plate may leave after its inertia is taken off.
+    stroke_tolerance : float
+        m, of the stroke.
+    """
+
+    wheel_load_min: NonNegativeForce = 1000.0
+    wheel_load_max: NonNegativeForce = 11000.0
+    tyre_rigidity_min: PositiveStiffness = 160e3
+    tyre_rigidity_max: PositiveStiffness = 400e3
+    frequency_min: Frequency = 6.0
+    frequency_max: Frequency = 18.0
+    sweep_rate_max: _Rate = 3.0
+    sweep_time_min: _Seconds = 7.5
+    sampling_frequency_min: Frequency = 1000.0
+    calibration_force_per_frequency: Annotated[float, Unit("N/Hz", above=0.0)] = 4.0
+    stroke_tolerance: PositiveLength = 0.6e-3
+    __test__: ClassVar[bool] = False  # not a test of pytest's
+
+    @model_validator(mode="after")
+    def _in_order(self) -> Self:
+        for name in ("wheel_load", "tyre_rigidity", "frequency"):
+            low, high = getattr(self, f"{name}_min"), getattr(self, f"{name}_max")
+            if low >= high:
+                raise misplaced((f"{name}_min",), f"not below {name}_max; found {low:g} and {high:g} (SI)")
+        return self
+
+
+class Tester(Description):
+    """Tester of shock absorbers with one plate for each side of the car.
+
+    Attributes
+    ----------
+    kind : {"rigid-plate", "sprung-plate"}
+        Whether the excenter moves the plate itself, or the foot of a spring under it.
+    method : {"eusama", "egea", "theta", "boge"}
+        How its records are commonly evaluated.
+    stroke : float
+        Of the excenter, peak to peak, m: twice its eccentricity.
+    plate_mass : float
+        kg, of one plate.
+    plate_spring_rate, plate_damping_coefficient : float or None
+        N/m and N s/m, between excenter and plate; for sprung plates only.
+    force_cell : {"under-plate", "contact"}
+        Whether the measured force has the plate's inertia in it.
+    sampling_frequency : float
+        Of its records, Hz.
+    programme : Programme
+        Speed of the excenter.
+    drive : Drive or None
+        Needed where the excenter runs down freely.
+    limits : TesterLimits
+        What a test must keep to.
+    columns : dict
+        Channel of a record (``left.plate.z``) to the name of its column in this tester's files.
+    name, source : str
+        Of the tester, and of its numbers.
+    estimated : tuple of str
+        Which of its numbers are not from the source.
+    """
+
+    schema_: Literal["jounce.tester/1"] = Field(default="jounce.tester/1", alias="schema")
+    name: str = ""
+    kind: Literal["rigid-plate", "sprung-plate"]
+    method: Literal["eusama", "egea", "theta", "boge"]
+    source: str = ""
+    estimated: tuple[str, ...] = ()
+    stroke: PositiveLength
+    plate_mass: Mass
+    plate_spring_rate: PositiveStiffness | None = None
+    plate_damping_coefficient: NonNegativeDampingCoefficient | None = None
+    force_cell: Literal["under-plate", "contact"] = "under-plate"
+    sampling_frequency: Frequency = 1000.0
+    programme: Programme
+    drive: Drive | None = None
+    limits: TesterLimits = TesterLimits()
+    columns: dict[str, str] = {}
+    sides: ClassVar[tuple[str, ...]] = ("left", "right")
+    __test__: ClassVar[bool] = False  # not a test of pytest's
+
+    @property
+    def amplitude(self) -> float:
+        """Eccentricity of the excenter, m: half the stroke."""
+        return 0.5 * self.stroke
+
+    @model_validator(mode="after")
+    def _is_complete(self) -> Self:
+        sprung = self.kind == "sprung-plate"
+        if sprung != (self.plate_spring_rate is not None):
+            raise misplaced(
+                ("plate_spring_rate",),
+                'a sprung plate needs it, a rigid one has none; found kind = "' + self.kind + '"',
+            )
+        if self.plate_damping_coefficient is not None and not sprung:
+            raise misplaced(("plate_damping_coefficient",), 'a rigid plate has none; found kind = "rigid-plate"')
+        if self.programme.run_down == "free" and self.drive is None:
+            raise misplaced(("drive",), "a free run-down needs the drive's inertia; the table [drive] is missing")
+        return self
+
+    def with_changes(self, changes: dict[str, Any]) -> Tester:
+        """Give a copy with other values by path, as for rigs: ``{"stroke": "6 mm"}``.
+
+        Raises
+        ------
+        DescriptionError
+            For an unknown path or a value out of range.
+        """
+        from jounce.parts.parameters import change_table
+
+        return Tester.from_table(change_table(self, changes), where="tester")
+
+
+def testers() -> dict[str, Path]:
+    """Give the shipped testers: name to file."""
+    folder = Path(str(resources.files("jounce.parts") / "library" / "testers"))
+    return {file.stem: file for file in sorted(folder.glob("*.toml"))}
+
+
+def load_tester(name: str | Path) -> Tester:
+    """Load a tester from a TOML file or, by name, from the shipped ones.
+
+    Parameters
+    ----------
+    name : str or Path
+        Path to a file, or ``"eusama"``, ``"egea-specsus2018"``, ``"theta-msd3000"``, ``"boge"``.
+
+    Returns
+    -------
+    Tester
+        The frozen description, SI.
+
+    Raises
+    ------
+    DescriptionError
+        With file, line, path, found value, what is allowed and the nearest match.
+
+    Examples
+    --------
+    >>> tester = load_tester("eusama")
+    >>> tester.kind, tester.amplitude   # m
+    ('rigid-plate', 0.003)
+    """
+    path = _tester_path(name)
+    table, text = read_toml(path)
+    check_schema(table, (SCHEMA,), str(path))
+    found = Tester.from_table(table, where=str(path), text=text)
+    return found if found.name else found.model_copy(update={"name": path.stem})
+
+
+def _tester_path(name: str | Path) -> Path:
+    if Path(name).suffix == ".toml" or Path(name).exists():
+        return Path(name)
+    shipped = testers()
+    if str(name) not in shipped:
+        raise DescriptionError(
+            "no such file and no shipped tester of that name",
+            where=str(name),
+            allowed=f"a path to a .toml file, or one of {', '.join(shipped)}",
+            hint=nearest(str(name), shipped),
+        )
+    return shipped[str(name)]
