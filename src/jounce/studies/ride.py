@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from jounce.control import Controller
 from jounce.control.catalogue import CONTROLS, as_controller
-from jounce.core.errors import DescriptionError, JounceError
+from jounce.core.errors import DescriptionError, JounceError, RecordingError
 from jounce.core.serialise import to_plain
 from jounce.parts import Rig
 from jounce.ride.metrics import RideMetrics, ride_metrics
@@ -164,6 +164,9 @@ def drive(rig: Rig, trial: RideTrial, control: AnyControl | None = None) -> Ride
     """
     run = simulate(rig, trial.trial, control=control)
     metrics = ride_metrics(run, rig, settling=trial.settling)
+    for missing in metrics.absent:
+        if missing.metric == "weighted_rms":
+            raise RecordingError(missing.reason, where=missing.place, hint="Drive for longer.")
     return Ride(control_name(control), run, metrics, _merits(metrics))
 
 
