@@ -18,7 +18,7 @@ from jounce.models.linkage import Linkage
 from jounce.models.vehicle import show_height
 from jounce.parts.vehicles import FullCar3D, SpatialAxle
 
-_SIDES = {"left": False, "right": True}
+_SIDES = {"left": 1.0, "right": -1.0}
 _UP, _FORWARD, _LEFT = (ca.SX([*axis]) for axis in ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)))
 
 
@@ -76,7 +76,7 @@ def _corner(mechanism: Mechanism, body: Body, name: str, axle: SpatialAxle, end:
     distance = mechanism.parameter(f"{name}.distance")
     with mechanism.within(f"{name}_{side}", f"{name}.corner"):
         ahead = end * distance - mechanism.parameter("hardpoints.wheel_centre[0]")
-        linkage = hung(axle.corner, mechanism, body, ahead=ahead, mirrored=_SIDES[side])
+        linkage = hung(axle.corner, mechanism, body, ahead=ahead, turned=_SIDES[side])
         road = mechanism.track("road.z")
         mechanism.output("road.z", road.value, "m", "road height under the wheel")
         add_strut(linkage)

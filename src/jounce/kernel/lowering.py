@@ -14,6 +14,8 @@ import casadi as ca
 from llvmlite import binding as llvm
 from llvmlite import ir
 
+from jounce.kernel.packing import Emission, Packed
+
 _OPCODES = {getattr(ca, name): name for name in dir(ca) if name.startswith("OP_")}
 _FAST = ("contract", "reassoc", "nsz", "arcp")
 _DOUBLE, _INDEX = ir.DoubleType(), ir.IntType(64)
@@ -50,6 +52,8 @@ if llvm.llvm_version_info[0] >= 20:  # as intrinsics they do not keep loops from
     for _name in ("TAN", "TANH", "SINH", "COSH", "ASIN", "ACOS", "ATAN", "ATAN2"):
         _INTRINSICS[f"OP_{_name}"] = _LIBRARY.pop(f"OP_{_name}")
 _COMPARISONS = {"OP_LT": "<", "OP_LE": "<=", "OP_EQ": "==", "OP_NE": "!="}
+_SIDE_BY_SIDE = {"ASSIGN", "ADD", "SUB", "MUL", "DIV", "SQ", "TWICE", "NEG"}
+_WIDE = {"SQRT", "SIN", "COS", "FABS", "FMIN", "FMAX"}
 _LINEAR = {"OP_ASSIGN", "OP_ADD", "OP_SUB", "OP_MUL", "OP_DIV", "OP_NEG", "OP_TWICE", "OP_IF_ELSE_ZERO"}
 _DIRECT: dict[str, Callable[..., ir.Value]] = {
     "OP_ASSIGN": lambda _, x: x,
@@ -87,10 +91,18 @@ class Lanes:
     count: int
     first: tuple[int, int, int, int, int]
 
+    @property
+    def form(self) -> str:
+        """What there is to the code beside the function."""
+        return f"{(self.count, self.first)}"
+
     def place(self, argument: int, element: int) -> tuple[int, bool]:
         """Place of an element in its array, and whether it is a lane."""
         first = self.first[argument]
         return (element, False) if element < first else (first + (element - first) * self.count, True)
+
+
+AnyFunction = ca.Function | Lanes | Packed
 
 
 class Lowering:
@@ -101,10 +113,18 @@ class Lowering:
         self._externals: dict[str, ir.Function] = {}
         self._made: dict[tuple[int, str], ir.Value] = {}
 
-    def add(self, name: str, function: ca.Function | Lanes) -> None:
+    def add(self, name: str, function: AnyFunction) -> None:
         """Append ``void name(double* x, double* u, double* p, double* m, double* out)``; arrays must not overlap."""
         native = self.declare(name, [_DOUBLE.as_pointer()] * 5)
         builder = ir.IRBuilder(native.append_basic_block())
+        if isinstance(function, Packed):
+
+            def point(argument: int, element: int) -> ir.Value:
+                return builder.gep(native.args[argument], [_INDEX(element)])
+
+            self._side_by_side(builder, function, native.args[2], point)
+            builder.ret_void()
+            return
         lanes = function if isinstance(function, Lanes) else Lanes(function, 1, (1 << 62,) * 5)
         vector = ir.VectorType(_DOUBLE, lanes.count).as_pointer()
 
@@ -121,7 +141,7 @@ class Lowering:
         )
         builder.ret_void()
 
-    def add_many(self, name: str, function: ca.Function | Lanes, *, internal: bool = False) -> None:
+    def add_many(self, name: str, function: AnyFunction, *, internal: bool = False) -> None:
         """Append ``void name(x, u, p, m, out, int64 total, int64 first, int64 count)`` for ``count`` samples.
 
         ``x``, ``u`` and ``out`` hold one row of ``total`` samples for each element, so that LLVM can vectorise the
@@ -152,12 +172,15 @@ class Lowering:
             offset = builder.add(builder.mul(_INDEX(element), total), sample)
             return builder.gep(native.args[argument], [offset if argument in (0, 1, 4) else _INDEX(element)])
 
-        self._body(
-            builder,
-            function,
-            load=lambda argument, element: builder.load(place(argument, element)),
-            store=lambda value, element: builder.store(value, place(4, element)),
-        )
+        if isinstance(function, Packed):
+            self._side_by_side(builder, function, native.args[2], place)
+        else:
+            self._body(
+                builder,
+                function,
+                load=lambda argument, element: builder.load(place(argument, element)),
+                store=lambda value, element: builder.store(value, place(4, element)),
+            )
         following = builder.add(sample, _INDEX(1))
         sample.add_incoming(following, builder.block)
         builder.cbranch(builder.icmp_signed("<", following, end), loop, leave)
@@ -169,6 +192,44 @@ class Lowering:
         builder = ir.IRBuilder(native.append_basic_block())
         builder.call(self.module.globals[many], [*native.args, _INDEX(1), _INDEX(0), _INDEX(1)])
         builder.ret_void()
+
+    def _side_by_side(
+        self, builder: ir.IRBuilder, packed: Packed, p: ir.Value, place: Callable[[int, int], ir.Value]
+    ) -> None:
+        """The body of a function with parts side by side; elements of the arrays are at ``place``."""
+        self._made = {}
+
+        def load_wide(element: int, count: int) -> ir.Value:
+            pointer = builder.gep(p, [_INDEX(element)])
+            return builder.load(builder.bitcast(pointer, ir.VectorType(_DOUBLE, count).as_pointer()), align=8)
+
+        emission = Emission(
+            packed,
+            scalar=lambda operation, x: self._operation(builder, operation, x),
+            wide=lambda operation, x: self._wide(builder, operation, x),
+            load=lambda argument, element: builder.load(place(argument, element)),
+            load_wide=load_wide,
+            builder=builder,
+        )
+        for element, node in packed.graph.results.items():
+            builder.store(emission.number(node), place(4, element))
+
+    def _wide(self, b: ir.IRBuilder, operation: str, x: list[ir.Value]) -> ir.Value | None:
+        """An operation on vectors, each lane by itself; None where it has to be done one by one."""
+        name, kind = operation.removeprefix("OP_"), x[0].type
+        if name in _SIDE_BY_SIDE:
+            return _DIRECT[operation](b, *x)
+        if name == "INV":
+            return b.fdiv(ir.Constant(kind, [1.0] * kind.count), x[0], flags=_FAST)
+        if name == "IF_ELSE_ZERO":
+            zero = ir.Constant(kind, None)
+            return b.select(b.fcmp_unordered("!=", x[0], zero), x[1], zero)
+        if name in _WIDE:
+            full = f"llvm.{_INTRINSICS[operation]}.v{kind.count}f64"
+            if full not in self._externals:
+                self._externals[full] = ir.Function(self.module, ir.FunctionType(kind, [kind] * len(x)), full)
+            return b.call(self._externals[full], x)
+        return None
 
     def declare(self, name: str, arguments: list[Any]) -> ir.Function:
         """Append an empty function; its pointers must not overlap."""

@@ -20,11 +20,11 @@ import numpy as np
 from llvmlite import binding as llvm
 from numpy.typing import NDArray
 
-from jounce.kernel.lowering import Lanes, Lowering
+from jounce.kernel.lowering import AnyFunction, Lowering
 from jounce.kernel.rosenbrock_steps import RosenbrockStep
 from jounce.kernel.steps import Step
 
-_FORMAT = "jounce-kernel-18"
+_FORMAT = "jounce-kernel-19"
 MANY = ("output", "project_many")
 SELDOM = ("slopes", "switch_slope", "derived", "derived_lanes", "constraint", "constraint_s")
 """Functions called a few times a run: they are compiled without the optimiser, which makes them little faster."""
@@ -39,7 +39,7 @@ _CHECKSUM, _LENGTH = 32, 8
 class Source:
     """What native code is made of: functions by name, the step around them, and notes that are kept with the code."""
 
-    functions: Mapping[str, ca.Function | Lanes]
+    functions: Mapping[str, AnyFunction]
     step: AnyStep | None = None
     notes: str = ""
 
@@ -64,7 +64,7 @@ class Native:
         return out
 
 
-def compile_functions(functions: Mapping[str, ca.Function | Lanes], step: AnyStep | None = None) -> Native:
+def compile_functions(functions: Mapping[str, AnyFunction], step: AnyStep | None = None) -> Native:
     """Compile SX functions for this processor, or load them from the cache.
 
     Parameters
@@ -81,8 +81,7 @@ def compile_functions(functions: Mapping[str, ca.Function | Lanes], step: AnySte
     """
     digest = hashlib.sha256(repr(step).encode())
     for name, function in functions.items():
-        graph, lanes = (function.function, function) if isinstance(function, Lanes) else (function, None)
-        form = (lanes.count, lanes.first) if lanes else ()
+        graph, form = (function, "()") if isinstance(function, ca.Function) else (function.function, function.form)
         digest.update(f"\n{name} {form}\n{graph.serialize()}".encode())
     return kept_code(digest.hexdigest(), lambda: Source(functions, step))[0]
 
@@ -135,7 +134,7 @@ def _singles(functions: Mapping[str, object]) -> dict[str, str]:
     return {name: many for name, many in SINGLE.items() if many in functions and name not in functions}
 
 
-def _emit(functions: Mapping[str, ca.Function | Lanes], step: AnyStep | None = None) -> bytes:
+def _emit(functions: Mapping[str, AnyFunction], step: AnyStep | None = None) -> bytes:
     lowering = Lowering()
     for name, function in functions.items():
         (lowering.add_many if name in MANY else lowering.add)(name, function)

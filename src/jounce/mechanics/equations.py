@@ -172,38 +172,106 @@ class _Loops:
         return worst
 
 
+class _Block:
+    """Loops and speeds that only the shared speeds tie to others: ``follow`` and ``react`` are what they answer."""
+
+    def __init__(self, matrix: ca.SX, gradient: ca.SX, speeds: list[int], rows: list[int], shared: list[int]) -> None:
+        self.speeds, self.rows = speeds, rows
+        own = gradient[rows, speeds]
+        self.loops = _Loops(matrix[speeds, speeds], own) if rows else _Free(matrix[speeds, speeds])
+        self._coupling, self._pull = matrix[speeds, shared], gradient[rows, shared]
+        columns = [self.loops.balance(-self._coupling[:, j], self._pull[:, j]) for j in range(len(shared))]
+        self.follow: ca.SX
+        self.react: ca.SX
+        self.follow, self.react = (ca.horzcat(*parts) for parts in zip(*columns, strict=True))
+
+    @property
+    def share(self) -> ca.SX:
+        """What the block takes off the mass of the shared speeds."""
+        found: ca.SX = self._pull.T @ self.react - self._coupling.T @ self.follow
+        return found
+
+    def pull(self, alone: ca.SX, multipliers: ca.SX) -> ca.SX:
+        """Force on the shared speeds of what the block does alone."""
+        return self._pull.T @ multipliers - self._coupling.T @ alone
+
+
+class _Free:
+    """Speeds without loops, in the form of ``_Loops``."""
+
+    def __init__(self, matrix: ca.SX) -> None:
+        self._mass, self._size = Ldl(matrix), matrix.shape[0]
+
+    def balance(self, applied: ca.SX, _: ca.SX) -> tuple[ca.SX, ca.SX]:
+        """Accelerations, and no multipliers."""
+        return self._mass.solve(ca.densify(applied)), ca.SX(0, 1)
+
+    def displaced(self, _: ca.SX) -> ca.SX:
+        """Nothing to take back."""
+        return ca.SX(self._size, 1)
+
+    def conditioning(self) -> ca.SX:
+        """Never singular."""
+        return ca.SX(1.0)
+
+
 class _SharedLoops:
     """The same with the shared speeds decided last: what the loops answer to them makes their effective mass."""
 
     def __init__(self, matrix: ca.SX, gradient: ca.SX, shared: Sequence[int]) -> None:
-        self._shared = list(shared)
-        self._inner = [i for i in range(matrix.shape[0]) if i not in shared]
-        self._loops = _Loops(matrix[self._inner, self._inner], gradient[:, self._inner])
-        self._coupling, self._pull = matrix[self._inner, self._shared], gradient[:, self._shared]
-        columns = [self._loops.balance(-self._coupling[:, j], self._pull[:, j]) for j in range(len(self._shared))]
-        self._follow, self._react = (ca.horzcat(*parts) for parts in zip(*columns, strict=True))
-        effective = matrix[self._shared, self._shared] + self._coupling.T @ self._follow - self._pull.T @ self._react
+        self._shared, self._size = list(shared), matrix.shape[0]
+        inner = [i for i in range(matrix.shape[0]) if i not in shared]
+        self._blocks = [_Block(matrix, gradient, *one, self._shared) for one in _blocks(matrix, gradient, inner)]
+        effective = matrix[self._shared, self._shared]
+        for block in self._blocks:
+            effective -= block.share
         self._mass = Ldl(effective)
 
     def balance(self, applied: ca.SX, bias: ca.SX) -> tuple[ca.SX, ca.SX]:
         """Accelerations and multipliers."""
-        alone, multipliers = self._loops.balance(applied[self._inner], bias)
-        force = applied[self._shared] + self._pull.T @ multipliers - self._coupling.T @ alone
+        alone = [block.loops.balance(applied[block.speeds], bias[block.rows]) for block in self._blocks]
+        force = applied[self._shared]
+        for block, found in zip(self._blocks, alone, strict=True):
+            force += block.pull(*found)
         carrier = self._mass.solve(ca.densify(force))
-        found = ca.SX(applied.shape[0], 1)
-        found[self._shared] = carrier
-        found[self._inner] = alone + self._follow @ carrier
-        return found, multipliers + self._react @ carrier
+        accelerations, multipliers = ca.SX(self._size, 1), ca.SX(bias.shape[0], 1)
+        accelerations[self._shared] = carrier
+        for block, (own, reaction) in zip(self._blocks, alone, strict=True):
+            accelerations[block.speeds] = own + block.follow @ carrier
+            multipliers[block.rows] = reaction + block.react @ carrier
+        return accelerations, multipliers
 
     def displaced(self, violation: ca.SX) -> ca.SX:
         """Shortest displacement, in terms of the mass matrix, with the shared speeds held."""
-        found = ca.SX(len(self._shared) + len(self._inner), 1)
-        found[self._inner] = self._loops.displaced(violation)
+        found = ca.SX(self._size, 1)
+        for block in self._blocks:
+            found[block.speeds] = block.loops.displaced(violation[block.rows])
         return found
 
     def conditioning(self) -> ca.SX:
         """How far from singular the loops are with the shared speeds held."""
-        return self._loops.conditioning()
+        worst = self._blocks[0].loops.conditioning()
+        for block in self._blocks[1:]:
+            worst = ca.fmin(worst, block.loops.conditioning())
+        return worst
+
+
+def _blocks(matrix: ca.SX, gradient: ca.SX, inner: Sequence[int]) -> list[tuple[list[int], list[int]]]:
+    """Speeds and rows of the constraints that hang together, among the ``inner`` speeds."""
+    block = {i: i for i in inner}
+
+    def join(members: list[int]) -> None:
+        joined = {block[i] for i in members}
+        for i, old in block.items():
+            if old in joined:
+                block[i] = min(joined)
+
+    masses, pattern = matrix.sparsity(), gradient.sparsity()
+    rows = [[i for i in inner if pattern.has_nz(k, i)] for k in range(gradient.shape[0])]
+    for members in rows + [[i, j] for i in inner for j in inner if masses.has_nz(i, j)]:
+        join(members)
+    each = [[i for i in inner if block[i] == first] for first in dict.fromkeys(block.values())]
+    return [(own, [k for k, members in enumerate(rows) if set(members) & set(own)]) for own in each]
 
 
 def _diagonal(matrix: ca.SX) -> list[ca.SX]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import casadi as ca
 import numpy as np
@@ -290,15 +290,22 @@ class Loaded(Tree):
             self._settled.add(body.name)
         for carrier in {id(body.carrier): body.carrier for body in self._bodies.values()}.values():
             if isinstance(carrier, MovingCarrier) and id(carrier) not in self._settled:
-                self.inertia(
-                    carrier.masses([_carried(body) for body in self._bodies.values() if _is_on(body, carrier)])
-                )
+                for group in _groups(body for body in self._bodies.values() if _is_on(body, carrier)):
+                    self.inertia(carrier.masses([_carried(body) for body in group]))
                 self._settled.add(id(carrier))
 
 
 def _is_on(body: Body, carrier: MovingCarrier) -> bool:
     """Whether a body has mass and moves in some axes."""
     return body.carrier is carrier and body.mass_properties is not None
+
+
+def _groups(bodies: Iterable[Body]) -> list[list[Body]]:
+    """Bodies by the place they belong to, as their names say."""
+    found: dict[str, list[Body]] = {}
+    for body in bodies:
+        found.setdefault(body.name.rpartition(".")[0], []).append(body)
+    return list(found.values())
 
 
 def _carried(body: Body) -> Carried:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, fields
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 
 import casadi as ca
@@ -26,6 +26,8 @@ _KINKED = {
         "FMOD",
     )
 }  # a derivative does not show these
+Alike = tuple[tuple[tuple[str, ...], ...], tuple[tuple[int, ...], ...]]
+"""For each part what its names begin with, then those of its assembly; and parts that are computed side by side."""
 ROAD = "road.z"
 """Last words of the name of a track that is the road under a wheel."""
 
@@ -111,6 +113,16 @@ class Balance:
 
 
 @dataclass(frozen=True)
+class Generic:
+    """A model with symbols for numbers in which its parts differ: names, symbols, values."""
+
+    model: Model
+    names: tuple[str, ...]
+    symbols: ca.SX
+    values: ca.SX
+
+
+@dataclass(frozen=True)
 class Model:
     """Symbolic equations ``dx/dt = rate(x, u, p, m)``, outputs and switching functions.
 
@@ -141,6 +153,10 @@ class Model:
         (1: independent, 0: singular); empty where nothing can drift.
     balance : Balance
         Where accelerations and multipliers come from.
+    alike : tuple, optional
+        What the names of parts that are built alike begin with (a tuple for each), and which are computed together.
+    generic : Generic, optional
+        The same model with symbols in place of some numbers.
     """
 
     coordinates: tuple[str, ...]
@@ -164,6 +180,8 @@ class Model:
     constraint: ca.SX
     projection: ca.SX
     balance: Balance
+    alike: Alike | None = None
+    generic: Generic | None = None
 
     @cached_property
     def facts(self) -> Facts:
@@ -188,3 +206,34 @@ class Model:
             return False
         slopes = ca.jacobian(ca.vertcat(self.rate, self.output), signals)
         return not ca.depends_on(slopes, signals)
+
+
+def with_numbers(model: Model, constants: Mapping[str, tuple[ca.SX, float]]) -> Model:
+    """Put numbers in place of the symbols that stand for them; the model keeps what it was as ``generic``."""
+    symbols, values = ca.vertcat(*(made for made, _ in constants.values())), ca.SX([x for _, x in constants.values()])
+
+    def put(part: ca.SX) -> ca.SX:
+        return ca.substitute(part, symbols, values)
+
+    old = model.balance
+    balance = Balance(
+        unknown=old.unknown,
+        found=put(old.found),
+        residual=put(old.residual),
+        answer=lambda change: put(old.answer(change)),
+        rate=put(old.rate),
+        output=put(old.output),
+        moved=lambda change: put(old.moved(change)),
+        correction=lambda change: put(old.correction(change)),
+        constraint_rate=put(old.constraint_rate),
+    )
+    return replace(
+        model,
+        rate=put(model.rate),
+        output=put(model.output),
+        switch=put(model.switch),
+        constraint=put(model.constraint),
+        projection=put(model.projection),
+        balance=balance,
+        generic=Generic(model, tuple(constants), symbols, values),
+    )

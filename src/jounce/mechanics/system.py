@@ -15,7 +15,7 @@ import casadi as ca
 
 from jounce.core.errors import AssemblyError
 from jounce.mechanics.equations import Constraint, Inertia, PointMass, Solved, solve
-from jounce.mechanics.model import Balance, Model, Output
+from jounce.mechanics.model import Alike, Balance, Model, Output, with_numbers
 
 
 @dataclass(frozen=True)
@@ -51,6 +51,8 @@ class System:
         self._dropped: frozenset[str] = frozenset()
         self._scope = ("", "")
         self._shared: tuple[str, ...] = ()
+        self._constants: dict[str, tuple[ca.SX, float]] = {}
+        self._alike: Alike | None = None
 
     @contextmanager
     def within(self, place: str, path: str | None = None) -> Iterator[None]:
@@ -68,6 +70,17 @@ class System:
     def share(self, speeds: Sequence[str]) -> None:
         """Name the speeds of a body that carries several suspensions, each of them complete with the body held."""
         self._shared = tuple(speeds)
+
+    def alike(self, prefixes: Sequence[tuple[str, ...]], groups: Sequence[tuple[int, ...]]) -> None:
+        """Say which parts are built alike, by what their names begin with, and which of them are computed together."""
+        self._alike = tuple(prefixes), tuple(groups)
+
+    def constant(self, name: str, value: float) -> ca.SX:
+        """Give a symbol that stands for a number: expressions that differ in it only are alike."""
+        name = self.placed(name)
+        self._refuse_twice(name, self._constants)
+        self._constants[name] = ca.SX.sym(name), value
+        return self._constants[name][0]
 
     def placed(self, name: str) -> str:
         """Give a name with the place that is being built before it."""
@@ -222,7 +235,7 @@ class System:
         balance = self._balance(solved, unknown, found, constraint)
         rate, output = (ca.substitute(part, unknown, found) for part in (balance.rate, balance.output))
         order = self._track_order(ca.vertcat(rate, output))
-        return Model(
+        model = Model(
             coordinates=tuple(self._coordinates),
             speeds=tuple(self._speeds),
             internal=tuple(self._internal),
@@ -244,7 +257,9 @@ class System:
             constraint=ca.cse(constraint.value),
             projection=ca.cse(self._projection(solved, internal, constraint)),
             balance=balance,
+            alike=self._alike,
         )
+        return with_numbers(model, self._constants) if self._constants else model
 
     def _balance(self, solved: Solved, unknown: ca.SX, found: ca.SX, constraint: Constraint) -> Balance:
         """How rates and outputs follow from accelerations and multipliers."""
@@ -268,7 +283,12 @@ class System:
 
     def _load(self, v: ca.SX) -> ca.SX:
         load = ca.SX(v.shape[0], 1)
+        together: dict[tuple[int, ...], tuple[ca.SX, ca.SX]] = {}  # forces on one point are added first
         for rate, magnitude in self._loads:
+            key = tuple(element.element_hash() for element in ca.vertsplit(ca.densify(rate)))
+            _, before = together.get(key, (rate, ca.SX(0.0)))
+            together[key] = rate, before + magnitude
+        for rate, magnitude in together.values():
             load += ca.jacobian(rate, v).T @ magnitude
         return load
 

@@ -70,9 +70,9 @@ def hung(
     *,
     rack: Track | ca.SX | None = None,
     ahead: ca.SX | float = 0.0,
-    mirrored: bool = False,
+    turned: ca.SX | float = 1.0,
 ) -> Linkage:
-    """Hang the bodies of a suspension on a body, moved ``ahead`` (m) along x, on the other side where ``mirrored``."""
+    """Hang the bodies of a suspension on a body, ``ahead`` (m) along x, on the other side where ``turned`` is -1."""
     steering = getattr(rig, "steering", None)
     if rack is None and steering is not None:
         rack = mechanism.parameter("steering.rack_travel")
@@ -80,7 +80,7 @@ def hung(
     if rack is not None:
         holder = mechanism.body("rack")
         mechanism.driven("rack", chassis, holder, axis=ca.SX([0.0, 1.0, 0.0]), travel=rack)
-    linkage = Linkage(rig, mechanism, chassis, holder, ahead=ahead, mirrored=mirrored)
+    linkage = Linkage(rig, mechanism, chassis, holder, ahead=ahead, turned=turned)
     TEMPLATES[type(rig)](linkage)
     add_rocker(linkage)
     add_strut_points(linkage)

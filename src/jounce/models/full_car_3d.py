@@ -17,9 +17,10 @@ from jounce.models.attachments import add_tyre, undeformed_radius
 from jounce.models.corner import add_strut, hung, show_wheel
 from jounce.models.linkage import Linkage
 from jounce.models.vehicle import show_height
+from jounce.parts.parameters import structure_of
 from jounce.parts.vehicles import FullCar3D, SpatialAxle
 
-_SIDES = {"left": False, "right": True}
+_SIDES, _ENDS = {"left": 1.0, "right": -1.0}, {"front": 1.0, "rear": -1.0}
 _UP, _FORWARD, _LEFT = (ca.SX([*axis]) for axis in ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)))
 
 
@@ -42,14 +43,15 @@ def full_car_3d(vehicle: FullCar3D) -> Model:
     body = _body(mechanism)
     drive = _driving(mechanism, body)
     seat = mechanism.seat(body, drive - mechanism.gravity * _UP)
-    wheels: list[_Wheel] = []
-    for name, axle, end in (("front", vehicle.front, 1.0), ("rear", vehicle.rear, -1.0)):
-        left, right = (_corner(mechanism, seat, name, axle, end, side) for side in _SIDES)
-        twist = mechanism.parameter(f"{name}.anti_roll_bar_rate") * (left.travel - right.travel)
-        mechanism.load(right.centre.rate[2] - left.centre.rate[2], twist)
-        wheels += [left, right]
+    axles = {name: getattr(vehicle, name) for name in _ENDS}
+    wheels = [_corner(mechanism, seat, name, axles[name], side) for name in axles for side in _SIDES]
+    for pair, name in zip((wheels[:2], wheels[2:]), axles, strict=True):
+        _anti_roll_bar(mechanism, pair, mechanism.parameter(f"{name}.anti_roll_bar_rate"))
     _grip(mechanism, drive, wheels)
     mechanism.share(["sprung.distance rate", "attitude.angle rate", "attitude.second_angle rate"])
+    equal = structure_of(axles["front"]) == structure_of(axles["rear"])
+    names = [(f"{name}_{side}", name) for name in axles for side in _SIDES]
+    mechanism.alike(names, [(0, 1, 2, 3)] if equal else [(0, 1), (2, 3)])
     return mechanism.finish()
 
 
@@ -74,12 +76,13 @@ def _body(mechanism: Mechanism) -> Body:
     return body
 
 
-def _corner(mechanism: Mechanism, seat: Body, name: str, axle: SpatialAxle, end: float, side: str) -> _Wheel:
+def _corner(mechanism: Mechanism, seat: Body, name: str, axle: SpatialAxle, side: str) -> _Wheel:
     """Hang one corner into the axes of the body and stand it on its road."""
     distance = mechanism.parameter(f"{name}.distance")
     with mechanism.within(f"{name}_{side}", f"{name}.corner"):
+        end, turned = mechanism.constant("end", _ENDS[name]), mechanism.constant("side", _SIDES[side])
         ahead = end * distance - mechanism.parameter("hardpoints.wheel_centre[0]")
-        linkage = hung(axle.corner, mechanism, seat, ahead=ahead, mirrored=_SIDES[side])
+        linkage = hung(axle.corner, mechanism, seat, ahead=ahead, turned=turned)
         road = mechanism.track("road.z")
         mechanism.output("road.z", road.value, "m", "road height under the wheel")
         add_strut(linkage)
@@ -96,6 +99,13 @@ def _corner(mechanism: Mechanism, seat: Body, name: str, axle: SpatialAxle, end:
         show_wheel(linkage)
         radius = undeformed_radius(linkage)
     return _Wheel(linkage, centre, centre.value[2] - design[2], radius, deflection, load)
+
+
+def _anti_roll_bar(mechanism: Mechanism, pair: list[_Wheel], rate: ca.SX) -> None:
+    """Let a bar (N/m) push down the wheel that travels further, and the other one up."""
+    twist = rate * (pair[0].travel - pair[1].travel)
+    for wheel in pair:
+        mechanism.load(wheel.centre.rate[2], -twist * wheel.linkage.side)
 
 
 def _driving(mechanism: Mechanism, body: Body) -> ca.SX:

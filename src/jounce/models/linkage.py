@@ -40,8 +40,8 @@ class Linkage:
         What to draw: name of a part to the hardpoints along it.
     ahead : casadi.SX or float
         How far the whole corner is moved along x, m.
-    mirrored : bool
-        Whether it stands on the other side than described.
+    turned : casadi.SX or float
+        1, or -1 for a suspension that stands on the other side than described.
     bushings : dict
         Hardpoint to the force (N, ground axes) of its bushing on the suspension, and the power (W) it takes up.
     """
@@ -57,16 +57,16 @@ class Linkage:
     lines: dict[str, tuple[str, ...]] = field(default_factory=dict)
     bushings: dict[str, tuple[ca.SX, ca.SX]] = field(default_factory=dict)
     ahead: ca.SX | float = 0.0
-    mirrored: bool = False
+    turned: ca.SX | float = 1.0
 
     def hardpoint(self, name: str) -> ca.SX:
         """Design place of a hardpoint, m."""
         return self.place(f"hardpoints.{name}")
 
     def place(self, path: str) -> ca.SX:
-        """Design place of a point of the description, m: moved ahead, and to the other side where mirrored."""
+        """Design place of a point of the description, m: moved ahead, on the side where the suspension stands."""
         x, y, z = ca.vertsplit(self.triple(path))
-        return ca.vertcat(x + self.ahead, -y if self.mirrored else y, z)
+        return ca.vertcat(x + self.ahead, self.turned * y, z)
 
     def end_of(self, element: str, end: str) -> ca.SX:
         """Design place of the ``bottom`` or ``top`` of spring or damper; the strut's where it has none of its own."""
@@ -85,7 +85,7 @@ class Linkage:
         """Add the body that the description holds under ``bodies``."""
         path = path or f"bodies.{name}"
         xx, yy, zz, xy, xz, yz = (self.number(f"{path}.inertia.{e}") for e in ("xx", "yy", "zz", "xy", "xz", "yz"))
-        xy, yz = (-xy, -yz) if self.mirrored else (xy, yz)
+        xy, yz = self.turned * xy, self.turned * yz
         tensor = ca.vertcat(ca.horzcat(xx, xy, xz), ca.horzcat(xy, yy, yz), ca.horzcat(xz, yz, zz))
         body = self.mechanism.body(name, self.number(f"{path}.mass"), self.place(f"{path}.centre_of_mass"), tensor)
         self.carriers[name] = body
@@ -169,9 +169,9 @@ class Linkage:
         return self.chassis.carrier
 
     @property
-    def side(self) -> float:
+    def side(self) -> ca.SX | float:
         """1 for a left suspension, -1 for a right one."""
-        return -self.rig.sign if self.mirrored else self.rig.sign
+        return self.rig.sign * self.turned
 
     @property
     def spin_axis(self) -> ca.SX:

@@ -20,7 +20,7 @@ from jounce.kernel.steps import STEP_NAMES
 from jounce.mechanics.model import Facts, Model, Output, is_road
 from jounce.parts import Rig
 from jounce.parts.parameters import structure_of
-from jounce.simulation.programs import SLOPE_LANES, SLOPES, Program, plain_program, sensitive_program
+from jounce.simulation.programs import SLOPES, Program, plain_program, sensitive_program
 
 if TYPE_CHECKING:
     import casadi as ca
@@ -137,18 +137,18 @@ class Compiled:
             ``rate``, ``output``, ``switch`` and ``constraint`` to matrices, one column for each quantity.
         """
         plain, facts = self.plain, self.facts
-        rows, n, n_u = plain.shapes["slopes"][0], len(x), len(u)
+        (rows, lanes), n, n_u = plain.shapes["slopes"], len(x), len(u)
         values = p if len(p) == plain.scalars else plain.extended(p)
-        states, count = np.zeros(n + (n + n_u) * SLOPE_LANES), {"x": n, "u": n_u}[by]
+        states, count = np.zeros(n + (n + n_u) * lanes), {"x": n, "u": n_u}[by]
         states[:n] = x
-        seeds = states[n + (n * SLOPE_LANES if by == "u" else 0) :].reshape(-1, SLOPE_LANES)
+        seeds = states[n + (n * lanes if by == "u" else 0) :].reshape(-1, lanes)
         whole = np.empty((rows, count))
-        for first in range(0, count, SLOPE_LANES):
-            group = range(first, min(first + SLOPE_LANES, count))
+        for first in range(0, count, lanes):
+            group = range(first, min(first + lanes, count))
             seeds[:] = 0.0
             seeds[group, range(len(group))] = 1.0
-            found = plain.native.evaluate("slopes", (rows * SLOPE_LANES,), states, u, values, m)
-            whole[:, first : first + len(group)] = found.reshape(rows, SLOPE_LANES)[:, : len(group)]
+            found = plain.native.evaluate("slopes", (rows * lanes,), states, u, values, m)
+            whole[:, first : first + len(group)] = found.reshape(rows, lanes)[:, : len(group)]
         parts, begin = {}, 0
         for name, names in zip(SLOPES, (facts.states, facts.outputs, facts.switches, facts.constraints), strict=True):
             parts[name], begin = whole[begin : begin + len(names)], begin + len(names)

@@ -6,14 +6,17 @@ once a run. Where tangents are carried along, the lanes of the parameters (one f
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import casadi as ca
 
 from jounce.core.errors import SimulationError
-from jounce.kernel.lowering import Lanes
+from jounce.kernel.lowering import AnyFunction, Lanes
+from jounce.kernel.packing import SHARED, Graph, Packed, Parts
 from jounce.kernel.steps import Step
 from jounce.mechanics import Model
+from jounce.mechanics.model import Generic
 from jounce.mechanics.tangents import tangent
 
 SLOPE_LANES = 8
@@ -29,7 +32,7 @@ class Program:
     ``lanes`` is the number of lanes of the extended parameters behind the ``scalars``.
     """
 
-    functions: dict[str, ca.Function | Lanes]
+    functions: dict[str, AnyFunction]
     step: Step
     shapes: dict[str, tuple[int, int]]
     scalars: int
@@ -38,7 +41,8 @@ class Program:
     @property
     def graphs(self) -> dict[str, ca.Function]:
         """The functions, those with lanes for a single one."""
-        return {name: made.function if isinstance(made, Lanes) else made for name, made in self.functions.items()}
+        functions = self.functions.items()
+        return {name: made if isinstance(made, ca.Function) else made.function for name, made in functions}
 
 
 def plain_program(model: Model) -> Program:
@@ -46,19 +50,26 @@ def plain_program(model: Model) -> Program:
 
     ``slopes`` takes lanes of (states, inputs) behind the states, and gives the lanes of ``SLOPES``.
     """
+    generic, model = model.generic, model.generic.model if model.generic else model
     dx, du = (ca.SX.sym(f"d{name}", getattr(model, name).shape[0]) for name in "xu")
     along = tangent(model, dx, du, ca.SX(model.p.shape[0], 1))
     parts = {"rate": model.rate, "output": model.output, "switch": model.switch, "constraint": model.constraint}
     if model.projection.shape[0]:
         parts["project_many"] = _violation_first(model)
     slopes = ca.vertcat(*(getattr(along, name) for name in SLOPES))
-    hoisted = _Hoisted({**parts, "slopes": slopes}, model.p, ca.SX(0, 1))
-    functions: dict[str, ca.Function | Lanes] = {name: hoisted.function(name, model) for name in parts}
-    functions["slopes"] = hoisted.lanes("slopes", model, ca.vertcat(dx, du), SLOPE_LANES, 0)
+    hoisted = _Hoisted({**parts, "slopes": slopes}, model.p, ca.SX(0, 1), generic)
+    functions: dict[str, AnyFunction] = {name: hoisted.function(name, model) for name in parts}
+    lanes = 1 if model.alike else SLOPE_LANES
+    if model.alike:
+        functions["slopes"] = hoisted.function("slopes", model, ca.vertcat(dx, du))
+        functions = _side_by_side(functions, hoisted, model)
+    else:
+        functions["slopes"] = hoisted.lanes("slopes", model, ca.vertcat(dx, du), lanes, 0)
     functions |= hoisted.derived(0)
     n = model.x.shape[0]
     step = Step("rate", n, n, model.u.shape[0], model.switch.shape[0])
-    shapes = {name: (part.shape[0], part.shape[1]) for name, part in {**parts, "slopes": slopes}.items()}
+    shapes = {name: (part.shape[0], part.shape[1]) for name, part in parts.items()}
+    shapes["slopes"] = slopes.shape[0], lanes
     return Program(functions, step, shapes, hoisted.scalars, hoisted.lanes_count)
 
 
@@ -73,6 +84,7 @@ def sensitive_program(model: Model, free: tuple[str, ...]) -> Program:
     for path in free:
         if path not in model.parameters:
             raise SimulationError("not a parameter of the model", where=path, allowed=", ".join(model.parameters))
+    generic, model = model.generic, model.generic.model if model.generic else model
     n, count = model.x.shape[0], len(free)
     dx, chosen, dp = ca.SX.sym("S", n), ca.SX.sym("dp", count), ca.SX(model.p.shape[0], 1)
     for i, path in enumerate(free):
@@ -85,8 +97,8 @@ def sensitive_program(model: Model, free: tuple[str, ...]) -> Program:
         parts["project_many"] = _violation_first(model)
         parts["project_s"] = ca.vertcat(parts["project_many"], along.projection)
     parts["constraint_s"] = along.constraint
-    hoisted = _Hoisted(parts, model.p, chosen)
-    functions: dict[str, ca.Function | Lanes] = {}
+    hoisted = _Hoisted(parts, model.p, chosen, generic)
+    functions: dict[str, AnyFunction] = {}
     scalars = {"rate_s": n, "output_s": model.output.shape[0], "project_s": n + 2, "constraint_s": 0}
     scalars["switch_slope"] = model.switch.shape[0] * (n + 1)
     for name in parts:
@@ -98,6 +110,28 @@ def sensitive_program(model: Model, free: tuple[str, ...]) -> Program:
     step = Step("rate_s", n * (1 + count), n, model.u.shape[0], model.switch.shape[0])
     shapes = {name: (part.shape[0], part.shape[1]) for name, part in parts.items()}
     return Program(functions, step, shapes, hoisted.scalars, hoisted.lanes_count)
+
+
+def _side_by_side(functions: Mapping[str, AnyFunction], hoisted: _Hoisted, model: Model) -> dict[str, AnyFunction]:
+    """The same functions with what the model's parts do alike computed side by side; one more projects one sample."""
+    assert model.alike
+    parts, order = Parts(*model.alike), model.track_order
+    inputs = tuple((f"{name}/{i}", mask) for name, mask in map(parts.label, model.tracks) for i in range(order))
+    states = tuple(map(parts.label, (*model.coordinates, *model.speeds, *model.internal)))
+    seeds = tuple((f"change of {name}", mask) for name, mask in (*states, *inputs))
+    modes, numbers = tuple(map(parts.label, model.switches)), hoisted.labels(parts, model.parameters)
+    table: dict[tuple[int, ...], int] = {}
+    found: dict[str, AnyFunction] = {}
+    for name, function in functions.items():
+        assert isinstance(function, ca.Function)
+        labels = (states + seeds if name == "slopes" else states, inputs, numbers, modes)
+        packed = found[name] = Packed(function, parts, labels, table)
+        for elements in packed.graph.tables(2):
+            if elements not in table:
+                table[elements] = hoisted.copy(elements)
+    if "project_many" in found:
+        found["project"] = found["project_many"]
+    return found
 
 
 def _violation_first(model: Model) -> ca.SX:
@@ -125,12 +159,19 @@ class _Hoisted:
         Name to expression.
     p, dp : casadi.SX
         Parameters, and the directions of those that may move.
+    generic : Generic or None
+        Symbols that stand for numbers.
     """
 
-    def __init__(self, parts: dict[str, ca.SX], p: ca.SX, dp: ca.SX) -> None:
+    def __init__(self, parts: dict[str, ca.SX], p: ca.SX, dp: ca.SX, generic: Generic | None) -> None:
         self._p, self._dp = p, dp
+        self._names, self._constants, self._fixed = (
+            (generic.names, generic.symbols, generic.values) if generic else ((), ca.SX(0, 1), ca.SX(0, 1))
+        )
+        self._copies: list[int] = []
         whole = ca.cse(ca.densify(ca.vertcat(*(ca.vec(part) for part in parts.values()))))
-        left, symbols, values = ca.extract_parametric(whole, ca.vertcat(p, dp))
+        left, symbols, values = ca.extract_parametric(whole, ca.vertcat(p, dp, self._constants))
+        symbols, values = [*ca.vertsplit(self._constants), *symbols], [*ca.vertsplit(self._constants), *values]
         wide = [ca.depends_on(value, dp) for value in values]
         self._single = [pair for pair, lane in zip(zip(symbols, values, strict=True), wide, strict=True) if not lane]
         self._wide = [pair for pair, lane in zip(zip(symbols, values, strict=True), wide, strict=True) if lane]
@@ -141,8 +182,26 @@ class _Hoisted:
             name: ca.reshape(left[begin:end], part.shape)
             for (name, part), begin, end in zip(parts.items(), ends[:-1], ends[1:], strict=True)
         }
-        self.scalars = p.shape[0] + len(self._single)
         self.lanes_count = dp.shape[0] + len(self._wide)
+
+    @property
+    def scalars(self) -> int:
+        """Number of extended parameters without lanes."""
+        return self._numbers.shape[0] + len(self._copies)
+
+    def labels(self, parts: Parts, paths: tuple[str, ...]) -> tuple[tuple[str, int], ...]:
+        """Name and parts of every extended parameter."""
+        own = tuple(parts.label(path) for path in (*paths, *self._names))
+        values = ca.densify(ca.vertcat(*(value for _, value in self._single)))
+        graph = Graph(ca.Function("derived", [ca.vertcat(self._p, self._constants)], [ca.cse(values)]), parts, [own])
+        made = [graph.results[i] for i in range(len(self._single))]
+        known = (("", SHARED) if graph.masks[i] == SHARED else (f"of {graph.shapes[i]}", graph.masks[i]) for i in made)
+        return own[: len(paths)] + tuple((name or f"shared {k}", mask) for k, (name, mask) in enumerate(known))
+
+    def copy(self, elements: tuple[int, ...]) -> int:
+        """Append copies of extended parameters, side by side; give the place of the first."""
+        self._copies += elements
+        return self.scalars - len(elements)
 
     @property
     def _numbers(self) -> ca.SX:
@@ -152,9 +211,10 @@ class _Hoisted:
     def _lanes(self) -> ca.SX:
         return ca.vertcat(self._dp, *(symbol for symbol, _ in self._wide))
 
-    def function(self, name: str, model: Model) -> ca.Function:
-        """A function of (states, inputs, extended parameters, modes)."""
-        return ca.Function(name, [model.x, model.u, self._numbers, model.m], [ca.cse(self._parts[name])])
+    def function(self, name: str, model: Model, seeds: ca.SX | None = None) -> ca.Function:
+        """A function of (states, inputs, extended parameters, modes), ``seeds`` behind the states."""
+        x = model.x if seeds is None else ca.vertcat(model.x, seeds)
+        return ca.Function(name, [x, model.u, self._numbers, model.m], [ca.cse(self._parts[name])])
 
     def lanes(self, name: str, model: Model, seeds: ca.SX, count: int, scalars: int) -> Lanes:
         """The same with lanes behind the states and the parameters; ``scalars`` elements of the result are none."""
@@ -163,11 +223,15 @@ class _Hoisted:
         first = (model.x.shape[0], model.u.shape[0], self.scalars, model.m.shape[0], scalars)
         return Lanes(function, count, first)
 
-    def derived(self, count: int) -> dict[str, ca.Function | Lanes]:
+    def _resolved(self, values: ca.SX) -> ca.SX:
+        return ca.substitute(values, self._constants, self._fixed) if self._names else values
+
+    def derived(self, count: int) -> dict[str, AnyFunction]:
         """Extended parameters, and lanes of them, from parameters and their directions (both in place of states)."""
         none = [ca.SX.sym(name, 0) for name in "upm"]
         values = ca.densify(ca.vertcat(self._p, *(value for _, value in self._single)))
-        wide = ca.densify(ca.vertcat(self._dp, *(value for _, value in self._wide)))
+        values = self._resolved(ca.vertcat(values, values[self._copies]))
+        wide = self._resolved(ca.densify(ca.vertcat(self._dp, *(value for _, value in self._wide))))
         single = ca.Function("derived", [self._p, *none], [ca.cse(values)])
         if not self.lanes_count:
             return {"derived": single}

@@ -1,0 +1,327 @@
+"""Equal parts side by side: what several parts of a model do alike is computed once, in vectors of one lane a part.
+
+The corners of a car are the same expressions of different symbols. Every node of an expression graph gets a *shape*
+(its operation and those of what it is made of, symbols by their names without the part's) and the parts it belongs to.
+Nodes of one shape, one for each part, make a vector; what parts share is spread over its lanes, and what is made of
+several parts is one number again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import casadi as ca
+from llvmlite import ir
+
+_OPCODES = {getattr(ca, name): name for name in dir(ca) if name.startswith("OP_")}
+SHARED = -1
+"""Parts of what belongs to none in particular: every bit is set."""
+
+
+@dataclass(frozen=True)
+class Parts:
+    """The parts of a model that are alike.
+
+    Attributes
+    ----------
+    prefixes : tuple of tuple of str
+        For each part what its names begin with, then what the names of an assembly begin with that it belongs to.
+    groups : tuple of tuple of int
+        Parts that stand side by side; together all of them.
+    """
+
+    prefixes: tuple[tuple[str, ...], ...]
+    groups: tuple[tuple[int, ...], ...]
+
+    def label(self, name: str) -> tuple[str, int]:
+        """Name without the part's, and the parts it belongs to."""
+        for place in range(len(self.prefixes[0])):
+            mask, kept = 0, name
+            for i, prefixes in enumerate(self.prefixes):
+                if name.startswith(f"{prefixes[place]}."):
+                    mask, kept = mask | 1 << i, name[len(prefixes[place]) :]
+            if mask:
+                return f"{place}{kept}", mask
+        return name, SHARED
+
+    @cached_property
+    def assemblies(self) -> frozenset[int]:
+        """Parts of each assembly."""
+        found: dict[str, int] = {}
+        for i, prefixes in enumerate(self.prefixes):
+            for prefix in prefixes[1:]:
+                found[prefix] = found.get(prefix, 0) | 1 << i
+        return frozenset(found.values())
+
+
+@dataclass(frozen=True)
+class Node:
+    """An operation or a leaf: its operands, and the constant or (argument, element) of a leaf."""
+
+    operation: str
+    operands: tuple[int, ...] = ()
+    leaf: Any = None
+
+
+@dataclass(frozen=True)
+class Packed:
+    """A function of (x, u, p, m) with what its parts do alike side by side.
+
+    Attributes
+    ----------
+    function : casadi.Function
+        The function.
+    parts : Parts
+        Its parts.
+    labels : tuple
+        For each argument, name and parts of every element.
+    table : dict
+        Elements of ``p`` that stand side by side to where they lie in that order.
+    """
+
+    function: ca.Function
+    parts: Parts
+    labels: tuple[tuple[tuple[str, int], ...], ...]
+    table: dict[tuple[int, ...], int] = field(default_factory=dict)
+
+    @property
+    def form(self) -> str:
+        """What there is to the code beside the function."""
+        return f"{self.parts} {self.labels} {self.table}"
+
+    @cached_property
+    def graph(self) -> Graph:
+        """Its nodes."""
+        return Graph(self.function, self.parts, self.labels)
+
+
+class Graph:
+    """Nodes of a function with their shapes and parts; ``results`` are those of its output, by element."""
+
+    def __init__(self, function: ca.Function, parts: Parts, labels: Sequence[Sequence[tuple[str, int]]]) -> None:
+        self.parts, self.nodes, self.results = parts, list[Node](), dict[int, int]()
+        work: dict[int, int] = {}
+        for k in range(function.n_instructions()):
+            operation = _OPCODES[function.instruction_id(k)]
+            inputs, outputs = function.instruction_input(k), function.instruction_output(k)
+            if operation == "OP_OUTPUT":
+                self.results[outputs[1]] = work[inputs[0]]
+                continue
+            leaf: Any = None
+            if operation == "OP_CONST":
+                leaf, inputs = function.instruction_constant(k), []
+            elif operation == "OP_INPUT":
+                leaf, inputs = (inputs[0], inputs[1]), []
+            self.nodes.append(Node(operation, tuple(work[i] for i in inputs), leaf))
+            work[outputs[0]] = len(self.nodes) - 1
+        self._numbers: set[int] = set()
+        while True:
+            self._name(labels)
+            alone = self._alone()
+            if not alone:
+                break
+            self._numbers |= alone
+
+    def _name(self, labels: Sequence[Sequence[tuple[str, int]]]) -> None:
+        """Find shape and parts of every node."""
+        self.shapes, self.masks = list[int](), list[int]()
+        self.members: dict[int, dict[int, int]] = {}
+        self._mixed: set[int] = set()
+        self._sums: set[int] = set()  # what is added up over parts
+        known: dict[Any, int] = {}
+        for i, node in enumerate(self.nodes):
+            shape: tuple[Any, ...]
+            if node.operation == "OP_CONST":
+                shape, mask = ("constant", node.leaf), SHARED
+            elif node.operation == "OP_INPUT":
+                name, mask = labels[node.leaf[0]][node.leaf[1]]
+                shape = ("leaf", node.leaf[0], name)
+            else:
+                shape, mask = self._combined(i, node)
+            self.shapes.append(known.setdefault(shape, len(known)))
+            self.masks.append(mask)
+            if shape[0] == "mixed":
+                self._mixed.add(self.shapes[i])
+            if mask != SHARED:
+                lanes = self.members.setdefault(self.shapes[i], {})
+                for part in range(len(self.parts.prefixes)):
+                    if mask >> part & 1:
+                        lanes.setdefault(part, i)
+        groups = [(group, sum(1 << part for part in group)) for group in self.parts.groups]
+        self._complete = {
+            shape: sum(mask for group, mask in groups if all(part in lanes for part in group))
+            for shape, lanes in self.members.items()
+        }
+
+    def _combined(self, i: int, node: Node) -> tuple[tuple[Any, ...], int]:
+        """Shape and parts of an operation."""
+        mask, every = SHARED, 0
+        for operand in node.operands:
+            mask &= self.masks[operand]
+            every |= self.masks[operand] if self.masks[operand] != SHARED else 0
+        shape = (node.operation, *(self.shapes[operand] for operand in node.operands))
+        is_sum = node.operation in ("OP_ADD", "OP_SUB")
+        if i in self._numbers or (is_sum and every and any(operand in self._sums for operand in node.operands)):
+            self._sums.add(i)
+            return ("number", i), SHARED
+        if mask != 0:
+            return shape, mask
+        if is_sum:
+            self._sums.add(i)
+        if every in self.parts.assemblies:  # of parts of one assembly: the same number for each of them
+            return ("mixed", *shape), every
+        return ("number", i), SHARED
+
+    def _alone(self) -> set[int]:
+        """Nodes of one part that the others have not, the first ones on each way: sums over all parts end in such."""
+        found, touched = set(), set()
+        for i, node in enumerate(self.nodes):
+            if any(operand in touched for operand in node.operands):
+                touched.add(i)
+            elif node.operands and self.masks[i] != SHARED and not self._complete[self.shapes[i]] & self.masks[i]:
+                touched.add(i)
+                found.add(i)
+        return found
+
+    def group_of(self, node: int) -> tuple[int, ...] | None:
+        """Parts whose vector has a node as a lane; None where it stays a number of its own."""
+        if self.masks[node] == SHARED:
+            return None
+        own = self._complete[self.shapes[node]] & self.masks[node]
+        return next((group for group in self.parts.groups if any(own >> i & 1 for i in group)), None)
+
+    def is_mixed(self, node: int) -> bool:
+        """Tell whether a node is made of several parts of an assembly."""
+        return self.shapes[node] in self._mixed
+
+    def lanes(self, shape: int, group: tuple[int, ...]) -> tuple[int, ...]:
+        """Nodes of one shape for a group of parts."""
+        return tuple(self.members[shape][i] for i in group)
+
+    def tables(self, argument: int) -> list[tuple[int, ...]]:
+        """Elements of an argument that stand side by side as leaves."""
+        found = dict.fromkeys(
+            (shape, group)
+            for i, node in enumerate(self.nodes)
+            if node.operation == "OP_INPUT" and node.leaf[0] == argument
+            for shape, group in [(self.shapes[i], self.group_of(i))]
+            if group is not None
+        )
+        return [tuple(self.nodes[i].leaf[1] for i in self.lanes(shape, group)) for shape, group in found]
+
+
+class Emission:
+    """Writes the nodes of a graph as native code, each vector and each number once, what is wanted first first."""
+
+    def __init__(
+        self,
+        packed: Packed,
+        builder: ir.IRBuilder,
+        scalar: Callable[[str, list[ir.Value]], ir.Value],
+        wide: Callable[[str, list[ir.Value]], ir.Value | None],
+        load: Callable[[int, int], ir.Value],
+        load_wide: Callable[[int, int], ir.Value],
+    ) -> None:
+        self._graph, self._table, self._b = packed.graph, packed.table, builder
+        self._scalar, self._wide, self._load, self._load_wide = scalar, wide, load, load_wide
+        self._made: dict[tuple[Any, ...], ir.Value] = {}
+
+    def number(self, node: int) -> ir.Value:
+        """Value of a node."""
+        return self._get(("number", node))
+
+    def _get(self, wanted: tuple[Any, ...]) -> ir.Value:
+        stack = [wanted]
+        while stack:
+            item = stack[-1]
+            if item in self._made:
+                stack.pop()
+                continue
+            missing = [part for part in self._needs(item) if part not in self._made]
+            if missing:
+                stack += missing
+                continue
+            self._made[item] = self._make(item)
+            stack.pop()
+        return self._made[wanted]
+
+    def _needs(self, item: tuple[Any, ...]) -> Iterable[tuple[Any, ...]]:
+        graph = self._graph
+        if item[0] == "number":
+            node = item[1]
+            group = self._vector_of(node)
+            return [group] if group else [("number", i) for i in graph.nodes[node].operands]
+        if item[0] == "spread":
+            return [("number", item[1])]
+        lanes = graph.lanes(item[1], item[2])
+        if graph.is_mixed(lanes[0]):
+            return [("number", i) for i in lanes]
+        return self._operands(lanes, item[2])
+
+    def _vector_of(self, node: int) -> tuple[Any, ...] | None:
+        """The vector that a node's value is taken from."""
+        graph = self._graph
+        if graph.nodes[node].operation == "OP_INPUT" or graph.is_mixed(node):
+            return None
+        group = graph.group_of(node)
+        return ("vector", graph.shapes[node], group) if group is not None else None
+
+    def _operands(self, lanes: tuple[int, ...], group: tuple[int, ...]) -> list[tuple[Any, ...]]:
+        graph = self._graph
+        return [
+            ("spread", i, len(group)) if graph.masks[i] == SHARED else ("vector", graph.shapes[i], group)
+            for i in graph.nodes[lanes[0]].operands
+        ]
+
+    def _make(self, item: tuple[Any, ...]) -> ir.Value:
+        graph = self._graph
+        if item[0] == "spread":
+            return self._gathered([self._made["number", item[1]]] * item[2])
+        if item[0] == "vector":
+            return self._vector(graph.lanes(item[1], item[2]), item[2])
+        node = graph.nodes[item[1]]
+        vector = self._vector_of(item[1])
+        if vector:
+            lane = next(k for k, i in enumerate(vector[2]) if graph.masks[item[1]] >> i & 1)
+            return self._lane(self._made[vector], lane)
+        if node.operation == "OP_CONST":
+            return ir.Constant(ir.DoubleType(), node.leaf)
+        if node.operation == "OP_INPUT":
+            return self._load(*node.leaf)
+        return self._scalar(node.operation, [self._made["number", i] for i in node.operands])
+
+    def _vector(self, lanes: tuple[int, ...], group: tuple[int, ...]) -> ir.Value:
+        graph, first = self._graph, self._graph.nodes[lanes[0]]
+        if graph.is_mixed(lanes[0]):
+            return self._gathered([self._made["number", i] for i in lanes])
+        if first.operation == "OP_INPUT":
+            leaves = [graph.nodes[i].leaf for i in lanes]
+            offset = self._table.get(tuple(element for _, element in leaves))
+            if leaves[0][0] == 2 and offset is not None:
+                return self._load_wide(offset, len(group))
+            return self._gathered([self._load(*leaf) for leaf in leaves])
+        operands = [self._made[item] for item in self._operands(lanes, group)]
+        found = self._wide(first.operation, operands)
+        if found is not None:
+            return found
+        each = [[self._lane(value, k) for value in operands] for k in range(len(group))]
+        return self._gathered([self._scalar(first.operation, values) for values in each])
+
+    def _lane(self, value: ir.Value, lane: int) -> ir.Value:
+        return self._b.extract_element(value, ir.IntType(32)(lane))
+
+    def _gathered(self, values: list[ir.Value]) -> ir.Value:
+        kind = ir.VectorType(ir.DoubleType(), len(values))
+        if all(isinstance(value, ir.Constant) for value in values):
+            return ir.Constant(kind, [value.constant for value in values])
+        found = ir.Constant(kind, ir.Undefined)
+        if all(value is values[0] for value in values):
+            found = self._b.insert_element(found, values[0], ir.IntType(32)(0))
+            mask = ir.Constant(ir.VectorType(ir.IntType(32), len(values)), None)
+            return self._b.shuffle_vector(found, ir.Constant(kind, ir.Undefined), mask)
+        for k, value in enumerate(values):
+            found = self._b.insert_element(found, value, ir.IntType(32)(k))
+        return found
