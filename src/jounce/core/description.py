@@ -180,6 +180,9 @@ def _problem(item: Any, kind: type[BaseModel], where: str, text: str, above: tup
         return start, f"{item['msg']}".rstrip()
     message = item["msg"].removeprefix("Value error, ")
     found = "" if item["type"] == "value_error" else f"; found {item['input']!r}"
+    if item["type"] == "literal_error" and isinstance(item["input"], str):
+        hint = nearest(item["input"], re.findall(r"'([^']*)'", item["ctx"]["expected"]))
+        found += f". {hint}" if hint else ""
     return start, f"{message[0].lower()}{message[1:]}{found}"
 
 

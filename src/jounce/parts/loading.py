@@ -75,6 +75,14 @@ def rig_from_table(table: dict[str, Any], *, where: str = "", text: str = "") ->
     if not isinstance(model, str):
         raise DescriptionError("the key 'model' is missing", where=where, allowed=", ".join(models))
     if model not in models:
+        other = next((schema for schema, names in SCHEMAS.items() if model in names), None)
+        if other is not None:
+            raise DescriptionError(
+                f"the model {model!r} is of another schema",
+                where=where,
+                found=str(table["schema"]),
+                allowed=f'schema = "{other}"',
+            )
         raise unknown(model, models, what="model", where=where)
     return models[model].from_table(_with_corners(table, where), where=where, text=text)
 
