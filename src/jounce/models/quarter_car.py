@@ -10,7 +10,6 @@ import casadi as ca
 from jounce.control.actuators import AnyActuator
 from jounce.mechanics import Model, System
 from jounce.mechanics.elements import bump_stop_force, damper_force, friction_force, spring_force, tyre_force
-from jounce.mechanics.system import Track
 from jounce.models.actuation import controlled_force
 from jounce.parts import QuarterCar
 
@@ -18,21 +17,52 @@ from jounce.parts import QuarterCar
 def quarter_car(rig: QuarterCar, *, actuator: AnyActuator | None = None) -> Model:
     """Write the equations of a quarter car; the values in ``rig`` matter only through its structure."""
     system = System()
-    road = system.track("road.z")
-    sprung, unsprung = system.coordinate("sprung.z"), system.coordinate("unsprung.z")
-    for body, z in (("sprung", sprung), ("unsprung", unsprung)):
-        mass = system.parameter(f"{body}.mass")
-        system.point_mass(mass, z)
-        system.force(z, -mass * system.parameter("gravity"))
-    _strut(system, rig, sprung, unsprung, actuator)
-    _tyre(system, rig, road, unsprung)
-    _motions(system, road, sprung, unsprung)
+    add_quarter_car(system, rig, system.track("road.z").value, actuator=actuator)
     return system.finish()
 
 
-def _strut(
-    system: System, rig: QuarterCar, sprung: ca.SX, unsprung: ca.SX, actuator: AnyActuator | None
-) -> None:
+def add_quarter_car(
+    system: System,
+    rig: QuarterCar,
+    road: ca.SX,
+    *,
+    sprung: ca.SX | None = None,
+    actuator: AnyActuator | None = None,
+) -> tuple[ca.SX, ca.SX]:
+    """Put a quarter car on a road; give the heights of its masses.
+
+    Parameters
+    ----------
+    system : System
+        Where to build.
+    rig : QuarterCar
+        Only its structure matters.
+    road : casadi.SX
+        Height under the wheel, m: of a track, or of something that moves by itself and feels the tyre's reaction.
+    sprung : casadi.SX, optional
+        Height (m) of a body that is there already; otherwise the sprung mass is added, too.
+    actuator : AnyActuator, optional
+        Of the strut.
+
+    Returns
+    -------
+    tuple of casadi.SX
+        Heights of sprung and unsprung mass, m.
+    """
+    own = () if sprung is not None else (("sprung", system.coordinate("sprung.z")),)
+    masses = (*own, ("unsprung", system.coordinate("unsprung.z")))
+    heights = {"sprung": sprung, **dict(masses)}
+    for body, z in masses:
+        mass = system.parameter(f"{body}.mass")
+        system.point_mass(mass, z)
+        system.force(z, -mass * system.parameter("gravity"))
+    _strut(system, rig, heights["sprung"], heights["unsprung"], actuator)
+    _tyre(system, rig, road, heights["unsprung"])
+    _motions(system, road, heights["sprung"], heights["unsprung"])
+    return heights["sprung"], heights["unsprung"]
+
+
+def _strut(system: System, rig: QuarterCar, sprung: ca.SX, unsprung: ca.SX, actuator: AnyActuator | None) -> None:
     strut = rig.strut
     deflection = ca.cos(system.parameter("strut.angle")) * (unsprung - sprung)
     velocity = system.rate_of(deflection)
@@ -57,16 +87,16 @@ def _strut(
         system.output("guide.force", -guide, "N", "guide friction on the sprung mass, up positive")
 
 
-def _tyre(system: System, rig: QuarterCar, road: Track, unsprung: ca.SX) -> None:
-    deflection = road.value - unsprung
+def _tyre(system: System, rig: QuarterCar, road: ca.SX, unsprung: ca.SX) -> None:
+    deflection = road - unsprung
     force = tyre_force(system, rig.tyre, deflection, system.rate_of(deflection))
     system.force(-deflection, force)
     system.output("tyre.deflection", deflection, "m", "tyre deflection from undeformed, compression positive")
     system.output("tyre.force", force, "N", "contact force, compression positive")
 
 
-def _motions(system: System, road: Track, sprung: ca.SX, unsprung: ca.SX) -> None:
-    system.output("road.z", road.value, "m", "road height under the wheel")
+def _motions(system: System, road: ca.SX, sprung: ca.SX, unsprung: ca.SX) -> None:
+    system.output("road.z", road, "m", "road height under the wheel")
     for body, z in (("sprung", sprung), ("unsprung", unsprung)):
         system.output(f"{body}.z", z, "m", f"{body} mass, height")
         system.output(f"{body}.vz", system.rate_of(z), "m/s", f"{body} mass, vertical velocity")
