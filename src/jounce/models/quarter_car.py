@@ -29,7 +29,7 @@ def add_quarter_car(
     sprung: ca.SX | None = None,
     actuator: AnyActuator | None = None,
 ) -> tuple[ca.SX, ca.SX]:
-    """Put a quarter car on a road; give the heights of its masses.
+    """Put a quarter car on a road; give the height of its wheel and the contact force.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ def add_quarter_car(
     Returns
     -------
     tuple of casadi.SX
-        Heights of sprung and unsprung mass, m.
+        Height of the unsprung mass (m) and contact force (N, compression positive).
     """
     own = () if sprung is not None else (("sprung", system.coordinate("sprung.z")),)
     masses = (*own, ("unsprung", system.coordinate("unsprung.z")))
@@ -57,9 +57,9 @@ def add_quarter_car(
         system.point_mass(mass, z)
         system.force(z, -mass * system.parameter("gravity"))
     _strut(system, rig, heights["sprung"], heights["unsprung"], actuator)
-    _tyre(system, rig, road, heights["unsprung"])
+    contact = _tyre(system, rig, road, heights["unsprung"])
     _motions(system, road, heights["sprung"], heights["unsprung"])
-    return heights["sprung"], heights["unsprung"]
+    return heights["unsprung"], contact
 
 
 def _strut(system: System, rig: QuarterCar, sprung: ca.SX, unsprung: ca.SX, actuator: AnyActuator | None) -> None:
@@ -87,12 +87,13 @@ def _strut(system: System, rig: QuarterCar, sprung: ca.SX, unsprung: ca.SX, actu
         system.output("guide.force", -guide, "N", "guide friction on the sprung mass, up positive")
 
 
-def _tyre(system: System, rig: QuarterCar, road: ca.SX, unsprung: ca.SX) -> None:
+def _tyre(system: System, rig: QuarterCar, road: ca.SX, unsprung: ca.SX) -> ca.SX:
     deflection = road - unsprung
     force = tyre_force(system, rig.tyre, deflection, system.rate_of(deflection))
     system.force(-deflection, force)
     system.output("tyre.deflection", deflection, "m", "tyre deflection from undeformed, compression positive")
     system.output("tyre.force", force, "N", "contact force, compression positive")
+    return force
 
 
 def _motions(system: System, road: ca.SX, sprung: ca.SX, unsprung: ca.SX) -> None:
