@@ -65,6 +65,8 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.parts import Rig as Rig
     from jounce.parts import Vehicle as Vehicle
     from jounce.parts import load as load
+    from jounce.parts.importers import read_tir as read_tir
+    from jounce.parts.importers import tyre_from_tir as tyre_from_tir
     from jounce.parts.strut_angle import with_strut_angle as with_strut_angle
     from jounce.recordings import Sensor as Sensor
     from jounce.recordings import apply_sensors as apply_sensors
@@ -101,6 +103,9 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.roads import Versine as Versine
     from jounce.roads import estimate_roughness as estimate_roughness
     from jounce.roads import load_road as load_road
+    from jounce.roads import road_psd as road_psd
+    from jounce.roads import swept_sine as swept_sine
+    from jounce.roads import white_noise_intensity as white_noise_intensity
     from jounce.simulation import Gradient as Gradient
     from jounce.simulation import LinearModel as LinearModel
     from jounce.simulation import Mode as Mode
@@ -220,7 +225,9 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "plots": "jounce.plots",
     "power_spectrum": "jounce.ride.spectra",
     "read_recording": "jounce.recordings",
+    "read_tir": "jounce.parts.importers",
     "ride_metrics": "jounce.ride.metrics",
+    "road_psd": "jounce.roads",
     "road_trial": "jounce.studies.ride_trials",
     "run_audi_a6": "jounce.studies.audi_a6",
     "run_campaign": "jounce.studies.campaign",
@@ -235,8 +242,11 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "sweep_steering": "jounce.kinematics",
     "sweep_travel": "jounce.kinematics",
     "sweep_variants": "jounce.kinematics",
+    "swept_sine": "jounce.roads",
     "transfer_function": "jounce.ride.spectra",
+    "tyre_from_tir": "jounce.parts.importers",
     "update_model": "jounce.identify.update",
+    "white_noise_intensity": "jounce.roads",
     "with_strut_angle": "jounce.parts.strut_angle",
     "write_recording": "jounce.recordings",
     "write_sweep": "jounce.kinematics",
