@@ -13,6 +13,7 @@ from jounce.roads.profile import hermite_pieces
 
 Array = NDArray[np.float64]
 Numbers = NDArray[np.int64]
+TOLERANCE = 1e-6  # m; cubics of a rolling cam that are farther off in their middle are cut in two
 SHORTEST = 1e-9  # m; borders nearer to each other are one
 _STEEPEST = 50.0  # slope at which a wheel stands before a wall
 _GRADED = [side * 4.0**-k for k in (1, 2, 3) for side in (-1.0, 1.0)]
@@ -95,8 +96,9 @@ def combined(road: Segments, apart: float, low: float, high: float) -> tuple[Seg
 def rolled(road: Segments, cam: Cam, low: float, high: float, step: float) -> Segments:
     """Height in m of a cam that rests on the road, less its height on a level road, from ``low`` to ``high`` (m).
 
-    Cubics at most ``step`` metres long with exact heights and slopes; every place where two points of the road touch
-    at once, and every place where an edge begins or ceases to touch, is a border.
+    Cubics at most ``step`` metres long with exact heights and slopes at their ends, shorter where they would be off by
+    more than a micrometre in their middle; every place where two points of the road touch at once, and every place
+    where an edge begins or ceases to touch, is a border.
     """
     parts = _Parts.of(road, cam)
     nodes = _refined(_borders([np.array([low, high])], low, high), np.array([step]))
@@ -236,10 +238,32 @@ def _with_kinks(
             break
         left = np.insert(left, wide[kink] + 1, before[:, kink], axis=1)
         right = np.insert(right, wide[kink] + 1, after[:, kink], axis=1)
+    left, right = _followed(parts, left, right)
     again = np.diff(left[0]) < SHORTEST  # a kink at a node
     left, right = left[:, np.append(True, ~again)], right[:, np.append(~again, True)]
     left[0, 0], left[0, -1] = nodes[0], nodes[-1]
     return left[0], (left[1], left[2]), (right[1], right[2])
+
+
+def _followed(parts: _Parts, left: Array, right: Array) -> tuple[Array, Array]:
+    """Add nodes where a cubic is farther than the tolerance from the cam's height in its middle."""
+    unsure = np.ones(left.shape[1] - 1, dtype=bool)
+    for _ in range(8):
+        which = np.flatnonzero(unsure)
+        begin, end = right[:, which], left[:, which + 1]
+        x = 0.5 * (begin[0] + end[0])
+        height, at = parts.contact(x)
+        cubic = 0.5 * (begin[1] + end[1]) + 0.125 * (end[0] - begin[0]) * (begin[2] - end[2])
+        off = (np.abs(cubic - height) > TOLERANCE) & (end[0] - begin[0] > 1e3 * SHORTEST)
+        if not off.any():
+            break
+        middle = np.array([x, height, parts.cam.slope(at - x), at])[:, off]
+        left = np.insert(left, which[off] + 1, middle, axis=1)
+        right = np.insert(right, which[off] + 1, middle, axis=1)
+        unsure = np.zeros(left.shape[1] - 1, dtype=bool)
+        added = which[off] + np.arange(int(off.sum()))
+        unsure[added] = unsure[added + 1] = True
+    return left, right
 
 
 def _bisected(parts: _Parts, begin: Array, end: Array) -> tuple[Array, Array]:

@@ -56,13 +56,14 @@ class Enveloped(Road):
     cam_distance : float
         Distance of the cams over the contact length (1), 0.8335.
     step : float or None
-        Longest piece in m where there is no closed form; a twentieth of the contact length, or of the radius.
+        Longest piece in m where there is no closed form; a twentieth of the contact length for the mean, of the radius
+        for circle and cams.
 
     Notes
     -----
     The mean is exact for roads of lines and parabolas. All else is cubics whose heights and slopes are exact at both
-    ends, and kinks are found and kept: the error falls with the fourth power of ``step`` (about the third beside
-    kinks) and is below 2 micrometres on usual obstacles with the default. Cams: Schmeitz (key schmeitz-2004).
+    ends and which are cut where they would be off by more than a micrometre; kinks are found and kept. On a smooth road
+    the error falls with the fourth power of ``step``. Cams: Schmeitz (key schmeitz-2004).
 
     Examples
     --------
