@@ -231,20 +231,47 @@ def compile_rig(
         When a free parameter does not occur in the model.
     """
     key = (type(rig).__name__, structure_of(rig), detail, free, actuator.structure if actuator else "")
+
+    def model() -> Model:
+        from jounce.models import build
+
+        return build(rig, detail=detail, actuator=actuator)
+
+    return compile_described(key, model, free, lambda: compile_rig(rig, detail=detail, actuator=actuator))
+
+
+def compile_described(
+    key: tuple[object, ...],
+    model: Callable[[], Model],
+    free: tuple[str, ...] = (),
+    without: Callable[[], Compiled] | None = None,
+) -> Compiled:
+    """Give the native code of a model that a key says all of; where the cache holds it, the model is not even built.
+
+    Parameters
+    ----------
+    key : tuple
+        Equal for models with equal equations; its text is the name in the cache.
+    model : callable
+        Builds the model.
+    free : tuple of str
+        Paths of parameters to differentiate with respect to.
+    without : callable, optional
+        Gives the same model without free parameters, where there are some.
+
+    Raises
+    ------
+    SimulationError
+        When a free parameter does not occur in the model.
+    """
     if key not in _compiled:
-
-        def model() -> Model:
-            from jounce.models import build
-
-            return build(rig, detail=detail, actuator=actuator)
-
         identity = f"{_sources()} {key}"
         native, notes = kept_code(identity, lambda: _source(model(), free))
         table: dict[str, Any] = json.loads(notes)
-        without = compile_rig(rig, detail=detail, actuator=actuator) if free else None
+        plain = without() if free and without is not None else None
         shapes = {name: (rows, columns) for name, (rows, columns) in table["shapes"].items()}
         numbers = (shapes, table["scalars"], table["lanes"])
-        _compiled[key] = Compiled(_facts(table["facts"]), free, native, *numbers, model, without, identity)
+        _compiled[key] = Compiled(_facts(table["facts"]), free, native, *numbers, model, plain, identity)
     return _compiled[key]
 
 
