@@ -22,7 +22,7 @@ from jounce.kinematics.view import CornerView, Quasistatic
 from jounce.mechanics.linear_algebra import Ldl
 from jounce.mechanics.system import Track
 from jounce.models.corner import suspension
-from jounce.parts import Corner, Rig
+from jounce.parts import Corner, FullCar3D, Rig
 from jounce.parts.parameters import structure_of
 
 Array = NDArray[np.float64]
@@ -102,12 +102,15 @@ def check_corner(rig: Rig) -> Corner:
     """Refuse a rig that has no hardpoints."""
     if isinstance(rig, Corner):
         return rig
+    whole = isinstance(rig, FullCar3D)
     raise DescriptionError(
-        "a lumped rig has no kinematics",
+        "one corner at a time is swept, no whole car" if whole else "a lumped rig has no kinematics",
         where=getattr(rig, "name", None) or "rig",
         found=f'model = "{getattr(rig, "model", type(rig).__name__)}"',
         allowed="a rig with hardpoints: double-wishbone, mcpherson, five-link, trailing-arm",
-        hint="Try reference-double-wishbone of `jounce library`.",
+        hint="Give the rig of its front or rear corner."
+        if whole
+        else "Try reference-double-wishbone of `jounce library`.",
     )
 
 

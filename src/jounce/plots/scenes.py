@@ -194,7 +194,7 @@ def require_corner(rig: object) -> Corner:
 
     if not isinstance(rig, Corner):
         raise DescriptionError(
-            "only a 3-D rig can be drawn as a mechanism; this one has no hardpoints",
+            "only a 3-D rig of one corner can be drawn as a mechanism; this one has no hardpoints",
             found=getattr(rig, "model", type(rig).__name__),
             allowed="double-wishbone, mcpherson, five-link, trailing-arm",
         )

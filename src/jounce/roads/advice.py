@@ -81,7 +81,7 @@ def _road(road: Road, speed: float, duration: float, place: str, output_step: fl
                 "Shorten the run."
             )
             yield Finding(place, "warning", text, road.end())
-        apart = span / max(len(road.profile().edges) - 1, 1)
+        apart = float(np.min(np.diff(road.profile().edges)))
         if speed / (2.0 * apart) < FASTEST:
             text = (
                 f"its points, {apart:.3g} m apart, show nothing above {speed / (2.0 * apart):.3g} Hz at {speed:g} m/s; "

@@ -48,7 +48,8 @@ def excitation(facts: Facts, rig: Rig, trial: Trial, free: tuple[str, ...] = ())
 def _refuse_unfelt(facts: Facts, rig: Rig, trial: Trial) -> None:
     for load in trial.loads:
         if load not in facts.tracks:
-            hint = "Give body.height, the height of its centre of gravity." if isinstance(rig, Vehicle) else ""
+            missing = isinstance(rig, Vehicle) and (load == "deceleration" or any(wheel.side for wheel in _sides(rig)))
+            hint = "Give body.height, the height of its centre of gravity." if missing else ""
             raise SimulationError(
                 "the model has no such input",
                 where=f"trial: {load}",
