@@ -8,6 +8,7 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.findings import Finding
+from jounce.core.units import to_si
 from jounce.parts import FullCar, FullCar3D, Rig, Vehicle
 from jounce.roads import Crg, Trial
 from jounce.roads.iso8608 import Iso8608
@@ -39,7 +40,13 @@ class RideTrial:
 
 
 def iso_trial(
-    rig: Rig, class_: str, speed: float, *, duration: float = DEFAULT_DURATION, seed: int = 0, step: float = 0.05
+    rig: Rig,
+    class_: str,
+    speed: float | str,
+    *,
+    duration: float | str = DEFAULT_DURATION,
+    seed: int = 0,
+    step: float = 0.05,
 ) -> RideTrial:
     """Drive over a random road of ISO 8608; full cars meet its two coherent tracks.
 
@@ -49,9 +56,9 @@ def iso_trial(
         Rig or vehicle.
     class_ : {"A", ..., "H"}
         Road class.
-    speed : float
-        m/s.
-    duration : float
+    speed : float or str
+        m/s, or text with a unit.
+    duration : float or str
         Time over the rough road, s; the time it takes to come in is added in front.
     seed : int
         Which of all roads of that class.
@@ -71,20 +78,21 @@ def iso_trial(
     Examples
     --------
     >>> import jounce as jn
-    >>> ride = iso_trial(jn.load("audi-a6-full-car"), "C", 20.0, duration=10.0)
+    >>> ride = iso_trial(jn.load("audi-a6-full-car"), "C", "20 m/s", duration="10 s")
     >>> ride.trial.right.side, round(ride.settling, 4), round(ride.trial.duration, 4)
     ('right', 0.646, 10.646)
     """
-    settling = _whole_samples((_RUN_IN + _wheelbase(rig)) / speed)
-    lasting = settling + _whole_samples(duration)
-    left = Iso8608(class_=class_, length=speed * lasting + _RUN_IN, step=step, seed=seed, run_in=_RUN_IN)
+    velocity, rough = _positive(speed, "m/s", "speed"), _positive(duration, "s", "duration")
+    settling = _whole_samples((_RUN_IN + _wheelbase(rig)) / velocity)
+    lasting = settling + _whole_samples(rough)
+    left = Iso8608(class_=class_, length=velocity * lasting + _RUN_IN, step=step, seed=seed, run_in=_RUN_IN)
     if isinstance(rig, FullCar | FullCar3D):
         left = left.model_copy(update={"track": _track(rig)})
-        return RideTrial(_trial(left, left.other_track(), speed, lasting), settling)
-    return RideTrial(_trial(left, None, speed, lasting), settling)
+        return RideTrial(_trial(left, left.other_track(), velocity, lasting), settling)
+    return RideTrial(_trial(left, None, velocity, lasting), settling)
 
 
-def road_trial(rig: Rig, road: Road, speed: float, *, duration: float | None = None) -> RideTrial:
+def road_trial(rig: Rig, road: Road, speed: float | str, *, duration: float | str | None = None) -> RideTrial:
     """Drive over a given road; a measured course with a width is read under both tracks of a full car.
 
     Parameters
@@ -93,9 +101,9 @@ def road_trial(rig: Rig, road: Road, speed: float, *, duration: float | None = N
         Rig or vehicle.
     road : Road
         What is driven over.
-    speed : float
-        m/s.
-    duration : float, optional
+    speed : float or str
+        m/s, or text with a unit.
+    duration : float or str, optional
         s; by default until the last axle reaches the road's end.
 
     Returns
@@ -109,20 +117,28 @@ def road_trial(rig: Rig, road: Road, speed: float, *, duration: float | None = N
         For numbers out of range.
     """
     behind = _wheelbase(rig)
-    whole = (road.end() + behind) / speed
+    velocity = _positive(speed, "m/s", "speed")
+    whole = (road.end() + behind) / velocity
     if duration is None and whole <= 0.0:
         raise DescriptionError("the road ends where it begins", where="road", hint="Give the duration.")
-    lasting = whole if duration is None else duration
+    lasting = whole if duration is None else _positive(duration, "s", "duration")
     findings = []
     if lasting > whole * (1.0 + 1e-9):
         text = f"the road ends after {whole:.4g} s; the rest of the run, which counts, is level"
         findings.append(Finding("duration", "warning", text, lasting))
     left, right = _tracks(rig, road)
-    return RideTrial(_trial(left, right, speed, _whole_samples(lasting)), behind / speed, tuple(findings))
+    return RideTrial(_trial(left, right, velocity, _whole_samples(lasting)), behind / velocity, tuple(findings))
 
 
 def _trial(left: Road, right: Road | None, speed: float, duration: float) -> Trial:
     return Trial(road=left, right=right, speed=speed, duration=duration)
+
+
+def _positive(value: float | str, unit: str, where: str) -> float:
+    number = to_si(value, unit, where=where)
+    if number <= 0.0:
+        raise DescriptionError("out of range", where=where, found=value, allowed=f"above 0 {unit}")
+    return number
 
 
 def _whole_samples(time: float) -> float:
