@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import reduce
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,7 @@ from jounce.core.errors import DescriptionError, nearest, unknown
 from jounce.parts.parameters import split_path, unit_of, unknown_path
 from jounce.parts.rigs import RIGS, Rig
 from jounce.parts.vehicles import VEHICLES
+from jounce.parts.writing import rig_text
 
 SCHEMAS: dict[str, dict[str, type[Rig]]] = {"jounce.rig/1": RIGS, "jounce.vehicle/1": {**VEHICLES}}
 """Models by their name in a file, for each kind of file."""
@@ -127,6 +129,8 @@ def changed_text(text: str, rig: Rig, values: dict[str, float]) -> str:
         for i, part in enumerate(parents):
             if isinstance(part, str) and part not in here:
                 here[part] = _written(rig, parents[: i + 1])
+            elif isinstance(here[part], str):  # a corner by its name: what it is stands in its place
+                here[part] = tomlkit.parse(rig_text(reduce(getattr, map(str, parents[: i + 1]), rig)))
             here = here[part]
         here[last] = _quantity(value, unit_of(rig, path))
     return tomlkit.dumps(document)

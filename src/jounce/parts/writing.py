@@ -49,7 +49,7 @@ def rig_text(rig: Rig, comments: Sequence[str] = ()) -> str:
     ['# A kart.', 'schema = "jounce.rig/1"']
     """
     table = rig.model_dump(by_alias=True, exclude_none=True, exclude_unset=True)
-    table = {"schema": "jounce.rig/1", "model": getattr(rig, "model", ""), **table}
+    table = {"schema": getattr(rig, "schema_", "jounce.rig/1"), "model": getattr(rig, "model", ""), **table}
     keys = [*(key for key in _ORDER if key in table), *(key for key in table if key not in _ORDER)]
     head = [f"# {line}" for comment in comments for line in textwrap.wrap(comment, _WIDTH - 2)]
     plain = [f"{key} = {_value(rig, key, table[key])}" for key in keys if not isinstance(table[key], Mapping)]
