@@ -17,6 +17,7 @@ _PANELS = 12  # a decade
 _POINTS = 8  # of Gauss and Legendre in each panel
 _NEAR = (0.3, 1.0, 2.5, 6.0)  # half widths of a resonance at which panels end
 _PERIODS = 0.4  # of the waves between front and rear that a panel may hold
+_CHUNK = 80  # nodes summed at once: small products stay on one core, and several cores would only wait for each other
 _DEFECTIVE = 1e6  # condition of the eigenvectors beyond which they are not used
 
 
@@ -41,12 +42,52 @@ def frequencies(low: float, high: float, a: Array, delay: float) -> tuple[Array,
     inside = np.unique([edge for edge in edges if low <= edge <= high])
     if delay > 0.0:
         parts = np.maximum(1, np.ceil(np.diff(inside) * delay / _PERIODS).astype(int))
-        pieces = [np.linspace(inside[i], inside[i + 1], parts[i] + 1)[:-1] for i in range(len(parts))]
-        inside = np.concatenate([*pieces, inside[-1:]])
+        first, width = np.repeat(inside[:-1], parts), np.repeat(np.diff(inside) / parts, parts)
+        place = np.arange(len(first)) - np.repeat(np.cumsum(parts) - parts, parts)
+        inside = np.append(first + place * width, inside[-1])
     points, weights = np.polynomial.legendre.leggauss(_POINTS)
     half, middle_of = 0.5 * np.diff(inside), 0.5 * (inside[1:] + inside[:-1])
     nodes = (middle_of[:, None] + half[:, None] * points).ravel()
     return nodes, (half[:, None] * weights).ravel()
+
+
+class Inverse:
+    """``(s - A)^-1`` at many frequencies (rad/s times i), by eigenvectors where they are independent."""
+
+    def __init__(self, a: Array, s: Complex) -> None:
+        self.a, self.s = a, s
+        values, self._vectors = np.linalg.eig(a)
+        self._are_independent = bool(np.linalg.cond(self._vectors) < _DEFECTIVE)
+        self._shares = 1.0 / (s[:, None] - values)
+        self._left = np.linalg.inv(self._vectors) if self._are_independent else self._vectors
+
+    def times(self, b: Array) -> Complex:
+        """Inverse times b, shape (n, m): shape (f, n, m)."""
+        if self._are_independent:
+            return np.asarray(self._vectors @ (self._shares[:, :, None] * (self._left @ b)))
+        return np.asarray(np.linalg.solve(self._shifted(), np.broadcast_to(b, (len(self.s), *b.shape))))
+
+    def before(self, c: Array) -> Complex:
+        """C, shape (m, n), times the inverse: shape (f, m, n)."""
+        if self._are_independent:
+            return np.asarray(((c @ self._vectors) * self._shares[:, None, :]) @ self._left)
+        turned = np.linalg.solve(np.swapaxes(self._shifted(), 1, 2), np.broadcast_to(c.T, (len(self.s), *c.T.shape)))
+        return np.asarray(np.swapaxes(turned, 1, 2))
+
+    def _shifted(self) -> Complex:
+        return np.asarray(self.s[:, None, None] * np.eye(len(self.a)) - self.a)
+
+
+@dataclass(frozen=True)
+class _Pull:
+    """Slopes of the variances along A (outputs, n, n; turned), b, C, d, f and the delays of one source."""
+
+    matrix: Array
+    drive: Array
+    state: Array
+    height: Array
+    rate: Array
+    delay: Array
 
 
 @dataclass(frozen=True)
@@ -94,40 +135,32 @@ class BandVariance:
         return np.asarray(2j * np.pi * self.band.frequency)
 
     @cached_property
-    def _inverse(self) -> Complex:
-        """``(s - A)^-1`` at every frequency, shape (f, n, n)."""
-        values, vectors = np.linalg.eig(self.model.A)
-        if np.linalg.cond(vectors) < _DEFECTIVE:
-            return np.asarray((vectors / (self._s[:, None, None] - values)) @ np.linalg.inv(vectors))
-        n = len(self.model.A)
-        return np.asarray(np.linalg.inv(self._s[:, None, None] * np.eye(n) - self.model.A))
+    def _inverse(self) -> Inverse:
+        return Inverse(self.model.A, self._s)
 
     def _summed(self, table: Array, source: Source) -> Array:
         """One column for each group of wheels."""
         return np.stack([table[:, list(group.wheels)].sum(axis=1) for group in source], axis=1)
 
-    def _waves(self, source: Source) -> Complex:
-        """Phase of each group, shape (f, groups)."""
-        return np.asarray(np.exp(-self._s[:, None] * np.array([group.delay for group in source])))
+    @cached_property
+    def _waves(self) -> list[Complex]:
+        """Phase of each group, for each source: shape (f, groups)."""
+        delays = [np.array([group.delay for group in source]) for source in self.sources]
+        return [np.asarray(np.exp(-self._s[:, None] * delay)) for delay in delays]
 
     @cached_property
     def _moved(self) -> list[Complex]:
         """States for unit rate of the road, for each source: shape (f, n, groups)."""
-        return [np.asarray(self._inverse @ self._summed(self.model.b, source)) for source in self.sources]
-
-    @cached_property
-    def _seen(self) -> Complex:
-        """Outputs for unit change of the states' rates: shape (f, outputs, n)."""
-        return np.asarray(self.model.C @ self._inverse)
+        return [self._inverse.times(self._summed(self.model.b, source)) for source in self.sources]
 
     @cached_property
     def _by_group(self) -> list[Complex]:
         """Response to unit height, each group at its time: shape (f, outputs, groups)."""
         found = []
-        for source, moved in zip(self.sources, self._moved, strict=True):
+        for source, moved, waves in zip(self.sources, self._moved, self._waves, strict=True):
             whole = self.model.C @ moved + self._summed(self.model.f, source)
             height = whole * self._s[:, None, None] + self._summed(self.model.d, source)
-            found.append(height * self._waves(source)[:, None, :])
+            found.append(height * waves[:, None, :])
         return found
 
     @cached_property
@@ -135,19 +168,44 @@ class BandVariance:
         """Response of each output to each source, shape (outputs, f)."""
         return [np.asarray(part.sum(axis=2).T) for part in self._by_group]
 
-    def _weighted(self, density: Array) -> Array:
-        return np.asarray((density * self.band.gain) @ self.band.power)
+    @cached_property
+    def _weights(self) -> Array:
+        """What a squared response counts, shape (outputs, f)."""
+        return self.band.power * self.band.gain
 
     def variances(self) -> Array:
         """Variance of each output, in the square of its SI unit."""
-        found = sum(np.abs(part) ** 2 for part in self._responses)
+        found = np.sum([np.abs(part) ** 2 for part in self._responses], axis=0)
         if self.band.coherence is not None:
             found = found + 2.0 * self.band.coherence * self._shared()
-        return self._weighted(np.asarray(found))
+        return np.asarray(np.sum(found * self._weights, axis=1))
 
     def _shared(self) -> Array:
         left, right = self._responses
         return np.asarray((left * right.conj()).real)
+
+    @cached_property
+    def _pulls(self) -> list[_Pull]:
+        """How the variances follow the parts of the model, for each source: once for all slopes."""
+        seen = self._inverse.before(self.model.C)
+        return [self._pull(i, seen) for i in range(len(self.sources))]
+
+    def _pull(self, i: int, seen: Complex) -> _Pull:
+        answer = self._responses[i].conj()
+        if self.band.coherence is not None:
+            answer = answer + self.band.coherence * self._responses[1 - i].conj()
+        answer = 2.0 * answer * self._weights
+        waves = self._waves[i]
+        rates = waves * self._s[:, None]
+        state = np.einsum("fng,fg->fn", self._moved[i], rates)
+        return _Pull(
+            _summed_products(state, answer, seen),
+            np.swapaxes(_summed_products(rates, answer, seen), 1, 2),
+            np.einsum("rf,fn->rn", answer, state).real,  # without the cores of a matrix product, as above
+            np.einsum("rf,fg->rg", answer, waves).real,
+            np.einsum("rf,fg->rg", answer, rates).real,
+            np.einsum("rf,f,frg->rg", answer, self._s, self._by_group[i]).real,
+        )
 
     def slopes(self, along: Relative, later: Array, coherence: Array | None = None) -> Array:
         """Slope of the variances along a number.
@@ -161,25 +219,26 @@ class BandVariance:
         coherence : ndarray, shape (f,), optional
             Slope of the root of the coherence.
         """
-        moving = [self._change(i, along, later) for i in range(len(self.sources))]
-        found = sum(2.0 * (part.conj() * change).real for part, change in zip(self._responses, moving, strict=True))
-        if self.band.coherence is not None:
-            (left, right), (left_change, right_change) = self._responses, moving
-            mixed = (left_change * right.conj() + left * right_change.conj()).real
-            found = found + 2.0 * self.band.coherence * mixed
-            if coherence is not None:
-                found = found + 2.0 * coherence * self._shared()
-        return self._weighted(np.asarray(found))
+        total = np.zeros(len(self.model.C))
+        for source, pull in zip(self.sources, self._pulls, strict=True):
+            late = np.array([later[group.wheels[0]] for group in source])
+            total += np.einsum("rij,ji->r", pull.matrix, along.A)
+            total += np.einsum("rjg,jg->r", pull.drive, self._summed(along.b, source))
+            total += np.sum(pull.state * along.C, axis=1) - pull.delay @ late
+            total += np.sum(pull.height * self._summed(along.d, source), axis=1)
+            total += np.sum(pull.rate * self._summed(along.f, source), axis=1)
+        if coherence is not None:
+            total += np.sum(2.0 * coherence * self._shared() * self._weights, axis=1)
+        return total
 
-    def _change(self, i: int, along: Relative, later: Array) -> Complex:
-        """Slope of the response to a source, shape (outputs, f)."""
-        source, moved = self.sources[i], self._moved[i]
-        push = along.A @ moved + self._summed(along.b, source)
-        whole = along.C @ moved + self._seen @ push + self._summed(along.f, source)
-        height = whole * self._s[:, None, None] + self._summed(along.d, source)
-        late = np.array([later[group.wheels[0]] for group in source])
-        change = height * self._waves(source)[:, None, :] - self._by_group[i] * (self._s[:, None] * late)[:, None, :]
-        return np.asarray(change.sum(axis=2).T)
+
+def _summed_products(left: Complex, weights: Complex, right: Complex) -> Array:
+    """Real part of the sum over f of weights (r, f) times left (f, n) times right (f, r, m): shape (r, n, m)."""
+    total: Array = np.zeros((weights.shape[0], left.shape[1], right.shape[2]))
+    for first in range(0, len(left), _CHUNK):
+        part = slice(first, first + _CHUNK)
+        total += ((left[part].T * weights[:, None, part]) @ np.swapaxes(right[part], 0, 1)).real
+    return total
 
 
 def contact_filter(wavenumber: Array, length: float) -> Array:

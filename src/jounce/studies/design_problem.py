@@ -37,11 +37,12 @@ LimitGiven = Bound | tuple[Bound, Bound] | list[Bound]
 
 @dataclass(frozen=True)
 class Limit:
-    """What a metric may be, in each of its channels, SI; None where a side is open."""
+    """What a metric may be, in each of its channels or (``is_whole``) all together, SI; None where a side is open."""
 
     metric: Metric
     lower: float | None
     upper: float | None
+    is_whole: bool = False
 
 
 @dataclass(frozen=True)
@@ -124,7 +125,11 @@ class DesignProblem:
         found = []
         for limit in self.limits:
             numbers, slopes = self.numbers(values)[limit.metric.text]
-            for i, channel in enumerate(limit.metric.channels):
+            channels: tuple[str, ...] = limit.metric.channels
+            if limit.is_whole:
+                number, along = combined(limit.metric, (numbers, slopes))
+                numbers, slopes, channels = np.array([number]), along[:, None], (limit.metric.text,)
+            for i, channel in enumerate(channels):
                 for side, bound, sign in (("lower", limit.lower, 1.0), ("upper", limit.upper, -1.0)):
                     if bound is not None:
                         size = abs(bound) or abs(self.base_of(limit.metric)) or 1.0

@@ -17,6 +17,7 @@ _STATIONARY = 1e-4
 _EVEN = 1e-4
 _WIDE = 3.0  # bounds wider than this ratio are searched by logarithm
 _MOST = 200
+_FINE = 1e-14
 
 
 @dataclass(frozen=True)
@@ -116,8 +117,13 @@ class _Task:
         return np.array(found), np.array(table).reshape(len(found), len(z))
 
 
-def search(problem: DesignProblem, *, starts: int = 1, seed: int = 0, begin: Array | None = None) -> Search:
-    """Search from the rig's own values (or ``begin``, SI) and from further points; the best that keeps the limits."""
+def search(
+    problem: DesignProblem, *, starts: int = 1, seed: int = 0, begin: Array | None = None, precision: float = _FINE
+) -> Search:
+    """Search from the rig's own values (or ``begin``, SI) and from further points; the best that keeps the limits.
+
+    It ends when the objective changes by less than ``precision`` (1) between steps.
+    """
     if starts < 1:
         raise FitError("not a number of searches", where="starts", found=starts, allowed="1 or more")
     first = problem.start if begin is None else begin
@@ -127,13 +133,13 @@ def search(problem: DesignProblem, *, starts: int = 1, seed: int = 0, begin: Arr
 
         spread = qmc.LatinHypercube(len(first), seed=seed).random(starts - 1)
         points += [Scale(problem).values(point) for point in spread]
-    found = [_one(problem, point) for point in points]
+    found = [_one(problem, point, precision) for point in points]
     if all(one.violation > _ACTIVE for one in found):
-        found.append(_one(problem, least_violation(problem)))
+        found.append(_one(problem, least_violation(problem), precision))
     return min(found, key=lambda one: (max(one.violation, _ACTIVE), one.objective))
 
 
-def _one(problem: DesignProblem, begin: Array) -> Search:
+def _one(problem: DesignProblem, begin: Array, precision: float) -> Search:
     from scipy.optimize import minimize
 
     task = _Task(problem)
@@ -146,7 +152,7 @@ def _one(problem: DesignProblem, begin: Array) -> Search:
     for _ in range(3):  # SLSQP forgets its curvature at a new start, which helps where it stalled
         result = minimize(
             task.objective, z, jac=True, method="SLSQP", bounds=bounds, constraints=constraints,
-            options={"ftol": 1e-14, "maxiter": _MOST},
+            options={"ftol": precision, "maxiter": _MOST},
         )  # fmt: skip
         iterations += int(result.nit)
         z = np.asarray(result.x) if np.all(np.isfinite(result.x)) else z
