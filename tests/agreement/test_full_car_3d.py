@@ -12,6 +12,7 @@ import pytest
 
 import jounce as jn
 from jounce.models import build
+from jounce.simulation.compiled import compile_rig
 
 AGREEMENT = 1e-9
 BODY = ("sprung.distance", "attitude.angle", "attitude.second_angle")
@@ -66,8 +67,8 @@ def state(model, seed):
     return x, u
 
 
-def in_ground_axes(model, x):
-    """Turn what is relative to the body in the shipped model (quaternions, spins) into what the twin counts."""
+def in_ground_axes(model, x, values):
+    """Turn what is relative to the body in the shipped model (quaternions, spins, free uprights) into the twin's."""
     n_q = len(model.coordinates)
     pitch, roll = (x[model.coordinates.index(name)] for name in BODY[1:])
     pitching, rolling = (x[n_q + model.speeds.index(f"{name} rate")] for name in BODY[1:])
@@ -80,11 +81,26 @@ def in_ground_axes(model, x):
             seen, k = matrix(x[i : i + 4]), n_q + model.speeds.index(f"{name[:-2]}wx")
             found[i : i + 4] = quaternion(about_y @ about_x @ seen)
             found[k : k + 3] += seen.T @ spin
+        elif name.endswith("upright.x"):
+            centre, corner = np.array([0.0, 0.0, values["body.height"]]), name.split(".")[0]
+            k = n_q + model.speeds.index(f"{name} rate")
+            arm = wheel_centre(corner, values) + x[i : i + 3] - centre
+            rise, rising = (0.0, 0.0, x[0]), (0.0, 0.0, x[n_q])
+            found[i : i + 3] = about_y @ about_x @ arm + centre + rise - wheel_centre(corner, values)
+            found[k : k + 3] = about_y @ about_x @ (x[k : k + 3] + np.cross(spin, arm)) + rising
     return found
+
+
+def wheel_centre(corner, values):
+    end, side = corner.split("_")
+    _, y, z = (values[f"{end}.corner.hardpoints.wheel_centre[{i}]"] for i in range(3))
+    ahead = values[f"{end}.distance"]
+    return np.array([ahead if end == "front" else -ahead, y if side == "left" else -y, z])
 
 
 CARS = {
     "double wishbones": jn.load("formula-student-car"),
+    "multi-link behind": jn.load("sedan-full-car-3d"),
     "radial tyres": jn.load("formula-student-car").with_changes({"front.corner.tyre.law": "radial"}),
 }
 
@@ -103,7 +119,7 @@ def test_accelerations_and_forces_agree_in_any_motion(in_ground, name, seed):
         x = one["projection"](x, u, p, modes).full().ravel()[: len(x)]
     order = shipped.track_order
     inputs = np.concatenate([u[shipped.tracks.index(track) * order :][:order] for track in twin.tracks])
-    y = in_ground_axes(shipped, x)
+    y = in_ground_axes(shipped, x, vehicle.parameters())
     names = [output.name for output in shipped.outputs]
     found = one["output"](x, u, p, modes).full().ravel()
     wanted = other["output"](y, inputs, q, modes).full().ravel()
@@ -113,3 +129,21 @@ def test_accelerations_and_forces_agree_in_any_motion(in_ground, name, seed):
     first = one["switch"](x, u, p, modes).full()
     second = other["switch"](y, inputs, q, modes).full()
     assert np.max(np.abs(first - second) / (1.0 + np.abs(second))) < AGREEMENT
+
+
+def test_code_with_corners_side_by_side_gives_what_the_graph_gives():
+    vehicle = jn.load("formula-student-car")
+    compiled, model = compile_rig(vehicle), build(vehicle)
+    x, u = state(model, 5)
+    p, modes = values_of(model, vehicle.parameters()), np.ones(model.m.shape[0])
+    symbols = [model.x, model.u, model.p, model.m]
+    for name in ("rate", "output", "switch", "constraint"):
+        wanted = ca.Function(name, symbols, [getattr(model, name)])(x, u, p, modes).full().ravel()
+        found = compiled.evaluate(name, x, u, p, modes)
+        assert np.max(np.abs(found - wanted)) < 1e-12 * np.max(np.abs(wanted)), name
+    slopes, small = compiled.slopes("x", x, u, p, modes), 1e-5
+    for k in (1, 7, 20, 40):
+        shift = np.eye(len(x))[k] * small
+        ends = (compiled.evaluate("rate", x + way * shift, u, p, modes) for way in (1.0, -1.0))
+        difference = np.subtract(*ends) / (2.0 * small)
+        assert np.max(np.abs(slopes["rate"][:, k] - difference)) < 1e-5 * np.max(np.abs(difference))

@@ -242,8 +242,8 @@ class Tree(System):
         self._hang(name, "spherical", parent, child, frame, sign=sign)
         return e
 
-    def free(self, name: str, child: Body, at: Vector | None = None) -> ca.SX:
-        """Let a body fly: place (m, ground axes, from the design pose) and quaternion against the ground."""
+    def free(self, name: str, child: Body, at: Vector | None = None, seat: Body | None = None) -> ca.SX:
+        """Let a body fly: place (m, ground axes, from the design pose) and quaternion, against the ground or a seat."""
         self._check(name, child)
         if child.mass_properties is None and at is None:
             raise AssemblyError("a free body without mass", where=child.name, hint="Give mass and centre_of_mass.")
@@ -253,7 +253,7 @@ class Tree(System):
         r, v = self.coordinates(names, [f"{text} rate" for text in names])
         e, w = self.quaternion(name)
         frame = Frame(place, Moving(place + r, v, ca.SX(3, 1)), by_quaternion(e, w))
-        self._hang(name, "free", self.ground, child, frame)
+        self._hang(name, "free", self.ground if seat is None else seat, child, frame)
         return ca.vertcat(r, e)
 
     def driven(self, name: str, parent: Body, child: Body, axis: Vector, travel: Track | Number) -> None:

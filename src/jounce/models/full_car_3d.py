@@ -40,7 +40,7 @@ def full_car_3d(vehicle: FullCar3D) -> Model:
     """Write the equations of a full car on 3-D corners; the values in ``vehicle`` matter only through its structure."""
     mechanism = Mechanism()
     mechanism.gravity = mechanism.parameter("gravity")
-    body = _body(mechanism)
+    body = _body(mechanism, vehicle)
     drive = _driving(mechanism, body)
     seat = mechanism.seat(body, drive - mechanism.gravity * _UP)
     axles = {name: getattr(vehicle, name) for name in _ENDS}
@@ -48,15 +48,14 @@ def full_car_3d(vehicle: FullCar3D) -> Model:
     for pair, name in zip((wheels[:2], wheels[2:]), axles, strict=True):
         _anti_roll_bar(mechanism, pair, mechanism.parameter(f"{name}.anti_roll_bar_rate"))
     _grip(mechanism, drive, wheels)
-    mechanism.share(["sprung.distance rate", "attitude.angle rate", "attitude.second_angle rate"])
     equal = structure_of(axles["front"]) == structure_of(axles["rear"])
     names = [(f"{name}_{side}", name) for name in axles for side in _SIDES]
     mechanism.alike(names, [(0, 1, 2, 3)] if equal else [(0, 1), (2, 3)])
     return mechanism.finish()
 
 
-def _body(mechanism: Mechanism) -> Body:
-    """The body on its three freedoms; pitch is the turn about the car's y axis, then roll about its own x axis."""
+def _body(mechanism: Mechanism, vehicle: FullCar3D) -> Body:
+    """The body on its freedoms: heave and two turns about its centre, or heave and any turn about a joint."""
     number = mechanism.parameter
     centre = ca.vertcat(0.0, 0.0, number("body.height"))
     pitch_inertia = number("body.pitch_inertia")
@@ -64,16 +63,35 @@ def _body(mechanism: Mechanism) -> Body:
     body = mechanism.body("body", number("body.mass"), centre, inertia)
     carriage = mechanism.body("carriage")
     heave = mechanism.prismatic("sprung", mechanism.ground, carriage, axis=_UP)
-    angles = mechanism.universal("attitude", carriage, body, centre, _LEFT, _FORWARD)
-    for name, value, unit in (("z", heave, "m"), ("pitch", angles[0], "rad"), ("roll", angles[1], "rad")):
-        mechanism.output(f"body.{name}", value, unit, f"body, {name}; from the design position")
-    mechanism.output("body.vz", mechanism.rate_of(heave), "m/s", "centre of gravity of the body, vertical velocity")
-    mechanism.output("body.az", mechanism.acceleration_of(heave), "m/s^2", "centre of gravity, vertical acceleration")
-    for name, angle in (("pitch", angles[0]), ("roll", angles[1])):
+    if vehicle.body.joint is None:
+        pitch, roll = ca.vertsplit(mechanism.universal("attitude", carriage, body, centre, _LEFT, _FORWARD))
+        _show_body(mechanism, heave, pitch, roll)
+        mechanism.share(["sprung.distance rate", "attitude.angle rate", "attitude.second_angle rate"])
+        return body
+    joint = ca.vertcat(*(number(f"body.joint[{i}]") for i in range(3)))
+    mechanism.spherical("guide_joint", carriage, body, at=joint)
+    assert body.frame is not None
+    up, place = body.frame.orientation.unrotate(_UP), body.point(centre).value
+    _show_body(mechanism, place[2] - centre[2], -ca.asin(up[0]), ca.atan2(up[1], up[2]))
+    for i, axis in enumerate("xy"):
+        mechanism.output(
+            f"body.{axis}", place[i], "m", f"centre of gravity of the body, {axis}; from the design position"
+        )
+    mechanism.share(["sprung.distance rate", *(f"guide_joint.w{axis}" for axis in "xyz")])
+    return body
+
+
+def _show_body(mechanism: Mechanism, height: ca.SX, pitch: ca.SX, roll: ca.SX) -> None:
+    """Let the body be seen; pitch is the turn about the car's y axis, then roll about its own x axis."""
+    place = "centre of gravity of the body"
+    mechanism.output("body.z", height, "m", f"{place}, z; from the design position")
+    mechanism.output("body.vz", mechanism.rate_of(height), "m/s", f"{place}, vertical velocity")
+    mechanism.output("body.az", mechanism.acceleration_of(height), "m/s^2", f"{place}, vertical acceleration")
+    for name, angle, text in (("pitch", pitch, "nose down"), ("roll", roll, "right side down")):
+        mechanism.output(f"body.{name}", angle, "rad", f"body {name}, {text} positive")
         mechanism.output(f"body.{name}_rate", mechanism.rate_of(angle), "rad/s", f"body {name} rate")
         acceleration = mechanism.acceleration_of(angle)
         mechanism.output(f"body.{name}_acceleration", acceleration, "rad/s^2", f"body {name} acceleration")
-    return body
 
 
 def _corner(mechanism: Mechanism, seat: Body, name: str, axle: SpatialAxle, side: str) -> _Wheel:

@@ -116,7 +116,7 @@ class Linkage:
         elif ideal:
             self.mechanism.spherical(name, self.chassis, arm, at=ideal[0])
         else:
-            self.mechanism.free(name, arm)
+            self.mechanism.free(name, arm, seat=self.seat)
         for end in soft:
             self.cushion(end, self.chassis, arm)
 
@@ -162,6 +162,11 @@ class Linkage:
             return
         self.mechanism.universal(f"{name}_inner", holder, link, start, first, second)
         self.mechanism.coincident(f"{name}_outer", link, carrier, end)
+
+    @property
+    def seat(self) -> Body | None:
+        """The moving axes that the suspension hangs in; None on the ground."""
+        return self.chassis if self.carrier.moves else None
 
     @property
     def carrier(self) -> Carrier:

@@ -19,6 +19,7 @@ from jounce.core.units import (
 )
 from jounce.parts.corners import DoubleWishbone, FiveLink, McPherson, TrailingArm
 from jounce.parts.elements import BumpStop, Damper, Friction, LinearDamper, Spring, Tyre, require_one
+from jounce.parts.points import Point
 from jounce.parts.rig import Rig
 
 AnyCorner = Annotated[DoubleWishbone | McPherson | FiveLink | TrailingArm, Field(discriminator="model")]
@@ -193,9 +194,14 @@ class FullCar(Vehicle):
 
 
 class SpatialBody(RollingBody):
-    """Body of a full car on 3-D corners; ``height`` (m) places its centre of gravity, whose axes are principal."""
+    """Body of a full car on 3-D corners; ``height`` (m) places its centre of gravity, whose axes are principal.
+
+    A vehicle on a bench hangs on a spherical joint at the end of a vertical guide: ``joint`` (m) is that place, x ahead
+    of the centre of gravity, y to the left, z over the road. Without it the body turns about its centre of gravity.
+    """
 
     height: PositiveLength
+    joint: Point | None = None
 
 
 class SpatialAxle(Description):
