@@ -1,7 +1,7 @@
-"""Testers of shock absorbers: what moves the wheel's plate, how fast, and what such a lane accepts (domain: EGEA, THETA).
+"""Testers of shock absorbers: what moves the plate under the wheel, how fast, and what such a lane accepts.
 
-A tester file serves both sides: the simulation reads the stroke, the plate and the programme, the evaluation of a record
-the limits and the names of the record's columns.
+A tester file serves both sides: the simulation reads the stroke, the plate and the programme, the evaluation of a
+record the limits and the names of the record's columns.
 """
 
 from __future__ import annotations

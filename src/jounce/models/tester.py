@@ -1,0 +1,239 @@
+"""What stands on a tester of shock absorbers: quarter car, axle or 3-D corner on plates that excenters move.
+
+Each plate is rigid on its excenter or stands on a spring over it. The excenter's angle is a track (whatever the drive
+wants) or, where the drive runs freely, a coordinate with the drive's inertia. At angle 0 the plate is at its mean
+height and rises.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import casadi as ca
+
+from jounce.core.errors import AssemblyError
+from jounce.mechanics import Mechanism, Model, System
+from jounce.mechanics.elements import friction_force, tyre_force
+from jounce.mechanics.system import Track
+from jounce.models.attachments import add_tyre
+from jounce.models.corner import TEMPLATES, add_strut, show_wheel, suspension
+from jounce.models.linkage import Linkage
+from jounce.models.quarter_car import add_quarter_car
+from jounce.models.vehicle import show_height, show_strut, strut_force
+from jounce.parts.corner import Corner
+from jounce.parts.front_view import FrontViewAxle, Side
+from jounce.parts.rig import Rig
+from jounce.parts.rigs import QuarterCar
+
+ANGLE, MOTOR = "excenter.angle", "motor.on"
+"""Last words of the tracks: angle of the excenter (rad), and share of the motor's torque that is switched on."""
+SIDES = {"left": 1.0, "right": -1.0}
+_CREEP = 0.5  # rad/s below which the drive's dry friction fades
+BOTTOM = -0.5 * ca.pi  # where a free excenter rests
+
+
+@dataclass(frozen=True)
+class PlateForm:
+    """How the plates are built; all that matters of a tester for the equations.
+
+    Attributes
+    ----------
+    sprung : bool
+        Whether a spring stands between excenter and plate.
+    free : tuple of str
+        Places of the wheels (``""``, ``"left"``, ``"right"``) whose excenter the drive's inertia moves; else tracks.
+    """
+
+    sprung: bool = False
+    free: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Plate:
+    """A plate under a wheel: heights of plate and excenter (m), the excenter's angle (rad), beginning of its channels.
+
+    ``pushed`` is the force of the spring on the plate (N, up), None on a rigid plate.
+    """
+
+    height: ca.SX
+    excenter: ca.SX
+    angle: ca.SX
+    begin: str
+    pushed: ca.SX | None
+
+
+def tester_model(rig: Rig, form: PlateForm) -> Model:
+    """Write the equations of a rig on a tester; the values in ``rig`` matter only through its structure.
+
+    Parameters
+    ----------
+    rig : QuarterCar, Corner or FrontViewAxle
+        What stands on the plates.
+    form : PlateForm
+        How they are built.
+
+    Returns
+    -------
+    Model
+        Tracks ``[<side>.]excenter.angle`` (rad) where driven, ``[<side>.]motor.on`` where free; parameters are
+        those of the rig and, with ``tester.`` before them, those of the tester.
+
+    Raises
+    ------
+    AssemblyError
+        For a rig that has no tyre to stand on.
+    """
+    builders: dict[type[Rig], Callable[[Rig, PlateForm], System]] = {
+        QuarterCar: _quarter_car,
+        FrontViewAxle: _front_view,
+        **dict.fromkeys(TEMPLATES, _corner),
+    }
+    if type(rig) not in builders:
+        allowed = ", ".join(kind.__name__ for kind in builders)
+        raise AssemblyError("not something for a tester", found=type(rig).__name__, allowed=allowed)
+    return builders[type(rig)](rig, form).finish()
+
+
+def _quarter_car(rig: Rig, form: PlateForm) -> System:
+    assert isinstance(rig, QuarterCar)
+    system = System()
+    plate = _add_plate(system, form, "")
+    _, contact = add_quarter_car(system, rig, plate.height)
+    _show_plate(system, plate, contact)
+    return system
+
+
+def _corner(rig: Rig, form: PlateForm) -> System:
+    assert isinstance(rig, Corner)
+    mechanism = Mechanism()
+    mechanism.gravity = mechanism.parameter("gravity")
+    plate = _add_plate(mechanism, form, "")
+    linkage = suspension(rig, mechanism)
+    add_strut(linkage)
+    rate = mechanism.rate_of(plate.height)
+    deflection, contact = add_tyre(linkage, Track(plate.height, rate, ca.SX(0.0)))
+    mechanism.force(plate.height, -contact)
+    mechanism.output("tyre.deflection", deflection, "m", "tyre deflection from undeformed, compression positive")
+    mechanism.output("tyre.force", contact, "N", "contact force, compression positive")
+    _guide(linkage)
+    show_wheel(linkage)
+    _show_plate(mechanism, plate, contact)
+    return mechanism
+
+
+def _guide(linkage: Linkage) -> None:
+    """Friction of the body's guide, heights of body and wheel."""
+    mechanism, rig = linkage.mechanism, linkage.rig
+    if rig.guide != "fixed":
+        heave = mechanism.coordinate_named("sprung.distance")
+        mechanism.force(
+            heave, -friction_force(mechanism, rig.guide_friction, "guide_friction", mechanism.rate_of(heave))
+        )
+        show_height(mechanism, "sprung", heave, "sprung mass above design")
+    centre = linkage.wheel_centre.value[2] - linkage.number("hardpoints.wheel_centre[2]")
+    show_height(mechanism, "unsprung", centre, "wheel centre above design")
+
+
+def _front_view(rig: Rig, form: PlateForm) -> System:
+    assert isinstance(rig, FrontViewAxle)
+    system = System()
+    z, roll = system.coordinate("body.z"), system.coordinate("body.roll")
+    mass, gravity = system.parameter("mass"), system.parameter("gravity")
+    system.point_mass(mass, z)
+    system.force(z, -mass * gravity)
+    system.point_mass(system.parameter("roll_inertia"), roll)
+    travels = {}
+    for name, sign in SIDES.items():
+        height = z + sign * system.parameter(f"{name}.distance") * roll
+        plate = _add_plate(system, form, name)
+        with system.within(name, f"{name}.wheel"):
+            unsprung, contact = _add_wheel(system, getattr(rig, name), height, plate, gravity)
+        travels[name] = unsprung - height
+        _show_plate(system, plate, contact)
+    twist = travels["left"] - travels["right"]
+    system.force(-twist, system.parameter("anti_roll_bar_rate") * twist)
+    show_height(system, "body", z, "centre of gravity of the body")
+    system.output("body.roll", roll, "rad", "body roll, right side down positive")
+    return system
+
+
+def _add_wheel(system: System, side: Side, height: ca.SX, plate: Plate, gravity: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """Wheel of one side under the body; give its height (m) and contact force (N)."""
+    if isinstance(side.wheel, QuarterCar):
+        return add_quarter_car(system, side.wheel, plate.height, sprung=height)
+    axle, unsprung = side.wheel, system.coordinate("unsprung.z")
+    mass = system.parameter("unsprung_mass")
+    system.point_mass(mass, unsprung)
+    system.force(unsprung, -mass * gravity)
+    deflection = unsprung - height
+    velocity = system.rate_of(deflection)
+    force = strut_force(system, axle, deflection, velocity)
+    system.force(-deflection, force)
+    tyre = plate.height - unsprung
+    contact = tyre_force(system, axle.tyre, tyre, system.rate_of(tyre))
+    system.force(-tyre, contact)
+    show_height(system, "sprung", height, "body above the wheel")
+    show_height(system, "unsprung", unsprung, "unsprung mass")
+    show_strut(system, deflection, velocity, force)
+    system.output("tyre.deflection", tyre, "m", "tyre deflection from undeformed, compression positive")
+    system.output("tyre.force", contact, "N", "contact force, compression positive")
+    return unsprung, contact
+
+
+def _add_plate(system: System, form: PlateForm, place: str) -> Plate:
+    """Excenter and plate of one wheel, with all forces but the tyre's."""
+    begin = f"{place}." if place else ""
+    free = place in form.free
+    if free:
+        angle = system.coordinates([begin + ANGLE], [f"{begin}{ANGLE} rate"], [BOTTOM])[0][0]
+        _add_drive(system, angle, begin)
+    else:
+        angle = system.track(begin + ANGLE).value
+    excenter = system.parameter("tester.amplitude") * ca.sin(angle)
+    height = system.coordinate(f"{begin}plate.z") if form.sprung else excenter
+    if form.sprung or free:
+        mass = system.parameter("tester.plate_mass")
+        system.point_mass(mass, height)
+        system.force(height, -mass * system.parameter("gravity"))
+    pushed = None
+    if form.sprung:
+        lift = excenter - height
+        pushed = system.parameter("tester.plate_spring_rate") * lift
+        pushed += system.parameter("tester.plate_damping_coefficient") * system.rate_of(lift)
+        system.force(-lift, pushed)
+    return Plate(height, excenter, angle, begin, pushed)
+
+
+def _add_drive(system: System, angle: ca.SX, begin: str) -> None:
+    """Inertia and friction of a free drive, and the torque of its motor."""
+    speed = system.rate_of(angle)
+    system.point_mass(system.parameter("tester.drive.inertia"), angle)
+    friction = system.parameter("tester.drive.friction_torque") * ca.tanh(speed / _CREEP)
+    friction += system.parameter("tester.drive.viscous_friction") * speed
+    no_load = 2.0 * ca.pi * system.parameter("tester.drive.motor.no_load_frequency")
+    line = system.parameter("tester.drive.motor.stall_torque") * (1.0 - speed / no_load)
+    torque = line * system.track(begin + MOTOR).value
+    system.force(angle, torque - friction)
+    system.output(f"{begin}drive.torque", friction, "N*m", "friction of the drive")
+    system.output(f"{begin}motor.torque", torque, "N*m", "torque of the motor")
+
+
+def _show_plate(system: System, plate: Plate, contact: ca.SX) -> None:
+    """Plate, excenter, force under the plate, and what the excenter takes: the plate is guided without friction."""
+    begin, mass = plate.begin, system.parameter("tester.plate_mass")
+    acceleration, speed = system.acceleration_of(plate.height), system.rate_of(plate.angle)
+    under = contact + mass * acceleration
+    pushed = plate.pushed if plate.pushed is not None else under + mass * system.parameter("gravity")
+    torque = pushed * ca.jacobian(plate.excenter, plate.angle)
+    for name, value, unit, text in (
+        ("plate.z", plate.height, "m", "plate, height"),
+        ("plate.vz", system.rate_of(plate.height), "m/s", "plate, vertical velocity"),
+        ("plate.az", acceleration, "m/s^2", "plate, vertical acceleration"),
+        ("plate.force", under, "N", "force of a cell under the plate: contact force and plate inertia"),
+        ("excenter.z", plate.excenter, "m", "excenter, height"),
+        ("excenter.frequency", speed / (2.0 * ca.pi), "Hz", "excenter, turns per second"),
+        ("excenter.torque", torque, "N*m", "torque that the excenter takes from its drive"),
+        ("excenter.power", torque * speed, "W", "power that the excenter takes from its drive"),
+    ):
+        system.output(begin + name, value, unit, text)
