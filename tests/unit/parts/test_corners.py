@@ -69,7 +69,8 @@ def test_points_are_triples_of_si_numbers():
 
 
 def test_every_model_has_its_class():
-    found = {load(name).model: type(load(name)) for name in parts.library()}
+    rigs = [load(name) for name in parts.library()]
+    found = {rig.model: type(rig) for rig in rigs if not isinstance(rig, parts.Vehicle)}
     found["trailing-arm"] = type(rig_from_table(TRAILING))
     assert found == {
         "quarter-car": parts.QuarterCar,
