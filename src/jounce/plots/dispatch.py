@@ -16,6 +16,7 @@ from jounce.plots import (
     comparison,
     dampers,
     decays,
+    design,
     histories,
     kinematics,
     linear,
@@ -116,6 +117,8 @@ def _registered() -> Callable[..., Figure]:
     from jounce.roads.road import Road
     from jounce.simulation import LinearModel, Mode
     from jounce.studies.campaign.result import CampaignResult, StrategyResult, TrialResult
+    from jounce.studies.optimise import Optimisation
+    from jounce.studies.pareto import ParetoFront
 
     @singledispatch
     def draw(result: object, **options: Any) -> Figure:  # noqa: ARG001
@@ -159,4 +162,6 @@ def _registered() -> Callable[..., Figure]:
     draw.register(CampaignResult, lambda result, **options: trials.trial_matrix(result.trials, **options))
     draw.register(DamperCurve, of_damper)
     draw.register(LinearModel, linear.frequency_response)
+    draw.register(Optimisation, design.optimisation)
+    draw.register(ParetoFront, design.pareto_front)
     return draw

@@ -1,0 +1,232 @@
+"""Designs: the front between comfort and road holding, and what an optimisation changed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from jounce.plots.display import display_unit, number, quantity
+from jounce.plots.style import AFTER, BEFORE, INK, MUTED, PALETTE, new_figure, styled
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from jounce.studies.optimise import DesignConstraint, DesignNumber, Optimisation
+    from jounce.studies.pareto import ParetoFront, ParetoMark
+
+_MARKERS = {"present": ("D", BEFORE), "closed form": ("o", "white"), "searched": ("x", INK)}
+_KINDS = {"present": "as it is", "closed form": "best damper, closed form", "searched": "best damper, searched"}
+_WORDS = {"comfort": "comfort", "holding": "road holding", "travel": "travel"}
+_BAR = 0.55
+
+
+@styled
+def pareto_front(front: ParetoFront) -> Figure:
+    """Draw a front: comfort against road holding coloured by travel, and the numbers of the designs along it.
+
+    Parameters
+    ----------
+    front : ParetoFront
+        Designs of which none is better in both.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Left: both metrics, r.m.s., with the best dampers; right: free numbers and travel over comfort.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> from jounce.studies.pareto import pareto
+    >>> free = {"strut.damper.coefficient": ("300 N*s/m", "6000 N*s/m")}
+    >>> figure = pareto_front(pareto(jn.load("audi-a6-quarter-car"), free, "C", "20 m/s", points=5))
+    >>> len(figure.axes)   # front, one kind of number, colours of the travel
+    3
+    """
+    kinds = _by_unit(front)
+    figure = new_figure(4.2, 8.6)
+    grid = figure.add_gridspec(len(kinds), 2, width_ratios=[1.55, 1.0])
+    main = figure.add_subplot(grid[:, 0])
+    _front(figure, main, front)
+    column = [figure.add_subplot(grid[0, 1])]
+    column += [figure.add_subplot(grid[i, 1], sharex=column[0]) for i in range(1, len(kinds))]
+    comfort = display_unit(front.units["comfort"])
+    for axes, (unit, paths) in zip(column, kinds.items(), strict=True):
+        shown = display_unit(unit)
+        for path, colour in zip(paths, (PALETTE * len(paths))[: len(paths)], strict=True):
+            axes.plot(
+                front.comfort * comfort.factor,
+                front.numbers[path] * shown.factor,
+                color=colour,
+                label=path,
+                marker=".",
+                markersize=4,
+            )
+        axes.set_ylabel(shown.name or "–")
+        axes.set_title(" · ".join(paths) if len(paths) == 1 else "")
+        if len(paths) > 1:
+            axes.legend(loc="best", fontsize=7.5)
+        axes.tick_params(labelbottom=axes is column[-1])
+    column[-1].set_xlabel(_label(front, "comfort"))
+    return figure
+
+
+def _by_unit(front: ParetoFront) -> dict[str, list[str]]:
+    found: dict[str, list[str]] = {}
+    for path in front.numbers:
+        found.setdefault(front.number_units[path], []).append(path)
+    return found
+
+
+def _label(front: ParetoFront, role: str) -> str:
+    unit = display_unit(front.units[role])
+    return unit.label(f"{_WORDS[role]}: {front.metrics[role]}")
+
+
+def _front(figure: Figure, axes: Axes, front: ParetoFront) -> None:
+    x, y, travel = (display_unit(front.units[role]).factor for role in ("comfort", "holding", "travel"))
+    points = axes.scatter(
+        front.comfort * x, front.holding * y, c=front.travel * travel, cmap="viridis", s=26, zorder=3, linewidths=0
+    )
+    axes.plot(front.comfort * x, front.holding * y, color=MUTED, linewidth=0.8, zorder=2)
+    bar = figure.colorbar(points, ax=axes, orientation="horizontal", aspect=45, pad=0.02)
+    bar.set_label(_label(front, "travel"), fontsize=8.5)
+    bar.outline.set_visible(False)
+    every = [*front.comfort, *(mark.comfort for mark in front.marks)]
+    middle = 0.5 * (min(every) + max(every))
+    for mark in front.marks:
+        _draw_mark(axes, mark, x, y, is_right=mark.comfort > middle)
+    axes.set(xlabel=_label(front, "comfort"), ylabel=_label(front, "holding"))
+    axes.legend(handles=_handles(front), loc="upper right", fontsize=8)
+    axes.set_title(front.driven.replace("m^3", "m³"), fontsize=8, fontweight="normal", color=MUTED)
+
+
+def _draw_mark(axes: Axes, mark: ParetoMark, x: float, y: float, *, is_right: bool) -> None:
+    marker, face = _MARKERS[mark.kind]
+    at = (mark.comfort * x, mark.holding * y)
+    style: dict[str, Any] = {"marker": marker, "s": 46, "zorder": 4, "linewidths": 1.2}
+    if marker == "x":
+        axes.scatter(*at, color=face, **style)
+    else:
+        axes.scatter(*at, facecolor=face, edgecolor=INK, **style)
+    if mark.kind == "closed form":
+        text = mark.name.removeprefix("best damper ")
+        axes.annotate(
+            text,
+            at,
+            xytext=(0, 8),
+            textcoords="offset points",
+            fontsize=7.5,
+            color=INK,
+            ha="right" if is_right else "left",
+        )
+
+
+def _handles(front: ParetoFront) -> list[Any]:
+    from matplotlib.lines import Line2D
+
+    kinds = [kind for kind in _MARKERS if any(mark.kind == kind for mark in front.marks)]
+    found = [Line2D([], [], color=MUTED, marker=".", markersize=8, linewidth=0.8, label="best designs")]
+    for kind in kinds:
+        marker, face = _MARKERS[kind]
+        found.append(
+            Line2D(
+                [], [], linestyle="", marker=marker, markeredgecolor=INK, markerfacecolor=face, label=_KINDS[kind]
+            )
+        )  # fmt: skip
+    return found
+
+
+@styled
+def optimisation(result: Optimisation) -> Figure:
+    """Draw what an optimisation changed: the free numbers within their bounds, the metrics against the start.
+
+    Parameters
+    ----------
+    result : Optimisation
+        The best design found.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Left: each number between its bounds (0 to 100 %), with the range in which the objective rises by 1 %. Right:
+        each metric and limited channel relative to the start (%), limits as strokes.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> from jounce.studies.optimise import optimise
+    >>> free = {"strut.damper.coefficient": ("300 N*s/m", "6000 N*s/m")}
+    >>> figure = optimisation(optimise(jn.load("audi-a6-quarter-car"), free, "sprung.az", road="C", speed="20 m/s"))
+    >>> [axes.get_title("left") for axes in figure.axes]
+    ['Free numbers', 'Metrics']
+    """
+    rows = _rows(result)
+    figure = new_figure(1.5 + 0.42 * max(len(result.numbers), len(rows)), 9.2)
+    left, right = figure.subplots(1, 2, width_ratios=[1.0, 1.0])
+    for i, item in enumerate(result.numbers):
+        _draw_number(left, i, item)
+    names = [item.path for item in result.numbers]
+    left.set_yticks(range(len(names)), names)
+    left.set(xlabel="between the bounds [%]", xlim=(-4.0, 104.0), ylim=(len(names) - 0.4, -0.75), title="Free numbers")
+    left.grid(axis="y", visible=False)
+    figure.legend(handles=_number_handles(result), loc="outside lower left", ncols=3, fontsize=8)
+    _draw_metrics(right, rows)
+    return figure
+
+
+def _draw_number(axes: Axes, i: int, item: DesignNumber) -> None:
+    def place(value: float) -> float:
+        return 100.0 * (value - item.lower) / (item.upper - item.lower)
+
+    axes.plot([0.0, 100.0], [i, i], color="#c9ced4", linewidth=2.0, zorder=1, solid_capstyle="butt")
+    if item.flat is not None:
+        axes.plot([place(end) for end in item.flat], [i, i], color=AFTER, alpha=0.3, linewidth=9.0, zorder=2,
+                  solid_capstyle="butt")  # fmt: skip
+    axes.plot(place(item.start), i, marker="D", color=BEFORE, markeredgecolor=INK, markersize=6, zorder=3)
+    axes.plot(place(item.value), i, marker="o", color=AFTER, markeredgecolor=INK, markersize=7, zorder=4)
+    text = f"{quantity(item.start, item.unit, 3)} → {quantity(item.value, item.unit, 4)}"
+    axes.annotate(text, (50.0, i), xytext=(0, 8), textcoords="offset points", ha="center", fontsize=7.5, color=INK)
+
+
+def _number_handles(result: Optimisation) -> list[Any]:
+    from matplotlib.lines import Line2D
+
+    found = [
+        Line2D([], [], linestyle="", marker="D", color=BEFORE, markeredgecolor=INK, markersize=6, label="start"),
+        Line2D([], [], linestyle="", marker="o", color=AFTER, markeredgecolor=INK, markersize=7, label="best"),
+    ]
+    if any(item.flat is not None for item in result.numbers):
+        found.append(Line2D([], [], color=AFTER, alpha=0.3, linewidth=8.0, label="objective within 1 %"))
+    return found
+
+
+_Row = tuple[str, float, float, "DesignConstraint | None", str]
+
+
+def _rows(result: Optimisation) -> list[_Row]:
+    """Name, value before and after, limit and unit of each bar: objective first, then limited channels."""
+    found: list[_Row] = [(name, result.before[name], result.after[name], None, "") for name in result.objective]
+    for item in result.constraints:
+        words = item.name.split()[1:] if item.channel != item.name else []
+        found.append((" ".join([item.channel, *words]), item.start, item.value, item, item.unit))
+    return found
+
+
+def _draw_metrics(axes: Axes, rows: list[_Row]) -> None:
+    for i, (_, before, after, limit, unit) in enumerate(rows):
+        size = abs(before) or 1.0
+        axes.barh(i, 100.0 * after / size, _BAR, color=AFTER if limit is None else PALETTE[5], zorder=2)
+        for bound in (limit.lower, limit.upper) if limit is not None else ():
+            if bound is not None and abs(bound) < 3.0 * size:
+                at = 100.0 * bound / size
+                axes.plot([at, at], [i - 0.4, i + 0.4], color="#a33f1f", linewidth=2.2, zorder=4)
+        held = limit is not None and limit.is_active
+        text = quantity(after, unit, 4) if limit is not None else f"{number(100.0 * (after / size - 1.0), 3)} %"
+        axes.annotate(
+            f" {text}{', at its limit' if held else ''}", (0.0, i), va="center", fontsize=7.5, color="white", zorder=5
+        )
+    axes.axvline(100.0, color=BEFORE, linewidth=1.2, zorder=3)
+    axes.set_yticks(range(len(rows)), [row[0] for row in rows])
+    axes.set(xlabel="relative to the start [%]", ylim=(len(rows) - 0.4, -0.75), title="Metrics")
+    axes.grid(axis="y", visible=False)
