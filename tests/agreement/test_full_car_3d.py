@@ -11,8 +11,10 @@ import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.core.segments import flat
 from jounce.models import build
 from jounce.simulation.compiled import compile_rig
+from jounce.simulation.run import solve
 
 AGREEMENT = 1e-9
 BODY = ("sprung.distance", "attitude.angle", "attitude.second_angle")
@@ -147,3 +149,37 @@ def test_code_with_corners_side_by_side_gives_what_the_graph_gives():
         ends = (compiled.evaluate("rate", x + way * shift, u, p, modes) for way in (1.0, -1.0))
         difference = np.subtract(*ends) / (2.0 * small)
         assert np.max(np.abs(slopes["rate"][:, k] - difference)) < 1e-5 * np.max(np.abs(difference))
+
+
+def test_free_motion_without_dampers_keeps_its_energy(in_ground):
+    """Kinetic energy and height by the twin, springs and tyres by their forces; all of it is exchanged, none lost."""
+    ways = [f"{end}.corner.strut.damper.{way}_coefficient" for end in ("front", "rear") for way in ("bump", "rebound")]
+    loose = dict.fromkeys(ways, 0.0)
+    bars = {f"{end}.anti_roll_bar_rate": 0.0 for end in ("front", "rear")}
+    vehicle = jn.load("formula-student-car").with_changes({**loose, **bars})
+    compiled, twin = compile_rig(vehicle), in_ground(vehicle)
+    start = {"sprung.distance": 0.001, "attitude.angle": 0.001, "attitude.second_angle": 0.0015}
+    offset = np.array([start.get(name, 0.0) for name in compiled.facts.states])
+    p, times = compiled.parameter_values(vehicle.parameters()), np.linspace(0.0, 1.0, 101)
+    still = [flat(1.0) for _ in compiled.facts.tracks]
+    found = solve(compiled, p, still, times, tolerance=1e-10, offset=offset)
+    rows = {name: i for i, name in enumerate(compiled.output_names)}
+    corners = [(corner, getattr(vehicle, corner.split("_")[0]).corner) for corner in vehicle.corners]
+    assert min(found.outputs[rows[f"{corner}.tyre.force"]].min() for corner, _ in corners) > 0.0
+    stored = np.zeros(len(times))
+    for corner, rig in corners:
+        for part, rate in (("strut", rig.strut.spring.rate), ("tyre", rig.tyre.stiffness)):
+            stored += found.outputs[rows[f"{corner}.{part}.force"]] ** 2 / (2.0 * rate)
+    energy = in_twin(twin, vehicle, compiled, found.states, ("energy.kinetic", "energy.weight"))
+    assert np.ptp(energy[0]) > 0.1
+    assert np.ptp(stored + energy.sum(axis=0)) < 1e-7 * np.ptp(energy[0])
+
+
+def in_twin(twin, vehicle, compiled, states, channels):
+    """Outputs of the twin at states of the shipped model."""
+    values, names = vehicle.parameters(), [output.name for output in twin.outputs]
+    f, modes = functions(twin)["output"], np.ones(twin.m.shape[0])
+    u, q = np.zeros(twin.u.shape[0]), values_of(twin, values)
+    model = build(vehicle)
+    each = [f(in_ground_axes(model, x, values), u, q, modes).full().ravel() for x in states.T]
+    return np.array(each).T[[names.index(name) for name in channels]]

@@ -47,6 +47,8 @@ def full_car_in_ground_axes(vehicle: FullCar3D) -> Model:
         wheels += [left, right]
     _drive(mechanism, body, wheels)
     mechanism.share(["sprung.distance rate", "attitude.angle rate", "attitude.second_angle rate"])
+    mechanism.output("energy.kinetic", mechanism.kinetic_energy(), "J", "kinetic energy")
+    mechanism.output("energy.weight", mechanism.weight_energy(), "J", "energy of the weights")
     return mechanism.finish()
 
 
