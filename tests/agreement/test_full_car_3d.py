@@ -154,7 +154,7 @@ def test_code_with_corners_side_by_side_gives_what_the_graph_gives():
 def test_free_motion_without_dampers_keeps_its_energy(in_ground):
     """Kinetic energy and height by the twin, springs and tyres by their forces; all of it is exchanged, none lost."""
     ways = [f"{end}.corner.strut.damper.{way}_coefficient" for end in ("front", "rear") for way in ("bump", "rebound")]
-    loose = dict.fromkeys(ways, 0.0)
+    loose = dict.fromkeys([*ways, *(f"{end}.corner.tyre.damping_coefficient" for end in ("front", "rear"))], 0.0)
     bars = {f"{end}.anti_roll_bar_rate": 0.0 for end in ("front", "rear")}
     vehicle = jn.load("formula-student-car").with_changes({**loose, **bars})
     compiled, twin = compile_rig(vehicle), in_ground(vehicle)
