@@ -30,7 +30,8 @@ ANGLE, MOTOR = "excenter.angle", "motor.on"
 """Last words of the tracks: angle of the excenter (rad), and share of the motor's torque that is switched on."""
 SIDES = {"left": 1.0, "right": -1.0}
 _CREEP = 0.5  # rad/s below which the drive's dry friction fades
-BOTTOM = -0.5 * ca.pi  # where a free excenter rests
+_BOTTOM = -0.5 * ca.pi  # where a free excenter rests
+_LIFTED = 0.02  # m: the search for equilibrium begins with the plate against the tyre
 
 
 @dataclass(frozen=True)
@@ -186,12 +187,14 @@ def _add_plate(system: System, form: PlateForm, place: str) -> Plate:
     begin = f"{place}." if place else ""
     free = place in form.free
     if free:
-        angle = system.coordinates([begin + ANGLE], [f"{begin}{ANGLE} rate"], [BOTTOM])[0][0]
+        angle = system.coordinates([begin + ANGLE], [f"{begin}{ANGLE} rate"], [_BOTTOM])[0][0]
         _add_drive(system, angle, begin)
     else:
         angle = system.track(begin + ANGLE).value
     excenter = system.parameter("tester.amplitude") * ca.sin(angle)
-    height = system.coordinate(f"{begin}plate.z") if form.sprung else excenter
+    height = excenter
+    if form.sprung:
+        height = system.coordinates([f"{begin}plate.z"], [f"{begin}plate.z rate"], [_LIFTED])[0][0]
     if form.sprung or free:
         mass = system.parameter("tester.plate_mass")
         system.point_mass(mass, height)
