@@ -1,4 +1,4 @@
-"""Write docs/schemas: JSON schemas of rig, campaign and road files, made from the descriptions that read them.
+"""Write docs/schemas: JSON schemas of rig, vehicle, campaign and road files, made from the descriptions that read them.
 
 Run ``python docs/make_schemas.py`` after a description has changed; a test compares the files with what this gives.
 """
@@ -14,6 +14,7 @@ from typing import Any
 from pydantic import TypeAdapter
 
 from jounce.parts.rigs import RIGS
+from jounce.parts.vehicles import VEHICLES
 from jounce.roads.loading import SCHEMA
 from jounce.roads.train import ROADS, AnyRoad
 from jounce.studies.campaign.description import Campaign
@@ -46,6 +47,21 @@ def rig_schema() -> dict[str, Any]:
         }
         definition["required"] = ["schema", "model", *definition["required"]]
     return {"$schema": DIALECT, **schema, "title": "jounce rig file"}
+
+
+def vehicle_schema() -> dict[str, Any]:
+    """Schema of a vehicle file: any of the models; a corner of a 3-D car may be a name."""
+    schema: dict[str, Any] = TypeAdapter(reduce(or_, VEHICLES.values())).json_schema(by_alias=True)
+    definitions = schema["$defs"]
+    for curve in ("PolynomialCurve", "PowerCurve", "TableCurve"):
+        definitions[curve]["required"] = ["kind", *definitions[curve]["required"]]
+    for model in VEHICLES.values():
+        definition = definitions[model.__name__]
+        definition["required"] = ["schema", "model", *definition["required"]]
+    corner = definitions["SpatialAxle"]["properties"]["corner"]
+    name = {"type": "string", "description": "name of a shipped rig, or path of a rig file"}
+    definitions["SpatialAxle"]["properties"]["corner"] = {"anyOf": [name, corner]}
+    return {"$schema": DIALECT, **schema, "title": "jounce vehicle file"}
 
 
 def road_schema() -> dict[str, Any]:
@@ -96,7 +112,7 @@ def _short(schema: Any) -> Any:
 
 def texts() -> dict[str, str]:
     """Give all schemas: file name to text."""
-    schemas = {"rig": rig_schema(), "campaign": campaign_schema(), "road": road_schema()}
+    schemas = {"rig": rig_schema(), "vehicle": vehicle_schema(), "campaign": campaign_schema(), "road": road_schema()}
     return {f"{name}.schema.json": json.dumps(_short(schema), indent=1) + "\n" for name, schema in schemas.items()}
 
 

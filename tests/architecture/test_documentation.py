@@ -110,7 +110,10 @@ def test_untrue_blocks_are_rejected(text: str, tmp_path: Path, monkeypatch: pyte
 
 
 def test_readme_and_the_pages_about_use_hold_blocks():
-    for name in ("README.md", *(f"docs/{page}.md" for page in ("campaign", "rig", "roads", "bench", "command-line"))):
+    for name in (
+        "README.md",
+        *(f"docs/{page}.md" for page in ("campaign", "rig", "vehicle", "roads", "bench", "command-line")),
+    ):
         assert blocks(PAGES[name]), name
 
 
@@ -152,7 +155,7 @@ def test_schemas_are_up_to_date():
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     texts = module.texts()
-    assert set(texts) == {f"{name}.schema.json" for name in ("rig", "campaign", "road")}
+    assert set(texts) == {f"{name}.schema.json" for name in ("rig", "vehicle", "campaign", "road")}
     for name, text in texts.items():
         found = (module.FOLDER / name).read_text(encoding="utf-8")
         assert found == text, f"{name} is out of date: run python docs/make_schemas.py"
