@@ -13,11 +13,12 @@ from jounce.roads.profile import hermite_pieces
 
 Array = NDArray[np.float64]
 Numbers = NDArray[np.int64]
-TOLERANCE = 1e-6  # m; cubics of a rolling cam that are farther off in their middle are cut in two
+_SHARES = (0.2928932188134524, 0.7071067811865476)  # where in a cubic that is looked at: no waves can hide from both
 SHORTEST = 1e-9  # m; borders nearer to each other are one
 _STEEPEST = 50.0  # slope at which a wheel stands before a wall
 _GRADED = [side * 4.0**-k for k in (1, 2, 3) for side in (-1.0, 1.0)]
 """Shares of a step at which there are borders beside a place where a curve has no curvature that is finite."""
+_SHARP = 0.02  # jump of the place of contact, over a, that makes an edge
 _BENT = 0.03  # jump of the curvature times a^2 that a cam's height follows by more than a micrometre
 _PAIRS = 1_000_000  # nodes times pieces that are worked on at once
 
@@ -93,20 +94,17 @@ def combined(road: Segments, apart: float, low: float, high: float) -> tuple[Seg
     return _joined(borders, *mean), _joined(borders, *slope)
 
 
-def rolled(road: Segments, cam: Cam, low: float, high: float, step: float) -> Segments:
-    """Height in m of a cam that rests on the road, less its height on a level road, from ``low`` to ``high`` (m).
+def rolled(road: Segments, cam: Cam, window: tuple[float, float], step: float, tolerance: float) -> Segments:
+    """Height in m of a cam that rests on the road, less its height on a level road, over a window (m, m).
 
     Cubics at most ``step`` metres long with exact heights and slopes at their ends, shorter where they would be off by
-    more than a micrometre in their middle; every place where two points of the road touch at once, and every place
+    more than ``tolerance`` (m); every place where two points of the road touch at once, and every place
     where an edge begins or ceases to touch, is a border.
     """
     parts = _Parts.of(road, cam)
-    nodes = _refined(_borders([np.array([low, high])], low, high), np.array([step]))
-    begins, bends = parts.transitions(parts.sharp), parts.transitions(parts.bent)
-    near = [begins + step * share for share in _GRADED] if cam.c < 2.0 else []  # such a cam is sharp at the bottom
-    nodes = _borders([nodes, begins, bends, *near], low, high)
-    contact = parts.contact(nodes)
-    nodes, left, right = _with_kinks(parts, nodes, contact)
+    nodes = _refined(np.array(window), np.array([step]))
+    nodes = _borders([nodes, parts.transitions()], *window)
+    nodes, left, right = _with_kinks(parts, nodes, parts.contact(nodes), tolerance)
     steep = max(np.abs(left[1]).max(), np.abs(right[1]).max())
     if steep > _STEEPEST:
         raise DescriptionError(
@@ -127,8 +125,7 @@ class _Parts:
     piece: Numbers  # (n,): piece of the road that a part belongs to
     corner: Array  # (n + 1,): height of the borders in m, the higher one at a jump
     offset: Array  # (2, n): where the cam touches the slopes at either end of a part, in m from its middle
-    sharp: NDArray[np.bool_]  # (n - 1,): inner borders at which height or slope jump
-    bent: NDArray[np.bool_]  # (n - 1,): inner borders at which only the curvature does
+    edge: NDArray[np.bool_]  # (n - 1,): inner borders at which height, slope or curvature jump
 
     @classmethod
     def of(cls, road: Segments, cam: Cam) -> _Parts:
@@ -145,15 +142,15 @@ class _Parts:
         slopes = [road.on_pieces(piece, x)[1] for x in (border[:-1] + nudge, border[1:] - nudge)]
         corner = np.maximum(np.append(left, right[-1]), np.insert(right, 0, left[0]))
         offset = np.array([cam.offset(slope) for slope in slopes])
-        sharp = (np.abs(offset[1, :-1] - offset[0, 1:]) > 1e-6 * cam.a) | (np.abs(left[1:] - right[:-1]) > 1e-12)
+        edge = (np.abs(offset[1, :-1] - offset[0, 1:]) > _SHARP * cam.a) | (np.abs(left[1:] - right[:-1]) > 1e-12)
         bend = np.abs(_curvature(road, piece[1:], border[1:-1]) - _curvature(road, piece[:-1], border[1:-1]))
-        bent = ~sharp & (np.diff(piece) > 0) & (bend * cam.a**2 > _BENT)
-        return cls(road, cam, border, piece, corner, offset, sharp, bent)
+        edge |= (np.diff(piece) > 0) & (bend * cam.a**2 > _BENT)
+        return cls(road, cam, border, piece, corner, offset, edge)
 
-    def transitions(self, borders: NDArray[np.bool_]) -> Array:
-        """Places in m of the cam at which some of the inner borders begin or cease to touch."""
-        corner = self.border[1:-1][borders]
-        return np.concatenate([corner - self.offset[1, :-1][borders], corner - self.offset[0, 1:][borders]])
+    def transitions(self) -> Array:
+        """Places in m of the cam at which an edge may begin or cease to touch; smaller ones are found as errors."""
+        corner = self.border[1:-1][self.edge]
+        return np.concatenate([corner - self.offset[1, :-1][self.edge], corner - self.offset[0, 1:][self.edge]])
 
     def contact(self, x: Array) -> tuple[Array, Array]:
         """Height of the cam at its places ``x`` and the distance at which it touches, in m."""
@@ -222,7 +219,7 @@ def _is_curved(road: Segments) -> NDArray[np.bool_]:
 
 
 def _with_kinks(
-    parts: _Parts, nodes: Array, contact: tuple[Array, Array]
+    parts: _Parts, nodes: Array, contact: tuple[Array, Array], tolerance: float
 ) -> tuple[Array, tuple[Array, Array], tuple[Array, Array]]:
     """Nodes with the kinks between them, and heights (m) and slopes (1) on the left and on the right of each."""
     height, at = contact
@@ -238,32 +235,40 @@ def _with_kinks(
             break
         left = np.insert(left, wide[kink] + 1, before[:, kink], axis=1)
         right = np.insert(right, wide[kink] + 1, after[:, kink], axis=1)
-    left, right = _followed(parts, left, right)
+    left, right = _followed(parts, left, right, tolerance)
     again = np.diff(left[0]) < SHORTEST  # a kink at a node
     left, right = left[:, np.append(True, ~again)], right[:, np.append(~again, True)]
     left[0, 0], left[0, -1] = nodes[0], nodes[-1]
     return left[0], (left[1], left[2]), (right[1], right[2])
 
 
-def _followed(parts: _Parts, left: Array, right: Array) -> tuple[Array, Array]:
-    """Add nodes where a cubic is farther than the tolerance from the cam's height in its middle."""
+def _followed(parts: _Parts, left: Array, right: Array, tolerance: float) -> tuple[Array, Array]:
+    """Add nodes where a cubic is farther than the tolerance (m) from the cam's height inside it."""
     unsure = np.ones(left.shape[1] - 1, dtype=bool)
     for _ in range(8):
         which = np.flatnonzero(unsure)
         begin, end = right[:, which], left[:, which + 1]
-        x = 0.5 * (begin[0] + end[0])
-        height, at = parts.contact(x)
-        cubic = 0.5 * (begin[1] + end[1]) + 0.125 * (end[0] - begin[0]) * (begin[2] - end[2])
-        off = (np.abs(cubic - height) > TOLERANCE) & (end[0] - begin[0] > 1e3 * SHORTEST)
+        (inside, error), other = (_error(parts, begin, end, share) for share in _SHARES)
+        inside, error = np.where(other[1] > error, other[0], inside), np.maximum(other[1], error)
+        off = (error > tolerance) & (end[0] - begin[0] > 1e3 * SHORTEST)
         if not off.any():
             break
-        middle = np.array([x, height, parts.cam.slope(at - x), at])[:, off]
-        left = np.insert(left, which[off] + 1, middle, axis=1)
-        right = np.insert(right, which[off] + 1, middle, axis=1)
+        left = np.insert(left, which[off] + 1, inside[:, off], axis=1)
+        right = np.insert(right, which[off] + 1, inside[:, off], axis=1)
         unsure = np.zeros(left.shape[1] - 1, dtype=bool)
         added = which[off] + np.arange(int(off.sum()))
         unsure[added] = unsure[added + 1] = True
     return left, right
+
+
+def _error(parts: _Parts, begin: Array, end: Array, share: float) -> tuple[Array, Array]:
+    """Nodes at a share of the intervals, and how far (m) the cubics over the intervals are off there."""
+    span = end[0] - begin[0]
+    x = begin[0] + share * span
+    height, at = parts.contact(x)
+    rise = share**2 * (3.0 - 2.0 * share) * (end[1] - begin[1])
+    lean = span * share * (1.0 - share) * ((1.0 - share) * begin[2] - share * end[2])
+    return np.array([x, height, parts.cam.slope(at - x), at]), np.abs(begin[1] + rise + lean - height)
 
 
 def _bisected(parts: _Parts, begin: Array, end: Array) -> tuple[Array, Array]:

@@ -56,14 +56,16 @@ class Enveloped(Road):
     cam_distance : float
         Distance of the cams over the contact length (1), 0.8335.
     step : float or None
-        Longest piece in m where there is no closed form; a twentieth of the contact length for the mean, of the radius
-        for circle and cams.
+        Longest piece in m where there is no closed form; a twentieth of the contact length for the mean, an eighth
+        of the radius for circle and cams.
+    tolerance : float
+        How far in m the pieces under circle and cams may be off, 1 micrometre: longer ones are cut.
 
     Notes
     -----
     The mean is exact for roads of lines and parabolas. All else is cubics whose heights and slopes are exact at both
-    ends and which are cut where they would be off by more than a micrometre; kinks are found and kept. On a smooth road
-    the error falls with the fourth power of ``step``. Cams: Schmeitz (key schmeitz-2004).
+    ends and which are cut where they would be off by more than ``tolerance``; kinks are found and kept. On a smooth
+    road the error falls with the fourth power of ``step``. Cams: Schmeitz (key schmeitz-2004).
 
     Examples
     --------
@@ -86,6 +88,7 @@ class Enveloped(Road):
     cam_exponent: PositiveNumber = 1.5174
     cam_distance: PositiveNumber = 0.8335
     step: PositiveLength | None = None
+    tolerance: PositiveLength = 1e-6
 
     def check(self) -> None:
         """Refuse what the method lacks or does not use; take over what belongs to the road."""
@@ -147,7 +150,7 @@ class Enveloped(Road):
     def _felt(self, road: Segments, low: float, high: float) -> tuple[Segments, Segments]:
         """Effective height and slope from ``low`` to ``high`` of a road that is given wide enough."""
         method = (self.method, self.contact_length, self.radius, self.cam_length, self.cam_height, self.cam_exponent)
-        key = _digest(road, *method, self.cam_distance, self.step, low, high)
+        key = _digest(road, *method, self.cam_distance, self.step, self.tolerance, low, high)
         return _REMEMBERED.get(key, lambda: self._computed(road, low, high))
 
     def _computed(self, road: Segments, low: float, high: float) -> tuple[Segments, Segments]:
@@ -155,12 +158,13 @@ class Enveloped(Road):
             length = _given(self.contact_length)
             mean = averaged(road, 0.5 * length, low, high, self.step or length / 20.0)
             return mean, mean
-        step = self.step or _given(self.radius) / 20.0
+        step = self.step or _given(self.radius) / 8.0
         if self.method == "rigid-circle":
-            height = rolled(road, self._cam(), low, high, step)
+            height = rolled(road, self._cam(), (low, high), step, self.tolerance)
             return height, height
         half = 0.5 * self._apart()
-        return combined(rolled(road, self._cam(), low - half, high + half, step), 2.0 * half, low, high)
+        each = rolled(road, self._cam(), (low - half, high + half), step, self.tolerance)
+        return combined(each, 2.0 * half, low, high)
 
     def _cam(self) -> Cam:
         radius = _given(self.radius)
