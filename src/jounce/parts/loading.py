@@ -10,8 +10,9 @@ from typing import Any
 
 import tomlkit
 
-from jounce.core.description import dotted, read_toml
+from jounce.core.description import dotted, line_of, read_toml
 from jounce.core.errors import DescriptionError, nearest, unknown
+from jounce.parts.corner import Corner
 from jounce.parts.parameters import split_path, unit_of, unknown_path
 from jounce.parts.rigs import RIGS, Rig
 from jounce.parts.vehicles import VEHICLES
@@ -19,6 +20,8 @@ from jounce.parts.writing import rig_text
 
 SCHEMAS: dict[str, dict[str, type[Rig]]] = {"jounce.rig/1": RIGS, "jounce.vehicle/1": {**VEHICLES}}
 """Models by their name in a file, for each kind of file."""
+CORNERS = tuple(name for name, rig in RIGS.items() if issubclass(rig, Corner))
+"""Models of rigs that may be the corner of a vehicle."""
 
 
 def library() -> dict[str, Path]:
@@ -86,19 +89,48 @@ def rig_from_table(table: dict[str, Any], *, where: str = "", text: str = "") ->
                 allowed=f'schema = "{other}"',
             )
         raise unknown(model, models, what="model", where=where)
-    return models[model].from_table(_with_corners(table, where), where=where, text=text)
+    return models[model].from_table(_with_corners(table, where, text), where=where, text=text)
 
 
-def _with_corners(table: dict[str, Any], where: str) -> dict[str, Any]:
+def _with_corners(table: dict[str, Any], where: str, text: str) -> dict[str, Any]:
     """Give a vehicle's table with the rigs in place of the names that its axles have as ``corner``."""
     found = dict(table)
     for axle in ("front", "rear"):
         entry = table.get(axle)
-        if isinstance(entry, dict) and isinstance(entry.get("corner"), str):
-            beside = Path(where).parent / entry["corner"]
-            name = beside if where and beside.is_file() else entry["corner"]
-            found[axle] = {**entry, "corner": read_toml(rig_path(name))[0]}
+        if isinstance(entry, dict) and not isinstance(entry.get("corner", {}), dict):
+            line = line_of(text, (axle, "corner")) if text else None
+            place = ": ".join(filter(None, (f"{where}, line {line}" if line else where, f"{axle}.corner")))
+            found[axle] = {**entry, "corner": _corner(entry["corner"], Path(where).parent if where else None, place)}
     return found
+
+
+def _corner(name: Any, folder: Path | None, place: str) -> dict[str, Any]:
+    """Table of the corner that a vehicle names: a file in the vehicle's folder, any file, or a shipped rig."""
+    if not isinstance(name, str):
+        raise DescriptionError("not a corner", where=place, found=repr(name), allowed=_shipped_corners())
+    file = folder / name if folder is not None else Path(name)
+    if not file.is_file():
+        file = library()[name] if name in library() else Path(name)
+    if not file.is_file():
+        raise DescriptionError(
+            "no such file and no shipped corner",
+            where=place,
+            found=name,
+            allowed=_shipped_corners(),
+            hint=nearest(name, library()),
+        )
+    table, text = read_toml(file)
+    if table.get("model") in {model for models in SCHEMAS.values() for model in models} - set(CORNERS):
+        found = f"{name}, model {table['model']!r}"
+        raise DescriptionError("not a 3-D corner", where=place, found=found, allowed=", ".join(CORNERS))
+    rig_from_table(table, where=str(file), text=text)  # its errors are those of its own file
+    return table
+
+
+def _shipped_corners() -> str:
+    """What may be the corner of a vehicle."""
+    corners = [shipped for shipped, file in library().items() if read_toml(file)[0].get("model") in CORNERS]
+    return f"a table, a .toml file from this file's folder, or one of {', '.join(corners)}"
 
 
 def check_schema(table: dict[str, Any], expected: tuple[str, ...], where: str) -> str:
