@@ -239,4 +239,4 @@ class _Remembered:
         return self.results[key]
 
 
-_REMEMBERED = _Remembered(8)
+_REMEMBERED = _Remembered(4)

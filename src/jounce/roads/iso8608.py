@@ -253,7 +253,7 @@ def _fade(x: Array, length: float, fade: float) -> tuple[Array, Array]:
     return share, np.where(inside, side * 0.5 * math.pi / fade * np.sin(angle), 0.0)
 
 
-@lru_cache(maxsize=8)
+@lru_cache(maxsize=4)  # 10 km at 1 cm are 48 MB
 def _iso_profile(*key: Any) -> Profile:
     x, height, slope = _sampled(*key)
     return linear_profile(x, height) if slope is None else hermite_profile(x, height, slope)
@@ -265,7 +265,8 @@ class SineSum(Road):
     z(x) = sum of A_i cos(2 pi n_i x + phi_i) with n_i = i ``spacing``, A_i = sqrt(2 G_d(n_i) spacing) and
     phi_i = 2 pi frac(0.6180339887498949 i), for i from ``first`` to ``last``. It repeats after 1 / ``spacing``, without
     an end on either side, so steady values can be taken over one period. The defaults are the benchmark of class C
-    against which controllers are compared.
+    against which controllers are compared. Their phases grow in proportion to i, so all waves meet in one sharp peak of
+    every period: height and power are those of the class, the peak is not (use `Iso8608` where peaks matter).
 
     Attributes
     ----------

@@ -185,6 +185,15 @@ def test_the_benchmark_has_its_level_and_its_period() -> None:
     np.testing.assert_allclose(between, exact, rtol=0, atol=5e-7)
 
 
+def test_the_waves_of_the_benchmark_meet_once_a_period() -> None:
+    # frac(0.618 i) makes the phases proportional to i: a train of pulses with the spectrum of class C
+    x = np.arange(10000) * 0.01
+    z = SineSum().height_at(x)
+    assert x[z.argmax()] == pytest.approx(100.0 * (1.0 - 0.6180339887498949), abs=0.01)
+    assert z.max() == pytest.approx(0.1195, abs=1e-4)
+    assert z.min() > -0.0115
+
+
 def test_the_benchmark_has_no_beginning() -> None:
     road = SineSum()
     x = np.linspace(0.0, 99.0, 500)
