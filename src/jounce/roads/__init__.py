@@ -21,7 +21,14 @@ from jounce.roads.obstacles import (
 )
 from jounce.roads.opencrg import read_crg_profile
 from jounce.roads.road import Road
-from jounce.roads.roughness import class_roughness, road_psd, roughness_class, track_coherence, white_noise_intensity
+from jounce.roads.roughness import (
+    class_roughness,
+    filtered_noise,
+    road_psd,
+    roughness_class,
+    track_coherence,
+    white_noise_intensity,
+)
 from jounce.roads.spectra import RoadSpectrum, estimate_roughness
 from jounce.roads.sweeps import Sine, SineSweep, swept_sine
 from jounce.roads.train import ROADS, AnyRoad, Train
@@ -59,6 +66,7 @@ __all__ = [
     "contact_length",
     "covered",
     "estimate_roughness",
+    "filtered_noise",
     "load_road",
     "point_spacing",
     "read_crg_profile",

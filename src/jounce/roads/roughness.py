@@ -145,6 +145,36 @@ def white_noise_intensity(road: str | float, speed: float) -> float:
     return 2.0 * math.pi**2 * REFERENCE**2 * as_roughness(road) * speed
 
 
+def filtered_noise(road: str | float, speed: float, *, cutoff: float = BAND[0]) -> tuple[float, float]:
+    """First-order filter that makes the height of a road with waviness 2 from white noise.
+
+    Parameters
+    ----------
+    road : str or float
+        Class "A" to "H", or a degree of roughness G_d(n0) in m^3.
+    speed : float
+        Speed in m/s, above 0.
+    cutoff : float
+        Spatial frequency in 1/m below which the spectrum is flat, so that the variance is finite.
+
+    Returns
+    -------
+    pole, gain : float
+        dz/dt = -pole z + gain w with w of one-sided density 1 per Hz (two-sided 1/2); pole = 2 pi cutoff v in 1/s,
+        gain = 2 pi n0 sqrt(G_d(n0) v) in m/s. The variance of z is gain^2 / (4 pole).
+
+    Examples
+    --------
+    >>> pole, gain = filtered_noise("C", 20.0)
+    >>> round(pole, 4), round(gain, 5), round(1e3 * (gain**2 / (4 * pole)) ** 0.5, 2)  # 1/s, m/s, mm
+    (1.3823, 0.04496, 19.12)
+    """
+    intensity = white_noise_intensity(road, speed)
+    if not (math.isfinite(cutoff) and cutoff > 0.0):
+        raise DescriptionError("not a spatial frequency", found=f"{cutoff} 1/m", allowed="above 0 1/m")
+    return 2.0 * math.pi * cutoff * speed, math.sqrt(2.0 * intensity)
+
+
 def height_variance(roughness: float, low: ArrayLike, high: ArrayLike, waviness: float = 2.0) -> Array:
     """Integral of G_d from ``low`` to ``high`` (1/m), in m^2; ``roughness`` in m^3.
 

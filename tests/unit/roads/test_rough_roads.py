@@ -11,6 +11,7 @@ from jounce.roads import (
     SineSum,
     class_roughness,
     estimate_roughness,
+    filtered_noise,
     load_road,
     read_roads,
     road_psd,
@@ -50,6 +51,20 @@ def test_density_in_cycles_and_in_radians() -> None:
 )
 def test_white_noise_of_the_classes(name, intensity) -> None:
     assert white_noise_intensity(name, 20.0) == pytest.approx(intensity, rel=5e-5)  # domain D1, 20 m/s
+
+
+def test_filtered_noise_has_the_density_of_the_road() -> None:
+    pole, gain = filtered_noise("B", 25.0)
+    f = 25.0 * np.array([0.1, 0.5, 2.0])  # Hz
+    # G_z(f) = G_d(n) / v, far above the cutoff
+    assert gain**2 / ((2 * np.pi * f) ** 2 + pole**2) == pytest.approx(
+        road_psd("B", f / 25.0) / 25.0 / (1 + (0.011 * 25.0 / f) ** 2), rel=1e-12
+    )
+    frequency = np.geomspace(1e-4, 1e4, 200_001)
+    variance = np.trapezoid(gain**2 / ((2 * np.pi * frequency) ** 2 + pole**2), frequency)
+    assert gain**2 / (4 * pole) == pytest.approx(variance, rel=1e-3)
+    with pytest.raises(DescriptionError, match="not a speed"):
+        filtered_noise("B", 0.0)
 
 
 def test_the_same_seed_is_the_same_road() -> None:
