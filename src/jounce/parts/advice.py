@@ -14,6 +14,7 @@ from jounce.parts.leverage import motion_ratio, spring_force, static_spring_forc
 from jounce.parts.points import Array
 from jounce.parts.rig import Rig
 from jounce.parts.struts import MapDamper
+from jounce.parts.vehicle_advice import AnyVehicle, vehicle_findings
 
 STEEP_STRUT = np.radians(30.0)
 """Strut angle to the vertical in front view above which the literature rejects a strut."""
@@ -36,7 +37,7 @@ def rig_findings(rig: Rig, where: str = "") -> list[Finding]:
     Parameters
     ----------
     rig : Rig
-        Any rig; only 3-D rigs are examined.
+        Any rig or vehicle; of a quarter car only the names of estimated values are examined.
     where : str
         File the rig comes from; named before the path of every finding.
 
@@ -55,10 +56,11 @@ def rig_findings(rig: Rig, where: str = "") -> list[Finding]:
     >>> found[0].place, round(found[0].value, 3)   # rad
     ('hardpoints.strut_top', 0.575)
     """
-    if not isinstance(rig, Corner):
-        return []
-    checks = (_estimated, _order, _wheel, _strut, _damper, _bodies, _sprung, _statics)
-    found = list(_size(rig)) or [finding for check in checks for finding in check(rig)]
+    if isinstance(rig, Corner):
+        checks = (_estimated, _order, _wheel, _strut, _damper, _bodies, _sprung, _statics)
+        found = list(_size(rig)) or [finding for check in checks for finding in check(rig)]
+    else:
+        found = [*_estimated(rig), *(vehicle_findings(rig) if isinstance(rig, AnyVehicle) else ())]
     start = f"{where}: " if where else ""
     return [Finding(start + item.place, item.severity, item.message, item.value) for item in found]
 
@@ -67,7 +69,7 @@ def _warn(place: str, message: str, value: float | None = None, severity: Severi
     return Finding(place, severity, message, None if value is None else float(value))
 
 
-def _estimated(rig: Corner) -> Iterator[Finding]:
+def _estimated(rig: Rig) -> Iterator[Finding]:
     known = rig.parameters()
     for entry in rig.estimated:
         if not any(path == entry or path.startswith((f"{entry}.", f"{entry}[")) for path in known):
