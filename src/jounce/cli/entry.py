@@ -17,6 +17,7 @@ from jounce.cli import (
     campaign,
     check,
     demo,
+    design,
     draw,
     fit,
     importing,
@@ -57,6 +58,7 @@ def application() -> typer.Typer:
     app.command("ride")(ride.ride)
     app.command("compare")(ride.compare)
     app.command("iri")(iri.iri)
+    app.add_typer(design.app, name="design")
     app.command("plot")(plot.plot)
     app.command("draw")(draw.draw)
     app.command("animate")(draw.animate)

@@ -278,7 +278,7 @@ def _stationary(
     reasons: dict[str, str] = {}
     for metric in metrics:
         if metric.weighting:
-            reasons[metric.text] = "weights frequencies"
+            reasons[metric.text] = "a weighting is a matter of frequencies"
     is_white = given.get("band") is None and not callable(road)
     if is_white and not reasons:
         evaluator = StationaryEvaluator(family, surface(road, speed, **given), metrics)

@@ -1,0 +1,126 @@
+"""``jounce design`` through its entry point."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import jounce as jn
+
+QUARTER = ("design", "optimise", "audi-a6-quarter-car", "--set", "tyre.damping_coefficient=0")
+DAMPER = "strut.damper.coefficient"
+ON_C = ("--road", "iso:C", "--speed", "20 m/s")
+
+
+def test_springs(cli):
+    done = cli(
+        "design", "springs", "sldemo-half-car", "--frequency", "1.43828 Hz", "--damping-ratio", "0.4",
+        "--rear-damping-ratio", "43 %", "--out", "springs.toml", "--json",
+    )  # fmt: skip
+    assert done.exit_code == 0
+    front, rear = done.json["wheels"]
+    assert front["wanted"]["spring_rate"] == pytest.approx(28e3, rel=1e-4)
+    assert rear["wanted"]["spring_rate"] == pytest.approx(21e3, rel=1e-4)
+    assert rear["wanted"]["damping_ratio"] == pytest.approx(0.43)
+    assert done.json["changes"]["front.damping_coefficient"] == front["wanted"]["damping_coefficient"]
+    written = jn.load("springs.toml")
+    assert written.parameters()["front.spring_rate"] == pytest.approx(28e3, rel=1e-4)
+    shown = cli("design", "springs", "kart-quarter-car", "--frequency", "4 Hz", "--damping-ratio", "0.2")
+    assert "as it is" in shown.out
+    assert "wanted" in shown.out
+
+
+def test_optimise(cli):
+    done = cli(*QUARTER, "--free", f"{DAMPER}=500..5000 N*s/m", "--objective", "sprung.az", *ON_C, "--json")
+    assert done.exit_code == 0
+    assert done.json["values"][DAMPER] == pytest.approx(1559.081, abs=1e-3)  # k sqrt((m_s + m_u) / k_t)
+    assert done.json["converged"] is True
+    assert done.json["derivatives"] == "exact"
+    tight = cli(
+        *QUARTER, "--free", f"{DAMPER}=500..5000", "--objective", "sprung.az=2", "--objective", "tyre.force=1",
+        "--limit", "strut.deflection=9 mm", "--limit", "mode 1 frequency=1..2 Hz", *ON_C,
+        "--figure", "best.svg", "--out", "best.toml",
+    )  # fmt: skip
+    assert tight.exit_code == 0, tight.err
+    assert "holds it back" in tight.out
+    assert "converged" in tight.out
+    assert Path("best.svg").read_text(encoding="utf-8").startswith("<?xml")
+    assert "# audi-a6-quarter-car, best for sprung.az, tyre.force" in Path("best.toml").read_text(encoding="utf-8")
+
+
+def test_optimise_on_a_simulated_road(cli, bump):
+    done = cli(
+        "design", "optimise", "kart-quarter-car", "--free", f"{DAMPER}=±80 %", "--objective", "sprung.az",
+        "--road", bump, "--speed", "1.95 m/s", "--duration", "0.6 s", "--json",
+    )  # fmt: skip
+    assert done.exit_code == 0, done.err
+    assert done.json["driven"] == "a simulated trial"
+    assert done.json["value"] < 1.0
+
+
+def test_pareto(cli):
+    done = cli(
+        "design", "pareto", "audi-a6-quarter-car", "--free", f"{DAMPER}=300..6000", "--points", "5",
+        "--figure", "front.png", "--json",
+    )  # fmt: skip
+    assert done.exit_code == 0, done.err
+    plain = done.json
+    assert len(plain["comfort"]) == len(plain["numbers"][DAMPER]) == 5
+    assert plain["comfort"] == sorted(plain["comfort"])
+    assert plain["holding"] == sorted(plain["holding"], reverse=True)
+    assert {mark["kind"] for mark in plain["marks"]} == {"present", "closed form", "searched"}
+    assert Path("front.png").stat().st_size > 10_000
+    again = cli("design", "pareto", "audi-a6-quarter-car", "--free", f"{DAMPER}=300..6000", "--figure", "front.png")
+    assert again.exit_code == 2
+    assert "--force" in again.err
+    shown = cli("design", "pareto", "audi-a6-quarter-car", "--free", f"{DAMPER}=300..6000", "--points", "4")
+    assert "From comfort to road holding" in shown.out
+    assert "closed form" in shown.out
+
+
+@pytest.mark.parametrize(
+    ("words", "text"),
+    [
+        (("springs", "kart-quarter-car", "--frequency", "1.2 m", "--damping-ratio", "0.3"), "wrong unit"),
+        (("springs", "kart-quarter-car", "--frequency", "1.2 Hz", "--damping-ratio", "-0.3"), "at least 0"),
+        (("springs", "kart-double-wishbone", "--frequency", "1.2 Hz", "--damping-ratio", "0.3"), "lumped_from"),
+        (("springs", "kart-quarter-car", "--frequency", "4", "--damping-ratio", "0.3", "--out", "a.json"), ".toml"),
+        ((*QUARTER[1:], "--free", DAMPER, "--objective", "sprung.az", *ON_C), "not NAME=VALUE"),
+        ((*QUARTER[1:], "--free", f"{DAMPER}=9..9", "--objective", "sprung.az", *ON_C), "lower bound must lie below"),
+        ((*QUARTER[1:], "--free", "strut.dmper=9..99", "--objective", "sprung.az", *ON_C), "no such parameter"),
+        ((*QUARTER[1:], "--free", f"{DAMPER}=±9 %", "--objective", "sprung.a", *ON_C), "unknown metric"),
+        ((*QUARTER[1:], "--free", f"{DAMPER}=±9 %", "--objective", "sprung.az=x", *ON_C), "not a number"),
+        ((*QUARTER[1:], "--free", f"{DAMPER}=±9 %", "--objective", "sprung.az", *ON_C, "--band", "3"), "not a band"),
+        (
+            (
+                *QUARTER[1:],
+                "--free",
+                f"{DAMPER}=±9 %",
+                "--objective",
+                "sprung.az",
+                "--limit",
+                "strut.deflection=1 mm",
+                *ON_C,
+            ),
+            "no design within the bounds keeps all limits",
+        ),
+        (
+            (*QUARTER[1:], "--free", f"{DAMPER}=±9 %", "--objective", "sprung.az", "--road", "iso:K", "--speed", "20"),
+            "class",
+        ),
+        (("pareto", "audi-a6-half-car", "--free", "front.spring_rate=±9 %"), "unknown metric 'tyre.force'"),
+        (("pareto", "audi-a6-quarter-car", "--free", f"{DAMPER}=±9 %", "--points", "1"), "number of points"),
+        (
+            ("pareto", "audi-a6-quarter-car", "--free", f"{DAMPER}=±9 %", "--figure", "a.txt"),
+            "not written in this format",
+        ),
+    ],
+)
+def test_bad_requests_are_one_message(cli, words, text):
+    if words[0] not in ("springs", "pareto"):
+        words = ("optimise", *words[1:])
+    done = cli("design", *words)
+    assert done.exit_code == 2, done.out
+    assert text in done.err
+    assert done.err.count("\n") <= 2
