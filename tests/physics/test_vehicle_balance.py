@@ -245,3 +245,13 @@ def test_changing_a_number_never_compiles_again(model):
     assert compile_model(build(car)) is compile_model(build(other)) or (
         compile_model(build(car)).functions is compile_model(build(other)).functions
     )
+
+
+def test_a_rate_is_no_track():
+    """The response is to a value that brings its rate along; a rate alone is nothing that moves."""
+    model = jn.linearise(HALF)
+    for name in ("front.road.z rate", "pitch_moment rate"):
+        assert name in model.inputs
+        with pytest.raises(jn.DescriptionError, match="unknown track") as caught:
+            model.frequency_response(1.0, "body.z", name)
+        assert "allowed: front.road.z, pitch_moment, rear.road.z." in str(caught.value)

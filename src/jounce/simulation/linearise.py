@@ -50,19 +50,20 @@ class LinearModel:
         output : str
             Channel name.
         track : str
-            Input track.
+            Input track: the road under a wheel (m), or a load of driving (N m, m/s^2).
 
         Returns
         -------
         ndarray of complex, shape (n,)
-            Output unit per metre.
+            Output unit per unit of the track, e.g. per metre.
 
         Raises
         ------
         DescriptionError
             For an output or a track that the model does not have.
         """
-        for name, names, what in ((output, self.outputs, "output"), (track, self.inputs, "track")):
+        tracks = tuple(name for name in self.inputs if f"{name} rate" in self.inputs)
+        for name, names, what in ((output, self.outputs, "output"), (track, tracks, "track")):
             if name not in names:
                 raise unknown(name, names, what=what, where="frequency response")
         row, first = self.outputs.index(output), self.inputs.index(track)
