@@ -65,6 +65,11 @@ class Stand:
         values = self.compiled.evaluate("output", rest.x, prepared.still, prepared.problem.p, rest.modes)
         return dict(zip(self.compiled.output_names, map(float, values), strict=True))
 
+    @cached_property
+    def scale(self) -> Array:
+        """Typical size of each state for motions of the plate's amplitude."""
+        return state_scale(self.rest, *self.compiled.facts.counts, self.tester.amplitude)
+
     def static_load(self, place: str = "") -> float:
         """Contact force of a wheel at rest, N."""
         return self.static[channel(place, "tyre.force")]
@@ -109,12 +114,11 @@ class Stand:
             inputs[:: facts.track_order] = [signal.evaluate(times[:1])[0][0] for signal in signals]
             sides = self.compiled.evaluate("switch", x, inputs, problem.p, np.ones(len(facts.switches)))
             modes = (sides > 0.0).astype(float)
-        scale = state_scale(self.rest, *facts.counts, self.tester.amplitude)
         longest = prepared.control.longest
         if fastest > 0.0:
             longest = min(longest, _LONGEST * (tolerance / 1e-5) ** 0.125 * 2.0 * np.pi / fastest)
         control = prepared.control._replace(
-            scale=0.1 * scale, longest=longest, tolerance=prepared.control.tolerance * tolerance / _TOLERANCE
+            scale=0.1 * self.scale, longest=longest, tolerance=prepared.control.tolerance * tolerance / _TOLERANCE
         )
         problem = problem._replace(tracks=pieces, piece=pieces.first[:-1].copy(), m=modes.copy(), x0=x)
         return replace(
@@ -125,7 +129,7 @@ class Stand:
 _TOLERANCE = 1e-5
 
 
-def stand(rig: Rig, tester: Tester, free: tuple[str, ...] = ()) -> Stand:
+def stand(rig: Rig, tester: Tester, free: tuple[str, ...] = (), *, blocked: bool = False) -> Stand:
     """Put a rig on a tester; the excenters of the wheels in ``free`` are moved by their drive's inertia.
 
     Parameters
@@ -136,6 +140,8 @@ def stand(rig: Rig, tester: Tester, free: tuple[str, ...] = ()) -> Stand:
         What it stands on.
     free : tuple of str
         Places of wheels: ``""``, ``"left"``, ``"right"``.
+    blocked : bool
+        Without the springs of sprung plates, as on the road.
 
     Returns
     -------
@@ -148,7 +154,7 @@ def stand(rig: Rig, tester: Tester, free: tuple[str, ...] = ()) -> Stand:
         For a rig that no tester takes, or where there is no equilibrium.
     """
     check_rig(rig)
-    form = PlateForm(tester.kind == "sprung-plate", free)
+    form = PlateForm(tester.kind == "sprung-plate" and not blocked, free)
     compiled = compile_described(
         ("tester", type(rig).__name__, structure_of(rig), form), lambda: tester_model(rig, form)
     )
