@@ -72,6 +72,7 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.recordings import apply_sensors as apply_sensors
     from jounce.recordings import read_recording as read_recording
     from jounce.recordings import write_recording as write_recording
+    from jounce.ride.closed_forms import spring_and_damper as spring_and_damper
     from jounce.ride.iri import Roughness as Roughness
     from jounce.ride.iri import iri as iri
     from jounce.ride.metrics import RideMetrics as RideMetrics
@@ -122,8 +123,12 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.studies.audi_a6 import run_audi_a6 as run_audi_a6
     from jounce.studies.audi_a6_excenter import run_excenter as run_excenter
     from jounce.studies.campaign import run_campaign as run_campaign
+    from jounce.studies.design import best_dampers as best_dampers
+    from jounce.studies.design import design_springs as design_springs
     from jounce.studies.lumping import lumped_from as lumped_from
     from jounce.studies.model_comparison import compare_models as compare_models
+    from jounce.studies.optimise import optimise as optimise
+    from jounce.studies.pareto import pareto as pareto
     from jounce.studies.ride import compare_rides as compare_rides
     from jounce.studies.ride import drive as drive
     from jounce.studies.ride_trials import iso_trial as iso_trial
@@ -201,10 +206,12 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "adjust_report": "jounce.studies.adjustment_effects",
     "adjusted": "jounce.studies.adjustments",
     "apply_sensors": "jounce.recordings",
+    "best_dampers": "jounce.studies.design",
     "compare_models": "jounce.studies.model_comparison",
     "compare_rides": "jounce.studies.ride",
     "compliance": "jounce.kinematics",
     "controller": "jounce.control",
+    "design_springs": "jounce.studies.design",
     "drive": "jounce.studies.ride",
     "equilibrium": "jounce.simulation",
     "estimate_roughness": "jounce.roads",
@@ -221,6 +228,8 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "lumped_from": "jounce.studies.lumping",
     "mechanics": "jounce.mechanics",
     "modes": "jounce.simulation",
+    "optimise": "jounce.studies.optimise",
+    "pareto": "jounce.studies.pareto",
     "pickup_loads": "jounce.kinematics",
     "plots": "jounce.plots",
     "power_spectrum": "jounce.ride.spectra",
@@ -236,6 +245,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "simulate": "jounce.simulation",
     "simulate_mechanism": "jounce.simulation",
     "speed_sweep": "jounce.studies.speed_sweep",
+    "spring_and_damper": "jounce.ride.closed_forms",
     "stationary": "jounce.ride.stationary",
     "sweep_rack": "jounce.kinematics",
     "sweep_roll": "jounce.kinematics",

@@ -341,7 +341,7 @@ def best_dampers(
     >>> for best in best_dampers(car, "C", "20 m/s"):
     ...     print(best.goal, *(round(c["strut.damper.coefficient"]) for c in (best.closed_form, best.searched)))
     comfort 1559 1559
-    road holding 3160 3160
+    road holding 3243 3243
     """
     wheels, values = wheels_of(rig), rig.parameters()
     found = []
