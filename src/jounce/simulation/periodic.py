@@ -125,6 +125,12 @@ def _linear_start(linear: LinearStand, frequency: float, place: str) -> dict[str
     return dict(zip(linear.on.compiled.facts.states, map(float, x), strict=True))
 
 
+def _carried(near: Periodic, linear: LinearStand, frequency: float, place: str) -> dict[str, float]:
+    """State at a frequency nearby, changed by what the linear model changes on the way."""
+    there, here = (_linear_start(linear, f, place) for f in (near.frequency, frequency))
+    return {name: value + here[name] - there[name] for name, value in near.state.items()}
+
+
 def _left(ends: Array, scale: Array) -> float:
     """What the state at a turn's end will still change, in shares of its scale."""
     changes = np.max(np.abs(np.diff(ends, axis=1)) / scale[:, None], axis=0)
@@ -203,13 +209,14 @@ def steady_sweep(rig: Rig, tester: Tester, *, wheel: str = "left") -> SteadySwee
     """
     on, limits = stand(rig, tester), tester.limits
     highest = max(tester.programme.start_frequency, tester.programme.end_frequency)
+    linear, place = linear_stand(on), place_of(on, wheel)
     known: dict[float, Periodic] = {}
 
     def at(frequency: float) -> Periodic:
         key = round(frequency, 6)
         if key not in known:
             above = [f for f in known if f > key]
-            start = known[min(above)].state if above else None
+            start = _carried(known[min(above)], linear, key, place) if above else None
             known[key] = periodic(on, key, wheel=wheel, start=start)
         return known[key]
 
@@ -223,7 +230,7 @@ def steady_sweep(rig: Rig, tester: Tester, *, wheel: str = "left") -> SteadySwee
     band = grid[(grid >= limits.frequency_min) & (grid <= limits.frequency_max)]
     phase, there = _refined(lambda f: at(f).phase_angle, band)
     top = at(25.0)
-    static = on.static_load(place_of(on, wheel))
+    static = on.static_load(place)
     states = tuple(known[f] for f in sorted(known))
     amplitude = 0.5 * (top.force_max - top.force_min)
     return SteadySweep(max(force / static, 0.0), here, phase, there, amplitude, force <= 1e-9 * static, states)
