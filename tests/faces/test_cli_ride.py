@@ -114,3 +114,27 @@ def test_tracks_of_a_full_car_differ(cli) -> None:
     assert len(loads) == 4
     assert np.isfinite(metrics["rms_rotation"]["body.roll_acceleration"])
     assert abs(loads["front_left"] / loads["front_right"] - 1.0) > 1e-3
+
+
+def _course(tmp_path: Path, spacing: float, length: float) -> str:
+    x = np.arange(0.0, length, spacing)
+    rows = "\n".join(f"{a:.4f}, {0.01 * np.sin(a) + 0.0003 * a:.6f}" for a in x)
+    (tmp_path / "course.csv").write_text(f"x [m], z [m]\n{rows}\n", encoding="utf-8")
+    return "course.csv"
+
+
+def test_a_road_shorter_than_the_run_is_refused(cli, tmp_path: Path) -> None:
+    course = _course(tmp_path, 0.1, 60.0)
+    for words in (("ride", CAR, "--road", course), ("simulate", CAR, "--road", course)):
+        outcome = cli(*words, "--speed", "20 m/s", "--duration", "30 s")
+        assert outcome.exit_code == 2
+        assert "shorter than the run" in outcome.err
+        assert "600 m" in outcome.err or "597" in outcome.err
+    assert cli("ride", CAR, "--road", course, "--speed", "10 m/s", "--duration", "5 s").exit_code == 0
+
+
+def test_points_too_far_apart_for_the_speed_are_refused(cli, tmp_path: Path) -> None:
+    outcome = cli("ride", CAR, "--road", _course(tmp_path, 1.0, 200.0), "--speed", "20 m/s")
+    assert outcome.exit_code == 2
+    assert "too far apart" in outcome.err
+    assert "10 Hz" in outcome.err

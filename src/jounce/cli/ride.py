@@ -220,7 +220,6 @@ def _draw_comparison(console: Console, plain: dict[str, Any], study: RideStudy) 
 def _draw_end(console: Console, plain: dict[str, Any], study: RideStudy) -> None:
     for name, reason in study.failed.items():
         console.print(f"not driven: {name}: {reason}", soft_wrap=True)
-    show_findings(console, study.trial.findings)
     for key in ("out", "figure"):
         if plain.get(key):
             console.print(f"written: {plain[key]}")

@@ -9,6 +9,7 @@ import numpy as np
 from jounce.core.findings import Finding
 from jounce.core.segments import Segments
 from jounce.parts import HalfCar, Rig, Vehicle
+from jounce.roads.coverage import point_spacing
 from jounce.roads.iso8608 import Iso8608
 from jounce.roads.measured import Crg, Table
 from jounce.roads.road import Road
@@ -42,9 +43,9 @@ def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float |
     Examples
     --------
     >>> from jounce.roads import Table
-    >>> short = Table(x=[0.0, 1.0, 2.0], height=["0 mm", "2 mm", "0 mm"])
+    >>> short = Table(x=[0.0, 0.01, 0.02], height=["0 mm", "2 mm", "0 mm"])
     >>> [found.message for found in trial_findings(Trial(road=short, speed="1 m/s", duration="5 s"))]
-    ['the road ends after 2 m and the run drives 5 m; the rest of it is level. Shorten the run.']
+    ['the road ends after 0.02 m and the run drives 5 m; the rest of it is level. Shorten the run.']
     """
     behind = rig.wheelbase if isinstance(rig, Vehicle) else 0.0
     found = list(_loads(trial))
@@ -60,7 +61,7 @@ def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float |
             )
             found.append(Finding("trial: road", "warning", text))
         if isinstance(trial.road, Iso8608) and trial.right is None and _has_sides(rig):
-            text = "the left and the right wheels meet the same track of it; its other_track() is the right one."
+            text = 'the left and the right wheels meet the same track; the right one is other_track(), or side = "right" in a file.'
             found.append(Finding("trial: road", "note", text))
     return found
 
@@ -81,7 +82,7 @@ def _road(road: Road, speed: float, duration: float, place: str, output_step: fl
                 "Shorten the run."
             )
             yield Finding(place, "warning", text, road.end())
-        apart = float(np.min(np.diff(road.profile().edges)))
+        apart = point_spacing(road) or span
         if speed / (2.0 * apart) < FASTEST:
             text = (
                 f"its points, {apart:.3g} m apart, show nothing above {speed / (2.0 * apart):.3g} Hz at {speed:g} m/s; "

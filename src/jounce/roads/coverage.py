@@ -8,9 +8,9 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError
 from jounce.roads.enveloping import Enveloped
-from jounce.roads.iso8608 import Iso8608
+from jounce.roads.iso8608 import Iso8608, SineSum
 from jounce.roads.measured import Crg, Table
-from jounce.roads.road import Road
+from jounce.roads.road import LEVEL, Road
 from jounce.roads.train import Train
 
 
@@ -34,7 +34,15 @@ def covered(road: Road) -> float:
     return road.end()
 
 
-def check_covered(road: Road, distance: float, *, behind: float = 0.0, where: str = "") -> None:
+def ends_level(road: Road) -> bool:
+    """Whether a road ends at the height at which it begins, as an obstacle does: a drive may go on beyond it."""
+    profile = road.profile()
+    return abs(profile.after - profile.before) <= LEVEL
+
+
+def check_covered(
+    road: Road, distance: float, *, behind: float = 0.0, where: str = "", level_goes_on: bool = False
+) -> None:
     """Refuse a drive over more than the road holds.
 
     Parameters
@@ -47,6 +55,8 @@ def check_covered(road: Road, distance: float, *, behind: float = 0.0, where: st
         How far the first wheel that matters follows behind distance 0, m.
     where : str
         Place that the error names.
+    level_goes_on : bool
+        Accept a road that ends as high as it begins.
 
     Raises
     ------
@@ -58,6 +68,8 @@ def check_covered(road: Road, distance: float, *, behind: float = 0.0, where: st
     >>> check_covered(Iso8608(class_="C", length="500 m"), 400.0)
     """
     known = covered(road)
+    if level_goes_on and ends_level(road):
+        return
     if distance - behind > known * (1.0 + 1e-9) + 1e-9:
         raise DescriptionError(
             "the road is shorter than the run",
@@ -76,6 +88,13 @@ def point_spacing(road: Road) -> float | None:
     if isinstance(inner, Crg):
         return float(np.median(np.diff(inner.points()[0])))
     return float(np.median(np.diff(inner.points()[0]))) if isinstance(inner, Table) else None
+
+
+def is_course(road: Road) -> bool:
+    """Tell whether a road is a course, measured or random, also in trains and envelopes, and no obstacle."""
+    while isinstance(road, Train | Enveloped):
+        road = road.of
+    return isinstance(road, Table | Crg | Iso8608 | SineSum)
 
 
 def _sampled(road: Road) -> Table | Crg | Iso8608 | None:

@@ -10,12 +10,11 @@ from pydantic import BeforeValidator, model_validator
 from jounce.core.description import Description
 from jounce.core.segments import Segments, flat
 from jounce.core.units import PositiveSpeed, Unit
+from jounce.roads.coverage import is_course
 from jounce.roads.loads import LOADS, DrivingAcceleration, PitchMoment
 from jounce.roads.measured import (
-    Crg,
     Interpolation,
     Lengths,
-    Table,
     Times,
     check_source,
     file_profile,
@@ -175,8 +174,8 @@ class Trial(Description):
         return tuple(name for name in LOADS if getattr(self, name) is not None)
 
     def obstacle_end(self) -> float:
-        """Time in s at which the obstacle pass ends; 0 for measured profiles and excitations, which have none."""
-        if self.road is None or isinstance(self.road, Table | Crg):
+        """Time in s at which the obstacle pass ends; 0 for courses and excitations, which have none."""
+        if self.road is None or is_course(self.road):
             return 0.0
         return self.end()
 

@@ -7,7 +7,7 @@ from jounce.core.segments import Segments, flat
 from jounce.mechanics.model import ROAD, Facts, is_road
 from jounce.parts import Rig
 from jounce.parts.vehicles import Place, Vehicle
-from jounce.roads import Flat, Trial
+from jounce.roads import Flat, Trial, check_covered
 from jounce.roads.loads import LOADS
 
 _ONE_WHEEL = {"": Place(0.0, 1)}
@@ -33,6 +33,7 @@ def excitation(facts: Facts, rig: Rig, trial: Trial, free: tuple[str, ...] = ())
         When the trial has something that the model cannot feel, or a free parameter would move the tracks themselves.
     """
     _refuse_unfelt(facts, rig, trial)
+    _refuse_unknown_ground(trial)
     _refuse_shifts(rig, trial, free)
     wheels = rig.wheels if isinstance(rig, Vehicle) else _ONE_WHEEL
     found = []
@@ -43,6 +44,13 @@ def excitation(facts: Facts, rig: Rig, trial: Trial, free: tuple[str, ...] = ())
         else:
             found.append(trial.load(track) if track in LOADS else flat(trial.duration))
     return found
+
+
+def _refuse_unknown_ground(trial: Trial) -> None:
+    """Refuse a drive beyond the end of a road that does not end as high as it begins: nobody knows how it goes on."""
+    for name, road in (("road", trial.road), ("right", trial.right)):
+        if road is not None and trial.speed is not None:
+            check_covered(road, trial.speed * trial.duration, where=f"trial: {name}", level_goes_on=True)
 
 
 def _refuse_unfelt(facts: Facts, rig: Rig, trial: Trial) -> None:

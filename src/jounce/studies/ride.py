@@ -122,7 +122,6 @@ class RideStudy:
             "settling": self.trial.settling,
             "runs": [ride.to_dict() for ride in self.rides],
             "failed": self.failed,
-            "findings": to_plain(self.trial.findings),
         }
         if self.stationary is not None:
             plain["stationary"] = self.stationary.to_dict()

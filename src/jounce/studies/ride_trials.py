@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from jounce.core.errors import DescriptionError, RecordingError
-from jounce.core.findings import Finding
 from jounce.core.units import to_si
 from jounce.parts import FullCar, FullCar3D, Rig, Vehicle
-from jounce.roads import Crg, Trial
+from jounce.roads import Crg, Trial, check_covered, point_spacing
+from jounce.roads.advice import FASTEST
 from jounce.roads.iso8608 import Iso8608
 from jounce.roads.road import Road
 
@@ -30,13 +30,10 @@ class RideTrial:
         Road under the left and the right wheels, speed and duration.
     settling : float
         s at the start that metrics leave out: the road fades in, and the last axle has not yet met it.
-    findings : tuple of Finding
-        What weakens a ride figure of this trial.
     """
 
     trial: Trial
     settling: float
-    findings: tuple[Finding, ...] = ()
 
 
 def iso_trial(
@@ -109,12 +106,12 @@ def road_trial(rig: Rig, road: Road, speed: float | str, *, duration: float | st
     Returns
     -------
     RideTrial
-        The trial; a finding says where the run goes on beyond the road.
+        The trial.
 
     Raises
     ------
     DescriptionError
-        For numbers out of range.
+        For numbers out of range, a run longer than the road, and points too far apart for the speed.
     """
     behind = _wheelbase(rig)
     velocity = _positive(speed, "m/s", "speed")
@@ -122,12 +119,23 @@ def road_trial(rig: Rig, road: Road, speed: float | str, *, duration: float | st
     if duration is None and whole <= 0.0:
         raise DescriptionError("the road ends where it begins", where="road", hint="Give the duration.")
     lasting = whole if duration is None else _positive(duration, "s", "duration")
-    findings = []
-    if lasting > whole * (1.0 + 1e-9):
-        text = f"the road ends after {whole:.4g} s; the rest of the run, which counts, is level"
-        findings.append(Finding("duration", "warning", text, lasting))
+    check_covered(road, velocity * lasting, behind=behind, where="duration")
+    _check_fine_enough(road, velocity)
     left, right = _tracks(rig, road)
-    return RideTrial(_trial(left, right, velocity, _whole_samples(lasting)), behind / velocity, tuple(findings))
+    return RideTrial(_trial(left, right, velocity, _whole_samples(lasting)), behind / velocity)
+
+
+def _check_fine_enough(road: Road, speed: float) -> None:
+    """Refuse points so far apart that a drive over them shows no wheel hop."""
+    apart = point_spacing(road)
+    if apart is not None and speed / (2.0 * apart) < FASTEST:
+        raise DescriptionError(
+            "the road's points are too far apart for the speed",
+            where="road",
+            found=f"{apart:.3g} m, which shows nothing above {speed / (2.0 * apart):.3g} Hz at {speed:g} m/s",
+            allowed=f"at most {speed / (2.0 * FASTEST):.3g} m: wheels hop at about {FASTEST:g} Hz",
+            hint="Take a finer profile, or drive faster.",
+        )
 
 
 def _trial(left: Road, right: Road | None, speed: float, duration: float) -> Trial:
