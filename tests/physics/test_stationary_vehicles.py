@@ -192,6 +192,40 @@ def test_a_bilinear_damper_counts_by_its_mean():
     assert second["sprung.az"] == pytest.approx(first["sprung.az"], rel=1e-9)
 
 
+def test_the_memory_of_hysteresis_is_a_spring_at_rest():
+    """Bouc-Wen: z' = rate v at z = 0, so force z adds force * rate to the stiffness; its neutral mode is left out."""
+    rig = jn.load("kart-quarter-car")
+    law = {
+        "kind": "bouc-wen",
+        "coefficient": 150.0,
+        "hysteretic_force": 20.0,
+        "rate": 50.0,
+        "sigma": 1.0,
+        "exponent": 1.5,
+    }
+    paths = ["strut.damper.hysteretic_force", "sprung.mass"]
+    found = stationary(rig.with_changes({"strut.damper": law}), "B", 3.0, parameters=paths)
+    stiffer = rig.with_changes({"strut.spring.rate": rig.strut.spring.rate + 20.0 * 50.0})
+    same = stationary(stiffer, "B", 3.0, parameters=["strut.spring.rate", "sprung.mass"])
+    for name in ("sprung.az", "strut.deflection", "tyre.force"):
+        assert found[name] == pytest.approx(same[name], rel=1e-9)
+        along = found.slopes[paths[0]][name], found.slopes["sprung.mass"][name]
+        expected = 50.0 * same.slopes["strut.spring.rate"][name], same.slopes["sprung.mass"][name]
+        assert along == pytest.approx(expected, rel=1e-8, abs=1e-15)
+    assert paths[0] in [finding.place for finding in found.findings]
+
+
+def test_a_body_that_is_free_to_turn_still_has_a_response():
+    rig = jn.load("kart-whole-vehicle")
+    path = "front.corner.strut.spring.rate"
+    found, value = stationary(rig, "A", 3.0, band="iso", parameters=[path]), rig.parameters()[path]
+    above, below = (
+        stationary(rig.with_changes({path: value * (1 + side)}), "A", 3.0, band="iso") for side in (1e-3, -1e-3)
+    )
+    for name in ("body.az", "body.roll_rate", "rear_left.tyre.force"):
+        assert found.slopes[path][name] * value == pytest.approx((above[name] - below[name]) / 2e-3, rel=1e-3)
+
+
 @pytest.mark.parametrize(
     ("arguments", "options", "text"),
     [

@@ -20,6 +20,7 @@ from jounce.ride.covariance import (
     sources_of,
     with_cut_off,
 )
+from jounce.ride.deflation import without_unreached
 from jounce.ride.family import LinearFamily, Matrices
 from jounce.ride.surface import Surface
 
@@ -87,7 +88,7 @@ class Analysis:
         given = self.family.start if values is None else values
         model, along = self.family.at(given, slopes=slopes)
         rows = [signal.output for signal in self.signals]
-        chosen, moving = model.of_rows(rows), [part.of_rows(rows) for part in along]
+        chosen, moving = without_unreached(model.of_rows(rows), [part.of_rows(rows) for part in along])
         if self.surface.band is None:
             found = self._white(chosen, moving, given)
         else:

@@ -264,6 +264,11 @@ def linear_findings(rig: Rig, sigma: Mapping[str, float], static: Mapping[str, f
     for path in frictions:
         text = "friction is linearised at rest, where it is far stiffer than on a road; leave it out or simulate."
         found.append(Finding(path, "warning", text, numbers[path]))
+    for path in (path for path in numbers if path.endswith("damper.hysteretic_force")):
+        text = (
+            "hysteresis is linearised at rest, where it is a spring; large motions see less stiffness and more damping."
+        )
+        found.append(Finding(path, "warning", text, numbers[path]))
     for path in (path for path in numbers if path.endswith("bump_coefficient")):
         found.append(Finding(path, "note", "bump and rebound count with the mean of both coefficients.", numbers[path]))
     return found
