@@ -219,7 +219,7 @@ class Tester(Description):
         return Tester.from_table(change_table(self, changes), where="tester")
 
 
-def testers() -> dict[str, Path]:
+def library() -> dict[str, Path]:
     """Give the shipped testers: name to file."""
     folder = Path(str(resources.files("jounce.parts") / "library" / "testers"))
     return {file.stem: file for file in sorted(folder.glob("*.toml"))}
@@ -259,7 +259,7 @@ def load_tester(name: str | Path) -> Tester:
 def _tester_path(name: str | Path) -> Path:
     if Path(name).suffix == ".toml" or Path(name).exists():
         return Path(name)
-    shipped = testers()
+    shipped = library()
     if str(name) not in shipped:
         raise DescriptionError(
             "no such file and no shipped tester of that name",
