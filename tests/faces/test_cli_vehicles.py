@@ -138,9 +138,13 @@ def test_findings(cli, tmp_path: Path, car: str, words: tuple[str, ...], place: 
 
 def test_roads_that_end_or_are_coarse_are_told(cli, tmp_path: Path) -> None:
     words = ("simulate", FULL, "--road", "table.csv", "--speed", "10 m/s", "--duration", "2 s", "--json")
-    table_file(tmp_path, 0.05, 100)
+    table_file(tmp_path, 0.05, 99)  # ends as high as it begins
     (finding,) = cli(*words).json["findings"]
-    assert "the road ends after 4.95 m and the run drives 20 m" in finding["message"]
+    assert "the road ends after 4.9 m and the run drives 20 m" in finding["message"]
+    table_file(tmp_path, 0.05, 100)
+    outcome = cli(*words)
+    assert outcome.exit_code == 2
+    assert "the road is shorter than the run; found '20 m driven'; allowed: up to 4.95 m" in outcome.err
     table_file(tmp_path, 1.0, 30)
     (finding,) = cli(*words).json["findings"]
     assert "1 m apart, show nothing above 5 Hz at 10 m/s" in finding["message"]

@@ -52,13 +52,13 @@ class Signal:
         return piece[2](t), piece[3](t)
 
 
-def held(value: float):
-    """A level value and its rate."""
-    return (lambda _: value), (lambda _: 0.0)
+def held(value: float, rate: float = 0.0):
+    """A constant value and a constant rate, which need not belong to each other."""
+    return (lambda _: value), (lambda _: rate)
 
 
-def constant(value: float = 0.0) -> Signal:
-    return Signal([(0.0, 1e9, *held(value))])
+def constant(value: float = 0.0, rate: float = 0.0) -> Signal:
+    return Signal([(0.0, 1e9, *held(value, rate))])
 
 
 def ramp(value: float, start: float, length: float = 0.0) -> Signal:

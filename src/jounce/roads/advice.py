@@ -61,7 +61,10 @@ def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float |
             )
             found.append(Finding("trial: road", "warning", text))
         if isinstance(trial.road, Iso8608) and trial.right is None and _has_sides(rig):
-            text = 'the left and the right wheels meet the same track; the right one is other_track(), or side = "right" in a file.'
+            text = (
+                "the left and the right wheels meet the same track; "
+                'the right one is other_track(), or side = "right" in a file.'
+            )
             found.append(Finding("trial: road", "note", text))
     return found
 
