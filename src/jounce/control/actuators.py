@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Any, ClassVar, Literal, Self
 
+import numpy as np
+from numpy.typing import NDArray
 from pydantic import Discriminator, Tag, model_validator
 
 from jounce.control.corner import CornerModel
@@ -12,6 +15,7 @@ from jounce.core.units import Frequency, NonNegativeDampingCoefficient, Positive
 from jounce.parts.elements import BoucWenDamper, TanhDamper
 from jounce.parts.parameters import parameters_of
 
+Array = NDArray[np.float64]
 SOFTEST, FIRMEST = 0.2, 8.0 / 3.0
 """Smallest and largest coefficient of a damper that says none, as shares of the corner's own damping coefficient."""
 _Lag = Annotated[float, Unit("s", at_least=0.0)]
@@ -150,6 +154,19 @@ class ActiveActuator(_Actuator):
         if self.bandwidth is not None:
             return {"bandwidth": self.bandwidth, "damping_ratio": self.damping_ratio}
         return {"lag": self.lag} if self.lag > 0.0 else {}
+
+    @property
+    def order(self) -> int:
+        """States between command and force: 0, 1 or 2."""
+        return 2 if self.bandwidth is not None else int(self.lag > 0.0)
+
+    @property
+    def equations(self) -> tuple[Array, Array]:
+        """Matrices of the force's own states (force first), and how the command drives them, SI."""
+        if self.bandwidth is None:
+            return np.array([[-1.0 / self.lag]]), np.array([[1.0 / self.lag]])
+        w = 2.0 * math.pi * self.bandwidth
+        return np.array([[0.0, 1.0], [-(w**2), -2.0 * self.damping_ratio * w]]), np.array([[0.0], [w**2]])
 
     @property
     def limits(self) -> tuple[float, float]:

@@ -23,13 +23,14 @@ Array = NDArray[np.float64]
 _Weight = Annotated[float, Unit("1/s^4", at_least=0.0)]
 _ForceWeight = Annotated[float, Unit("1/kg^2", at_least=0.0)]
 _CHANNELS = ("strut.deflection", "sprung.vz", "tyre.deflection", "unsprung.vz", "strut.velocity")
-_SOLVERS = ("daqp", "qpoases", "osqp")
+_SOLVERS = ("daqp", "qrqp")
 _QUIET: dict[str, dict[str, Any]] = {
     "daqp": {},
-    "qpoases": {"printLevel": "none"},
-    "osqp": {"osqp": {"verbose": False}},
+    "qrqp": {"print_iter": False, "print_header": False, "print_info": False},
 }
-_SOFT = 1e4  # weight of a slack against the weight of what it belongs to
+_SOFT = (1e6, 3.0)  # weights of going over stroke and of lost load, against those of the deflections themselves
+_SLACK = 1e-2  # m: unit of the slacks
+_CHEAP = 1e-3  # price of a force behind a lag against that of the acceleration it makes
 
 
 class PreviewMPC(CallbackController):
@@ -37,7 +38,8 @@ class PreviewMPC(CallbackController):
 
     The cost is that of the regulator over ``preview``, the regulator's own from there on. A damper's force is bounded
     by its limits at the velocities that the plan of the instant before expects, so the problem stays a quadratic
-    programme. Stroke and tyre load are kept as well as possible (soft constraints).
+    programme. Stroke and tyre load are kept as well as possible (soft constraints). The lag of an active actuator is
+    part of the prediction, that of a damper is not.
 
     Attributes
     ----------
@@ -73,7 +75,13 @@ class PreviewMPC(CallbackController):
 
 @dataclass(frozen=True)
 class _Horizon:
-    """Predictions over the horizon: states ``X = Fx x + Fu U + Fw W`` (all instants, one after another), and the QP."""
+    """Predictions over the horizon: states ``X = Fx x + Fu U + Fw W`` (all instants, one after another), and the QP.
+
+    ``states`` of them at each instant: the corner's four, then those of a force actuator, which ``own`` steps on.
+    """
+
+    states: int
+    own: tuple[Array, Array]
 
     Fx: Array
     Fu: Array
@@ -91,42 +99,60 @@ def _horizon(mpc: PreviewMPC, corner: CornerModel, steps: int) -> _Horizon:
 
     base = None if isinstance(mpc.actuator, ActiveActuator) else 0.0
     A, B, G = corner_equations(corner, base)
-    F, both, _ = sampled(A, np.hstack([B, G]), np.zeros((4, 4)), 1.0 / mpc.rate)
+    C, D = corner_outputs(corner, ("sprung.az",), base)
+    A, B, G, C, D = _behind(mpc.actuator, A, B, G, C, D)
+    n = len(A)
+    F, both, _ = sampled(A, np.hstack([B, G]), np.zeros((n, n)), 1.0 / mpc.rate)
     H, V = both[:, :1], both[:, 1:]
     square = (corner.spring_rate / corner.sprung_mass) ** 2
     weights = given(mpc.deflection_weight, lambda: square), given(mpc.tyre_weight, lambda: 10.0 * square)
-    C, D = corner_outputs(corner, ("sprung.az",), base)
-    Q, R, S = C.T @ C + np.diag([weights[0], 0.0, weights[1], 0.0]), D.T @ D + mpc.force_weight, C.T @ D
+    price = max(mpc.force_weight, _CHEAP / corner.sprung_mass**2 if n > 4 else 0.0)
+    Q = C.T @ C + np.diag([weights[0], 0.0, weights[1], *np.zeros(n - 3)])
+    R, S = D.T @ D + price, C.T @ D
     P = solve_discrete_are(F, H, Q, R, s=S)
     powers = [np.linalg.matrix_power(F, i) for i in range(steps + 1)]
     Fx = np.vstack(powers)  # states at 0 .. steps
-    Fu, Fw = np.zeros((4 * (steps + 1), steps)), np.zeros((4 * (steps + 1), steps))
+    Fu, Fw = np.zeros((n * (steps + 1), steps)), np.zeros((n * (steps + 1), steps))
     for i in range(1, steps + 1):
         for j in range(i):
-            Fu[4 * i : 4 * i + 4, j : j + 1] = powers[i - 1 - j] @ H
-            Fw[4 * i : 4 * i + 4, j : j + 1] = powers[i - 1 - j] @ V
+            Fu[n * i : n * i + n, j : j + 1] = powers[i - 1 - j] @ H
+            Fw[n * i : n * i + n, j : j + 1] = powers[i - 1 - j] @ V
     whole = block_diag(*[Q] * steps, P)
-    cross = np.zeros((4 * (steps + 1), steps))
+    cross = np.zeros((n * (steps + 1), steps))
     for i in range(steps):
-        cross[4 * i : 4 * i + 4, i : i + 1] = S
+        cross[n * i : n * i + n, i : i + 1] = S
     hessian = Fu.T @ whole @ Fu + Fu.T @ cross + cross.T @ Fu + R[0, 0] * np.eye(steps)
     gx, gw = (Fu.T @ whole + cross.T) @ Fx, (Fu.T @ whole + cross.T) @ Fw
-    rows, margin = _limits(mpc, corner, steps)
-    slack = _SOFT * np.array([max(weights[0], 1.0), max(weights[1], 1.0)])
-    return _Horizon(Fx, Fu, Fw, block_diag(hessian, np.diag(slack)), gx, gw, rows, margin)
+    rows, margin = _limits(mpc, corner, steps, n)
+    slack = np.array(_SOFT) * np.maximum(weights, 1.0)
+    return _Horizon(n, (F[4:, 4:], H[4:, 0]), Fx, Fu, Fw, block_diag(hessian, np.diag(slack)), gx, gw, rows, margin)
 
 
-def _limits(mpc: PreviewMPC, corner: CornerModel, steps: int) -> tuple[Array, Array]:
+def _behind(
+    actuator: AnyActuator, A: Array, B: Array, G: Array, C: Array, D: Array
+) -> tuple[Array, Array, Array, Array, Array]:
+    """The corner behind the lag of a force actuator; a damper's lag is left out."""
+    if not isinstance(actuator, ActiveActuator) or not actuator.order:
+        return A, B, G, C, D
+    own, drive = actuator.equations
+    n, m = len(A), len(own)
+    first = np.eye(1, m)
+    whole = np.block([[A, B @ first], [np.zeros((m, n)), own]])
+    none = np.zeros((m, 1))
+    return whole, np.vstack([np.zeros((n, 1)), drive]), np.vstack([G, none]), np.hstack([C, D @ first]), 0.0 * D
+
+
+def _limits(mpc: PreviewMPC, corner: CornerModel, steps: int, states: int) -> tuple[Array, Array]:
     """Rows that pick what is limited from all states, and how far it may go (m)."""
     rows, margin = [], []
     for i in range(1, steps + 1):
         for state, sign, limit in _limited(mpc, corner):
-            row = np.zeros(4 * (steps + 1) + 2)
-            row[4 * i + state] = sign
+            row = np.zeros(states * (steps + 1) + 2)
+            row[states * i + state] = sign
             row[-2 if state == 0 else -1] = -1.0
             rows.append(row)
             margin.append(limit)
-    return np.array(rows).reshape(-1, 4 * (steps + 1) + 2), np.array(margin)
+    return np.array(rows).reshape(-1, states * (steps + 1) + 2), np.array(margin)
 
 
 def _limited(mpc: PreviewMPC, corner: CornerModel) -> list[tuple[int, float, float]]:
@@ -166,9 +192,11 @@ class _Planner:
     def __call__(self, values: list[float]) -> list[float]:
         """Commands from measurements."""
         count = len(_CHANNELS)
-        commands = [
-            plan.command(values[i * count : (i + 1) * count], self._instant) for i, plan in enumerate(self._plans)
-        ]
+        commands = []
+        for i, (plan, last) in enumerate(zip(self._plans, self._limits.last, strict=True)):
+            if self._instant:
+                plan.follow(last)
+            commands.append(plan.command(values[i * count : (i + 1) * count], self._instant))
         self._instant += 1
         return self._limits.kept(commands)
 
@@ -182,9 +210,12 @@ class _Plan:
         self._bumps = np.diff(road) * mpc.rate  # mean velocity of the road in each period
         self._bounds, self._command = _of_actuator(actuator, corner, steps)
         horizon = self._horizon
+        self._unit = 0.1 * corner.sprung_mass * corner.gravity  # N: of the forces
+        self._units = np.append(np.full(steps, self._unit), [_SLACK, _SLACK])
         columns = np.vstack([np.hstack([horizon.Fu, np.zeros((len(horizon.Fu), 2))]), np.zeros((2, steps + 2))])
         columns[-2, -2] = columns[-1, -1] = 1.0
-        self._rows = horizon.rows @ columns
+        self._rows = horizon.rows @ columns * self._units
+        hessian = horizon.H * self._units[:, None] * self._units
         shape = {"h": ca.Sparsity.dense(*horizon.H.shape), "a": ca.Sparsity.dense(*self._rows.shape)}
         name = next((name for name in _SOLVERS if ca.has_conic(name)), None)
         if name is None:
@@ -192,26 +223,32 @@ class _Plan:
                 "this build of casadi has no solver of quadratic programmes", allowed=", ".join(_SOLVERS)
             )
         self._solver = ca.conic("plan", name, shape, {**_QUIET[name], "error_on_fail": False})
-        scale = np.trace(horizon.H[:steps, :steps]) / steps
-        self._h, self._a, self._scale = ca.DM(horizon.H / scale), ca.DM(self._rows), scale
-        self._forces = np.zeros(steps)
+        scale = np.trace(hessian[:steps, :steps]) / steps
+        self._h, self._a, self._scale = ca.DM(hessian / scale), ca.DM(self._rows), self._units / scale
+        self.forget()
 
     def forget(self) -> None:
         """Forget the last plan."""
         self._forces = np.zeros(self._steps)
+        self._own = np.zeros(self._horizon.states - 4)
+
+    def follow(self, command: float) -> None:
+        """Step the actuator's force on by one period under the command that it had."""
+        F, H = self._horizon.own
+        self._own = F @ self._own + H * command * self._corner.motion_ratio
 
     def command(self, values: list[float], instant: int) -> float:
         """Command of an instant from what is measured."""
         r, horizon, n = self._corner.motion_ratio, self._horizon, self._steps
         deflection, body, tyre, wheel, velocity = values
-        x = np.array([-deflection / r, body, -tyre, wheel])
+        x = np.array([-deflection / r, body, -tyre, wheel, *self._own])
         w = self._bumps[instant : instant + n]
         free = horizon.Fx @ x + horizon.Fw @ w
-        expected = (free + horizon.Fu @ np.append(self._forces[1:], self._forces[-1])).reshape(-1, 4)[:n]
+        expected = (free + horizon.Fu @ np.append(self._forces[1:], self._forces[-1])).reshape(-1, horizon.states)[:n]
         along = r * (expected[:, 3] - expected[:, 1])
         along[0] = velocity
         low, high = self._bounds(along, -r * expected[:, 0])
-        gradient = np.append(horizon.gx @ x + horizon.gw @ w, [0.0, 0.0]) / self._scale
+        gradient = np.append(horizon.gx @ x + horizon.gw @ w, [0.0, 0.0]) * self._scale
         room = horizon.margin - horizon.rows[:, :-2] @ free
         forces = self._solved(gradient, np.minimum(low, high) * r, np.maximum(low, high) * r, room)
         self._forces = forces
@@ -226,12 +263,12 @@ class _Plan:
             a=self._a,
             lba=np.full(len(room), -np.inf),
             uba=room,
-            lbx=np.append(low, none),
-            ubx=np.append(high, none + np.inf),
+            lbx=np.append(low / self._unit, none),
+            ubx=np.append(high / self._unit, none + np.inf),
         )
-        forces = np.asarray(found["x"]).ravel()[: self._steps]
-        if not np.all(np.isfinite(forces)):
-            forces = self._forces
+        forces = np.asarray(found["x"]).ravel()[: self._steps] * self._unit
+        if not self._solver.stats()["success"] or not np.all(np.isfinite(forces)):
+            forces = np.append(self._forces[1:], self._forces[-1])
         return np.asarray(np.clip(forces, low, high), dtype=np.float64)
 
 

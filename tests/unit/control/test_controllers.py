@@ -1,0 +1,146 @@
+"""Controllers as data: names, files, limits, what they refuse."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from jounce.control import (
+    ADD,
+    CONTROLS,
+    LQR,
+    ActiveActuator,
+    CornerModel,
+    MagnetorheologicalDamper,
+    PythonControl,
+    SemiActiveDamper,
+    Skyhook,
+    as_controller,
+    controller,
+)
+from jounce.control.program import program, sensor_noise, values
+from jounce.core.errors import DescriptionError
+
+CORNER = CornerModel(400.0, 40.0, 25e3, 200e3, 1500.0)
+TANH = {"kind": "tanh", "coefficient": 400.0, "force": 60.0, "slope": 25.0}
+
+
+@pytest.mark.parametrize("name", CONTROLS)
+def test_every_controller_is_found_with_defaults(name: str) -> None:
+    found = controller(name)
+    assert found == CONTROLS[name].law.from_table(dict(CONTROLS[name].fields))
+    assert CONTROLS[name].summary
+    low, high = found.resolved(CORNER).actuator.limits
+    assert low < high
+
+
+@pytest.mark.parametrize("name", [name for name in CONTROLS if "mpc" not in name])
+def test_every_formula_has_all_its_numbers(name: str) -> None:
+    law = controller(name).resolved(CORNER)
+    made = program(law, ("front", "rear"))
+    numbers = values({"front": law, "rear": law}, {"front": CORNER, "rear": CORNER}, made.numbers)
+    assert len(numbers) == made.function.size1_in(2)
+    assert made.function.size1_out(0) == 2 + made.memory
+    places = {channel.partition(".")[0] for channel in made.channels}
+    assert places == (set() if name == "passive" else {"front", "rear"})
+
+
+def test_open_limits_come_from_the_corner() -> None:
+    assert SemiActiveDamper().resolved(CORNER).limits == pytest.approx((300.0, 4000.0))
+    assert ActiveActuator().resolved(CORNER).limits == pytest.approx((-1962.0, 1962.0))
+    undamped = CornerModel(400.0, 40.0, 25e3, 200e3, 0.0)
+    assert SemiActiveDamper().resolved(undamped).limits[0] > 0.0
+
+
+def test_controller_from_a_file(tmp_path: Path) -> None:
+    file = tmp_path / "skyhook.toml"
+    file.write_text(
+        'schema = "jounce.control/1"\nlaw = "skyhook"\ndamping_coefficient = "3 N*s/mm"\nrate = "500 Hz"\n'
+        'noise = { "sprung.vz" = "1 cm/s" }\n[actuator]\nminimum = "300 N*s/m"\nmaximum = "4 N*s/mm"\nlag = "8 ms"\n',
+        encoding="utf-8",
+    )
+    found = controller(file)
+    assert found == Skyhook(
+        damping_coefficient=3000.0,
+        rate=500.0,
+        noise={"sprung.vz": 0.01},
+        actuator=SemiActiveDamper(minimum=300.0, maximum=4000.0, lag=0.008),
+    )
+    assert controller(str(file), rate=200.0).rate == 200.0
+
+
+def test_a_file_may_name_a_variant(tmp_path: Path) -> None:
+    file = tmp_path / "clipped.toml"
+    file.write_text('schema = "jounce.control/1"\nlaw = "clipped-lqr"\n', encoding="utf-8")
+    assert controller(file) == LQR(actuator=SemiActiveDamper())
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ('schema = "jounce.rig/1"\n', "schema"),
+        ('schema = "jounce.control/1"\nlaw = "skyhok"\n', "Did you mean 'skyhook'"),
+        ('schema = "jounce.control/1"\nlaw = "skyhook"\ngain = 3\n', "gain"),
+        ('schema = "jounce.control/1"\nlaw = "skyhook"\nrate = "1 kN"\n', "rate"),
+        ('schema = "jounce.control/1"\nlaw = "skyhook"\n[actuator]\nkind = "magic"\n', "magic"),
+    ],
+)
+def test_bad_files_are_refused(tmp_path: Path, text: str, message: str) -> None:
+    file = tmp_path / "bad.toml"
+    file.write_text(text, encoding="utf-8")
+    with pytest.raises(DescriptionError, match=message):
+        controller(file)
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: controller("skyhok"), r"unknown controller 'skyhok'.*Did you mean 'skyhook'"),
+        (lambda: SemiActiveDamper(minimum=4000.0, maximum=300.0), "maximum = 300 N.s/m does not lie above"),
+        (lambda: SemiActiveDamper(lag=-0.01), "lag: out of range; found -0.01"),
+        (lambda: SemiActiveDamper(rate_limit=0.0), "rate_limit"),
+        (lambda: ActiveActuator(lag=0.01, bandwidth=20.0), "both lag and bandwidth"),
+        (lambda: ActiveActuator(force_limit=-1.0), "force_limit"),
+        (lambda: ADD(actuator=ActiveActuator()), "switches a damper"),
+        (lambda: Skyhook(rate=0.0), "rate"),
+        (lambda: Skyhook(noise={"sprung.colour": 1.0}), "sprung.colour"),
+        (lambda: Skyhook(noise={"sprung.az": "1 mm"}), "sprung.az"),
+        (lambda: Skyhook(noise={"sprung.az": -1.0}), "below 0"),
+        (lambda: MagnetorheologicalDamper(off=TANH, on={**TANH, "kind": "magic"}, maximum=5.0), "magic"),
+        (lambda: PythonControl(function=3), "function"),
+        (lambda: as_controller(3), "not a controller"),
+    ],
+)
+def test_what_makes_no_sense_is_refused(make: object, message: str) -> None:
+    with pytest.raises(DescriptionError, match=message):
+        make()
+
+
+def test_two_laws_of_one_damper_must_be_of_one_kind() -> None:
+    bouc_wen = {
+        "kind": "bouc-wen",
+        "coefficient": 1.0,
+        "hysteretic_force": 1.0,
+        "rate": 1.0,
+        "sigma": 1.0,
+        "exponent": 1.0,
+    }
+    with pytest.raises(DescriptionError, match="give two of one kind"):
+        MagnetorheologicalDamper(off=TANH, on=bouc_wen, maximum=5.0)
+
+
+def test_a_function_is_a_controller() -> None:
+    def own(measurement: dict[str, float], t: float) -> float:
+        return 1000.0 + t * measurement["sprung.vz"]
+
+    assert as_controller(own).function is own
+    assert as_controller("skyhook") == controller("skyhook")
+
+
+def test_noise_by_channel_and_corner() -> None:
+    noise = sensor_noise(
+        {"sprung.az": 0.1, "rear.sprung.az": 0.5}, 1, ("front.sprung.az", "rear.sprung.az", "x.y"), 20000
+    )
+    assert noise.std(axis=0) == pytest.approx([0.1, 0.5, 0.0], rel=0.02)
+    assert sensor_noise({}, 1, ("sprung.az",), 10).shape == (0, 1)
