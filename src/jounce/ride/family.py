@@ -179,7 +179,8 @@ class LinearFamily:
         return Matrices(a, b3, c, d3, rest.ravel())
 
     def _by_differences(self, p: Array, *, slopes: bool) -> tuple[Matrices, tuple[Matrices, ...]]:
-        model, found = self._numeric(p), []
+        model, pose = self._numeric(p)
+        found: list[Matrices] = []
         for path in self.paths if slopes else ():
             place = self._used(path)
             step = _STEP * (abs(p[place]) or 1.0) if place is not None else 1.0
@@ -188,7 +189,7 @@ class LinearFamily:
                 moved = p.copy()
                 if place is not None:
                     moved[place] += count * step
-                sides.append(self._numeric(moved))
+                sides.append(self._numeric(moved, pose)[0])
             weights = (1.0, -8.0, 8.0, -1.0)
             names = ("A", "B", "C", "D", "rest")
             found.append(
@@ -201,9 +202,10 @@ class LinearFamily:
             )
         return model, tuple(found)
 
-    def _numeric(self, p: Array) -> Matrices:
+    def _numeric(self, p: Array, pose: Array | None = None) -> tuple[Matrices, Array]:
+        """Model about rest, sought from a pose, and the pose found."""
         compiled, u = self.compiled, self.compiled.inputs(0.0)
-        rest, modes = _at_rest(compiled, p, u)
+        rest, modes = _at_rest(compiled, p, u, pose)
         where = (rest.x, u, p, modes)
         across, along = compiled.slopes("x", *where), compiled.slopes("u", *where)
         columns = _road_columns(compiled)
@@ -214,7 +216,7 @@ class LinearFamily:
             along["output"][:, columns],
             compiled.evaluate("output", *where),
         ]
-        return self._shaped(parts)
+        return self._shaped(parts), rest.x[: compiled.facts.counts[0]]
 
 
 def _places(rig: Rig, wheels: Sequence[str]) -> tuple[Place, ...]:
@@ -245,9 +247,9 @@ def _road_columns(compiled: Compiled) -> list[int]:
     return [i * order + j for i, track in enumerate(facts.tracks) if is_road(track) for j in range(order)]
 
 
-def _at_rest(compiled: Compiled, p: Array, u: Array) -> tuple[Rest, Array]:
+def _at_rest(compiled: Compiled, p: Array, u: Array, pose: Array | None = None) -> tuple[Rest, Array]:
     """State of rest and modes; what is on its edge there counts by the mean of both sides."""
-    rest = find_rest(compiled, p, u)
+    rest = find_rest(compiled, p, u, pose)
     if not np.all(np.isfinite(rest.x)):
         raise SimulationError("no static equilibrium was found", where="linear model")
     switch = compiled.evaluate("switch", rest.x, u, compiled.plain.extended(p), rest.modes)
