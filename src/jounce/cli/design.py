@@ -43,7 +43,7 @@ DesignSpeed = Annotated[str, typer.Option(help='Speed over the road, e.g. "20 m/
 RoadBand = Annotated[
     str | None,
     typer.Option(
-        "--band", help='Waves of the road: iso (0.011 to 2.83 1/m) or "0.02..3"; white noise where it can be.'
+        "--band", help='Waves of the road: iso (0.011 to 2.83 1/m) or "0.02..3"; by default all where that is finite.'
     ),
 ]
 FigureFile = Annotated[Path | None, typer.Option(help="Draw the result: .png, .svg or .pdf.")]
@@ -102,8 +102,10 @@ def optimise(
             help='What is to be small: sprung.az, "sprung.az weighted", "worst tyre.force coefficient". Repeat it.',
         ),
     ],
-    road: Annotated[str, typer.Option(help="A class (iso:A to iso:H) or roughness; with --duration any road file.")],
-    speed: DesignSpeed,
+    road: Annotated[
+        str, typer.Option(help="A class (iso:A to iso:H) or roughness; with --duration any road file.")
+    ] = "iso:C",
+    speed: DesignSpeed = "20 m/s",
     limit: Limits = None,
     duration: Annotated[
         str | None, typer.Option(help="Simulate the road for this long instead of the random response in closed form.")
@@ -118,8 +120,7 @@ def optimise(
 ) -> Reply:
     """Find the numbers of a vehicle that make an objective least, within bounds and limits, with exact slopes.
 
-    Example: jounce design optimise audi-a6-full-car --free front.damping_coefficient="500..8000" \
-        --free rear.damping_coefficient="500..8000" --objective "sprung.az weighted" --road iso:C --speed "20 m/s"
+    Example: jounce design optimise kart-quarter-car --free strut.damper.coefficient="50..500" --objective sprung.az
     """
     _check_outputs(out, figure, force=force)
     bounds = {path: _bounds(text) for path, text in pairs(free, "--free", 'front.spring_rate="±30 %"').items()}

@@ -82,6 +82,21 @@ class StationaryResponse:
             )
         raise error
 
+    def __str__(self) -> str:
+        width = max(map(len, self.units))
+        lines = [f"{'':{width}}  standard deviation  static (SI)"]
+        for name, value in self.standard_deviation.items():
+            unit = "" if self.units[name] == "1" else self.units[name]
+            static = self.static[name] if abs(self.static[name]) > _TINY else 0.0
+            lines.append(f"{name:{width}}  {value:10.4g} {unit:7}  {static:11.4g}")
+        lines += [f"{name:{width}}  {value:10.4g}, weighted" for name, value in self.weighted.items()]
+        reasons = dict.fromkeys(self.absent.values())
+        lines += [
+            f"absent: {', '.join(name for name in self.absent if self.absent[name] == reason)}: {reason}"
+            for reason in reasons
+        ]
+        return "\n".join([*lines, *map(str, self.findings)])
+
     @property
     def load_coefficients(self) -> dict[str, float]:
         """Dynamic wheel load coefficient (1) by channel: standard deviation of the tyre force over its static value."""

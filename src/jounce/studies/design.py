@@ -28,6 +28,7 @@ from jounce.ride.closed_forms import (
 from jounce.ride.surface import Density
 from jounce.studies.design_problem import DesignProblem, design_problem
 from jounce.studies.design_search import search
+from jounce.studies.design_text import springs_text
 
 COMFORT, HOLDING, TRAVEL = "sprung.az", "tyre.force coefficient", "strut.deflection"
 _RANGE = (0.2, 5.0)
@@ -174,6 +175,9 @@ class SpringDesign:
     wheels: tuple[WheelDesign, ...]
     with_tyre: bool
     findings: tuple[Finding, ...]
+
+    def __str__(self) -> str:
+        return springs_text(self)
 
     def to_dict(self) -> dict[str, Any]:
         """Give plain values, SI; the rig by its changes."""

@@ -21,6 +21,7 @@ from jounce.roads import Trial
 from jounce.studies.design_metrics import StationaryEvaluator
 from jounce.studies.design_problem import DesignProblem, LimitGiven, Objective, design_problem
 from jounce.studies.design_search import Search, is_optimal, least_violation, search
+from jounce.studies.design_text import optimisation_text
 
 Array = NDArray[np.float64]
 _AT_BOUND = 1e-6
@@ -130,6 +131,9 @@ class Optimisation:
     derivatives: Literal["exact", "differences"]
     driven: str
     findings: tuple[Finding, ...]
+
+    def __str__(self) -> str:
+        return optimisation_text(self)
 
     @property
     def values(self) -> dict[str, float]:

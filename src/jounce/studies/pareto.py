@@ -20,6 +20,7 @@ from jounce.studies.design import COMFORT, HOLDING, TRAVEL, best_dampers
 from jounce.studies.design_metrics import StationaryEvaluator, combined
 from jounce.studies.design_problem import DesignProblem, Limit, LimitGiven, design_problem
 from jounce.studies.design_search import is_optimal, search
+from jounce.studies.design_text import front_text
 from jounce.studies.optimise import check_kept, driven_over
 
 Array = NDArray[np.float64]
@@ -89,6 +90,9 @@ class ParetoFront:
     converged: bool
     driven: str
     findings: tuple[Finding, ...]
+
+    def __str__(self) -> str:
+        return front_text(self)
 
     def to_dict(self) -> dict[str, Any]:
         """Give plain values, SI."""

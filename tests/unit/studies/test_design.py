@@ -197,3 +197,18 @@ def test_fronts_that_are_refused_or_say_something():
     plain = pareto(CAR_A, {DAMPER: (300.0, 6000.0)}, "C", 20.0, points=3).to_dict()
     assert len(plain["numbers"][DAMPER]) == 3
     assert plain["units"] == {"comfort": "m/s^2", "holding": "1", "travel": "m"}
+
+
+def test_results_print_as_tables():
+    free = {DAMPER: (300.0, 6000.0)}
+    best = jn.optimise(CAR_A, free, "sprung.az", {"strut.deflection": "13 mm"}, road="C", speed=20.0)
+    text = str(best)
+    assert "converged" in text.splitlines()[0]
+    assert next(line for line in text.splitlines() if line.startswith(DAMPER)).split()[1] == "1500"
+    assert "at its limit" in text
+    assert str(pareto(CAR_A, free, "C", 20.0, points=3)).count("closed form") == 2
+    springs = str(design_springs(jn.load("audi-a6-half-car"), 1.2, 0.3)).splitlines()
+    assert springs[1].split() == ["front", "as", "it", "is", "455.38", "1.248", "0.42007", "28000", "3000"]
+    response = str(stationary(CAR_A, "B", 20.0)).splitlines()
+    assert [line.split()[1] for line in response if line.startswith("sprung.az")] == ["0.6178"]
+    assert any(line.startswith("absent: road.z") for line in response)
