@@ -195,7 +195,7 @@ class Invariants:
 
 
 def invariants(sprung_mass: float, unsprung_mass: float, tyre_stiffness: float) -> Invariants:
-    """Invariant points of a quarter car with an undamped tyre (Hedrick and Butsuen).
+    """Invariant points of a quarter car with an undamped tyre (key hedrick-butsuen-1990).
 
     Parameters
     ----------
