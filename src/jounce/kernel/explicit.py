@@ -16,10 +16,22 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.kernel import dopri5
 from jounce.kernel.call import call_native, call_step, compiled, part
 from jounce.kernel.dop853 import DENSE_STAGES
 from jounce.kernel.feedback import NO_FEEDBACK, Feedback, regulate
-from jounce.kernel.layout import DENSE, END, FIRST_PROBE, LAST_STAGE, NODES, PROBES, RATES, ROWS, STATE
+from jounce.kernel.layout import (
+    DENSE,
+    END,
+    FIRST_PROBE,
+    LAST_STAGE,
+    NODES,
+    PROBES,
+    RATES,
+    ROWS,
+    SHORT_NODES,
+    STATE,
+)
 from jounce.kernel.sampling import Samples, finish_samples, place_samples
 from jounce.kernel.tracks import Tracks, advance, fill
 
@@ -34,7 +46,11 @@ _SINGULAR = 1e-10  # conditioning of the constraints at which a mechanism counts
 
 
 class Engine(NamedTuple):
-    """Addresses of native functions: of the model, then of a step (see ``steps``); 0 where there is none."""
+    """Addresses of native functions: of the model, then of a step (see ``steps``); 0 where there is none.
+
+    The stages that a step evaluates begin with row ``first``, those of its interpolant with ``after``; ``shrink`` is
+    the exponent of the error in the choice of the next step.
+    """
 
     rate: int
     output: int
@@ -47,6 +63,13 @@ class Engine(NamedTuple):
     probe: int
     switch_at: int
     error: int
+    first: int = 1
+    after: int = LAST_STAGE + 1
+    shrink: float = -0.125
+
+    def short(self, step: int, dense: int, error: int) -> Engine:
+        """The same with the pair of lower order: 6 stages in place of 15, for steps that edges keep short."""
+        return self._replace(step=step, dense=dense, error=error, first=dopri5.FIRST, after=FIRST_PROBE, shrink=-0.2)
 
 
 class Control(NamedTuple):
@@ -88,6 +111,7 @@ class Work(NamedTuple):
 
     rows: Array
     times: Array
+    nodes: Array
     u: Array
     g: Array
     step: Array
@@ -111,14 +135,14 @@ def _rate(problem: Any, work: Any, t: float, into: int) -> None:
 def _inputs(problem: Any, work: Any, t: float, h: float, first: int, last: int) -> None:
     """Inputs at the nodes ``first`` to ``last`` of a step."""
     for i in range(first, last):
-        work.times[i] = t + NODES[i] * h
+        work.times[i] = t + work.nodes[i] * h
     fill(problem.tracks, problem.piece, work.times[first:last], work.u[:, first:last])
 
 
 @part(forceinline=True)
 def _step(problem: Any, work: Any, t: float, h: float) -> None:
     """One step from the state to the end row, with the rate there."""
-    _inputs(problem, work, t, h, 1, LAST_STAGE + 1)
+    _inputs(problem, work, t, h, problem.engine.first, LAST_STAGE + 1)
     call_step(problem.engine.step, work.rows, work.u, problem.p, problem.m, work.g, h)
 
 
@@ -135,7 +159,7 @@ def _error(problem: Any, work: Any, h: float) -> float:
 @part(forceinline=True)
 def _prepare_dense(problem: Any, work: Any, t: float, h: float) -> None:
     """Three more stages, the coefficients of the interpolant on this step and the inputs at the probes."""
-    _inputs(problem, work, t, h, LAST_STAGE + 1, DENSE_STAGES + len(PROBES))
+    _inputs(problem, work, t, h, problem.engine.after, DENSE_STAGES + len(PROBES))
     call_step(problem.engine.dense, work.rows, work.u, problem.p, problem.m, work.g, h)
 
 
@@ -292,8 +316,8 @@ def _attempt(
     if not math.isfinite(error):
         return 0.0, 0.1, -1
     if error > 1.0:
-        return 0.0, max(0.2, 0.9 * error**-0.125), -1
-    grow = min(5.0, 0.9 * (error + 1e-12) ** -0.125)
+        return 0.0, max(0.2, 0.9 * error**problem.engine.shrink), -1
+    grow = min(5.0, 0.9 * (error + 1e-12) ** problem.engine.shrink)
     if dense or len(problem.m) > 0:
         _prepare_dense(problem, work, t, h)
     if len(problem.m) > 0:
@@ -313,6 +337,7 @@ def _scratch(problem: Problem, control: Control) -> Work:
     return Work(
         rows,
         np.zeros(len(NODES)),
+        NODES if problem.engine.first == 1 else SHORT_NODES,
         np.zeros((len(NODES), problem.inputs)).T,
         np.zeros((_LAST_PROBE + 1, switches)),
         np.array([0.0, control.tolerance]),

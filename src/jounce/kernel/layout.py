@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from jounce.kernel import dopri5
 from jounce.kernel.dop853 import DENSE_STAGES, STAGES, C
 
 STATE, END, TRIAL, RATES = 0, 1, 2, 3
@@ -16,5 +17,7 @@ PROBES = (0.0, 0.25, 0.5, 0.75, 1.0)
 """Fractions of a step at which the switching functions are checked; at 0 an edge of the input may have thrown one."""
 NODES = np.concatenate([C, PROBES])
 """Fractions of a step at which the inputs are wanted: the stages, then the probes."""
+SHORT_NODES = np.concatenate([dopri5.C, PROBES])
+"""The same for the pair of lower order."""
 LAST_STAGE = STAGES
 FIRST_PROBE = DENSE_STAGES

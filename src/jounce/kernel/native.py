@@ -24,7 +24,7 @@ from jounce.kernel.lowering import AnyFunction, Lowering
 from jounce.kernel.rosenbrock_steps import RosenbrockStep
 from jounce.kernel.steps import Step
 
-_FORMAT = "jounce-kernel-19"
+_FORMAT = "jounce-kernel-20"
 MANY = ("output", "project_many")
 SELDOM = ("slopes", "switch_slope", "derived", "derived_lanes", "constraint", "constraint_s")
 """Functions called a few times a run: they are compiled without the optimiser, which makes them little faster."""

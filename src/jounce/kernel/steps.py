@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from llvmlite import ir
 
+from jounce.kernel import dopri5
 from jounce.kernel.dop853 import DENSE_STAGES
 from jounce.kernel.layout import DENSE, END, FIRST_PROBE, LAST_STAGE, PROBES, RATES, STATE, TRIAL
 from jounce.kernel.lowering import Lowering
@@ -18,6 +19,8 @@ from jounce.kernel.stages import element_functions, error_function
 
 _DOUBLE, _INDEX = ir.DoubleType(), ir.IntType(64)
 STEP_NAMES = ("step", "dense", "point_at", "probe", "switch_at", "error")
+SHORT_NAMES = {"step": "short_step", "dense": "short_dense", "error": "short_error"}
+"""What the pair of lower order has of its own."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +39,7 @@ class Step:
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the functions."""
-        return STEP_NAMES
+        return (*STEP_NAMES, *SHORT_NAMES.values())
 
     def add(self, lowering: Lowering) -> None:
         """Append the functions."""
@@ -49,6 +52,7 @@ def add_step_functions(lowering: Lowering, step: Step) -> None:
     - ``step``: one step of length ``h`` from the state, its rate known, to the end row and the rate there;
     - ``dense``: three more stages and the interpolant of that step;
     - ``point_at``: all states at the fraction ``h``, in the trial row;
+    - ``short_step``, ``short_dense`` and ``short_error``: the same by the pair of lower order, no more stages;
     - ``probe``: switching functions at all probes; ``switch_at``: at the fraction ``h``, the input at node 0.
     """
     for name, function in element_functions().items():
@@ -63,6 +67,7 @@ def add_step_functions(lowering: Lowering, step: Step) -> None:
         driver.stage(i, TRIAL)
     driver.over_states("interpolant", RATES, driver.scalar, DENSE, step.size)
     driver.finish()
+    _add_short(lowering, step)
     driver = _Driver(lowering, step, "point_at")
     driver.over_states("point", DENSE, driver.scalar, TRIAL, step.size)
     driver.finish()
@@ -72,6 +77,18 @@ def add_step_functions(lowering: Lowering, step: Step) -> None:
     driver.finish()
     driver = _Driver(lowering, step, "switch_at")
     driver.switch(driver.native.args[5], 0, len(PROBES))
+    driver.finish()
+
+
+def _add_short(lowering: Lowering, step: Step) -> None:
+    """Append the functions of the pair of lower order."""
+    lowering.add("short_error", error_function(step.size, step.controlled, short=True))
+    driver = _Driver(lowering, step, "short_step")
+    for i in dopri5.A:
+        driver.stage(i, END if i == LAST_STAGE else TRIAL, "short")
+    driver.finish()
+    driver = _Driver(lowering, step, "short_dense")
+    driver.over_states("short_interpolant", RATES, driver.scalar, DENSE, step.size)
     driver.finish()
 
 
@@ -90,9 +107,9 @@ class _Driver:
         x, u, to = (self._row(i) for i in (STATE, inputs, out))
         self._call(name, [x, u, scalar, scalar, to, _INDEX(self._step.size), _INDEX(0), _INDEX(count)])
 
-    def stage(self, i: int, at: int) -> None:
+    def stage(self, i: int, at: int, method: str = "stage") -> None:
         """Place stage ``i`` in row ``at`` and evaluate the rates there."""
-        self.over_states(f"stage{i}", RATES, self.scalar, at, self._step.size)
+        self.over_states(f"{method}{i}", RATES, self.scalar, at, self._step.size)
         _, u, p, m, *_ = self.native.args
         self._call(self._step.rate, [self._row(at), self._offset(u, i * self._step.inputs), p, m, self._row(RATES + i)])
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from jounce.control.actuators import AnyActuator
 from jounce.kernel.explicit import Engine
 from jounce.kernel.native import Native, Source, compile_functions, kept_code
-from jounce.kernel.steps import STEP_NAMES
+from jounce.kernel.steps import SHORT_NAMES, STEP_NAMES
 from jounce.mechanics.model import Facts, Model, Output, is_road
 from jounce.parts import Rig
 from jounce.parts.parameters import structure_of
@@ -101,6 +101,11 @@ class Compiled:
             address.get("project_many", 0),
             *(address[name] for name in STEP_NAMES),
         )
+
+    @cached_property
+    def short_engine(self) -> Engine:
+        """The same with a pair of lower order, for runs whose steps the input keeps short."""
+        return self.engine.short(*(self.native.address[name] for name in SHORT_NAMES.values()))
 
     def extended(self, p: Array) -> Array:
         """Parameters as the engine wants them: with what depends on them alone, and lanes where some are free."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from typing import TYPE_CHECKING
@@ -39,6 +39,9 @@ _STABLE = 0.4  # share of the fastest decay at rest that the method must resolve
 _LONGEST = 1.2  # radians of the fastest oscillation in one step, at a tolerance of 1e-5
 _LONG_RUN = 5000.0  # radians of the fastest motion, beyond which it is worth asking whether the implicit method pays
 _DEAD_POINT = 0.05  # share of the loops' conditioning at the start that is left where a mechanism counts as locked up
+_SHORT_SHARE = 0.03  # the same for the pair of lower order, which errs less in all for what it allows in a step
+_SHORT = 0.4  # radians of the fastest oscillation in a step of the pair of lower order, at a tolerance of 1e-5
+_STAGES, _SHORT_STAGES = 16.0, 7.0  # rates that a step of either pair evaluates, with its interpolant
 _FINEST, _COARSEST = 1e-13, 1e-1
 STEP_SHARE = 0.003  # of the tolerance for one step: keeps the global error of the shipped models below it
 
@@ -185,11 +188,14 @@ def prepare(
     band = _dead_band(compiled, p, rest, scale, still)
     waves = max((_waves(signal) for signal in tracks.values()), default=0.0)
     limit = _explicit_limit(rest, waves)
-    control = Control(STEP_SHARE * tolerance, 0.1 * scale, band, MAX_STEPS, _longest_step(limit, tolerance))
+    short = _edges_rule(tracks.values(), times, limit, tolerance)
+    share = _SHORT_SHARE if short else STEP_SHARE
+    control = Control(share * tolerance, 0.1 * scale, band, MAX_STEPS, _longest_step(limit, tolerance))
     start = np.concatenate([x, _rest_sensitivity(compiled, p, rest, still)])
     pieces = flatten([signal.with_finite_slopes() for signal in tracks.values()])
     values = compiled.extended(p)
-    problem = Problem(compiled.engine, pieces, pieces.first[:-1].copy(), values, modes.copy(), start, len(still))
+    engine = compiled.short_engine if short else compiled.engine
+    problem = Problem(engine, pieces, pieces.first[:-1].copy(), values, modes.copy(), start, len(still))
     exact = _exact(compiled, problem, times) if method == "auto" else None
     prepared = Prepared(compiled, problem, control, room(compiled, times), exact, modes, rest, still)
     if exact is not None or compiled.free or method == "explicit":
@@ -426,6 +432,18 @@ def _longest_step(fastest: float, tolerance: float) -> float:
     In flight the wheel does not feel the road; this also keeps steps from passing over a whole contact.
     """
     return float(_LONGEST * (tolerance / 1e-5) ** 0.125 / fastest)
+
+
+def _edges_rule(signals: Iterable[Segments], times: Array, limit: float, tolerance: float) -> bool:
+    """Tell whether edges of the inputs keep steps so short that the pair of lower order needs fewer stages in all.
+
+    Both pairs land on every edge; between two of them each takes as many steps as the tolerance asks.
+    """
+    inner = [signal.edges[(signal.edges > times[0]) & (signal.edges < times[-1])] for signal in signals]
+    gaps = np.diff(np.unique(np.concatenate([times[:1], *inner, times[-1:]])))
+    long, short = _longest_step(limit, tolerance), _SHORT * (tolerance / 1e-5) ** 0.2 / limit
+    stages = [each * float(np.sum(np.ceil(gaps / step))) for each, step in ((_STAGES, long), (_SHORT_STAGES, short))]
+    return stages[1] < stages[0]
 
 
 def _waves(road: Segments) -> float:
