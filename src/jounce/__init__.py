@@ -20,12 +20,14 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.control import PID as PID
     from jounce.control import SHADD as SHADD
     from jounce.control import ActiveActuator as ActiveActuator
+    from jounce.control import Controller as Controller
     from jounce.control import Groundhook as Groundhook
     from jounce.control import HInfinity as HInfinity
     from jounce.control import Hybrid as Hybrid
     from jounce.control import MagnetorheologicalDamper as MagnetorheologicalDamper
     from jounce.control import Passive as Passive
     from jounce.control import PreviewMPC as PreviewMPC
+    from jounce.control import PythonControl as PythonControl
     from jounce.control import SemiActiveDamper as SemiActiveDamper
     from jounce.control import Skyhook as Skyhook
     from jounce.control import TwoStateGroundhook as TwoStateGroundhook
@@ -117,6 +119,8 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.simulation import sensitivities as sensitivities
     from jounce.simulation import simulate as simulate
     from jounce.simulation import simulate_mechanism as simulate_mechanism
+    from jounce.simulation.corner_models import corner_models as corner_models
+    from jounce.simulation.stability import closed_loop_poles as closed_loop_poles
     from jounce.studies.adjustment_effects import adjust_report as adjust_report
     from jounce.studies.adjustment_effects import lengths_for as lengths_for
     from jounce.studies.adjustments import adjusted as adjusted
@@ -125,6 +129,7 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.studies.campaign import run_campaign as run_campaign
     from jounce.studies.design import best_dampers as best_dampers
     from jounce.studies.design import design_springs as design_springs
+    from jounce.studies.environment import ride_environment as ride_environment
     from jounce.studies.lumping import lumped_from as lumped_from
     from jounce.studies.model_comparison import compare_models as compare_models
     from jounce.studies.optimise import optimise as optimise
@@ -144,6 +149,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "AxleLayout": "jounce.kinematics",
     "CircularSegment": "jounce.roads",
     "ContactLoad": "jounce.kinematics",
+    "Controller": "jounce.control",
     "Crg": "jounce.roads",
     "DescriptionError": "jounce.core.errors",
     "Enveloped": "jounce.roads",
@@ -176,6 +182,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "Passive": "jounce.control",
     "Pothole": "jounce.roads",
     "PreviewMPC": "jounce.control",
+    "PythonControl": "jounce.control",
     "QuarterCar": "jounce.parts",
     "Ramp": "jounce.roads",
     "RecordingError": "jounce.core.errors",
@@ -207,10 +214,12 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "adjusted": "jounce.studies.adjustments",
     "apply_sensors": "jounce.recordings",
     "best_dampers": "jounce.studies.design",
+    "closed_loop_poles": "jounce.simulation.stability",
     "compare_models": "jounce.studies.model_comparison",
     "compare_rides": "jounce.studies.ride",
     "compliance": "jounce.kinematics",
     "controller": "jounce.control",
+    "corner_models": "jounce.simulation.corner_models",
     "design_springs": "jounce.studies.design",
     "drive": "jounce.studies.ride",
     "equilibrium": "jounce.simulation",
@@ -235,6 +244,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "power_spectrum": "jounce.ride.spectra",
     "read_recording": "jounce.recordings",
     "read_tir": "jounce.parts.importers",
+    "ride_environment": "jounce.studies.environment",
     "ride_metrics": "jounce.ride.metrics",
     "road_psd": "jounce.roads",
     "road_trial": "jounce.studies.ride_trials",

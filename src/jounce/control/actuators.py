@@ -93,7 +93,7 @@ class SemiActiveDamper(_Actuator):
 
     @property
     def plant_numbers(self) -> dict[str, float]:
-        """Numbers of those equations."""
+        """Numbers of those equations, SI."""
         return {"lag": self.lag} if self.lag > 0.0 else {}
 
     @property
@@ -150,7 +150,7 @@ class ActiveActuator(_Actuator):
 
     @property
     def plant_numbers(self) -> dict[str, float]:
-        """Numbers of those equations."""
+        """Numbers of those equations, SI."""
         if self.bandwidth is not None:
             return {"bandwidth": self.bandwidth, "damping_ratio": self.damping_ratio}
         return {"lag": self.lag} if self.lag > 0.0 else {}
@@ -247,13 +247,13 @@ class MagnetorheologicalDamper(_Actuator):
 
     @property
     def plant_numbers(self) -> dict[str, float]:
-        """Numbers of those equations."""
+        """Numbers of those equations, SI."""
         found = {**parameters_of(self.off, "off."), **parameters_of(self.on, "on."), "maximum": self.maximum}
         return {**found, "lag": self.lag} if self.lag > 0.0 else found
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Smallest and largest voltage, V."""
+        """Smallest and largest voltage, 0 and ``maximum``, SI."""
         return 0.0, self.maximum
 
 

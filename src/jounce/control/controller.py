@@ -10,11 +10,11 @@ import casadi as ca
 from pydantic import BeforeValidator, Field, model_validator
 
 from jounce.control.actuators import ActiveActuator, Actuator, SemiActiveDamper
-from jounce.control.conversion import Means, Number, Seen
+from jounce.control.conversion import Lookup, Means
 from jounce.control.corner import CornerModel
 from jounce.core.description import Description
 from jounce.core.errors import JounceError
-from jounce.core.units import Frequency, to_si
+from jounce.core.units import Frequency, Unit, to_si
 from jounce.recordings.schema import channel_unit
 
 
@@ -32,7 +32,7 @@ def _noise(value: object) -> object:
     return found
 
 
-Noise = Annotated[dict[str, float], BeforeValidator(_noise)]
+Noise = Annotated[dict[str, Annotated[float, Unit("1")]], BeforeValidator(_noise)]  # in the unit of the channel
 
 
 @dataclass
@@ -78,7 +78,7 @@ class Controller(Description):
         """Numbers that the law keeps from one instant to the next, for one corner."""
         return 0
 
-    def decide(self, seen: Seen, memory: list[ca.SX], number: Number, means: Means) -> Decision:
+    def decide(self, seen: Lookup, memory: list[ca.SX], number: Lookup, means: Means) -> Decision:
         """Write the law of one corner.
 
         Parameters
@@ -119,11 +119,11 @@ class DamperLaw(Controller):
 class ForceLaw(Controller):
     """A law that wishes a force; a damper gives what it can of it."""
 
-    def force(self, seen: Seen, number: Number) -> ca.SX:
+    def force(self, seen: Lookup, number: Lookup) -> ca.SX:
         """Wished force (N) on the body at the wheel, up positive; the wheel feels the opposite."""
         raise NotImplementedError
 
-    def decide(self, seen: Seen, memory: list[ca.SX], number: Number, means: Means) -> Decision:  # noqa: ARG002
+    def decide(self, seen: Lookup, memory: list[ca.SX], number: Lookup, means: Means) -> Decision:  # noqa: ARG002
         """Write the law of one corner."""
         return Decision(means.command_for_force(self.force(seen, number) / number("motion_ratio")))
 
@@ -133,7 +133,7 @@ def step(x: ca.SX) -> ca.SX:
     return ca.if_else(x >= 0.0, 1.0, 0.0)
 
 
-def extension_rate(seen: Seen) -> ca.SX:
+def extension_rate(seen: Lookup) -> ca.SX:
     """Velocity (m/s) at which body and wheel part, along the strut; positive in rebound."""
     return -seen("strut.velocity")
 

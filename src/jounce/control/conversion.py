@@ -10,8 +10,8 @@ import casadi as ca
 from jounce.control.actuators import ActiveActuator, AnyActuator, SemiActiveDamper
 from jounce.parts.elements import TanhDamper
 
-Number = Callable[[str], ca.SX]
-Seen = Callable[[str], ca.SX]
+Lookup = Callable[[str], ca.SX]
+"""Symbol of a channel or a number by its name."""
 _TURN = 0.02  # m/s over which a hysteretic force is taken to turn over, where its state is not measured
 
 
@@ -32,8 +32,8 @@ class Means:
     """
 
     actuator: AnyActuator
-    seen: Seen
-    number: Number
+    seen: Lookup
+    number: Lookup
     last: ca.SX
 
     def command_for_force(self, force: ca.SX) -> ca.SX:

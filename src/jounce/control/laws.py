@@ -9,7 +9,7 @@ import casadi as ca
 
 from jounce.control.actuators import FIRMEST, ActiveActuator, Actuator
 from jounce.control.controller import Controller, DamperLaw, Decision, ForceLaw, extension_rate, given, step
-from jounce.control.conversion import Means, Number, Seen
+from jounce.control.conversion import Lookup, Means
 from jounce.control.corner import CornerModel
 from jounce.core.units import (
     DampingCoefficient,
@@ -31,7 +31,7 @@ class Passive(Controller):
     law: Literal["passive"] = "passive"
     damping_coefficient: NonNegativeDampingCoefficient | None = None
 
-    def decide(self, seen: Seen, memory: list[ca.SX], number: Number, means: Means) -> Decision:  # noqa: ARG002
+    def decide(self, seen: Lookup, memory: list[ca.SX], number: Lookup, means: Means) -> Decision:  # noqa: ARG002
         """Write the law of one corner."""
         return Decision(means.command_for_coefficient(number("damping_coefficient")))
 
@@ -70,7 +70,7 @@ class Skyhook(_Hook):
 
     law: Literal["skyhook"] = "skyhook"
 
-    def force(self, seen: Seen, number: Number) -> ca.SX:
+    def force(self, seen: Lookup, number: Lookup) -> ca.SX:
         """Force on the body, N."""
         return -number("damping_coefficient") * seen("sprung.vz")
 
@@ -86,7 +86,7 @@ class Groundhook(_Hook):
 
     law: Literal["groundhook"] = "groundhook"
 
-    def force(self, seen: Seen, number: Number) -> ca.SX:
+    def force(self, seen: Lookup, number: Lookup) -> ca.SX:
         """Force on the body, N."""
         return number("damping_coefficient") * seen("unsprung.vz")
 
@@ -105,7 +105,7 @@ class Hybrid(_Hook):
     law: Literal["hybrid"] = "hybrid"
     skyhook_share: _Share = 0.5
 
-    def force(self, seen: Seen, number: Number) -> ca.SX:
+    def force(self, seen: Lookup, number: Lookup) -> ca.SX:
         """Force on the body, N."""
         body, wheel, parting = seen("sprung.vz"), seen("unsprung.vz"), extension_rate(seen)
         sky, ground = body, -wheel
@@ -123,11 +123,11 @@ class Hybrid(_Hook):
 class _TwoState(DamperLaw):
     """Firm where a product of two signals is positive, soft elsewhere."""
 
-    def product(self, seen: Seen, number: Number) -> ca.SX:
+    def product(self, seen: Lookup, number: Lookup) -> ca.SX:
         """What says by its sign whether the damper is firm."""
         raise NotImplementedError
 
-    def decide(self, seen: Seen, memory: list[ca.SX], number: Number, means: Means) -> Decision:  # noqa: ARG002
+    def decide(self, seen: Lookup, memory: list[ca.SX], number: Lookup, means: Means) -> Decision:  # noqa: ARG002
         """Write the law of one corner."""
         return Decision(means.command_for_level(step(self.product(seen, number))))
 
@@ -141,7 +141,7 @@ class TwoStateSkyhook(_TwoState):
 
     law: Literal["skyhook-two-state"] = "skyhook-two-state"
 
-    def product(self, seen: Seen, number: Number) -> ca.SX:  # noqa: ARG002
+    def product(self, seen: Lookup, number: Lookup) -> ca.SX:  # noqa: ARG002
         """Body velocity times extension rate."""
         return seen("sprung.vz") * extension_rate(seen)
 
@@ -151,7 +151,7 @@ class TwoStateGroundhook(_TwoState):
 
     law: Literal["groundhook-two-state"] = "groundhook-two-state"
 
-    def product(self, seen: Seen, number: Number) -> ca.SX:  # noqa: ARG002
+    def product(self, seen: Lookup, number: Lookup) -> ca.SX:  # noqa: ARG002
         """Wheel velocity times extension rate, reversed."""
         return -seen("unsprung.vz") * extension_rate(seen)
 
@@ -161,7 +161,7 @@ class ADD(_TwoState):
 
     law: Literal["add"] = "add"
 
-    def product(self, seen: Seen, number: Number) -> ca.SX:  # noqa: ARG002
+    def product(self, seen: Lookup, number: Lookup) -> ca.SX:  # noqa: ARG002
         """Body acceleration times extension rate."""
         return seen("sprung.az") * extension_rate(seen)
 
@@ -178,7 +178,7 @@ class SHADD(_TwoState):
     law: Literal["sh-add"] = "sh-add"
     crossover: Frequency = 1.8
 
-    def product(self, seen: Seen, number: Number) -> ca.SX:
+    def product(self, seen: Lookup, number: Lookup) -> ca.SX:
         """Body velocity or acceleration, whichever rules, times extension rate."""
         velocity, acceleration = seen("sprung.vz"), seen("sprung.az")
         slow = acceleration**2 - (number("crossover") * velocity) ** 2 <= 0.0
@@ -221,7 +221,7 @@ class PID(Controller):
         """Integral, filtered derivative, error before."""
         return 3
 
-    def decide(self, seen: Seen, memory: list[ca.SX], number: Number, means: Means) -> Decision:
+    def decide(self, seen: Lookup, memory: list[ca.SX], number: Lookup, means: Means) -> Decision:
         """Write the law of one corner."""
         integral, slope, before = memory
         error, r = -seen("sprung.vz"), number("motion_ratio")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar, Literal, Protocol
+from typing import Any, Literal, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -85,9 +85,8 @@ class PythonControl(CallbackController):
     """
 
     law: Literal["python"] = "python"
-    function: Callable[[dict[str, float], float], Any]
+    function: Callable[..., Any]
     actuator: Actuator = SemiActiveDamper()
-    memory: ClassVar[int] = 0
 
     def regulator(self, setting: Setting) -> Regulator:
         """Give what the loop calls."""

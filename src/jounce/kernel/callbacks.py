@@ -12,17 +12,16 @@ class Callback:
     """A Python function at an address; what it raises is kept, since nothing may pass through compiled code.
 
     The loop holds the interpreter's lock (it never lets go of it), and the call takes it again, which is free.
+    ``address`` is that of ``void f(void*, void*, void*, void*, void*)``, which lives as long as this object; ``raised``
+    is what the function raised, or None.
 
-    Attributes
+    Parameters
     ----------
-    address : int
-        Of ``void f(void*, void*, void*, void*, void*)``; it lives as long as this object.
-    raised : BaseException or None
-        What the function raised.
+    function, failed : callable
+        What is called; what is called after it raised.
     """
 
     def __init__(self, function: Callable[[], None], failed: Callable[[], None]) -> None:
-        """Make ``function`` callable; ``failed`` is called after it raised."""
         self.raised: BaseException | None = None
 
         def call(*_: object) -> None:

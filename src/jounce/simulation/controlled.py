@@ -44,6 +44,8 @@ class Loop:
         Corner to the controller with all open numbers of its actuator filled in.
     models : dict
         Corner to what the gains are designed for.
+    raised : list
+        Time (s) and exception of a Python controller that failed, the last run's.
     """
 
     controllers: dict[str, Controller]
@@ -108,7 +110,7 @@ class Loop:
 
 def _split(path: str) -> tuple[str, str, str]:
     place, found, name = path.partition(".actuator.")
-    return (place, found, name) if found else ("", "", "")
+    return (place.partition(".")[0], found, name) if found else ("", "", "")
 
 
 def _command(corner: str) -> str:

@@ -38,16 +38,10 @@ class Stepper:
     tolerance : float
         Relative error of the displacements.
 
-    Attributes
-    ----------
-    corners, channels : tuple of str
-        Names of the commands' corners and of the outputs.
-    time : float
-        Where the run stands, s.
-    status : Status
-        How the last step ended.
-    limits : ndarray, shape (corners, 2)
-        Smallest and largest command of each corner.
+    Notes
+    -----
+    ``corners`` and ``channels`` name the commands and the outputs, ``limits`` has the smallest and the largest command
+    of each corner, ``time`` (s) says where the run stands, ``status`` how the last step ended.
 
     Examples
     --------
