@@ -6,6 +6,8 @@ Car A (400 kg, 40 kg, 25 kN/m, 200 kN/m, no tyre damping, plate +-3 mm): table o
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import pytest
 
@@ -106,7 +108,7 @@ def plain_phase_angle(time, height, force, rate):
     falls = falls[falls < rises[-1]]
     middles = 0.5 * (falls + rises[np.searchsorted(rises, falls)])
     angles = []
-    for top, following in zip(tops[:-1], tops[1:], strict=True):
+    for top, following in itertools.pairwise(tops):
         inside = middles[(middles >= top) & (middles < following)]
         if 6.0 <= 1.0 / (following - top) <= 18.0 and len(inside):
             angles.append(360.0 * (inside[0] - top) / (following - top))

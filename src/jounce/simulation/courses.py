@@ -89,6 +89,7 @@ def _free(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> Course:
     programme, on = tester.programme, stand(rig, tester)
     state: dict[str, float] = {}
     pieces: list[tuple[Array, dict[str, Array]]] = []
+    outputs: tuple[Output, ...] = ()
     begin = 0.0
     for number, test in enumerate(tests):
         hold = programme.hold(max(on.static_load(place) for place in test))
@@ -100,10 +101,11 @@ def _free(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> Course:
             samples_reached(solution, here.compiled.facts, check=True)
             state = _state(here, moved, solution.states[:, -1], times[-1:])
             values = dict(zip(here.compiled.output_names, solution.outputs[:, bool(pieces) :], strict=True))
+            outputs = outputs or here.compiled.facts.outputs
             pieces.append((times[bool(pieces) :], values))
             begin = float(times[-1])
     time = np.concatenate([times for times, _ in pieces])
-    common = [output for output in on.compiled.facts.outputs if all(output.name in values for _, values in pieces)]
+    common = [output for output in outputs if all(output.name in values for _, values in pieces)]
     joined = {output.name: np.concatenate([values[output.name] for _, values in pieces]) for output in common}
     return Course(time, joined, on.static, tuple(common))
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,10 +13,13 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
 from jounce.core.findings import Finding
-from jounce.parts.front_view import FrontViewAxle
+from jounce.core.serialise import write_atomically
+from jounce.parts.front_view import FrontViewAxle, axle_of
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Tester
+from jounce.parts.vehicles import FullCar, HalfCar4
 from jounce.recordings.schema import recording
+from jounce.recordings.writing import write_recording
 from jounce.simulation.courses import Course, Other, Wheel, run_course
 from jounce.simulation.stand import channel, stand
 
@@ -24,6 +29,37 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 
+@dataclass(frozen=True)
+class Sensors:
+    """What the sensors of a tester do to the signals.
+
+    Attributes
+    ----------
+    displacement_noise : float
+        Standard deviation, m.
+    force_offset : float
+        Added to the force, N.
+    force_limit : float or None
+        Range of the force cells, N: what is beyond is clipped.
+    tacho : bool
+        Whether the turns of the excenter are recorded, too (``<wheel>.plate.frequency``, Hz).
+    """
+
+    displacement_noise: float = 0.0
+    force_offset: float = 0.0
+    force_limit: float | None = None
+    tacho: bool = False
+
+    def __post_init__(self) -> None:
+        for name, unit in (("displacement_noise", "m"), ("force_limit", "N")):
+            _refuse_below_zero(name, getattr(self, name), unit)
+
+
+def _refuse_below_zero(name: str, value: float | None, unit: str) -> None:
+    if value is not None and not (np.isfinite(value) and value >= 0.0):
+        raise SimulationError("out of range", where=name, found=value, allowed=f"0 {unit} or more")
+
+
 def simulate_test(
     rig: Rig,
     tester: Tester,
@@ -31,9 +67,8 @@ def simulate_test(
     wheel: Wheel = "both",
     other: Other = "still",
     noise: float = 0.0,
-    displacement_noise: float = 0.0,
-    force_limit: float | None = None,
     seed: int = 0,
+    sensors: Sensors | None = None,
     truth: bool = True,
     about: Mapping[str, object] | None = None,
 ) -> xr.Dataset:
@@ -41,8 +76,8 @@ def simulate_test(
 
     Parameters
     ----------
-    rig : QuarterCar, Corner or FrontViewAxle
-        What stands on the plates (an axle of a vehicle: ``jounce.parts.front_view.axle_of``).
+    rig : QuarterCar, Corner, FrontViewAxle, FullCar or HalfCar4
+        What stands on the plates; of a vehicle it is the axle that ``about`` names, the front one otherwise.
     tester : Tester
         Plates, programme, sampling.
     wheel : {"both", "left", "right"}
@@ -51,12 +86,10 @@ def simulate_test(
         What the other plate of an axle does in the meantime.
     noise : float
         Standard deviation of the force's noise, in shares of the static load (1).
-    displacement_noise : float
-        Of the plate's height, m.
-    force_limit : float, optional
-        Range of the force cells, N: what is beyond is clipped.
     seed : int
         Of the noise; equal seeds give equal records.
+    sensors : Sensors, optional
+        What else the sensors do.
     truth : bool
         Whether what no tester measures comes along, as channels that begin with ``truth.``.
     about : mapping, optional
@@ -65,9 +98,9 @@ def simulate_test(
     Returns
     -------
     xarray.Dataset
-        ``<wheel>.plate.z`` (m, up, zero at rest), ``<wheel>.plate.force`` (N, compression positive) and
-        ``<wheel>.plate.frequency`` (Hz) on ``time`` (s). Attributes: ``<wheel>.static_load`` (N),
-        ``<wheel>.plate_mass`` (kg), ``tester``, ``axle``, ``wheel_order``, and what is said ``about`` it.
+        ``<wheel>.plate.z`` (m, up, zero at rest) and ``<wheel>.plate.force`` (N, compression positive) on ``time``
+        (s). Attributes: ``<wheel>.static_load`` (N), ``<wheel>.plate_mass`` (kg), ``tester``, ``axle``,
+        ``wheel_order``, and what is said ``about`` it.
 
     Raises
     ------
@@ -85,63 +118,53 @@ def simulate_test(
     >>> 0.7 < adhesion < 0.8
     True
     """
-    _check_sensors(noise, displacement_noise, force_limit)
+    _refuse_below_zero("noise", noise, "of the static load")
+    facts = {"axle": "front", **(about or {})}
+    if isinstance(rig, (FullCar, HalfCar4)):
+        rig = axle_of(rig, facts["axle"])  # type: ignore[arg-type]  # it refuses other names
     run = run_course(rig, tester, wheel=wheel, other=other)
     sides = {"left": "left", "right": "right"} if isinstance(rig, FrontViewAxle) else {_side(wheel): ""}
-    sensors = _Sensors(np.random.default_rng(seed), noise, displacement_noise, force_limit)
+    generator = np.random.default_rng(seed)
     channels: dict[str, tuple[Array, str, str]] = {}
     attributes: dict[str, object] = {
         "tester": tester.name,
-        "axle": "front",
-        "wheel_order": ",".join(sides if wheel == "both" else [wheel] if wheel in sides else sides),
-        "source": "simulated",
-        "seed": seed,
-        **(about or {}),
+        "wheel_order": "together" if len(sides) > 1 and other == "excited" else _order(sides, wheel),
+        "comment": f"simulated, seed {seed}",
+        **facts,
     }
     for side, place in sides.items():
         static = run.static[channel(place, "tyre.force")]
         attributes[f"{side}.static_load"], attributes[f"{side}.plate_mass"] = static, tester.plate_mass
-        channels.update(_measured(run, tester, side, place, sensors))
+        channels.update(_measured(run, tester, side, place, sensors or Sensors(), (generator, noise)))
     if truth:
         channels.update(_truth(run, sides))
     return recording(run.time, channels, attributes=attributes)
 
 
-@dataclass(frozen=True)
-class _Sensors:
-    generator: np.random.Generator
-    noise: float
-    displacement_noise: float
-    force_limit: float | None
-
-    def force(self, values: Array, static: float) -> Array:
-        """Force as read, N."""
-        found = values
-        if self.noise > 0.0:
-            found = values + self.noise * static * self.generator.standard_normal(len(values))
-        return found if self.force_limit is None else np.clip(found, -self.force_limit, self.force_limit)
-
-    def height(self, values: Array) -> Array:
-        """Height as read, m."""
-        if self.displacement_noise <= 0.0:
-            return values
-        return np.asarray(values + self.displacement_noise * self.generator.standard_normal(len(values)))
-
-
 def _measured(
-    run: Course, tester: Tester, side: str, place: str, sensors: _Sensors
+    run: Course, tester: Tester, side: str, place: str, sensors: Sensors, noise: tuple[np.random.Generator, float]
 ) -> dict[str, tuple[Array, str, str]]:
-    """What the tester of one side reads."""
+    """What the tester of one side reads; ``noise`` is its source and its size in shares of the static load."""
     cell = "plate.force" if tester.force_cell == "under-plate" else "tyre.force"
     static = run.static[channel(place, "tyre.force")]
     height = run.values[channel(place, "plate.z")] - run.static[channel(place, "plate.z")]
-    force = run.values[channel(place, cell)]
-    turns = run.values[channel(place, "excenter.frequency")]
-    return {
-        f"{side}.plate.z": (sensors.height(height), "m", f"{side} plate, height over rest"),
-        f"{side}.plate.force": (sensors.force(force, static), "N", f"{side} plate, force, compression positive"),
-        f"{side}.plate.frequency": (turns, "Hz", f"{side} plate, turns of the excenter per second"),
+    generator, share = noise
+    force = _noisy(run.values[channel(place, cell)] + sensors.force_offset, share * static, generator)
+    if sensors.force_limit is not None:
+        force = np.clip(force, -sensors.force_limit, sensors.force_limit)
+    height = _noisy(height, sensors.displacement_noise, generator)
+    found = {
+        f"{side}.plate.z": (height, "m", f"{side} plate, height over rest"),
+        f"{side}.plate.force": (force, "N", f"{side} plate, force, compression positive"),
     }
+    if sensors.tacho:
+        turns = run.values[channel(place, "excenter.frequency")]
+        found[f"{side}.plate.frequency"] = turns, "Hz", f"{side} plate, turns of the excenter per second"
+    return found
+
+
+def _noisy(values: Array, size: float, generator: np.random.Generator) -> Array:
+    return values if size <= 0.0 else np.asarray(values + size * generator.standard_normal(len(values)))
 
 
 def _truth(run: Course, sides: Mapping[str, str]) -> dict[str, tuple[Array, str, str]]:
@@ -157,18 +180,56 @@ def _truth(run: Course, sides: Mapping[str, str]) -> dict[str, tuple[Array, str,
     }
 
 
+def _order(sides: Mapping[str, str], wheel: str) -> str:
+    return wheel if wheel in sides else ", ".join(sides)
+
+
 def _side(wheel: Wheel) -> str:
     return "left" if wheel == "both" else wheel
 
 
-def _check_sensors(noise: float, displacement_noise: float, force_limit: float | None) -> None:
-    for name, value, unit in (
-        ("noise", noise, "of the static load"),
-        ("displacement_noise", displacement_noise, "m"),
-        ("force_limit", force_limit, "N"),
-    ):
-        if value is not None and not (np.isfinite(value) and value >= 0.0):
-            raise SimulationError("out of range", where=name, found=value, allowed=f"0 or more ({unit})")
+def write_test(record: xr.Dataset, path: Path | str, *, force: bool = False) -> Path:
+    """Write a record as a lane keeps it: ``.csv`` with what is known of the car before the columns, or ``.nc``.
+
+    Parameters
+    ----------
+    record : xarray.Dataset
+        As :func:`simulate_test` gives it; plate heights are written in mm.
+    path : Path or str
+        File with the suffix ``.csv`` or ``.nc``.
+    force : bool
+        Overwrite an existing file.
+
+    Returns
+    -------
+    Path
+        The file written.
+
+    Raises
+    ------
+    OutputError
+        For an existing file without ``force``, a missing folder, or another suffix.
+    """
+    if Path(path).suffix.lower() != ".csv":
+        return write_recording(record, path, force=force)
+    units = {"m": ("mm", 1e3)}
+    columns, header = [record["time"].values], ["time [s]"]
+    for name, signal in record.data_vars.items():
+        unit, factor = units.get(signal.attrs["units"], (signal.attrs["units"], 1.0))
+        columns.append(factor * signal.values)
+        header.append(f"{name} [{unit}]")
+    facts = [f"# {key} = {_written(str(key), value)}" for key, value in record.attrs.items()]
+    rows = [", ".join(map(_number, row)) for row in np.column_stack(columns)]
+    return write_atomically(Path(path), "\n".join([*facts, ", ".join(header), *rows]) + "\n", force=force)
+
+
+def _number(value: float) -> str:
+    return f"{value:.10g}"
+
+
+def _written(key: str, value: object) -> str:
+    unit = {"static_load": " N", "plate_mass": " kg"}.get(key.rpartition(".")[2], "")
+    return json.dumps(f"{value}{unit}", ensure_ascii=False)
 
 
 def findings_of_test(rig: Rig, tester: Tester) -> list[Finding]:
