@@ -110,10 +110,9 @@ def _environment_class() -> Any:
             self._observed, self._scales = _columns(self._run, observed, default=OBSERVED)
             self._cost = _weights(self._run, cost, default=COST)
             self._rest = self._run.start()
-            corners = len(self._run.corners)
-            self.action_space = gymnasium.spaces.Box(-1.0, 1.0, (corners,), np.float32)
-            shape = (len(self._observed),)
-            self.observation_space = gymnasium.spaces.Box(-_WIDEST, _WIDEST, shape, np.float32)
+            box = gymnasium.spaces.Box
+            self.action_space = box(-1.0, 1.0, (len(self._run.corners),), np.float32)
+            self.observation_space = box(-_WIDEST, _WIDEST, self._observed.shape, np.float32)
 
         def reset(
             self, *, seed: int | None = None, options: dict[str, Any] | None = None
