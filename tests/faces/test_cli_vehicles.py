@@ -214,3 +214,11 @@ def test_commands_for_corners_refuse_vehicles(cli, words: tuple[str, ...], messa
     assert message in outcome.err
     assert len(outcome.err.splitlines()) == 1
     assert not list(Path().glob("*.png")) + list(Path().glob("*.html"))
+
+
+def test_design_over_a_simulated_road_refuses_the_wheelbase(cli) -> None:
+    """The rear axle's delay moves with it, which sensitivities along with the run do not see."""
+    words = ("design", "optimise", HALF, "--free", "front.distance=1..1.6 m", "--objective", "body.az")
+    outcome = cli(*words, "--road", "bump.toml", "--speed", "10 m/s", "--duration", "1 s")
+    assert outcome.exit_code == 2
+    assert "rear axle meets the road" in outcome.err

@@ -283,7 +283,7 @@ class TrialEvaluator:
         given = dict(zip(paths, map(float, values), strict=True))
         p = compiled.parameter_values({**rig.parameters(), **given})
         times = output_times(self.trial.duration, self.output_step)
-        driven = excitation(compiled.facts, rig.with_changes(given), self.trial)
+        driven = excitation(compiled.facts, rig.with_changes(given), self.trial, compiled.free)
         solution = solve(compiled, p, driven, times)
         if solution.status is not Status.COMPLETED:
             raise SimulationError("the run did not reach its end", where="trial", found=solution.status.help)
