@@ -6,7 +6,6 @@ from collections.abc import Callable
 from typing import Any
 
 from jounce.control.actuators import AnyActuator
-from jounce.core.errors import AssemblyError
 from jounce.mechanics import Model
 from jounce.models.corner import TEMPLATES, corner
 from jounce.models.full_car import full_car
@@ -26,7 +25,6 @@ _BUILDERS: dict[type[Rig], Callable[..., Model]] = {
     FullCar3D: full_car_3d,
     **dict.fromkeys(TEMPLATES, corner),
 }
-_CONTROLLED = (QuarterCar, HalfCar, HalfCar4, FullCar)
 _built: dict[tuple[str, bool, str], Model] = {}
 
 
@@ -40,9 +38,6 @@ def build(rig: Rig, *, detail: bool = False, actuator: AnyActuator | None = None
     if key not in _built:
         options: dict[str, Any] = {"detail": True} if key[1] else {}
         if actuator is not None:
-            if not isinstance(rig, _CONTROLLED):
-                allowed = ", ".join(kind.__name__ for kind in _CONTROLLED)
-                raise AssemblyError("no actuators in this model", found=type(rig).__name__, allowed=allowed)
             options["actuator"] = actuator
         _built[key] = _BUILDERS[type(rig)](rig, **options)
     return _built[key]

@@ -9,10 +9,12 @@ from collections.abc import Callable
 
 import casadi as ca
 
+from jounce.control.actuators import AnyActuator
 from jounce.mechanics import Mechanism, Model
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.elements import friction_force
 from jounce.mechanics.system import Track
+from jounce.models.actuation import controlled_force
 from jounce.models.attachments import (
     add_rocker,
     add_strut_points,
@@ -87,17 +89,18 @@ def hung(
     return linkage
 
 
-def corner(rig: Corner, *, detail: bool = False) -> Model:
+def corner(rig: Corner, *, detail: bool = False, actuator: AnyActuator | None = None) -> Model:
     """Write the equations of a 3-D corner; the values in ``rig`` matter only through its structure.
 
-    With ``detail`` the outputs hold all hardpoints, joint reactions and energies, too.
+    With ``detail`` the outputs hold all hardpoints, joint reactions and energies, too. An ``actuator`` sits in the line
+    of the damper.
     """
     mechanism = Mechanism()
     mechanism.gravity = mechanism.parameter("gravity")
     road = mechanism.track("road.z")
     linkage = suspension(rig, mechanism)
     mechanism.output("road.z", road.value, "m", "road height under the wheel")
-    elements = add_strut(linkage)
+    elements = add_strut(linkage, actuator)
     deflection, force = add_tyre(linkage, road)
     mechanism.output("tyre.deflection", deflection, "m", "tyre deflection from undeformed, compression positive")
     mechanism.output("tyre.force", force, "N", "contact force, compression positive")
@@ -114,11 +117,14 @@ def corner(rig: Corner, *, detail: bool = False) -> Model:
     return mechanism.finish()
 
 
-def add_strut(linkage: Linkage) -> dict[str, tuple[ca.SX, ca.SX]]:
-    """Add spring, stops and damper; give force and deflection rate of each element."""
+def add_strut(linkage: Linkage, actuator: AnyActuator | None = None) -> dict[str, tuple[ca.SX, ca.SX]]:
+    """Add spring, stops and damper (or actuator); give force and deflection rate of each element."""
     mechanism = linkage.mechanism
     spring, damper = line_of(linkage, "spring"), line_of(linkage, "damper")
-    elastic, stops, viscous = spring_law(linkage, spring), stop_law(linkage, spring), damper_law(linkage, damper)
+    elastic, stops = spring_law(linkage, spring), stop_law(linkage, spring)
+    viscous = controlled_force(
+        mechanism, actuator, damper.deflection, -damper.rate, lambda: damper_law(linkage, damper)
+    )
     push(linkage, spring, elastic + stops)
     push(linkage, damper, viscous)
     total = elastic + stops + viscous

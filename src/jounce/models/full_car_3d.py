@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
+from jounce.control.actuators import AnyActuator
 from jounce.mechanics import Mechanism, Model
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.frames import Moving
@@ -36,7 +37,7 @@ class _Wheel:
     load: ca.SX
 
 
-def full_car_3d(vehicle: FullCar3D) -> Model:
+def full_car_3d(vehicle: FullCar3D, *, actuator: AnyActuator | None = None) -> Model:
     """Write the equations of a full car on 3-D corners; the values in ``vehicle`` matter only through its structure."""
     mechanism = Mechanism()
     mechanism.gravity = mechanism.parameter("gravity")
@@ -44,7 +45,7 @@ def full_car_3d(vehicle: FullCar3D) -> Model:
     drive = _driving(mechanism, body)
     seat = mechanism.seat(body, drive - mechanism.gravity * _UP)
     axles = {name: getattr(vehicle, name) for name in _ENDS}
-    wheels = [_corner(mechanism, seat, name, axles[name], side) for name in axles for side in _SIDES]
+    wheels = [_corner(mechanism, seat, name, axles[name], side, actuator) for name in axles for side in _SIDES]
     for pair, name in zip((wheels[:2], wheels[2:]), axles, strict=True):
         _anti_roll_bar(mechanism, pair, mechanism.parameter(f"{name}.anti_roll_bar_rate"))
     _grip(mechanism, drive, wheels)
@@ -94,7 +95,9 @@ def _show_body(mechanism: Mechanism, height: ca.SX, pitch: ca.SX, roll: ca.SX) -
         mechanism.output(f"body.{name}_acceleration", acceleration, "rad/s^2", f"body {name} acceleration")
 
 
-def _corner(mechanism: Mechanism, seat: Body, name: str, axle: SpatialAxle, side: str) -> _Wheel:
+def _corner(
+    mechanism: Mechanism, seat: Body, name: str, axle: SpatialAxle, side: str, actuator: AnyActuator | None
+) -> _Wheel:
     """Hang one corner into the axes of the body and stand it on its road."""
     distance = mechanism.parameter(f"{name}.distance")
     with mechanism.within(f"{name}_{side}", f"{name}.corner"):
@@ -103,7 +106,7 @@ def _corner(mechanism: Mechanism, seat: Body, name: str, axle: SpatialAxle, side
         linkage = hung(axle.corner, mechanism, seat, ahead=ahead, turned=turned)
         road = mechanism.track("road.z")
         mechanism.output("road.z", road.value, "m", "road height under the wheel")
-        add_strut(linkage)
+        add_strut(linkage, actuator)
         deflection, load = add_tyre(linkage, road)
         mechanism.output("tyre.deflection", deflection, "m", "tyre deflection from undeformed, compression positive")
         mechanism.output("tyre.force", load, "N", "contact force, compression positive")

@@ -139,21 +139,29 @@ def _starts(compiled: Compiled, u: Array, start: Array | None) -> list[Array]:
 
 def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Rest | None:
     """Newton from ``x``; modes follow the sides of their switches; None when it does not settle on a true balance."""
+    n_q, n_v = compiled.facts.counts
     modes = (compiled.evaluate("switch", x, u, p, np.ones(len(compiled.facts.switches))) > 0.0).astype(float)
     for _ in range(_ITERATIONS):
         now = _balance(compiled, x, u, p, modes)
         step = (_solve if compiled.facts.projects else _solve_square)(now.matrix, -now.residual)
-        if step is None or np.max(np.abs(step)) > _FAR:
+        if step is None or np.max(np.abs(step[:n_v]), initial=0.0) > _FAR:
             return None
         if compiled.facts.projects:  # a mechanism curves: go on in short steps, and close its loops after each
-            step *= min(1.0, _STRIDE / float(np.max(np.abs(step), initial=_STRIDE)))
+            step[:n_v] *= min(1.0, _STRIDE / float(np.max(np.abs(step[:n_v]), initial=_STRIDE)))
         x = _closed(compiled, x + now.moved @ step, u, p, modes)
         sides = (compiled.evaluate("switch", x, u, p, modes) > 0.0).astype(float)
-        settled = np.array_equal(sides, modes) and np.max(np.abs(step)) <= 1e-13 + 1e-11 * np.max(np.abs(x))
+        settled = (
+            np.array_equal(sides, modes) and _is_small(step[:n_v], x[:n_q]) and _is_small(step[n_v:], x[n_q + n_v :])
+        )
         modes = sides
         if settled:
             return _rest(compiled, x, u, p, modes)
     return None
+
+
+def _is_small(step: Array, size: Array) -> bool:
+    """Whether a step is rounding beside what it changes."""
+    return bool(np.max(np.abs(step), initial=0.0) <= 1e-13 + 1e-11 * np.max(np.abs(size), initial=0.0))
 
 
 def _closed(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> Array:
