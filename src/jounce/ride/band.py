@@ -15,7 +15,8 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 _PANELS = 12  # a decade
 _POINTS = 8  # of Gauss and Legendre in each panel
-_NEAR = (0.3, 1.0, 2.5, 6.0)  # half widths of a resonance at which panels end
+_NEAR = tuple(0.4 * 2.5**k for k in range(9))  # half widths of a resonance at which panels end
+_FAR = 0.3  # of its frequency, beyond which a resonance needs no panels of its own
 _PERIODS = 0.4  # of the waves between front and rear that a panel may hold
 _CHUNK = 80  # nodes summed at once: small products stay on one core, and several cores would only wait for each other
 _DEFECTIVE = 1e6  # condition of the eigenvectors beyond which they are not used
@@ -37,8 +38,9 @@ def frequencies(low: float, high: float, a: Array, delay: float) -> tuple[Array,
     edges = [*np.geomspace(low, high, count + 1)]
     for value in np.linalg.eigvals(a):
         middle, width = abs(value.imag) / (2.0 * np.pi), abs(value.real) / (2.0 * np.pi)
-        if value.imag > 0.0 and width < 0.3 * middle:
-            edges += [middle, *(middle + side * share * width for share in _NEAR for side in (-1.0, 1.0))]
+        if value.imag > 0.0:
+            reach = [share * width for share in _NEAR if share * width < _FAR * middle]
+            edges += [middle + side * way for way in reach for side in (-1.0, 1.0)]
     inside = np.unique([edge for edge in edges if low <= edge <= high])
     if delay > 0.0:
         parts = np.maximum(1, np.ceil(np.diff(inside) * delay / _PERIODS).astype(int))
