@@ -14,12 +14,13 @@ TRIAL = jn.Trial(road=jn.HalfSine(height="5 mm", length="300 mm", start="0.3 m")
 
 
 def test_the_corner_of_a_linkage_is_the_quarter_car_it_amounts_to() -> None:
-    corner, lumped = corner_models(jn.load(KART))[""], jn.lumped_from(jn.load(KART))
+    corner = corner_models(jn.load(KART))[""]
+    at_rest = jn.sweep_travel(jn.load(KART), "-1 mm:1 mm:1 mm").sel(wheel_travel=0.0)
     load = jn.equilibrium(jn.load(KART))["tyre.force"]
     assert (corner.sprung_mass + corner.unsprung_mass) * 9.81 == pytest.approx(load, rel=1e-9)
     assert corner.tyre_stiffness == pytest.approx(jn.load(KART).tyre.stiffness)
-    rig = lumped.parameters()
-    assert corner.spring_rate == pytest.approx(rig["strut.spring.rate"] * np.cos(rig["strut.angle"]) ** 2, rel=1e-3)
+    assert corner.spring_rate == pytest.approx(float(at_rest["wheel_rate_spring"]), rel=1e-4)
+    assert corner.motion_ratio == pytest.approx(float(at_rest["motion_ratio"]), rel=1e-4)
 
 
 def test_skyhook_calms_the_body_on_a_double_wishbone() -> None:
