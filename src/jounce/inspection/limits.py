@@ -1,0 +1,288 @@
+"""Limits of the inspection as data: bands of each method, of what must hold for it, and of differences."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+from importlib import resources
+from pathlib import Path
+from typing import Any, Literal, Self
+
+from pydantic import Field, model_validator
+
+from jounce.core.description import Description, misplaced, read_toml
+from jounce.core.errors import DescriptionError, nearest
+from jounce.core.units import to_si
+from jounce.inspection.quantities import QUANTITIES, Language, Quantity
+from jounce.parts.loading import check_schema
+
+SCHEMA = "jounce.limits/1"
+SHIPPED = "jounce"
+METHODS = ("eusama", "egea", "theta", "boge")
+Verdict = Literal["pass", "advise", "fail"]
+Colour = Literal["green", "yellow", "orange", "red"]
+VERDICTS: tuple[Verdict, ...] = ("pass", "advise", "fail")
+"""From good to bad."""
+
+
+class Band(Description):
+    """One class of a quantity, half-open.
+
+    Attributes
+    ----------
+    start, end : float
+        ``from`` and ``to`` in the file, in the unit of the quantity; without them the band has no end on that side.
+    end_included : bool
+        ``to_included``: the end belongs to this band and not to the next one.
+    label, label_de : str
+        What a value in it is called, in English and German.
+    colour : {"green", "yellow", "orange", "red"}
+        On protocols.
+    verdict : {"pass", "advise", "fail"}
+        What it means.
+    note : str
+        A keyword that results carry, e.g. ``over_range``.
+    """
+
+    start: float = Field(default=-math.inf, alias="from")
+    end: float = Field(default=math.inf, alias="to")
+    end_included: bool = Field(default=False, alias="to_included")
+    label: str = Field(min_length=1)
+    label_de: str = ""
+    colour: Colour
+    verdict: Verdict
+    note: str = ""
+
+    def words(self, language: Language = "en") -> str:
+        """Give its label; the English one where there is no other."""
+        return self.label_de if language == "de" and self.label_de else self.label
+
+
+class Criterion(Description):
+    """Bands of one quantity.
+
+    Attributes
+    ----------
+    quantity : str
+        Key of the value in results, e.g. ``"theta_road"``.
+    bands : tuple of Band
+        Ascending, without gaps and overlaps.
+    source : str
+        Where the numbers are from.
+    date : str
+        Of the source.
+    """
+
+    quantity: str
+    bands: tuple[Band, ...] = Field(min_length=1)
+    source: str = Field(min_length=1)
+    date: str = ""
+
+    @property
+    def kind(self) -> Quantity:
+        """Unit and words of the quantity; of a relative difference per cent."""
+        return QUANTITIES[self.quantity]
+
+    @classmethod
+    def _unit(cls, table: dict[str, Any]) -> str:
+        return QUANTITIES[table["quantity"]].si
+
+    @model_validator(mode="before")
+    @classmethod
+    def _read_units(cls, table: Any) -> Any:
+        if not isinstance(table, dict) or not isinstance(table.get("quantity"), str):
+            return table
+        name = table["quantity"]
+        if name not in QUANTITIES:
+            hint = nearest(name, QUANTITIES)
+            raise misplaced(("quantity",), f"unknown quantity {name!r}; allowed: {', '.join(QUANTITIES)}. {hint}")
+        if not isinstance(table.get("bands"), (list, tuple)):
+            return table
+        unit = cls._unit(table)
+        return {**table, "bands": [_in_si(band, i, unit) for i, band in enumerate(table["bands"])]}
+
+    @model_validator(mode="after")
+    def _without_gaps(self) -> Self:
+        for i, band in enumerate(self.bands):
+            if not band.start < band.end:
+                raise misplaced(("bands", i), f"empty: from {self._said(band.start)} to {self._said(band.end)}")
+        for i, (low, high) in enumerate(zip(self.bands[:-1], self.bands[1:], strict=True), 1):
+            if math.isclose(low.end, high.start, rel_tol=1e-9):
+                continue
+            what, ends = (
+                ("a gap", (low.end, high.start)) if low.end < high.start else ("an overlap", (high.start, low.end))
+            )
+            names = f"{low.label!r} and {high.label!r}"
+            text = f"{what} from {self._said(ends[0])} to {self._said(ends[1])}, between {names}; each band must begin"
+            raise misplaced(("bands", i), f"{text} where the one before it ends")
+        return self
+
+    def _said(self, value: float) -> str:
+        return self.kind.limit_text(value) if math.isfinite(value) else "no limit"
+
+    def band_of(self, value: float) -> Band | None:
+        """Find the band of a value in the quantity's unit; None where no band is.
+
+        Examples
+        --------
+        >>> theta = load_limits().methods["theta"]
+        >>> [theta.band_of(value).label for value in (0.0999, 0.1, 0.13, 0.3)]
+        ['red', 'yellow', 'green', 'green']
+        >>> theta.band_of(0.3001).note
+        'over_range'
+        """
+        ends = [band.start for band in self.bands[1:]] + [self.bands[-1].end]
+        for band, end in zip(self.bands, ends, strict=True):
+            if band.start <= value < end or (band.end_included and value in (band.end, end)):
+                return band
+        return None
+
+    def edges(self) -> tuple[float, ...]:
+        """Limits between bands, ascending."""
+        return tuple(band.end for band in self.bands[:-1])
+
+    def passing_from(self) -> float | None:
+        """Least limit from which on a value passes where more is better; None where there is none."""
+        for low, high in zip(self.bands[:-1], self.bands[1:], strict=True):
+            if low.verdict != "pass" and high.verdict == "pass":
+                return high.start
+        return None
+
+
+def _in_si(band: Any, i: int, unit: str) -> Any:
+    if not isinstance(band, dict):
+        return band
+    found = dict(band)
+    for key in ("from", "to"):
+        if key in found:
+            try:
+                found[key] = to_si(found[key], unit)
+            except DescriptionError as error:
+                said = f"{error.what}; found {error.found!r}; allowed: {error.allowed}"
+                raise misplaced(("bands", i, key), said) from None
+    return found
+
+
+class Condition(Criterion):
+    """Bands of what must hold for some methods; ``methods`` names them."""
+
+    methods: tuple[str, ...] = Field(min_length=1)
+
+
+_SHARE = Quantity("difference", "1", "%", 100.0, 1, "difference", "Unterschied")
+
+
+class DifferenceCriterion(Condition):
+    """Bands of a difference between two wheels.
+
+    Attributes
+    ----------
+    across : {"wheels", "axles"}
+        Left and right of an axle, or front and rear of a side.
+    definition : {"relative", "absolute"}
+        100 |a - b| / max(a, b), or |a - b| in the unit of the quantity.
+    """
+
+    across: Literal["wheels", "axles"] = "wheels"
+    definition: Literal["relative", "absolute"] = "relative"
+
+    @property
+    def kind(self) -> Quantity:
+        """Unit of the difference, words of the quantity."""
+        return _SHARE if self.definition == "relative" else QUANTITIES[self.quantity]
+
+    @classmethod
+    def _unit(cls, table: dict[str, Any]) -> str:
+        return "1" if table.get("definition", "relative") == "relative" else QUANTITIES[table["quantity"]].si
+
+
+class Limits(Description):
+    """All limits of a lane.
+
+    Attributes
+    ----------
+    name, version, date, source : str
+        What results and protocols say of them.
+    methods : dict
+        Criterion by method: ``eusama``, ``egea``, ``theta``, ``boge``.
+    conditions : dict
+        What must hold, by name.
+    differences : dict
+        Criteria of differences, by name.
+    """
+
+    schema_: Literal["jounce.limits/1"] = Field(default="jounce.limits/1", alias="schema")
+    name: str = ""
+    version: str = Field(min_length=1)
+    date: str = Field(min_length=1)
+    source: str = Field(min_length=1)
+    methods: dict[str, Criterion] = Field(min_length=1)
+    conditions: dict[str, Condition] = {}
+    differences: dict[str, DifferenceCriterion] = {}
+
+    @model_validator(mode="after")
+    def _methods_are_known(self) -> Self:
+        for name in self.methods:
+            if name not in METHODS:
+                hint = nearest(name, METHODS)
+                raise misplaced(("methods", name), f"unknown method; allowed: {', '.join(METHODS)}. {hint}".rstrip())
+        for group in ("conditions", "differences"):
+            for name, criterion in getattr(self, group).items():
+                for i, method in enumerate(criterion.methods):
+                    if method not in self.methods:
+                        allowed = ", ".join(self.methods)
+                        text = f"no limits of a method {method!r} in this file; allowed: {allowed}"
+                        raise misplaced((group, name, "methods", i), text)
+        return self
+
+    @property
+    def digest(self) -> str:
+        """Eight letters that change with any number or word in the limits."""
+        table = self.model_dump(mode="python", by_alias=True)
+        return hashlib.sha256(json.dumps(table, sort_keys=True).encode()).hexdigest()[:8]
+
+    @property
+    def label(self) -> str:
+        """Name, version and digest, e.g. ``jounce 1 (0a1b2c3d)``; what results and stores carry."""
+        return f"{self.name} {self.version} ({self.digest})".strip()
+
+
+def load_limits(name: str | Path | None = None) -> Limits:
+    """Load limits from a TOML file, or the shipped ones.
+
+    Parameters
+    ----------
+    name : str or Path, optional
+        Path to a file; by default, or as ``"jounce"``, the limits that come with jounce.
+
+    Returns
+    -------
+    Limits
+        Frozen; values in the units of their quantities (SI, degrees for angles).
+
+    Raises
+    ------
+    DescriptionError
+        With file, line and path: for a missing file, gaps, overlaps, unknown keys, quantities and methods, wrong units.
+
+    Examples
+    --------
+    >>> limits = load_limits()
+    >>> limits.version, sorted(limits.methods)
+    ('1', ['boge', 'egea', 'eusama', 'theta'])
+    >>> [limits.methods["eusama"].band_of(share).label for share in (0.0, 0.2, 0.399, 0.6, 1.0)]
+    ['bad', 'insufficient', 'insufficient', 'good', 'good']
+    """
+    path = shipped_limits() if name is None or (str(name) == SHIPPED and not Path(name).exists()) else Path(name)
+    if path.is_dir():
+        raise DescriptionError("a folder, not a limits file", where=str(path))
+    table, text = read_toml(path)
+    check_schema(table, (SCHEMA,), str(path))
+    found = Limits.from_table(table, where=str(path), text=text)
+    return found if found.name else found.model_copy(update={"name": path.stem})
+
+
+def shipped_limits() -> Path:
+    """Give the file of the limits that come with jounce, to be copied and changed."""
+    return Path(str(resources.files("jounce.inspection") / "limits.toml"))

@@ -1,0 +1,125 @@
+"""What an inspection measures and grades: unit, words and how it is written, in English and German."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+Language = Literal["en", "de"]
+LANGUAGES: tuple[Language, ...] = ("en", "de")
+_MOST_DECIMALS = 6
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One value of a wheel.
+
+    Attributes
+    ----------
+    name : str
+        Its key in results.
+    si : str
+        Unit of the value in results and of bare numbers in limits files.
+    unit : str
+        Unit in which it is shown; empty for plain numbers.
+    factor : float
+        Shown value for one of ``si``.
+    decimals : int
+        As shown.
+    english, german : str
+        Words.
+    """
+
+    name: str
+    si: str
+    unit: str
+    factor: float
+    decimals: int
+    english: str
+    german: str
+
+    def words(self, language: Language = "en") -> str:
+        """Give its name in words."""
+        return self.german if language == "de" else self.english
+
+    def text(
+        self,
+        value: float | None,
+        language: Language = "en",
+        *,
+        apart_from: Sequence[float] = (),
+        with_unit: bool = True,
+    ) -> str:
+        """Write a value.
+
+        Parameters
+        ----------
+        value : float or None
+            In the unit ``si``.
+        language : {"en", "de"}
+            German numbers have a comma.
+        apart_from : sequence of float
+            Limits (``si``): as many decimals are shown as tell the value from each of them.
+        with_unit : bool
+            Whether the unit stands behind it.
+
+        Returns
+        -------
+        str
+            An en dash where there is no value.
+
+        Examples
+        --------
+        >>> adhesion = QUANTITIES["adhesion"]
+        >>> adhesion.text(0.399), adhesion.text(0.39999, apart_from=[0.4]), adhesion.text(0.5, "de")
+        ('39.9 %', '39.999 %', '50,0 %')
+        """
+        if value is None or not math.isfinite(value):
+            return "–"
+        decimals = self.decimals
+        while decimals < _MOST_DECIMALS and any(
+            value != limit and self._written(value, decimals) == self._written(limit, decimals) for limit in apart_from
+        ):
+            decimals += 1
+        text = self._written(value, decimals).replace("-", "−")
+        text = text.replace(".", ",") if language == "de" else text
+        return self._joined(text) if with_unit else text
+
+    def rounded_up(self, half: float, language: Language = "en", *, with_unit: bool = True) -> str:
+        """Write a half width of an interval (``si``), rounded up: never narrower than it is."""
+        step = 10.0**-self.decimals
+        shown = math.ceil(half * self.factor / step - 1e-9) * step
+        text = f"{shown:.{self.decimals}f}"
+        text = text.replace(".", ",") if language == "de" else text
+        return self._joined(text) if with_unit else text
+
+    def limit_text(self, value: float, language: Language = "en") -> str:
+        """Write a limit (``si``) without padding zeros: ``40 %``, ``0.13``."""
+        text = f"{value * self.factor:.6g}".replace("-", "−")
+        return self._joined(text.replace(".", ",") if language == "de" else text)
+
+    def _joined(self, text: str) -> str:
+        return f"{text}{self.unit}" if self.unit == "°" else f"{text} {self.unit}".strip()
+
+    def _written(self, value: float, decimals: int) -> str:
+        text = f"{value * self.factor:.{decimals}f}"
+        return text.lstrip("-") if float(text) == 0.0 else text
+
+
+QUANTITIES = {
+    quantity.name: quantity
+    for quantity in (
+        Quantity("adhesion", "1", "%", 100.0, 1, "adhesion (EUSAMA)", "Bodenhaftung (EUSAMA)"),
+        Quantity(
+            "phase_angle_min_deg", "deg", "°", 1.0, 1, "least phase angle (EGEA)", "kleinster Phasenwinkel (EGEA)"
+        ),
+        Quantity("relative_force_amplitude", "1", "%", 100.0, 1, "relative force amplitude", "relative Kraftamplitude"),
+        Quantity("tyre_rigidity", "N/m", "N/mm", 1e-3, 0, "tyre rigidity", "Reifensteifigkeit"),
+        Quantity("theta_road", "1", "", 1.0, 3, "damping ratio on the road (THETA)", "Dämpfungsgrad, Straße (THETA)"),
+        Quantity("theta_rig", "1", "", 1.0, 3, "damping ratio on the tester", "Dämpfungsgrad, Prüfstand"),
+        Quantity("boge_amplitude", "m", "mm", 1e3, 1, "greatest plate movement (BOGE)", "größter Ausschlag (BOGE)"),
+    )
+}
+"""Values that limits may be given for, by their key in results."""
