@@ -1,0 +1,379 @@
+"""Grading of an inspection by limits: bands, verdicts and reasons of wheels, axles and the vehicle."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import combinations
+from typing import Any
+
+from jounce.core.errors import RecordingError, unknown
+from jounce.core.serialise import to_plain
+from jounce.inspection.differences import Difference, difference_of, grade_differences
+from jounce.inspection.disagreement import explain
+from jounce.inspection.limits import METHODS, VERDICTS, Band, Criterion, Limits, load_limits
+from jounce.inspection.quantities import QUANTITIES, Language
+from jounce.inspection.reasons import Reason
+from jounce.inspection.result import NOT_GRADED, Inspection, WheelResult
+
+_SIDES = ("left", "right")
+
+
+@dataclass(frozen=True)
+class WheelGrade:
+    """Grading of one wheel.
+
+    Attributes
+    ----------
+    wheel : str
+        ``left`` or ``right``.
+    bands : dict of str to Band
+        By method; methods without a value or limits are missing.
+    verdict : str
+        ``pass``, ``advise``, ``fail`` or ``not graded``.
+    reasons : tuple of Reason
+        What decides first.
+    """
+
+    wheel: str
+    bands: dict[str, Band]
+    verdict: str
+    reasons: tuple[Reason, ...]
+
+
+@dataclass(frozen=True)
+class GradedInspection:
+    """An inspection of one axle with its grading.
+
+    Attributes
+    ----------
+    inspection : Inspection
+        The same values; wheels and axle carry grade, verdict and reasons in English.
+    limits : Limits
+        By which it was graded.
+    grades : tuple of WheelGrade
+        In the order of the wheels.
+    differences : tuple of Difference
+        Between the wheels.
+    verdict : str
+        Of the axle.
+    reasons : tuple of Reason
+        Of the axle.
+    deciding : tuple of str
+        Methods whose grade counts.
+    """
+
+    inspection: Inspection
+    limits: Limits
+    grades: tuple[WheelGrade, ...]
+    differences: tuple[Difference, ...]
+    verdict: str
+    reasons: tuple[Reason, ...]
+    deciding: tuple[str, ...]
+
+    @property
+    def wheels(self) -> tuple[WheelResult, ...]:
+        """Results of the wheels with their grading."""
+        return self.inspection.wheels
+
+    @property
+    def axle(self) -> str:
+        """``front``, ``rear``, or empty where the record does not say."""
+        return str(self.inspection.axle.get("axle", ""))
+
+    def grade_of(self, wheel: str) -> WheelGrade | None:
+        """Grading of ``"left"`` or ``"right"``; None where it was not tested."""
+        return next((grade for grade in self.grades if grade.wheel == wheel), None)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain JSON object ``{wheels: [...], axle: {...}, limits: {...}, verdict: ..., reasons: [...]}``."""
+        return {
+            **self.inspection.to_dict(),
+            "deciding": list(self.deciding),
+            "limits": _about(self.limits),
+            "verdict": self.verdict,
+            "reasons": [reason.text() for reason in self.reasons],
+        }
+
+
+@dataclass(frozen=True)
+class VehicleGrade:
+    """Grading of a vehicle from one or two axles.
+
+    Attributes
+    ----------
+    axles : tuple of GradedInspection
+        Front before rear.
+    differences : tuple of Difference
+        Between front and rear of each side.
+    verdict : str
+        Of the vehicle, as far as it was tested.
+    reasons : tuple of Reason
+        Why.
+    """
+
+    axles: tuple[GradedInspection, ...]
+    differences: tuple[Difference, ...] = ()
+    verdict: str = NOT_GRADED
+    reasons: tuple[Reason, ...] = field(default_factory=tuple)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain JSON object ``{axles: [...], differences: {...}, verdict: ..., reasons: [...]}``."""
+        return {"axles": [axle.to_dict() for axle in self.axles], **self.summary()}
+
+    def summary(self) -> dict[str, Any]:
+        """Plain JSON object of what is said about the vehicle as a whole."""
+        sides: dict[str, dict[str, Any]] = {}
+        for one in self.differences:
+            sides.setdefault(one.place, {})[one.quantity] = to_plain(one.to_dict())
+        return {"verdict": self.verdict, "reasons": [reason.text() for reason in self.reasons], "differences": sides}
+
+
+def _about(limits: Limits) -> dict[str, str]:
+    return {
+        "name": limits.name, "version": limits.version, "date": limits.date, "source": limits.source,
+        "digest": limits.digest, "label": limits.label,
+    }  # fmt: skip
+
+
+def worst(verdicts: Iterable[str]) -> str:
+    """Give the worst verdict: one failure decides; otherwise what is not graded makes the whole not graded.
+
+    Examples
+    --------
+    >>> worst(["pass", "advise"]), worst(["pass", "not graded"]), worst(["not graded", "fail"]), worst([])
+    ('advise', 'not graded', 'fail', 'not graded')
+    """
+    found = list(verdicts)
+    if "fail" in found:
+        return "fail"
+    if not found or NOT_GRADED in found:
+        return NOT_GRADED
+    return max(found, key=VERDICTS.index)
+
+
+def grade(
+    inspection: Inspection, limits: Limits | None = None, deciding: Sequence[str] | None = None
+) -> GradedInspection:
+    """Grade the wheels of an inspection, and the axle.
+
+    Parameters
+    ----------
+    inspection : Inspection
+        As ``evaluate`` gives it.
+    limits : Limits, optional
+        Those that come with jounce by default.
+    deciding : sequence of {"eusama", "egea", "theta", "boge"}, optional
+        Methods whose grade counts for the verdict: a wheel that lacks one of them is not graded. By default all that
+        were evaluated and gave a value count. Other methods are graded for information, and where they disagree the
+        reasons say why.
+
+    Returns
+    -------
+    GradedInspection
+        The worst band decides. What cannot be graded has the verdict ``"not graded"`` with its reasons.
+
+    Raises
+    ------
+    DescriptionError
+        For an unknown method.
+
+    Examples
+    --------
+    >>> wheel = WheelResult("left", static_load=4300.0, adhesion=0.34, phase_angle_min_deg=51.0)
+    >>> graded = grade(Inspection((wheel,), methods=("eusama", "egea")), deciding=["egea"])
+    >>> graded.wheels[0].verdict, graded.wheels[0].grade
+    ('pass', {'eusama': 'insufficient', 'egea': 'above the limit'})
+    """
+    chosen = limits if limits is not None else load_limits()
+    for method in deciding or ():
+        if method not in METHODS:
+            raise unknown(method, METHODS, what="method")
+    counted = None if deciding is None else tuple(deciding)
+    grades = tuple(_grade_wheel(wheel, inspection, chosen, counted) for wheel in inspection.wheels)
+    used = counted if counted is not None else tuple(m for m in METHODS if any(m in one.bands for one in grades))
+    differences, about = _between_wheels(inspection, grades, chosen, used)
+    reasons = (*_axle_reasons(grades), *about)
+    verdicts = [*(one.verdict for one in grades), *(reason.verdict for reason in about if reason.verdict)]
+    verdict = worst([*verdicts, NOT_GRADED] if len(grades) < len(_SIDES) else verdicts)
+    return GradedInspection(
+        _with_grades(inspection, grades, differences, verdict, reasons),
+        chosen, grades, differences, verdict, reasons, used,
+    )  # fmt: skip
+
+
+def _with_grades(
+    inspection: Inspection,
+    grades: tuple[WheelGrade, ...],
+    differences: tuple[Difference, ...],
+    verdict: str,
+    reasons: tuple[Reason, ...],
+) -> Inspection:
+    wheels = tuple(
+        replace(
+            wheel,
+            grade={method: band.label for method, band in one.bands.items()},
+            verdict=one.verdict,
+            reasons=said(one.reasons),
+        )
+        for wheel, one in zip(inspection.wheels, grades, strict=True)
+    )
+    found = {one.quantity: one.to_dict() for one in differences}
+    axle = {**inspection.axle, "differences": found, "verdict": verdict, "reasons": list(said(reasons))}
+    return replace(inspection, wheels=wheels, axle=axle)
+
+
+def said(reasons: Iterable[Reason], language: Language = "en") -> tuple[str, ...]:
+    """Say reasons as sentences."""
+    return tuple(reason.text(language) for reason in reasons)
+
+
+def _grade_wheel(
+    wheel: WheelResult, inspection: Inspection, limits: Limits, deciding: tuple[str, ...] | None
+) -> WheelGrade:
+    unfit = [one for one in (*wheel.findings, *inspection.findings) if one.severity == "problem"]
+    if unfit:
+        texts = dict.fromkeys(one.message for one in unfit)
+        return WheelGrade(
+            wheel.wheel, {}, NOT_GRADED, tuple(Reason("finding", NOT_GRADED, {"text": text}) for text in texts)
+        )
+    bands: dict[str, Band] = {}
+    reasons: dict[str, list[Reason]] = {}
+    for method in dict.fromkeys((*(inspection.methods or limits.methods), *(deciding or ()))):
+        band, reasons[method] = _by_method(wheel, method, limits)
+        if band is not None:
+            bands[method] = band
+    used = deciding if deciding is not None else tuple(bands)
+    conditions = [one for one in _conditions(wheel, limits, used) if bands]
+    verdict = worst([*(bands[m].verdict if m in bands else NOT_GRADED for m in used), *_verdicts(conditions)])
+    order = sorted(reasons, key=lambda m: (m not in used, -_severity(bands.get(m))))
+    listed = [reason for method in order for reason in reasons[method]] + conditions
+    if any(method not in used for method in bands):
+        listed.append(Reason("deciding", "", {"methods": used}))
+    return WheelGrade(wheel.wheel, bands, verdict, (*listed, *explain(wheel, bands, limits)))
+
+
+def _severity(band: Band | None) -> int:
+    return len(VERDICTS) if band is None else VERDICTS.index(band.verdict)
+
+
+def _verdicts(reasons: Iterable[Reason]) -> list[str]:
+    return [reason.verdict for reason in reasons if reason.verdict]
+
+
+def _by_method(wheel: WheelResult, method: str, limits: Limits) -> tuple[Band | None, list[Reason]]:
+    """Band of a wheel by one method, and the reasons."""
+    criterion = limits.methods.get(method)
+    if criterion is None:
+        return None, [Reason("unlimited", NOT_GRADED, {"method": method})]
+    value = getattr(wheel, criterion.quantity)
+    about = {"criterion": criterion, "method": method}
+    if value is None or value != value:  # noqa: PLR0124 - not a number
+        return None, [Reason("missing", NOT_GRADED, about)]
+    half = wheel.uncertainty.get(criterion.quantity)
+    about |= {"value": value, "half": half}
+    band = criterion.band_of(value)
+    if band is None:
+        return None, [Reason("outside", NOT_GRADED, about)]
+    reasons = [Reason("band", band.verdict, {**about, "band": band, "verdict": band.verdict})]
+    if band.note == "over_range":
+        reasons.append(Reason("over_range", "", {**about, "limit": band.start}))
+    return band, reasons + near_edges(criterion, value, half)
+
+
+def near_edges(criterion: Criterion, value: float, half: float | None) -> list[Reason]:
+    """Say which limits the 95 % interval of a value reaches over (value and half width in the criterion's unit)."""
+    if half is None:
+        return []
+    low, high = value - half, value + half
+    return [
+        Reason("near", "", {"criterion": criterion, "low": low, "high": high, "limit": edge})
+        for edge in criterion.edges()
+        if low < edge <= high
+    ]
+
+
+def _conditions(wheel: WheelResult, limits: Limits, used: Sequence[str]) -> list[Reason]:
+    """What does not hold of what the methods used need."""
+    found = []
+    for condition in limits.conditions.values():
+        value = getattr(wheel, condition.quantity)
+        if value is None or not set(condition.methods) & set(used):
+            continue
+        band, half = condition.band_of(value), wheel.uncertainty.get(condition.quantity)
+        if band is not None and band.verdict != "pass":
+            values = {"criterion": condition, "value": value, "half": half, "band": band, "verdict": band.verdict}
+            found.append(Reason("condition", band.verdict, values))
+    return found
+
+
+def _between_wheels(
+    inspection: Inspection, grades: tuple[WheelGrade, ...], limits: Limits, used: Sequence[str]
+) -> tuple[tuple[Difference, ...], list[Reason]]:
+    if len(grades) < len(_SIDES) or any(not wheel.is_gradable for wheel in inspection.wheels):
+        return (), []
+    left, right = (inspection.wheel(side) for side in _SIDES)
+    differences = differences_of(left, right, ("left", "right"))
+    return grade_differences(differences, limits, used, "wheels")
+
+
+def differences_of(
+    first: WheelResult, second: WheelResult, places: tuple[str, str], place: str = ""
+) -> list[Difference]:
+    """Differences of all values that both wheels have; ``places`` are the names of the two."""
+    found = (difference_of(name, first, second, places, place) for name in QUANTITIES)
+    return [one for one in found if one is not None]
+
+
+def _axle_reasons(grades: tuple[WheelGrade, ...]) -> list[Reason]:
+    tested = {one.wheel for one in grades}
+    missing = [Reason("one_wheel", NOT_GRADED, {"missing": side}) for side in _SIDES if side not in tested]
+    return missing + [Reason("wheel", one.verdict, {"wheel": one.wheel, "verdict": one.verdict}) for one in grades]
+
+
+def grade_vehicle(axles: Sequence[GradedInspection]) -> VehicleGrade:
+    """Put the gradings of a vehicle's axles together.
+
+    Parameters
+    ----------
+    axles : sequence of GradedInspection
+        One or two, of different axles, graded by the same limits.
+
+    Returns
+    -------
+    VehicleGrade
+        Verdict over what was tested, differences between front and rear of each side.
+
+    Raises
+    ------
+    RecordingError
+        For two records of the same axle, records that do not say of which one, or different limits.
+    """
+    ordered = sorted(axles, key=lambda one: one.axle)  # front, rear
+    for first, second in combinations(ordered, 2):
+        _check_pair(first, second)
+    reasons = [Reason("axle", one.verdict, {"axle": one.axle, "verdict": one.verdict}) for one in ordered]
+    differences: list[Difference] = []
+    verdicts = [one.verdict for one in ordered]
+    if len(ordered) == 2:
+        for side in _SIDES:
+            pair = [[wheel for wheel in one.wheels if wheel.wheel == side and wheel.is_gradable] for one in ordered]
+            if all(pair):
+                found = differences_of(pair[0][0], pair[1][0], ("front", "rear"), side)
+                graded, about = grade_differences(found, ordered[0].limits, ordered[0].deciding, "axles")
+                differences += graded
+                reasons += about
+                verdicts += _verdicts(about)
+    return VehicleGrade(tuple(ordered), tuple(differences), worst(verdicts), tuple(reasons))
+
+
+def _check_pair(first: GradedInspection, second: GradedInspection) -> None:
+    if not first.axle or not second.axle:
+        raise RecordingError(
+            "records of two axles must say of which one they are",
+            where="axle", found="none", allowed="front, rear", hint='Write a line # axle = "front" before the columns.',
+        )  # fmt: skip
+    if first.axle == second.axle:
+        raise RecordingError("two records of the same axle", where="axle", found=first.axle, allowed="one of each axle")
+    if first.limits.digest != second.limits.digest:
+        raise RecordingError("the axles were graded by different limits", where="limits")
