@@ -21,6 +21,7 @@ from jounce.cli import (
     draw,
     fit,
     importing,
+    inspection,
     iri,
     kinematics,
     library,
@@ -67,6 +68,7 @@ def application() -> typer.Typer:
     app.add_typer(importing.app, name="import")
     app.add_typer(fit.app, name="fit")
     app.add_typer(bench.app, name="bench")
+    app.add_typer(inspection.app, name="inspect")
     app.add_typer(study.app, name="study")
     app.command("version")(version)
     return app
