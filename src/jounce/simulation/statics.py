@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
 from jounce.mechanics.model import is_road
+from jounce.roads.loads import LOADS
 from jounce.simulation.compiled import Compiled
 
 Array = NDArray[np.float64]
@@ -103,7 +104,7 @@ def _load_hint(compiled: Compiled, u: Array) -> str:
     loads = [
         f"{name} {value:g}"
         for name, value in zip(compiled.facts.tracks, values, strict=True)
-        if value and not is_road(name)
+        if value and name in LOADS
     ]
     if not loads:
         return ""
