@@ -1,4 +1,4 @@
-"""Write docs/schemas: JSON schemas of rig, vehicle, campaign and road files, made from the descriptions that read them.
+"""Write docs/schemas: JSON schemas of all files that users write, made from the descriptions that read them.
 
 Run ``python docs/make_schemas.py`` after a description has changed; a test compares the files with what this gives.
 """
@@ -13,6 +13,7 @@ from typing import Any
 
 from pydantic import TypeAdapter
 
+from jounce.control import CONTROLS
 from jounce.parts.rigs import RIGS
 from jounce.parts.vehicles import VEHICLES
 from jounce.roads.loading import SCHEMA
@@ -84,6 +85,20 @@ def campaign_schema() -> dict[str, Any]:
     return {"$schema": DIALECT, **schema, "title": "jounce campaign file"}
 
 
+def control_schema() -> dict[str, Any]:
+    """Schema of a control file: any of the laws, by any of the names that stand for it."""
+    laws = {kind.law for kind in CONTROLS.values()}
+    schema: dict[str, Any] = TypeAdapter(reduce(or_, sorted(laws, key=lambda law: law.__name__))).json_schema(
+        by_alias=True
+    )
+    for law in laws:
+        definition = schema["$defs"][law.__name__]
+        names = [name for name, kind in CONTROLS.items() if kind.law is law]
+        definition["properties"]["law"] = {"enum": names}
+        definition["required"] = ["schema", "law"]
+    return {"$schema": DIALECT, **schema, "title": "jounce control file"}
+
+
 def _roads(*, named: bool) -> dict[str, Any]:
     """Schema of any road, ``kind`` required; ``named``: the road of a train or an enveloped one may be a name."""
     schema = TypeAdapter(AnyRoad).json_schema(by_alias=True)
@@ -113,6 +128,7 @@ def _short(schema: Any) -> Any:
 def texts() -> dict[str, str]:
     """Give all schemas: file name to text."""
     schemas = {"rig": rig_schema(), "vehicle": vehicle_schema(), "campaign": campaign_schema(), "road": road_schema()}
+    schemas["control"] = control_schema()
     return {f"{name}.schema.json": json.dumps(_short(schema), indent=1) + "\n" for name, schema in schemas.items()}
 
 

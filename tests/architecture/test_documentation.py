@@ -155,7 +155,7 @@ def test_schemas_are_up_to_date():
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     texts = module.texts()
-    assert set(texts) == {f"{name}.schema.json" for name in ("rig", "vehicle", "campaign", "road")}
+    assert set(texts) == {f"{name}.schema.json" for name in ("rig", "vehicle", "campaign", "road", "control")}
     for name, text in texts.items():
         found = (module.FOLDER / name).read_text(encoding="utf-8")
         assert found == text, f"{name} is out of date: run python docs/make_schemas.py"
