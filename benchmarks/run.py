@@ -16,6 +16,7 @@ from mechanism_rows import mechanism_rows
 from peers import casadi_runs, cheapest, diffrax_runs, linear_runs, numba_runs, scipy_runs
 from problems import CHANNELS, DURATION, TIMES, Obstacle, QuarterCar, displacement_error, long_road
 from timing import Row, markdown, median_time, shown
+from vehicle_rows import vehicle_rows
 
 import jounce as jn
 from jounce.core.segments import Segments, piecewise_linear
@@ -159,7 +160,7 @@ def _process(arguments: list[str]) -> float:
 def main() -> None:
     """Run everything, print the table and write the page."""
     rows: list[Row] = []
-    for part in (obstacle_rows, linear_rows, mechanism_rows, update_rows, start_rows):
+    for part in (obstacle_rows, linear_rows, mechanism_rows, vehicle_rows, update_rows, start_rows):
         new = part()
         rows += new
         for row in new:
