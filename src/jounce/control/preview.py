@@ -29,6 +29,7 @@ _QUIET: dict[str, dict[str, Any]] = {
     "qrqp": {"print_iter": False, "print_header": False, "print_info": False},
 }
 _SOFT = (1e6, 3.0)  # weights of going over stroke and of lost load, against those of the deflections themselves
+_LONGEST = 200  # steps of a plan
 _SLACK = 1e-2  # m: unit of the slacks
 _CHEAP = 1e-3  # price of a force behind a lag against that of the acceleration it makes
 
@@ -175,6 +176,14 @@ class _Planner:
         self.channels = tuple(f"{corner}.{name}" if corner else name for corner in corners for name in _CHANNELS)
         self._limits = Limits(setting.controllers)
         steps = max(round(mpc.preview * mpc.rate), 1)
+        if steps > _LONGEST:
+            raise SimulationError(
+                "the plan has too many steps",
+                where="mpc: preview, rate",
+                found=f"{steps} (preview times rate)",
+                allowed=f"at most {_LONGEST}",
+                hint="Lower the control rate or shorten the preview; 50 to 100 ms are usual.",
+            )
         times = np.arange(setting.instants + steps + 1) / mpc.rate
         self._plans = [
             _Plan(mpc, setting.controllers[name].actuator, setting.models[name], steps, setting.road(name, times))

@@ -26,7 +26,7 @@ from jounce.kernel.native import Native, compile_functions
 from jounce.parts import Rig
 from jounce.simulation.compiled import Compiled
 from jounce.simulation.corner_models import corner_models
-from jounce.simulation.run import Prepared
+from jounce.simulation.run import MAX_STEPS, Prepared
 
 Array = NDArray[np.float64]
 AnyControl = Controller | str | Path | Callable[..., Any]
@@ -169,6 +169,7 @@ class _Law:
         self._begin: list[Callable[[], None]] = []
         pieces = prepared.problem.tracks.first[tracks]
         first, times = loop.first, prepared.out.times
+        _check_rate(first.rate, float(times[-1] - times[0]))
         self._instants = int(np.ceil((times[-1] - times[0]) * first.rate - 1e-9)) + 1
         self._pieces = pieces
         self.feedback = self._python() if isinstance(first, CallbackController) else self._native()
@@ -263,6 +264,18 @@ class _Law:
         track = f"{corner}.road.z" if corner else "road.z"
         signal = self._signals[self._compiled.facts.tracks.index(track)]
         return signal.evaluate(np.minimum(times, signal.edges[-1]))[0]
+
+
+def _check_rate(rate: float, duration: float) -> None:
+    """Refuse a control rate (Hz) that no run of that duration (s) can follow."""
+    if rate * duration > MAX_STEPS:
+        raise SimulationError(
+            "too many control instants",
+            where="control: rate",
+            found=f"{rate:g} Hz for {duration:g} s",
+            allowed=f"at most {MAX_STEPS} instants a run",
+            hint="Lower the control rate or shorten the run.",
+        )
 
 
 _laws: dict[int, tuple[object, Native]] = {}

@@ -101,6 +101,10 @@ class _View:
 def _corner(view: _View, prefix: str, gravity: float) -> CornerModel:
     force, deflection, velocity = (f"{prefix}strut.{word}" for word in ("force", "deflection", "velocity"))
     body, wheel = f"{prefix}sprung.vz", f"{prefix}unsprung.vz"
+    if not view.has(body):
+        raise SimulationError(
+            "nothing to control: the body is held", where="guide", found="fixed", allowed="a body that moves"
+        )
     parting = -view.row(body, rates=True)
     if view.has(wheel):
         parting = parting + view.row(wheel, rates=True)
@@ -114,6 +118,9 @@ def _corner(view: _View, prefix: str, gravity: float) -> CornerModel:
         stiffness = _share(view.row(tyre), view.row(f"{prefix}tyre.deflection"))
         mass = view.driven(tyre, road) / view.driven(f"{prefix}unsprung.az", road)
         load = view.value(tyre) - mass * gravity
+    if load <= 0.0:
+        place = prefix.removesuffix(".") or "the wheel"
+        raise SimulationError("a corner carries nothing of the body", where=place, found=f"{load:.4g} N")
     return CornerModel(load / gravity, mass, spring, stiffness, damping, r, gravity, view.value(deflection))
 
 

@@ -321,6 +321,8 @@ def simulate(
     times = output_times(trial.duration, output_step)
     start = _offset(compiled, offset)
     signals = excitation(compiled.facts, rig, trial)
+    if loop and method == "implicit":
+        raise SimulationError("controlled runs are explicit", where="method", found=method, allowed="auto, explicit")
     if loop:
         signals, method = loop.with_rest(compiled, signals), "explicit"
     prepared = prepare(compiled, p, signals, times, tolerance=tolerance, offset=start, method=method)

@@ -165,6 +165,35 @@ def test_gravity_says_what_a_corner_carries() -> None:
         jn.simulate(rig, TRIAL, control="skyhook")
 
 
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"control": Skyhook(rate=1e9)}, "too many control instants"),
+        ({"control": controller("mpc", rate=1e4)}, "the plan has too many steps"),
+        ({"control": "skyhook", "method": "implicit"}, "controlled runs are explicit"),
+        ({"control": "skyhok"}, "unknown controller 'skyhok'.*Did you mean 'skyhook'"),
+        ({"control": 3}, "not a controller"),
+    ],
+)
+def test_what_no_run_can_follow_is_refused(rig: jn.Rig, options: dict[str, object], message: str) -> None:
+    with pytest.raises(jn.JounceError, match=message):
+        jn.simulate(rig, TRIAL, **options)
+
+
+def test_a_held_body_is_not_controlled() -> None:
+    rig = jn.load("reference-double-wishbone")
+    table = {**rig.model_dump(by_alias=True, exclude_none=True), "guide": "fixed"}
+    with pytest.raises(jn.SimulationError, match="nothing to control: the body is held"):
+        jn.simulate(type(rig).from_table(table), TRIAL, control="skyhook")
+
+
+def test_mechanisms_are_controlled_like_lumped_corners() -> None:
+    rig = jn.load("reference-double-wishbone")
+    passive, skyhook = jn.simulate(rig, TRIAL), jn.simulate(rig, TRIAL, control="skyhook")
+    assert float(skyhook["sprung.az"].std()) < 0.9 * float(passive["sprung.az"].std())
+    assert float((skyhook["actuator.force"] * skyhook["strut.velocity"]).min()) >= 0.0
+
+
 def test_steps_make_the_same_run(rig: jn.Rig) -> None:
     damper = SemiActiveDamper(minimum=300.0, maximum=4000.0)
     run = jn.simulate(rig, TRIAL, control=Passive(damping_coefficient=2000.0, actuator=damper, rate=100.0))
