@@ -76,7 +76,7 @@ class System:
         self._alike = tuple(prefixes), tuple(groups)
 
     def constant(self, name: str, value: float) -> ca.SX:
-        """Give a symbol that stands for a number: expressions that differ in it only are alike."""
+        """Give a symbol that stands for a number (``value``, SI): expressions that differ in it only are alike."""
         name = self.placed(name)
         self._refuse_twice(name, self._constants)
         self._constants[name] = ca.SX.sym(name), value

@@ -122,7 +122,7 @@ def power_spectrum(
     Parameters
     ----------
     values : array_like, shape (n,)
-        Signal in any unit at a constant rate.
+        Signal at a constant rate, in SI or any other unit (m/s^2, N, ...).
     sample_rate : float
         Samples per second, Hz.
     segment : float or str, optional
@@ -171,9 +171,9 @@ def transfer_function(
     Parameters
     ----------
     given : array_like, shape (n,)
-        Input signal, any unit, at a constant rate.
+        Input signal at a constant rate, in SI or any other unit (m, m/s^2, ...).
     answer : array_like, shape (n,)
-        Output signal, any unit, on the same instants.
+        Output signal on the same instants, in SI or any other unit (m/s^2, N, ...).
     sample_rate : float
         Samples per second, Hz.
     segment : float or str, optional

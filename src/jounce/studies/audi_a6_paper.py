@@ -214,7 +214,7 @@ def paper_slips() -> tuple[Slip, ...]:
     assert isinstance(car, HalfCar)
     assert isinstance(demo, HalfCar)
     assert isinstance(corner, QuarterCar)
-    return (*_stand(corner), *_loads(car, corner), *_equations(car), *_demo(car, demo))
+    return (*_stand(corner), *_stand_results(corner), *_loads(car, corner), *_equations(car), *_demo(car, demo))
 
 
 def _stand(corner: QuarterCar) -> tuple[Slip, ...]:
@@ -222,10 +222,7 @@ def _stand(corner: QuarterCar) -> tuple[Slip, ...]:
     spring, tyre = corner.strut.spring.rate or np.nan, corner.tyre.stiffness or np.nan
     damper, pneumatic = _damping(corner), corner.tyre.damping_coefficient
     torque, both = excenter_torque(POWER, FREQUENCY), series(spring, tyre)
-    merged, chain, alone = LOAD / (spring + tyre), LOAD / both, LOAD / spring
     at_frequency = series_at(corner, FREQUENCY)[1]
-    read = FREE_LENGTH - READ_LENGTH
-    metre = partial(Slip, unit="m")
     return (
         Slip(
             "eq. (5)",
@@ -256,6 +253,33 @@ def _stand(corner: QuarterCar) -> tuple[Slip, ...]:
             at_frequency,
             "N*s/m",
         ),
+        Slip(
+            "table 1, c_pneu",
+            f"{pneumatic:.0f} N s/m",
+            "50 to 100 N s/m",
+            "tyres of passenger cars damp 10 to 20 times less",
+            pneumatic,
+            None,
+            "N*s/m",
+        ),
+        Slip(
+            "section 4, principle",
+            f"EUSAMA principle at {FREQUENCY:g} Hz, stroke not given",
+            "EUSAMA runs down from 25 Hz with a stroke of 6 mm",
+            "power and frequency are those of a THETA tester; the excenter's amplitude is an input here (3 mm, "
+            "estimated)",
+        ),
+    )
+
+
+def _stand_results(corner: QuarterCar) -> tuple[Slip, ...]:
+    """Section 4: how far the spring is compressed."""
+    spring, tyre = corner.strut.spring.rate or np.nan, corner.tyre.stiffness or np.nan
+    both = series(spring, tyre)
+    merged, chain, alone = LOAD / (spring + tyre), LOAD / both, LOAD / spring
+    read = FREE_LENGTH - READ_LENGTH
+    metre = partial(Slip, unit="m")
+    return (
         metre(
             "section 4, static compression",
             f"of the summed spring: {1e3 * merged:.3f} mm",
@@ -272,22 +296,6 @@ def _stand(corner: QuarterCar) -> tuple[Slip, ...]:
             "spring), or the manual calculation is right (in series) and the simulation wrong",
             read,
             chain,
-        ),
-        Slip(
-            "table 1, c_pneu",
-            f"{pneumatic:.0f} N s/m",
-            "50 to 100 N s/m",
-            "tyres of passenger cars damp 10 to 20 times less",
-            pneumatic,
-            None,
-            "N*s/m",
-        ),
-        Slip(
-            "section 4, principle",
-            f"EUSAMA principle at {FREQUENCY:g} Hz, stroke not given",
-            "EUSAMA runs down from 25 Hz with a stroke of 6 mm",
-            "power and frequency are those of a THETA tester; the excenter's amplitude is an input here (3 mm, "
-            "estimated)",
         ),
     )
 

@@ -196,6 +196,14 @@ def compare_rides(
         For an unknown controller.
     JounceError
         Where not a single controller reached the end: the error of the first.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> car = jn.load("audi-a6-half-car-4dof")
+    >>> study = compare_rides(car, jn.iso_trial(car, "C", "20 m/s", duration="5 s"), ["passive", "skyhook"])
+    >>> study.ride("skyhook").merits["comfort"] < study.ride("passive").merits["comfort"]
+    True
     """
     chosen = [as_controller(control) for control in controls]
     rides, failed = [], {}
