@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import JounceError
 from jounce.plots import (
+    audi_a6,
     bench,
     comparison,
     dampers,
@@ -21,6 +22,7 @@ from jounce.plots import (
     kinematics,
     linear,
     mechanisms,
+    ride,
     roads,
     sweeps,
     trials,
@@ -38,8 +40,9 @@ def figure_of(result: object, **options: Any) -> Figure:
     Parameters
     ----------
     result : object
-        A 3-D rig, a recording, a study over speed, a road (or several by name), a fit, an update (or several), a trial
-        or all trials of a campaign, a campaign's result, a linear model, modes.
+        A 3-D rig, a recording, a ride or several controllers side by side, a study of the Audi A6, a study over speed, a
+        road (or several by name), a fit, an update (or several), a trial or all trials of a campaign, a campaign's
+        result, a linear model, modes, an optimisation, a Pareto front.
     **options
         Passed on to that function, e.g. ``channels=`` for a recording or ``trials=`` for a stiffness.
 
@@ -116,9 +119,12 @@ def _registered() -> Callable[..., Figure]:
     from jounce.parts.corners import Corner
     from jounce.roads.road import Road
     from jounce.simulation import LinearModel, Mode
+    from jounce.studies.audi_a6 import AudiCase
+    from jounce.studies.audi_a6_excenter import Excenter
     from jounce.studies.campaign.result import CampaignResult, StrategyResult, TrialResult
     from jounce.studies.optimise import Optimisation
     from jounce.studies.pareto import ParetoFront
+    from jounce.studies.ride import Ride, RideStudy
 
     @singledispatch
     def draw(result: object, **options: Any) -> Figure:  # noqa: ARG001
@@ -164,4 +170,8 @@ def _registered() -> Callable[..., Figure]:
     draw.register(LinearModel, linear.frequency_response)
     draw.register(Optimisation, design.optimisation)
     draw.register(ParetoFront, design.pareto_front)
+    draw.register(RideStudy, ride.trade_off)
+    draw.register(Ride, lambda result, **options: ride.ride_spectra([result], **options))
+    draw.register(AudiCase, lambda result, **options: audi_a6.case_overview(result, result.runs[0].moment, **options))
+    draw.register(Excenter, audi_a6.excenter_spring)
     return draw
