@@ -1,1 +1,24 @@
-"""Shock-absorber inspection: records of testers, their evaluation and grading, the record store of a lane."""
+"""Shock-absorber inspection: records of testers, what they say about each wheel, and how well that is known."""
+
+from __future__ import annotations
+
+from jounce.inspection.conditioning import PlateCalibration, calibrate_plate
+from jounce.inspection.evaluation import evaluate
+from jounce.inspection.record import read_record
+from jounce.inspection.response import Corner, force_response
+from jounce.inspection.result import Inspection, WheelCurves, WheelResult
+from jounce.inspection.steady import SteadyState, steady_state
+
+__all__ = [
+    "Corner",
+    "Inspection",
+    "PlateCalibration",
+    "SteadyState",
+    "WheelCurves",
+    "WheelResult",
+    "calibrate_plate",
+    "evaluate",
+    "force_response",
+    "read_record",
+    "steady_state",
+]

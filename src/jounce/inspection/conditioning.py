@@ -1,0 +1,272 @@
+"""One wheel's signals made ready: constant time steps, the plate's inertia taken off, the part that is the test."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import RecordingError
+from jounce.core.findings import Finding
+from jounce.inspection.record import FORCE, HEIGHT, SIDES, TACHO
+from jounce.recordings.quality import check_time
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from jounce.parts.testers import Tester
+
+Array = NDArray[np.float64]
+_ACCELERATION_TIME = 0.021
+_ACCELERATION_ORDER = 7
+_MOVING = 0.15
+_BLOCK_TIME = 0.1
+_STANDSTILL, _LONG_STANDSTILL = 0.2, 2.0
+
+
+@dataclass(frozen=True)
+class WheelSignals:
+    """Signals of one wheel in SI.
+
+    Attributes
+    ----------
+    wheel : str
+        ``left`` or ``right``.
+    time : ndarray, shape (n,)
+        In constant steps, s.
+    force : ndarray, shape (n,)
+        Of the plate on the tyre, without the plate's inertia, N.
+    height : ndarray or None, shape (n,)
+        Of the plate, m.
+    tacho : ndarray or None, shape (n,)
+        Frequency of the excenter, Hz.
+    static_load : float or None
+        From the header, N.
+    plate_mass : float
+        That was taken off, kg.
+    """
+
+    wheel: str
+    time: Array
+    force: Array
+    height: Array | None
+    tacho: Array | None
+    static_load: float | None
+    plate_mass: float
+
+    @property
+    def sample_rate(self) -> float:
+        """Samples per second, Hz."""
+        return (self.time.size - 1) / float(self.time[-1] - self.time[0])
+
+    def part(self, first: int, last: int) -> WheelSignals:
+        """Give the samples from ``first`` up to (without) ``last``."""
+        cut = slice(first, last)
+        return replace(
+            self,
+            time=self.time[cut],
+            force=self.force[cut],
+            height=None if self.height is None else self.height[cut],
+            tacho=None if self.tacho is None else self.tacho[cut],
+        )
+
+
+@dataclass(frozen=True)
+class PlateCalibration:
+    """What a run of the unloaded plate says.
+
+    Attributes
+    ----------
+    plate_mass : float
+        Effective mass of the plate above the force cell, kg.
+    residual_per_hz : float
+        Greatest force that is left after its inertia is taken off, over the frequency, between 6 and 18 Hz, N/Hz.
+    allowed_per_hz : float
+        N/Hz.
+    standard_error : float
+        Of the mass, kg.
+    """
+
+    plate_mass: float
+    residual_per_hz: float
+    allowed_per_hz: float
+    standard_error: float
+
+    @property
+    def is_passed(self) -> bool:
+        """Tell whether the residual is small enough."""
+        return self.residual_per_hz <= self.allowed_per_hz
+
+
+def uniform_time(record: xr.Dataset, where: str = "record") -> tuple[xr.Dataset, list[Finding]]:
+    """Check a record's clock and put the channels on constant steps where that is allowed (below 1 % of jitter).
+
+    Raises
+    ------
+    RecordingError
+        For a clock that cannot be trusted.
+    """
+    time = np.asarray(record["time"].values, dtype=float)
+    uniform, findings = check_time(time, where=where)
+    if not findings:
+        return record, []
+    return record.interp(time=uniform, method="linear"), findings
+
+
+def plate_acceleration(height: Array, sample_rate: float) -> Array:
+    """Acceleration (m/s^2) of a plate from its height (m) sampled at a rate in Hz: polynomials over 21 ms.
+
+    Examples
+    --------
+    >>> t = np.arange(2000) / 1000.0
+    >>> wave = 3e-3 * np.sin(2 * np.pi * 25.0 * t)
+    >>> bool(abs(plate_acceleration(wave, 1000.0) / (2 * np.pi * 25.0) ** 2 + wave)[50:-50].max() < 5e-6)
+    True
+    """
+    samples = max(2 * round(0.5 * (_ACCELERATION_TIME * sample_rate - 1.0)) + 1, _ACCELERATION_ORDER + 2)
+    samples += 1 - samples % 2
+    if height.size <= samples:
+        return np.zeros_like(height)
+    half = samples // 2
+    inner = np.convolve(height, _curvature(samples) * sample_rate**2, mode="valid")
+    return np.concatenate([np.full(half, inner[0]), inner, np.full(half, inner[-1])])
+
+
+@lru_cache(maxsize=16)
+def _curvature(samples: int) -> Array:
+    """Weights (1) that give the second derivative of a polynomial of order 7 in the middle of equidistant samples."""
+    place = np.arange(samples) - samples // 2
+    powers = (place[:, None] / samples) ** np.arange(_ACCELERATION_ORDER + 1)
+    return np.asarray(np.linalg.pinv(powers)[2][::-1] * 2.0 / samples**2)
+
+
+def signals_of(record: xr.Dataset, wheel: str, tester: Tester | None) -> WheelSignals:
+    """Take one wheel's signals from a record on constant time steps, and the plate's inertia off the force."""
+    height = _channel(record, f"{wheel}.{HEIGHT}")
+    force = np.asarray(record[f"{wheel}.{FORCE}"].values, dtype=float)
+    time = np.asarray(record["time"].values, dtype=float)
+    mass = plate_mass_of(record.attrs, wheel, tester)
+    load = record.attrs.get(f"{wheel}.static_load")
+    if mass > 0.0 and height is not None:
+        rate = (time.size - 1) / float(time[-1] - time[0])
+        force = force - mass * plate_acceleration(height, rate)
+    tacho = _channel(record, f"{wheel}.{TACHO}")
+    return WheelSignals(wheel, time, force, height, tacho, None if load is None else float(load), mass)
+
+
+def plate_mass_of(facts: dict[str, Any], wheel: str, tester: Tester | None) -> float:
+    """Mass (kg) whose inertia is in the measured force: the header's, else the tester's; 0 for a cell at the tyre."""
+    if tester is not None and tester.force_cell == "contact":
+        return 0.0
+    mass = facts.get(f"{wheel}.plate_mass")
+    if mass is not None:
+        return float(mass)
+    return float(tester.plate_mass) if tester is not None else 0.0
+
+
+def _channel(record: xr.Dataset, name: str) -> Array | None:
+    return np.asarray(record[name].values, dtype=float) if name in record.data_vars else None
+
+
+def moving_part(values: Array, sample_rate: float, least: float) -> tuple[int, int] | None:
+    """First and last sample between which a plate moves, by blocks of 0.1 s; None where it stands still.
+
+    A block counts when the stroke (m) in it is above ``least`` m; the shape of the signal is (n,), its rate in Hz.
+    """
+    size = max(round(_BLOCK_TIME * sample_rate), 2)
+    blocks = values[: values.size // size * size].reshape(-1, size)
+    moving = np.flatnonzero(np.ptp(blocks, axis=1) > least)
+    if moving.size == 0:
+        return None
+    return int(moving[0] * size), int(min((moving[-1] + 1) * size, values.size))
+
+
+def standstill_force(signals: WheelSignals, moving: tuple[int, int], other: tuple[int, int] | None) -> float | None:
+    """Median force (N) before the plate moves or, failing that, after; None where it stands still too short."""
+    rate, size = signals.sample_rate, signals.force.size
+    before = moving[0] if other is None or other[0] > moving[0] else min(moving[0], other[0])
+    if before >= max(round(_STANDSTILL * rate), 3):
+        return float(np.median(signals.force[:before]))
+    settled = moving[1] + round(rate)
+    end = size if other is None or other[0] < moving[1] else other[0]
+    return float(np.median(signals.force[settled:end])) if end - settled >= _LONG_STANDSTILL * rate else None
+
+
+def calibrate_plate(record: xr.Dataset, tester: Tester | None = None, *, wheel: str = "") -> PlateCalibration:
+    """Find the effective mass of a plate from a run without a wheel on it.
+
+    Parameters
+    ----------
+    record : xarray.Dataset
+        Plate height (m) and force (N) over a run-down of the unloaded plate.
+    tester : Tester, optional
+        Whose limits count: 4 N/Hz by default.
+    wheel : {"left", "right"}, optional
+        Which plate; by default the only one.
+
+    Returns
+    -------
+    PlateCalibration
+        Mass in kg, to be written into the tester file or the header (``left.plate_mass``), and whether what is left is
+        small enough between 6 and 18 Hz.
+
+    Raises
+    ------
+    RecordingError
+        Without plate height, or where the plate does not pass through 6 to 18 Hz.
+
+    Examples
+    --------
+    >>> from jounce.recordings.schema import recording
+    >>> t = np.arange(12000) / 1000.0
+    >>> z = 3e-3 * np.sin(2 * np.pi * (25.0 * t - t**2))
+    >>> force = 18.0 * np.gradient(np.gradient(z, t), t)
+    >>> run = recording(t, {"left.plate.z": (z, "m", ""), "left.plate.force": (force, "N", "")})
+    >>> found = calibrate_plate(run)
+    >>> round(found.plate_mass, 1), found.is_passed
+    (18.0, True)
+    """
+    side = wheel or next((one for one in SIDES if f"{one}.{FORCE}" in record.data_vars), "left")
+    height, force = (_channel(record, f"{side}.{name}") for name in (HEIGHT, FORCE))
+    if height is None or force is None:
+        raise RecordingError(
+            "a calibration needs plate height and force", where=side, found=", ".join(map(str, record.data_vars))
+        )
+    time = np.asarray(record["time"].values, dtype=float)
+    rate = (time.size - 1) / float(time[-1] - time[0])
+    acceleration = plate_acceleration(height, rate)
+    inner = slice(round(0.05 * rate), -round(0.05 * rate) - 1)
+    pushed = acceleration[inner] - acceleration[inner].mean()
+    pull = force[inner] - force[inner].mean()
+    power = float(pushed @ pushed)
+    if power <= 0.0:
+        raise RecordingError("the plate does not move", where=f"{side}.{HEIGHT}")
+    mass = float(pushed @ pull) / power
+    residual = pull - mass * pushed
+    per_hz = _residual_per_hz(time[inner], height[inner], residual, tester, f"{side}.{HEIGHT}")
+    allowed = tester.limits.calibration_force_per_frequency if tester is not None else 4.0
+    return PlateCalibration(
+        mass, per_hz, allowed, math.sqrt(float(residual @ residual) / power / max(pull.size - 2, 1))
+    )
+
+
+def _residual_per_hz(time: Array, height: Array, residual: Array, tester: Tester | None, where: str) -> float:
+    """Greatest amplitude of the residual at the plate's frequency over that frequency, N/Hz, by half seconds."""
+    from jounce.inspection.turns import find_turns
+
+    middle = 0.5 * float(height.max() + height.min())
+    turns = find_turns(time, height, middle, 0.5 * float(np.ptp(height)))
+    low, high = (tester.limits.frequency_min, tester.limits.frequency_max) if tester is not None else (6.0, 18.0)
+    if turns is None or turns.frequency.max() < high or turns.frequency.min() > low:
+        raise RecordingError("the plate does not pass through the band", where=where, allowed=f"{low:g} to {high:g} Hz")
+    frequency = turns.frequency_at(time)
+    wave = residual * np.exp(-1j * turns.angle(time))
+    size = max(round(0.5 / (time[1] - time[0])), 8)
+    blocks = wave[: wave.size // size * size].reshape(-1, size).mean(axis=1)
+    centre = frequency[: wave.size // size * size].reshape(-1, size).mean(axis=1)
+    inside = (centre >= low) & (centre <= high)
+    return float(np.max(2.0 * np.abs(blocks[inside]) / centre[inside]))

@@ -1,0 +1,160 @@
+"""The course of a test: turns of the excenter, where the run-down is, and whether it is one that can be evaluated."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.findings import Finding
+from jounce.inspection.checks import problem, warning
+from jounce.inspection.conditioning import WheelSignals
+from jounce.inspection.turns import FEWEST_TURNS, Turns, find_turns
+
+if TYPE_CHECKING:
+    from jounce.parts.testers import Tester
+
+Array = NDArray[np.float64]
+HIGHEST_SHARE = 0.985
+_WAIT = 1.0  # s
+_QUIET_SHARE = 0.12
+
+
+@dataclass(frozen=True)
+class Course:
+    """Turns of a test and its run-down (or run-up).
+
+    Attributes
+    ----------
+    turns : Turns
+        Of the excenter.
+    first, last : int
+        Turns between which the frequency goes through the range; ``first`` is the last one of the hold.
+    hold : slice
+        Turns of the hold.
+    sweep_rate : float
+        Greatest rate of the frequency within 6 to 18 Hz (or all of it), Hz/s.
+    """
+
+    turns: Turns
+    first: int
+    last: int
+    hold: slice
+    sweep_rate: float
+
+    @property
+    def highest(self) -> float:
+        """Frequency of the hold, Hz."""
+        return float(np.median(self.turns.frequency[self.hold]))
+
+    @property
+    def begin(self) -> float:
+        """Time from which the record is used: up to 1 s before the run-down, s."""
+        return float(max(self.turns.top[self.hold][0], self.turns.top[self.first] - _WAIT))
+
+
+def find_course(signals: WheelSignals, tester: Tester | None, *, rigid: bool) -> tuple[Course | None, list[Finding]]:
+    """Find turns and run-down of a test.
+
+    Parameters
+    ----------
+    signals : WheelSignals
+        From shortly before to shortly after the plate moves.
+    tester : Tester or None
+        Whose limits count.
+    rigid : bool
+        Whether the plate is rigid: then the run-down must go through 18 to 6 Hz, downwards.
+
+    Returns
+    -------
+    course : Course or None
+        None where there is no run-down.
+    findings : list of Finding
+        Why not, and what is wrong with it.
+    """
+    turns = turns_of(signals, 1.0 if rigid else _QUIET_SHARE)
+    place = f"{signals.wheel}.plate.z" if signals.height is not None else f"{signals.wheel}.plate.frequency"
+    if turns is None:
+        return None, [problem(place, f"the plate makes fewer than {FEWEST_TURNS} turns: no run-down.")]
+    low, high = (tester.limits.frequency_min, tester.limits.frequency_max) if tester is not None else (6.0, 18.0)
+    if not rigid:
+        return _any_course(turns), []
+    frequency = turns.frequency
+    top = float(np.percentile(frequency, 95.0))
+    said = f"the plate turns at {frequency.min():.3g} to {top:.3g} Hz"
+    if top < high:
+        return None, [problem(place, f"{said}: it never reaches {high:g} Hz, the run-down is missing.", top)]
+    falls = _falls(frequency, 0.5 * (top + high) if top > high else high, low)
+    if falls == 0:
+        what = (
+            "the run-down is missing" if frequency.min() > high else "the record is too short: the run-down is cut off"
+        )
+        return None, [problem(place, f"{said}: {what}.", float(frequency.min()))]
+    if falls > 1:
+        return None, [problem(place, f"{falls} run-downs in one record: cut them apart.", float(falls))]
+    first = int(np.flatnonzero(frequency >= HIGHEST_SHARE * top)[-1])
+    last = first + int(np.argmin(frequency[first:]))
+    begun = first
+    while begun > 0 and frequency[begun - 1] > 0.97 * top:
+        begun -= 1
+    rate = _rate(turns.top[first : last + 1], frequency[first : last + 1], low, high)
+    course = Course(turns, first, last, slice(begun, first + 1), rate)
+    return course, _sweep_findings(course, tester, place)
+
+
+def _any_course(turns: Turns) -> Course:
+    """Course over everything: sprung plates are swept either way."""
+    frequency = turns.frequency
+    top = float(np.percentile(frequency, 95.0))
+    at_top = np.flatnonzero(frequency >= HIGHEST_SHARE * top)
+    rate = _rate(turns.top, frequency, 0.5 * top, top)
+    return Course(turns, int(at_top[-1]), frequency.size - 1, slice(int(at_top[0]), int(at_top[-1]) + 1), rate)
+
+
+def turns_of(signals: WheelSignals, quiet: float = 1.0) -> Turns | None:
+    """Turns from the plate's height; without it, from the tacho (then with an unknown beginning of the turn).
+
+    ``quiet`` is the smallest amplitude of a turn over the greatest one (1).
+    """
+    if signals.height is not None:
+        middle = 0.5 * float(signals.height.max() + signals.height.min())
+        return find_turns(signals.time, signals.height, middle, 0.5 * quiet * float(np.ptp(signals.height)))
+    if signals.tacho is None:
+        return None
+    steps = 0.5 * (signals.tacho[1:] + signals.tacho[:-1]) * np.diff(signals.time)
+    angle = 2.0 * np.pi * np.concatenate([[0.0], np.cumsum(steps)])
+    return find_turns(signals.time, np.sin(angle), 0.0, 1.0)
+
+
+def _falls(frequency: Array, high: float, low: float) -> int:
+    """How often the frequency (Hz) falls from above ``high`` to below ``low``."""
+    level = np.where(frequency >= high, 1, np.where(frequency <= low, -1, 0))
+    level = level[level != 0]
+    return int(np.count_nonzero((level[:-1] == 1) & (level[1:] == -1)))
+
+
+def _rate(time: Array, frequency: Array, low: float, high: float) -> float:
+    """Greatest rate of change in the band, over five turns, Hz/s."""
+    if time.size < 8:
+        return 0.0
+    rate = np.abs(frequency[5:] - frequency[:-5]) / (time[5:] - time[:-5])
+    inside = (frequency[5:] >= low) & (frequency[:-5] <= high)
+    return float(rate[inside].max()) if inside.any() else float(rate.max())
+
+
+def _sweep_findings(course: Course, tester: Tester | None, place: str) -> list[Finding]:
+    findings = []
+    most, least = (tester.limits.sweep_rate_max, tester.limits.sweep_time_min) if tester is not None else (3.0, 7.5)
+    if course.sweep_rate > 1.02 * most:
+        text = (
+            f"the sweep is too fast: {course.sweep_rate:.2g} Hz/s, allowed are {most:g}; adhesion comes out too good "
+            "and the phase angle is blurred."
+        )
+        findings.append(warning(place, text, course.sweep_rate))
+    top = course.turns.top
+    length = float(top[course.last] - top[course.first])
+    if length < 0.98 * least and course.turns.frequency[course.last] < 2.0:
+        findings.append(warning(place, f"the run-down takes {length:.1f} s, at least {least:g} are asked for.", length))
+    return findings

@@ -1,0 +1,393 @@
+"""Evaluation of a tester's record, measured or simulated: values of each wheel, what weakens or forbids them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import RecordingError, unknown
+from jounce.core.findings import Finding
+from jounce.inspection import checks
+from jounce.inspection.adhesion import find_adhesion
+from jounce.inspection.analysis import analyse, fit_test, stretches_between
+from jounce.inspection.boge import LOWEST_RESONANCE, find_boge, stroke_by_turn
+from jounce.inspection.conditioning import WheelSignals, moving_part, signals_of, standstill_force, uniform_time
+from jounce.inspection.course import Course, find_course
+from jounce.inspection.phase import find_phase_minimum
+from jounce.inspection.record import FORCE, HEIGHT, TACHO, read_facts, wheels_of
+from jounce.inspection.response import GRAVITY
+from jounce.inspection.result import Inspection, WheelCurves, WheelResult
+from jounce.inspection.rigidity import find_rigidity, rigidity_findings
+from jounce.inspection.theta import half_power, theta_by_amplification, theta_by_decay, theta_by_fit
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from jounce.parts.testers import Tester
+
+Array = NDArray[np.float64]
+METHODS = ("eusama", "egea", "theta", "boge")
+_RIGID, _SPRUNG = ("eusama", "egea", "theta"), ("theta", "boge")
+_MARGIN = 0.5
+_SLOWEST = 0.3
+
+
+@dataclass(frozen=True)
+class _Task:
+    """What is the same for all wheels of a record."""
+
+    tester: Tester | None
+    vehicle_load: float | None
+    methods: tuple[str, ...]
+    rigid: bool
+
+
+def evaluate(
+    record: xr.Dataset, tester: Tester | None = None, vehicle: Any = None, methods: Iterable[str] | None = None
+) -> Inspection:
+    """Evaluate the record of one axle on a tester.
+
+    Parameters
+    ----------
+    record : xarray.Dataset
+        Plate forces (N) and heights (m) on ``time`` (s), one or two wheels, as ``read_record`` and simulations give
+        them; ``left.static_load`` (N) and so on as attributes.
+    tester : Tester, optional
+        Kind of the plate, its mass, springs and limits; by default a rigid plate whose force needs no compensation.
+    vehicle : Rig or Vehicle, optional
+        Under test; a quarter car's weight is compared with the static load.
+    methods : iterable of {"eusama", "egea", "theta", "boge"}, optional
+        What to evaluate; by default all that the plate allows.
+
+    Returns
+    -------
+    Inspection
+        Values per wheel in SI with their uncertainties. A wheel whose record is unfit has no values; its findings and
+        reasons say why, and it is never graded.
+
+    Raises
+    ------
+    RecordingError
+        When there is no wheel in the record.
+    DescriptionError
+        For an unknown method, or one that the plate does not allow.
+
+    Examples
+    --------
+    >>> from jounce.recordings.schema import recording
+    >>> t = np.arange(12000) / 1000.0
+    >>> z = 3e-3 * np.sin(2 * np.pi * np.where(t < 1.5, 25.0 * t, 25.0 * t - 1.25 * (t - 1.5) ** 2))
+    >>> run = recording(t, {"left.plate.z": (z, "m", ""), "left.plate.force": (4000.0 + 2e5 * z, "N", "")})
+    >>> found = evaluate(run).wheel("left")  # a tyre without a wheel: 600 N about 4000 N, in phase with the plate
+    >>> round(found.adhesion, 2), found.lift_off
+    (0.85, False)
+    """
+    task = _task(tester, vehicle, methods)
+    sides = wheels_of(record)
+    facts, said = read_facts(record.attrs)
+    names = [name for name in map(str, record.data_vars) if name.partition(".")[0] in sides]
+    channels = {name: np.asarray(record[name].values, dtype=float) for name in names}
+    time = np.asarray(record["time"].values, dtype=float)
+    gaps = checks.check_finite(channels, time)
+    try:
+        dataset, clock = uniform_time(record)
+    except RecordingError as error:
+        dataset, clock = record, [checks.problem("time", str(error))]
+    general = [*said, *clock]
+    unfit = [finding for finding in (*clock, *gaps) if finding.severity == "problem"]
+    if unfit:
+        wheels = [_unfit(side, [one for one in unfit if _concerns(one, side)]) for side in sides]
+        hit = {wheel.wheel for wheel in wheels if wheel.findings}
+        sides = tuple(side for side in sides if side not in hit)
+        rest = _evaluate_wheels(dataset, sides, facts, task) if sides else []
+        order = {wheel.wheel: wheel for wheel in (*(w for w in wheels if w.wheel in hit), *rest)}
+        found = tuple(order[side] for side in wheels_of(record))
+    else:
+        found = tuple(_evaluate_wheels(dataset, sides, facts, task))
+    axle = {"axle": facts["axle"]} if "axle" in facts else {}
+    return Inspection(found, axle, facts, task.methods, tuple(general))
+
+
+def require_gradable(inspection: Inspection, where: str = "record") -> None:
+    """Refuse an inspection of which no wheel can be graded, or some cannot.
+
+    Raises
+    ------
+    RecordingError
+        With the first reason; command lines end with exit code 2.
+    """
+    for wheel in inspection.wheels:
+        for finding in wheel.findings:
+            if finding.severity == "problem":
+                raise RecordingError(finding.message.removesuffix("."), where=f"{where}: {finding.place}")
+
+
+def _task(tester: Tester | None, vehicle: Any, methods: Iterable[str] | None) -> _Task:
+    rigid = tester is None or tester.kind == "rigid-plate"
+    possible = _RIGID if rigid else _SPRUNG
+    chosen = tuple(methods) if methods is not None else possible
+    for method in chosen:
+        if method not in possible:
+            plate = "rigid" if rigid else "sprung"
+            choices = METHODS if method not in METHODS else possible
+            raise unknown(method, choices, what="method" if method not in METHODS else f"method of a {plate} plate")
+    masses = [getattr(getattr(vehicle, part, None), "mass", None) for part in ("sprung", "unsprung")]
+    known = [float(mass) for mass in masses if mass is not None]
+    load = GRAVITY * sum(known) if len(known) == 2 else None
+    return _Task(tester, load, chosen, rigid)
+
+
+def _concerns(finding: Finding, side: str) -> bool:
+    return finding.place == "time" or finding.place.startswith(f"{side}.")
+
+
+def _unfit(wheel: str, findings: list[Finding], load: float | None = None) -> WheelResult:
+    reasons = tuple(finding.message for finding in findings if finding.severity == "problem")
+    return WheelResult(wheel, static_load=load, findings=tuple(findings), reasons=reasons)
+
+
+def _evaluate_wheels(
+    record: xr.Dataset, sides: tuple[str, ...], facts: Mapping[str, Any], task: _Task
+) -> list[WheelResult]:
+    signals = {side: signals_of(record, side, task.tester) for side in sides}
+    least = (0.15 if task.rigid else 0.05) * (task.tester.stroke if task.tester is not None else 6e-3)
+    moving = {side: _moving(one, least) for side, one in signals.items()}
+    measured = {}
+    for side, one in signals.items():
+        span, other = moving[side], next((moving[name] for name in sides if name != side), None)
+        if span is not None:
+            still = standstill_force(one, span, other)
+            measured[side] = float(np.mean(one.force[span[0] : span[1]])) if still is None else still
+    pair = checks.check_pair({side: one.static_load for side, one in signals.items()}, measured)
+    results = []
+    for side, one in signals.items():
+        other = next((moving[name] for name in sides if name != side), None)
+        raw = np.asarray(record[f"{side}.{FORCE}"].values, dtype=float)
+        results.append(_evaluate_wheel(one, raw, moving[side], other, measured.get(side), pair, facts, task))
+    return results
+
+
+def _moving(signals: WheelSignals, least: float) -> tuple[int, int] | None:
+    if signals.height is not None:
+        return moving_part(signals.height, signals.sample_rate, least)
+    if signals.tacho is None:
+        return None
+    turning = np.flatnonzero(signals.tacho > _SLOWEST)
+    return (int(turning[0]), int(turning[-1]) + 1) if turning.size else None
+
+
+def _evaluate_wheel(
+    signals: WheelSignals,
+    raw: Array,
+    span: tuple[int, int] | None,
+    other: tuple[int, int] | None,
+    measured: float | None,
+    pair: list[Finding],
+    facts: Mapping[str, Any],
+    task: _Task,
+) -> WheelResult:
+    wheel, tester = signals.wheel, task.tester
+    findings = [*checks.check_columns(signals, raw, tester), *checks.check_sampling(signals, tester)]
+    if signals.height is None and signals.tacho is None:
+        text = f"neither {wheel}.{HEIGHT} nor {wheel}.{TACHO} is in the record: its frequency is not known."
+        findings.append(checks.problem(f"{wheel}.{FORCE}", text))
+    elif (span is None or measured is None) and not _is_unfit(findings):
+        findings.append(checks.problem(f"{wheel}.plate.z", "the plate never moves: no run-down."))
+    if _is_unfit(findings) or span is None or measured is None:
+        return _unfit(wheel, findings, signals.static_load)
+    findings += pair if pair else checks.check_load(signals, measured, tester)
+    load = signals.static_load if signals.static_load is not None else measured
+    findings += checks.check_clipping(raw[span[0] : span[1]], load, f"{wheel}.{FORCE}")
+    step = 1.0 / signals.sample_rate
+    findings += checks.check_other_plate(wheel, span, other, step, str(facts.get("wheel_order", "")))
+    findings += _vehicle_findings(load, task.vehicle_load, wheel)
+    margin = round(_MARGIN * signals.sample_rate)
+    cut = signals.part(max(span[0] - margin, 0), min(span[1] + margin, raw.size))
+    course, about = find_course(cut, tester, rigid=task.rigid)
+    findings += about
+    if _is_unfit(findings) or course is None:
+        return _unfit(wheel, findings, load)
+    result = _on_rigid_plate if task.rigid else _on_sprung_plate
+    return result(cut, course, load, findings, task)
+
+
+def _is_unfit(findings: list[Finding]) -> bool:
+    return any(finding.severity == "problem" for finding in findings)
+
+
+def _vehicle_findings(load: float, expected: float | None, wheel: str) -> list[Finding]:
+    if expected is None or abs(load / expected - 1.0) < 0.15:
+        return []
+    text = f"the static load of {load:.0f} N is not that of the vehicle file, {expected:.0f} N."
+    return [checks.warning(f"{wheel}.static_load", text, load / expected)]
+
+
+def _on_rigid_plate(
+    signals: WheelSignals, course: Course, load: float, findings: list[Finding], task: _Task
+) -> WheelResult:
+    wheel, tester, methods = signals.wheel, task.tester, task.methods
+    analysis, about = analyse(signals, course, load)
+    findings += about
+    steady = np.where(analysis.lifted, np.nan, analysis.measured[:, 5])
+    findings += checks.check_wandering(steady, analysis.frequency, load, wheel)
+    if _is_unfit(findings):
+        return _unfit(wheel, findings, load)
+    values: dict[str, Any] = {"lift_off": bool(analysis.lifted.any())}
+    halves: dict[str, float | None] = {}
+    adhesion = find_adhesion(analysis, course.highest)
+    if adhesion is None:
+        findings.append(checks.problem(f"{wheel}.{FORCE}", "no turn of the plate could be evaluated."))
+        return _unfit(wheel, findings, load)
+    values |= {"lift_off": adhesion.lift_off, "resonance_frequency_hz": adhesion.frequency_hz}
+    if "eusama" in methods or "egea" in methods:
+        values |= {
+            "adhesion": adhesion.adhesion,
+            "adhesion_frequency_hz": adhesion.frequency_hz,
+            "relative_force_amplitude": adhesion.relative_force_amplitude,
+        }
+        halves |= {"adhesion": adhesion.half_width, "relative_force_amplitude": adhesion.half_width}
+    if adhesion.lift_off:
+        findings.append(checks.warning(f"{wheel}.{FORCE}", "the tyre leaves the plate: adhesion counts as 0.", 0.0))
+    angles = np.full(analysis.top.size, np.nan)
+    if "egea" in methods:
+        angles = _egea(signals, course, analysis, load, findings, values, halves, tester)
+    if "theta" in methods and analysis.fit is not None:
+        theta = theta_by_fit(analysis.fit, tester)
+        values |= {"theta_rig": theta.rig, "theta_road": theta.road, "theta_methods": {"fit": theta.rig}}
+        halves |= {"theta_rig": theta.rig_half_width, "theta_road": theta.road_half_width}
+    strokes = np.full(analysis.top.size, analysis.amplitude)
+    curves = WheelCurves(
+        analysis.top, analysis.frequency, analysis.measured[:, 0], analysis.measured[:, 2], angles, strokes
+    )
+    return _result(signals, load, values, halves, findings, analysis.fit, curves)
+
+
+def _egea(
+    signals: WheelSignals,
+    course: Course,
+    analysis: Any,
+    load: float,
+    findings: list[Finding],
+    values: dict[str, Any],
+    halves: dict[str, float | None],
+    tester: Tester | None,
+) -> Array:
+    """Phase angle and rigidity into ``values``; gives the angles (degrees) of the turns."""
+    wheel = signals.wheel
+    band = (tester.limits.frequency_min, tester.limits.frequency_max) if tester is not None else (6.0, 18.0)
+    tyre, about = find_rigidity(signals, course, load)
+    findings += about
+    if tyre is not None:
+        values["tyre_rigidity"], halves["tyre_rigidity"] = tyre.rigidity, tyre.half_width
+        low, high = (
+            (160e3, 400e3) if tester is None else (tester.limits.tyre_rigidity_min, tester.limits.tyre_rigidity_max)
+        )
+        findings += rigidity_findings(tyre.rigidity, wheel, low, high)
+    if signals.height is None:
+        text = "without the plate's height the phase angle is not known."
+        findings.append(checks.warning(f"{wheel}.plate.z", text))
+        return np.full(analysis.top.size, np.nan)
+    minimum, angles = find_phase_minimum(analysis, band)
+    if minimum is None:
+        text = f"the turns do not reach over {band[0]:g} to {band[1]:g} Hz: no least phase angle."
+        findings.append(checks.warning(f"{wheel}.phase", text))
+        return angles
+    values |= {"phase_angle_min_deg": minimum.angle_deg, "phase_frequency_hz": minimum.frequency_hz}
+    halves["phase_angle_min_deg"] = minimum.half_width_deg
+    if minimum.in_lift_off:
+        text = "the tyre leaves the plate where the phase angle is least: it is that of the fitted quarter car there."
+        findings.append(checks.warning(f"{wheel}.phase", text))
+    if minimum.at_end:
+        text = (
+            f"the least phase angle lies at the end of the band, {minimum.frequency_hz:.3g} Hz: outside it may be less."
+        )
+        findings.append(checks.warning(f"{wheel}.phase", text, minimum.frequency_hz))
+    return angles
+
+
+def _on_sprung_plate(
+    signals: WheelSignals, course: Course, load: float, findings: list[Finding], task: _Task
+) -> WheelResult:
+    from jounce.inspection.analysis import find_lift_off
+
+    wheel, tester = signals.wheel, task.tester
+    height = signals.height
+    if height is None or tester is None:
+        findings.append(
+            checks.problem(f"{wheel}.plate.z", "a sprung plate is evaluated by its height, which is missing.")
+        )
+        return _unfit(wheel, findings, load)
+    rate = signals.sample_rate
+    lifted = find_lift_off(signals.force, load, rate)
+    model = np.full(height.size, np.nan)
+    highest = max(course.highest, tester.programme.start_frequency, tester.programme.end_frequency)
+    fit, about = fit_test(signals, stretches_between(lifted, 0, height.size, rate), load, 1.2 * highest, model)
+    findings += about
+    if _is_unfit(findings):
+        return _unfit(wheel, findings, load)
+    strokes = stroke_by_turn(height, signals.time, course.turns)
+    values: dict[str, Any] = {"lift_off": bool(lifted.any())}
+    halves: dict[str, float | None] = {}
+    boge = find_boge(signals, course.turns)
+    if boge is not None:
+        values["resonance_frequency_hz"] = boge.frequency_hz
+        if "boge" in task.methods:
+            values["boge_amplitude"], halves["boge_amplitude"] = boge.amplitude, boge.half_width
+    if lifted.any():
+        findings.append(checks.warning(f"{wheel}.{FORCE}", "the tyre leaves the plate; these parts do not count."))
+    if "theta" in task.methods:
+        if fit is not None:
+            theta = theta_by_fit(fit, tester)
+            values |= {"theta_rig": theta.rig, "theta_road": theta.road}
+            halves |= {"theta_rig": theta.rig_half_width, "theta_road": theta.road_half_width}
+        values["theta_methods"] = _theta_methods(signals, course, strokes, fit, values.get("theta_rig"), tester)
+        _theta_findings(tester, wheel, findings)
+    empty = np.full(course.turns.top.size, np.nan)
+    curves = WheelCurves(course.turns.top, course.turns.frequency, empty, empty, empty, 0.5 * strokes)
+    return _result(signals, load, values, halves, findings, fit, curves)
+
+
+def _theta_methods(
+    signals: WheelSignals, course: Course, strokes: Array, fit: Any, by_fit: float | None, tester: Tester
+) -> dict[str, float | None]:
+    frequency = course.turns.frequency
+    wheel = frequency > LOWEST_RESONANCE
+    gain = float(strokes[wheel].max(initial=0.0)) / tester.stroke
+    decay = theta_by_decay(signals.height, signals.sample_rate) if signals.height is not None else None
+    return {
+        "fit": by_fit,
+        "half_power": half_power(frequency[wheel], strokes[wheel]),
+        "amplification": theta_by_amplification(gain, fit.corner, tester) if fit is not None else None,
+        "free_decay": decay[0] if decay is not None else None,
+    }
+
+
+def _theta_findings(tester: Tester, wheel: str, findings: list[Finding]) -> None:
+    guessed = [name for name in tester.estimated if name.startswith("plate_")]
+    if guessed:
+        text = f"{', '.join(guessed)} are estimated: theta_rig depends on them, theta_road (graded) does not."
+        findings.append(Finding(f"{wheel}.theta", "note", text))
+
+
+def _result(
+    signals: WheelSignals,
+    load: float,
+    values: dict[str, Any],
+    halves: dict[str, float | None],
+    findings: list[Finding],
+    fit: Any,
+    curves: WheelCurves,
+) -> WheelResult:
+    return WheelResult(
+        wheel=signals.wheel,
+        static_load=load,
+        uncertainty={key: float(half) for key, half in halves.items() if half is not None and np.isfinite(half)},
+        corner=None if fit is None else fit.corner,
+        findings=tuple(findings),
+        curves=curves,
+        **values,
+    )

@@ -1,0 +1,183 @@
+"""Low pass that goes with the frequency of each period, and what the force does in that period (compiled)."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.kernel.call import kept, part
+
+Array = NDArray[np.float64]
+PASS, STOP, RIPPLE = 2.0, 4.0, 0.01
+_POINTS = 1025
+_FAST = {"reassoc", "contract", "arcp", "nsz"}  # sums in any order; NaN stays NaN
+FIELDS = ("least", "least_time", "greatest", "down", "up", "mean", "half_amplitude")
+
+
+@cache
+def prototype() -> tuple[Array, float]:
+    """Give one half of the filter's impulse response against time in periods, and the length of that half.
+
+    Returns
+    -------
+    taps : ndarray, shape (1025,)
+        Weight per period (1) from the middle to the end.
+    half : float
+        Length of a half in periods (1).
+
+    Notes
+    -----
+    A Kaiser window on a sinc between pass band (2 f) and stop band (4 f) with a ripple of 0.01 (EGEA SPECSUS2018), and
+    within that ripple moved so that the gain is exactly 1 at 0, f and 2 f: amplitudes are not biased by the filter.
+    """
+    from scipy.signal.windows import kaiser
+
+    attenuation = -20.0 * math.log10(RIPPLE)
+    shape = 0.5842 * (attenuation - 21.0) ** 0.4 + 0.07886 * (attenuation - 21.0)
+    half = 0.5 * (attenuation - 7.95) / (2.285 * 2.0 * math.pi * (STOP - PASS))
+    window = kaiser(2 * _POINTS - 1, shape)[_POINTS - 1 :]
+    u = np.linspace(0.0, half, _POINTS)
+    weights = np.full(_POINTS, 2.0 * half / (_POINTS - 1))
+    weights[[0, -1]] *= 0.5
+    waves = np.cos(2.0 * np.pi * np.outer(np.arange(3), u))
+    taps = window * (STOP + PASS) * np.sinc((STOP + PASS) * u)
+    gains = (waves * window * weights) @ waves.T
+    taps += window * (np.linalg.solve(gains, 1.0 - (waves * weights) @ taps) @ waves)
+    taps.setflags(write=False)
+    return taps, half
+
+
+@part(fastmath=_FAST)
+def _weigh(weight, reach, period, taps, half):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
+    """Taps of one period; the sampled ones, too, are given the gain 1 at 0 and at the period's frequency."""
+    total = first = bells = waved = squared = 0.0
+    for j in range(-reach, reach + 1):
+        place = abs(j) / period / half * (taps.size - 1)
+        k = min(int(place), taps.size - 2)
+        value = taps[k] + (place - k) * (taps[k + 1] - taps[k])
+        wave, bell = math.cos(2.0 * math.pi * j / period), 1.0 + math.cos(math.pi * j / (reach + 1.0))
+        weight[j + reach] = value
+        total += value
+        first += value * wave
+        bells += bell
+        waved += bell * wave
+        squared += bell * wave * wave
+    scale, centre = 1.0 / total, waved / bells
+    lift = (1.0 - first * scale) / (squared - waved * centre)
+    for j in range(-reach, reach + 1):
+        wave, bell = math.cos(2.0 * math.pi * j / period), 1.0 + math.cos(math.pi * j / (reach + 1.0))
+        weight[j + reach] = weight[j + reach] * scale + lift * bell * (wave - centre)
+
+
+@part(fastmath=False)
+def _fall_and_rise(smooth, at, length, line):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
+    """Places where a signal falls below a line before its least value and rises above it afterwards, else NaN."""
+    fall, rise = math.nan, math.nan
+    m = at
+    while m > 0 and smooth[m] < line:
+        m -= 1
+    if smooth[m] >= line:
+        fall = m + (smooth[m] - line) / (smooth[m] - smooth[m + 1])
+    m = at
+    while m < length - 1 and smooth[m] < line:
+        m += 1
+    if smooth[m] >= line:
+        rise = m - (smooth[m] - line) / (smooth[m] - smooth[m - 1])
+    return fall, rise
+
+
+@kept(error_model="numpy", fastmath=_FAST)
+def _periods(signals, rate, start, tops, frequencies, level, taps, half, low, high):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
+    count, rows, samples = tops.size, signals.shape[0], signals.shape[1]
+    found = np.full((rows, count, 7), np.nan)
+    longest = int(rate / frequencies.min() * (high - low + 1.2)) + 8
+    smooth = np.empty(longest)
+    weight = np.empty(int(2.0 * half * rate / frequencies.min()) + 4)
+    for i in range(count):
+        f = frequencies[i]
+        period = rate / f
+        reach = int(half * period)
+        middle = (tops[i] - start) * rate
+        first = math.floor(middle + (low - 0.55) * period)
+        last = math.ceil(middle + (high + 0.55) * period)
+        if first - reach < 0 or last + reach >= samples:
+            continue
+        _weigh(weight, reach, period, taps, half)
+        length = last - first + 1
+        for row in range(rows):
+            for m in range(length):
+                value = 0.0
+                base = first + m - reach
+                for j in range(2 * reach + 1):
+                    value += weight[j] * signals[row, base + j]
+                smooth[m] = value
+            begin = math.ceil(middle + low * period) - first
+            end = math.floor(middle + high * period) - first
+            at = begin
+            greatest, least, mean, inside = smooth[begin], smooth[begin], 0.0, 0
+            one = round(period)
+            for m in range(begin, end + 1):
+                if smooth[m] < least:
+                    least, at = smooth[m], m
+            for m in range(max(at - one // 2, 0), min(at + (one + 1) // 2, length - 1)):
+                greatest = max(greatest, smooth[m])
+                mean += smooth[m]
+                inside += 1
+            if at in (0, begin, end, length - 1):
+                continue
+            before, after = smooth[at - 1], smooth[at + 1]
+            bend = before - 2.0 * least + after
+            shift = 0.5 * (before - after) / bend if bend > 0.0 else 0.0
+            found[row, i, 0] = least - 0.125 * (before - after) ** 2 / bend if bend > 0.0 else least
+            found[row, i, 1] = start + (first + at + shift) / rate
+            found[row, i, 2] = greatest
+            found[row, i, 5] = mean / max(inside, 1)
+            found[row, i, 6] = 0.5 * (greatest - found[row, i, 0])
+            line = level
+            if not (least + 0.1 * (greatest - least) < level < greatest - 0.1 * (greatest - least)):
+                line = 0.5 * (least + greatest)
+            fall, rise = _fall_and_rise(smooth, at, length, line)
+            found[row, i, 3] = start + (first + fall) / rate
+            found[row, i, 4] = start + (first + rise) / rate
+    return found
+
+
+def force_in_periods(
+    signals: Array,
+    rate: float,
+    start: float,
+    tops: Array,
+    frequencies: Array,
+    level: float,
+    window: tuple[float, float],
+) -> Array:
+    """Find what forces do in each period of the plate, after the low pass that goes with the period.
+
+    Parameters
+    ----------
+    signals : ndarray, shape (rows, n)
+        Forces in N.
+    rate, start : float
+        Samples per second (Hz), and time (s) of the first one.
+    tops, frequencies : ndarray, shape (periods,)
+        When the plate is highest (s), and its frequency then (Hz).
+    level : float
+        N; crossings of this level around the least force are looked for (of the middle, where it is never crossed).
+    window : (float, float)
+        Where the least force is looked for, in periods (1) after the top.
+
+    Returns
+    -------
+    ndarray, shape (rows, periods, 7)
+        Least force (N) and its time (s), greatest force (N) in the period around it, times (s) at which the force
+        falls below the level before and rises above it after the least force, mean force (N), half of greatest less
+        least (N). NaN where the record does not reach or the least force lies at the window's end.
+    """
+    taps, half = prototype()
+    block = np.ascontiguousarray(signals)
+    return np.asarray(
+        _periods(block, float(rate), float(start), tops, frequencies, float(level), taps, half, window[0], window[1])
+    )

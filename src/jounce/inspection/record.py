@@ -1,0 +1,213 @@
+"""Records of testers: plate height and plate force of one or two wheels, and what the lane wrote about the car."""
+
+from __future__ import annotations
+
+import datetime
+import tomllib
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from jounce.core.columns import read_columns_csv
+from jounce.core.errors import DescriptionError, RecordingError, nearest
+from jounce.core.findings import Finding
+from jounce.core.units import to_si
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from jounce.parts.testers import Tester
+
+SIDES = ("left", "right")
+FORCE, HEIGHT, TACHO = "plate.force", "plate.z", "plate.frequency"
+NUMBERS = {"static_load": "N", "plate_mass": "kg", "tyre_pressure": "Pa"}
+"""What a header says about each wheel (``left.static_load``), with its SI unit."""
+TEXTS = ("axle", "wheel_order", "tester", "vehicle", "plate_number", "date", "place", "operator", "comment")
+"""What it says about the whole record."""
+_ORDERS = {"left, right", "right, left", "left", "right", "together"}
+_TABLE_SUFFIXES = {".csv", ".txt", ".tsv"}
+
+
+def read_record(path: Path | str, tester: Tester | None = None) -> tuple[xr.Dataset, list[Finding]]:
+    r"""Read a record of a tester with its header.
+
+    Parameters
+    ----------
+    path : Path or str
+        File of any known format, e.g. CSV with ``time [s], left.plate.z [mm], left.plate.force [N], ...``. What is
+        known about the car stands in lines ``# left.static_load = "4316 N"`` before the columns, or in a TOML file of
+        the same name beside it; the lines win.
+    tester : Tester, optional
+        Whose ``columns`` say how the columns are called in its files.
+
+    Returns
+    -------
+    record : xarray.Dataset
+        Plate heights (m) and forces (N) on ``time`` (s); what the header says as attributes, in SI.
+    findings : list of Finding
+        What was left out, resampled or misspelt.
+
+    Raises
+    ------
+    RecordingError
+        For a file that cannot be read or trusted: missing columns, NaN, a clock that jitters, no wheel.
+    DescriptionError
+        For a header with a wrong unit or value, or columns with a wrong unit.
+
+    Examples
+    --------
+    >>> import tempfile, pathlib
+    >>> file = pathlib.Path(tempfile.mkdtemp()) / "lane.csv"
+    >>> rows = "\n".join(f"{i / 1000}, {i % 7 - 3}, {4000 + i % 5}" for i in range(20))
+    >>> _ = file.write_text(f'# left.static_load = "4.3 kN"\ntime [s], left.plate.z [mm], left.plate.force [N]\n{rows}')
+    >>> record, findings = read_record(file)
+    >>> record.attrs["left.static_load"], list(record), findings
+    (4300.0, ['left.plate.z', 'left.plate.force'], [])
+    """
+    from jounce.recordings.reading import read_recording
+
+    file = Path(path)
+    columns = dict(tester.columns) if tester is not None else {}
+    header, findings = _header(file)
+    try:
+        dataset, found = read_recording(file, columns=columns or None)
+    except DescriptionError as error:
+        raise _unit_error(error) from None
+    facts, said = read_facts({**dict(dataset.attrs), **header}, where=str(file))
+    dataset.attrs = facts
+    wheels_of(dataset, where=str(file))
+    return dataset, [*findings, *found, *said]
+
+
+def _header(file: Path) -> tuple[dict[str, Any], list[Finding]]:
+    """Facts of the file beside the record and of the lines before its columns."""
+    facts: dict[str, Any] = {}
+    findings: list[Finding] = []
+    beside = file.with_suffix(".toml")
+    if beside.is_file() and beside != file:
+        try:
+            facts |= _flat(tomllib.loads(beside.read_text(encoding="utf-8")))
+        except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+            raise DescriptionError(f"not valid TOML: {error}", where=str(beside)) from None
+    if file.suffix.lower() in _TABLE_SUFFIXES and file.is_file():
+        for line in read_columns_csv(file).comments:
+            if "=" not in line:
+                continue
+            try:
+                facts |= _flat(tomllib.loads(line))
+            except tomllib.TOMLDecodeError:
+                text = f"the header line {line!r} was left out: it is not 'key = value' with text in quotes"
+                findings.append(Finding(str(file), "warning", text))
+    return facts, findings
+
+
+def _flat(table: Mapping[str, Any], before: str = "") -> dict[str, Any]:
+    flat: dict[str, Any] = {}
+    for key, value in table.items():
+        flat |= _flat(value, f"{before}{key}.") if isinstance(value, Mapping) else {f"{before}{key}": value}
+    return flat
+
+
+def read_facts(facts: Mapping[str, Any], *, where: str = "record") -> tuple[dict[str, Any], list[Finding]]:
+    """Check what a header says and put it in SI.
+
+    Parameters
+    ----------
+    facts : mapping
+        ``"left.static_load"`` and the like (text with a unit, or SI), ``"axle"``, ``"wheel_order"``, ``"date"`` and so
+        on; see ``NUMBERS`` and ``TEXTS``.
+    where : str
+        Place named in errors.
+
+    Returns
+    -------
+    facts : dict
+        Numbers in SI, everything else as text.
+    findings : list of Finding
+        A warning for each key that is not known; it is kept.
+
+    Raises
+    ------
+    DescriptionError
+        For a value with a wrong unit or out of range.
+    """
+    found: dict[str, Any] = {}
+    findings: list[Finding] = []
+    known = [*TEXTS, *(f"{side}.{name}" for side in SIDES for name in NUMBERS)]
+    for key, value in facts.items():
+        side, _, name = key.partition(".")
+        if side in SIDES and name in NUMBERS:
+            found[key] = _number(value, NUMBERS[name], f"{where}: {key}")
+        elif key == "wheel_order":
+            found[key] = _order(value, where)
+        elif key == "axle":
+            found[key] = _axle(value, where)
+        else:
+            found[key] = value.isoformat() if isinstance(value, (datetime.date, datetime.time)) else str(value)
+            if key not in TEXTS and key not in ("schema", "jounce", "source", "Conventions"):
+                hint = nearest(key, known)
+                text = f"the header's {key!r} is not known and was not used. {hint}".rstrip()
+                findings.append(Finding(where, "warning" if hint else "note", text))
+    return found, findings
+
+
+def _number(value: object, si: str, where: str) -> float:
+    number = to_si(value.item() if hasattr(value, "item") else value, si, where=where)
+    if number < 0.0 or (si != "kg" and number == 0.0):
+        raise DescriptionError("out of range", where=where, found=f"{number:g} {si}", allowed="above 0")
+    return number
+
+
+def _order(value: object, where: str) -> str:
+    words = [str(word).strip() for word in value] if isinstance(value, (list, tuple)) else str(value).split(",")
+    order = ", ".join(word.strip() for word in words)
+    if order not in _ORDERS:
+        raise DescriptionError(
+            "unknown order of the wheels",
+            where=f"{where}: wheel_order",
+            found=order,
+            allowed=" | ".join(sorted(_ORDERS)),
+        )
+    return order
+
+
+def _axle(value: object, where: str) -> str:
+    if str(value) not in ("front", "rear"):
+        raise DescriptionError("unknown axle", where=f"{where}: axle", found=str(value), allowed="front, rear")
+    return str(value)
+
+
+def _unit_error(error: DescriptionError) -> DescriptionError:
+    """Say what is meant by a pound or a kilogram in a force column."""
+    words = {"lb": "lbf", "lbs": "lbf", "pound": "lbf", "kg": "kgf", "kp": "kgf"}
+    unit = str(error.found or "")
+    hint = error.hint
+    if unit in words and "convert" in error.allowed:
+        hint = f"{unit!r} is a mass; write {words[unit]!r} for the force."
+    return DescriptionError(error.what, where=error.where, found=error.found, allowed=error.allowed, hint=hint)
+
+
+def wheels_of(record: xr.Dataset, *, where: str = "record") -> tuple[str, ...]:
+    """Give the wheels of a record, ``"left"`` before ``"right"``: those with a plate force.
+
+    Raises
+    ------
+    RecordingError
+        When there is none.
+    """
+    names = [str(name) for name in record.data_vars]
+    sides = tuple(side for side in SIDES if f"{side}.{FORCE}" in names)
+    if not sides:
+        raise RecordingError(
+            "no plate force of any wheel",
+            where=where,
+            found=", ".join(names) or "no channel",
+            allowed="left.plate.force and right.plate.force, or one of them",
+            hint=_near_channel(names) or "Map the columns in the tester's [columns].",
+        )
+    return sides
+
+
+def _near_channel(names: Iterable[str]) -> str:
+    wanted = [f"{side}.{FORCE}" for side in SIDES]
+    return next((hint for hint in (nearest(name, wanted) for name in names) if hint), "")

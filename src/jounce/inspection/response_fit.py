@@ -1,0 +1,286 @@
+"""Quarter car from the motion of a plate and the force on it, whatever moves the plate.
+
+Every stretch of the record is transformed once. In its bins the force is the response of a quarter car to the plate's
+height, and what the stretch began and ended with: a polynomial in s over the characteristic polynomial (Pintelon and
+Schoukens), so nothing has to be at rest or periodic. White noise of the force has the same weight in every bin.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import FitError
+from jounce.inspection.response import (
+    GRAVITY,
+    Corner,
+    denominator_and_slopes,
+    force_response,
+    response_and_slopes,
+)
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+_TRANSIENT = 5
+_FREE = 5
+_MOST_STEPS = 40
+_SMALLEST_STEP = 1e-6
+_FEWEST_BINS = 24
+_GRADIENT_STEP = 1e-5
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """Bins of one stretch of a record.
+
+    Attributes
+    ----------
+    s : ndarray of complex, shape (n,)
+        Laplace variable of the bins, 1/s.
+    height, force : ndarray of complex, shape (n,)
+        Sums over the samples of plate height (m) and dynamic tyre force (N).
+    samples : int
+        Of the stretch.
+    """
+
+    s: Complex
+    height: Complex
+    force: Complex
+    samples: int
+
+
+@dataclass(frozen=True)
+class ResponseFit:
+    """Quarter car fitted to a record.
+
+    Attributes
+    ----------
+    corner : Corner
+        Fitted masses, rates and dampings.
+    covariance : ndarray, shape (5, 5)
+        Of unsprung mass, spring rate, damping, tyre stiffness and tyre damping, SI.
+    noise : float
+        Standard deviation of what the model leaves, N per sample, between the lowest and the highest frequency.
+    explained : float
+        Share (1) of the force in these bins that the model explains.
+    """
+
+    corner: Corner
+    covariance: Array
+    noise: float
+    explained: float
+
+    def spread(self, quantity: Callable[[Corner], float]) -> float:
+        """Standard error of a number that follows from the corner, in the number's unit."""
+        here = _parameters(self.corner)
+        mass = self.corner.sprung_mass + self.corner.unsprung_mass
+        steps = np.maximum(np.abs(here), [1.0, 1e3, 10.0, 1e3, 50.0]) * _GRADIENT_STEP
+        base = quantity(self.corner)
+        slope = np.array([quantity(_corner(here + step, mass)) - base for step in np.diag(steps)]) / steps
+        return math.sqrt(max(float(slope @ self.covariance @ slope), 0.0))
+
+
+def stretch_of(height: Array, force: Array, sample_rate: float, low: float, high: float) -> Stretch:
+    """Transform a stretch of a record.
+
+    Parameters
+    ----------
+    height, force : ndarray, shape (n,)
+        Plate height (m) and dynamic tyre force (N).
+    sample_rate : float
+        Hz.
+    low, high : float
+        Hz; bins outside are left out.
+
+    Returns
+    -------
+    Stretch
+        Heights and forces with half weight for the first and the last sample (trapezoidal sums).
+    """
+    from scipy.fft import next_fast_len, rfft
+
+    count = height.size - 1
+    while next_fast_len(count, real=True) != count:
+        count -= 1
+    signals = np.stack([height[: count + 1], force[: count + 1]])
+    signals = signals - signals.mean(axis=1, keepdims=True)
+    signals[:, 0] = 0.5 * (signals[:, 0] + signals[:, -1])
+    spectra = rfft(signals[:, :-1], axis=1)
+    first = max(1, math.ceil(low * count / sample_rate))
+    last = min(spectra.shape[1] - 1, math.floor(high * count / sample_rate))
+    kept = slice(first, last + 1)
+    s = 2j * np.pi * np.arange(first, last + 1) * (sample_rate / count)
+    return Stretch(s, spectra[0, kept], spectra[1, kept], count)
+
+
+def fit_response(stretches: Sequence[Stretch], static_load: float, *, where: str = "wheel") -> ResponseFit:
+    """Fit a quarter car of a known static load to stretches of a record.
+
+    Parameters
+    ----------
+    stretches : sequence of Stretch
+        Parts of one record without lift-off.
+    static_load : float
+        N; gives the sum of the masses.
+    where : str
+        Place named in errors.
+
+    Returns
+    -------
+    ResponseFit
+        Least-squares estimate with its covariance.
+
+    Raises
+    ------
+    FitError
+        When there is too little signal, or no quarter car resembles it.
+    """
+    bins = sum(one.s.size for one in stretches)
+    if bins < _FEWEST_BINS:
+        raise FitError("too little signal to fit a quarter car to", where=where, found=f"{bins} spectral lines")
+    mass = static_load / GRAVITY
+    scale = 1.0 / math.sqrt(sum(one.samples for one in stretches) / len(stretches))
+    parts = [Stretch(one.s, one.height * scale, one.force * scale, one.samples) for one in stretches]
+    here = _start(parts, mass)
+    cost, normal, right = _system(parts, here, mass)
+    damping = 1e-3
+    for _ in range(_MOST_STEPS):
+        step = _solve(normal, right, damping)
+        tried = _within(here + step, here, mass)
+        new_cost, new_normal, new_right = _system(parts, tried, mass)
+        if new_cost <= cost:
+            moved = np.max(np.abs(tried - here) / np.maximum(np.abs(tried), [1.0, 1e3, 10.0, 1e3, 100.0]))
+            here, cost, normal, right = tried, new_cost, new_normal, new_right
+            damping *= 0.1
+            if moved < _SMALLEST_STEP:
+                break
+        else:
+            damping = max(10.0 * damping, 1e-6)
+            if damping > 1e8:
+                break
+    return _result(parts, here, mass, cost, normal)
+
+
+def _result(parts: Sequence[Stretch], here: Array, mass: float, cost: float, normal: Array) -> ResponseFit:
+    rows = 2 * sum(one.s.size for one in parts)
+    freedom = max(rows - _FREE - _TRANSIENT * len(parts), 1)
+    variance = cost / freedom
+    size = np.sqrt(np.diag(normal))
+    size = np.where(size > 0.0, size, 1.0)
+    covariance = np.linalg.pinv(normal / np.outer(size, size), rcond=1e-15, hermitian=True) / np.outer(size, size)
+    power = sum(float(np.sum(np.abs(one.force) ** 2)) for one in parts)
+    return ResponseFit(
+        corner=_corner(here, mass),
+        covariance=covariance * variance,
+        noise=math.sqrt(2.0 * variance),
+        explained=1.0 - cost / power if power > 0.0 else 0.0,
+    )
+
+
+def _corner(parameters: Array, mass: float) -> Corner:
+    mu, k, c, kt, ct = (float(value) for value in parameters)
+    return Corner(mass - mu, mu, k, c, kt, ct)
+
+
+def _parameters(corner: Corner) -> Array:
+    return np.array(
+        [
+            corner.unsprung_mass,
+            corner.spring_rate,
+            corner.damping_coefficient,
+            corner.tyre_stiffness,
+            corner.tyre_damping_coefficient,
+        ]
+    )
+
+
+def _within(parameters: Array, before: Array, mass: float) -> Array:
+    """Halve the way to what no car can have."""
+    low = np.array([1e-3 * mass, 0.0, 0.0, 1e3, -2e3])
+    high = np.array([0.6 * mass, 1e7, 1e6, 1e8, 2e4])
+    inside = np.where(parameters < low, 0.5 * (before + low), parameters)
+    return np.where(inside > high, 0.5 * (before + high), inside)
+
+
+def _start(parts: Sequence[Stretch], mass: float) -> Array:
+    """Best of a grid of quarter cars."""
+    tyre = _tyre_stiffness(parts)
+    candidates = [
+        np.array(
+            [share * mass, (1.0 - share) * mass * 65.0, ratio * 2.0 * math.sqrt(tyre * share * mass), tyre * w, 0.0]
+        )
+        for share in (0.06, 0.1, 0.16)
+        for ratio in (0.05, 0.15, 0.4)
+        for w in (0.8, 1.0, 1.25)
+    ]
+
+    def misfit(parameters: Array) -> float:
+        corner = _corner(parameters, mass)
+        gap = [
+            one.force[::3] - force_response(corner, one.s[::3].imag / (2.0 * np.pi)) * one.height[::3] for one in parts
+        ]
+        return sum(float(np.sum(np.abs(piece) ** 2)) for piece in gap)
+
+    return min(candidates, key=misfit)
+
+
+def _tyre_stiffness(parts: Sequence[Stretch]) -> float:
+    """Tyre stiffness (N/m) from the highest frequencies, where the wheel hardly follows."""
+    one = max(parts, key=lambda part: float(part.s[-1].imag))
+    top = one.s.imag > 0.85 * one.s[-1].imag
+    drive = float(np.sum(np.abs(one.height[top]) ** 2))
+    gain = abs(complex(np.sum(one.force[top] * np.conj(one.height[top])))) / drive if drive > 0.0 else 2e5
+    return min(max(0.8 * gain, 6e4), 8e5)
+
+
+def _system(parts: Sequence[Stretch], parameters: Array, mass: float) -> tuple[float, Array, Array]:
+    """Sum of squares, normal matrix and right side for the five parameters; the transients are projected out."""
+    corner = _corner(parameters, mass)
+    cost, normal, right = 0.0, np.zeros((_FREE, _FREE)), np.zeros(_FREE)
+    for one in parts:
+        response, slopes = response_and_slopes(corner, one.s)
+        columns, falls = _transients(corner, one.s)
+        basis, upper = np.linalg.qr(_real(columns))
+        residual = _real(one.force - response * one.height)
+        share = basis.T @ residual
+        residual -= basis @ share
+        transient = columns @ np.linalg.solve(upper, share)
+        jacobian = _real(slopes * one.height[:, None] - transient[:, None] * falls)
+        jacobian -= basis @ (basis.T @ jacobian)
+        cost += float(residual @ residual)
+        normal += jacobian.T @ jacobian
+        right += jacobian.T @ residual
+    return cost, normal, right
+
+
+def _transients(corner: Corner, s: Complex) -> tuple[Complex, Complex]:
+    """What a stretch may have begun and ended with (columns of equal size), and relative slopes of its denominator."""
+    value, slopes = denominator_and_slopes(corner, s)
+    relative = s / abs(s[-1])
+    columns = relative[:, None] ** np.arange(_TRANSIENT) / value[:, None]
+    return columns / np.linalg.norm(columns, axis=0), slopes / value[:, None]
+
+
+def _real(values: Complex) -> Array:
+    return np.concatenate([values.real, values.imag])
+
+
+def _solve(normal: Array, right: Array, damping: float) -> Array:
+    size = np.sqrt(np.diag(normal))
+    size = np.where(size > 0.0, size, 1.0)
+    scaled = normal / np.outer(size, size) + damping * np.eye(_FREE)
+    return np.asarray(np.linalg.solve(scaled, right / size) / size)
+
+
+def predicted_force(fit: ResponseFit, stretch: Stretch) -> Complex:
+    """Dynamic force (N) in the bins of a stretch, with the transients that fit best."""
+    response, _ = response_and_slopes(fit.corner, stretch.s)
+    forced = response * stretch.height
+    columns, _ = _transients(fit.corner, stretch.s)
+    gap = _real(stretch.force - forced)
+    share = np.linalg.lstsq(_real(columns), gap, rcond=None)[0]
+    return np.asarray(forced + columns @ share)

@@ -1,0 +1,199 @@
+"""What an inspection gives: values per wheel with their uncertainty, curves, grades and reasons."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.findings import Finding
+from jounce.core.serialise import to_plain
+from jounce.inspection.response import Corner
+
+Array = NDArray[np.float64]
+NOT_GRADED = "not graded"
+_KEYS = (
+    "adhesion",
+    "phase_angle_min_deg",
+    "phase_frequency_hz",
+    "relative_force_amplitude",
+    "tyre_rigidity",
+    "theta_rig",
+    "theta_road",
+)
+
+
+@dataclass(frozen=True)
+class WheelCurves:
+    """Course of a test over the frequency, by turns of the excenter in the order of time.
+
+    Attributes
+    ----------
+    time : ndarray, shape (n,)
+        When the plate was at the top, s.
+    frequency : ndarray, shape (n,)
+        Of the plate, Hz.
+    least_force, greatest_force : ndarray, shape (n,)
+        Of the tyre in that turn, after the filter of the turn, N.
+    phase_deg : ndarray, shape (n,)
+        Phase angle by EGEA in degrees; NaN outside the band.
+    plate_amplitude : ndarray, shape (n,)
+        Half the plate's stroke in that turn, m.
+    """
+
+    time: Array
+    frequency: Array
+    least_force: Array
+    greatest_force: Array
+    phase_deg: Array
+    plate_amplitude: Array
+
+
+@dataclass(frozen=True)
+class WheelResult:
+    """What a record says about one wheel; None where it cannot be known, with the reason among the findings. SI.
+
+    Attributes
+    ----------
+    wheel : str
+        ``left`` or ``right``.
+    static_load : float or None
+        N.
+    adhesion : float or None
+        Least over static tyre force (1); 0 where the tyre lifts off.
+    adhesion_frequency_hz : float or None
+        Where the force is least, Hz; the resonance of the wheel on this tester.
+    phase_angle_min_deg : float or None
+        Least EGEA phase angle within 6 to 18 Hz, ends included, in degrees.
+    phase_frequency_hz : float or None
+        Where it is, Hz.
+    relative_force_amplitude : float or None
+        Greatest force amplitude over static load (1).
+    tyre_rigidity : float or None
+        By EGEA, from the force at 25 Hz, N/m.
+    theta_rig, theta_road : float or None
+        Damping ratio (1) of the wheel on this tester and on the road (plate at rest), by parametric fit.
+    lift_off : bool
+        Whether the tyre left the plate.
+    resonance_frequency_hz : float or None
+        Where the plate (sprung) or the force (rigid) moves most, Hz.
+    boge_amplitude : float or None
+        Greatest movement of a sprung plate from lowest to highest point, m.
+    theta_methods : mapping of str to float or None
+        Damping ratio (1) on this tester by ``fit``, ``half_power``, ``amplification``, ``free_decay``.
+    uncertainty : mapping of str to float
+        Half width of the 95 % interval by key, in the unit of the value.
+    corner : Corner or None
+        Linear quarter car fitted to the record.
+    grade : mapping of str to str
+        Band by method; filled by the grading.
+    verdict : str
+        One word for the wheel; ``not graded`` before the grading, and for good where the record does not allow it.
+    reasons : tuple of str
+        Why; first of all what makes the record unfit.
+    findings : tuple of Finding
+        What weakens the values.
+    curves : WheelCurves or None
+        Course over frequency.
+    """
+
+    wheel: str
+    static_load: float | None = None
+    adhesion: float | None = None
+    adhesion_frequency_hz: float | None = None
+    phase_angle_min_deg: float | None = None
+    phase_frequency_hz: float | None = None
+    relative_force_amplitude: float | None = None
+    tyre_rigidity: float | None = None
+    theta_rig: float | None = None
+    theta_road: float | None = None
+    lift_off: bool = False
+    resonance_frequency_hz: float | None = None
+    boge_amplitude: float | None = None
+    theta_methods: Mapping[str, float | None] = field(default_factory=dict)
+    uncertainty: Mapping[str, float] = field(default_factory=dict)
+    corner: Corner | None = None
+    grade: Mapping[str, str] = field(default_factory=dict)
+    verdict: str = NOT_GRADED
+    reasons: tuple[str, ...] = ()
+    findings: tuple[Finding, ...] = ()
+    curves: WheelCurves | None = None
+
+    @property
+    def is_gradable(self) -> bool:
+        """Tell whether no finding makes the record unfit for grading."""
+        return not any(finding.severity == "problem" for finding in self.findings)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain JSON object: values, ``lift_off``, ``uncertainty``, ``grade``, ``verdict``, ``reasons``, ``findings``.
+
+        Beside them ``wheel``, ``static_load``, ``adhesion_frequency_hz``, ``resonance_frequency_hz``,
+        ``boge_amplitude``, ``theta_methods`` and ``theta_graded``.
+        """
+        table: dict[str, Any] = {"wheel": self.wheel, "static_load": self.static_load}
+        table |= {key: getattr(self, key) for key in _KEYS}
+        table |= {
+            "lift_off": self.lift_off,
+            "adhesion_frequency_hz": self.adhesion_frequency_hz,
+            "resonance_frequency_hz": self.resonance_frequency_hz,
+            "boge_amplitude": self.boge_amplitude,
+            "theta_methods": self.theta_methods,
+            "theta_graded": "theta_road",
+            "uncertainty": self.uncertainty,
+            "grade": self.grade,
+            "verdict": self.verdict,
+            "reasons": self.reasons,
+            "findings": self.findings,
+        }
+        plain: dict[str, Any] = to_plain(table)
+        return plain
+
+
+@dataclass(frozen=True)
+class Inspection:
+    """What a record says about the wheels of one axle.
+
+    Attributes
+    ----------
+    wheels : tuple of WheelResult
+        Left before right.
+    axle : mapping
+        ``{"axle": "front"}`` and what the grading adds: differences, verdict, reasons.
+    facts : mapping
+        What the record's header says: tester, vehicle, plate number, date.
+    methods : tuple of str
+        What was evaluated.
+    findings : tuple of Finding
+        About the whole record.
+    """
+
+    wheels: tuple[WheelResult, ...]
+    axle: Mapping[str, Any] = field(default_factory=dict)
+    facts: Mapping[str, Any] = field(default_factory=dict)
+    methods: tuple[str, ...] = ()
+    findings: tuple[Finding, ...] = ()
+
+    def wheel(self, name: str) -> WheelResult:
+        """Give the result of ``"left"`` or ``"right"``."""
+        return next(wheel for wheel in self.wheels if wheel.wheel == name)
+
+    @property
+    def is_gradable(self) -> bool:
+        """Tell whether every wheel can be graded."""
+        return bool(self.wheels) and all(wheel.is_gradable for wheel in self.wheels)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain JSON object ``{wheels: [...], axle: {...}, ...}``."""
+        plain: dict[str, Any] = to_plain(
+            {
+                "wheels": [wheel.to_dict() for wheel in self.wheels],
+                "axle": self.axle,
+                "facts": self.facts,
+                "methods": self.methods,
+                "findings": self.findings,
+            }
+        )
+        return plain

@@ -1,0 +1,63 @@
+"""Tyre rigidity by EGEA from the force amplitude of the hold at 25 Hz."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from jounce.core.findings import Finding
+from jounce.inspection.checks import warning
+from jounce.inspection.conditioning import WheelSignals
+from jounce.inspection.course import Course
+from jounce.inspection.steady import rigidity
+
+HOLD_FREQUENCY, _TOLERANCE = 25.0, 1.0
+_FEWEST_TURNS = 6
+_NORMAL = 1.959964
+
+
+@dataclass(frozen=True)
+class Rigidity:
+    """Tyre rigidity (N/m), half width of its 95 % interval (N/m), and the force amplitude behind it (N)."""
+
+    rigidity: float
+    half_width: float
+    force_amplitude: float
+
+
+def find_rigidity(signals: WheelSignals, course: Course, load: float) -> tuple[Rigidity | None, list[Finding]]:
+    """Find the rigidity of a tyre under a static load (N); None without plate height or a hold at 25 Hz."""
+    place = f"{signals.wheel}.tyre"
+    if signals.height is None:
+        return None, [warning(place, "without the plate's height the tyre's rigidity is not known.")]
+    turns = course.turns
+    held = turns.frequency[course.hold]
+    top = turns.top[course.hold]
+    count = min(course.hold.stop - course.hold.start, 25)
+    if count < _FEWEST_TURNS or abs(course.highest - HOLD_FREQUENCY) > _TOLERANCE:
+        text = f"the plate is not held at 25 Hz ({count} turns at {float(np.median(held)):.3g} Hz): no tyre rigidity."
+        return None, [warning(place, text)]
+    begin, end = top[-count], top[-1]
+    rate, start = signals.sample_rate, float(signals.time[0])
+    cut = slice(max(round((begin - start) * rate), 0), round((end - start) * rate))
+    time, height, force = signals.time[cut], signals.height[cut], signals.force[cut] - load
+    wave = np.exp(-1j * turns.angle(time))
+    amplitude = 2.0 * abs(complex(np.mean(force * wave)))
+    stroke = 2.0 * abs(complex(np.mean((height - height.mean()) * wave)))
+    rest = force - 2.0 * np.real(np.mean(force * wave) * np.conj(wave)) - force.mean()
+    error = float(np.std(rest)) * np.sqrt(2.0 / force.size)
+    return Rigidity(rigidity(amplitude, stroke), _NORMAL * 0.571 * error / stroke, amplitude), []
+
+
+def rigidity_findings(value: float, wheel: str, low: float, high: float) -> list[Finding]:
+    """Say whether a rigidity (N/m) means a tyre inflated too little or too much, by limits in N/m."""
+    place = f"{wheel}.tyre"
+    said = f"the tyre's rigidity of {1e-3 * value:.0f} N/mm is"
+    if value < low:
+        return [warning(place, f"{said} below {1e-3 * low:.0f} N/mm: inflate the tyre and repeat the test.", value)]
+    if value > high:
+        return [
+            warning(place, f"{said} above {1e-3 * high:.0f} N/mm: too much pressure; correct it and repeat.", value)
+        ]
+    return []
