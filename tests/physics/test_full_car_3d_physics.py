@@ -215,3 +215,9 @@ def test_a_joint_at_the_centre_of_gravity_is_the_free_body():
     one, other = (jn.simulate(vehicle, trial, tolerance=1e-7) for vehicle in (free, jointed))
     for name in ("body.z", "body.pitch", "front_left.unsprung.z", "rear_right.unsprung.z"):
         assert np.max(np.abs(one[name] - other[name])) < 1e-7, name
+
+
+def test_a_joint_leaves_out_the_mode_of_yaw():
+    frequencies = [mode.frequency_hz for mode in jn.modes(jn.load("kart-whole-vehicle"))]
+    assert len(frequencies) == 7
+    assert 4.5 < frequencies[0] < 5.5  # heave, near the quarter vehicle's 5.07 Hz

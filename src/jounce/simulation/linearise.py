@@ -15,6 +15,7 @@ from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.statics import Rest, find_rest
 
 Array = NDArray[np.float64]
+_NOTHING_HOLDS = 1e-7  # share of the fastest eigenvalue below which one is zero but for rounding
 
 
 @dataclass(frozen=True)
@@ -145,6 +146,8 @@ def _reduced_states(facts: Facts, rest: Rest) -> tuple[str, ...]:
 def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
     """Oscillating modes of a rig about static equilibrium, by rising frequency.
 
+    A motion that nothing holds, such as yaw on a spherical joint, is none.
+
     Parameters
     ----------
     rig : Rig
@@ -170,7 +173,7 @@ def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
     names = [model.outputs[i] for i in heights]
     found = []
     for value, vector in zip(values, (model.C[heights] @ vectors).T, strict=True):
-        if value.imag > 1e-9 * abs(value):
+        if value.imag > 1e-9 * abs(value) and abs(value) > _NOTHING_HOLDS * np.max(np.abs(values)):
             shape = vector / vector[np.argmax(np.abs(vector))]
             shapes = {name: (float(z.real), float(z.imag)) for name, z in zip(names, shape, strict=True)}
             found.append(
