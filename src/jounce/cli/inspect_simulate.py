@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.options import AsJson, Changes, Force, changes, optional_quantity, quantity
+from jounce.cli.options import AsJson, Changes, Force, changes, positive_quantity, quantity
 from jounce.cli.reply import Reply, progress
 from jounce.cli.rigs import warn_of
 from jounce.cli.tables import show_findings, table
@@ -120,11 +120,11 @@ def _tester(
         found = tester_for(method)
     if tester is not None:
         found = load_tester(tester)
-    given = {
-        "stroke": optional_quantity(stroke, "m", "--stroke"),
-        "programme.sweep_rate": optional_quantity(sweep_rate, "Hz/s", "--sweep-rate"),
-    }
-    made = {**{path: value for path, value in given.items() if value is not None}, **wanted}
+    made = dict(wanted)
+    if stroke is not None:
+        made["stroke"] = positive_quantity(stroke, "m", "--stroke")
+    if sweep_rate is not None:
+        made["programme.sweep_rate"] = positive_quantity(sweep_rate, "Hz/s", "--sweep-rate")
     return found.with_changes(made) if made else found
 
 
