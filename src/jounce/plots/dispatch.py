@@ -40,7 +40,7 @@ def figure_of(result: object, **options: Any) -> Figure:
     Parameters
     ----------
     result : object
-        A 3-D rig, a recording, a ride or several controllers side by side, a study of the Audi A6, a study over speed, a
+        A 3-D rig, a recording, a ride or several controllers side by side, an Audi A6 study, a study over speed, a
         road (or several by name), a fit, an update (or several), a trial or all trials of a campaign, a campaign's
         result, a linear model, modes, an optimisation, a Pareto front.
     **options
