@@ -10,6 +10,7 @@ from scipy.linalg import expm, solve_continuous_are, solve_continuous_lyapunov
 
 import jounce as jn
 from jounce.control import (
+    LQG,
     LQR,
     ActiveActuator,
     CornerModel,
@@ -21,7 +22,8 @@ from jounce.control import (
     controller,
 )
 from jounce.control.corner import corner_equations, corner_outputs
-from jounce.control.design import Targets, Weights, cost_matrices, h_infinity, regulator_gains
+from jounce.control.design import Targets, Weights, cost_matrices, h_infinity, observer, regulator_gains
+from jounce.control.linear_laws import LQG_CHANNELS
 from jounce.simulation.corner_models import corner_models
 from jounce.simulation.stability import closed_loop_poles
 
@@ -200,6 +202,20 @@ def test_sampled_poles_of_a_held_force() -> None:
     expected = np.sort(np.abs(np.linalg.eigvals(step)))
     found = np.sort(np.abs(np.exp(closed_loop_poles(car(), law) * period)))
     np.testing.assert_allclose(found[-4:], expected, rtol=1e-6)
+
+
+@pytest.mark.parametrize("rate", [50.0, 1000.0])
+def test_regulator_and_filter_keep_their_own_poles(rate: float) -> None:
+    # separation: with the true plant the poles are those of the regulator and those of the filter
+    law = LQG(actuator=ActiveActuator(lag=0.0), rate=rate)
+    A, B, _ = corner_equations(CORNER)
+    filter_ = observer(CORNER, LQG_CHANNELS, np.array([0.05, 0.05, 5e-4]), 1.0106e-3, 1e-3, 1.0 / rate)
+    step = expm(np.block([[A, B], [np.zeros((1, 5))]]) / rate)
+    regulated = np.linalg.eigvals(step[:4, :4] - step[:4, 4:] @ law.gains(CORNER)[None, :])
+    filtered = np.linalg.eigvals((np.eye(4) - filter_.L @ filter_.C) @ step[:4, :4])
+    found = np.exp(closed_loop_poles(car(), law) / rate)
+    for expected in (*regulated, *filtered):
+        assert np.min(np.abs(found - expected)) < 1e-6
 
 
 def test_controllers_do_what_they_are_for(rough: jn.Trial) -> None:

@@ -95,6 +95,7 @@ def observer(
     channels: tuple[str, ...],
     deviations: Array,
     roughness: float,
+    disturbance: float,
     period: float,
     damping_coefficient: float | None = None,
 ) -> Observer:
@@ -110,6 +111,8 @@ def observer(
         Standard deviation of each measurement, SI.
     roughness : float
         Intensity of the road's velocity, m^2/s.
+    disturbance : float
+        Intensity of accelerations of body and wheel that the corner does not explain, m^2/s^3.
     period : float
         Control period, s.
     damping_coefficient : float, optional
@@ -119,7 +122,8 @@ def observer(
 
     A, B, G = corner_equations(corner, damping_coefficient)
     C, D = corner_outputs(corner, channels, damping_coefficient)
-    F, H, spread = sampled(A, B, roughness * G @ G.T, period)
+    unknown = np.diag([0.0, disturbance, 0.0, disturbance])
+    F, H, spread = sampled(A, B, roughness * G @ G.T + unknown, period)
     noise = np.diag(np.asarray(deviations) ** 2)
     try:
         P = solve_discrete_are(F.T, C.T, spread, noise)

@@ -28,6 +28,7 @@ from jounce.core.units import PositiveLength, Unit
 Array = NDArray[np.float64]
 _Weight = Annotated[float, Unit("1/s^4", at_least=0.0)]
 _ForceWeight = Annotated[float, Unit("1/kg^2", at_least=0.0)]
+_Disturbance = Annotated[float, Unit("m^2/s^3", at_least=0.0)]
 _Roughness = Annotated[float, Unit("m^2/s", above=0.0)]
 _Acceleration = Annotated[float, Unit("m/s^2", above=0.0)]
 _Force = Annotated[float, Unit("N", above=0.0)]
@@ -104,33 +105,45 @@ class LQG(_Quadratic):
         As for :class:`LQR`.
     roughness : float
         Intensity of the road's velocity that the filter expects, m^2/s; class C at 20 m/s: 1.01e-3.
+    disturbance : float
+        Intensity of accelerations that the corner model does not explain, m^2/s^3. It lets the filter forget: without,
+        it takes half a minute, and the difference between a 3-D corner and its model is enough to make it drift.
     """
 
     law: Literal["lqg"] = "lqg"
     roughness: _Roughness = 1.0106e-3
+    disturbance: _Disturbance = 1e-3
 
     @property
     def memory_size(self) -> int:
-        """Estimated states."""
-        return 4
+        """Estimated states, and the command that has arrived behind the actuator's lag."""
+        return 5
 
     def decide(self, seen: Lookup, memory: list[ca.SX], number: Lookup, means: Means) -> Decision:
         """Write the law of one corner."""
         r = number("motion_ratio")
-        force = means.force_of(means.last) * r
-        before = _matrix(number, "F", 4, 4) @ ca.vertcat(*memory) + _vector(number, "H", 4) * force
+        missing = memory[4] - means.last
+        arrived, mean = means.last + number("late") * missing, means.last + number("mean_late") * missing
+        force = means.force_of(arrived) * r
+        before = (
+            _matrix(number, "F", 4, 4) @ ca.vertcat(*memory[:4]) + _vector(number, "H", 4) * means.force_of(mean) * r
+        )
         measured = ca.vertcat(*(seen(channel) for channel in LQG_CHANNELS))
         expected = _matrix(number, "C", 3, 4) @ before + _vector(number, "D", 3) * force
         states = before + _matrix(number, "L", 4, 3) @ (measured - expected)
         command = means.command_for_force(-ca.dot(_vector(number, "gain", 4), states) / r)
-        return Decision(command, ca.vertsplit(states))
+        return Decision(command, [*ca.vertsplit(states), arrived])
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
         """Give gains and filter, SI."""
-        filter_ = observer(corner, LQG_CHANNELS, self._deviations(), self.roughness, 1.0 / self.rate, self._base)
+        periods = 1.0 / (self.rate * _lag(self.actuator)) if _lag(self.actuator) > 0.0 else math.inf
+        late = {"late": math.exp(-periods), "mean_late": -math.expm1(-periods) / periods}
+        filter_ = observer(
+            corner, LQG_CHANNELS, self._deviations(), self.roughness, self.disturbance, 1.0 / self.rate, self._base
+        )
         parts = {name: getattr(filter_, name) for name in "FHLCD"}
         found = {key: value for name, part in parts.items() for key, value in _named(name, part).items()}
-        return {**found, **_named("gain", self.gains(corner)), "motion_ratio": corner.motion_ratio}
+        return {**found, **late, **_named("gain", self.gains(corner)), "motion_ratio": corner.motion_ratio}
 
     def _deviations(self) -> Array:
         """Standard deviations that the filter expects of its sensors."""
@@ -202,10 +215,15 @@ _QUICKEST = 300.0  # rad/s
 
 def _quickness(actuator: Any) -> float:
     """Corner of an actuator's lag, rad/s."""
-    bandwidth = getattr(actuator, "bandwidth", None)
-    if bandwidth is not None:
-        return float(min(2.0 * math.pi * bandwidth, _QUICKEST))
-    return float(min(1.0 / actuator.lag, _QUICKEST)) if actuator.lag > 0.0 else _QUICKEST
+    lag = _lag(actuator)
+    return min(1.0 / lag, _QUICKEST) if lag > 0.0 else _QUICKEST
+
+
+def _lag(actuator: Any) -> float:
+    """Time constant of an actuator, s; of one of second order that of its slow motion."""
+    if getattr(actuator, "bandwidth", None) is not None:
+        return float(actuator.damping_ratio / (math.pi * actuator.bandwidth))
+    return float(actuator.lag)
 
 
 def _named(name: str, values: Array | Sequence[float]) -> dict[str, float]:

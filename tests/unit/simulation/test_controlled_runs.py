@@ -137,7 +137,8 @@ def test_diverging_loop_is_stopped_and_dated(rig: jn.Rig) -> None:
 
 
 def test_every_shipped_linear_law_is_stable_on_the_lumped_library() -> None:
-    for name in ("audi-a6-quarter-car", "kart-quarter-car", "audi-a6-half-car-4dof", "audi-a6-full-car"):
+    names = ("audi-a6-quarter-car", "kart-quarter-car", "audi-a6-half-car-4dof", "audi-a6-full-car")
+    for name in (*names, "reference-double-wishbone"):
         for law in ("active-skyhook", "pid", "lqr", "lqg", "h-infinity"):
             assert closed_loop_poles(jn.load(name), law)[0].real < 1e-3, (name, law)
 
