@@ -12,7 +12,7 @@ from jounce.core.errors import SimulationError
 from jounce.mechanics.motions import steady
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Tester
-from jounce.simulation.plate_response import LinearStand, linear_stand, place_of
+from jounce.simulation.plate_response import LinearStand, linear_stand, place_of, wrapped
 from jounce.simulation.run import samples_reached
 from jounce.simulation.stand import Stand, channel, stand
 
@@ -23,6 +23,7 @@ _REPEATS = 1e-5  # of the amplitude: what may still change until the motion is p
 _ROUNDING = 1e-7  # below that the changes say nothing of how fast they shrink
 _SAMPLES = 512  # a period
 _UNSETTLED = 8  # periods looked at where the motion does not settle
+_NO_PHASE = 2.0 * np.pi  # more than any phase angle, where there is none
 _STEP = 0.5  # Hz, of the first sweep
 _FINE = 0.01
 
@@ -40,7 +41,8 @@ class Periodic:
     force_min, force_max : float
         Of the contact force, N.
     phase_angle : float
-        EGEA phase angle, rad: from the plate's top to the middle of the turn's low-force half.
+        EGEA phase angle, rad: from the plate's top to the middle of the turn's low-force half. NaN where the force
+        does not cross its static value in a turn, as a bouncing wheel's may.
     values : dict
         Outputs over one turn (512 samples), SI; the plate's mean height comes first.
     state : dict
@@ -112,11 +114,11 @@ def periodic(
     solution = on.run(angles, fine, start=state, fastest=rate, tolerance=tolerance)
     values = dict(zip(on.compiled.output_names, solution.outputs, strict=True))
     force = values[channel(place, "tyre.force")]
-    phases = [_phase_angle(part, on.static_load(place)) for part in force.reshape(length, _SAMPLES)]
+    found = [_phase_angle(part, on.static_load(place)) for part in force.reshape(length, _SAMPLES)]
+    phases = [angle for angle in found if np.isfinite(angle)] or [np.nan]
     lag = _plate_lag(values[channel(place, "plate.z")][:_SAMPLES])
-    return Periodic(
-        frequency, settled, float(force.min()), float(force.max()), _wrapped(min(phases) - lag), values, state
-    )
+    phase = float(np.min(wrapped(np.array(phases) - lag)))
+    return Periodic(frequency, settled, float(force.min()), float(force.max()), phase, values, state)
 
 
 def _linear_start(linear: LinearStand, frequency: float, place: str) -> dict[str, float]:
@@ -144,7 +146,7 @@ def _phase_angle(force: Array, static: float) -> float:
     """Angle (rad of the turn) of the middle of the low-force half; the part around the least force counts."""
     low = int(np.argmin(force))
     turned = np.roll(force, -low) - static
-    if turned.max() <= 0.0:
+    if turned.max() <= 0.0 or turned[0] > 0.0:
         return np.nan
     up = int(np.argmax(turned > 0.0))
     down = len(turned) - int(np.argmax(turned[::-1] > 0.0))
@@ -157,10 +159,6 @@ def _plate_lag(height: Array) -> float:
     """Angle (rad of the turn) at which the plate is highest: that of its first harmonic."""
     first = np.fft.rfft(height)[1]
     return float(-np.angle(first))
-
-
-def _wrapped(angle: float) -> float:
-    return float(np.mod(angle, 2.0 * np.pi))
 
 
 @dataclass(frozen=True)
@@ -228,12 +226,12 @@ def steady_sweep(rig: Rig, tester: Tester, *, wheel: str = "left") -> SteadySwee
         at(float(frequency))
     force, here = _refined(lambda f: at(f).force_min, grid)
     band = grid[(grid >= limits.frequency_min) & (grid <= limits.frequency_max)]
-    phase, there = _refined(lambda f: at(f).phase_angle, band)
+    phase, there = _refined(lambda f: float(np.nan_to_num(at(f).phase_angle, nan=_NO_PHASE)), band)
     top = at(25.0)
     static = on.static_load(place)
     states = tuple(known[f] for f in sorted(known))
     amplitude = 0.5 * (top.force_max - top.force_min)
-    return SteadySweep(max(force / static, 0.0), here, phase, there, amplitude, force <= 1e-9 * static, states)
+    return SteadySweep(max(0.0, force / static), here, phase, there, amplitude, force <= 1e-9 * static, states)
 
 
 def _refined(value: Callable[[float], float], grid: Array) -> tuple[float, float]:

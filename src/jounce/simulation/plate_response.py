@@ -115,8 +115,13 @@ class SteadyResponse:
 
     @property
     def phase_angle(self) -> Array:
-        """EGEA phase angle, rad from 0 to 2 pi, shape (n,): 180 degrees less the argument of the force response."""
-        return np.asarray(np.mod(np.pi - np.angle(self.force_response), 2.0 * np.pi))
+        """EGEA phase angle, rad from -pi/2 to 3/2 pi, shape (n,): 180 degrees less the argument of the response."""
+        return wrapped(np.pi - np.angle(self.force_response))
+
+
+def wrapped(angle: ArrayLike) -> Array:
+    """Give angles (rad) between -pi/2 and 3/2 pi, where phase angles of testers are."""
+    return np.asarray(np.mod(np.asarray(angle) + 0.5 * np.pi, 2.0 * np.pi) - 0.5 * np.pi)
 
 
 def steady_response(rig: Rig, tester: Tester, frequency: ArrayLike, *, wheel: str = "left") -> SteadyResponse:

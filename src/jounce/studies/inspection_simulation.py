@@ -175,7 +175,10 @@ def _steady_wheel(rig: Rig, tester: Tester, wheel: str, road: float | None, on_r
     values: dict[str, Any] = {"theta_road": road, "theta_rig": on_rig}
     if tester.kind == "rigid-plate":
         steady = _closed(rig, tester, wheel) if _is_linear(rig) else None
-        values |= steady if steady is not None else _swept(rig, tester, wheel)
+        if steady is None:
+            steady, said = _swept(rig, tester, wheel)
+            findings += said
+        values |= steady
         findings += _end_finding(values["phase_frequency_hz"], tester, wheel)
         findings += _rigidity_findings(values["tyre_rigidity"], tester, wheel)
     uncertainty = dict.fromkeys((key for key, value in values.items() if isinstance(value, float)), 0.0)
@@ -210,12 +213,12 @@ def _closed(rig: Rig, tester: Tester, wheel: str) -> dict[str, Any] | None:
     }
 
 
-def _swept(rig: Rig, tester: Tester, wheel: str) -> dict[str, Any]:
-    """Values of periodic steady states."""
+def _swept(rig: Rig, tester: Tester, wheel: str) -> tuple[dict[str, Any], list[Finding]]:
+    """Values of periodic steady states, and what weakens them."""
     sweep = steady_sweep(rig, tester, wheel=wheel)
-    static = steady_response(rig, tester, [RIGIDITY_FREQUENCY], wheel=wheel).static_load
+    static = float(steady_response(rig, tester, [RIGIDITY_FREQUENCY], wheel=wheel).static_load)
     above = max(state.force_max for state in sweep.states) / static - 1.0
-    return {
+    values = {
         "adhesion": sweep.adhesion,
         "adhesion_frequency_hz": sweep.adhesion_frequency,
         "phase_angle_min_deg": float(np.degrees(sweep.phase_angle)),
@@ -224,6 +227,16 @@ def _swept(rig: Rig, tester: Tester, wheel: str) -> dict[str, Any]:
         "tyre_rigidity": tyre_rigidity(sweep.force_amplitude_25, tester.amplitude),
         "lift_off": sweep.lift_off,
     }
+    findings = []
+    if sweep.lift_off:
+        findings.append(Finding(f"{wheel}.adhesion", "warning", "the tyre leaves the plate: adhesion counts as 0"))
+    restless = [state.frequency for state in sweep.states if not state.settled]
+    if restless:
+        text = (
+            f"from {min(restless):g} to {max(restless):g} Hz the motion does not repeat: values are the least of turns"
+        )
+        findings.append(Finding(f"{wheel}.steady_states", "warning", text, float(len(restless))))
+    return values, findings
 
 
 def _end_finding(frequency: float, tester: Tester, wheel: str) -> list[Finding]:
