@@ -82,7 +82,9 @@ def _weighting_rows() -> list[Row]:
     problem = "ISO 2631 weighting Wk, one hour at 1 kHz"
     own = median_time(lambda: weighted(values, rate, "Wk"), repeats=5)
     other = median_time(lambda: signal.sosfilt(filters, values), repeats=5)
-    errors = [_response_error(run, rate) for run in (lambda v: weighted(v, rate, "Wk"), lambda v: signal.sosfilt(filters, v))]
+    errors = [
+        _response_error(run, rate) for run in (lambda v: weighted(v, rate, "Wk"), lambda v: signal.sosfilt(filters, v))
+    ]
     return [
         Row(problem, "jounce.ride.weighting", own, errors[0], 1.0, "≤ 1 s", "error of the response, 0.63 to 63 Hz"),
         Row(problem, "SciPy, bilinear filter", other, errors[1], other / own, note="error not reached"),

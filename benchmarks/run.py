@@ -15,6 +15,7 @@ import numpy as np
 from mechanism_rows import mechanism_rows
 from peers import casadi_runs, cheapest, diffrax_runs, linear_runs, numba_runs, scipy_runs
 from problems import CHANNELS, DURATION, TIMES, Obstacle, QuarterCar, displacement_error, long_road
+from ride_rows import ride_rows
 from timing import Row, markdown, median_time, shown
 from vehicle_rows import vehicle_rows
 
@@ -160,7 +161,7 @@ def _process(arguments: list[str]) -> float:
 def main() -> None:
     """Run everything, print the table and write the page."""
     rows: list[Row] = []
-    for part in (obstacle_rows, linear_rows, mechanism_rows, vehicle_rows, update_rows, start_rows):
+    for part in (obstacle_rows, linear_rows, mechanism_rows, vehicle_rows, ride_rows, update_rows, start_rows):
         new = part()
         rows += new
         for row in new:
