@@ -23,7 +23,6 @@ _REPEATS = 1e-5  # of the amplitude: what may still change until the motion is p
 _ROUNDING = 1e-7  # below that the changes say nothing of how fast they shrink
 _SAMPLES = 512  # a period
 _UNSETTLED = 8  # periods looked at where the motion does not settle
-_NO_PHASE = 2.0 * np.pi  # more than any phase angle, where there is none
 _STEP = 0.5  # Hz, of the first sweep
 _FINE = 0.01
 
@@ -41,8 +40,8 @@ class Periodic:
     force_min, force_max : float
         Of the contact force, N.
     phase_angle : float
-        EGEA phase angle, rad: from the plate's top to the middle of the turn's low-force half. NaN where the force
-        does not cross its static value in a turn, as a bouncing wheel's may.
+        EGEA phase angle, rad: from the plate's top to the middle of the turn's low-force half; where the motion does
+        not repeat, from the parts of plate and force that turn with the excenter.
     values : dict
         Outputs over one turn (512 samples), SI; the plate's mean height comes first.
     state : dict
@@ -114,10 +113,12 @@ def periodic(
     solution = on.run(angles, fine, start=state, fastest=rate, tolerance=tolerance)
     values = dict(zip(on.compiled.output_names, solution.outputs, strict=True))
     force = values[channel(place, "tyre.force")]
-    found = [_phase_angle(part, on.static_load(place)) for part in force.reshape(length, _SAMPLES)]
-    phases = [angle for angle in found if np.isfinite(angle)] or [np.nan]
-    lag = _plate_lag(values[channel(place, "plate.z")][:_SAMPLES])
-    phase = float(np.min(wrapped(np.array(phases) - lag)))
+    height = values[channel(place, "plate.z")]
+    if settled:
+        phase = _phase_angle(force, on.static_load(place)) - _greatest_at(height, 1)
+    else:
+        phase = np.pi - _greatest_at(height, length) + _greatest_at(force, length)
+    phase = float(wrapped(phase))
     return Periodic(frequency, settled, float(force.min()), float(force.max()), phase, values, state)
 
 
@@ -146,8 +147,6 @@ def _phase_angle(force: Array, static: float) -> float:
     """Angle (rad of the turn) of the middle of the low-force half; the part around the least force counts."""
     low = int(np.argmin(force))
     turned = np.roll(force, -low) - static
-    if turned.max() <= 0.0 or turned[0] > 0.0:
-        return np.nan
     up = int(np.argmax(turned > 0.0))
     down = len(turned) - int(np.argmax(turned[::-1] > 0.0))
     after = up - turned[up] / (turned[up] - turned[up - 1])
@@ -155,10 +154,9 @@ def _phase_angle(force: Array, static: float) -> float:
     return float(2.0 * np.pi * (low + 0.5 * (after + before - len(turned))) / len(turned))
 
 
-def _plate_lag(height: Array) -> float:
-    """Angle (rad of the turn) at which the plate is highest: that of its first harmonic."""
-    first = np.fft.rfft(height)[1]
-    return float(-np.angle(first))
+def _greatest_at(signal: Array, turns: int) -> float:
+    """Angle (rad) at which the part that turns with the excenter is greatest."""
+    return float(-np.angle(np.fft.rfft(signal)[turns]))
 
 
 @dataclass(frozen=True)
@@ -226,7 +224,7 @@ def steady_sweep(rig: Rig, tester: Tester, *, wheel: str = "left") -> SteadySwee
         at(float(frequency))
     force, here = _refined(lambda f: at(f).force_min, grid)
     band = grid[(grid >= limits.frequency_min) & (grid <= limits.frequency_max)]
-    phase, there = _refined(lambda f: float(np.nan_to_num(at(f).phase_angle, nan=_NO_PHASE)), band)
+    phase, there = _refined(lambda f: at(f).phase_angle, band)
     top = at(25.0)
     static = on.static_load(place)
     states = tuple(known[f] for f in sorted(known))
