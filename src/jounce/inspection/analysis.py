@@ -166,10 +166,10 @@ def fit_test(
     except FitError as error:
         return None, [warning(place, f"{error.what}: the values come from the single turns alone.")]
     strange = not _TYRES[0] < fit.corner.tyre_stiffness < _TYRES[1]
-    if strange or fit.explained < 0.9:
-        if _upside_down(signals, parts, load, high) > 0.5 * (1.0 + fit.explained):
-            text = "the plate's height has the wrong sign: upwards must be positive."
-            return None, [problem(f"{signals.wheel}.plate.z", text, fit.explained)]
+    doubtful = strange or fit.explained < 0.9
+    if doubtful and _upside_down(signals, parts, load, high) > 0.5 * (1.0 + fit.explained):
+        text = "the plate's height has the wrong sign: upwards must be positive."
+        return None, [problem(f"{signals.wheel}.plate.z", text, fit.explained)]
     if strange or fit.explained < 0.3:
         text = (
             f"no wheel on a plate explains this record: height and force would mean a tyre of "
@@ -210,8 +210,8 @@ def _doubts(fit: ResponseFit, stretches: list[Stretch], signals: WheelSignals, l
         if size[at] > 0.01 * load and size[at] > 12.0 * float(np.median(size)):
             frequency = float(one.s[at].imag / (2.0 * np.pi))
             text = (
-                f"the force vibrates at {frequency:.1f} Hz with {size[at]:.0f} N that this plate does not make: is "
-                "the other plate or another machine running?"
+                f"the force vibrates at {frequency:.1f} Hz with {size[at]:.0f} N that this plate does not make: "
+                "is the other plate or another machine running?"
             )
             findings.append(warning(place, text, frequency))
     return findings

@@ -224,7 +224,7 @@ def calibrate_plate(record: xr.Dataset, tester: Tester | None = None, *, wheel: 
     >>> from jounce.recordings.schema import recording
     >>> t = np.arange(12000) / 1000.0
     >>> z = 3e-3 * np.sin(2 * np.pi * (25.0 * t - t**2))
-    >>> force = 18.0 * np.gradient(np.gradient(z, t), t)
+    >>> force = -18.0 * (2 * np.pi * (25.0 - 2.0 * t)) ** 2 * z
     >>> run = recording(t, {"left.plate.z": (z, "m", ""), "left.plate.force": (force, "N", "")})
     >>> found = calibrate_plate(run)
     >>> round(found.plate_mass, 1), found.is_passed

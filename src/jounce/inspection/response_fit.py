@@ -31,6 +31,8 @@ _MOST_STEPS = 40
 _SMALLEST_STEP = 1e-6
 _FEWEST_BINS = 24
 _GRADIENT_STEP = 1e-5
+_MORE_STEPS = 2
+_TYRE_DAMPING, _TYRE_DAMPING_SPREAD = 50.0, 60.0  # N s/m: what a record with little to say falls back on
 
 
 @dataclass(frozen=True)
@@ -132,7 +134,8 @@ def fit_response(stretches: Sequence[Stretch], static_load: float, *, where: str
     Returns
     -------
     ResponseFit
-        Least-squares estimate with its covariance.
+        Least-squares estimate with its covariance. The damping of the tyre, which hardly shows below the resonance of
+        the wheel, is expected at (50 +- 60) N s/m; that counts only as far as the noise leaves it open.
 
     Raises
     ------
@@ -166,16 +169,22 @@ def fit_response(stretches: Sequence[Stretch], static_load: float, *, where: str
 
 
 def _result(parts: Sequence[Stretch], here: Array, mass: float, cost: float, normal: Array) -> ResponseFit:
+    """Bring in what is known of tyre damping, by its weight against the noise, and put the result together."""
     rows = 2 * sum(one.s.size for one in parts)
-    freedom = max(rows - _FREE - _TRANSIENT * len(parts), 1)
-    variance = cost / freedom
-    size = np.sqrt(np.diag(normal))
+    variance = cost / max(rows - _FREE - _TRANSIENT * len(parts), 1)
+    known = np.zeros((_FREE, _FREE))
+    known[-1, -1] = variance / _TYRE_DAMPING_SPREAD**2
+    for _ in range(_MORE_STEPS):
+        cost, normal, right = _system(parts, here, mass)
+        right = right + known @ (_TYRE_DAMPING - here)
+        here = _within(here + _solve(normal + known, right, 1e-12), here, mass)
+    size = np.sqrt(np.diag(normal + known))
     size = np.where(size > 0.0, size, 1.0)
-    covariance = np.linalg.pinv(normal / np.outer(size, size), rcond=1e-15, hermitian=True) / np.outer(size, size)
+    covariance = np.linalg.pinv((normal + known) / np.outer(size, size), rcond=1e-15, hermitian=True)
     power = sum(float(np.sum(np.abs(one.force) ** 2)) for one in parts)
     return ResponseFit(
         corner=_corner(here, mass),
-        covariance=covariance * variance,
+        covariance=covariance / np.outer(size, size) * variance,
         noise=math.sqrt(2.0 * variance),
         explained=1.0 - cost / power if power > 0.0 else 0.0,
     )
