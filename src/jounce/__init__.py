@@ -67,9 +67,12 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.parts import Rig as Rig
     from jounce.parts import Vehicle as Vehicle
     from jounce.parts import load as load
+    from jounce.parts.front_view import axle_of as axle_of
     from jounce.parts.importers import read_tir as read_tir
     from jounce.parts.importers import tyre_from_tir as tyre_from_tir
     from jounce.parts.strut_angle import with_strut_angle as with_strut_angle
+    from jounce.parts.testers import Tester as Tester
+    from jounce.parts.testers import load_tester as load_tester
     from jounce.recordings import Sensor as Sensor
     from jounce.recordings import apply_sensors as apply_sensors
     from jounce.recordings import read_recording as read_recording
@@ -120,7 +123,9 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.simulation import simulate as simulate
     from jounce.simulation import simulate_mechanism as simulate_mechanism
     from jounce.simulation.corner_models import corner_models as corner_models
+    from jounce.simulation.plate_response import steady_response as steady_response
     from jounce.simulation.stability import closed_loop_poles as closed_loop_poles
+    from jounce.simulation.testing import simulate_test as simulate_test
     from jounce.studies.adjustment_effects import adjust_report as adjust_report
     from jounce.studies.adjustment_effects import lengths_for as lengths_for
     from jounce.studies.adjustments import adjusted as adjusted
@@ -130,6 +135,7 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.studies.design import best_dampers as best_dampers
     from jounce.studies.design import design_springs as design_springs
     from jounce.studies.environment import ride_environment as ride_environment
+    from jounce.studies.inspection_simulation import simulate_inspection as simulate_inspection
     from jounce.studies.lumping import lumped_from as lumped_from
     from jounce.studies.model_comparison import compare_models as compare_models
     from jounce.studies.optimise import optimise as optimise
@@ -200,6 +206,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "Skyhook": "jounce.control",
     "Step": "jounce.roads",
     "Table": "jounce.roads",
+    "Tester": "jounce.parts.testers",
     "Train": "jounce.roads",
     "Trapezoid": "jounce.roads",
     "Trial": "jounce.roads",
@@ -213,6 +220,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "adjust_report": "jounce.studies.adjustment_effects",
     "adjusted": "jounce.studies.adjustments",
     "apply_sensors": "jounce.recordings",
+    "axle_of": "jounce.parts.front_view",
     "best_dampers": "jounce.studies.design",
     "closed_loop_poles": "jounce.simulation.stability",
     "compare_models": "jounce.studies.model_comparison",
@@ -234,6 +242,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "linearise": "jounce.simulation",
     "load": "jounce.parts",
     "load_road": "jounce.roads",
+    "load_tester": "jounce.parts.testers",
     "lumped_from": "jounce.studies.lumping",
     "mechanics": "jounce.mechanics",
     "modes": "jounce.simulation",
@@ -253,10 +262,13 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "run_excenter": "jounce.studies.audi_a6_excenter",
     "sensitivities": "jounce.simulation",
     "simulate": "jounce.simulation",
+    "simulate_inspection": "jounce.studies.inspection_simulation",
     "simulate_mechanism": "jounce.simulation",
+    "simulate_test": "jounce.simulation.testing",
     "speed_sweep": "jounce.studies.speed_sweep",
     "spring_and_damper": "jounce.ride.closed_forms",
     "stationary": "jounce.ride.stationary",
+    "steady_response": "jounce.simulation.plate_response",
     "sweep_rack": "jounce.kinematics",
     "sweep_roll": "jounce.kinematics",
     "sweep_steering": "jounce.kinematics",
