@@ -183,7 +183,7 @@ def grade(
     >>> wheel = WheelResult("left", static_load=4300.0, adhesion=0.34, phase_angle_min_deg=51.0)
     >>> graded = grade(Inspection((wheel,), methods=("eusama", "egea")), deciding=["egea"])
     >>> graded.wheels[0].verdict, graded.wheels[0].grade
-    ('pass', {'eusama': 'insufficient', 'egea': 'above the limit'})
+    ('pass', {'eusama': 'insufficient', 'egea': 'sufficient'})
     """
     chosen = limits if limits is not None else load_limits()
     for method in deciding or ():

@@ -19,22 +19,16 @@ VERDICT_WORDS: dict[str, dict[Language, str]] = {
 }
 _SENTENCES: dict[str, dict[Language, str]] = {
     "band": {
-        "en": "{quantity} {value} is {label} ({range}): {verdict}. Limits: {source}.",
-        "de": "{quantity} {value}: {label} ({range}), {verdict}. Grenzwerte: {source}.",
+        "en": "{quantity} {value} is {label} ({range}): {verdict}.{limits}",
+        "de": "{quantity} {value}: {label} ({range}), {verdict}.{limits}",
     },
     "condition": {
-        "en": "{quantity} {value} is {label} ({range}): {verdict}. Limits: {source}.",
-        "de": "{quantity} {value}: {label} ({range}), {verdict}. Grenzwerte: {source}.",
+        "en": "{quantity} {value} is {label} ({range}): {verdict}.{limits}",
+        "de": "{quantity} {value}: {label} ({range}), {verdict}.{limits}",
     },
     "difference": {
-        "en": (
-            "difference {across} of {quantity} {value}, {definition}, is {label} ({range}): {verdict}. "
-            "Limits: {source}."
-        ),
-        "de": (
-            "Unterschied {across}, {quantity}: {value}, {definition}, {label} ({range}), {verdict}. "
-            "Grenzwerte: {source}."
-        ),
+        "en": ("difference {across} of {quantity} {value}, {definition}, is {label} ({range}): {verdict}.{limits}"),
+        "de": ("Unterschied {across}, {quantity}: {value}, {definition}, {label} ({range}), {verdict}.{limits}"),
     },
     "over_range": {
         "en": "{quantity} {value} is above the optimal band, which ends at {limit}; the source says nothing about it.",
@@ -55,8 +49,8 @@ _SENTENCES: dict[str, dict[Language, str]] = {
         "de": "{quantity} ist nicht bekannt: keine Bewertung nach {method}.",
     },
     "outside": {
-        "en": "{quantity} {value} lies in no band: no grade by {method}. Limits: {source}.",
-        "de": "{quantity} {value} liegt in keiner Klasse: keine Bewertung nach {method}. Grenzwerte: {source}.",
+        "en": "{quantity} {value} lies in no band: no grade by {method}.{limits}",
+        "de": "{quantity} {value} liegt in keiner Klasse: keine Bewertung nach {method}.{limits}",
     },
     "unlimited": {
         "en": "the limits say nothing about {method}: no grade by it.",
@@ -160,8 +154,8 @@ class Reason:
     verdict: str = ""
     values: Mapping[str, Any] = field(default_factory=dict)
 
-    def text(self, language: Language = "en") -> str:
-        """Say it as one sentence.
+    def text(self, language: Language = "en", *, with_source: bool = True) -> str:
+        """Say it as one sentence, with the source of the limits or without.
 
         Examples
         --------
@@ -172,6 +166,8 @@ class Reason:
         criterion = self.values.get("criterion")
         if isinstance(criterion, Criterion):
             words |= _criterion_words(criterion, self.values, language)
+            before = "Grenzwerte" if language == "de" else "Limits"
+            words["limits"] = f" {before}: {criterion.source}." if with_source else ""
         sentence = _SENTENCES[self.kind][language].format(**words)
         return sentence[0].upper() + sentence[1:] if language == "de" else sentence
 
@@ -200,7 +196,7 @@ def _word(name: str, value: Any, language: Language) -> str:
 
 def _criterion_words(criterion: Criterion, values: Mapping[str, Any], language: Language) -> dict[str, str]:
     kind = criterion.kind
-    found = {"quantity": QUANTITIES[criterion.quantity].words(language), "source": criterion.source}
+    found = {"quantity": QUANTITIES[criterion.quantity].words(language)}
     for name in ("low", "high"):
         if name in values:
             found[name] = kind.text(values[name], language, apart_from=[values["limit"]])

@@ -40,9 +40,9 @@ def changed(tmp_path: Path, old: str, new: str) -> Path:
         ("eusama", 0.6, "good", "pass", ""),
         ("eusama", 1.0, "good", "pass", ""),
         # EGEA: at least 35 degrees
-        ("egea", -12.0, "below the limit", "fail", ""),
-        ("egea", 34.999, "below the limit", "fail", ""),
-        ("egea", 35.0, "above the limit", "pass", ""),
+        ("egea", -12.0, "too small", "fail", ""),
+        ("egea", 34.999, "too small", "fail", ""),
+        ("egea", 35.0, "sufficient", "pass", ""),
         ("boge", 0.010999, "hard", "advise", ""),
         ("boge", 0.085, "acceptable", "pass", ""),
         ("boge", 0.0851, "worn", "fail", ""),
