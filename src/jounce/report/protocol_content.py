@@ -1,0 +1,323 @@
+"""What a test protocol says, as plain texts with a tone each: both templates show the same."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from jounce.inspection.differences import Difference
+from jounce.inspection.grading import GradedInspection, VehicleGrade, WheelGrade
+from jounce.inspection.limits import Band, Criterion, Limits
+from jounce.inspection.quantities import QUANTITIES, Language, Quantity
+from jounce.inspection.reasons import METHOD_NAMES, Reason, verdict_words
+from jounce.inspection.result import NOT_GRADED, WheelResult
+from jounce.report.protocol_words import WORDS
+
+TONES = {"pass": "green", "advise": "yellow", "fail": "red", NOT_GRADED: "grey"}
+HEAD = ("vehicle", "plate_number", "date", "tester", "place", "operator")
+_SIDES = ("left", "right")
+_LONGEST_TEXT = 160
+_EXPLAINING = {"near", "over_range", "disagree", "mass", "tyre", "rigidity", "lifted", "limits_differ", "one_wheel"}
+_ORDER = {"fail": 0, NOT_GRADED: 1, "advise": 2}
+
+Plain = dict[str, Any]
+
+
+def protocol_content(
+    vehicle: VehicleGrade, about: Mapping[str, str], *, language: Language = "en", software: str = "", most: int = 99
+) -> Plain:
+    """Put the texts of a protocol together.
+
+    Parameters
+    ----------
+    vehicle : VehicleGrade
+        One or two graded axles.
+    about : mapping of str to str
+        Texts by ``vehicle``, ``plate_number``, ``date``, ``tester``, ``place``, ``operator``, ``record``.
+    language : {"en", "de"}
+        Of all words; German numbers have a comma.
+    software : str
+        Name and version.
+    most : int
+        How many reasons and remarks are shown; the rest is counted.
+
+    Returns
+    -------
+    dict
+        Texts, lists and tones (``green``, ``yellow``, ``orange``, ``red``, ``grey``).
+    """
+    words = WORDS[language]
+    reasons, remarks = _reasons(vehicle, language), _remarks(vehicle, language)
+    shown = reasons[:most]
+    noted = remarks[: max(most - len(shown), 0)]
+    left_out = len(reasons) + len(remarks) - len(shown) - len(noted)
+    limits = vehicle.axles[0].limits
+    return {
+        "language": language,
+        "words": dict(words),
+        "title": words["title"],
+        "head": [{"label": words[name], "text": shortened(about.get(name, ""))} for name in HEAD],
+        "date": about.get("date", ""),
+        "deciding": ", ".join(METHOD_NAMES[method] for method in vehicle.axles[0].deciding) or "–",
+        "verdict": _verdict(vehicle.verdict, language),
+        "axles": [_axle(one, i, language) for i, one in enumerate(vehicle.axles)],
+        "front_rear": _front_rear(vehicle, language),
+        "reasons": shown or [{"place": "", "text": words["fine"], "tone": "green"}][: vehicle.verdict == "pass"],
+        "remarks": noted,
+        "more": words["more"].format(count=left_out) if left_out else "",
+        "sources": _sources(vehicle, limits),
+        "foot": _foot(limits, about, software, words),
+    }
+
+
+def shortened(text: str, longest: int = _LONGEST_TEXT) -> str:
+    r"""One line of text without control characters, not longer than is printed; an en dash for none.
+
+    Examples
+    --------
+    >>> shortened("a\tb\n"), shortened(""), shortened("abcdef", 4)
+    ('a b', '–', 'abc…')
+    """
+    line = " ".join("".join(letter if letter.isprintable() else " " for letter in text).split())
+    return (line if len(line) <= longest else f"{line[: longest - 1]}…") or "–"
+
+
+def _verdict(verdict: str, language: Language) -> Plain:
+    return {"text": verdict_words(verdict, language), "tone": TONES.get(verdict, "grey")}
+
+
+def _axle(graded: GradedInspection, index: int, language: Language) -> Plain:
+    words = WORDS[language]
+    wheels = {wheel.wheel: wheel for wheel in graded.wheels}
+    return {
+        "title": words[graded.axle] if graded.axle in words else words["axle"],
+        "verdict": _verdict(graded.verdict, language),
+        "wheels": [
+            _verdict(wheels[side].verdict, language)
+            if side in wheels
+            else {"text": words["not_tested"], "tone": "grey"}
+            for side in _SIDES
+        ],
+        "rows": [_load_row(wheels, language), *_value_rows(graded, wheels, language)],
+        "figure": f"axle{index}.svg",
+    }
+
+
+def _load_row(wheels: Mapping[str, WheelResult], language: Language) -> Plain:
+    loads = {side: wheel.static_load for side, wheel in wheels.items()}
+    cells = [_cell("–" if loads.get(side) is None else f"{loads[side]:.0f} N") for side in _SIDES]
+    left, right = (loads.get(side) for side in _SIDES)
+    difference = _cell("")
+    if left is not None and right is not None and max(left, right) > 0.0:
+        share = 100.0 * abs(left - right) / max(left, right)
+        difference = _cell(f"{abs(left - right):.0f} N · {_number(share, 1, language)} %")
+    return {
+        "label": _capital(WORDS[language]["static_load"]),
+        "cells": [*cells, difference, _cell("")],
+        "decides": False,
+    }
+
+
+def _cell(text: str, half: str = "", band: str = "", tone: str = "") -> Plain:
+    return {"text": text, "half": half, "band": band, "tone": tone}
+
+
+def _number(value: float, decimals: int, language: Language) -> str:
+    text = f"{value:.{decimals}f}"
+    return text.replace(".", ",") if language == "de" else text
+
+
+def _value_rows(graded: GradedInspection, wheels: Mapping[str, WheelResult], language: Language) -> list[Plain]:
+    rows = []
+    for name, quantity in QUANTITIES.items():
+        methods = {m: one for m, one in graded.limits.methods.items() if one.quantity == name}
+        asked = set(methods) & {*graded.deciding, *graded.inspection.methods}
+        if not asked and all(getattr(wheel, name) is None for wheel in wheels.values()):
+            continue
+        if not asked and name == "theta_rig" and graded.inspection.wheels[0].theta_rig is not None and _same(wheels):
+            continue  # a rigid plate has no value of its own
+        cells = [_value_cell(graded, wheels.get(side), quantity, language) for side in _SIDES]
+        found = next((one for one in graded.differences if one.quantity == name), None)
+        passing = _passing(next(iter(methods.values()), None) or _condition(graded.limits, name), language)
+        decides = bool(set(methods) & set(graded.deciding))
+        label = _capital(quantity.words(language))
+        rows.append(
+            {
+                "label": label,
+                "cells": [*cells, _gap_cell(found, quantity, language), _cell(passing)],
+                "decides": decides,
+            }
+        )
+    return rows
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]
+
+
+def _same(wheels: Mapping[str, WheelResult]) -> bool:
+    return all(wheel.theta_rig == wheel.theta_road for wheel in wheels.values())
+
+
+def _value_cell(graded: GradedInspection, wheel: WheelResult | None, quantity: Quantity, language: Language) -> Plain:
+    if wheel is None:
+        return _cell("–")
+    value, half = getattr(wheel, quantity.name), wheel.uncertainty.get(quantity.name)
+    grade = graded.grade_of(wheel.wheel)
+    band, criterion = _band_of(graded.limits, grade, quantity.name, value)
+    edges = criterion.edges() if criterion is not None else ()
+    text = quantity.text(value, language, apart_from=edges)
+    if quantity.name == "phase_angle_min_deg" and value is not None and wheel.phase_frequency_hz is not None:
+        text += f" {WORDS[language]['at']} {_number(wheel.phase_frequency_hz, 1, language)} Hz"
+    if quantity.name == "adhesion" and wheel.lift_off and value is not None:
+        text += f", {WORDS[language]['lift_off']}"
+    shown = "" if half is None or value is None else f"± {quantity.rounded_up(half, language)}"
+    if band is None:
+        return _cell(text, shown)
+    return _cell(text, shown, shortened(band.words(language), 60), band.colour)
+
+
+def _band_of(
+    limits: Limits, grade: WheelGrade | None, name: str, value: float | None
+) -> tuple[Band | None, Criterion | None]:
+    """Band of a value by the method that grades it, or by a condition; none in a record that is not graded."""
+    for method, criterion in limits.methods.items():
+        if criterion.quantity == name and grade is not None and method in grade.bands:
+            return grade.bands[method], criterion
+    condition = _condition(limits, name)
+    if condition is not None and value is not None and grade is not None and grade.bands:
+        return condition.band_of(value), condition
+    return None, condition
+
+
+def _condition(limits: Limits, name: str) -> Criterion | None:
+    return next((one for one in limits.conditions.values() if one.quantity == name), None)
+
+
+def _gap_cell(found: Difference | None, quantity: Quantity, language: Language) -> Plain:
+    if found is None:
+        return _cell("–")
+    text = quantity.text(found.absolute, language)
+    if quantity.unit == "%":
+        text = text.replace("%", "pp" if language == "en" else "%-P.")
+    if found.relative is not None:
+        text += f" · {_number(100.0 * found.relative, 1, language)} %"
+    band = next(iter(found.bands.values()), None)
+    if band is None:
+        return _cell(text)
+    return _cell(text, "", shortened(band.words(language), 60), band.colour)
+
+
+def _passing(criterion: Criterion | None, language: Language) -> str:
+    """Where a value passes, e.g. ``from 35°``."""
+    if criterion is None:
+        return ""
+    passing = [i for i, band in enumerate(criterion.bands) if band.verdict == "pass"]
+    if not passing:
+        return "–"
+    first, last = criterion.bands[passing[0]], criterion.bands[passing[-1]]
+    start = criterion.kind.limit_text(first.start, language) if passing[0] > 0 else ""
+    end = criterion.kind.limit_text(last.end, language) if passing[-1] < len(criterion.bands) - 1 else ""
+    if start and end:
+        return f"{start.removesuffix(criterion.kind.unit).strip()} {'to' if language == 'en' else 'bis'} {end}"
+    words = ("from", "up to") if language == "en" else ("ab", "bis")
+    return f"{words[0]} {start}" if start else f"{words[1]} {end}" if end else "–"
+
+
+def _places(graded: GradedInspection, side: str, language: Language) -> str:
+    key = f"{graded.axle}_{side}"
+    return WORDS[language].get(key, WORDS[language][side])
+
+
+def _reasons(vehicle: VehicleGrade, language: Language) -> list[Plain]:
+    """What must be read: what does not pass, what is uncertain, why methods disagree; the worst first."""
+    found: dict[str, tuple[Reason, list[str]]] = {}
+    for graded in vehicle.axles:
+        for grade in graded.grades:
+            for reason in grade.reasons:
+                if _must_be_read(reason, graded):
+                    place = _places(graded, grade.wheel, language)
+                    text = _said(reason, graded, language)
+                    found.setdefault(text, (reason, []))[1].append(place)
+        title = WORDS[language].get(graded.axle, WORDS[language]["axle"])
+        for reason in graded.reasons:
+            if reason.kind != "wheel" and _must_be_read(reason, graded):
+                found.setdefault(_said(reason, graded, language), (reason, []))[1].append(title)
+    for reason in vehicle.reasons:
+        if reason.kind == "difference" and reason.verdict not in ("", "pass"):
+            text = _said(reason, vehicle.axles[0], language)
+            found.setdefault(text, (reason, []))[1].append(WORDS[language]["front_rear"])
+    deciding = vehicle.axles[0].deciding
+    listed = sorted(
+        found.items(), key=lambda item: (_is_information(item[1][0], deciding), _ORDER.get(item[1][0].verdict, 3))
+    )
+    return [
+        {"place": ", ".join(places), "text": shortened(text, 400), "tone": TONES.get(reason.verdict, "")}
+        for text, (reason, places) in listed
+    ]
+
+
+def _said(reason: Reason, graded: GradedInspection, language: Language) -> str:
+    text = reason.text(language, with_source=False)
+    return WORDS[language]["information"] + text if _is_information(reason, graded.deciding) else _capital(text)
+
+
+def _is_information(reason: Reason, deciding: Sequence[str]) -> bool:
+    """Whether it is the grade of a method that does not decide."""
+    return reason.kind == "band" and reason.values["method"] not in deciding
+
+
+def _must_be_read(reason: Reason, graded: GradedInspection) -> bool:
+    if reason.kind in _EXPLAINING or reason.kind == "finding":
+        return True
+    if reason.kind in ("missing", "outside", "unlimited"):
+        return reason.values.get("method") in graded.deciding
+    return reason.verdict not in ("", "pass")
+
+
+def _remarks(vehicle: VehicleGrade, language: Language) -> list[Plain]:
+    """Findings of the evaluation but those that the reasons hold already."""
+    found: dict[str, list[str]] = {}
+    for graded in vehicle.axles:
+        title = WORDS[language].get(graded.axle, WORDS[language]["axle"])
+        for finding in graded.inspection.findings:
+            if finding.severity != "problem":
+                found.setdefault(finding.message, []).append(title)
+        for wheel in graded.wheels:
+            for finding in wheel.findings:
+                if finding.severity != "problem":
+                    found.setdefault(finding.message, []).append(_places(graded, wheel.wheel, language))
+    return [
+        {"place": ", ".join(dict.fromkeys(places)), "text": shortened(text, 400), "tone": ""}
+        for text, places in found.items()
+    ]
+
+
+def _front_rear(vehicle: VehicleGrade, language: Language) -> list[Plain]:
+    """Differences between front and rear of the values that are graded, one line for each side."""
+    names = {one.quantity: METHOD_NAMES[method] for method, one in vehicle.axles[0].limits.methods.items()}
+    lines = []
+    for side in _SIDES:
+        found = [one for one in vehicle.differences if one.place == side and one.quantity in names]
+        texts = [f"{names[one.quantity]} {_gap_cell(one, QUANTITIES[one.quantity], language)['text']}" for one in found]
+        if texts:
+            lines.append({"place": WORDS[language][side], "text": "; ".join(texts)})
+    return lines
+
+
+def _sources(vehicle: VehicleGrade, limits: Limits) -> list[str]:
+    """Where the limits that were used are from, one line for each method."""
+    used = [m for m in limits.methods if any(m in one.bands for a in vehicle.axles for one in a.grades)]
+    lines = []
+    for method in used:
+        others = [*limits.conditions.values(), *limits.differences.values()]
+        texts = [limits.methods[method].source, *(one.source for one in others if method in one.methods)]
+        lines.append(f"{METHOD_NAMES[method]}: {shortened('; '.join(dict.fromkeys(texts)), 300)}.")
+    return lines
+
+
+def _foot(limits: Limits, about: Mapping[str, str], software: str, words: Mapping[str, str]) -> str:
+    parts = [software, f"{words['limits']}: {shortened(limits.label, 80)}, {shortened(limits.date, 40)}"]
+    if about.get("record"):
+        parts.append(f"{words['record']}: {shortened(about['record'], 140)}")
+    return " · ".join(part for part in parts if part)
