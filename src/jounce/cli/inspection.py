@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import typer
 
-from jounce.cli import inspect_simulate
+from jounce.cli import inspect_evaluate, inspect_simulate
 
-app = typer.Typer(help="Shock-absorber inspection: simulate testers.", no_args_is_help=True)
+app = typer.Typer(help="Shock-absorber inspection: simulate testers, evaluate their records.", no_args_is_help=True)
 app.command("simulate")(inspect_simulate.simulate)
+app.command("evaluate")(inspect_evaluate.evaluate)
