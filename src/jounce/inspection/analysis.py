@@ -17,7 +17,7 @@ from jounce.inspection.period_filter import force_in_periods
 from jounce.inspection.response_fit import ResponseFit, Stretch, fit_response, predicted_force, stretch_of
 
 Array = NDArray[np.float64]
-LOWEST_FIT, HIGHEST_FIT, LOWEST_TURN = 0.7, 40.0, 3.0
+LOWEST_FIT, HIGHEST_FIT, LOWEST_TURN = 0.7, 40.0, 3.5  # Hz
 UNDERFLOW = 0.01
 _BOX_TIME = 0.009
 _AFTER_LIFT_OFF = 0.06
@@ -200,8 +200,8 @@ def _doubts(fit: ResponseFit, stretches: list[Stretch], signals: WheelSignals, l
     findings = []
     if fit.explained < 0.97:
         text = (
-            f"a linear quarter car explains {100.0 * fit.explained:.0f} % of the force only: dry friction, a damper that "
-            "is not linear, or another vibration; damping ratios are means over the amplitudes met."
+            f"a linear quarter car explains {100.0 * fit.explained:.0f} % of the force only: dry friction, a damper "
+            "that is not linear, or another vibration; damping ratios are means over the amplitudes met."
         )
         findings.append(warning(place, text, fit.explained))
     for one in stretches:
@@ -210,7 +210,7 @@ def _doubts(fit: ResponseFit, stretches: list[Stretch], signals: WheelSignals, l
         if size[at] > 0.01 * load and size[at] > 12.0 * float(np.median(size)):
             frequency = float(one.s[at].imag / (2.0 * np.pi))
             text = (
-                f"the force vibrates at {frequency:.1f} Hz with {size[at]:.0f} N that this plate does not make: "
+                f"the force vibrates at {frequency:.1f} Hz by {size[at]:.0f} N that this plate does not make: "
                 "is the other plate or another machine running?"
             )
             findings.append(warning(place, text, frequency))

@@ -13,6 +13,7 @@ from jounce.kernel.call import kept, part
 Array = NDArray[np.float64]
 PASS, STOP, RIPPLE = 2.0, 4.0, 0.01
 _POINTS = 1025
+_PER_TURN = 60.0  # samples of a turn that are worked out, at least
 _FAST = {"reassoc", "contract", "arcp", "nsz"}  # sums in any order; NaN stays NaN
 FIELDS = ("least", "least_time", "greatest", "down", "up", "mean", "half_amplitude")
 
@@ -106,19 +107,20 @@ def _periods(signals, rate, start, tops, frequencies, level, taps, half, low, hi
         if first - reach < 0 or last + reach >= samples:
             continue
         _weigh(weight, reach, period, taps, half)
-        length = last - first + 1
+        step = max(1, int(period / _PER_TURN))
+        length = (last - first) // step + 1
         for row in range(rows):
             for m in range(length):
                 value = 0.0
-                base = first + m - reach
+                base = first + m * step - reach
                 for j in range(2 * reach + 1):
                     value += weight[j] * signals[row, base + j]
                 smooth[m] = value
-            begin = math.ceil(middle + low * period) - first
-            end = math.floor(middle + high * period) - first
+            begin = math.ceil((middle + low * period - first) / step)
+            end = math.floor((middle + high * period - first) / step)
             at = begin
             greatest, least, mean, inside = smooth[begin], smooth[begin], 0.0, 0
-            one = round(period)
+            one = round(period / step)
             for m in range(begin, end + 1):
                 if smooth[m] < least:
                     least, at = smooth[m], m
@@ -132,7 +134,7 @@ def _periods(signals, rate, start, tops, frequencies, level, taps, half, low, hi
             bend = before - 2.0 * least + after
             shift = 0.5 * (before - after) / bend if bend > 0.0 else 0.0
             found[row, i, 0] = least - 0.125 * (before - after) ** 2 / bend if bend > 0.0 else least
-            found[row, i, 1] = start + (first + at + shift) / rate
+            found[row, i, 1] = start + (first + (at + shift) * step) / rate
             found[row, i, 2] = greatest
             found[row, i, 5] = mean / max(inside, 1)
             found[row, i, 6] = 0.5 * (greatest - found[row, i, 0])
@@ -140,8 +142,8 @@ def _periods(signals, rate, start, tops, frequencies, level, taps, half, low, hi
             if not (least + 0.1 * (greatest - least) < level < greatest - 0.1 * (greatest - least)):
                 line = 0.5 * (least + greatest)
             fall, rise = _fall_and_rise(smooth, at, length, line)
-            found[row, i, 3] = start + (first + fall) / rate
-            found[row, i, 4] = start + (first + rise) / rate
+            found[row, i, 3] = start + (first + fall * step) / rate
+            found[row, i, 4] = start + (first + rise * step) / rate
     return found
 
 

@@ -76,6 +76,17 @@ def _terms(corner: Corner, s: Complex) -> tuple[Complex, Complex, Complex, Compl
         return tyre - tyre * tyre * wheel, wheel, tyre, body
 
 
+def responses(parameters: Array, mass: float, s: Complex) -> Complex:
+    """Responses (m, n) in N/m of m quarter cars of one total mass (kg) at ``s`` in 1/s (n,).
+
+    Columns of the parameters (m, 5): unsprung mass, rate, damping, tyre stiffness, tyre damping, SI.
+    """
+    unsprung, rate, damping, stiffness, loss = (column[:, None] for column in parameters.T)
+    strut, tyre, square = rate + damping * s, stiffness + loss * s, s * s
+    hung = strut - strut * strut / ((mass - unsprung) * square + strut)
+    return np.asarray(tyre - tyre * tyre / (unsprung * square + hung + tyre))
+
+
 def response_and_slopes(corner: Corner, s: Complex) -> tuple[Complex, Complex]:
     """Response (n,) in N/m and its derivatives (n, 5) by unsprung mass, rate, damping, tyre stiffness, tyre damping.
 
