@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -135,7 +136,7 @@ def _control_rows() -> list[Row]:
             ("compiled LQG", "lqg", ""),
             ("Python function", _skyhook_at(corners), "≥ 20 × real time"),
         ):
-            median = median_time(lambda control=control: jn.simulate(rig, trial, control=control), repeats=5)
+            median = median_time(partial(jn.simulate, rig, trial, control=control), repeats=5)
             own = own or median
             note = f"{trial.duration / median:.0f} × real time, with its Dataset"
             rows.append(Row(problem, f"jounce, {way}", median, None, median / own, goal, note))
