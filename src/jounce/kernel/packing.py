@@ -118,6 +118,8 @@ class Graph:
             self.nodes.append(Node(operation, tuple(work[i] for i in inputs), leaf))
             work[outputs[0]] = len(self.nodes) - 1
         self._numbers: set[int] = set()
+        every = range(len(parts.prefixes))
+        self._within = {mask: [i for i in every if mask >> i & 1] for mask in range(1 << len(every))}
         while True:
             self._name(labels)
             alone = self._alone()
@@ -147,9 +149,8 @@ class Graph:
                 self._mixed.add(self.shapes[i])
             if mask != SHARED:
                 lanes = self.members.setdefault(self.shapes[i], {})
-                for part in range(len(self.parts.prefixes)):
-                    if mask >> part & 1:
-                        lanes.setdefault(part, i)
+                for part in self._within[mask]:
+                    lanes.setdefault(part, i)
         groups = [(group, sum(1 << part for part in group)) for group in self.parts.groups]
         self._complete = {
             shape: sum(mask for group, mask in groups if all(part in lanes for part in group))
@@ -160,11 +161,15 @@ class Graph:
         """Shape and parts of an operation."""
         mask, every = SHARED, 0
         for operand in node.operands:
-            mask &= self.masks[operand]
-            every |= self.masks[operand] if self.masks[operand] != SHARED else 0
-        shape = (node.operation, *(self.shapes[operand] for operand in node.operands))
+            own = self.masks[operand]
+            mask &= own
+            if own != SHARED:
+                every |= own
+        shape = (node.operation, *[self.shapes[operand] for operand in node.operands])
+        if every == 0:
+            return shape, SHARED
         is_sum = node.operation in ("OP_ADD", "OP_SUB")
-        if i in self._numbers or (is_sum and every and any(operand in self._sums for operand in node.operands)):
+        if i in self._numbers or (is_sum and not self._sums.isdisjoint(node.operands)):
             self._sums.add(i)
             return ("number", i), SHARED
         if mask != 0:
@@ -177,9 +182,9 @@ class Graph:
 
     def _alone(self) -> set[int]:
         """Nodes of one part that the others have not, the first ones on each way: sums over all parts end in such."""
-        found, touched = set(), set()
+        found, touched = set[int](), set[int]()
         for i, node in enumerate(self.nodes):
-            if any(operand in touched for operand in node.operands):
+            if not touched.isdisjoint(node.operands):
                 touched.add(i)
             elif node.operands and self.masks[i] != SHARED and not self._complete[self.shapes[i]] & self.masks[i]:
                 touched.add(i)
