@@ -56,7 +56,7 @@ class GradedInspection:
     differences : tuple of Difference
         Between the wheels.
     verdict : str
-        Of the axle.
+        Of the axle, as far as it was tested.
     reasons : tuple of Reason
         Of the axle.
     deciding : tuple of str
@@ -195,7 +195,7 @@ def grade(
     differences, about = _between_wheels(inspection, grades, chosen, used)
     reasons = (*_axle_reasons(grades), *about)
     verdicts = [*(one.verdict for one in grades), *(reason.verdict for reason in about if reason.verdict)]
-    verdict = worst([*verdicts, NOT_GRADED] if len(grades) < len(_SIDES) else verdicts)
+    verdict = worst(verdicts)
     return GradedInspection(
         _with_grades(inspection, grades, differences, verdict, reasons),
         chosen, grades, differences, verdict, reasons, used,
@@ -327,7 +327,7 @@ def differences_of(
 
 def _axle_reasons(grades: tuple[WheelGrade, ...]) -> list[Reason]:
     tested = {one.wheel for one in grades}
-    missing = [Reason("one_wheel", NOT_GRADED, {"missing": side}) for side in _SIDES if side not in tested]
+    missing = [Reason("one_wheel", "", {"missing": side}) for side in _SIDES if side not in tested]
     return missing + [Reason("wheel", one.verdict, {"wheel": one.wheel, "verdict": one.verdict}) for one in grades]
 
 

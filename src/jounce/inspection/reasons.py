@@ -102,8 +102,8 @@ _SENTENCES: dict[str, dict[Language, str]] = {
         ),
     },
     "one_wheel": {
-        "en": "the {missing} wheel was not tested: the axle is not graded as a whole.",
-        "de": "Das Rad {missing} wurde nicht geprüft: Die Achse wird nicht als Ganzes bewertet.",
+        "en": "the {missing} wheel was not tested: the verdict is of the other wheel alone.",
+        "de": "Das Rad {missing} wurde nicht geprüft: Das Urteil gilt nur für das andere Rad.",
     },
     "wheel_unfit": {
         "en": "the {wheel} wheel is not graded.",

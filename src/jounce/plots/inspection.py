@@ -21,6 +21,8 @@ Array = NDArray[np.float64]
 _LOOKS = {"left": (PALETTE[0], "-"), "right": (PALETTE[1], (0, (4, 1.5)))}
 _BAND = (6.0, 18.0)
 _ENVELOPE = 400  # bins of a force over time; finer than the paper shows
+_EMPTY_HEIGHT = 0.5  # inches
+_ONE_TURN = 0.25
 _WORDS = {
     "en": {
         "left": "left", "right": "right", "frequency": "frequency [Hz]", "time": "time [s]",
@@ -80,7 +82,7 @@ def inspection_curves(
     words = _WORDS["de" if language == "de" else "en"]
     wheels = [wheel for wheel in inspection.wheels if wheel.curves is not None]
     drawings = _drawings(wheels, record, words, phase_limit)
-    figure = new_figure(height, width)
+    figure = new_figure(height if drawings else _EMPTY_HEIGHT, width)
     rows = figure.subplots(1, max(len(drawings), 1), squeeze=False)[0]
     for axes, draw in zip(rows, drawings, strict=False):
         draw(axes)
@@ -128,11 +130,22 @@ def _over_frequency(axes: Axes, wheels: list[WheelResult], kind: str, words: dic
     for wheel in wheels:
         if wheel.curves is None:
             continue
-        values = 1e-3 * _amplitude(wheel) if kind == "amplitude" else 1e3 * wheel.curves.plate_amplitude
+        if kind == "amplitude":
+            values = 1e-3 * _amplitude(wheel)
+        else:
+            values = np.where(_after_standing(wheel.curves), 1e3 * wheel.curves.plate_amplitude, np.nan)
         _curve(axes, wheel.curves, values, wheel.wheel, words)
     axes.set_ylim(bottom=0.0)
     axes.set(title=words[kind], xlabel=words["frequency"])
     axes.legend(loc="best", labelspacing=0.2)
+
+
+def _after_standing(curves: WheelCurves) -> NDArray[np.bool_]:
+    """Turns (n,) after the last one whose frequency is not that of its time to the next: a plate that hardly moves."""
+    turns = curves.frequency[:-1] * np.diff(curves.time)
+    jumps = np.flatnonzero(~(np.abs(turns - 1.0) < _ONE_TURN))
+    early = jumps[jumps < turns.size // 2]
+    return np.arange(curves.frequency.size) > (early[-1] if early.size else -1)
 
 
 def _phase(axes: Axes, wheels: list[WheelResult], words: dict[str, str], limit: float | None) -> None:

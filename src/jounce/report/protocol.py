@@ -26,7 +26,7 @@ SUFFIXES = (".pdf", ".html")
 _MOST = 24  # reasons and remarks
 _COUNTING = 8.0  # dots per inch suffice to count pages
 _LONGEST_WORD, _PIECE = 24, 12
-_HEIGHTS = {1: 2.5, 2: 1.75}  # inches of the curves of one axle
+_HEIGHTS = {1: 3.2, 2: 1.75}  # inches of the curves of one axle
 
 
 def write_protocol(

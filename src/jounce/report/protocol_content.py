@@ -16,7 +16,7 @@ from jounce.report.protocol_words import WORDS
 TONES = {"pass": "green", "advise": "yellow", "fail": "red", NOT_GRADED: "grey"}
 HEAD = ("vehicle", "plate_number", "date", "tester", "place", "operator")
 _SIDES = ("left", "right")
-_LONGEST_TEXT = 160
+_LONGEST_TEXT, _LONGEST_HEAD = 160, 64
 _EXPLAINING = {"near", "over_range", "disagree", "mass", "tyre", "rigidity", "lifted", "limits_differ", "one_wheel"}
 _ORDER = {"fail": 0, NOT_GRADED: 1, "advise": 2}
 
@@ -56,7 +56,7 @@ def protocol_content(
         "language": language,
         "words": dict(words),
         "title": words["title"],
-        "head": [{"label": words[name], "text": shortened(about.get(name, ""))} for name in HEAD],
+        "head": [{"label": words[name], "text": shortened(about.get(name, ""), _LONGEST_HEAD)} for name in HEAD],
         "date": about.get("date", ""),
         "deciding": ", ".join(METHOD_NAMES[method] for method in vehicle.axles[0].deciding) or "–",
         "verdict": _verdict(vehicle.verdict, language),
@@ -288,7 +288,7 @@ def _remarks(vehicle: VehicleGrade, language: Language) -> list[Plain]:
                 if finding.severity != "problem":
                     found.setdefault(finding.message, []).append(_places(graded, wheel.wheel, language))
     return [
-        {"place": ", ".join(dict.fromkeys(places)), "text": shortened(text, 400), "tone": ""}
+        {"place": ", ".join(dict.fromkeys(places)), "text": _capital(shortened(text, 400)), "tone": ""}
         for text, places in found.items()
     ]
 

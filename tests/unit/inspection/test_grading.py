@@ -210,11 +210,15 @@ def test_a_relative_difference_of_values_that_are_not_positive_is_not_known() ->
     assert graded.verdict == "fail"
 
 
-def test_one_wheel_alone_grades_no_axle() -> None:
+def test_one_wheel_alone_is_said() -> None:
     alone = Inspection((wheel(),), {"axle": "rear"}, methods=("egea",))
     graded = grade(alone)
-    assert (graded.wheels[0].verdict, graded.verdict) == ("pass", "not graded")
-    assert "the right wheel was not tested" in graded.inspection.axle["reasons"][0]
+    assert (graded.wheels[0].verdict, graded.verdict) == ("pass", "pass")
+    assert (
+        "the right wheel was not tested: the verdict is of the other wheel alone"
+        in graded.inspection.axle["reasons"][0]
+    )
+    assert graded.differences == ()
     failing = grade(replace(alone, wheels=(wheel(phase_angle_min_deg=12.0),)))
     assert failing.verdict == "fail"
 
