@@ -59,7 +59,13 @@ def fill(tracks: Any, piece: Any, times: Any, u: Any) -> None:
     for k in range(len(piece)):
         i, rate, value, slope = piece[k], rates[k], order * k, order * k + 1
         c0, c1, c2, c3 = coefficients[i, 0], coefficients[i, 1], coefficients[i, 2], coefficients[i, 3]
-        if kind[i] == 0:
+        if kind[i] == 0 and c2 == 0.0 and c3 == 0.0:  # most roads are lines, and most loads are level
+            for j in range(len(times)):
+                u[value, j] = c0 + c1 * (rate * (times[j] - start[i]))
+                u[slope, j] = rate * c1
+                if order > 2:
+                    u[slope + 1, j] = 0.0
+        elif kind[i] == 0:
             for j in range(len(times)):
                 s = rate * (times[j] - start[i])
                 u[value, j] = c0 + s * (c1 + s * (c2 + s * c3))
