@@ -2,25 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+import tempfile
+import tomllib
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from datetime import date
 from importlib import metadata
+from itertools import takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from jounce.core.errors import JounceError
+from jounce.core.errors import JounceError, RecordingError
 from jounce.inspection.evaluation import evaluate
 from jounce.inspection.grading import GradedInspection, grade
 from jounce.inspection.limits import Limits, load_limits
-from jounce.inspection.record import read_record
+from jounce.inspection.record import TEXTS, read_record
 from jounce.inspection.result import NOT_GRADED
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from jounce.core.findings import Finding
-    from jounce.inspection.store import Grading, RecordEntry
+    from jounce.inspection.store import Grading, RecordEntry, Store
     from jounce.parts.testers import Tester
+
+_HEADER_BYTES = 65536
 
 
 @dataclass(frozen=True)
@@ -94,22 +101,92 @@ def inspect_record(
     return InspectedRecord(Path(path), record, graded)
 
 
-def entry_of(path: Path | str, facts: dict[str, str] | None = None, tester: Tester | None = None) -> RecordEntry:
-    """Give a record's file, and the TOML file beside it, as they are, with what is known of them (``facts``)."""
+def entry_of(
+    path: Path | str,
+    facts: Mapping[str, str] | None = None,
+    tester: Tester | None = None,
+    *,
+    vehicle: Any = None,
+    methods: Sequence[str] | None = None,
+) -> RecordEntry:
+    """Give a record's file, and the TOML file beside it, as they are, with what is known of them.
+
+    Parameters
+    ----------
+    path : Path or str
+        The record.
+    facts : mapping, optional
+        Plate number, vehicle, date, axle and tester; what is missing is taken from the header.
+    tester : Tester, optional
+        By which it is evaluated, now and again.
+    vehicle : Rig or Vehicle, optional
+        Under test.
+    methods : sequence of str, optional
+        What is evaluated and decides; all by default.
+    """
     from jounce.inspection.store import RecordEntry
 
-    file, known = Path(path), facts or {}
+    file = Path(path)
     beside = file.with_suffix(".toml")
+    content = file.read_bytes()
+    sidecar = beside.read_bytes() if beside != file and beside.is_file() else None
+    known = {**header_facts(content, sidecar), **{name: text for name, text in (facts or {}).items() if text}}
     return RecordEntry(
         file.name,
-        file.read_bytes(),
-        beside.read_bytes() if beside != file and beside.is_file() else None,
+        content,
+        sidecar,
         plate=known.get("plate_number", ""),
         vehicle=known.get("vehicle", ""),
-        date=known.get("date", ""),
+        date=day_of(known.get("date", "")),
         axle=known.get("axle", ""),
         tester=tester.name if tester is not None else known.get("tester", ""),
+        tester_table=None if tester is None else _table_of(tester),
+        vehicle_table=None if vehicle is None else _table_of(vehicle),
+        methods=tuple(methods or ()),
     )
+
+
+def header_facts(content: bytes, sidecar: bytes | None = None) -> dict[str, str]:
+    r"""Give what a record says of itself in words, as far as it can be read; the record may be damaged.
+
+    Examples
+    --------
+    >>> header_facts(b'# plate_number = "B-AB 123"\n# date = 2026-11-21\ntime [s], left.pla', b'axle = "front"')
+    {'axle': 'front', 'plate_number': 'B-AB 123', 'date': '2026-11-21'}
+    """
+    said = [] if sidecar is None else [sidecar.decode("utf-8", errors="replace")]
+    lines = content[:_HEADER_BYTES].decode("utf-8-sig", errors="replace").splitlines()
+    comments = takewhile(lambda line: line.lstrip()[:1] in ("#", ""), lines)
+    said += [line.lstrip()[1:] for line in comments if line.strip()]
+    facts: dict[str, str] = {}
+    for text in said:
+        try:
+            table = tomllib.loads(text)
+        except tomllib.TOMLDecodeError:
+            continue
+        facts |= {name: str(value) for name, value in table.items() if name in TEXTS}
+    return facts
+
+
+def day_of(text: str) -> str:
+    """Give a date as ISO 8601 day; what is no date is kept as it is.
+
+    Examples
+    --------
+    >>> day_of("21.11.2026"), day_of("2026-11-21T08:30:00"), day_of("soon")
+    ('2026-11-21', '2026-11-21', 'soon')
+    """
+    german = re.match(r"\s*(\d{1,2})\.(\d{1,2})\.(\d{4})", text)
+    iso = f"{german[3]}-{int(german[2]):02}-{int(german[1]):02}" if german else text.strip()[:10]
+    try:
+        return date.fromisoformat(iso).isoformat()
+    except ValueError:
+        return text
+
+
+def _table_of(description: Any) -> dict[str, Any]:
+    table: dict[str, Any] = description.model_dump(mode="json", by_alias=True, exclude_none=True)
+    return table
 
 
 def grading_of(graded: GradedInspection) -> Grading:
@@ -119,10 +196,190 @@ def grading_of(graded: GradedInspection) -> Grading:
     return Grading(graded.verdict, graded.limits.label, metadata.version("jounce"), graded.to_dict())
 
 
-def refusal_of(error: JounceError, limits: Limits | None = None) -> Grading:
+def refusal_of(error: Exception, limits: Limits | None = None) -> Grading:
     """Give what the store keeps of a record that cannot be read: not graded, with the reason."""
     from jounce.inspection.store import Grading
 
     label = (limits if limits is not None else load_limits()).label
     plain = {"wheels": [], "axle": {}, "verdict": NOT_GRADED, "reasons": [str(error)]}
     return Grading(NOT_GRADED, label, metadata.version("jounce"), plain)
+
+
+@dataclass(frozen=True)
+class ImportedRecord:
+    """What became of a file that came in.
+
+    Attributes
+    ----------
+    file : str
+        Its path.
+    number : int
+        Of the record in the store.
+    is_new : bool
+        False where the same file was in the store already.
+    verdict : str
+        Of the axle; ``"not graded"`` where the record does not allow it.
+    problem : str
+        Why it could not be graded; empty where it could.
+    """
+
+    file: str
+    number: int
+    is_new: bool
+    verdict: str
+    problem: str = ""
+
+
+def import_record(
+    file: Path | str,
+    store: Store,
+    tester: Tester | None = None,
+    *,
+    vehicle: Any = None,
+    methods: Sequence[str] | None = None,
+    limits: Limits | None = None,
+) -> ImportedRecord:
+    """Evaluate and grade a record and put it into the store, all of it in one transaction.
+
+    Parameters
+    ----------
+    file : Path or str
+        The record; the TOML file beside it comes along. Both stay where they are.
+    store : Store
+        Open for writing.
+    tester : Tester, optional
+        On which it was made; by default the shipped one that the header names.
+    vehicle : Rig or Vehicle, optional
+        Under test.
+    methods : sequence of {"eusama", "egea", "theta", "boge"}, optional
+        What to evaluate and what decides.
+    limits : Limits, optional
+        Those that come with jounce by default.
+
+    Returns
+    -------
+    ImportedRecord
+        When this returns, the record is safe. A record that cannot be graded is stored with the reasons.
+
+    Raises
+    ------
+    OutputError
+        When the store cannot be written to; nothing of the record is in it then.
+    RecordingError
+        For an empty file, or a damaged store.
+    OSError
+        When the file cannot be read.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from jounce.inspection.store import Store
+    >>> folder = Path(tempfile.mkdtemp())
+    >>> _ = (folder / "half.csv").write_text("time [s], left.plate.z [mm]")
+    >>> with_reason = import_record(folder / "half.csv", Store(folder / "lane.sqlite"))
+    >>> with_reason.number, with_reason.is_new, with_reason.verdict
+    (1, True, 'not graded')
+    """
+    entry = entry_of(file, tester=tester, vehicle=vehicle, methods=methods)
+    if not entry.content:
+        raise RecordingError("the file is empty", where=str(file))
+    known = store.number_of(entry.digest)
+    if known is not None:
+        return _known(str(file), known, store)
+    graded, grading = None, None
+    try:
+        entry = _with_tester(entry, tester)
+        entry, graded = _evaluated(entry, vehicle, limits)
+        grading = grading_of(graded)
+    except Exception as error:  # noqa: BLE001 - whatever the evaluation meets, the record must not be lost
+        problem = error if isinstance(error, JounceError) else RuntimeError(f"the evaluation failed: {error!r}")
+        grading = refusal_of(problem, limits)
+    number, is_new = store.accept(entry, grading)
+    return (
+        _known(str(file), number, store)
+        if not is_new
+        else ImportedRecord(str(file), number, True, grading.verdict, problem_of(grading))
+    )
+
+
+def problem_of(grading: Grading) -> str:
+    """Say why a record could not be graded; an empty text where it could, or where only one wheel was tested."""
+    wheels = grading.result.get("wheels", [])
+    reasons: list[str] = [] if wheels else list(grading.result.get("reasons", []))
+    for wheel in wheels:
+        if wheel["verdict"] == NOT_GRADED:
+            reasons += wheel["reasons"][:1] or [f"the {wheel['wheel']} wheel is not graded."]
+    return reasons[0] if reasons and grading.verdict == NOT_GRADED else ""
+
+
+def _known(file: str, number: int, store: Store) -> ImportedRecord:
+    grading = store.newest_grading(number)
+    if grading is None:
+        return ImportedRecord(file, number, False, NOT_GRADED)
+    return ImportedRecord(file, number, False, grading.verdict, problem_of(grading))
+
+
+def _with_tester(entry: RecordEntry, tester: Tester | None) -> RecordEntry:
+    """Take the tester that the header names where none is given; nothing is guessed."""
+    from jounce.parts.testers import library, load_tester
+
+    if tester is not None:
+        return entry
+    if entry.tester not in library():
+        raise RecordingError(
+            "no tester is given, and the record names none that is known",
+            where=entry.name,
+            found=entry.tester,
+            allowed=", ".join(library()),
+            hint="Grade it with: jounce inspect reevaluate --tester.",
+        )
+    return replace(entry, tester_table=_table_of(load_tester(entry.tester)))
+
+
+def _evaluated(entry: RecordEntry, vehicle: Any, limits: Limits | None) -> tuple[RecordEntry, GradedInspection]:
+    """Evaluate the very bytes of an entry; gives it with its signals."""
+    from jounce.inspection.stored_signals import pack
+
+    tester = stored_tester(entry)
+    record, findings = read_entry(entry, tester)
+    found = inspect_record(entry.name, tester, vehicle, entry.methods or None, limits, read=(record, findings))
+    said = found.facts
+    filled = replace(
+        entry,
+        plate=entry.plate or said.get("plate_number", ""),
+        vehicle=entry.vehicle or said.get("vehicle", ""),
+        date=entry.date or day_of(said.get("date", "")),
+        axle=entry.axle or said.get("axle", ""),
+        signals=pack(record, findings),
+    )
+    return filled, found.graded
+
+
+def stored_tester(entry: RecordEntry) -> Tester:
+    """Give the tester of a stored record from its description."""
+    from jounce.parts.testers import Tester
+
+    if entry.tester_table is None:
+        raise RecordingError("the tester of this record is not known", where=entry.name, hint="Name it with --tester.")
+    return Tester.from_table(dict(entry.tester_table), where=entry.tester)
+
+
+def read_entry(entry: RecordEntry, tester: Tester) -> tuple[xr.Dataset, list[Finding]]:
+    """Read the signals of an entry from its bytes."""
+    with tempfile.TemporaryDirectory(prefix="jounce-") as folder:
+        file = Path(folder) / Path(entry.name).name
+        file.write_bytes(entry.content)
+        if entry.sidecar is not None:
+            file.with_suffix(".toml").write_bytes(entry.sidecar)
+        try:
+            record, findings = read_record(file, tester)
+            record = record.load()
+        except JounceError as error:
+            where = error.where.replace(f"{folder}/", "")
+            raise RecordingError(
+                error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint
+            ) from None
+    return record, [
+        replace(one, place=one.place.replace(f"{folder}/", ""), message=one.message.replace(f"{folder}/", ""))
+        for one in findings
+    ]

@@ -16,15 +16,16 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from jounce.core.errors import JounceError, OutputError, RecordingError
+from jounce.core.errors import OutputError, RecordingError
 from jounce.core.serialise import to_json
-from jounce.inspection.tables import RECORDS, RESULTS, SCHEMA_VERSION, VEHICLES, create_tables
+from jounce.inspection.database import READS, DamagedStoreError, complaints, open_database, problems_of
+from jounce.inspection.tables import CONTENTS, DESCRIPTIONS, RECORDS, RESULTS, VEHICLES, WATCHED
 
 if TYPE_CHECKING:
-    from sqlalchemy.engine import Connection, Engine
+    from sqlalchemy.engine import Connection
 
-_WAIT = 30.0  # s that a writer waits for another one
-_WHOLE = "ok"
+_RESULT_COLUMNS = (RESULTS.c.verdict, RESULTS.c.limits, RESULTS.c.software, RESULTS.c.result)
+_ATTEMPTS = 5
 
 
 @dataclass(frozen=True)
@@ -46,9 +47,15 @@ class RecordEntry:
     date : str
         Day of the inspection, ISO 8601.
     axle : str
-        ``"front"``, ``"rear"`` or another name.
+        ``"front"``, ``"rear"`` or empty.
     tester : str
         Name of the tester.
+    tester_table, vehicle_table : mapping or None
+        Description of tester and vehicle as tables, for evaluating the record again.
+    methods : tuple of str
+        What to evaluate and what decides; empty for all.
+    signals : bytes or None
+        Signals as ``stored_signals.pack`` gives them.
     """
 
     name: str
@@ -59,11 +66,32 @@ class RecordEntry:
     date: str = ""
     axle: str = ""
     tester: str = ""
+    tester_table: Mapping[str, Any] | None = field(default=None, repr=False)
+    vehicle_table: Mapping[str, Any] | None = field(default=None, repr=False)
+    methods: tuple[str, ...] = ()
+    signals: bytes | None = field(default=None, repr=False)
 
     @property
     def digest(self) -> str:
         """SHA-256 of file and sidecar."""
-        return hashlib.sha256(self.content + b"\0" + (self.sidecar or b"")).hexdigest()
+        return digest_of(self.content, self.sidecar)
+
+
+def digest_of(content: bytes, sidecar: bytes | None) -> str:
+    """SHA-256 of a file and the one beside it: the same for the same bytes, whatever their names."""
+    parts = [hashlib.sha256(part).digest() for part in (content, sidecar) if part is not None]
+    return hashlib.sha256(b"".join(parts)).hexdigest()
+
+
+def plate_key(plate: str) -> str:
+    """Number plate as it is compared: letters and digits in capitals.
+
+    Examples
+    --------
+    >>> plate_key("b-AB 123")
+    'BAB123'
+    """
+    return "".join(sign for sign in plate.upper() if sign.isalnum())
 
 
 @dataclass(frozen=True)
@@ -124,31 +152,31 @@ class Store:
         A file, made where there is none, or a database URL of SQLAlchemy (``postgresql+psycopg://...``).
     read_only : bool
         Refuse to write.
+    damaged : bool
+        Open a damaged file, for reading only.
 
     Raises
     ------
+    DamagedStoreError
+        For a file that is damaged: it is opened for reading only, and left as it is.
     RecordingError
-        For a file that is damaged or no store of this kind: it is left as it is.
+        For a database of another kind or version, or one that cannot be used.
 
     Examples
     --------
     >>> import tempfile
     >>> store = Store(tempfile.mkdtemp() + "/lane.sqlite")
     >>> entry = RecordEntry("a.csv", b"time [s]", plate="B-AB 123", date="2026-11-21")
-    >>> number, is_new = store.accept(entry, Grading("passed", "1", "0", {"adhesion": 0.6}))
+    >>> number, is_new = store.accept(entry, Grading("pass", "1", "0", {"adhesion": 0.6}))
     >>> is_new, store.accept(entry, None)[1], store.content(number)[0]
     (True, False, b'time [s]')
-    >>> [found.grading.verdict for found in store.records(plate="B-AB 123")]
-    ['passed']
+    >>> [found.grading.verdict for found in store.records(plate="b ab 123")]
+    ['pass']
     """
 
-    def __init__(self, location: str | Path, *, read_only: bool = False) -> None:
-        self.location, self.read_only = str(location), read_only
-        self._engine = _engine(self.location, read_only=read_only)
-        with _damage(self.location), self._engine.begin() as connection:
-            _check(connection, self.location)
-            if not read_only:
-                create_tables(connection)
+    def __init__(self, location: str | Path, *, read_only: bool = False, damaged: bool = False) -> None:
+        self.location, self.read_only = str(location), read_only or damaged
+        self._engine = open_database(self.location, read_only=self.read_only, damaged=damaged)
 
     def accept(self, entry: RecordEntry, grading: Grading | None) -> tuple[int, bool]:
         """Put a record in, with its grading, in one transaction.
@@ -167,30 +195,55 @@ class Store:
         is_new : bool
             False where the same file is in the store already: then nothing changes.
         """
+        from sqlalchemy.exc import IntegrityError
+
+        for _ in range(_ATTEMPTS):
+            try:
+                return self._accept(entry, grading)
+            except IntegrityError:  # another process put the same record, vehicle or tester in meanwhile
+                continue
+        raise OutputError("the record could not be stored: others keep writing the same", where=self.location)
+
+    def _accept(self, entry: RecordEntry, grading: Grading | None) -> tuple[int, bool]:
         from sqlalchemy import insert, select
 
+        packed = {
+            "content": zlib.compress(entry.content, 6),
+            "sidecar": None if entry.sidecar is None else zlib.compress(entry.sidecar, 6),
+            "signals": entry.signals,
+        }  # before the transaction: others need not wait for it
         with self._writing() as connection:
             known = connection.execute(select(RECORDS.c.number).where(RECORDS.c.digest == entry.digest)).scalar()
             if known is not None:
                 return int(known), False
-            if entry.plate:
-                self._note_vehicle(connection, entry)
+            _note_vehicle(connection, entry)
             values = {
                 "digest": entry.digest,
                 "name": entry.name,
-                "content": zlib.compress(entry.content, 6),
-                "sidecar": None if entry.sidecar is None else zlib.compress(entry.sidecar, 6),
                 "plate": entry.plate,
+                "plate_key": plate_key(entry.plate),
                 "vehicle": entry.vehicle,
                 "date": entry.date,
                 "axle": entry.axle,
                 "tester": entry.tester,
                 "accepted": _now(),
+                "tester_digest": _note_description(connection, entry.tester_table),
+                "vehicle_digest": _note_description(connection, entry.vehicle_table),
+                "methods": ",".join(entry.methods),
             }
             number = int(connection.execute(insert(RECORDS).values(**values).returning(RECORDS.c.number)).scalar_one())
+            connection.execute(insert(CONTENTS).values(record=number, **packed))
             if grading is not None:
                 connection.execute(insert(RESULTS).values(**_row_of(number, grading)))
             return number, True
+
+    def number_of(self, digest: str) -> int | None:
+        """Number of the record with a digest, if it is in the store."""
+        from sqlalchemy import select
+
+        with self._reading() as connection:
+            found = connection.execute(select(RECORDS.c.number).where(RECORDS.c.digest == digest)).scalar()
+        return None if found is None else int(found)
 
     def add_gradings(self, gradings: Sequence[tuple[int, Grading]]) -> None:
         """Add gradings to records by their numbers, all of them or none."""
@@ -211,24 +264,50 @@ class Store:
         """
         from sqlalchemy import select
 
-        wanted = select(RECORDS.c.content, RECORDS.c.sidecar, RECORDS.c.digest).where(RECORDS.c.number == number)
-        with _damage(self.location), self._engine.connect() as connection:
-            row = connection.execute(wanted).one_or_none()
+        wanted = select(CONTENTS.c.content, CONTENTS.c.sidecar, RECORDS.c.digest).join(
+            RECORDS, RECORDS.c.number == CONTENTS.c.record
+        )
+        with self._reading() as connection:
+            row = connection.execute(wanted.where(CONTENTS.c.record == number)).one_or_none()
         if row is None:
             raise RecordingError("no such record", where=self.location, found=number)
         try:
             content, sidecar = zlib.decompress(row.content), row.sidecar and zlib.decompress(row.sidecar)
         except zlib.error:
             content, sidecar = b"", None
-        if RecordEntry("", content, sidecar).digest != row.digest:
-            raise RecordingError(f"record {number} is damaged", where=self.location, hint="Use a copy of the store.")
+        if digest_of(content, sidecar) != row.digest:
+            raise DamagedStoreError(f"record {number} is damaged", where=self.location, hint="Take it from a copy.")
         return content, sidecar
+
+    def signals(self, number: int) -> bytes | None:
+        """Give the packed signals of a record; None where it could not be read when it came in."""
+        from sqlalchemy import select
+
+        with self._reading() as connection:
+            return connection.execute(select(CONTENTS.c.signals).where(CONTENTS.c.record == number)).scalar()
+
+    def entry(self, number: int) -> RecordEntry:
+        """Give what is known of a record, without its file."""
+        from sqlalchemy import select
+
+        tester, vehicle = DESCRIPTIONS.alias("tester_of"), DESCRIPTIONS.alias("vehicle_of")
+        joined = RECORDS.outerjoin(tester, tester.c.digest == RECORDS.c.tester_digest)
+        joined = joined.outerjoin(vehicle, vehicle.c.digest == RECORDS.c.vehicle_digest)
+        asked = select(RECORDS, tester.c.content.label("of_tester"), vehicle.c.content.label("of_vehicle"))
+        with self._reading() as connection:
+            row = connection.execute(asked.select_from(joined).where(RECORDS.c.number == number)).one_or_none()
+        if row is None:
+            raise RecordingError("no such record", where=self.location, found=number)
+        places = {name: getattr(row, name) for name in ("name", "plate", "vehicle", "date", "axle", "tester")}
+        tables = [None if text is None else json.loads(text) for text in (row.of_tester, row.of_vehicle)]
+        methods = tuple(filter(None, row.methods.split(",")))
+        return RecordEntry(content=b"", **places, tester_table=tables[0], vehicle_table=tables[1], methods=methods)
 
     def numbers(self) -> list[int]:
         """Numbers of all records, ascending."""
         from sqlalchemy import select
 
-        with _damage(self.location), self._engine.connect() as connection:
+        with self._reading() as connection:
             return list(connection.execute(select(RECORDS.c.number).order_by(RECORDS.c.number)).scalars())
 
     def records(
@@ -244,7 +323,9 @@ class Store:
 
         Parameters
         ----------
-        plate, verdict, tester : str, optional
+        plate : str, optional
+            Capitals, spaces and hyphens do not count; ``*`` at the end stands for anything.
+        verdict, tester : str, optional
             Equal to these.
         since, until : str, optional
             Days, ISO 8601, both included.
@@ -253,12 +334,17 @@ class Store:
 
         newest = select(func.max(RESULTS.c.number)).group_by(RESULTS.c.record).scalar_subquery()
         joined = RECORDS.outerjoin(RESULTS, and_(RESULTS.c.record == RECORDS.c.number, RESULTS.c.number.in_(newest)))
-        asked = select(*(c for c in RECORDS.c if c.name not in ("content", "sidecar", "digest")), *_RESULT_COLUMNS)
-        for column, value in ((RECORDS.c.plate, plate), (RESULTS.c.verdict, verdict), (RECORDS.c.tester, tester)):
+        shown = (RECORDS.c[name] for name in StoredRecord.__dataclass_fields__ if name != "grading")
+        asked = select(*shown, *_RESULT_COLUMNS)
+        for column, value in ((RESULTS.c.verdict, verdict), (RECORDS.c.tester, tester)):
             asked = asked if value is None else asked.where(column == value)
+        if plate is not None:
+            key = plate_key(plate)
+            column = RECORDS.c.plate_key
+            asked = asked.where(column.startswith(key) if plate.endswith("*") else column == key)
         asked = asked if since is None else asked.where(RECORDS.c.date >= since)
         asked = asked if until is None else asked.where(RECORDS.c.date <= until)
-        with _damage(self.location), self._engine.connect() as connection:
+        with self._reading() as connection:
             rows = connection.execute(asked.select_from(joined).order_by(RECORDS.c.date, RECORDS.c.number))
             return [_stored(row) for row in rows]
 
@@ -267,8 +353,44 @@ class Store:
         from sqlalchemy import select
 
         asked = select(*_RESULT_COLUMNS).where(RESULTS.c.record == number).order_by(RESULTS.c.number)
-        with _damage(self.location), self._engine.connect() as connection:
+        with self._reading() as connection:
             return [grading for row in connection.execute(asked) if (grading := _grading(row)) is not None]
+
+    def newest_grading(self, number: int) -> Grading | None:
+        """Give the newest grading of a record."""
+        from sqlalchemy import select
+
+        asked = select(*_RESULT_COLUMNS).where(RESULTS.c.record == number).order_by(RESULTS.c.number.desc()).limit(1)
+        with self._reading() as connection:
+            row = connection.execute(asked).one_or_none()
+        return None if row is None else _grading(row)
+
+    def note_watched(self, path: str, size: int, modified: int, message: str = "") -> None:
+        """Remember a file of a watched folder: its size in bytes, its time in ns, what was wrong with it."""
+        from sqlalchemy import delete, insert
+
+        with self._writing() as connection:
+            connection.execute(delete(WATCHED).where(WATCHED.c.path == path))
+            connection.execute(insert(WATCHED).values(path=path, size=size, modified=modified, message=message))
+
+    def watched(self) -> dict[str, tuple[int, int]]:
+        """Size (bytes) and time (ns) of the files that were looked at, by path."""
+        from sqlalchemy import select
+
+        with self._reading() as connection:
+            rows = connection.execute(select(WATCHED.c.path, WATCHED.c.size, WATCHED.c.modified))
+            return {row.path: (row.size, row.modified) for row in rows}
+
+    def problems(self) -> list[str]:
+        """Check the whole store, every record byte by byte; give what is damaged, nothing for a sound one."""
+        with self._reading() as connection:
+            found = problems_of(connection)
+        for number in self.numbers():
+            try:
+                self.content(number)
+            except RecordingError as error:
+                found.append(error.what)
+        return found
 
     def close(self) -> None:
         """Let go of the database."""
@@ -278,83 +400,35 @@ class Store:
     def _writing(self) -> Iterator[Connection]:
         if self.read_only:
             raise OutputError("the store is open for reading only", where=self.location)
-        with _damage(self.location), self._engine.begin() as connection:
+        with complaints(self.location), self._engine.begin() as connection:
             yield connection
 
-    @staticmethod
-    def _note_vehicle(connection: Connection, entry: RecordEntry) -> None:
-        from sqlalchemy import insert, select
-
-        if connection.execute(select(VEHICLES.c.plate).where(VEHICLES.c.plate == entry.plate)).scalar() is None:
-            connection.execute(insert(VEHICLES).values(plate=entry.plate, name=entry.vehicle, since=_now()))
+    @contextmanager
+    def _reading(self) -> Iterator[Connection]:
+        with complaints(self.location), self._engine.connect() as connection:
+            yield connection.execution_options(**{READS: True})
 
 
-_RESULT_COLUMNS = (RESULTS.c.verdict, RESULTS.c.limits, RESULTS.c.software, RESULTS.c.result)
+def _note_vehicle(connection: Connection, entry: RecordEntry) -> None:
+    from sqlalchemy import insert, select
+
+    key = plate_key(entry.plate)
+    if not key or connection.execute(select(VEHICLES.c.plate).where(VEHICLES.c.plate_key == key)).first():
+        return
+    connection.execute(insert(VEHICLES).values(plate_key=key, plate=entry.plate, name=entry.vehicle, since=_now()))
 
 
-def _engine(location: str, *, read_only: bool) -> Engine:
-    """Engine of the database; a SQLite file is written through to the disk before a transaction counts."""
-    from sqlalchemy import create_engine, event
+def _note_description(connection: Connection, table: Mapping[str, Any] | None) -> str | None:
+    """Digest of a description, which is kept once."""
+    from sqlalchemy import insert, select
 
-    if "://" in location:
-        return create_engine(location)
-    file = Path(location)
-    if not file.parent.is_dir():
-        raise OutputError("the folder of the store does not exist", where=str(file.parent), hint="Create it first.")
-    if read_only and not file.is_file():
-        raise RecordingError("no such store", where=location, hint="Check the path and the name.")
-    mode = "ro" if read_only else "rwc"
-    engine = create_engine(f"sqlite:///file:{file.resolve()}?mode={mode}&uri=true", connect_args={"timeout": _WAIT})
-
-    @event.listens_for(engine, "connect")
-    def prepare(connection: Any, _: Any) -> None:
-        connection.isolation_level = None  # transactions are begun below, for writing at once
-        if not read_only:
-            connection.execute("PRAGMA journal_mode=WAL")
-        connection.execute("PRAGMA synchronous=FULL")
-        connection.execute("PRAGMA foreign_keys=ON")
-
-    @event.listens_for(engine, "begin")
-    def begin(connection: Connection) -> None:
-        connection.exec_driver_sql("BEGIN" if read_only else "BEGIN IMMEDIATE")
-
-    return engine
-
-
-def _check(connection: Connection, location: str) -> None:
-    """Refuse a file that is damaged or holds something else."""
-    from sqlalchemy import inspect, text
-
-    if connection.dialect.name == "sqlite":
-        found = connection.execute(text("PRAGMA quick_check(1)")).scalar()
-        if found != _WHOLE:
-            raise RecordingError(f"the store is damaged: {found}", where=location, hint="Use a copy of the store.")
-    names = set(inspect(connection).get_table_names())
-    if names and not {"records", "results", "vehicles", "about"} <= names:
-        raise RecordingError(
-            "a database of another kind", where=location, found=", ".join(sorted(names)), allowed="a record store"
-        )
-    if names:
-        version = connection.execute(text("SELECT value FROM about WHERE name = 'schema'")).scalar()
-        if version != SCHEMA_VERSION:
-            raise RecordingError(
-                "a record store of another version", where=location, found=str(version), allowed=SCHEMA_VERSION
-            )
-
-
-@contextmanager
-def _damage(location: str) -> Iterator[None]:
-    """Turn what the database complains of into one message."""
-    from sqlalchemy.exc import DBAPIError
-
-    try:
-        yield
-    except JounceError:
-        raise
-    except DBAPIError as error:
-        reason = str(error.orig)
-        hint = "Use a copy of the store." if "malformed" in reason or "not a database" in reason else ""
-        raise RecordingError(f"the store cannot be used: {reason}", where=location, hint=hint) from None
+    if table is None:
+        return None
+    text = json.dumps(json.loads(to_json(table)), sort_keys=True)
+    digest = hashlib.sha256(text.encode()).hexdigest()
+    if connection.execute(select(DESCRIPTIONS.c.digest).where(DESCRIPTIONS.c.digest == digest)).first() is None:
+        connection.execute(insert(DESCRIPTIONS).values(digest=digest, content=text))
+    return digest
 
 
 def _row_of(record: int, grading: Grading) -> dict[str, Any]:

@@ -4,7 +4,20 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from sqlalchemy import Column, ForeignKey, Index, Integer, LargeBinary, MetaData, String, Table, Text, insert, select
+from sqlalchemy import (
+    BigInteger,
+    Column,
+    ForeignKey,
+    Index,
+    Integer,
+    LargeBinary,
+    MetaData,
+    String,
+    Table,
+    Text,
+    insert,
+    select,
+)
 
 if TYPE_CHECKING:
     from sqlalchemy.engine import Connection
@@ -15,9 +28,16 @@ _TABLES = MetaData()
 VEHICLES = Table(
     "vehicles",
     _TABLES,
-    Column("plate", String, primary_key=True),
+    Column("plate_key", String, primary_key=True),
+    Column("plate", String, nullable=False),
     Column("name", String, nullable=False),
     Column("since", String, nullable=False),
+)
+DESCRIPTIONS = Table(  # testers and vehicles, as JSON of their tables
+    "descriptions",
+    _TABLES,
+    Column("digest", String(64), primary_key=True),
+    Column("content", Text, nullable=False),
 )
 RECORDS = Table(
     "records",
@@ -25,14 +45,24 @@ RECORDS = Table(
     Column("number", Integer, primary_key=True),
     Column("digest", String(64), nullable=False, unique=True),
     Column("name", String, nullable=False),
-    Column("content", LargeBinary, nullable=False),
-    Column("sidecar", LargeBinary),
-    Column("plate", String, nullable=False, index=True),
+    Column("plate", String, nullable=False),
+    Column("plate_key", String, nullable=False, index=True),
     Column("vehicle", String, nullable=False),
     Column("date", String, nullable=False, index=True),
     Column("axle", String, nullable=False),
     Column("tester", String, nullable=False),
     Column("accepted", String, nullable=False),
+    Column("tester_digest", ForeignKey("descriptions.digest")),
+    Column("vehicle_digest", ForeignKey("descriptions.digest")),
+    Column("methods", String, nullable=False),
+)
+CONTENTS = Table(  # apart from the records, so that searching and checking need not read them
+    "contents",
+    _TABLES,
+    Column("record", ForeignKey("records.number"), primary_key=True),
+    Column("content", LargeBinary, nullable=False),
+    Column("sidecar", LargeBinary),
+    Column("signals", LargeBinary),
 )
 RESULTS = Table(
     "results",
@@ -46,7 +76,18 @@ RESULTS = Table(
     Column("result", Text, nullable=False),
     Index("results_of_record", "record", "number"),
 )
+WATCHED = Table(  # files of watched folders that were looked at
+    "watched",
+    _TABLES,
+    Column("path", String, primary_key=True),
+    Column("size", BigInteger, nullable=False),
+    Column("modified", BigInteger, nullable=False),
+    Column("message", Text, nullable=False),
+)
 ABOUT = Table("about", _TABLES, Column("name", String, primary_key=True), Column("value", String, nullable=False))
+NAMES = frozenset(_TABLES.tables)
+SMALL = tuple(sorted(NAMES - {CONTENTS.name}))
+"""Tables that are checked whenever a store is opened."""
 
 
 def create_tables(connection: Connection) -> None:

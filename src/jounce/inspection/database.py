@@ -1,0 +1,229 @@
+"""The database under a record store: made whole or not at all, looked at before anything is written into it."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError
+
+if TYPE_CHECKING:
+    from sqlalchemy.engine import Connection, Engine
+
+READS = "jounce_reads"
+"""Option of a connection that will not write: it waits for nobody."""
+_WAIT = 30.0  # s that a writer waits for another one
+_WHOLE = "ok"
+_MAGIC = b"SQLite format 3\0"
+_PLAIN_SQLITE = "sqlite:///"
+_LEFT_ALONE = "It was left as it is; use a copy of the store. What can still be read: jounce inspect export --damaged."
+
+
+class DamagedStoreError(RecordingError):
+    """A file that was a record store, or no store at all; it is never written to."""
+
+
+def file_of(location: str) -> Path | None:
+    """Give the file of a location; None for another database than a SQLite file."""
+    if location.startswith(_PLAIN_SQLITE):
+        return Path(location.removeprefix(_PLAIN_SQLITE))
+    return None if "://" in location else Path(location)
+
+
+def open_database(location: str, *, read_only: bool, damaged: bool = False) -> Engine:
+    """Open a database, which is made where there is none; a damaged one is refused before it is written to.
+
+    Parameters
+    ----------
+    location : str
+        File, or URL of SQLAlchemy.
+    read_only : bool
+        Never write.
+    damaged : bool
+        Open it for reading although it is damaged.
+    """
+    file = file_of(location)
+    if file is None:
+        return _open_other(location, read_only=read_only)
+    if not file.parent.is_dir():
+        raise OutputError("the folder of the store does not exist", where=str(file.parent), hint="Create it first.")
+    if not file.exists():
+        if read_only:
+            raise RecordingError("no such store", where=location, hint="Check the path and the name.")
+        _make(file)
+    if not file.is_file():
+        raise RecordingError("not a file", where=location, allowed="a record store")
+    if damaged:
+        return _sqlite(file, read_only=True)
+    _check_file(file)
+    looking = _sqlite(file, read_only=True)
+    try:
+        with complaints(location), looking.begin() as connection:
+            _check_tables(connection, location)
+    except JounceError:
+        looking.dispose()
+        raise
+    if read_only:
+        return looking
+    looking.dispose()
+    return _sqlite(file, read_only=False)
+
+
+def problems_of(connection: Connection) -> list[str]:
+    """Check everything in a SQLite file, page by page; other databases check themselves."""
+    if connection.dialect.name != "sqlite":
+        return []
+    found = [str(row) for row in connection.exec_driver_sql("PRAGMA integrity_check(20)").scalars()]
+    found += [f"{row[0]}: a row points to nothing" for row in connection.exec_driver_sql("PRAGMA foreign_key_check")]
+    return [text for text in found if text != _WHOLE]
+
+
+@contextmanager
+def complaints(location: str) -> Iterator[None]:
+    """Turn what the database complains of into one message."""
+    from sqlalchemy.exc import DBAPIError, IntegrityError
+
+    try:
+        yield
+    except (JounceError, IntegrityError):
+        raise
+    except DBAPIError as error:
+        reason = str(error.orig).strip()
+        if any(word in reason for word in ("malformed", "not a database", "corrupt")):
+            raise DamagedStoreError(f"the store is damaged: {reason}", where=location, hint=_LEFT_ALONE) from None
+        hint = "Another process writes; try again." if "locked" in reason else "Check the rights and the space."
+        raise OutputError(f"the store cannot be used: {reason}", where=location, hint=hint) from None
+
+
+def _open_other(location: str, *, read_only: bool) -> Engine:
+    """Another database, or a SQLite database named by its driver."""
+    from sqlalchemy import create_engine
+    from sqlalchemy.exc import ArgumentError, NoSuchModuleError
+
+    from jounce.inspection.tables import create_tables
+
+    try:
+        engine = create_engine(location)
+    except (ArgumentError, NoSuchModuleError, ValueError) as error:
+        allowed = "a file, or e.g. postgresql+psycopg://user@host/lane"
+        raise DescriptionError(f"no database: {error}", where="store", found=location, allowed=allowed) from None
+    except ModuleNotFoundError as error:
+        hint = f"Install it with: pip install {error.name}"
+        raise RecordingError("the driver of this database is not installed", where=location, hint=hint) from None
+    with complaints(engine.url.render_as_string(hide_password=True)), engine.begin() as connection:
+        if not read_only:
+            create_tables(connection)
+        _check_tables(connection, location)
+    return engine
+
+
+def _sqlite(file: Path, *, read_only: bool) -> Engine:
+    """Engine of a file; what is written is on the disk before a transaction counts."""
+    from urllib.parse import quote
+
+    from sqlalchemy import create_engine, event
+
+    mode = "ro" if read_only else "rw"
+    if read_only and not os.access(file.parent, os.W_OK) and not _log_of(file).exists():
+        mode += "&immutable=1"  # no place for the lock file, and nobody can write
+    address = f"sqlite:///file:{quote(str(file.resolve()))}?mode={mode}&uri=true"
+    engine = create_engine(address, connect_args={"timeout": _WAIT})
+
+    @event.listens_for(engine, "connect")
+    def prepare(connection: Any, _: Any) -> None:
+        connection.isolation_level = None  # transactions are begun below, for writing at once
+        connection.execute("PRAGMA synchronous=FULL")
+        connection.execute("PRAGMA foreign_keys=ON")
+
+    @event.listens_for(engine, "begin")
+    def begin(connection: Connection) -> None:
+        reads = read_only or connection.get_execution_options().get(READS, False)
+        connection.exec_driver_sql("BEGIN" if reads else "BEGIN IMMEDIATE")
+
+    return engine
+
+
+def _make(file: Path) -> None:
+    """Make an empty store beside its place and give it its name at the end: nobody ever sees half of it."""
+    from jounce.inspection.tables import create_tables
+
+    handle, name = tempfile.mkstemp(dir=file.parent, prefix=f".{file.name}.", suffix=".new")
+    os.close(handle)
+    temporary = Path(name)
+    try:
+        engine = _sqlite(temporary, read_only=False)
+        with engine.connect() as connection:
+            raw = connection.connection.driver_connection
+            assert raw is not None
+            raw.execute("PRAGMA journal_mode=WAL")
+        with engine.begin() as connection:
+            create_tables(connection)
+        engine.dispose()
+        temporary.chmod(0o644)  # mkstemp made it private
+        with contextlib.suppress(FileExistsError):  # another process was faster; its store is as good
+            file.hardlink_to(temporary)
+    finally:
+        temporary.unlink(missing_ok=True)
+    _write_through(file.parent)
+
+
+def _write_through(folder: Path) -> None:
+    """Put the names in a folder on the disk, where the system can."""
+    with contextlib.suppress(OSError):
+        handle = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)
+
+
+def _log_of(file: Path) -> Path:
+    return file.with_name(f"{file.name}-wal")
+
+
+def _check_file(file: Path) -> None:
+    """Refuse what is no SQLite file, or less than its first page says."""
+    for attempt in range(3):
+        has_log = _log_of(file).exists()
+        with file.open("rb") as stream:
+            head = stream.read(100)
+        size = file.stat().st_size
+        if size == 0:
+            raise DamagedStoreError("the store is damaged: the file is empty", where=str(file), hint=_LEFT_ALONE)
+        if not head.startswith(_MAGIC):
+            raise DamagedStoreError("no record store, or its start is damaged", where=str(file), hint=_LEFT_ALONE)
+        page = int.from_bytes(head[16:18], "big")
+        stated = int.from_bytes(head[28:32], "big") * (65536 if page == 1 else page)
+        if has_log or size >= stated:
+            return
+        time.sleep(0.05 * (attempt + 1))  # another process may be putting its last pages in place
+    what = f"the store is damaged: {size} of {stated} bytes are there"
+    raise DamagedStoreError(what, where=str(file), hint=_LEFT_ALONE)
+
+
+def _check_tables(connection: Connection, location: str) -> None:
+    """Refuse a database that is damaged or holds something else; contents are checked when they are read."""
+    from sqlalchemy import inspect, text
+
+    from jounce.inspection.tables import NAMES, SCHEMA_VERSION, SMALL
+
+    is_file = connection.dialect.name == "sqlite"
+    names = set(inspect(connection).get_table_names())
+    if not names >= NAMES or (is_file and names - NAMES):
+        found = ", ".join(sorted(names)[:8]) or "no table"
+        raise RecordingError("a database of another kind", where=location, found=found, allowed="a record store")
+    for name in SMALL if is_file else ():
+        found = str(connection.exec_driver_sql(f"PRAGMA quick_check('{name}')").scalar())
+        if found != _WHOLE:
+            raise DamagedStoreError(f"the store is damaged: {found.strip()}", where=location, hint=_LEFT_ALONE)
+    version = connection.execute(text("SELECT value FROM about WHERE name = 'schema'")).scalar()
+    if version != SCHEMA_VERSION:
+        raise RecordingError(
+            "a record store of another version", where=location, found=str(version), allowed=SCHEMA_VERSION
+        )

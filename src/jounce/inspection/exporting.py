@@ -1,0 +1,120 @@
+"""Results of the store as one table, a row for each wheel: CSV and Parquet."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from jounce.core.errors import OutputError
+from jounce.core.optional import require
+from jounce.core.serialise import check_writable, replacing, write_atomically
+
+if TYPE_CHECKING:
+    from jounce.inspection.store import StoredRecord
+
+Row = dict[str, Any]
+SUFFIXES = (".csv", ".parquet")
+VALUES = {
+    "static_load": "N", "adhesion": "1", "adhesion_frequency_hz": "Hz", "phase_angle_min_deg": "deg",
+    "phase_frequency_hz": "Hz", "relative_force_amplitude": "1", "tyre_rigidity": "N/m", "theta_rig": "1",
+    "theta_road": "1", "resonance_frequency_hz": "Hz", "boge_amplitude": "m",
+}  # fmt: skip
+"""Values of a wheel that are exported, with their unit; ``<name>_half_width`` is half their 95 % interval."""
+_METHODS = ("eusama", "egea", "theta", "boge")
+_OF_RECORD = ("number", "name", "plate", "vehicle", "date", "axle", "tester", "accepted")
+TEXTS = (
+    *_OF_RECORD[1:], "wheel", *(f"grade_{method}" for method in _METHODS), "verdict", "reasons", "axle_verdict",
+    "limits", "software",
+)  # fmt: skip
+COLUMNS = (
+    *_OF_RECORD, "wheel", *(column for name in VALUES for column in (name, f"{name}_half_width")), "lift_off",
+    *(f"grade_{method}" for method in _METHODS), "verdict", "reasons", "axle_verdict", "limits", "software",
+)  # fmt: skip
+
+
+def rows_of(records: Iterable[StoredRecord]) -> list[Row]:
+    """Give one row for each wheel of each record by its newest grading; one without a wheel where none is known."""
+    rows = []
+    for record in records:
+        about: Row = {name: getattr(record, name) for name in _OF_RECORD}
+        result: Mapping[str, Any] = {} if record.grading is None else record.grading.result
+        if record.grading is not None:
+            grading = record.grading
+            about |= {"axle_verdict": grading.verdict, "limits": grading.limits, "software": grading.software}
+        wheels = result.get("wheels") or [{"verdict": "not graded", "reasons": result.get("reasons", [])}]
+        rows += [{**about, **_of_wheel(wheel)} for wheel in wheels]
+    return rows
+
+
+def _of_wheel(wheel: Mapping[str, Any]) -> Row:
+    uncertainty, grade = wheel.get("uncertainty", {}), wheel.get("grade", {})
+    row: Row = {"wheel": wheel.get("wheel"), "lift_off": wheel.get("lift_off"), "verdict": wheel["verdict"]}
+    for name in VALUES:
+        row |= {name: wheel.get(name), f"{name}_half_width": uncertainty.get(name)}
+    row |= {f"grade_{method}": grade.get(method) for method in _METHODS}
+    return {**row, "reasons": " ".join(wheel["reasons"])}
+
+
+def check_export(path: Path | str, *, force: bool = False) -> Path:
+    """Refuse an export that could not be written, before any work is done."""
+    file = check_writable(path, force=force)
+    if file.suffix.lower() not in SUFFIXES:
+        raise OutputError("no table is written in this format", where=str(file), allowed=", ".join(SUFFIXES))
+    if file.suffix.lower() == ".parquet":
+        require("pyarrow", "lane")
+    return file
+
+
+def export(rows: Sequence[Row], path: Path | str, *, force: bool = False) -> Path:
+    r"""Write rows as a table; the file is there whole or not at all.
+
+    Parameters
+    ----------
+    rows : sequence of dict
+        As ``rows_of`` gives them; SI.
+    path : Path or str
+        ``.csv`` (comma, UTF-8, empty for what is not known) or ``.parquet`` (typed columns; needs the extra ``lane``).
+    force : bool
+        Overwrite what exists.
+
+    Raises
+    ------
+    OutputError
+        When the file exists, or its format is not known.
+    MissingPackageError
+        For Parquet without pyarrow.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> file = export([{"number": 1, "wheel": "left", "adhesion": 0.5}], tempfile.mkdtemp() + "/lane.csv")
+    >>> file.read_text().splitlines()[1].split(",")[:11]
+    ['1', '', '', '', '', '', '', '', 'left', '', '']
+    """
+    file = check_export(path, force=force)
+    if file.suffix.lower() == ".csv":
+        return write_atomically(file, _csv_text(rows), force=force)
+    with replacing(file) as temporary:
+        _write_parquet(rows, temporary)
+    return file
+
+
+def _csv_text(rows: Sequence[Row]) -> str:
+    text = io.StringIO()
+    writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    return text.getvalue()
+
+
+def _write_parquet(rows: Sequence[Row], file: Path) -> None:
+    arrow, parquet = require("pyarrow", "lane"), require("pyarrow.parquet", "lane")
+    kinds = dict.fromkeys(COLUMNS, arrow.float64()) | dict.fromkeys(TEXTS, arrow.string())
+    kinds |= {"number": arrow.int64(), "lift_off": arrow.bool_()}
+    units = VALUES | {f"{name}_half_width": unit for name, unit in VALUES.items()}
+    about = {name: {"unit": unit} for name, unit in units.items()}
+    schema = arrow.schema([arrow.field(name, kinds[name], metadata=about.get(name)) for name in COLUMNS])
+    parquet.write_table(arrow.Table.from_pylist([{**dict.fromkeys(COLUMNS), **row} for row in rows], schema), file)

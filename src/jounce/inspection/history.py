@@ -1,0 +1,135 @@
+"""One vehicle over the years: what each wheel measured at every inspection, and how it changes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from datetime import date
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from jounce.inspection.store import Store, StoredRecord
+
+QUANTITIES = ("adhesion", "phase_angle_min_deg", "theta_road")
+_DAYS_OF_A_YEAR = 365.25
+
+
+@dataclass(frozen=True)
+class WheelVisit:
+    """One wheel at one inspection.
+
+    Attributes
+    ----------
+    record : int
+        Number of the record in the store.
+    date, plate, axle, wheel : str
+        When, of which vehicle, and where.
+    values : mapping of str to float or None
+        ``adhesion`` (fraction), ``phase_angle_min_deg`` (degrees), ``theta_road`` (dimensionless).
+    verdict, limits : str
+        Of the wheel, by the newest grading.
+    """
+
+    record: int
+    date: str
+    plate: str
+    axle: str
+    wheel: str
+    values: Mapping[str, float | None]
+    verdict: str
+    limits: str
+
+
+@dataclass(frozen=True)
+class Trend:
+    """How one value of one wheel changes.
+
+    Attributes
+    ----------
+    axle, wheel, quantity : str
+        Which.
+    change_per_year : float
+        Slope of the straight line through all visits (least squares), unit of the quantity per year.
+    visits : int
+        With this value and a date.
+    """
+
+    axle: str
+    wheel: str
+    quantity: str
+    change_per_year: float
+    visits: int
+
+
+def history_of(store: Store, plate: str) -> list[WheelVisit]:
+    """Give what every wheel of a vehicle measured, by date.
+
+    Parameters
+    ----------
+    store : Store
+        Open for reading.
+    plate : str
+        Number plate; capitals, spaces and hyphens do not count.
+
+    Returns
+    -------
+    list of WheelVisit
+        Empty for a plate that was never here. Records that could not be read have no wheels and are left out.
+    """
+    return [visit for record in store.records(plate=plate) for visit in visits_of(record)]
+
+
+def visits_of(record: StoredRecord) -> list[WheelVisit]:
+    """Give the wheels of one record by its newest grading; none where it could not be read."""
+    if record.grading is None:
+        return []
+    wheels: list[dict[str, Any]] = record.grading.result.get("wheels", [])
+    return [
+        WheelVisit(
+            record.number,
+            record.date,
+            record.plate,
+            record.axle,
+            wheel["wheel"],
+            {name: wheel.get(name) for name in QUANTITIES},
+            wheel["verdict"],
+            record.grading.limits,
+        )
+        for wheel in wheels
+    ]
+
+
+def trends_of(visits: Iterable[WheelVisit]) -> list[Trend]:
+    """Give the trend of every value of every wheel that was here on at least two days.
+
+    Examples
+    --------
+    >>> days = (("2024-11-21", 0.6), ("2025-11-21", 0.5), ("2026-11-21", 0.4))
+    >>> visits = [WheelVisit(1, day, "B-AB 123", "rear", "left", {"adhesion": a}, "pass", "") for day, a in days]
+    >>> [(trend.quantity, round(trend.change_per_year, 3), trend.visits) for trend in trends_of(visits)]
+    [('adhesion', -0.1, 3)]
+    """
+    series: dict[tuple[str, str, str], list[tuple[int, float]]] = {}
+    for visit in visits:
+        day = day_number(visit.date)
+        for name, value in visit.values.items():
+            if value is not None and day is not None:
+                series.setdefault((visit.axle, visit.wheel, name), []).append((day, value))
+    found = []
+    for (axle, wheel, name), points in series.items():
+        days, values = np.array(points, dtype=float).T
+        years = (days - days.mean()) / _DAYS_OF_A_YEAR
+        if np.any(years != 0.0):
+            slope = float(years @ values / (years @ years))
+            found.append(Trend(axle, wheel, name, slope, len(points)))
+    return found
+
+
+def day_number(text: str) -> int | None:
+    """Give the number of a day that is written as ISO 8601 says; None for other text."""
+    try:
+        return date.fromisoformat(text).toordinal()
+    except ValueError:
+        return None

@@ -1,0 +1,243 @@
+"""All stored records evaluated and graded again, by several processes at once."""
+
+from __future__ import annotations
+
+import os
+import signal
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+from jounce.core.errors import JounceError, RecordingError
+from jounce.inspection.store import Grading, Store
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from jounce.core.findings import Finding
+    from jounce.inspection.limits import Limits
+    from jounce.inspection.store import RecordEntry
+    from jounce.parts.testers import Tester
+
+_BATCH = 20
+_THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
+
+
+@dataclass(frozen=True)
+class Reevaluation:
+    """What came of evaluating all records again.
+
+    Attributes
+    ----------
+    records : int
+        How many there are.
+    added : int
+        New gradings.
+    unchanged : int
+        Records whose newest grading says the same already, by the same limits and software.
+    changes : dict of tuple of str to int
+        How many verdicts went from one word to another.
+    changed : tuple of int
+        Numbers of these records.
+    failed : dict of int to str
+        Records that could not be read again, and why; their gradings stay.
+    """
+
+    records: int
+    added: int = 0
+    unchanged: int = 0
+    changes: Mapping[tuple[str, str], int] = field(default_factory=dict)
+    changed: tuple[int, ...] = ()
+    failed: Mapping[int, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class _Found:
+    number: int
+    before: str = ""
+    grading: Grading | None = None
+    problem: str = ""
+
+
+def reevaluate(
+    store: Store,
+    limits: Limits | None = None,
+    *,
+    tester: Tester | None = None,
+    workers: int = 2,
+    from_files: bool = False,
+    say: Callable[[int, int], None] | None = None,
+) -> Reevaluation:
+    """Evaluate and grade all stored records again; the gradings are added to those they have.
+
+    Parameters
+    ----------
+    store : Store
+        Open for writing.
+    limits : Limits, optional
+        Those that come with jounce by default.
+    tester : Tester, optional
+        For records of which no tester is known; the others keep theirs.
+    workers : int
+        Processes; 1 works in this one.
+    from_files : bool
+        Read the files as they came in once more, in place of the signals that were read from them.
+    say : callable, optional
+        Told how many are done, and of how many.
+
+    Returns
+    -------
+    Reevaluation
+        Gradings are put in by batches: what is done stays done when the work is stopped.
+
+    Raises
+    ------
+    JounceError
+        When the store cannot be written to, or a process was ended from outside.
+    """
+    from jounce.inspection.limits import load_limits
+
+    numbers = store.numbers()
+    task = _Task(store.location, limits if limits is not None else load_limits(), tester, from_files)
+    batches = [numbers[start : start + _BATCH] for start in range(0, len(numbers), _BATCH)]
+    added, done, changed = 0, 0, []
+    changes: Counter[tuple[str, str]] = Counter()
+    failed: dict[int, str] = {}
+    with _results(task, batches, min(workers, len(batches))) as results:
+        for batch in results:
+            new = [(one.number, one.grading) for one in batch if one.grading is not None]
+            store.add_gradings(new)
+            added, done = added + len(new), done + len(batch)
+            failed |= {one.number: one.problem for one in batch if one.problem}
+            for one in batch:
+                if one.grading is not None and one.grading.verdict != one.before:
+                    changes[one.before, one.grading.verdict] += 1
+                    changed.append(one.number)
+            if say is not None:
+                say(done, len(numbers))
+    same = len(numbers) - added - len(failed)
+    return Reevaluation(len(numbers), added, same, dict(changes), tuple(changed), failed)
+
+
+@dataclass(frozen=True)
+class _Task:
+    location: str
+    limits: Limits
+    tester: Tester | None
+    from_files: bool
+
+
+@contextmanager
+def _results(task: _Task, batches: list[list[int]], workers: int) -> Iterator[Iterable[list[_Found]]]:
+    """Give what comes of the batches, in their order, as it comes."""
+    if workers <= 1:
+        store = Store(task.location, read_only=True)
+        yield (_work_on(store, task, batch) for batch in batches)
+        store.close()
+        return
+    import multiprocessing
+
+    context = multiprocessing.get_context("spawn")
+    with _one_thread_each():
+        pool = ProcessPoolExecutor(workers, mp_context=context, initializer=_begin, initargs=(task,))
+        try:
+            yield pool.map(_work, batches)
+        except BrokenProcessPool:
+            raise JounceError(
+                "a process was ended from outside", hint="What was done is stored; start again."
+            ) from None
+        finally:
+            pool.shutdown(cancel_futures=True)
+
+
+@contextmanager
+def _one_thread_each() -> Iterator[None]:
+    """Keep the processes that are started within from using several cores each."""
+    before = {name: os.environ.get(name) for name in _THREADS}
+    os.environ.update(dict.fromkeys(_THREADS, "1"))
+    try:
+        yield
+    finally:
+        for name, value in before.items():
+            if value is None:
+                del os.environ[name]
+            else:
+                os.environ[name] = value
+
+
+_open: dict[str, Any] = {}
+
+
+def _begin(task: _Task) -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the first process tells when to stop
+    _open.update(task=task, store=Store(task.location, read_only=True))
+
+
+def _work(batch: list[int]) -> list[_Found]:
+    return _work_on(_open["store"], _open["task"], batch)
+
+
+def _work_on(store: Store, task: _Task, batch: list[int]) -> list[_Found]:
+    return [_again(store, task, number) for number in batch]
+
+
+def _again(store: Store, task: _Task, number: int) -> _Found:
+    """Evaluate one record again; whatever it meets, the others go on."""
+    from jounce.inspection.lane import grading_of, inspect_record, refusal_of, stored_tester
+
+    try:
+        newest = store.newest_grading(number)
+        entry = store.entry(number)
+    except RecordingError as error:
+        return _Found(number, problem=str(error))
+    before = "" if newest is None else newest.verdict
+    try:
+        tester = task.tester if entry.tester_table is None and task.tester is not None else stored_tester(entry)
+        read = _signals(store, number, entry, tester, from_files=task.from_files)
+        found = inspect_record(entry.name, tester, _vehicle(entry), entry.methods or None, task.limits, read=read)
+        grading = grading_of(found.graded)
+    except _Lost as error:
+        return _Found(number, before, problem=str(error))
+    except Exception as error:  # noqa: BLE001 - one record must not stop ten thousand
+        problem = error if isinstance(error, JounceError) else RuntimeError(f"the evaluation failed: {error!r}")
+        grading = refusal_of(problem, task.limits)
+    return _Found(number, before, None if newest is not None and _is_same(newest, grading) else grading)
+
+
+class _Lost(Exception):
+    """The bytes of a record are not those that came in."""
+
+
+def _signals(
+    store: Store, number: int, entry: RecordEntry, tester: Tester, *, from_files: bool
+) -> tuple[xr.Dataset, list[Finding]]:
+    from jounce.inspection.lane import read_entry
+    from jounce.inspection.stored_signals import unpack
+
+    try:
+        packed = None if from_files else store.signals(number)
+        if packed is not None:
+            return unpack(packed)
+    except RecordingError:
+        pass  # the file is the record; its signals are only faster
+    try:
+        content, sidecar = store.content(number)
+    except RecordingError as error:
+        raise _Lost(str(error)) from None
+    return read_entry(replace(entry, content=content, sidecar=sidecar), tester)
+
+
+def _vehicle(entry: RecordEntry) -> Any:
+    from jounce.parts.loading import rig_from_table
+
+    return None if entry.vehicle_table is None else rig_from_table(dict(entry.vehicle_table), where=entry.vehicle)
+
+
+def _is_same(first: Grading, second: Grading) -> bool:
+    from jounce.core.serialise import to_plain
+
+    return first == replace(second, result=to_plain(second.result))

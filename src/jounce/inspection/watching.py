@@ -1,0 +1,179 @@
+"""A folder of a test lane, watched: every record that is written there goes into the store; the files stay."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from jounce.core.errors import JounceError
+from jounce.inspection.database import DamagedStoreError
+from jounce.inspection.lane import ImportedRecord, import_record
+
+if TYPE_CHECKING:
+    from jounce.inspection.limits import Limits
+    from jounce.inspection.store import Store
+    from jounce.parts.testers import Tester
+
+_Stamp = tuple[int, int]
+
+
+def record_suffixes() -> tuple[str, ...]:
+    """Suffixes of files that may be records."""
+    from jounce.recordings.readers import READERS
+
+    return tuple(suffix for reader in READERS for suffix in reader.suffixes)
+
+
+@dataclass(frozen=True)
+class Seen:
+    """What became of a file of the folder.
+
+    Attributes
+    ----------
+    file : Path
+        Where it is, and stays.
+    imported : ImportedRecord or None
+        What is in the store; None where the file could not be read.
+    problem : str
+        Why it could not be read, or not be graded; empty where all is well.
+    """
+
+    file: Path
+    imported: ImportedRecord | None
+    problem: str = ""
+
+
+class FolderWatch:
+    """Looks into a folder again and again, and puts finished records into a store.
+
+    A file counts as finished when its size and time, and those of the TOML file beside it, stay the same for
+    ``settle``. What was looked at is remembered in the store: a file that cannot be read is reported once, and again
+    only after it has changed. Names that begin with a dot or a tilde, and folders in the folder, are passed over.
+
+    Parameters
+    ----------
+    folder : Path or str
+        To watch.
+    store : Store
+        Open for writing.
+    tester : Tester, optional
+        On which the records were made; by default the shipped one that their headers name.
+    limits : Limits, optional
+        Those that come with jounce by default.
+    settle : float
+        s for which a file must stay the same.
+    clock : callable
+        Gives the time, s.
+
+    Raises
+    ------
+    JounceError
+        When there is no such folder.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from jounce.inspection.store import Store
+    >>> folder = Path(tempfile.mkdtemp())
+    >>> _ = (folder / "torn.csv").write_text("time [s], left.pl")
+    >>> watch = FolderWatch(folder, Store(folder / "lane.sqlite"), settle=0.0)
+    >>> [seen.imported.verdict for seen in watch.look()], watch.look()
+    (['not graded'], [])
+    """
+
+    def __init__(
+        self,
+        folder: Path | str,
+        store: Store,
+        tester: Tester | None = None,
+        limits: Limits | None = None,
+        *,
+        settle: float = 2.0,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self.folder, self.store, self.tester, self.limits = Path(folder), store, tester, limits
+        if not self.folder.is_dir():
+            raise JounceError("no such folder", where=str(folder), hint="Check the path and the name.")
+        self._settle, self._clock = settle, clock
+        self._suffixes = record_suffixes()
+        self._done: dict[str, _Stamp] = store.watched()
+        self._waiting: dict[str, tuple[_Stamp, float]] = {}
+        self._complaint = ""
+
+    @property
+    def is_waiting(self) -> bool:
+        """Tell whether files are there that may still be written."""
+        return bool(self._waiting)
+
+    def look(self) -> list[Seen]:
+        """Look once; give what became of the files that are finished now."""
+        return list(self.each())
+
+    def each(self) -> Iterator[Seen]:
+        """Look once; give each file as soon as it is in the store, or found to be no record."""
+        now = self._clock()
+        try:
+            files = sorted(file for file in self.folder.iterdir() if self._may_be_record(file))
+            self._complaint = ""
+        except OSError as error:  # a share that went away may come back
+            if not self._complaint:
+                self._complaint = f"the folder cannot be read: {error.strerror}"
+                yield Seen(self.folder, None, self._complaint)
+            return
+        there = {str(file.resolve()) for file in files}
+        self._waiting = {path: waiting for path, waiting in self._waiting.items() if path in there}
+        for file in files:
+            stamp = _stamp_of(file)
+            path = str(file.resolve())
+            if stamp is None or self._done.get(path) == stamp:
+                self._waiting.pop(path, None)
+                continue
+            before, since = self._waiting.get(path, (None, now))
+            if before != stamp:
+                since = now
+                self._waiting[path] = (stamp, now)
+            if now - since >= self._settle:
+                seen = self._take(file, path, stamp)
+                if seen is not None:
+                    yield seen
+
+    def _may_be_record(self, file: Path) -> bool:
+        return file.suffix.lower() in self._suffixes and file.name[0] not in ".~" and not file.is_dir()
+
+    def _take(self, file: Path, path: str, stamp: _Stamp) -> Seen | None:
+        """Import one file; None where the store cannot be written to now, so that it comes again."""
+        try:
+            imported = import_record(file, self.store, self.tester, limits=self.limits)
+            seen = Seen(file, imported, imported.problem)
+        except DamagedStoreError:
+            raise
+        except OSError as error:
+            seen = Seen(file, None, f"cannot be read: {error.strerror or error}")
+        except JounceError as error:
+            if error.where == self.store.location:
+                if self._complaint != str(error):
+                    self._complaint = str(error)
+                    return Seen(file, None, f"{error} It is tried again.")
+                return None
+            seen = Seen(file, None, str(error))
+        if _stamp_of(file) == stamp:  # otherwise it went on growing and is looked at again
+            self.store.note_watched(path, *stamp, seen.problem)
+            self._done[path] = stamp
+        self._waiting.pop(path, None)
+        return seen
+
+
+def _stamp_of(file: Path) -> _Stamp | None:
+    """Size and time of a file and the one beside it, each as one number; None when it is gone."""
+    try:
+        size, modified = file.stat().st_size, file.stat().st_mtime_ns
+    except OSError:
+        return None
+    try:
+        beside = file.with_suffix(".toml").stat()
+    except OSError:
+        return size, modified
+    return size + beside.st_size, max(modified, beside.st_mtime_ns)
