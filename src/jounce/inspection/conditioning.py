@@ -172,17 +172,25 @@ def _channel(record: xr.Dataset, name: str) -> Array | None:
     return np.asarray(record[name].values, dtype=float) if name in record.data_vars else None
 
 
-def moving_part(values: Array, sample_rate: float, least: float) -> tuple[int, int] | None:
+def moving_part(values: Array, sample_rate: float, least: float, other: Array | None = None) -> tuple[int, int] | None:
     """First and last sample between which a plate moves, by blocks of 0.1 s; None where it stands still.
 
-    A block counts when the stroke (m) in it is above ``least`` m; the shape of the signal is (n,), its rate in Hz.
+    A block counts when the stroke (m) in it is above ``least`` m, and above half of that of the ``other`` plate (m): a
+    sprung plate is shaken a little through the car. The shape of the signals is (n,), their rate in Hz.
     """
     size = max(round(_BLOCK_TIME * sample_rate), 2)
-    blocks = values[: values.size // size * size].reshape(-1, size)
-    moving = np.flatnonzero(np.ptp(blocks, axis=1) > least)
-    if moving.size == 0:
+    stroke = _strokes(values, size)
+    moving = stroke > least
+    if other is not None:
+        moving &= stroke > 0.5 * _strokes(other, size)
+    found = np.flatnonzero(moving)
+    if found.size == 0:
         return None
-    return int(moving[0] * size), int(min((moving[-1] + 1) * size, values.size))
+    return int(found[0] * size), int(min((found[-1] + 1) * size, values.size))
+
+
+def _strokes(values: Array, size: int) -> Array:
+    return np.asarray(np.ptp(values[: values.size // size * size].reshape(-1, size), axis=1))
 
 
 def standstill_force(signals: WheelSignals, moving: tuple[int, int], other: tuple[int, int] | None) -> float | None:

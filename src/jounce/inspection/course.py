@@ -74,7 +74,7 @@ def find_course(signals: WheelSignals, tester: Tester | None, *, rigid: bool) ->
     findings : list of Finding
         Why not, and what is wrong with it.
     """
-    turns = turns_of(signals, 1.0 if rigid else _QUIET_SHARE)
+    turns = turns_of(signals, None if rigid else tester)
     place = f"{signals.wheel}.plate.z" if signals.height is not None else f"{signals.wheel}.plate.frequency"
     if turns is None:
         return None, [problem(place, f"the plate makes fewer than {FEWEST_TURNS} turns: no run-down.")]
@@ -113,14 +113,17 @@ def _any_course(turns: Turns) -> Course:
     return Course(turns, int(at_top[-1]), frequency.size - 1, slice(int(at_top[0]), int(at_top[-1]) + 1), rate)
 
 
-def turns_of(signals: WheelSignals, quiet: float = 1.0) -> Turns | None:
+def turns_of(signals: WheelSignals, tester: Tester | None = None) -> Turns | None:
     """Turns from the plate's height; without it, from the tacho (then with an unknown beginning of the turn).
 
-    ``quiet`` is the smallest amplitude of a turn over the greatest one (1).
+    On the sprung plate of a ``tester`` the turns may be as small as an eighth of the excenter's or of the greatest.
     """
     if signals.height is not None:
         middle = 0.5 * float(signals.height.max() + signals.height.min())
-        return find_turns(signals.time, signals.height, middle, 0.5 * quiet * float(np.ptp(signals.height)))
+        amplitude = 0.5 * float(np.ptp(signals.height))
+        if tester is not None:
+            amplitude = _QUIET_SHARE * min(amplitude, 0.5 * tester.stroke)
+        return find_turns(signals.time, signals.height, middle, amplitude)
     if signals.tacho is None:
         return None
     steps = 0.5 * (signals.tacho[1:] + signals.tacho[:-1]) * np.diff(signals.time)

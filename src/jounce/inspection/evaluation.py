@@ -155,7 +155,9 @@ def _evaluate_wheels(
 ) -> list[WheelResult]:
     signals = {side: signals_of(record, side, task.tester) for side in sides}
     least = (0.15 if task.rigid else 0.05) * (task.tester.stroke if task.tester is not None else 6e-3)
-    moving = {side: _moving(one, least) for side, one in signals.items()}
+    heights = {side: one.height for side, one in signals.items()}
+    beside = {side: next((heights[name] for name in sides if name != side), None) for side in sides}
+    moving = {side: _moving(one, least, beside[side]) for side, one in signals.items()}
     measured = {}
     for side, one in signals.items():
         span, other = moving[side], next((moving[name] for name in sides if name != side), None)
@@ -171,9 +173,9 @@ def _evaluate_wheels(
     return results
 
 
-def _moving(signals: WheelSignals, least: float) -> tuple[int, int] | None:
+def _moving(signals: WheelSignals, least: float, other: Array | None) -> tuple[int, int] | None:
     if signals.height is not None:
-        return moving_part(signals.height, signals.sample_rate, least)
+        return moving_part(signals.height, signals.sample_rate, least, other)
     if signals.tacho is None:
         return None
     turning = np.flatnonzero(signals.tacho > _SLOWEST)
@@ -259,6 +261,7 @@ def _on_rigid_plate(
         theta = theta_by_fit(analysis.fit, tester)
         values |= {"theta_rig": theta.rig, "theta_road": theta.road, "theta_methods": {"fit": theta.rig}}
         halves |= {"theta_rig": theta.rig_half_width, "theta_road": theta.road_half_width}
+        findings += _overdamped(theta.road, wheel)
     strokes = np.full(analysis.top.size, analysis.amplitude)
     curves = WheelCurves(
         analysis.top, analysis.frequency, analysis.measured[:, 0], analysis.measured[:, 2], angles, strokes
@@ -344,6 +347,7 @@ def _on_sprung_plate(
             theta = theta_by_fit(fit, tester)
             values |= {"theta_rig": theta.rig, "theta_road": theta.road}
             halves |= {"theta_rig": theta.rig_half_width, "theta_road": theta.road_half_width}
+            findings += _overdamped(theta.road, wheel)
         values["theta_methods"] = _theta_methods(signals, course, strokes, fit, values.get("theta_rig"), tester)
         _theta_findings(tester, wheel, findings)
     empty = np.full(course.turns.top.size, np.nan)
@@ -364,6 +368,15 @@ def _theta_methods(
         "amplification": theta_by_amplification(gain, fit.corner, tester) if fit is not None else None,
         "free_decay": decay[0] if decay is not None else None,
     }
+
+
+def _overdamped(road: float, wheel: str) -> list[Finding]:
+    if road < 1.0:
+        return []
+    text = (
+        "the wheel does not oscillate: its damping ratio is 1 or more; is the damper stuck, or the suspension locked?"
+    )
+    return [checks.warning(f"{wheel}.theta", text, road)]
 
 
 def _theta_findings(tester: Tester, wheel: str, findings: list[Finding]) -> None:
