@@ -89,7 +89,7 @@ class Control(NamedTuple):
 class Problem(NamedTuple):
     """What is integrated: native functions, tracks, parameter values, modes (changed in place) and first state.
 
-    ``inputs`` is the number of inputs that the tracks make: two or three for each; ``feedback`` a controller around it.
+    ``inputs`` is the number of inputs that the tracks make: two or three for each.
     """
 
     engine: Engine
@@ -99,7 +99,6 @@ class Problem(NamedTuple):
     m: Array
     x0: Array
     inputs: int
-    feedback: Feedback = NO_FEEDBACK
 
 
 class Work(NamedTuple):
@@ -405,7 +404,7 @@ def _limit(control: Any, counts: Any, t: float, h: float) -> int:
 
 @part(forceinline=True)
 def _renew(
-    problem: Any, work: Any, start: float, t: float, edge: float, instant: float, slack: float
+    problem: Any, feedback: Any, work: Any, start: float, t: float, edge: float, instant: float, slack: float
 ) -> tuple[int, float, float]:
     """Go on to new inputs at an edge, and to new commands at a control instant; give the next of both.
 
@@ -414,41 +413,50 @@ def _renew(
     status, following = _COMPLETED, instant
     if edge <= t + slack:
         edge = advance(problem.tracks, problem.piece, t, slack)
-    if problem.feedback.law == 0:
+    if feedback.law == 0:
         following = np.inf
     elif instant <= t + slack:
-        status = regulate(problem, work.rows, t)
-        following = start + problem.feedback.period * problem.feedback.instants[0]
+        status = regulate(problem, feedback, work.rows, t)
+        following = start + feedback.period * feedback.instants[0]
     _rate(problem, work, t, RATES)
     return int(status), edge, following
 
 
-def integrate(problem: Problem, control: Control, out: Samples, counts: NDArray[np.int64]) -> int:
+def integrate(
+    problem: Problem,
+    control: Control,
+    out: Samples,
+    counts: NDArray[np.int64],
+    feedback: Feedback = NO_FEEDBACK,
+) -> int:
     """Integrate from the first to the last sample; fill the arrays at every sample; give a status code.
 
-    At an input edge the samples are those just after it. ``counts`` gets steps, rejected steps and events.
+    At an input edge the samples are those just after it. ``counts`` gets steps, rejected steps and events. ``feedback``
+    is a controller around the model.
     """
-    return int(_integrate(problem, control, _scratch(problem, control), out, counts))
+    return int(_integrate(problem, feedback, control, _scratch(problem, control), out, counts))
 
 
 @compiled()
-def _integrate(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> int:
-    status = _walk(problem, control, work, out, counts)
+def _integrate(problem: Any, feedback: Any, control: Any, work: Any, out: Any, counts: Any) -> int:
+    status = _walk(problem, feedback, control, work, out, counts)
     finish_samples(problem, work, out)
     return int(status)
 
 
 @part()
-def _walk(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> int:
+def _walk(problem: Any, feedback: Any, control: Any, work: Any, out: Any, counts: Any) -> int:
     times = out.times
     t, end = times[0], times[-1]
     slack = 1e-12 * max(1.0, abs(end))
-    status, edge, instant = _renew(problem, work, t, t, t, t, slack)
-    if status != _COMPLETED:
-        return int(status)
+    edge = instant = t
     h, stalled = min(1e-3, end - t, control.longest), 0
     at_edge = True
     while t < end - slack:
+        if min(edge, instant) <= t + slack:
+            status, edge, instant = _renew(problem, feedback, work, times[0], t, edge, instant, slack)
+            if status != _COMPLETED:
+                return int(status)
         stop = min(edge, instant, end)
         tried = stop - t if stop - t < 1.1 * h else h
         limit = _limit(control, counts, t, tried)
@@ -476,14 +484,13 @@ def _walk(problem: Any, control: Any, work: Any, out: Any, counts: Any) -> int:
             place_samples(problem, work, t, share * tried, now - slack, out)
             t = now
             status, at_edge = _arrive(problem, work, t), min(edge, instant) <= t + slack
-            if at_edge and status == _COMPLETED:
-                status, edge, instant = _renew(problem, work, times[0], t, edge, instant, slack)
             if status != _COMPLETED:
                 return int(status)
         if which >= 0:
             finish_samples(problem, work, out)
             _flip(problem, work, t, which, share < 0.0)
             counts[2] += 1
+    advance(problem.tracks, problem.piece, t, slack)
     _place_last(problem, work, t, out)
     return _COMPLETED
 

@@ -106,9 +106,8 @@ def feedback(
 
 
 @part()
-def regulate(problem: Any, rows: Any, t: float) -> int:
+def regulate(problem: Any, control: Any, rows: Any, t: float) -> int:
     """Measure at ``t``, call the law, set the commands; tell how that ended."""
-    control = problem.feedback
     for d in range(len(control.bound)):
         control.states[d, 0] = rows[STATE, d]
         if abs(rows[STATE, d] - problem.x0[d]) > control.bound[d]:

@@ -91,8 +91,7 @@ class Loop:
         pieces = np.array([compiled.facts.tracks.index(_command(corner)) for corner in self.corners], dtype=np.int64)
         law = _Law(self, compiled, prepared, signals, pieces)
         control = prepared.control._replace(scale=self._scale(compiled, prepared.control.scale))
-        problem = prepared.problem._replace(feedback=law.feedback)
-        return replace(prepared, problem=problem, control=control, begin=law.start)
+        return replace(prepared, control=control, feedback=law.feedback, begin=law.start)
 
     def _scale(self, compiled: Compiled, scale: Array) -> Array:
         """Typical sizes of the states; those of the actuators from their limits."""

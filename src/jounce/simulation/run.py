@@ -14,6 +14,8 @@ from jounce.core.errors import SimulationError
 from jounce.core.segments import SINE, Segments
 from jounce.kernel import implicit, linear
 from jounce.kernel.explicit import Control, Problem, integrate
+from jounce.kernel.feedback import NO_FEEDBACK, Feedback
+from jounce.kernel.propagators import Calls
 from jounce.kernel.sampling import Samples
 from jounce.kernel.status import Status
 from jounce.kernel.tracks import flatten
@@ -24,6 +26,7 @@ from jounce.roads import Trial
 from jounce.simulation.branch import flipped_at, ran_away_at
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.excitation import excitation
+from jounce.simulation.programs import SLOPE_LANES
 from jounce.simulation.statics import Rest, find_rest, state_scale
 from jounce.simulation.stiff import STEP_SHARE as IMPLICIT_SHARE
 from jounce.simulation.stiff import Method, check_method, longest_step, pace_of, pays, slopes_of
@@ -91,19 +94,21 @@ class Prepared:
 
     ``stiff`` says how the implicit method is steered, None where there is only the explicit one; ``method`` is the one
     used first. In place of an explicit run that used up its steps the implicit method has a try. ``rest`` is the
-    equilibrium under the inputs ``still``, if it starts from one; ``begin`` sets back what a controller keeps.
+    equilibrium under the inputs ``still``, if it starts from one; ``feedback`` is a controller, and ``begin`` sets back
+    what it keeps.
     """
 
     compiled: Compiled
     problem: Problem
     control: Control
     out: Samples
-    exact: tuple[linear.Plan, Array] | None
+    exact: linear.Plan | None
     modes: Array
     rest: Rest | None
     still: Array
     stiff: Callable[[], Control] | None = None
     method: Method = "explicit"
+    feedback: Feedback = NO_FEEDBACK
     begin: Callable[[], None] | None = None
 
     def run(self) -> Solution:
@@ -111,7 +116,7 @@ class Prepared:
         counts, method = np.zeros(3, dtype=np.int64), "exact"
         if self.exact is not None:
             self._start()
-            code = linear.propagate(self.problem, *self.exact, self.out)
+            code = linear.propagate(self.problem, self.control, self.exact, self.out, counts)
         else:
             method, code = self._integrate(counts)
         out, free = self.out, len(self.compiled.free)
@@ -140,7 +145,7 @@ class Prepared:
         self._start()
         code = Status.TOO_MANY_STEPS.code
         if self.method != "implicit":
-            code = integrate(self.problem, self.control, self.out, counts)
+            code = integrate(self.problem, self.control, self.out, counts, self.feedback)
         if self.stiff is None or code != Status.TOO_MANY_STEPS.code:
             return "explicit", code
         self._start()
@@ -196,7 +201,7 @@ def prepare(
     values = compiled.extended(p)
     engine = compiled.short_engine if short else compiled.engine
     problem = Problem(engine, pieces, pieces.first[:-1].copy(), values, modes.copy(), start, len(still))
-    exact = _exact(compiled, problem, times) if method == "auto" else None
+    exact = _exact(compiled, problem, control, times) if method == "auto" else None
     prepared = Prepared(compiled, problem, control, room(compiled, times), exact, modes, rest, still)
     if exact is not None or compiled.free or method == "explicit":
         return prepared
@@ -240,17 +245,14 @@ def solve(
     return prepare(compiled, p, signals, times, tolerance=tolerance, offset=offset, method=method).run()
 
 
-def _exact(compiled: Compiled, problem: Problem, times: Array) -> tuple[linear.Plan, Array] | None:
-    """Plan and matrices of exact propagation; None when the model or the road is not for it."""
-    if compiled.free or not compiled.facts.linear:
+def _exact(compiled: Compiled, problem: Problem, control: Control, times: Array) -> linear.Plan | None:
+    """Plan of exact propagation; None when the model or the road is not for it."""
+    zero, names = compiled.facts.linear_without, compiled.facts.parameters
+    if compiled.free or zero is None or any(problem.p[names.index(name)] != 0.0 for name in zero):
         return None
-    plan = linear.plan(problem.tracks, times)
-    if plan is None:
-        return None
-    zero, still = np.zeros(compiled.state_count), np.zeros(2)
-    names = ("rate_x", "rate", "rate_u")
-    slope, offset, by_input = (compiled.evaluate(name, zero, still, problem.p, problem.m) for name in names)
-    return plan, linear.transitions(plan, slope, offset, by_input)
+    address = compiled.native.address
+    calls = Calls(address["rate"], address["switch"], address.get("switch_many", 0), address["slopes"], SLOPE_LANES)
+    return linear.plan(problem, control, calls, compiled.shapes["slopes"][0], times)
 
 
 def simulate(

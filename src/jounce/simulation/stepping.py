@@ -141,5 +141,5 @@ class Stepper:
 
     def _check_motion(self) -> None:
         moved = np.abs(self._problem.x0 - self._prepared.problem.x0)
-        if np.any(moved > self._prepared.problem.feedback.bound):
+        if np.any(moved > self._prepared.feedback.bound):
             self.status = Status.DIVERGED
