@@ -27,3 +27,13 @@ def vehicle_twin():
     sys.modules[spec.name] = module
     spec.loader.exec_module(module)
     return module
+
+
+@pytest.fixture(scope="session")
+def piecewise_twin():
+    path = Path(__file__).parents[1] / "twins" / "piecewise_linear_twin.py"
+    spec = importlib.util.spec_from_file_location("piecewise_linear_twin", path)
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    return module

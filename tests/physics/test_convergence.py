@@ -20,7 +20,7 @@ RIGS = {
 }
 
 
-def states(rig, segments, duration, tolerance):
+def states(rig, segments, duration, tolerance, method="auto"):
     compiled = compile_model(build(rig))
     solution = solve(
         compiled,
@@ -28,6 +28,7 @@ def states(rig, segments, duration, tolerance):
         segments,
         output_times(duration, 1e-3),
         tolerance=tolerance,
+        method=method,
     )
     assert solution.status.name == "COMPLETED"
     return solution
@@ -38,16 +39,16 @@ def test_error_falls_with_the_tolerance(name):
     """Halving step by halving step from 1e-4 to 1e-8 the error falls in proportion, on the whole."""
     rig = KART.with_changes(RIGS[name])
     segments = HalfSine(height=0.01, length=0.06, start=0.1).segments(3.0).in_time(2.86)
-    reference = states(rig, segments, 0.6, 1e-12).states[:2]
+    reference = states(rig, segments, 0.6, 1e-12, "explicit").states[:2]
     tolerances = 1e-4 * 0.5 ** np.arange(14)
-    found = [np.max(np.abs(states(rig, segments, 0.6, t).states[:2] - reference)) for t in tolerances]
+    found = [np.max(np.abs(states(rig, segments, 0.6, t, "explicit").states[:2] - reference)) for t in tolerances]
     order = np.polyfit(np.log(tolerances), np.log(found), 1)[0]
     assert 0.6 < order < 1.5, (order, found)
 
 
 def test_tighter_costs_more():
     segments = HalfSine(height=0.01, length=0.06, start=0.1).segments(3.0).in_time(2.86)
-    steps = [states(KART, segments, 0.6, t).steps for t in (1e-4, 1e-6, 1e-8, 1e-10)]
+    steps = [states(KART, segments, 0.6, t, "explicit").steps for t in (1e-4, 1e-6, 1e-8, 1e-10)]
     assert steps == sorted(steps)
     assert steps[-1] < 8 * steps[0]  # eighth order: six decades for less than that
 
@@ -88,10 +89,11 @@ def test_height_of_the_road_does_not_matter():
     assert np.max(np.abs(b[:2] - a[:2] - 0.05)) < 1e-10
 
 
-def test_samples_do_not_steer_the_steps():
+@pytest.mark.parametrize("method", ["auto", "explicit"])
+def test_samples_do_not_steer_the_steps(method):
     """Coarse output is the fine one at fewer times, to the last digit but one."""
     compiled = compile_model(build(KART))
     p = compiled.parameter_values(KART.parameters())
     segments = HalfSine(height=0.01, length=0.06, start=0.1).segments(3.0).in_time(2.86)
-    fine, coarse = (solve(compiled, p, segments, output_times(0.6, step)) for step in (1e-3, 1e-1))
+    fine, coarse = (solve(compiled, p, segments, output_times(0.6, step), method=method) for step in (1e-3, 1e-1))
     assert fine.states[:, ::100] == pytest.approx(coarse.states, abs=1e-15)

@@ -1,8 +1,9 @@
-"""Exact propagation of linear models: matrix exponentials of the state joined with its input signal.
+"""Exact propagation of piecewise linear models: no step-size error, whatever the step.
 
-On one piece of the road the input obeys a small linear equation of its own, ``u''' = -w^2 u'`` (``w = 0`` on parabolas
-and straight lines, the angular frequency on sines). Joined with ``x' = A x + r + B0 u + B1 u'`` the whole is
-autonomous, so a step of any length is one matrix exponential: no step-size error at all.
+Between samples the state moves by matrices of the modes it is in (``propagators``). Edges of the input inside a step
+add what their jumps of signals do until its end. Blocks of such steps are computed with the modes held, then the
+switching functions are looked at in all of them; a step in which one may leave its side is done once more, in parts
+(``linear_steps``), and where it does, the steps behind it are dropped.
 """
 
 from __future__ import annotations
@@ -14,256 +15,470 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.kernel.call import call_many, compiled, part, sine_and_cosine
-from jounce.kernel.explicit import Problem
+from jounce.kernel.explicit import Control, Problem
+from jounce.kernel.linear_steps import WATCHED, Run, finish_outputs, longest_part, step_to
+from jounce.kernel.propagators import TERMS, Calls, Propagators, find, pace_of, powers_of, propagators, read_slopes
+from jounce.kernel.rows import add_rows, march, set_rows
 from jounce.kernel.sampling import Samples
-from jounce.kernel.tracks import Tracks, advance
+from jounce.kernel.status import Status
+from jounce.kernel.tracks import Tracks, advance, fill
 
 Array = NDArray[np.float64]
-MAX_TRANSITIONS = 256
+_BLOCK, _FIRST_BLOCK = 192, 12
+"""Most steps in a block, whose scratch arrays should stay in the cache, and steps in the one after an event."""
+_BAND = 1e-3  # share of the dead band of adaptive steps, whose errors are larger
+_MAX_WAVES, _MAX_PARTS, _MAX_STEPS = 8, 64, 20_000_000
+_COMPLETED, _NOT_FINITE = Status.COMPLETED.code, Status.NOT_FINITE.code
 
 
 class Plan(NamedTuple):
-    """Nodes to step along, from the first sample on; at node ``j`` the input is on ``piece[j]`` of its track.
+    """How a run is cut up, and room for a block of steps.
 
-    Run ``r`` of equal steps leads from node ``run[r]`` to node ``run[r + 1]`` by matrix ``transition[r]``; with
-    ``keep[r]`` every step ends on a sample. There is a matrix for each length of step (s) and, on sines, angular
-    frequency of the input (rad/s).
+    Every distance of samples of ``parts`` times the propagators' step is cut into so many steps. ``wave`` is the number
+    of each piece's angular frequency. At the nodes of a block: ``clock`` (s), ``rows`` (states), ``signals`` of the
+    tracks, and, an element a row, ``x``, ``u`` and the switching functions ``g``; ``jumps`` (for each signal) are what
+    edges make of it inside the step to a node, and ``most`` the largest in the block.
     """
 
-    grid: Array
-    piece: NDArray[np.int64]
-    run: NDArray[np.int64]
-    transition: NDArray[np.int64]
-    keep: NDArray[np.bool_]
-    lengths: Array
-    frequencies: Array
+    parts: int
+    wave: NDArray[np.int64]
+    props: Propagators
+    clock: Array
+    rows: Array
+    signals: Array
+    x: Array
+    u: Array
+    g: Array
+    jumps: Array
+    most: Array
 
 
-@part()
-def _transition(plan: Any, distinct: int, guess: int, length: float, frequency: float) -> int:
-    """Number of the matrix for a step: the guessed one, another one, a new one; -1 when there is no room for it."""
-    for trial in range(-1, distinct):
-        key = guess if trial < 0 else trial
-        if key < distinct and abs(plan.lengths[key] - length) <= 1e-12 and plan.frequencies[key] == frequency:
-            return key
-    if distinct == len(plan.lengths):
-        return -1
-    plan.lengths[distinct], plan.frequencies[distinct] = length, frequency
-    return distinct
+class Work(NamedTuple):
+    """A run and its plan, for the loops."""
+
+    run: Run
+    plan: Plan
 
 
-@compiled()
-def _plan(tracks: Any, piece: Any, times: Any, plan: Any) -> tuple[int, int, int]:
-    """Fill the plan; give the numbers of steps, runs and distinct transitions (-1 when there are too many)."""
-    slack = 1e-12 * max(1.0, abs(times[-1]))
-    t, sample, node, runs, distinct, key = times[0], 1, 0, 0, 0, 0
-    while True:
-        edge = advance(tracks, piece, t, slack)
-        i = piece[0]
-        plan.grid[node], plan.piece[node] = t, i
-        if sample == len(times):
-            plan.run[runs] = node
-            return node, runs, distinct
-        stop = min(edge, times[sample])
-        kept = times[sample] - stop <= slack
-        stop = times[sample] if kept else stop
-        frequency = abs(tracks.coefficients[i, 2] * tracks.rate[0]) if tracks.kind[i] == 1 else 0.0
-        key = _transition(plan, distinct, key, stop - t, frequency)
-        if key < 0:
-            return node, runs, -1
-        distinct = max(distinct, key + 1)
-        if runs == 0 or plan.transition[runs - 1] != key or plan.keep[runs - 1] != kept:
-            plan.run[runs], plan.transition[runs], plan.keep[runs] = node, key, kept
-            runs += 1
-        sample += 1 if kept else 0
-        node += 1
-        t = stop
-
-
-def plan(tracks: Tracks, times: Array) -> Plan | None:
-    """Plan an exact run, or None where it does not pay or is not exact (cubic or circular pieces, irregular steps)."""
-    cubic = (tracks.kind == 0) & (tracks.coefficients[:, 3] != 0.0)
-    if len(tracks.rate) != 1 or np.any(cubic) or np.any(tracks.kind == 2):
-        return None
-    size = len(times) + len(tracks.start) + 1
-    full = Plan(
-        np.empty(size),
-        np.empty(size, dtype=np.int64),
-        np.empty(size, dtype=np.int64),
-        np.empty(size, dtype=np.int64),
-        np.empty(size, dtype=np.bool_),
-        np.empty(MAX_TRANSITIONS),
-        np.empty(MAX_TRANSITIONS),
-    )
-    steps, runs, distinct = _plan(tracks, tracks.first[:-1].copy(), times, full)
-    if distinct < 0:
-        return None
-    return Plan(
-        full.grid[: steps + 1],
-        full.piece[: steps + 1],
-        full.run[: runs + 1],
-        full.transition[:runs],
-        full.keep[:runs],
-        full.lengths[:distinct],
-        full.frequencies[:distinct],
-    )
-
-
-def transitions(plan: Plan, slope: Array, offset: Array, input_slope: Array) -> Array:
-    """Matrices that lead (x, 1, u, u', u'') over each distinct step, rows of ``x`` only.
+def plan(problem: Problem, control: Control, calls: Calls, slopes: int, times: Array) -> Plan | None:
+    """Plan an exact run; None where a piece is circular, or where that would take too many steps.
 
     Parameters
     ----------
-    plan : Plan
-        Step lengths (s) and input frequencies (rad/s).
-    slope, offset, input_slope : ndarray, shape (n, n), (n,), (n, 2)
-        ``x' = slope x + offset + input_slope (u, u')``, SI.
-
-    Returns
-    -------
-    ndarray, shape (k, n, n + 4)
-        One matrix for each distinct step.
+    problem : Problem
+        What is computed; its modes are those at the start.
+    control : Control
+        Its ``scale`` says how large the states typically are.
+    calls : Calls
+        Native functions.
+    slopes : int
+        How many quantities the native function of slopes differentiates.
+    times : ndarray, shape (n,)
+        Samples, s.
     """
-    n = len(offset)
-    joined = np.zeros((len(plan.lengths), n + 4, n + 4))
-    joined[:, :n, :n] = slope
-    joined[:, :n, n] = offset
-    joined[:, :n, n + 1 : n + 3] = input_slope
-    joined[:, n + 1, n + 2] = joined[:, n + 2, n + 3] = 1.0
-    joined[:, n + 3, n + 2] = -(plan.frequencies**2)
-    return np.ascontiguousarray(_exponentials(joined * plan.lengths[:, None, None])[:, :n, :])
+    tracks, switches = problem.tracks, len(problem.m)
+    speed = np.abs(tracks.coefficients[:, 2] * np.repeat(tracks.rate, np.diff(tracks.first)))
+    frequency = np.unique(speed[tracks.kind == 1])
+    frequency = np.concatenate([np.zeros(1), frequency[frequency > 0.0]])
+    if np.any(tracks.kind == 2) or len(frequency) > _MAX_WAVES or len(times) < 2:
+        return None
+    count = len(tracks.rate)
+    sizes = (len(control.scale), count, problem.inputs // max(count, 1), _signals(tracks, problem.inputs))
+    props = propagators(calls, sizes, slopes, switches, frequency, control.scale)
+    typical = _typical(times)
+    z = max(_pace(problem, props), float(frequency[-1])) * typical
+    parts = _parts(z, switches > 0)
+    along_edges = z / parts * len(tracks.start) if z > parts else 0.0
+    if not parts * len(times) + along_edges < _MAX_STEPS:
+        return None
+    wave = np.where(tracks.kind == 1, np.searchsorted(frequency, speed), 0).astype(np.int64)
+    nodes, rows = _BLOCK + 1, count * props.layout.signals
+    return Plan(
+        parts,
+        wave,
+        props._replace(step=typical / parts),
+        clock=np.zeros(nodes),
+        rows=np.zeros((nodes, props.matrix.shape[2])),
+        signals=np.zeros((rows, nodes)),
+        x=np.zeros((sizes[0], nodes)),
+        u=np.zeros((problem.inputs, nodes)),
+        g=np.zeros((switches, nodes)),
+        jumps=np.zeros((rows, nodes)),
+        most=np.zeros(rows),
+    )
 
 
-def _exponentials(matrices: Array) -> Array:
-    """Matrix exponentials by Taylor's series and doubling.
-
-    ``scipy.linalg.expm`` takes milliseconds for one matrix where BLAS threads compete for the cores. Without the unit
-    matrix in them (``e^2a - 1 = 2 (e^a - 1) + (e^a - 1)^2``) small elements keep their digits in the doubling.
-    """
-    norm = float(np.max(np.sum(np.abs(matrices), axis=1), initial=0.0))
-    doublings = max(0, math.ceil(math.log2(norm / 0.5))) if 0.0 < norm < np.inf else 0
-    small, unit = matrices / 2.0**doublings, np.eye(matrices.shape[-1])
-    series = unit
-    with np.errstate(over="ignore", invalid="ignore"):  # the run's status tells of it
-        for j in range(14, 1, -1):  # 0.5^15 / 15! is below rounding
-            series = unit + small @ series / j
-        grown = small @ series
-        for _ in range(doublings):
-            grown = 2.0 * grown + grown @ grown
-    return np.asarray(grown + unit)
+def _signals(tracks: Tracks, inputs: int) -> int:
+    """Number of signals that each track needs: its inputs, and derivatives up to the last that does not vanish."""
+    bent = np.any(tracks.kind == 1) or np.any(tracks.coefficients[:, 2])
+    cubic = np.any((tracks.kind == 0) & (tracks.coefficients[:, 3] != 0.0))
+    return max(4 if cubic else 3 if bent else 2, inputs // max(len(tracks.rate), 1))
 
 
-_BLOCK = 512
-"""Steps in a block: its scratch arrays stay in the first-level cache."""
+def _typical(times: Array) -> float:
+    """Distance of the samples (s) that is met most."""
+    distances = np.diff(times)
+    whole = distances[:-1] if len(distances) > 1 else distances
+    if np.max(np.abs(whole - whole[0])) <= 1e-12 * max(1.0, abs(times[-1])):
+        return float((times[len(whole)] - times[0]) / len(whole))
+    return float(np.median(distances))
 
 
-@part()
-def _signals(tracks: Any, plan: Any, first: int, last: int, signal: Any) -> None:
-    """Input, its rate and its second rate at the nodes ``first`` to ``last`` of a block."""
-    rate, start, kind, coefficients = tracks.rate[0], tracks.start, tracks.kind, tracks.coefficients
-    grid, piece = plan.grid, plan.piece
-    for at in range(last - first):
-        i = piece[first + at]
-        s = rate * (grid[first + at] - start[i])
-        c0, c1, c2 = coefficients[i, 0], coefficients[i, 1], coefficients[i, 2]
-        if kind[i] == 0:
-            signal[0, at] = c0 + s * (c1 + s * c2)
-            signal[1, at] = rate * (c1 + 2.0 * c2 * s)
-            signal[2, at] = 2.0 * c2 * rate * rate
-        else:
-            sine, cosine = sine_and_cosine(c2 * s + coefficients[i, 3])
-            signal[0, at] = c0 + c1 * sine
-            signal[1, at] = rate * c1 * c2 * cosine
-            signal[2, at] = -((rate * c2) ** 2) * c1 * sine
+def _parts(z: float, watched: bool) -> int:
+    """Steps between two samples, over which the fastest motion goes through ``z`` radians."""
+    if watched:
+        return max(1, math.ceil(min(z / WATCHED, 1e9)))
+    return max(1, math.ceil(z)) if z <= _MAX_PARTS else 1
 
 
-@part(fastmath={"contract"})
-def _drive(matrix: Any, signal: Any, count: int, drive: Any) -> None:
-    """What the input adds to each state over each of ``count`` steps."""
-    n = drive.shape[0]
-    for d in range(n):
-        c, c0, c1, c2 = matrix[d, n], matrix[d, n + 1], matrix[d, n + 2], matrix[d, n + 3]
-        for k in range(count):
-            drive[d, k] = c + c0 * signal[0, k] + c1 * signal[1, k] + c2 * signal[2, k]
-
-
-@part(fastmath={"contract"})
-def _march(matrix: Any, drive: Any, count: int, x: Any, to: Any) -> None:
-    """Columns of ``to``: the state after each step, ``x <- matrix x + drive[:, k]``."""
-    n = drive.shape[0]
-    if n == 4:
-        _march_four(matrix, drive, count, x, to)
-        return
-    for k in range(count):
-        for d in range(n):
-            total = drive[d, k]
-            for j in range(n):
-                total += matrix[d, j] * x[j]
-            to[d, k] = total
-        for d in range(n):
-            x[d] = to[d, k]
-
-
-@part(fastmath={"contract"})
-def _march_four(matrix: Any, drive: Any, count: int, x: Any, to: Any) -> None:
-    """Four states, as quarter and half cars have, stay in registers."""
-    a00, a01, a02, a03 = matrix[0, 0], matrix[0, 1], matrix[0, 2], matrix[0, 3]
-    a10, a11, a12, a13 = matrix[1, 0], matrix[1, 1], matrix[1, 2], matrix[1, 3]
-    a20, a21, a22, a23 = matrix[2, 0], matrix[2, 1], matrix[2, 2], matrix[2, 3]
-    a30, a31, a32, a33 = matrix[3, 0], matrix[3, 1], matrix[3, 2], matrix[3, 3]
-    x0, x1, x2, x3 = x[0], x[1], x[2], x[3]
-    for k in range(count):
-        y0 = (drive[0, k] + a00 * x0 + a01 * x1) + (a02 * x2 + a03 * x3)
-        y1 = (drive[1, k] + a10 * x0 + a11 * x1) + (a12 * x2 + a13 * x3)
-        y2 = (drive[2, k] + a20 * x0 + a21 * x1) + (a22 * x2 + a23 * x3)
-        x3 = (drive[3, k] + a30 * x0 + a31 * x1) + (a32 * x2 + a33 * x3)
-        x0, x1, x2 = y0, y1, y2
-        to[0, k], to[1, k], to[2, k], to[3, k] = x0, x1, x2, x3
-    x[0], x[1], x[2], x[3] = x0, x1, x2, x3
-
-
-@part()
-def _copy(source: Any, to: Any) -> None:
-    """Fill ``to`` with the first columns of as many rows of ``source``."""
-    for d in range(to.shape[0]):
-        for k in range(to.shape[1]):
-            to[d, k] = source[d, k]
-
-
-def propagate(problem: Problem, plan: Plan, matrices: Array, out: Samples) -> int:
-    """Fill the arrays at every sample, block by block; give a status code (0 completed, 1 not finite)."""
-    x = problem.x0.copy()
-    signal, drive, passed = np.empty((3, _BLOCK + 1)), np.empty((len(x), _BLOCK)), np.empty((len(x), _BLOCK))
-    _propagate(problem, plan, matrices, signal, drive, passed, x, out)
-    return 0 if np.all(np.isfinite(x)) else 1
+def _pace(problem: Problem, props: Propagators) -> float:
+    """Bound of the rates with the modes at the start, with all ones and with none."""
+    start, paces = problem.m.copy(), []
+    for modes in (start, np.ones_like(start), np.zeros_like(start)) if len(start) else (start,):
+        problem.m[:] = modes
+        paces.append(_pace_now(problem, props))
+    problem.m[:] = start
+    return float(max(paces))
 
 
 @compiled()
-def _propagate(problem: Any, plan: Any, matrices: Any, signal: Any, drive: Any, passed: Any, x: Any, out: Any) -> None:
-    _signals(problem.tracks, plan, 0, 1, signal)
-    _copy(signal, out.inputs[:, :1])
-    for d in range(len(x)):
-        out.states[d, 0] = x[d]
-    sample, written = 1, 0
-    for r in range(len(plan.transition)):
-        matrix = matrices[plan.transition[r]]
-        for first in range(plan.run[r], plan.run[r + 1], _BLOCK):
-            count = min(_BLOCK, plan.run[r + 1] - first)
-            _signals(problem.tracks, plan, first, first + count + 1, signal)
-            _drive(matrix, signal, count, drive)
-            if not plan.keep[r]:
-                _march(matrix, drive, count, x, passed[:, :count])
-            else:
-                _march(matrix, drive, count, x, out.states[:, sample : sample + count])
-                _copy(signal[:, 1:], out.inputs[:, sample : sample + count])
-                sample += count
-            if sample - written >= _BLOCK:
-                _outputs(problem, out, written, sample)
-                written = sample
-    _outputs(problem, out, written, sample)
+def _pace_now(problem: Any, props: Any) -> float:
+    read_slopes(problem, props, props.matrix[0])
+    return float(pace_of(props, props.matrix[0]))
+
+
+def propagate(problem: Problem, control: Control, plan: Plan, out: Samples, counts: NDArray[np.int64]) -> int:
+    """Fill the arrays at every sample; give a status code.
+
+    At an input edge the samples are those just after it. ``counts`` gets steps, rejected steps (none) and events.
+    """
+    width, inputs = plan.rows.shape[1], problem.inputs
+    run = Run(
+        problem,
+        control._replace(dead_band=_BAND * control.dead_band + 1e-14),
+        plan.props,
+        out,
+        x=np.zeros((1, width)),
+        trial=np.zeros((1, width)),
+        time=np.zeros(1),
+        u=np.zeros((inputs, 1)),
+        part=np.zeros(2),
+        orders=np.zeros(1, dtype=np.int64),
+        counts=counts,
+        marks=np.zeros(4, dtype=np.int64),
+    )
+    run.x[0, : len(control.scale)] = problem.x0
+    return int(_propagate(Work(run, plan)))
+
+
+@compiled()
+def _propagate(work: Any) -> int:
+    run, plan, times = work.run, work.plan, work.run.out.times
+    problem, marks = run.problem, run.marks
+    slack, sub = 1e-12 * max(1.0, abs(times[-1])), 0
+    switches = len(problem.m)
+    run.time[0] = times[0]
+    advance(problem.tracks, problem.piece, times[0], slack)
+    fill(problem.tracks, problem.piece, run.time, plan.props.scratch.base)
+    find(problem, plan.props)
+    status = step_to(run, times[0], times[0], slack)
+    _place(run, times[0])
+    size = _FIRST_BLOCK if switches > 0 else _BLOCK
+    while status == _COMPLETED and marks[0] < len(times):
+        events, passed, nodes = run.counts[2], 0, _clock(plan, times, marks[0] - 1, sub, size, slack)
+        if nodes > 0 and (switches == 0 or plan.props.step <= 1.000001 * longest_part(run)):
+            advance(problem.tracks, problem.piece, plan.clock[0], slack)
+            nodes = _lay_out(work, nodes, slack)
+            if nodes > (1 if switches > 0 else 0):
+                passed, status = _block(work, nodes, sub, slack)
+        if passed == 0:
+            start, end = _next_step(plan, times, marks[0] - 1, sub, slack)
+            status = step_to(run, start, end, slack)
+            passed = plan.parts if end == times[marks[0]] and sub == 0 else 1
+            if end == times[marks[0]]:
+                _place(run, end)
+        sub = (sub + passed) % plan.parts
+        if marks[0] - marks[1] >= _BLOCK:
+            finish_outputs(run)
+        size = _FIRST_BLOCK if run.counts[2] > events else min(2 * size, _BLOCK)
+    finish_outputs(run)
+    return int(status)
 
 
 @part()
-def _outputs(problem: Any, out: Any, first: int, last: int) -> None:
-    """Outputs at the samples ``first`` to ``last``."""
-    call_many(problem.engine.output, out.states, out.inputs, problem.p, problem.m, out.outputs, first, last - first)
+def _place(run: Any, t: float) -> None:
+    """Write the state at the next sample, and the inputs there."""
+    problem, out, sample = run.problem, run.out, run.marks[0]
+    run.time[0] = t
+    fill(problem.tracks, problem.piece, run.time, out.inputs[:, sample : sample + 1])
+    for d in range(out.states.shape[0]):
+        out.states[d, sample] = run.x[0, d]
+    run.marks[0] += 1
+
+
+@part()
+def _regular(plan: Any, times: Any, sample: int, slack: float) -> bool:
+    """Whether the distance to the next sample is the one that the steps are made for."""
+    return bool(abs(times[sample + 1] - times[sample] - plan.parts * plan.props.step) <= slack)
+
+
+@part()
+def _next_step(plan: Any, times: Any, sample: int, sub: int, slack: float) -> tuple[float, float]:
+    """Start and end of the next step alone: up to the next sample where the steps do not fit."""
+    if not _regular(plan, times, sample, slack):
+        return times[sample], times[sample + 1]
+    start = times[sample] + sub * plan.props.step
+    return start, times[sample + 1] if sub == plan.parts - 1 else start + plan.props.step
+
+
+@part()
+def _clock(plan: Any, times: Any, sample: int, sub: int, size: int, slack: float) -> int:
+    """Lay out the times of up to ``size`` steps; give their number."""
+    node, clock, step = 0, plan.clock, plan.props.step
+    clock[0] = times[sample] + sub * step
+    while node < size and sample + 1 < len(times) and (sub > 0 or _regular(plan, times, sample, slack)):
+        node, sub = node + 1, sub + 1
+        if sub == plan.parts:
+            sample, sub = sample + 1, 0
+        clock[node] = times[sample] + sub * step
+    return node
+
+
+@part()
+def _lay_out(work: Any, nodes: int, slack: float) -> int:
+    """Lay out what acts over each of ``nodes`` steps, apart from the state; give the number of steps that is good for.
+
+    A step in which a sine begins or ends, or in which jumps have no series, ends the block before it.
+    """
+    run, plan = work.run, work.plan
+    lay, rows, cell = plan.props.layout, plan.rows, plan.props.used[1]
+    matrix = plan.props.matrix[cell]
+    for d in range(rows.shape[1]):
+        rows[0, d] = run.x[0, d]
+    set_rows(plan.props.loops.set, rows, 1, matrix, lay.drift, nodes)
+    for row in range(len(plan.most) if len(run.problem.m) > 0 else 0):
+        plan.most[row], jumps = 0.0, plan.jumps[row]
+        for node in range(nodes + 1):
+            jumps[node] = 0.0
+    for track in range(lay.tracks):
+        piece = run.problem.piece[track]
+        nodes = _lay_track(run.problem.tracks, piece, plan, matrix, plan.props.terms[cell], track, nodes, slack)
+    return nodes
+
+
+@part()
+def _lay_track(tracks: Any, i: int, plan: Any, matrix: Any, terms: int, track: int, nodes: int, slack: float) -> int:
+    """The same for one track, from its piece ``i`` on."""
+    clock, lay, c = plan.clock, plan.props.layout, tracks.coefficients
+    last, rate, row = tracks.first[track + 1] - 1, tracks.rate[track], track * lay.signals
+    value, slope, higher = plan.signals[row], plan.signals[row + 1], plan.signals[row + 2 : row + lay.signals]
+    stop = tracks.stop[i] if i < last else np.inf
+    for node in range(nodes + 1):
+        while clock[node] + slack >= stop:
+            left = clock[node] - stop
+            if left > slack:
+                if terms == 0 or tracks.kind[i] == 1 or tracks.kind[i + 1] == 1:
+                    return node - 1
+                _add_edge(tracks, i, rate, plan, matrix, terms, track, node, left)
+            i += 1
+            stop = tracks.stop[i] if i < last else np.inf
+        s = rate * (clock[node] - tracks.start[i])
+        if tracks.kind[i] == 0 and lay.signals == 2:
+            value[node], slope[node] = c[i, 0] + s * c[i, 1], rate * c[i, 1]
+        else:
+            _signals_at(tracks, i, rate, s, node, value, slope, higher)
+        if lay.waves > 1 and node < nodes:
+            forcing, stride = lay.forcing + (plan.wave[i] * lay.tracks + track) * lay.signals, plan.signals.shape[1]
+            add_rows(
+                plan.props.loops.add,
+                plan.rows,
+                node + 1,
+                matrix,
+                forcing,
+                plan.signals,
+                row * stride + node,
+                lay.signals,
+                stride,
+            )
+    return nodes
+
+
+@part(forceinline=True)
+def _signals_at(tracks: Any, i: int, rate: float, s: float, node: int, value: Any, slope: Any, higher: Any) -> None:
+    """Value and derivatives of a piece at a node."""
+    c0, c1 = tracks.coefficients[i, 0], tracks.coefficients[i, 1]
+    c2, c3 = tracks.coefficients[i, 2], tracks.coefficients[i, 3]
+    second, third = rate * rate * (2.0 * c2 + 6.0 * s * c3), 6.0 * rate**3 * c3
+    if tracks.kind[i] == 0:
+        value[node] = c0 + s * (c1 + s * (c2 + s * c3))
+        slope[node] = rate * (c1 + s * (2.0 * c2 + 3.0 * s * c3))
+    else:
+        sine, cosine = sine_and_cosine(c2 * s + c3)
+        value[node], slope[node] = c0 + c1 * sine, rate * c1 * c2 * cosine
+        second, third = -((rate * c2) ** 2) * c1 * sine, 0.0
+    for j in range(higher.shape[0]):
+        higher[j, node] = second if j == 0 else third
+
+
+@part(forceinline=True)
+def _add_edge(
+    tracks: Any,
+    i: int,
+    rate: float,
+    plan: Any,
+    matrix: Any,
+    terms: int,
+    track: int,
+    node: int,
+    left: float,
+) -> None:
+    """Add what a track's jumps of signals from piece ``i`` to the next make of the state at ``node``, ``left`` s on."""
+    lay, c, powers = plan.props.layout, tracks.coefficients, plan.props.scratch.powers
+    stop = tracks.stop[i]
+    s = rate * (stop - tracks.start[i])
+    for j in range(lay.signals):
+        if j == 0:
+            old = c[i, 0] + s * (c[i, 1] + s * (c[i, 2] + s * c[i, 3]))
+            jump = c[i + 1, 0] - old
+            rounding = 1e-15 * (abs(old) + max(1.0, abs(stop)) * abs(rate) * (abs(c[i, 1]) + abs(c[i + 1, 1])))
+            if abs(jump) <= rounding:
+                jump = 0.0
+        elif j == 1:
+            jump = rate * (c[i + 1, 1] - (c[i, 1] + s * (2.0 * c[i, 2] + 3.0 * s * c[i, 3])))
+        elif j == 2:
+            jump = rate * rate * (2.0 * c[i + 1, 2] - (2.0 * c[i, 2] + 6.0 * s * c[i, 3]))
+        else:
+            jump = 6.0 * rate**3 * (c[i + 1, 3] - c[i, 3])
+        row = track * lay.signals + j
+        plan.jumps[row, node] += abs(jump)
+        plan.most[row] = max(plan.most[row], plan.jumps[row, node])
+        if jump != 0.0:
+            powers_of(powers, jump, left, terms + 1)
+            add_rows(plan.props.loops.add, plan.rows, node, matrix, lay.series + row * TERMS + 1, powers, 1, terms, 1)
+
+
+@part()
+def _block(work: Any, nodes: int, sub: int, slack: float) -> tuple[int, int]:
+    """Take the steps that are laid out, up to an event; give the number of steps taken and a status code."""
+    run, plan = work.run, work.plan
+    problem, lay = run.problem, plan.props.layout
+    matrix = plan.props.matrix[plan.props.used[1]]
+    forced = lay.tracks * lay.signals if lay.waves == 1 else 0
+    for d in range(lay.states):
+        plan.x[d, 0] = plan.rows[0, d]
+    march(plan.props.loops.march, plan.rows, nodes, matrix, lay.forcing, forced, plan.signals, plan.x)
+    finite = True
+    for d in range(lay.states):
+        finite = finite and math.isfinite(plan.x[d, nodes])
+    sample = run.marks[0] - 1
+    if len(problem.m) == 0 or not finite:
+        _accept(work, sample, sub, 1, nodes)
+        run.counts[0] += nodes
+        for d in range(lay.states):
+            run.x[0, d] = plan.x[d, nodes]
+        return nodes, _COMPLETED if finite else _NOT_FINITE
+    _look(work, nodes)
+    at = 0
+    while True:
+        suspect = _suspect(run, plan, at, nodes)
+        if suspect > at:
+            _accept(work, sample, sub, at + 1, suspect)
+            run.counts[0] += suspect - at
+            run.marks[2] = 0
+        for d in range(lay.states):
+            run.x[0, d] = plan.x[d, suspect]
+        if suspect == nodes:
+            return nodes, _COMPLETED
+        advance(problem.tracks, problem.piece, plan.clock[suspect], slack)
+        events, at = run.counts[2], suspect + 1
+        status = step_to(run, plan.clock[suspect], plan.clock[at], slack)
+        if status != _COMPLETED or run.counts[2] > events:
+            if status == _COMPLETED and (sub + at) % plan.parts == 0:
+                _place(run, plan.clock[at])
+            return at, int(status)
+        _accept(work, sample, sub, at, at)
+
+
+@part()
+def _look(work: Any, nodes: int) -> None:
+    """Evaluate the switching functions at all nodes."""
+    problem, plan = work.run.problem, work.plan
+    lay, address = plan.props.layout, plan.props.calls.switch_many
+    if lay.signals == lay.order:
+        call_many(address, plan.x, plan.signals, problem.p, problem.m, plan.g, 0, nodes + 1)
+        return
+    for track in range(lay.tracks):
+        for i in range(lay.order):
+            for k in range(nodes + 1):
+                plan.u[track * lay.order + i, k] = plan.signals[track * lay.signals + i, k]
+    call_many(address, plan.x, plan.u, problem.p, problem.m, plan.g, 0, nodes + 1)
+
+
+@part()
+def _suspect(run: Any, plan: Any, first: int, nodes: int) -> int:
+    """First step in which a switch may leave its side, at its end or before; ``nodes`` where there is none.
+
+    Inside a step a switch lies off its chord by what edges there can make of it, and by its curvature.
+    """
+    g, band, modes, found = plan.g, run.control.dead_band, run.problem.m, nodes
+    kick = plan.props.kick[plan.props.used[1]]
+    for i in range(len(modes)):
+        side, room = 1.0 if modes[i] > 0.5 else -1.0, -band[i]
+        for row in range(kick.shape[0]):
+            room += plan.most[row] * kick[row, i]
+        lowest, bend = _extremes(g[i], side, nodes)
+        if lowest >= room + 0.5 * bend:
+            continue
+        for k in range(first, found):
+            room = -band[i]
+            for row in range(kick.shape[0]):
+                room += plan.jumps[row, k + 1] * kick[row, i]
+            here, there = side * g[i, k], side * g[i, k + 1]
+            bend = abs(here - 2.0 * there + side * g[i, k + 2]) if k + 2 <= nodes else 0.0
+            if k > 0:
+                before = abs(side * g[i, k - 1] - 2.0 * here + there)
+                bend = bend + before if k + 2 <= nodes else 2.0 * before
+            elif k + 2 <= nodes:
+                bend *= 2.0
+            if there < -band[i] or min(here, there) < room + 0.25 * bend:
+                found = k
+                break
+    return found
+
+
+@part(fastmath={"nnan", "nsz"})
+def _extremes(g: Any, side: float, nodes: int) -> tuple[float, float]:
+    """Lowest value and greatest bend of a switching function, seen from its side."""
+    lowest, bend = min(side * g[0], side * g[nodes]), 0.0
+    for k in range(1, nodes):
+        lowest = min(lowest, side * g[k])
+        bend = max(bend, abs(g[k - 1] - 2.0 * g[k] + g[k + 1]))
+    return lowest, bend
+
+
+@part()
+def _accept(work: Any, sample: int, sub: int, first: int, last: int) -> None:
+    """Write the samples among the nodes ``first`` to ``last``; the block begins ``sub`` steps after ``sample``."""
+    run, plan = work.run, work.plan
+    out, lay, parts = run.out, plan.props.layout, plan.parts
+    begin = -((sub + first) // -parts) * parts - sub  # the first node that is a sample
+    at = sample + (begin + sub) // parts
+    count = (last - begin) // parts + 1 if begin <= last else 0
+    for d in range(lay.states):
+        _copy(plan.x[d, begin:], parts, out.states[d, at : at + count])
+    for track in range(lay.tracks):
+        for i in range(lay.order):
+            _copy(
+                plan.signals[track * lay.signals + i, begin:], parts, out.inputs[track * lay.order + i, at : at + count]
+            )
+    run.marks[0] += count
+
+
+@part()
+def _copy(source: Any, stride: int, to: Any) -> None:
+    if stride == 1:
+        for k in range(len(to)):
+            to[k] = source[k]
+    else:
+        for k in range(len(to)):
+            to[k] = source[k * stride]

@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import casadi as ca
 import llvmlite
@@ -25,10 +25,23 @@ from jounce.kernel.rosenbrock_steps import RosenbrockStep
 from jounce.kernel.steps import Step
 
 _FORMAT = "jounce-kernel-20"
-MANY = ("output", "project_many")
+MANY = ("output", "project_many", "switch_many")
 SELDOM = ("slopes", "switch_slope", "derived", "derived_lanes", "constraint", "constraint_s")
 """Functions called a few times a run: they are compiled without the optimiser, which makes them little faster."""
-AnyStep = Step | RosenbrockStep
+
+
+class HandWritten(Protocol):
+    """Functions that are written as native code, and their names."""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the functions."""
+
+    def add(self, lowering: Lowering) -> None:
+        """Append the functions."""
+
+
+AnyStep = Step | RosenbrockStep | HandWritten
 SINGLE = {"project": "project_many"}
 """Functions of one sample that are made of those of many, where a module has these."""
 _PROTOTYPE = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5, *[ctypes.c_int64] * 3)

@@ -50,7 +50,8 @@ class Output:
 class Facts:
     """Names and counts of a model: all that is known of it without its equations (see :class:`Model`).
 
-    ``start`` holds the coordinates in the design pose (m, rad, 1 for quaternions).
+    ``start`` holds the coordinates in the design pose (m, rad, 1 for quaternions); ``linear_without`` the parameters
+    that must be zero for the model to be piecewise linear, None where that does not make it so.
     """
 
     coordinates: tuple[str, ...]
@@ -64,7 +65,7 @@ class Facts:
     outputs: tuple[Output, ...]
     start: tuple[float, ...]
     projects: bool
-    linear: bool
+    linear_without: tuple[str, ...] | None
 
     @property
     def states(self) -> tuple[str, ...]:
@@ -189,7 +190,7 @@ class Model:
         return Facts(
             **{field.name: getattr(self, field.name) for field in fields(Facts)[:-2]},
             projects=bool(self.projection.shape[0]),
-            linear=self.is_linear(),
+            linear_without=next((zero for zero in self._bending() if self.is_piecewise_linear(zero)), None),
         )
 
     @property
@@ -197,15 +198,26 @@ class Model:
         """Names of all states: coordinates, speeds, internal states."""
         return self.facts.states
 
-    def is_linear(self) -> bool:
-        """Tell whether rates and outputs are affine in states and inputs and nothing switches or jumps."""
-        signals = ca.vertcat(self.x, self.u)
-        equations = ca.Function("equations", [signals, self.p, self.m], [ca.vertcat(self.rate, self.output)])
-        operations = {equations.instruction_id(k) for k in range(equations.n_instructions())}
-        if self.switches or self.constraints or operations & _KINKED:
+    def is_piecewise_linear(self, zero: tuple[str, ...] = ()) -> bool:
+        """Tell whether rates and outputs are affine in states and inputs as long as no mode changes.
+
+        The switching functions may be anything. Parameters in ``zero`` count as zero.
+        """
+        if self.constraints or self.projection.shape[0]:
             return False
-        slopes = ca.jacobian(ca.vertcat(self.rate, self.output), signals)
-        return not ca.depends_on(slopes, signals)
+        signals, equations = ca.vertcat(self.x, self.u), ca.vertcat(self.rate, self.output)
+        if zero:
+            gone = ca.vertcat(*(self.p[self.parameters.index(name)] for name in zero))
+            equations = ca.substitute(equations, gone, ca.SX.zeros(len(zero)))
+        function = ca.Function("equations", [signals, self.p, self.m], [equations])
+        if {function.instruction_id(k) for k in range(function.n_instructions())} & _KINKED:
+            return False
+        return not ca.depends_on(ca.jacobian(equations, signals), signals)
+
+    def _bending(self) -> tuple[tuple[str, ...], ...]:
+        """Sets of parameters without which a model may be piecewise linear: none, and what stiffens bump stops."""
+        stiffening = tuple(name for name in self.parameters if name.endswith(".progression"))
+        return ((), stiffening) if stiffening else ((),)
 
 
 def with_numbers(model: Model, constants: Mapping[str, tuple[ca.SX, float]]) -> Model:

@@ -66,6 +66,8 @@ def plain_program(model: Model) -> Program:
     else:
         functions["slopes"] = hoisted.lanes("slopes", model, ca.vertcat(dx, du), lanes, 0)
     functions |= hoisted.derived(0)
+    if model.switches and model.facts.linear_without is not None:
+        functions["switch_many"] = hoisted.function("switch", model)
     n = model.x.shape[0]
     step = Step("rate", n, n, model.u.shape[0], model.switch.shape[0])
     shapes = {name: (part.shape[0], part.shape[1]) for name, part in parts.items()}

@@ -94,7 +94,7 @@ def test_samples_that_were_not_reached_are_no_numbers(monkeypatch):
 def test_a_jump_is_not_linear():
     """Dry friction by the sign of the velocity: derivatives are zero, yet nothing is linear."""
     model = mass_on_a_spring(lambda body: -20.0 * ca.sign(body.v))
-    assert not model.is_linear()
+    assert not model.is_piecewise_linear()
 
 
 def test_every_status_helps():

@@ -72,7 +72,7 @@ def test_force_between_a_mass_and_a_track():
     model = system.finish()
     assert evaluated(model, model.rate, [0.0, 5.0], u=[0.1, 7.0]) == pytest.approx([5.0, -3.0 * (5.0 - 7.0) / 2.0])
     assert model.tracks == ("road.z",)
-    assert model.is_linear()
+    assert model.is_piecewise_linear()
 
 
 def test_names_and_order():
@@ -99,7 +99,7 @@ def test_names_and_order():
     ]
     assert evaluated(model, model.rate, [2.0, 1.0, 0.5, 0.6, 4.0], p=[10.0], m=[0.0])[2] == 0.0
     assert evaluated(model, model.switch, [2.0, 1.0, 0.0, 0.0, 0.0], p=[1.0], m=[0.0]).tolist() == [1.0]
-    assert not model.is_linear()
+    assert model.is_piecewise_linear()
 
 
 def test_nonlinear_is_seen():
@@ -108,7 +108,7 @@ def test_nonlinear_is_seen():
     system.point_mass(ca.SX(1.0), z)
     system.force(z, -(z**3))
     system.output("z", z, "m", "height")
-    assert not system.finish().is_linear()
+    assert not system.finish().is_piecewise_linear()
 
 
 def test_nonlinear_output_is_seen():
@@ -117,7 +117,7 @@ def test_nonlinear_output_is_seen():
     system.point_mass(ca.SX(1.0), z)
     system.force(z, -z)
     system.output("energy", z**2, "J", "energy")
-    assert not system.finish().is_linear()
+    assert not system.finish().is_piecewise_linear()
 
 
 @pytest.mark.parametrize("add", ["coordinate", "track", "internal_state"])

@@ -54,11 +54,19 @@ def test_channels_have_known_quantities_units_and_labels():
     }
 
 
-def test_linear_only_without_lift_off():
-    assert build(KART.with_changes({"tyre.lift_off": False})).is_linear()
-    assert not build(KART).is_linear()
-    for changes in ({"strut.friction": {"force": 1.0}}, {"strut.bump_stop": {"gap": 0.01, "rate": 1e4}}):
-        assert not build(KART.with_changes({"tyre.lift_off": False, **changes})).is_linear()
+def test_piecewise_linear_as_long_as_nothing_is_curved():
+    bilinear = {"strut.damper": {"bump_coefficient": 80.0, "rebound_coefficient": 240.0}}
+    for changes in ({}, {"tyre.lift_off": False}, bilinear):
+        assert build(KART.with_changes(changes)).facts.linear_without == ()
+    assert build(KART.with_changes({"strut.friction": {"force": 1.0}})).facts.linear_without is None
+    curve = {"tyre.stiffness": None, "tyre.curve": {"kind": "polynomial", "coefficients": [6e4, 2e7]}}
+    assert build(KART.with_changes(curve)).facts.linear_without is None
+
+
+def test_a_bump_stop_is_linear_without_its_progression():
+    model = build(KART.with_changes({"strut.bump_stop": {"gap": 0.01, "rate": 1e4}}))
+    assert not model.is_piecewise_linear()
+    assert model.facts.linear_without == ("strut.bump_stop.progression",)
 
 
 def test_signs_and_values_of_the_strut():

@@ -1,0 +1,268 @@
+"""Loops over states with vector instructions: states lie side by side in rows, padded to whole vectors.
+
+A matrix is stored by what it makes of each unit vector, one row each, so that a product is a weighted sum of rows. The
+loops are native code for one length of rows, made by ``row_loops`` and called by address.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, NamedTuple
+
+from llvmlite import ir
+from numba import types
+from numba.core import cgutils
+from numba.extending import intrinsic
+
+from jounce.kernel.lowering import Lowering
+from jounce.kernel.native import Native, Source, kept_code
+
+_DOUBLE, _INDEX, _LANE = ir.DoubleType(), ir.IntType(64), ir.IntType(32)
+_POINTER, _WIDEST = _DOUBLE.as_pointer(), 8
+_NAMES = ("add_rows", "set_rows", "march")
+
+
+class RowLoops(NamedTuple):
+    """Addresses of the loops."""
+
+    add: int
+    set: int
+    march: int
+
+
+def padded(count: int) -> int:
+    """Length of a row for so many states."""
+    return 4 if count <= 4 else -(-count // _WIDEST) * _WIDEST
+
+
+def row_loops(width: int, count: int) -> RowLoops:
+    """Native loops for rows of ``width`` numbers, of which ``count`` are states."""
+    native = _native(width, count)
+    return RowLoops(*(native.address[name] for name in _NAMES))
+
+
+@cache
+def _native(width: int, count: int) -> Native:
+    return kept_code(f"rows {width} {count}", lambda: Source({}, _Loops(width, count)))[0]
+
+
+@dataclass(frozen=True)
+class _Loops:
+    """What the module of native code holds."""
+
+    width: int
+    count: int
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the functions."""
+        return _NAMES
+
+    def add(self, lowering: Lowering) -> None:
+        """Append the functions."""
+        _add_rows(lowering.module, self.width)
+        _set_rows(lowering.module, self.width)
+        _march(lowering.module, self.width, self.count)
+
+
+class _Rows:
+    """A matrix in a loop that is being built, read and written by vectors."""
+
+    def __init__(self, builder: Any, data: Any, width: int) -> None:
+        self._builder, self._data, self._width = builder, data, width
+        self.vector = ir.VectorType(_DOUBLE, min(width, _WIDEST))
+        self.places = range(0, width, self.vector.count)
+
+    def _at(self, row: Any, place: int) -> Any:
+        b = self._builder
+        start = b.add(b.mul(row, _INDEX(self._width)), _INDEX(place))
+        return b.bitcast(b.gep(self._data, [start]), self.vector.as_pointer())
+
+    def load(self, row: Any) -> list[Any]:
+        """Give the vectors of a row."""
+        return [self._builder.load(self._at(row, place), align=8) for place in self.places]
+
+    def store(self, values: list[Any], row: Any) -> None:
+        """Write the vectors of a row."""
+        for value, place in zip(values, self.places, strict=True):
+            self._builder.store(value, self._at(row, place), align=8)
+
+
+def _lane(builder: Any, value: Any, lane: int) -> Any:
+    """Make a vector of equal numbers: one of those in ``value``."""
+    mask = ir.Constant(ir.VectorType(_LANE, value.type.count), [lane] * value.type.count)
+    return builder.shuffle_vector(value, ir.Constant(value.type, ir.Undefined), mask)
+
+
+def _spread(builder: Any, value: Any, vector: ir.VectorType) -> Any:
+    """Make a vector of equal numbers."""
+    return _lane(builder, builder.insert_element(ir.Constant(vector, ir.Undefined), value, _LANE(0)), 0)
+
+
+def _add_product(builder: Any, x: Any, y: Any, total: Any) -> Any:
+    return builder.fadd(builder.fmul(x, y, flags=("contract",)), total, flags=("contract",))
+
+
+def _function(module: ir.Module, name: str, pointers: int, integers: int) -> tuple[ir.Function, ir.IRBuilder]:
+    kinds = [_POINTER] * pointers + [_INDEX] * integers
+    function = ir.Function(module, ir.FunctionType(ir.VoidType(), kinds), name)
+    return function, ir.IRBuilder(function.append_basic_block())
+
+
+def _sum_of_rows(builder: Any, start: list[Any], matrix: _Rows, count: Any, weights: Any, stride: Any) -> list[Any]:
+    """Add to a row the weighted ``count`` first rows; in two sums, so that none waits long for the term before."""
+    zero = ir.Constant(matrix.vector, [0.0] * matrix.vector.count)
+    totals = [cgutils.alloca_once_value(builder, value) for value in start]
+    others = [cgutils.alloca_once_value(builder, zero) for _ in start]
+
+    def add(row: Any, sums: list[Any]) -> None:
+        weight = builder.load(builder.gep(weights, [builder.mul(row, stride)]))
+        spread = _spread(builder, weight, matrix.vector)
+        for value, total in zip(matrix.load(row), sums, strict=True):
+            builder.store(_add_product(builder, spread, value, builder.load(total)), total)
+
+    whole = builder.and_(count, _INDEX(-2))
+    with cgutils.for_range_slice(builder, _INDEX(0), whole, _INDEX(2), intp=_INDEX) as (row, _):
+        add(row, totals)
+        add(builder.add(row, _INDEX(1)), others)
+    with builder.if_then(builder.icmp_signed("<", whole, count)):
+        add(whole, others)
+    return [builder.fadd(*(builder.load(part) for part in pair)) for pair in zip(totals, others, strict=True)]
+
+
+def _add_rows(module: ir.Module, width: int) -> None:
+    """``void(to, matrix, weights, count, stride)``."""
+    function, builder = _function(module, "add_rows", 3, 2)
+    to, matrix, weights, count, stride = function.args
+    target = _Rows(builder, to, width)
+    found = _sum_of_rows(builder, target.load(_INDEX(0)), _Rows(builder, matrix, width), count, weights, stride)
+    target.store(found, _INDEX(0))
+    builder.ret_void()
+
+
+def _set_rows(module: ir.Module, width: int) -> None:
+    """``void(to, row, count)``."""
+    function, builder = _function(module, "set_rows", 2, 1)
+    to, row, count = function.args
+    target, values = _Rows(builder, to, width), _Rows(builder, row, width).load(_INDEX(0))
+    with cgutils.for_range(builder, count, intp=_INDEX) as loop:
+        target.store(values, loop.index)
+    builder.ret_void()
+
+
+def _march(module: ir.Module, width: int, states: int) -> None:
+    """``void(rows, matrix, forcing, signals, to, count, forced, stride)``."""
+    function, builder = _function(module, "march", 5, 3)
+    for pointer in function.args[:5]:
+        pointer.attributes.add("noalias")
+    rows, matrix, forcing, signals, to, count, forced, stride = function.args
+    given, acting = _Rows(builder, rows, width), _Rows(builder, forcing, width)
+    images = [_Rows(builder, matrix, width).load(_INDEX(j)) for j in range(states)]
+    kept = [cgutils.alloca_once_value(builder, value) for value in given.load(_INDEX(0))]
+    with cgutils.for_range(builder, count, intp=_INDEX) as loop:
+        after = builder.add(loop.index, _INDEX(1))
+        start = given.load(after)
+        acted = _sum_of_rows(builder, start, acting, forced, builder.gep(signals, [loop.index]), stride)
+        moved = _moved(builder, [builder.load(value) for value in kept], images, acted)
+        for value, place in zip(moved, kept, strict=True):
+            builder.store(value, place)
+        for j in range(states):
+            place = builder.gep(to, [builder.add(builder.mul(_INDEX(j), stride), after)])
+            lane = j % given.vector.count
+            builder.store(builder.extract_element(moved[j // given.vector.count], _LANE(lane)), place)
+    builder.ret_void()
+
+
+def _moved(builder: Any, x: list[Any], images: list[list[Any]], acted: list[Any]) -> list[Any]:
+    """State after a step; the change is summed in four parts, so that no sum waits long for the term before."""
+    vector = x[0].type
+    spread = [_lane(builder, x[j // vector.count], j % vector.count) for j in range(len(images))]
+    moved = []
+    for b, start in enumerate(acted):
+        parts = [start, *[ir.Constant(vector, [0.0] * vector.count)] * 3]
+        for j, weight in enumerate(spread):
+            parts[j % 4] = _add_product(builder, weight, images[j][b], parts[j % 4])
+        change = builder.fadd(builder.fadd(parts[0], parts[1]), builder.fadd(parts[2], parts[3]))
+        moved.append(builder.fadd(x[b], change))
+    return moved
+
+
+def _call(builder: Any, address: Any, arguments: list[Any]) -> Any:
+    function = ir.FunctionType(ir.VoidType(), [argument.type for argument in arguments]).as_pointer()
+    builder.call(builder.inttoptr(address, function), arguments)
+    return cgutils.get_null_value(ir.IntType(8).as_pointer())
+
+
+def _row(context: Any, builder: Any, signature: Any, arguments: Any, i: int) -> Any:
+    """Pointer to the row of a matrix that the argument behind it names."""
+    array = context.make_array(signature.args[i])(context, builder, arguments[i])
+    return builder.gep(array.data, [builder.mul(arguments[i + 1], builder.extract_value(array.shape, 1))])
+
+
+@intrinsic  # type: ignore[untyped-decorator]
+def add_rows(
+    typing_context: Any,
+    address: Any,
+    to: Any,
+    row: Any,
+    matrix: Any,
+    first: Any,
+    weights: Any,
+    at: Any,
+    count: Any,
+    stride: Any,
+) -> Any:
+    """``to[row] += sum_j weight_j matrix[first + j]``, ``j < count``; weights lie ``stride`` apart, from ``at`` on."""
+    integer = types.int64
+    signature = types.void(integer, to, integer, matrix, integer, weights, integer, integer, integer)
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        weights = context.make_array(signature.args[5])(context, builder, arguments[5])
+        rows = [_row(context, builder, signature, arguments, i) for i in (1, 3)]
+        return _call(builder, arguments[0], [*rows, builder.gep(weights.data, [arguments[6]]), *arguments[7:]])
+
+    return signature, generate
+
+
+@intrinsic  # type: ignore[untyped-decorator]
+def set_rows(typing_context: Any, address: Any, to: Any, first: Any, matrix: Any, row: Any, count: Any) -> Any:
+    """Make ``count`` rows equal to one of a matrix."""
+    integer = types.int64
+    signature = types.void(integer, to, integer, matrix, integer, integer)
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        rows = [_row(context, builder, signature, arguments, i) for i in (1, 3)]
+        return _call(builder, arguments[0], [*rows, arguments[5]])
+
+    return signature, generate
+
+
+@intrinsic  # type: ignore[untyped-decorator]
+def march(
+    typing_context: Any,
+    address: Any,
+    rows: Any,
+    count: Any,
+    matrix: Any,
+    first: Any,
+    forced: Any,
+    signals: Any,
+    to: Any,
+) -> Any:
+    """From the state in row 0 on, write the states after each of ``count`` steps into the columns of ``to``.
+
+    ``x <- x + E x + rows[k + 1] + sum_j signals[j, k] matrix[first + j]``, ``j < forced``; the images of ``E`` are the
+    first rows of ``matrix``. ``signals`` and ``to`` have as many columns as each other.
+    """
+    integer = types.int64
+    signature = types.void(integer, rows, integer, matrix, integer, integer, signals, to)
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        arrays = {i: context.make_array(signature.args[i])(context, builder, arguments[i]) for i in (1, 3, 6, 7)}
+        forcing = _row(context, builder, signature, arguments, 3)
+        stride = builder.extract_value(arrays[6].shape, 1)
+        data = [arrays[1].data, arrays[3].data, forcing, arrays[6].data, arrays[7].data]
+        return _call(builder, arguments[0], [*data, arguments[2], arguments[5], stride])
+
+    return signature, generate
