@@ -83,24 +83,32 @@ def in_ground_axes(model, x, values):
             seen, k = matrix(x[i : i + 4]), n_q + model.speeds.index(f"{name[:-2]}wx")
             found[i : i + 4] = quaternion(about_y @ about_x @ seen)
             found[k : k + 3] += seen.T @ spin
-        elif name.endswith("upright.x"):
-            centre, corner = np.array([0.0, 0.0, values["body.height"]]), name.split(".")[0]
+        elif name.endswith(".x"):
+            centre, place = np.array([0.0, 0.0, values["body.height"]]), design_place(name, values)
             k = n_q + model.speeds.index(f"{name} rate")
-            arm = wheel_centre(corner, values) + x[i : i + 3] - centre
+            arm = place + x[i : i + 3] - centre
             rise, rising = (0.0, 0.0, x[0]), (0.0, 0.0, x[n_q])
-            found[i : i + 3] = about_y @ about_x @ arm + centre + rise - wheel_centre(corner, values)
+            found[i : i + 3] = about_y @ about_x @ arm + centre + rise - place
             found[k : k + 3] = about_y @ about_x @ (x[k : k + 3] + np.cross(spin, arm)) + rising
     return found
 
 
-def wheel_centre(corner, values):
+def design_place(coordinate, values):
+    """Where a free body is counted from: an upright at its wheel centre, an arm at its centre of mass."""
+    corner, body, _ = coordinate.split(".")
     end, side = corner.split("_")
-    _, y, z = (values[f"{end}.corner.hardpoints.wheel_centre[{i}]"] for i in range(3))
-    ahead = values[f"{end}.distance"]
-    return np.array([ahead if end == "front" else -ahead, y if side == "left" else -y, z])
+    point = "hardpoints.wheel_centre" if body == "upright" else f"bodies.{body}.centre_of_mass"
+    x, y, z = (values[f"{end}.corner.{point}[{i}]"] for i in range(3))
+    ahead = (1 if end == "front" else -1) * values[f"{end}.distance"] - values[
+        f"{end}.corner.hardpoints.wheel_centre[0]"
+    ]
+    return np.array([x + ahead, y if side == "left" else -y, z])
 
 
+SOFT = {"stiffness": [1e6] * 3, "damping": [100.0] * 3, "rotational_stiffness": [20.0] * 3}
+ARMS = ("lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear")
 CARS = {
+    "bushings": jn.load("formula-student-car").with_changes({"front.corner.bushings": dict.fromkeys(ARMS, SOFT)}),
     "double wishbones": jn.load("formula-student-car"),
     "multi-link behind": jn.load("sedan-full-car-3d"),
     "radial tyres": jn.load("formula-student-car").with_changes({"front.corner.tyre.law": "radial"}),

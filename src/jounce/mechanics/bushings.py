@@ -201,7 +201,8 @@ def _displacement(first: Body, second: Body, at: ca.SX) -> tuple[ca.SX, ca.SX]:
 def _relative_spin(first: Body, second: Body) -> ca.SX:
     """Angular velocity of the second body against the first, in the axes of the first."""
     assert first.frame is not None
-    return first.frame.orientation.unrotate(second.spin) - first.frame.orientation.spin
+    assert second.frame is not None
+    return first.frame.orientation.unrotate(second.frame.orientation.ground_spin) - first.frame.orientation.spin
 
 
 def _rotation(first: Body, second: Body) -> tuple[ca.SX, ca.SX]:
