@@ -278,16 +278,16 @@ def _by_method(wheel: WheelResult, method: str, limits: Limits) -> tuple[Band | 
     reasons = [Reason("band", band.verdict, {**about, "band": band, "verdict": band.verdict})]
     if band.note == "over_range":
         reasons.append(Reason("over_range", "", {**about, "limit": band.start}))
-    return band, reasons + near_edges(criterion, value, half)
+    return band, reasons + near_edges(criterion, value, half, method)
 
 
-def near_edges(criterion: Criterion, value: float, half: float | None) -> list[Reason]:
+def near_edges(criterion: Criterion, value: float, half: float | None, method: str) -> list[Reason]:
     """Say which limits the 95 % interval of a value reaches over (value and half width in the criterion's unit)."""
     if half is None:
         return []
     low, high = value - half, value + half
     return [
-        Reason("near", "", {"criterion": criterion, "low": low, "high": high, "limit": edge})
+        Reason("near", "", {"criterion": criterion, "method": method, "low": low, "high": high, "limit": edge})
         for edge in criterion.edges()
         if low < edge <= high
     ]

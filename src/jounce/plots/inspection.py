@@ -76,7 +76,7 @@ def inspection_curves(
     >>> f = np.linspace(25.0, 3.0, 50)
     >>> curves = WheelCurves(f, f, 4e3 - 9.0 * f, 4e3 + 9.0 * f, 180.0 - f, 0.0 * f + 3e-3)
     >>> figure = inspection_curves(Inspection((WheelResult("left", static_load=4e3, curves=curves),)))
-    >>> [axes.get_title() for axes in figure.axes]
+    >>> [axes.get_title(loc="left") for axes in figure.axes]
     ['Force amplitude [kN]', 'Phase angle [°]']
     """
     words = _WORDS["de" if language == "de" else "en"]

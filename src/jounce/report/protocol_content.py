@@ -17,7 +17,7 @@ TONES = {"pass": "green", "advise": "yellow", "fail": "red", NOT_GRADED: "grey"}
 HEAD = ("vehicle", "plate_number", "date", "tester", "place", "operator")
 _SIDES = ("left", "right")
 _LONGEST_TEXT, _LONGEST_HEAD = 160, 64
-_EXPLAINING = {"near", "over_range", "disagree", "mass", "tyre", "rigidity", "lifted", "limits_differ", "one_wheel"}
+_EXPLAINING = {"disagree", "mass", "tyre", "rigidity", "lifted", "limits_differ", "one_wheel"}
 _ORDER = {"fail": 0, NOT_GRADED: 1, "advise": 2}
 
 Plain = dict[str, Any]
@@ -270,7 +270,7 @@ def _is_information(reason: Reason, deciding: Sequence[str]) -> bool:
 def _must_be_read(reason: Reason, graded: GradedInspection) -> bool:
     if reason.kind in _EXPLAINING or reason.kind == "finding":
         return True
-    if reason.kind in ("missing", "outside", "unlimited"):
+    if reason.kind in ("missing", "outside", "unlimited", "near", "over_range"):
         return reason.values.get("method") in graded.deciding
     return reason.verdict not in ("", "pass")
 
