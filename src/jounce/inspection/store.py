@@ -346,7 +346,30 @@ class Store:
         asked = asked if until is None else asked.where(RECORDS.c.date <= until)
         with self._reading() as connection:
             rows = connection.execute(asked.select_from(joined).order_by(RECORDS.c.date, RECORDS.c.number))
-            return [_stored(row) for row in rows]
+            return [_stored(row, _grading(row)) for row in rows]
+
+    def readable_records(self) -> tuple[list[StoredRecord], list[str]]:
+        """Give the records that can be read of a damaged store, one by one, and what was in the way of the others."""
+        found: list[StoredRecord] = []
+        lost: list[str] = []
+        try:
+            numbers = self.numbers()
+        except RecordingError as error:
+            return [], [str(error)]
+        for number in numbers:
+            try:
+                found += [self._record(number)]
+            except RecordingError as error:
+                lost.append(f"record {number}: {error.what}")
+        return found, lost
+
+    def _record(self, number: int) -> StoredRecord:
+        from sqlalchemy import select
+
+        shown = (RECORDS.c[name] for name in StoredRecord.__dataclass_fields__ if name != "grading")
+        with self._reading() as connection:
+            row = connection.execute(select(*shown).where(RECORDS.c.number == number)).one()
+        return _stored(row, self.newest_grading(number))
 
     def gradings(self, number: int) -> list[Grading]:
         """All gradings of a record, the oldest first."""
@@ -446,9 +469,9 @@ def _grading(row: Any) -> Grading | None:
     return None if row.result is None else Grading(row.verdict, row.limits, row.software, json.loads(row.result))
 
 
-def _stored(row: Any) -> StoredRecord:
+def _stored(row: Any, grading: Grading | None) -> StoredRecord:
     places = (row.name, row.plate, row.vehicle, row.date, row.axle, row.tester, row.accepted)
-    return StoredRecord(row.number, *places, _grading(row))
+    return StoredRecord(row.number, *places, grading)
 
 
 def _now() -> str:
