@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from jounce.cli import study_audi, study_inspection
 from jounce.cli.options import AsJson, Force, RigName, positive_quantity
 from jounce.cli.reply import Reply, progress
-from jounce.cli.study_audi import register
 from jounce.cli.tables import show_findings, table
 
 if TYPE_CHECKING:
@@ -18,7 +18,8 @@ if TYPE_CHECKING:
     from jounce.studies.proving_ground import ProvingGround
 
 app = typer.Typer(no_args_is_help=True, help="Shipped studies.")
-register(app)
+study_audi.register(app)
+study_inspection.register(app)
 _SPEEDS = ("1.95 m/s", "2.86 m/s", "3.79 m/s")
 
 

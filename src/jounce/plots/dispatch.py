@@ -18,6 +18,7 @@ from jounce.plots import (
     dampers,
     decays,
     design,
+    equivalence,
     histories,
     kinematics,
     linear,
@@ -111,20 +112,11 @@ _dispatcher: Callable[..., Figure] | None = None
 def _registered() -> Callable[..., Figure]:
     import xarray as xr
 
-    from jounce.identify.damper_fit import DamperCurve
-    from jounce.identify.decay import DecayResult
-    from jounce.identify.stiffness import StiffnessResult
-    from jounce.identify.tyre_pressure import PressureStiffness
     from jounce.identify.update import UpdateResult
     from jounce.parts.corners import Corner
     from jounce.roads.road import Road
     from jounce.simulation import LinearModel, Mode
-    from jounce.studies.audi_a6 import AudiCase
-    from jounce.studies.audi_a6_excenter import Excenter
-    from jounce.studies.campaign.result import CampaignResult, StrategyResult, TrialResult
-    from jounce.studies.optimise import Optimisation
-    from jounce.studies.pareto import ParetoFront
-    from jounce.studies.ride import Ride, RideStudy
+    from jounce.studies.campaign.result import TrialResult
 
     @singledispatch
     def draw(result: object, **options: Any) -> Figure:  # noqa: ARG001
@@ -149,29 +141,54 @@ def _registered() -> Callable[..., Figure]:
                 return function(result, **options)  # type: ignore[operator,no-any-return]
         return draw(object(), **options)
 
-    def of_damper(result: DamperCurve, law: str = "fitted", **options: Any) -> Figure:
-        fits = {law: result.fitted}
-        return dampers.damper_loops(result.displacement, result.velocity, result.measured, fits, **options)
-
     draw.register(xr.Dataset, of_dataset)
     draw.register(Road, roads.road_profile)
     draw.register(Corner, mechanisms.mechanism)
     draw.register(dict, of_mapping)
     draw.register(list, of_sequence)
     draw.register(tuple, of_sequence)
+    draw.register(LinearModel, linear.frequency_response)
+    _register_fits(draw)
+    _register_studies(draw)
+    return draw
+
+
+def _register_fits(draw: Any) -> None:
+    """Estimates from measurements."""
+    from jounce.identify.damper_fit import DamperCurve
+    from jounce.identify.decay import DecayResult
+    from jounce.identify.stiffness import StiffnessResult
+    from jounce.identify.tyre_pressure import PressureStiffness
+    from jounce.identify.update import UpdateResult
+
+    def of_damper(result: DamperCurve, law: str = "fitted", **options: Any) -> Figure:
+        fits = {law: result.fitted}
+        return dampers.damper_loops(result.displacement, result.velocity, result.measured, fits, **options)
+
     draw.register(StiffnessResult, bench.stiffness_fit)
     draw.register(PressureStiffness, bench.tyre_pressure)
     draw.register(DecayResult, decays.decay_fit)
     draw.register(UpdateResult, updating.update)
+    draw.register(DamperCurve, of_damper)
+
+
+def _register_studies(draw: Any) -> None:
+    """Results of whole jobs."""
+    from jounce.studies.audi_a6 import AudiCase
+    from jounce.studies.audi_a6_excenter import Excenter
+    from jounce.studies.campaign.result import CampaignResult, StrategyResult, TrialResult
+    from jounce.studies.inspection_equivalence import Equivalence
+    from jounce.studies.optimise import Optimisation
+    from jounce.studies.pareto import ParetoFront
+    from jounce.studies.ride import Ride, RideStudy
+
     draw.register(StrategyResult, lambda result, **options: updating.update(result.update, **options))
     draw.register(TrialResult, comparison.measured_against_simulated)
     draw.register(CampaignResult, lambda result, **options: trials.trial_matrix(result.trials, **options))
-    draw.register(DamperCurve, of_damper)
-    draw.register(LinearModel, linear.frequency_response)
     draw.register(Optimisation, design.optimisation)
     draw.register(ParetoFront, design.pareto_front)
     draw.register(RideStudy, ride.trade_off)
     draw.register(Ride, lambda result, **options: ride.ride_spectra([result], **options))
     draw.register(AudiCase, lambda result, **options: audi_a6.case_overview(result, result.runs[0].moment, **options))
     draw.register(Excenter, audi_a6.excenter_spring)
-    return draw
+    draw.register(Equivalence, equivalence.equivalence)

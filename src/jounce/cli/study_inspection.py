@@ -1,0 +1,111 @@
+"""``jounce study inspection-equivalence``: what three shock-absorber tests say of the same car."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from jounce.cli.options import AsJson, Changes, Force, RigName, changes
+from jounce.cli.reply import Reply, progress
+from jounce.cli.rigs import chosen_rig
+from jounce.cli.tables import table
+from jounce.core.errors import OutputError
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+_SCALES = {
+    "tyre_stiffness": ("tyre stiffness, kN/m", 1e-3),
+    "load": ("sprung mass, share", 1.0),
+    "friction": ("N", 1.0),
+}
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command to ``jounce study``."""
+    app.command("inspection-equivalence")(equivalence)
+
+
+def equivalence(
+    rig: RigName,
+    points: Annotated[int, typer.Option(min=2, max=200, help="Values of tyre stiffness, load and friction.")] = 28,
+    set_: Changes = None,
+    limits: Annotated[Path | None, typer.Option(help="Another limits file.")] = None,
+    figure: Annotated[Path | None, typer.Option(help="Draw the result: .png, .svg or .pdf.")] = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Compare adhesion, phase angle and THETA of one wheel over damper wear, tyre stiffness, load and friction.
+
+    Example: jounce study inspection-equivalence audi-a6-quarter-car --figure tests.png
+    """
+    if figure is not None:
+        _check(figure, force=force)
+    wanted = changes(set_)
+    with progress() as say:
+        say("loading")
+        from jounce.inspection.limits import load_limits
+        from jounce.studies.inspection_equivalence import compare_tests, usual_factors
+
+        study = compare_tests(
+            chosen_rig(rig, wanted),  # type: ignore[arg-type]
+            factors=usual_factors(points),
+            limits=load_limits(limits),
+            workers=os.cpu_count() or 1,
+            progress=lambda share: say(f"testing: {100.0 * share:.0f} %"),
+        )
+        if figure is not None:
+            from jounce.plots.equivalence import equivalence as draw_equivalence
+            from jounce.plots.writing import write_figure
+
+            write_figure(draw_equivalence(study), figure, force=force)
+    plain = {"rig": rig, "changes": wanted, **study.to_dict(), "figure": figure and str(figure)}
+    return Reply(plain, lambda console: _draw(console, plain), as_json)
+
+
+def _check(figure: Path, *, force: bool) -> None:
+    from jounce.core.serialise import check_writable
+    from jounce.plots.writing import SUFFIXES
+
+    if figure.suffix.lower() not in SUFFIXES:
+        raise OutputError(
+            "figures are not written in this format",
+            where="--figure",
+            found=str(figure),
+            allowed=", ".join(SUFFIXES),
+        )
+    check_writable(figure, force=force)
+
+
+def _draw(console: Console, plain: dict[str, Any]) -> None:
+    rows = [
+        (
+            one["factor"],
+            one["method"],
+            f"{one['rejected_sound']} of {one['sound']}",
+            _range(one["factor"], one["rejected_at"]),
+            f"{one['passed_worn']} of {one['worn']}",
+            _range(one["factor"], one["passed_at"]),
+        )
+        for one in plain["disagreements"]
+    ]
+    header = ("varied", "method", "sound rejected", "at", "worn passed", "at")
+    title = (
+        f"{plain['rig']}: sound is a damper that lost up to {100.0 * plain['sound_up_to']:.0f} %, worn one that lost "
+    )
+    title += f"{100.0 * plain['worn_from']:.0f} % or more (estimated)"
+    console.print(table(title, header, rows, text=tuple(range(6))))
+    console.print(f"{plain['tests']} simulated tests, limits {plain['limits']}")
+    if plain["figure"]:
+        console.print(f"written: {plain['figure']}")
+
+
+def _range(factor: str, ends: list[float] | None) -> str:
+    if ends is None:
+        return ""
+    unit, scale = _SCALES[factor]
+    shown = [f"{scale * end:.4g}" for end in dict.fromkeys(ends)]
+    return f"{' to '.join(shown)} {unit}"
