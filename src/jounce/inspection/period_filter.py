@@ -13,7 +13,7 @@ from jounce.kernel.call import kept, part
 Array = NDArray[np.float64]
 PASS, STOP, RIPPLE = 2.0, 4.0, 0.01
 _POINTS = 1025
-_PER_TURN = 60.0  # samples of a turn that are worked out, at least
+_PER_TURN = 40.0  # samples of a turn that are worked out, at least
 _FAST = {"reassoc", "contract", "arcp", "nsz"}  # sums in any order; NaN stays NaN
 FIELDS = ("least", "least_time", "greatest", "down", "up", "mean", "half_amplitude")
 
@@ -90,6 +90,16 @@ def _fall_and_rise(smooth, at, length, line):  # type: ignore[no-untyped-def] # 
     return fall, rise
 
 
+@part(fastmath=False)
+def _vertex(smooth, at):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
+    """Value of the parabola through three samples at its turning point, and where that is from the middle one."""
+    bend = smooth[at - 1] - 2.0 * smooth[at] + smooth[at + 1]
+    tilt = smooth[at - 1] - smooth[at + 1]
+    if abs(tilt) >= abs(bend) or bend == 0.0:
+        return smooth[at], 0.0
+    return smooth[at] - 0.125 * tilt * tilt / bend, 0.5 * tilt / bend
+
+
 @kept(error_model="numpy", fastmath=_FAST)
 def _periods(signals, rate, start, tops, frequencies, level, taps, half, low, high):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
     count, rows, samples = tops.size, signals.shape[0], signals.shape[1]
@@ -119,25 +129,25 @@ def _periods(signals, rate, start, tops, frequencies, level, taps, half, low, hi
             begin = math.ceil((middle + low * period - first) / step)
             end = math.floor((middle + high * period - first) / step)
             at = begin
-            greatest, least, mean, inside = smooth[begin], smooth[begin], 0.0, 0
-            one = round(period / step)
             for m in range(begin, end + 1):
-                if smooth[m] < least:
-                    least, at = smooth[m], m
-            for m in range(max(at - one // 2, 0), min(at + (one + 1) // 2, length - 1)):
-                greatest = max(greatest, smooth[m])
-                mean += smooth[m]
-                inside += 1
+                if smooth[m] < smooth[at]:
+                    at = m
             if at in (0, begin, end, length - 1):
                 continue
-            before, after = smooth[at - 1], smooth[at + 1]
-            bend = before - 2.0 * least + after
-            shift = 0.5 * (before - after) / bend if bend > 0.0 else 0.0
-            found[row, i, 0] = least - 0.125 * (before - after) ** 2 / bend if bend > 0.0 else least
+            one = round(period / step)
+            low_end, high_end = max(at - one // 2, 1), min(at + (one + 1) // 2, length - 1)
+            top, mean = low_end, 0.0
+            for m in range(low_end, high_end):
+                mean += smooth[m]
+                if smooth[m] > smooth[top]:
+                    top = m
+            least, shift = _vertex(smooth, at)
+            greatest, _ = _vertex(smooth, top)
+            found[row, i, 0] = least
             found[row, i, 1] = start + (first + (at + shift) * step) / rate
             found[row, i, 2] = greatest
-            found[row, i, 5] = mean / max(inside, 1)
-            found[row, i, 6] = 0.5 * (greatest - found[row, i, 0])
+            found[row, i, 5] = mean / max(high_end - low_end, 1)
+            found[row, i, 6] = 0.5 * (greatest - least)
             line = level
             if not (least + 0.1 * (greatest - least) < level < greatest - 0.1 * (greatest - least)):
                 line = 0.5 * (least + greatest)

@@ -20,7 +20,8 @@ class Corner:
     Attributes
     ----------
     sprung_mass, unsprung_mass : float
-        kg.
+        kg. What a record gives is the mass that acts on the wheel; of a car it may differ from the share that the wheel
+        carries.
     spring_rate, damping_coefficient : float
         Of the suspension at the wheel, N/m and N s/m.
     tyre_stiffness, tyre_damping_coefficient : float
@@ -88,25 +89,26 @@ def responses(parameters: Array, mass: float, s: Complex) -> Complex:
 
 
 def response_and_slopes(corner: Corner, s: Complex) -> tuple[Complex, Complex]:
-    """Response (n,) in N/m and its derivatives (n, 5) by unsprung mass, rate, damping, tyre stiffness, tyre damping.
+    """Response (n,) in N/m and its derivatives (n, 6), SI.
 
-    The unsprung mass is taken from the sprung mass, so that the static load stays.
+    By unsprung mass, spring rate, damping, tyre stiffness, tyre damping and sprung mass; ``s`` in 1/s.
     """
     response, wheel, tyre, body = _terms(corner, s)
     through = (tyre * wheel) ** 2
     strut = through * (1.0 - body) ** 2
     contact = (1.0 - tyre * wheel) ** 2
-    mass = through * s * s * (1.0 - body * body)
-    return response, np.stack([mass, strut, strut * s, contact, contact * s], axis=1)
+    mass = through * s * s
+    return response, np.stack([mass, strut, strut * s, contact, contact * s, mass * body * body], axis=1)
 
 
 def denominator_and_slopes(corner: Corner, s: Complex) -> tuple[Complex, Complex]:
-    """Characteristic polynomial (n,) at ``s`` in 1/s, SI, and its derivatives (n, 5) as in ``response_and_slopes``."""
+    """Characteristic polynomial (n,) at ``s`` in 1/s, SI, and its derivatives (n, 6) as in ``response_and_slopes``."""
     strut = corner.spring_rate + corner.damping_coefficient * s
     body = corner.sprung_mass * s * s + strut
     wheel = corner.unsprung_mass * s * s + strut + corner.tyre_stiffness + corner.tyre_damping_coefficient * s
     both = body + wheel - 2.0 * strut
-    return body * wheel - strut * strut, np.stack([s * s * (body - wheel), both, both * s, body, body * s], axis=1)
+    slopes = np.stack([s * s * body, both, both * s, body, body * s, s * s * wheel], axis=1)
+    return body * wheel - strut * strut, slopes
 
 
 def road_poles(corner: Corner) -> Complex:

@@ -26,12 +26,17 @@ from jounce.inspection.response import (
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 _TRANSIENT = 5
-_FREE = 5
+_FREE = 6
+_TIED = np.eye(_FREE, 5)
+_TIED[5, 0] = -1.0  # sprung and unsprung mass together carry the static load
+_SUM = np.array([1.0, 0.0, 0.0, 0.0, 0.0, 1.0])
+_SCALE = np.array([1.0, 1e3, 10.0, 1e3, 50.0, 10.0])
+_MASS_SPREAD = 0.2
 _MOST_STEPS = 40
-_SMALLEST_STEP = 1e-4
+_ROUGH_STEP, _SMALLEST_STEP = 2e-2, 1e-4
 _FEWEST_BINS = 24
 _GRADIENT_STEP = 1e-5
-_MORE_STEPS = 2
+_MORE_STEPS = 12
 _START_LINES = 60
 _TYRE_DAMPING, _TYRE_DAMPING_SPREAD = 50.0, 60.0  # N s/m: what a record with little to say falls back on
 
@@ -64,8 +69,8 @@ class ResponseFit:
     ----------
     corner : Corner
         Fitted masses, rates and dampings.
-    covariance : ndarray, shape (5, 5)
-        Of unsprung mass, spring rate, damping, tyre stiffness and tyre damping, SI.
+    covariance : ndarray, shape (6, 6)
+        Of unsprung mass, spring rate, damping, tyre stiffness, tyre damping and sprung mass, SI.
     noise : float
         Standard deviation of what the model leaves, N per sample, between the lowest and the highest frequency.
     explained : float
@@ -80,10 +85,9 @@ class ResponseFit:
     def spread(self, quantity: Callable[[Corner], float]) -> float:
         """Standard error of a number that follows from the corner, in the number's unit."""
         here = _parameters(self.corner)
-        mass = self.corner.sprung_mass + self.corner.unsprung_mass
-        steps = np.maximum(np.abs(here), [1.0, 1e3, 10.0, 1e3, 50.0]) * _GRADIENT_STEP
+        steps = np.maximum(np.abs(here), _SCALE) * _GRADIENT_STEP
         base = quantity(self.corner)
-        slope = np.array([quantity(_corner(here + step, mass)) - base for step in np.diag(steps)]) / steps
+        slope = np.array([quantity(_corner(here + step)) - base for step in np.diag(steps)]) / steps
         return math.sqrt(max(float(slope @ self.covariance @ slope), 0.0))
 
 
@@ -121,22 +125,23 @@ def stretch_of(height: Array, force: Array, sample_rate: float, low: float, high
 
 
 def fit_response(stretches: Sequence[Stretch], static_load: float, *, where: str = "wheel") -> ResponseFit:
-    """Fit a quarter car of a known static load to stretches of a record.
+    """Fit a quarter car to stretches of a record.
 
     Parameters
     ----------
     stretches : sequence of Stretch
         Parts of one record without lift-off.
     static_load : float
-        N; gives the sum of the masses.
+        N; says what sum of the masses to expect.
     where : str
         Place named in errors.
 
     Returns
     -------
     ResponseFit
-        Least-squares estimate with its covariance. The damping of the tyre, which hardly shows below the resonance of
-        the wheel, is expected at (50 +- 60) N s/m; that counts only as far as the noise leaves it open.
+        Least-squares estimate with its covariance. The mass that acts on the wheel is expected within 20 % of what the
+        plate carries, and the damping of the tyre, which hardly shows below the resonance of the wheel, at
+        (50 +- 60) N s/m; both count only as far as the noise leaves them open.
 
     Raises
     ------
@@ -150,50 +155,75 @@ def fit_response(stretches: Sequence[Stretch], static_load: float, *, where: str
     scale = 1.0 / math.sqrt(sum(one.samples for one in stretches) / len(stretches))
     parts = [Stretch(one.s, one.height * scale, one.force * scale, one.samples) for one in stretches]
     here = _start(parts, mass)
-    cost, normal, right = _system(parts, here, mass)
+    cost, normal, right = _system(parts, here)
     damping = 1e-3
     for _ in range(_MOST_STEPS):
-        step = _solve(normal, right, damping)
+        step = _TIED @ _solve(_TIED.T @ normal @ _TIED, _TIED.T @ right, damping)
         tried = _within(here + step, here, mass)
-        new_cost, new_normal, new_right = _system(parts, tried, mass)
+        new_cost, new_normal, new_right = _system(parts, tried)
         if new_cost <= cost:
-            moved = np.max(np.abs(tried - here) / np.maximum(np.abs(tried), [1.0, 1e3, 10.0, 1e3, 100.0]))
+            moved = np.max(np.abs(tried - here) / np.maximum(np.abs(tried), _SCALE))
             here, cost, normal, right = tried, new_cost, new_normal, new_right
             damping *= 0.1
-            if moved < _SMALLEST_STEP:
+            if moved < _ROUGH_STEP:
                 break
         else:
             damping = max(10.0 * damping, 1e-6)
             if damping > 1e8:
                 break
-    return _result(parts, here, mass, cost, normal)
+    return _released(parts, here, mass)
 
 
-def _result(parts: Sequence[Stretch], here: Array, mass: float, cost: float, normal: Array) -> ResponseFit:
-    """Bring in what is known of tyre damping, by its weight against the noise, and put the result together."""
-    rows = 2 * sum(one.s.size for one in parts)
-    variance = cost / max(rows - _FREE - _TRANSIENT * len(parts), 1)
-    known = np.zeros((_FREE, _FREE))
-    known[-1, -1] = variance / _TYRE_DAMPING_SPREAD**2
+def _released(parts: Sequence[Stretch], here: Array, mass: float) -> ResponseFit:
+    """Let the masses differ from the static load, and weigh what is known beforehand against the noise."""
+    freedom = max(2 * sum(one.s.size for one in parts) - _FREE - _TRANSIENT * len(parts), 1)
+    cost, normal, right = _system(parts, here)
+    damping = 1e-9
     for _ in range(_MORE_STEPS):
-        cost, normal, right = _system(parts, here, mass)
-        right = right + known @ (_TYRE_DAMPING - here)
-        here = _within(here + _solve(normal + known, right, 1e-12), here, mass)
+        variance = cost / freedom
+        known, pull = _expected(here, mass, variance)
+        tried = _within(here + _solve(normal + known, right + pull, damping), here, mass)
+        new = _system(parts, tried)
+        if new[0] + _surprise(tried, mass, variance) > cost + _surprise(here, mass, variance):
+            damping = max(100.0 * damping, 1e-5)
+            continue
+        moved = np.max(np.abs(tried - here) / np.maximum(np.abs(tried), _SCALE))
+        here, (cost, normal, right) = tried, new
+        damping *= 0.1
+        if moved < _SMALLEST_STEP:
+            break
+    known, _ = _expected(here, mass, cost / freedom)
     size = np.sqrt(np.diag(normal + known))
     size = np.where(size > 0.0, size, 1.0)
     covariance = np.linalg.pinv((normal + known) / np.outer(size, size), rcond=1e-15, hermitian=True)
     power = sum(float(np.sum(np.abs(one.force) ** 2)) for one in parts)
     return ResponseFit(
-        corner=_corner(here, mass),
-        covariance=covariance / np.outer(size, size) * variance,
-        noise=math.sqrt(2.0 * variance),
+        corner=_corner(here),
+        covariance=covariance / np.outer(size, size) * (cost / freedom),
+        noise=math.sqrt(2.0 * cost / freedom),
         explained=1.0 - cost / power if power > 0.0 else 0.0,
     )
 
 
-def _corner(parameters: Array, mass: float) -> Corner:
-    mu, k, c, kt, ct = (float(value) for value in parameters)
-    return Corner(mass - mu, mu, k, c, kt, ct)
+def _expected(here: Array, mass: float, variance: float) -> tuple[Array, Array]:
+    """Normal matrix and right side of what is known beforehand: tyre damping, and the sum of the masses (kg)."""
+    of_mass = variance / (_MASS_SPREAD * mass) ** 2
+    known = of_mass * np.outer(_SUM, _SUM)
+    known[4, 4] += variance / _TYRE_DAMPING_SPREAD**2
+    pull = of_mass * (mass - _SUM @ here) * _SUM
+    pull[4] += variance / _TYRE_DAMPING_SPREAD**2 * (_TYRE_DAMPING - here[4])
+    return known, pull
+
+
+def _surprise(here: Array, mass: float, variance: float) -> float:
+    """Sum of squares by which parameters miss what is known beforehand."""
+    gap = (mass - float(_SUM @ here)) / (_MASS_SPREAD * mass), (_TYRE_DAMPING - here[4]) / _TYRE_DAMPING_SPREAD
+    return variance * float(gap[0] ** 2 + gap[1] ** 2)
+
+
+def _corner(parameters: Array) -> Corner:
+    mu, k, c, kt, ct, ms = (float(value) for value in parameters)
+    return Corner(ms, mu, k, c, kt, ct)
 
 
 def _parameters(corner: Corner) -> Array:
@@ -204,14 +234,15 @@ def _parameters(corner: Corner) -> Array:
             corner.damping_coefficient,
             corner.tyre_stiffness,
             corner.tyre_damping_coefficient,
+            corner.sprung_mass,
         ]
     )
 
 
 def _within(parameters: Array, before: Array, mass: float) -> Array:
     """Halve the way to what no car can have."""
-    low = np.array([1e-3 * mass, 0.0, 0.0, 1e3, -2e3])
-    high = np.array([0.6 * mass, 1e7, 1e6, 1e8, 2e4])
+    low = np.array([1e-3 * mass, 0.0, 0.0, 1e3, -2e3, 0.2 * mass])
+    high = np.array([0.6 * mass, 1e7, 1e6, 1e8, 2e4, 3.0 * mass])
     inside = np.where(parameters < low, 0.5 * (before + low), parameters)
     return np.where(inside > high, 0.5 * (before + high), inside)
 
@@ -232,7 +263,8 @@ def _start(parts: Sequence[Stretch], mass: float) -> Array:
         misfit += np.sum(
             np.abs(one.force[few] - responses(candidates, mass, one.s[few]) * one.height[few]) ** 2, axis=1
         )
-    return np.asarray(candidates[int(np.argmin(misfit))])
+    best = candidates[int(np.argmin(misfit))]
+    return np.append(best, mass - best[0])
 
 
 def _tyre_stiffness(parts: Sequence[Stretch]) -> float:
@@ -244,9 +276,9 @@ def _tyre_stiffness(parts: Sequence[Stretch]) -> float:
     return min(max(0.8 * gain, 6e4), 8e5)
 
 
-def _system(parts: Sequence[Stretch], parameters: Array, mass: float) -> tuple[float, Array, Array]:
-    """Sum of squares, normal matrix and right side for the five parameters; the transients are projected out."""
-    corner = _corner(parameters, mass)
+def _system(parts: Sequence[Stretch], parameters: Array) -> tuple[float, Array, Array]:
+    """Sum of squares, normal matrix and right side for the six parameters; the transients are projected out."""
+    corner = _corner(parameters)
     cost, normal, right = 0.0, np.zeros((_FREE, _FREE)), np.zeros(_FREE)
     for one in parts:
         response, slopes = response_and_slopes(corner, one.s)
@@ -279,7 +311,7 @@ def _real(values: Complex) -> Array:
 def _solve(normal: Array, right: Array, damping: float) -> Array:
     size = np.sqrt(np.diag(normal))
     size = np.where(size > 0.0, size, 1.0)
-    scaled = normal / np.outer(size, size) + damping * np.eye(_FREE)
+    scaled = normal / np.outer(size, size) + damping * np.eye(right.size)
     return np.asarray(np.linalg.solve(scaled, right / size) / size)
 
 
