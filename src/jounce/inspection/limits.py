@@ -13,7 +13,7 @@ from pydantic import Field, model_validator
 
 from jounce.core.description import Description, misplaced, read_toml
 from jounce.core.errors import DescriptionError, nearest
-from jounce.core.units import to_si
+from jounce.core.units import Number, to_si
 from jounce.inspection.quantities import QUANTITIES, Language, Quantity
 from jounce.parts.loading import check_schema
 
@@ -45,8 +45,8 @@ class Band(Description):
         A keyword that results carry, e.g. ``over_range``.
     """
 
-    start: float = Field(default=-math.inf, alias="from")
-    end: float = Field(default=math.inf, alias="to")
+    start: Number = Field(default=-math.inf, alias="from")
+    end: Number = Field(default=math.inf, alias="to")
     end_included: bool = Field(default=False, alias="to_included")
     label: str = Field(min_length=1)
     label_de: str = ""

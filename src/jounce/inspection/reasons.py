@@ -232,5 +232,5 @@ def range_words(criterion: Criterion, band: Band, language: Language = "en") -> 
 
 
 def verdict_words(verdict: str, language: Language = "en") -> str:
-    """Give a verdict in words."""
+    """Say ``pass``, ``advise``, ``fail`` or ``not graded`` in a language; another text is given as it is."""
     return VERDICT_WORDS.get(verdict, {}).get(language, verdict)
