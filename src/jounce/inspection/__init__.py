@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from jounce.inspection.conditioning import PlateCalibration, calibrate_plate
 from jounce.inspection.evaluation import evaluate
+from jounce.inspection.grading import GradedInspection, VehicleGrade, grade, grade_vehicle
+from jounce.inspection.limits import Limits, load_limits
 from jounce.inspection.record import read_record
 from jounce.inspection.response import Corner, force_response
 from jounce.inspection.result import Inspection, WheelCurves, WheelResult
@@ -11,14 +13,20 @@ from jounce.inspection.steady import SteadyState, steady_state
 
 __all__ = [
     "Corner",
+    "GradedInspection",
     "Inspection",
+    "Limits",
     "PlateCalibration",
     "SteadyState",
+    "VehicleGrade",
     "WheelCurves",
     "WheelResult",
     "calibrate_plate",
     "evaluate",
     "force_response",
+    "grade",
+    "grade_vehicle",
+    "load_limits",
     "read_record",
     "steady_state",
 ]

@@ -20,6 +20,7 @@ from jounce.plots import (
     design,
     equivalence,
     histories,
+    inspection,
     kinematics,
     linear,
     mechanisms,
@@ -174,6 +175,8 @@ def _register_fits(draw: Any) -> None:
 
 def _register_studies(draw: Any) -> None:
     """Results of whole jobs."""
+    from jounce.inspection.grading import GradedInspection
+    from jounce.inspection.result import Inspection
     from jounce.studies.audi_a6 import AudiCase
     from jounce.studies.audi_a6_excenter import Excenter
     from jounce.studies.campaign.result import CampaignResult, StrategyResult, TrialResult
@@ -192,3 +195,7 @@ def _register_studies(draw: Any) -> None:
     draw.register(AudiCase, lambda result, **options: audi_a6.case_overview(result, result.runs[0].moment, **options))
     draw.register(Excenter, audi_a6.excenter_spring)
     draw.register(Equivalence, equivalence.equivalence)
+    draw.register(Inspection, inspection.inspection_curves)
+    draw.register(
+        GradedInspection, lambda result, **options: inspection.inspection_curves(result.inspection, **options)
+    )

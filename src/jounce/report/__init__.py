@@ -1,7 +1,8 @@
 """Documents: pages of text, tables and figures as one HTML file each, with their figures and data beside it.
 
-:func:`write_campaign` reports a bench campaign; any other page is put together from :class:`Page` and :class:`Section`
-and written by :func:`write_page`. Nothing here computes a physical number.
+:func:`write_campaign` reports a bench campaign, :func:`write_protocol` the test of a car's shock absorbers; any other
+page is put together from :class:`Page` and :class:`Section` and written by :func:`write_page`. Nothing here computes a
+physical number.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from jounce.report.page import (
     Subsection,
     Table,
 )
+from jounce.report.protocol import write_protocol
 from jounce.report.render import write_page
 
 __all__ = [
@@ -43,4 +45,5 @@ __all__ = [
     "write_figure",
     "write_folder",
     "write_page",
+    "write_protocol",
 ]

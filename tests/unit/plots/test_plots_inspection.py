@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from jounce.inspection.grading import grade
 from jounce.inspection.result import Inspection, WheelCurves, WheelResult
-from jounce.plots import rendered
+from jounce.plots import figure_of, rendered
 from jounce.plots.inspection import envelope, inspection_curves
 
 FREQUENCY = np.linspace(25.0, 4.0, 40)
@@ -95,3 +96,9 @@ def test_the_envelope_keeps_every_peak() -> None:
     assert np.all(low <= high)
     gone = envelope(np.arange(3.0), np.full(3, np.nan))
     assert [part.size for part in gone] == [0, 0, 0]
+
+
+def test_results_are_drawn_by_the_one_verb() -> None:
+    for result in (inspection(), grade(inspection())):
+        titles = [axes.get_title(loc="left") for axes in figure_of(result).axes]
+        assert titles == ["Force amplitude [kN]", "Phase angle [°]"]
