@@ -60,7 +60,7 @@ def open_database(location: str, *, read_only: bool, damaged: bool = False) -> E
     if not file.is_file():
         raise RecordingError("not a file", where=location, allowed="a record store")
     if damaged:
-        return _sqlite(file, read_only=True)
+        return _sqlite(file, read_only=True, damaged=True)
     _check_file(file)
     looking = _sqlite(file, read_only=True)
     try:
@@ -95,7 +95,7 @@ def complaints(location: str) -> Iterator[None]:
         raise
     except DBAPIError as error:
         reason = str(error.orig).strip()
-        if any(word in reason for word in ("malformed", "not a database", "corrupt")):
+        if any(word in reason for word in ("malformed", "not a database", "corrupt", "decode")):
             raise DamagedStoreError(f"the store is damaged: {reason}", where=location, hint=_LEFT_ALONE) from None
         hint = "Another process writes; try again." if "locked" in reason else "Check the rights and the space."
         raise OutputError(f"the store cannot be used: {reason}", where=location, hint=hint) from None
@@ -123,7 +123,7 @@ def _open_other(location: str, *, read_only: bool) -> Engine:
     return engine
 
 
-def _sqlite(file: Path, *, read_only: bool) -> Engine:
+def _sqlite(file: Path, *, read_only: bool, damaged: bool = False) -> Engine:
     """Engine of a file; what is written is on the disk before a transaction counts."""
     from urllib.parse import quote
 
@@ -140,6 +140,8 @@ def _sqlite(file: Path, *, read_only: bool) -> Engine:
         connection.isolation_level = None  # transactions are begun below, for writing at once
         connection.execute("PRAGMA synchronous=FULL")
         connection.execute("PRAGMA foreign_keys=ON")
+        if damaged:
+            connection.execute("PRAGMA writable_schema=ON")  # SQLite's way to read on although pages are missing
 
     @event.listens_for(engine, "begin")
     def begin(connection: Connection) -> None:

@@ -24,7 +24,16 @@ from jounce.inspection.tables import CONTENTS, DESCRIPTIONS, RECORDS, RESULTS, V
 if TYPE_CHECKING:
     from sqlalchemy.engine import Connection
 
-_RESULT_COLUMNS = (RESULTS.c.verdict, RESULTS.c.limits, RESULTS.c.software, RESULTS.c.result)
+_RESULT_COLUMNS = (
+    RESULTS.c.record,
+    RESULTS.c.verdict,
+    RESULTS.c.limits,
+    RESULTS.c.software,
+    RESULTS.c.result,
+    RESULTS.c.seal.label("result_seal"),
+)
+_SHOWN = ("name", "plate", "vehicle", "date", "axle", "tester", "accepted")
+_SHOWN_COLUMNS = (RECORDS.c.number, *(RECORDS.c[name] for name in _SHOWN), RECORDS.c.seal)
 _ATTEMPTS = 5
 
 
@@ -231,6 +240,7 @@ class Store:
                 "vehicle_digest": _note_description(connection, entry.vehicle_table),
                 "methods": ",".join(entry.methods),
             }
+            values["seal"] = _seal(*(values[name] for name in _SHOWN))
             number = int(connection.execute(insert(RECORDS).values(**values).returning(RECORDS.c.number)).scalar_one())
             connection.execute(insert(CONTENTS).values(record=number, **packed))
             if grading is not None:
@@ -334,8 +344,7 @@ class Store:
 
         newest = select(func.max(RESULTS.c.number)).group_by(RESULTS.c.record).scalar_subquery()
         joined = RECORDS.outerjoin(RESULTS, and_(RESULTS.c.record == RECORDS.c.number, RESULTS.c.number.in_(newest)))
-        shown = (RECORDS.c[name] for name in StoredRecord.__dataclass_fields__ if name != "grading")
-        asked = select(*shown, *_RESULT_COLUMNS)
+        asked = select(*_SHOWN_COLUMNS, *_RESULT_COLUMNS)
         for column, value in ((RESULTS.c.verdict, verdict), (RECORDS.c.tester, tester)):
             asked = asked if value is None else asked.where(column == value)
         if plate is not None:
@@ -366,9 +375,8 @@ class Store:
     def _record(self, number: int) -> StoredRecord:
         from sqlalchemy import select
 
-        shown = (RECORDS.c[name] for name in StoredRecord.__dataclass_fields__ if name != "grading")
         with self._reading() as connection:
-            row = connection.execute(select(*shown).where(RECORDS.c.number == number)).one()
+            row = connection.execute(select(*_SHOWN_COLUMNS).where(RECORDS.c.number == number)).one()
         return _stored(row, self.newest_grading(number))
 
     def gradings(self, number: int) -> list[Grading]:
@@ -411,6 +419,8 @@ class Store:
         for number in self.numbers():
             try:
                 self.content(number)
+                self._record(number)
+                self.gradings(number)
             except RecordingError as error:
                 found.append(error.what)
         return found
@@ -455,23 +465,34 @@ def _note_description(connection: Connection, table: Mapping[str, Any] | None) -
 
 
 def _row_of(record: int, grading: Grading) -> dict[str, Any]:
-    return {
+    row = {
         "record": record,
-        "graded": _now(),
         "verdict": grading.verdict,
         "limits": grading.limits,
         "software": grading.software,
         "result": to_json(grading.result, indent=None),
     }
+    return {**row, "seal": _seal(*row.values()), "graded": _now()}
+
+
+def _seal(*parts: object) -> str:
+    """Checksum of what is read without its file: a flipped bit must not become another verdict."""
+    return hashlib.sha256("\0".join(map(str, parts)).encode()).hexdigest()
 
 
 def _grading(row: Any) -> Grading | None:
-    return None if row.result is None else Grading(row.verdict, row.limits, row.software, json.loads(row.result))
+    if row.result is None:
+        return None
+    if _seal(row.record, row.verdict, row.limits, row.software, row.result) != row.result_seal:
+        raise DamagedStoreError(f"a grading of record {row.record} is damaged", hint="Use a copy of the store.")
+    return Grading(row.verdict, row.limits, row.software, json.loads(row.result))
 
 
 def _stored(row: Any, grading: Grading | None) -> StoredRecord:
-    places = (row.name, row.plate, row.vehicle, row.date, row.axle, row.tester, row.accepted)
-    return StoredRecord(row.number, *places, grading)
+    known: dict[str, Any] = {name: getattr(row, name) for name in _SHOWN}
+    if _seal(*known.values()) != row.seal:
+        raise DamagedStoreError(f"what is known of record {row.number} is damaged", hint="Use a copy of the store.")
+    return StoredRecord(row.number, **known, grading=grading)
 
 
 def _now() -> str:

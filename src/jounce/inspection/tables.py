@@ -55,6 +55,7 @@ RECORDS = Table(
     Column("tester_digest", ForeignKey("descriptions.digest")),
     Column("vehicle_digest", ForeignKey("descriptions.digest")),
     Column("methods", String, nullable=False),
+    Column("seal", String(64), nullable=False),  # checksum of what is shown of the record
 )
 CONTENTS = Table(  # apart from the records, so that searching and checking need not read them
     "contents",
@@ -74,6 +75,7 @@ RESULTS = Table(
     Column("limits", String, nullable=False),
     Column("software", String, nullable=False),
     Column("result", Text, nullable=False),
+    Column("seal", String(64), nullable=False),
     Index("results_of_record", "record", "number"),
 )
 WATCHED = Table(  # files of watched folders that were looked at

@@ -101,7 +101,7 @@ class FolderWatch:
         self._suffixes = record_suffixes()
         self._done: dict[str, _Stamp] = store.watched()
         self._waiting: dict[str, tuple[_Stamp, float]] = {}
-        self._complaint = ""
+        self._complaint = self._busy = ""
 
     @property
     def is_waiting(self) -> bool:
@@ -147,15 +147,15 @@ class FolderWatch:
         """Import one file; None where the store cannot be written to now, so that it comes again."""
         try:
             imported = import_record(file, self.store, self.tester, limits=self.limits)
-            seen = Seen(file, imported, imported.problem)
+            seen, self._busy = Seen(file, imported, imported.problem), ""
         except DamagedStoreError:
             raise
         except OSError as error:
             seen = Seen(file, None, f"cannot be read: {error.strerror or error}")
         except JounceError as error:
             if error.where == self.store.location:
-                if self._complaint != str(error):
-                    self._complaint = str(error)
+                if self._busy != str(error):
+                    self._busy = str(error)
                     return Seen(file, None, f"{error} It is tried again.")
                 return None
             seen = Seen(file, None, str(error))

@@ -1,0 +1,89 @@
+"""Trends of one vehicle and tables of results."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+
+import pytest
+
+from jounce.core.errors import OutputError
+from jounce.core.optional import MissingPackageError
+from jounce.inspection import exporting
+from jounce.inspection.exporting import COLUMNS, export, rows_of
+from jounce.inspection.history import history_of, trends_of
+from jounce.inspection.store import Grading, RecordEntry, Store
+
+WHEEL = {
+    "wheel": "left", "verdict": "advise", "reasons": ['adhesion "low", 30 %.', "Second, one."], "lift_off": False,
+    "phase_angle_min_deg": 41.5, "theta_road": 0.11, "uncertainty": {"adhesion": 0.01}, "grade": {"eusama": "poor"},
+}  # fmt: skip
+
+
+@pytest.fixture
+def store(tmp_path: Path) -> Store:
+    found = Store(tmp_path / "lane.sqlite")
+    for year, adhesion in ((2025, 0.4), (2023, 0.6), (2024, 0.5)):
+        wheels = [{**WHEEL, "adhesion": adhesion}, {**WHEEL, "wheel": "right", "adhesion": None, "theta_road": 0.2}]
+        entry = RecordEntry(f"{year}.csv", str(year).encode(), plate="B-AB 1", date=f"{year}-06-01", axle="rear")
+        found.accept(entry, Grading("advise", "limits 1", "0.1", {"wheels": wheels}))
+    unread = Grading("not graded", "limits 1", "0.1", {"wheels": [], "reasons": ["the header is missing."]})
+    found.accept(RecordEntry("x.csv", b"x", plate="B-AB 1", date="2026-06-01"), unread)
+    return found
+
+
+def test_history_is_by_date_and_its_slope_right(store) -> None:
+    visits = history_of(store, "bab 1")
+    assert [visit.values["adhesion"] for visit in visits if visit.wheel == "left"] == [0.6, 0.5, 0.4]
+    trends = {(one.wheel, one.quantity): one for one in trends_of(visits)}
+    assert trends["left", "adhesion"].change_per_year == pytest.approx(-0.1, abs=2e-4)  # 2024 is a leap year
+    assert trends["left", "theta_road"].change_per_year == pytest.approx(0.0, abs=1e-12)
+    assert ("right", "adhesion") not in trends
+    assert trends["right", "theta_road"].visits == 3
+    assert trends_of(visits[:2]) == []  # one day is no trend
+
+
+def test_csv_has_a_row_for_each_wheel_and_one_for_what_could_not_be_read(store, tmp_path: Path) -> None:
+    file = export(rows_of(store.records()), tmp_path / "lane.csv")
+    rows = list(csv.DictReader(file.read_text(encoding="utf-8").splitlines()))
+    assert len(rows) == 7
+    assert tuple(rows[0]) == COLUMNS
+    assert (rows[0]["adhesion"], rows[0]["adhesion_half_width"], rows[0]["grade_eusama"]) == ("0.6", "0.01", "poor")
+    assert rows[0]["reasons"] == 'adhesion "low", 30 %. Second, one.'
+    assert (rows[6]["wheel"], rows[6]["verdict"], rows[6]["reasons"]) == ("", "not graded", "the header is missing.")
+    with pytest.raises(OutputError, match="exists"):
+        export([], file)
+
+
+def test_parquet_has_types_and_units(store, tmp_path: Path) -> None:
+    parquet = pytest.importorskip("pyarrow.parquet")
+    file = export(rows_of(store.records()), tmp_path / "lane.parquet")
+    found = parquet.read_table(file)
+    assert found.num_rows == 7
+    assert found.schema.field("tyre_rigidity").metadata == {b"unit": b"N/m"}
+    assert found["adhesion"].to_pylist()[:2] == [0.6, None]
+    assert found["lift_off"].to_pylist()[-1] is None
+    assert json.dumps(found["number"].to_pylist()) == "[2, 2, 3, 3, 1, 1, 4]"
+
+
+def test_parquet_without_its_package_says_what_to_install(tmp_path: Path, monkeypatch) -> None:
+    def missing(module: str, extra: str) -> None:
+        raise MissingPackageError(f"the package {module!r} is not installed", hint=f"jounce[{extra}]")
+
+    monkeypatch.setattr(exporting, "require", missing)
+    with pytest.raises(MissingPackageError, match=r"jounce\[lane\]"):
+        export([], tmp_path / "lane.parquet")
+    with pytest.raises(OutputError, match=r"allowed: \.csv, \.parquet"):
+        export([], tmp_path / "lane.xls")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_history_is_drawn(store, tmp_path: Path) -> None:
+    from jounce.plots.history import vehicle_history
+
+    figure = vehicle_history(history_of(store, "B-AB 1"))
+    adhesion = figure.axes[0].lines[0]
+    assert list(adhesion.get_ydata()) == [60.0, 50.0, 40.0]
+    assert figure.axes[0].get_ylim()[1] > 60.0
+    vehicle_history([])
