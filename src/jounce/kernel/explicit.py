@@ -402,13 +402,14 @@ def _limit(control: Any, counts: Any, t: float, h: float) -> int:
     return _STEP_TOO_SMALL if h < 1e-14 * max(1.0, abs(t)) else _COMPLETED
 
 
-@part(forceinline=True)
+@part(inline="always")
 def _renew(
     problem: Any, feedback: Any, work: Any, start: float, t: float, edge: float, instant: float, slack: float
 ) -> tuple[int, float, float]:
     """Go on to new inputs at an edge, and to new commands at a control instant; give the next of both.
 
-    Inlined, as all that happens at every edge: a call would copy the whole problem.
+    Put into the loop's own code, since a call would copy the whole problem; forced into the machine code, it would
+    double the time that this takes to compile.
     """
     status, following = _COMPLETED, instant
     if edge <= t + slack:
