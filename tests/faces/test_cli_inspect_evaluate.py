@@ -256,3 +256,27 @@ def test_the_vehicle_names_the_car_where_the_record_does_not(cli) -> None:
     assert found.exit_code == 0
     assert "audi-a6-quarter-car" in Path("a.html").read_text(encoding="utf-8")
     assert "is not that of the vehicle file" in found.out  # 366 kg on a wheel of 505 kg
+
+
+def test_an_evaluation_that_fails_loses_no_record(cli, front: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from jounce.inspection import lane
+
+    def fail(*_arguments: object) -> None:
+        raise ZeroDivisionError("somewhere")
+
+    monkeypatch.setattr(lane, "evaluate", fail)
+    found = cli("inspect", "evaluate", front, *TESTER, "--store", "lane.sqlite", "--json")
+    assert found.exit_code == 1
+    store = Store("lane.sqlite", read_only=True)
+    (kept,) = store.records()
+    assert kept.grading.verdict == "not graded"
+    assert store.content(1)[0] == front.read_bytes()
+    store.close()
+
+
+def test_a_wrong_request_keeps_nothing(cli, front: Path) -> None:
+    found = cli("inspect", "evaluate", front, *TESTER, "--method", "boge", "--store", "lane.sqlite", "--json")
+    assert found.exit_code == 2
+    store = Store("lane.sqlite", read_only=True)
+    assert store.records() == []
+    store.close()

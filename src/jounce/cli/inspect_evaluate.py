@@ -11,7 +11,7 @@ import typer
 from jounce.cli.options import AsJson, Force
 from jounce.cli.reply import DONE, REFUSED, Reply, progress
 from jounce.cli.tables import show_findings, table
-from jounce.core.errors import DescriptionError, JounceError, RecordingError, unknown
+from jounce.core.errors import DescriptionError, RecordingError, unknown
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -116,6 +116,7 @@ class _Wanted:
         self.limits: Limits = load_limits(limits)
         self.vehicle = None if vehicle is None else _vehicle(vehicle)
         self.vehicle_name = "" if vehicle is None else Path(vehicle).stem
+        self.task: dict[str, Any] = {"tester": self.tester, "vehicle": self.vehicle, "methods": self.methods}
 
 
 def _checked(protocols: list[Path], *, force: bool) -> list[Path]:
@@ -148,17 +149,18 @@ def _inspect(file: Path, wanted: _Wanted, store: Any, say: Any) -> tuple[Inspect
     from jounce.inspection.record import read_record
 
     say(f"evaluating {file.name}")
+    read = None
     try:
         read = read_record(file, wanted.tester)
-    except JounceError as error:
-        if store is not None:
-            _keep(store, entry_of(file, tester=wanted.tester), refusal_of(error, wanted.limits))
+        found = inspect_record(file, wanted.tester, wanted.vehicle, wanted.methods, wanted.limits, read=read)
+    except Exception as error:
+        if store is not None and not (read is not None and isinstance(error, DescriptionError)):  # that is the request
+            _keep(store, entry_of(file, **wanted.task), refusal_of(error, wanted.limits))
         raise
-    found = inspect_record(file, wanted.tester, wanted.vehicle, wanted.methods, wanted.limits, read=read)
     if store is None:
         return found, None
     facts = {"vehicle": wanted.vehicle_name, **found.facts}
-    return found, _keep(store, entry_of(file, facts, wanted.tester), grading_of(found.graded))
+    return found, _keep(store, entry_of(file, facts, **wanted.task), grading_of(found.graded))
 
 
 def _keep(store: Any, entry: Any, grading: Any) -> int:

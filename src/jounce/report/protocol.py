@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from jounce.core.errors import OutputError, unknown
 from jounce.core.serialise import check_writable, to_json, to_plain, write_atomically
 from jounce.inspection.grading import GradedInspection, VehicleGrade, grade_vehicle
+from jounce.inspection.lane import day_of
 from jounce.inspection.quantities import LANGUAGES, Language
 from jounce.plots import rendered
 from jounce.plots.inspection import inspection_curves
@@ -279,9 +280,9 @@ def _language(language: str) -> Language:
 
 
 def _day(date: str) -> tuple[int, int, int] | None:
-    """Year, month and day where a text begins with them, ISO 8601."""
+    """Year, month and day of a text that is a date."""
     try:
-        found = datetime.date.fromisoformat(date[:10])
+        found = datetime.date.fromisoformat(day_of(date))
     except ValueError:
         return None
     return found.year, found.month, found.day

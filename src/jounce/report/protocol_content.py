@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -56,7 +57,7 @@ def protocol_content(
         "language": language,
         "words": dict(words),
         "title": words["title"],
-        "head": [{"label": words[name], "text": shortened(about.get(name, ""), _LONGEST_HEAD)} for name in HEAD],
+        "head": [{"label": words[name], "text": _head_text(name, about, language)} for name in HEAD],
         "date": about.get("date", ""),
         "deciding": ", ".join(METHOD_NAMES[method] for method in vehicle.axles[0].deciding) or "–",
         "verdict": _verdict(vehicle.verdict, language),
@@ -68,6 +69,12 @@ def protocol_content(
         "sources": _sources(vehicle, limits),
         "foot": _foot(limits, about, software, words),
     }
+
+
+def _head_text(name: str, about: Mapping[str, str], language: Language) -> str:
+    text = about.get(name, "")
+    german = re.fullmatch(r"(\d{4})-(\d\d)-(\d\d)", text) if name == "date" and language == "de" else None
+    return f"{german[3]}.{german[2]}.{german[1]}" if german else shortened(text, _LONGEST_HEAD)
 
 
 def shortened(text: str, longest: int = _LONGEST_TEXT) -> str:

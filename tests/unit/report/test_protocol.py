@@ -127,6 +127,7 @@ def test_german_words_and_commas(worn: VehicleGrade) -> None:
     assert re.fullmatch(r"\d+,\d %", row["cells"][0]["text"])
     assert row["cells"][0]["half"] == "± 0,3 %"
     assert content["reasons"][0]["place"] == "Vorn rechts"
+    assert content["head"][2] == {"label": "Datum", "text": "21.11.2026"}
 
 
 def test_both_languages_have_the_same_words() -> None:
@@ -195,6 +196,10 @@ def test_the_pdf_is_one_page_and_the_same_bytes_every_time(worn: VehicleGrade, r
     pages = protocol_png(worn, records=records, ppi=30.0)
     assert len(pages) == 1
     assert pages[0].startswith(b"\x89PNG")
+
+
+def test_german_dates_are_dates(worn: VehicleGrade) -> None:
+    assert b"(D:20261121000000" in protocol_pdf(worn, about={"date": "21.11.2026"})
 
 
 @pytest.mark.parametrize("date", ["yesterday", "", "2026-13-45"])
