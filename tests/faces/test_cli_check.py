@@ -84,3 +84,13 @@ def test_bad_recordings(content: str, message: str, cli, tmp_path: Path) -> None
     outcome = cli("check", "pass.csv")
     assert outcome.exit_code == 2
     assert message in outcome.err
+
+
+def test_controllers(cli, tmp_path: Path) -> None:
+    file = tmp_path / "law.toml"
+    file.write_text('schema = "jounce.control/1"\nlaw = "skyhook"\n', encoding="utf-8")
+    assert cli("check", file, "--json").json["files"][0]["kind"] == "control"
+    file.write_text('schema = "jounce.control/1"\nlaw = "skyhok"\n', encoding="utf-8")
+    outcome = cli("check", file)
+    assert outcome.exit_code == 2
+    assert "Did you mean 'skyhook'?" in outcome.err

@@ -97,6 +97,8 @@ def test_a_measured_road_is_driven_to_its_end_under_both_tracks(cli) -> None:
         (("ride", CAR, *SHORT, "--control", "passive,skyhook", "--out", "run.nc"), ("--out", "one")),
         (("compare", CAR, "--figure", "picture.gif"), (".svg, .png, .pdf",)),
         (("compare", "no-car"), ("no-car",)),
+        (("compare", CAR, "--control", ""), ("--control", "no controller")),
+        (("ride", CAR, "--road", "iso:C:7", "--seed", "3", "--speed", "20 m/s"), ("--seed", "two seeds")),
     ],
 )
 def test_what_is_wrong_is_said_once(cli, tmp_path: Path, arguments: tuple[str, ...], words: tuple[str, ...]) -> None:
@@ -106,6 +108,16 @@ def test_what_is_wrong_is_said_once(cli, tmp_path: Path, arguments: tuple[str, .
     for word in words:
         assert word in outcome.err
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_road_may_name_its_seed(cli) -> None:
+    drive = ("--speed", "20 m/s", "--duration", "3 s", "--json")
+    said, chosen = (
+        cli("ride", CAR, "--road", "ISO:c:7", *drive),
+        cli("ride", CAR, "--road", "iso:C", "--seed", 7, *drive),
+    )
+    assert said.json["seed"] == chosen.json["seed"] == 7
+    assert said.json["runs"] == chosen.json["runs"]
 
 
 def test_tracks_of_a_full_car_differ(cli) -> None:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 def check(
     given: Annotated[
-        list[str], typer.Argument(metavar="FILE...", help="Rigs, vehicles, campaigns, roads, recordings.")
+        list[str], typer.Argument(metavar="FILE...", help="Rigs, vehicles, controllers, campaigns, roads, recordings.")
     ],
     as_json: AsJson = False,
 ) -> Reply:

@@ -16,6 +16,7 @@ _TOML_KINDS = {
     "jounce.vehicle/1": "vehicle",
     "jounce.campaign/1": "campaign",
     "jounce.road/1": "road",
+    "jounce.control/1": "control",
 }
 
 
@@ -61,7 +62,7 @@ def _toml(checked: Checked) -> None:
                 "the schema line is missing", where=str(checked.file), allowed=", ".join(_TOML_KINDS)
             )
         raise unknown(str(schema), _TOML_KINDS, what="schema", where=str(checked.file))
-    {"rig": _rig, "vehicle": _rig, "road": _road, "campaign": _campaign}[checked.kind](checked)
+    {"rig": _rig, "vehicle": _rig, "road": _road, "campaign": _campaign, "control": _control}[checked.kind](checked)
 
 
 def _rig(checked: Checked) -> None:
@@ -78,6 +79,13 @@ def _road(checked: Checked) -> None:
     checked.kind = "road"
     road = load_road(checked.file)
     checked.what = f"{getattr(road, 'kind', 'road')}, ends at {road.end():g} m"
+
+
+def _control(checked: Checked) -> None:
+    from jounce.control import controller
+
+    found = controller(checked.file)
+    checked.what = str(getattr(found, "law", type(found).__name__))
 
 
 def _measured(checked: Checked) -> None:

@@ -189,11 +189,13 @@ def _driven(rig: Rig, road: str, speed: str, duration: str | None, band: str | N
     if band is not None:
         raise DescriptionError("a simulated road has its own waves", where="--band", hint="Leave out the band.")
     from jounce.roads import load_road
+    from jounce.roads.loading import class_and_seed, is_class
     from jounce.studies.ride_trials import iso_trial, road_trial
 
     lasting = positive_quantity(duration, "s", "--duration")
-    if road.lower().startswith("iso:"):
-        return {"trial": iso_trial(rig, road[4:], velocity, duration=lasting).trial}
+    if is_class(road):
+        class_, seed = class_and_seed(road)
+        return {"trial": iso_trial(rig, class_, velocity, duration=lasting, seed=seed or 0).trial}
     return {"trial": road_trial(rig, load_road(road), velocity, duration=lasting).trial}
 
 

@@ -34,7 +34,6 @@ RideDuration = Annotated[
 Seed = Annotated[int, typer.Option(min=0, help="Which of all random roads of the class.")]
 FigureFile = Annotated[Path | None, typer.Option(help="Draw the result: .png, .svg or .pdf.")]
 _RECORDINGS = (".nc", ".csv")
-_ISO = "iso:"
 
 
 def ride(
@@ -93,7 +92,7 @@ def compare(
 
     Example: jounce compare audi-a6-half-car-4dof --control all --figure trade-off.png
     """
-    length = duration or ("20 s" if road.startswith(_ISO) else None)
+    length = duration or ("20 s" if road.lower().startswith("iso:") else None)
     names = _names(control or ["all"])
     study, plain = _study(vehicle, road, speed, length, seed, names, set_, figure, force=force)
     if figure is not None:
@@ -110,6 +109,8 @@ def _names(given: list[str]) -> list[str]:
     from jounce.studies.ride import all_controls
 
     texts = [part.strip() for text in given for part in text.split(",") if part.strip()]
+    if not texts:
+        raise DescriptionError("no controller is named", where="--control", allowed="a controller, its file, or all")
     return list(dict.fromkeys(name for text in texts for name in (all_controls() if text == "all" else (text,))))
 
 
@@ -128,6 +129,7 @@ def _study(
     """Run the study that the options describe; give it with what ``--json`` prints."""
     if figure is not None:
         _check_figure(figure, force=force)
+    seed = _seed(road, seed)
     wanted, v = changes(set_), positive_quantity(speed, "m/s", "--speed")
     lasting = None if duration is None else positive_quantity(duration, "s", "--duration")
     with progress() as say:
@@ -139,13 +141,24 @@ def _study(
     return study, {"vehicle": vehicle, "changes": wanted, "road": road, "seed": seed, **study.to_dict()}
 
 
+def _seed(road: str, seed: int) -> int:
+    """Seed that the road (iso:C:7) or the option says."""
+    from jounce.roads.loading import class_and_seed, is_class
+
+    said = class_and_seed(road)[1] if is_class(road) else None
+    if said is None or seed in (0, said):
+        return seed if said is None else said
+    raise DescriptionError("two seeds are given", where="--seed", found=f"{seed}, and {said} in --road {road}")
+
+
 def _trial(rig: Rig, road: str, speed: float, duration: float | None, seed: int) -> RideTrial:
     from jounce.roads import load_road
+    from jounce.roads.loading import class_and_seed, is_class
     from jounce.studies.ride_trials import DEFAULT_DURATION, iso_trial, road_trial
 
-    if road.startswith(_ISO):
+    if is_class(road):
         lasting = DEFAULT_DURATION if duration is None else duration
-        return iso_trial(rig, road.removeprefix(_ISO), speed, duration=lasting, seed=seed)
+        return iso_trial(rig, class_and_seed(road)[0], speed, duration=lasting, seed=seed)
     return road_trial(rig, load_road(road), speed, duration=duration)
 
 

@@ -74,8 +74,8 @@ def check_covered(
         raise DescriptionError(
             "the road is shorter than the run",
             where=where,
-            found=f"{distance - behind:.6g} m driven",
-            allowed=f"up to {known:.6g} m",
+            found=f"{distance:.6g} m driven",
+            allowed=f"up to {known + behind:.6g} m",
             hint="Shorten the run, drive slower, or use a longer road.",
         )
 

@@ -12,6 +12,7 @@ from jounce.core.errors import DescriptionError, nearest, unknown
 from jounce.roads.iso8608 import Iso8608
 from jounce.roads.measured import Crg, Table
 from jounce.roads.road import Road
+from jounce.roads.roughness import class_roughness
 from jounce.roads.train import ROADS
 
 SCHEMA = "jounce.road/1"
@@ -60,8 +61,8 @@ def load_road(path: Path | str, *, length: float | None = None) -> Road:
     >>> round(course.end(), 9)
     504.75
     """
-    if isinstance(path, str) and path.lower().startswith("iso:"):
-        return _of_class(path, length)
+    if is_class(path):
+        return _of_class(str(path), length)
     shipped = road_library()
     file = shipped.get(str(path), Path(path))
     suffix = file.suffix.lower()
@@ -126,12 +127,33 @@ def read_roads(
     return {name: reader.named(name, ()) for name in tables}
 
 
-def _of_class(text: str, length: float | None) -> Iso8608:
-    """Road of ``iso:CLASS`` or ``iso:CLASS:SEED``."""
+def class_and_seed(text: str) -> tuple[str, int | None]:
+    """Class and seed (None where it is not said) of ``iso:CLASS`` or ``iso:CLASS:SEED``.
+
+    Examples
+    --------
+    >>> class_and_seed("iso:C:7"), class_and_seed("iso:a")
+    (('C', 7), ('A', None))
+    """
     _, name, *seeds = text.split(":")
     if len(seeds) > 1 or (seeds and not seeds[0].isdecimal()):
         raise DescriptionError("not a road class", where=text, allowed="iso:CLASS or iso:CLASS:SEED, e.g. iso:C:7")
-    table = {"class": name, "length": 1000.0 if length is None else length, "seed": int(seeds[0]) if seeds else 0}
+    try:
+        class_roughness(name)
+    except DescriptionError as error:
+        raise DescriptionError(error.what, where=text, allowed=error.allowed) from None
+    return name.strip().upper(), int(seeds[0]) if seeds else None
+
+
+def is_class(text: object) -> bool:
+    """Tell whether a road is given as ``iso:CLASS``, with or without a seed."""
+    return isinstance(text, str) and text.lower().startswith("iso:")
+
+
+def _of_class(text: str, length: float | None) -> Iso8608:
+    """Road of ``iso:CLASS`` or ``iso:CLASS:SEED``."""
+    name, seed = class_and_seed(text)
+    table = {"class": name, "length": 1000.0 if length is None else length, "seed": seed or 0}
     return Iso8608.from_table({"kind": "iso-8608", **table}, where=text)
 
 

@@ -22,6 +22,7 @@ from jounce.roads.road import Road
 Array = NDArray[np.float64]
 Interpolation = Literal["linear", "cubic"]
 FEWEST = {"linear": 2, "cubic": 4}
+_JUMP, _STEEP = 1.0, 10.0  # m and 1; a step from one row to the next that is higher and steeper is padding, no road
 
 
 def _plain(value: object) -> object:
@@ -228,4 +229,20 @@ def _file_points(key: _Key) -> tuple[Array, Array]:
             found=f"{x[i]:g} {unit}, then {x[i + 1]:g} {unit}",
             hint="Sort the rows, and remove repeated ones.",
         )
+    if unit == "m":
+        _check_jumps(x, height, f"{file}: column {table[columns[1][0]].label!r}")
     return x, height
+
+
+def _check_jumps(x: Array, height: Array, where: str) -> None:
+    """Refuse heights that jump as padding does, e.g. -9999 where nothing was measured."""
+    jumps = np.abs(np.diff(height))
+    wild = np.flatnonzero((jumps > _JUMP) & (jumps > _STEEP * np.diff(x)))
+    if len(wild):
+        i = int(wild[0])
+        raise RecordingError(
+            f"the height jumps from row {i + 1} to row {i + 2} as no road does",
+            where=where,
+            found=f"{height[i]:g} m, then {height[i + 1]:g} m",
+            hint="Fill the gap or remove the padding, and check the unit of the heights.",
+        )

@@ -383,8 +383,8 @@ def samples_reached(solution: Solution, facts: Facts, *, check: bool) -> int:
     reached = int(np.sum(np.isfinite(solution.states[0])))
     if check:
         at = max(reached - 1, 0)
-        last = f"{solution.time[at]:.4g} s: {solution.status.help}{_pose(solution, facts, at)}"
-        raise SimulationError("the run did not reach its end; it stopped after", found=last)
+        last = f"it stopped after {solution.time[at]:.4g} s: {solution.status.help}{_pose(solution, facts, at)}"
+        raise SimulationError(f"the run did not reach its end; {last}")
     return reached
 
 

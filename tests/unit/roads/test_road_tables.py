@@ -94,6 +94,11 @@ def test_reads_a_file_in_any_unit_and_order(tmp_path) -> None:
         ("x [s],z [m]\n0,0\n1,1\n", DescriptionError, r"column 'x \[s\]': wrong unit"),
         ("x [m],z [m]\n0,0\n", RecordingError, "too few rows; found 1; allowed: at least 2"),
         ("x [mm],z [m]\n0,0\n2000,1\n1000,1\n", RecordingError, "row 2 to row 3; found '2 m, then 1 m'"),
+        (
+            "x [m],z [m]\n0,0\n1,-9999\n2,0\n",
+            RecordingError,
+            "height jumps from row 1 to row 2.*-9999 m'. Fill the gap",
+        ),
         ("x [m],z [m]\n0,0\n1,\n", RecordingError, r"profile\.csv, line 3: column 'z \[m\]': the cell is blank"),
     ],
 )

@@ -146,7 +146,7 @@ def test_roads_by_the_name_of_their_class() -> None:
     assert load_road("iso:C") == Iso8608(class_="C", length=1000)
     assert load_road("iso:b:7", length=250.0) == Iso8608(class_="B", length=250, seed=7)
     for text, says in [
-        ("iso:K", r"iso:K: class: unknown road class 'K'; allowed: A, B"),
+        ("iso:K", r"iso:K: unknown road class 'K'; allowed: A, B"),
         ("iso:C:x", "iso:C:x: not a road class; allowed: iso:CLASS or iso:CLASS:SEED"),
         ("iso:", "unknown road class ''"),
         ("iso:C:1:2", "not a road class"),
