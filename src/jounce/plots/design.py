@@ -62,6 +62,10 @@ def pareto_front(front: ParetoFront) -> Figure:
                 marker=".",
                 markersize=4,
             )
+        low, high = axes.get_ylim()
+        middle, least = 0.5 * (low + high), 1e-3 * max(abs(low), abs(high))
+        if high - low < least:  # a number that stays at its bound: no axis of rounding errors
+            axes.set_ylim(middle - 100.0 * least, middle + 100.0 * least)
         axes.set_ylabel(shown.name or "–")
         axes.set_title(" · ".join(paths) if len(paths) == 1 else "")
         if len(paths) > 1:
