@@ -39,7 +39,7 @@ def explain(wheel: WheelResult, bands: Mapping[str, Band], limits: Limits) -> li
     found = [Reason("disagree", "", {"grades": tuple(bands.items())})]
     rank = {method: VERDICTS.index(band.verdict) for method, band in bands.items()}
     others = {method: value for method, value in rank.items() if method != "eusama"}
-    if "eusama" in rank and any(value != rank["eusama"] for value in others.values()):
+    if "eusama" in rank and all(value != rank["eusama"] for value in others.values()):
         found += _of_adhesion(wheel, limits)
     if "egea" in rank and "theta" in rank and rank["egea"] != rank["theta"]:
         found.append(Reason("limits_differ"))

@@ -320,6 +320,14 @@ def test_no_disagreement_no_words_about_it() -> None:
     assert "depends on the load" not in said
 
 
+def test_adhesion_is_explained_only_where_it_stands_alone() -> None:
+    worn = wheel(adhesion=0.3, phase_angle_min_deg=30.0, theta_road=0.11)
+    said = " ".join(grade(axle(worn)).wheels[0].reasons)
+    assert "the methods disagree" in said
+    assert "adhesion depends on" not in said
+    assert "limits of EGEA and THETA" in said
+
+
 def test_lift_off_and_unequal_limits_are_explained() -> None:
     graded = grade(axle(wheel(adhesion=0.0, lift_off=True, theta_road=0.12), methods=("eusama", "egea", "theta")))
     said = " ".join(graded.wheels[0].reasons)
