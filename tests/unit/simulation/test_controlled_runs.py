@@ -129,7 +129,7 @@ def test_diverging_loop_is_stopped_and_dated(rig: jn.Rig) -> None:
         return 3e4 * measurement["sprung.vz"]
 
     law = PythonControl(function=push, actuator=ActiveActuator(force_limit=1e12))
-    with pytest.raises(jn.SimulationError, match=r"stopped after; found '0\.\d+ s: the closed loop diverges"):
+    with pytest.raises(jn.SimulationError, match=r"stopped after.* '?0\.\d+ s: the closed loop diverges"):
         jn.simulate(rig, TRIAL, control=law)
     run = jn.simulate(rig, TRIAL, control=law, check=False)
     assert run.attrs["status"] == "diverged"
