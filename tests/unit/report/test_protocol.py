@@ -226,6 +226,8 @@ def test_hostile_texts_are_printed_and_not_run(worn: VehicleGrade, text: str) ->
     about = dict.fromkeys((*FACTS, "place", "operator", "record"), text)
     pages = protocol_png(worn, about=about, ppi=20.0)
     assert len(pages) == 1
+    archived = protocol_pdf(worn, about={**about, "date": "2026-11-21"})  # PDF/A is stricter
+    assert archived.startswith(b"%PDF-")
     page = protocol_html(worn, about=about)
     found = Text(page)
     assert "script" not in found.tags
