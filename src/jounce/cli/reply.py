@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import os
+import re
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
@@ -17,6 +18,10 @@ if TYPE_CHECKING:
     from rich.console import Console
 
 PIPED_WIDTH = 140
+_PARTS = re.compile(
+    r"(?P<what>[^\n]*?)(?:; found (?P<found>'[^'\n]*'|[^;\n]*?))?(?:; allowed: (?P<allowed>[^\n]*?))?"
+    r"(?:\. (?P<hint>[A-Z][^\n]*))?[.]?"
+)
 DONE, FAILED, REFUSED, STOPPED, PIPE_CLOSED = 0, 1, 2, 130, 141
 """Exit codes: all is well; something failed; the request is wrong; interrupted; the reader of the output went away."""
 
@@ -89,19 +94,27 @@ def _is_unicode(stream: TextIO) -> bool:
 
 def refuse(error: JounceError, *, as_json: bool) -> int:
     """Say what is wrong on stderr (and as JSON on stdout); give the exit code."""
-    return complain(
-        {
-            "kind": type(error).__name__,
-            "message": str(error),
-            "where": error.where or None,
-            "what": error.what,
-            "found": error.found,
-            "allowed": error.allowed or None,
-            "hint": error.hint or None,
-        },
-        REFUSED,
-        as_json=as_json,
-    )
+    parts = {"what": error.what, "found": error.found, "allowed": error.allowed or None, "hint": error.hint or None}
+    if list(parts.values())[1:] == [None] * 3:  # a validator's message is one text
+        parts = _parts(error.what)
+    first = {"kind": type(error).__name__, "message": str(error), "where": error.where or None}
+    return complain({**first, **parts}, REFUSED, as_json=as_json)
+
+
+def _parts(text: str) -> dict[str, Any]:
+    """What was wrong, found, allowed and to be done, of the message of one problem.
+
+    Examples
+    --------
+    >>> _parts("out of range; found '-1 m'; allowed: above 0 m")
+    {'what': 'out of range', 'found': '-1 m', 'allowed': 'above 0 m', 'hint': None}
+    """
+    match = _PARTS.fullmatch(text)
+    parts: dict[str, Any] = match.groupdict() if match else {"what": text, "found": None, "allowed": None, "hint": None}
+    quoted = parts["found"]
+    if quoted and len(quoted) > 1 and quoted[0] == quoted[-1] == "'":
+        parts["found"] = quoted[1:-1]
+    return parts
 
 
 def complain(error: Mapping[str, Any], exit_code: int, *, as_json: bool) -> int:
