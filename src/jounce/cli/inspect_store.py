@@ -20,10 +20,10 @@ from jounce.core.errors import DescriptionError, JounceError, OutputError, Recor
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from jounce.inspection.entries import StoredRecord
     from jounce.inspection.history import Trend, WheelVisit
     from jounce.inspection.lane import ImportedRecord
     from jounce.inspection.reevaluation import Reevaluation
-    from jounce.inspection.store import StoredRecord
     from jounce.parts.testers import Tester
 
 StoreName = Annotated[str, typer.Option("--store", help="The store: a SQLite file, or a database URL.")]

@@ -138,10 +138,10 @@ def _sqlite(file: Path, *, read_only: bool, damaged: bool = False) -> Engine:
     @event.listens_for(engine, "connect")
     def prepare(connection: Any, _: Any) -> None:
         connection.isolation_level = None  # transactions are begun below, for writing at once
-        connection.execute("PRAGMA synchronous=FULL")
-        connection.execute("PRAGMA foreign_keys=ON")
         if damaged:
             connection.execute("PRAGMA writable_schema=ON")  # SQLite's way to read on although pages are missing
+        connection.execute("PRAGMA synchronous=FULL")
+        connection.execute("PRAGMA foreign_keys=ON")
 
     @event.listens_for(engine, "begin")
     def begin(connection: Connection) -> None:

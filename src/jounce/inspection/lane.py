@@ -24,7 +24,8 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from jounce.core.findings import Finding
-    from jounce.inspection.store import Grading, RecordEntry, Store
+    from jounce.inspection.entries import Grading, RecordEntry
+    from jounce.inspection.store import Store
     from jounce.parts.testers import Tester
 
 _HEADER_BYTES = 65536
@@ -124,7 +125,7 @@ def entry_of(
     methods : sequence of str, optional
         What is evaluated and decides; all by default.
     """
-    from jounce.inspection.store import RecordEntry
+    from jounce.inspection.entries import RecordEntry
 
     file = Path(path)
     beside = file.with_suffix(".toml")
@@ -191,14 +192,14 @@ def _table_of(description: Any) -> dict[str, Any]:
 
 def grading_of(graded: GradedInspection) -> Grading:
     """Give what the store keeps of a graded axle."""
-    from jounce.inspection.store import Grading
+    from jounce.inspection.entries import Grading
 
     return Grading(graded.verdict, graded.limits.label, metadata.version("jounce"), graded.to_dict())
 
 
 def refusal_of(error: Exception, limits: Limits | None = None) -> Grading:
     """Give what the store keeps of a record that cannot be read: not graded, with the reason."""
-    from jounce.inspection.store import Grading
+    from jounce.inspection.entries import Grading
 
     label = (limits if limits is not None else load_limits()).label
     plain = {"wheels": [], "axle": {}, "verdict": NOT_GRADED, "reasons": [str(error)]}

@@ -13,14 +13,15 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import JounceError, RecordingError
-from jounce.inspection.store import Grading, Store
+from jounce.inspection.entries import Grading
+from jounce.inspection.store import Store
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from jounce.core.findings import Finding
+    from jounce.inspection.entries import RecordEntry
     from jounce.inspection.limits import Limits
-    from jounce.inspection.store import RecordEntry
     from jounce.parts.testers import Tester
 
 _BATCH = 20

@@ -11,7 +11,6 @@ import json
 import zlib
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -19,9 +18,11 @@ from typing import TYPE_CHECKING, Any
 from jounce.core.errors import OutputError, RecordingError
 from jounce.core.serialise import to_json
 from jounce.inspection.database import READS, DamagedStoreError, complaints, open_database, problems_of
+from jounce.inspection.entries import Grading, RecordEntry, StoredRecord, digest_of, plate_key
 from jounce.inspection.tables import CONTENTS, DESCRIPTIONS, RECORDS, RESULTS, VEHICLES, WATCHED
 
 if TYPE_CHECKING:
+    from sqlalchemy import Column, Select
     from sqlalchemy.engine import Connection
 
 _RESULT_COLUMNS = (
@@ -35,121 +36,7 @@ _RESULT_COLUMNS = (
 _SHOWN = ("name", "plate", "vehicle", "date", "axle", "tester", "accepted")
 _SHOWN_COLUMNS = (RECORDS.c.number, *(RECORDS.c[name] for name in _SHOWN), RECORDS.c.seal)
 _ATTEMPTS = 5
-
-
-@dataclass(frozen=True)
-class RecordEntry:
-    """What comes in: the file as it is, and what is known of it.
-
-    Attributes
-    ----------
-    name : str
-        Name of the file.
-    content : bytes
-        The file.
-    sidecar : bytes or None
-        The TOML file beside it, where there is one.
-    plate : str
-        Number plate of the vehicle; empty where nothing says it.
-    vehicle : str
-        What vehicle it is.
-    date : str
-        Day of the inspection, ISO 8601.
-    axle : str
-        ``"front"``, ``"rear"`` or empty.
-    tester : str
-        Name of the tester.
-    tester_table, vehicle_table : mapping or None
-        Description of tester and vehicle as tables, for evaluating the record again.
-    methods : tuple of str
-        What to evaluate and what decides; empty for all.
-    signals : bytes or None
-        Signals as ``stored_signals.pack`` gives them.
-    """
-
-    name: str
-    content: bytes = field(repr=False)
-    sidecar: bytes | None = field(default=None, repr=False)
-    plate: str = ""
-    vehicle: str = ""
-    date: str = ""
-    axle: str = ""
-    tester: str = ""
-    tester_table: Mapping[str, Any] | None = field(default=None, repr=False)
-    vehicle_table: Mapping[str, Any] | None = field(default=None, repr=False)
-    methods: tuple[str, ...] = ()
-    signals: bytes | None = field(default=None, repr=False)
-
-    @property
-    def digest(self) -> str:
-        """SHA-256 of file and sidecar."""
-        return digest_of(self.content, self.sidecar)
-
-
-def digest_of(content: bytes, sidecar: bytes | None) -> str:
-    """SHA-256 of a file and the one beside it: the same for the same bytes, whatever their names."""
-    parts = [hashlib.sha256(part).digest() for part in (content, sidecar) if part is not None]
-    return hashlib.sha256(b"".join(parts)).hexdigest()
-
-
-def plate_key(plate: str) -> str:
-    """Number plate as it is compared: letters and digits in capitals.
-
-    Examples
-    --------
-    >>> plate_key("b-AB 123")
-    'BAB123'
-    """
-    return "".join(sign for sign in plate.upper() if sign.isalnum())
-
-
-@dataclass(frozen=True)
-class Grading:
-    """One grading of a record.
-
-    Attributes
-    ----------
-    verdict : str
-        One word.
-    limits : str
-        Version of the limits.
-    software : str
-        Version of what graded it.
-    result : mapping
-        Plain values, SI.
-    """
-
-    verdict: str
-    limits: str
-    software: str
-    result: Mapping[str, Any]
-
-
-@dataclass(frozen=True)
-class StoredRecord:
-    """A record as it lies in the store, with its newest grading.
-
-    Attributes
-    ----------
-    number : int
-        Its number.
-    name, plate, vehicle, date, axle, tester : str
-        As it came in.
-    accepted : str
-        When it came in, ISO 8601, UTC.
-    grading : Grading or None
-        The newest one.
-    """
-
-    number: int
-    name: str
-    plate: str
-    vehicle: str
-    date: str
-    axle: str
-    tester: str
-    accepted: str
-    grading: Grading | None
+_GAP = 100  # rows that may be missing in a row of a damaged table
 
 
 class Store:
@@ -174,6 +61,7 @@ class Store:
     Examples
     --------
     >>> import tempfile
+    >>> from jounce.inspection.entries import Grading, RecordEntry
     >>> store = Store(tempfile.mkdtemp() + "/lane.sqlite")
     >>> entry = RecordEntry("a.csv", b"time [s]", plate="B-AB 123", date="2026-11-21")
     >>> number, is_new = store.accept(entry, Grading("pass", "1", "0", {"adhesion": 0.6}))
@@ -358,19 +246,44 @@ class Store:
             return [_stored(row, _grading(row)) for row in rows]
 
     def readable_records(self) -> tuple[list[StoredRecord], list[str]]:
-        """Give the records that can be read of a damaged store, one by one, and what was in the way of the others."""
-        found: list[StoredRecord] = []
+        """Give the records that can be read of a damaged store, row by row, and what was in the way of the others."""
+        from sqlalchemy import select
+
         lost: list[str] = []
-        try:
-            numbers = self.numbers()
-        except RecordingError as error:
-            return [], [str(error)]
-        for number in numbers:
+        gradings: dict[int, Grading] = {}
+        for row in self._rows(select(*_RESULT_COLUMNS), RESULTS.c.number, lost):
             try:
-                found += [self._record(number)]
+                found = _grading(row)
             except RecordingError as error:
-                lost.append(f"record {number}: {error.what}")
-        return found, lost
+                lost.append(error.what)
+            else:
+                gradings |= {} if found is None else {row.record: found}
+        records = []
+        for row in self._rows(select(*_SHOWN_COLUMNS), RECORDS.c.number, lost):
+            try:
+                records.append(_stored(row, gradings.get(row.number)))
+            except RecordingError as error:
+                lost.append(error.what)
+        return records, lost
+
+    def _rows(self, asked: Select[Any], number: Column[int], lost: list[str]) -> Iterator[Any]:
+        """Rows by their number, one by one, without any index, until there is nothing for long."""
+        at = missing = 0
+        unread: list[int] = []
+        while missing < _GAP:
+            at += 1
+            row, missing = None, missing + 1
+            try:
+                with self._reading() as connection:
+                    row = connection.execute(asked.where(number == at)).one_or_none()
+            except RecordingError:
+                unread.append(at)
+            if row is not None:
+                lost += [f"row {one} of the {number.table.name} cannot be read" for one in unread]
+                missing, unread = 0, []
+                yield row
+        if unread:
+            lost.append(f"the {number.table.name} cannot be read from row {unread[0]} on")
 
     def _record(self, number: int) -> StoredRecord:
         from sqlalchemy import select

@@ -11,9 +11,10 @@ import pytest
 from jounce.core.errors import OutputError
 from jounce.core.optional import MissingPackageError
 from jounce.inspection import exporting
+from jounce.inspection.entries import Grading, RecordEntry
 from jounce.inspection.exporting import COLUMNS, export, rows_of
 from jounce.inspection.history import history_of, trends_of
-from jounce.inspection.store import Grading, RecordEntry, Store
+from jounce.inspection.store import Store
 
 WHEEL = {
     "wheel": "left", "verdict": "advise", "reasons": ['adhesion "low", 30 %.', "Second, one."], "lift_off": False,
