@@ -26,7 +26,7 @@ from jounce.kernel.tracks import Tracks, advance, fill
 Array = NDArray[np.float64]
 _BLOCK, _FIRST_BLOCK = 192, 12
 """Most steps in a block, whose scratch arrays should stay in the cache, and steps in the one after an event."""
-_BAND = 1e-3  # share of the dead band of adaptive steps, whose errors are larger
+_BAND = 1e-2  # share of the dead band of adaptive steps, whose errors are larger
 _MAX_WAVES, _MAX_PARTS, _MAX_STEPS = 8, 64, 20_000_000
 _COMPLETED, _NOT_FINITE = Status.COMPLETED.code, Status.NOT_FINITE.code
 
@@ -155,9 +155,10 @@ def propagate(problem: Problem, control: Control, plan: Plan, out: Samples, coun
     width, inputs = plan.rows.shape[1], problem.inputs
     run = Run(
         problem,
-        control._replace(dead_band=_BAND * control.dead_band + 1e-14),
+        control,
         plan.props,
         out,
+        band=_BAND * control.dead_band + 1e-14,
         x=np.zeros((1, width)),
         trial=np.zeros((1, width)),
         time=np.zeros(1),
@@ -420,7 +421,7 @@ def _suspect(run: Any, plan: Any, first: int, nodes: int) -> int:
 
     Inside a step a switch lies off its chord by what edges there can make of it, and by its curvature.
     """
-    g, band, modes, found = plan.g, run.control.dead_band, run.problem.m, nodes
+    g, band, modes, found = plan.g, run.band, run.problem.m, nodes
     kick = plan.props.kick[plan.props.used[1]]
     for i in range(len(modes)):
         side, room = 1.0 if modes[i] > 0.5 else -1.0, -band[i]

@@ -31,16 +31,18 @@ _TOO_MANY_STEPS, _CHATTER = Status.TOO_MANY_STEPS.code, Status.CHATTER.code
 class Run(NamedTuple):
     """A run and where it stands.
 
-    ``x`` holds the state, ``trial`` one on the way; ``time`` and ``u`` an instant and the inputs there; ``part`` is
-    (start, length) in s of the part of a step in work, with ``orders`` terms in its series. ``counts`` gets steps,
-    rejected steps (none) and events; ``marks`` are: samples placed, those of them with outputs, events without time
-    passing, and parts of steps.
+    ``band`` is how far a switch may be on the wrong side between events; right after one, and at edges, it is the wider
+    ``dead_band``, since times are rounded. ``x`` holds the state, ``trial`` one on the way; ``time`` and ``u`` an
+    instant and the inputs there; ``part`` is (start, length) in s of the part of a step in work, with ``orders`` terms
+    in its series. ``counts`` gets steps, rejected steps (none) and events; ``marks`` are: samples placed, those of them
+    with outputs, events without time passing, and parts of steps.
     """
 
     problem: Problem
     control: Control
     props: Propagators
     out: Samples
+    band: Array
     x: Array
     trial: Array
     time: Array
@@ -218,7 +220,7 @@ def _crossing(run: Any) -> tuple[float, int]:
 
     The switching functions at its start are known.
     """
-    g, band, modes = run.props.scratch.switches, run.control.dead_band, run.problem.m
+    g, band, modes = run.props.scratch.switches, run.band, run.problem.m
     before, first, which = 0.0, 2.0, -1
     for probe in range(1, len(PROBES)):
         here = PROBES[probe]
