@@ -226,7 +226,9 @@ def _draw_comparison(console: Console, plain: dict[str, Any], study: RideStudy) 
     rows = [(ride.control, *(ride.merits.get(merit.name) for merit in shown)) for ride in study.rides]
     header = ("controller", *(f"{merit.label} [{merit.unit}]" for merit in shown))
     title = f"{plain['vehicle']} on {plain['road']} at {plain['speed']:g} m/s; smaller is better"
-    console.print(table(title, header, rows))
+    built = table(title, header, rows)
+    built.columns[0].no_wrap = True  # a name stays in one piece
+    console.print(built)
     _draw_end(console, plain, study)
 
 
