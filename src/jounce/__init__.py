@@ -49,6 +49,10 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.identify.update import UpdatedParameter as UpdatedParameter
     from jounce.identify.update import UpdateResult as UpdateResult
     from jounce.identify.update import update_model as update_model
+    from jounce.inspection.evaluation import evaluate as evaluate
+    from jounce.inspection.grading import grade as grade
+    from jounce.inspection.limits import load_limits as load_limits
+    from jounce.inspection.record import read_record as read_record
     from jounce.kinematics import AxleLayout as AxleLayout
     from jounce.kinematics import ContactLoad as ContactLoad
     from jounce.kinematics import compliance as compliance
@@ -77,6 +81,7 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.recordings import apply_sensors as apply_sensors
     from jounce.recordings import read_recording as read_recording
     from jounce.recordings import write_recording as write_recording
+    from jounce.report.protocol import write_protocol as write_protocol
     from jounce.ride.closed_forms import spring_and_damper as spring_and_damper
     from jounce.ride.iri import Roughness as Roughness
     from jounce.ride.iri import iri as iri
@@ -135,6 +140,7 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.studies.design import best_dampers as best_dampers
     from jounce.studies.design import design_springs as design_springs
     from jounce.studies.environment import ride_environment as ride_environment
+    from jounce.studies.inspection_equivalence import compare_tests as compare_tests
     from jounce.studies.inspection_simulation import simulate_inspection as simulate_inspection
     from jounce.studies.lumping import lumped_from as lumped_from
     from jounce.studies.model_comparison import compare_models as compare_models
@@ -225,6 +231,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "closed_loop_poles": "jounce.simulation.stability",
     "compare_models": "jounce.studies.model_comparison",
     "compare_rides": "jounce.studies.ride",
+    "compare_tests": "jounce.studies.inspection_equivalence",
     "compliance": "jounce.kinematics",
     "controller": "jounce.control",
     "corner_models": "jounce.simulation.corner_models",
@@ -232,15 +239,18 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "drive": "jounce.studies.ride",
     "equilibrium": "jounce.simulation",
     "estimate_roughness": "jounce.roads",
+    "evaluate": "jounce.inspection.evaluation",
     "fit_damper": "jounce.identify.damper_fit",
     "fit_decay": "jounce.identify.decay",
     "fit_stiffness": "jounce.identify.stiffness",
+    "grade": "jounce.inspection.grading",
     "gradient": "jounce.simulation",
     "iri": "jounce.ride.iri",
     "iso_trial": "jounce.studies.ride_trials",
     "lengths_for": "jounce.studies.adjustment_effects",
     "linearise": "jounce.simulation",
     "load": "jounce.parts",
+    "load_limits": "jounce.inspection.limits",
     "load_road": "jounce.roads",
     "load_tester": "jounce.parts.testers",
     "lumped_from": "jounce.studies.lumping",
@@ -251,6 +261,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "pickup_loads": "jounce.kinematics",
     "plots": "jounce.plots",
     "power_spectrum": "jounce.ride.spectra",
+    "read_record": "jounce.inspection.record",
     "read_recording": "jounce.recordings",
     "read_tir": "jounce.parts.importers",
     "ride_environment": "jounce.studies.environment",
@@ -280,6 +291,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "update_model": "jounce.identify.update",
     "white_noise_intensity": "jounce.roads",
     "with_strut_angle": "jounce.parts.strut_angle",
+    "write_protocol": "jounce.report.protocol",
     "write_recording": "jounce.recordings",
     "write_sweep": "jounce.kinematics",
 }
