@@ -406,11 +406,7 @@ def _limit(control: Any, counts: Any, t: float, h: float) -> int:
 def _renew(
     problem: Any, feedback: Any, work: Any, start: float, t: float, edge: float, instant: float, slack: float
 ) -> tuple[int, float, float]:
-    """Go on to new inputs at an edge, and to new commands at a control instant; give the next of both.
-
-    Put into the loop's own code, since a call would copy the whole problem; forced into the machine code, it would
-    double the time that this takes to compile.
-    """
+    """Go on to new inputs at an edge, to new commands at a control instant; give the next of both (no call: slow)."""
     status, following = _COMPLETED, instant
     if edge <= t + slack:
         edge = advance(problem.tracks, problem.piece, t, slack)
@@ -424,11 +420,7 @@ def _renew(
 
 
 def integrate(
-    problem: Problem,
-    control: Control,
-    out: Samples,
-    counts: NDArray[np.int64],
-    feedback: Feedback = NO_FEEDBACK,
+    problem: Problem, control: Control, out: Samples, counts: NDArray[np.int64], feedback: Feedback = NO_FEEDBACK
 ) -> int:
     """Integrate from the first to the last sample; fill the arrays at every sample; give a status code.
 
