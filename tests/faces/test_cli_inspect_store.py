@@ -91,6 +91,7 @@ def test_what_cannot_be_graded_is_stored_with_its_reason_and_exit_code_2(cli, tm
 def test_without_a_tester_nothing_is_guessed_and_reevaluate_takes_one(cli, lane) -> None:
     text = (lane / "a.csv").read_text()
     kept = [line for line in text.splitlines(keepends=True) if not line.startswith("# tester")]
+    assert cli("inspect", "import", lane / "b.csv", "--store", "named.sqlite").exit_code == 0  # its header names one
     (lane / "a.csv").write_text("".join(kept))
     found = cli("inspect", "import", lane / "a.csv", "--store", "lane.sqlite", "--json")
     assert (found.exit_code, found.json["records"][0]["verdict"]) == (2, "not graded")
@@ -143,6 +144,7 @@ def test_history_search_export(cli, lane) -> None:
     assert "change per year" in cli("inspect", "history", "--plate", "b ab 123", "--store", "lane.sqlite").out
     shown = cli("inspect", "search", "--store", "lane.sqlite", "--since", "2026-01-01")
     assert "2 records" in shown.out
+    assert "4 records" in cli("inspect", "search", "--store", "lane.sqlite", "--tester", "egea-specsus2018").out
     assert cli("inspect", "export", "--store", "lane.sqlite", "--out", "x.csv", "--plate", "M-X*").exit_code == 0
     assert len(Path("x.csv").read_text().splitlines()) == 2
     assert cli("inspect", "verify", "--store", "lane.sqlite", "--json").json["problems"] == []

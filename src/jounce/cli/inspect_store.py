@@ -34,7 +34,7 @@ TesterName = Annotated[
 LimitsName = Annotated[str | None, typer.Option("--limits", help="A limits file in place of the shipped limits.")]
 Plate = Annotated[str | None, typer.Option(help="Number plate; capitals, spaces and hyphens do not count; B-AB*.")]
 Verdict = Annotated[str | None, typer.Option(help="pass, advise, fail or not graded: of the axle.")]
-TesterIs = Annotated[str | None, typer.Option("--tester", help="Name of the tester.")]
+TesterIs = Annotated[str | None, typer.Option("--tester", help="The name in its file, or of a shipped one.")]
 Since = Annotated[str | None, typer.Option(help="First day, 2026-01-31.")]
 Until = Annotated[str | None, typer.Option(help="Last day.")]
 _SHOWN = ("number", "date", "plate", "vehicle", "axle", "tester", "name")
@@ -305,6 +305,10 @@ def _conditions(
     for option, day in (("--since", since), ("--until", until)):
         if day is not None and day_number(day) is None:
             raise DescriptionError("no day", where=option, found=day, allowed="e.g. 2026-01-31")
+    if tester is not None:
+        from jounce.parts.testers import library, load_tester
+
+        tester = load_tester(tester).name if tester in library() else tester
     return {"plate": plate, "verdict": verdict, "tester": tester, "since": since, "until": until}
 
 

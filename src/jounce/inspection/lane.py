@@ -326,7 +326,8 @@ def _with_tester(entry: RecordEntry, tester: Tester | None) -> RecordEntry:
 
     if tester is not None:
         return entry
-    if entry.tester not in library():
+    shipped = {text: found for name in library() for found in (load_tester(name),) for text in (name, found.name)}
+    if entry.tester not in shipped:
         raise RecordingError(
             "no tester is given, and the record names none that is known",
             where=entry.name,
@@ -334,7 +335,7 @@ def _with_tester(entry: RecordEntry, tester: Tester | None) -> RecordEntry:
             allowed=", ".join(library()),
             hint="Grade it with: jounce inspect reevaluate --tester.",
         )
-    return replace(entry, tester_table=_table_of(load_tester(entry.tester)))
+    return replace(entry, tester_table=_table_of(shipped[entry.tester]))
 
 
 def _evaluated(entry: RecordEntry, vehicle: Any, limits: Limits | None) -> tuple[RecordEntry, GradedInspection]:
