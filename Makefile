@@ -32,10 +32,10 @@ demo: setup
 	$(BIN)/jounce demo $(DEMO_ARGUMENTS)
 
 test: $(VENV)/.test
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest -n auto --dist loadfile
 
 test-all: $(VENV)/.test
-	$(BIN)/python -m pytest -m "slow or not slow"
+	$(BIN)/python -m pytest -n auto --dist loadfile -m "slow or not slow"
 
 lint: $(VENV)/.lint
 	$(BIN)/ruff check

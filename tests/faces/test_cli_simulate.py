@@ -229,7 +229,8 @@ def test_library(cli, tmp_path: Path) -> None:
 
 def test_method_is_chosen_and_told(cli, bump: Path) -> None:
     words = ("simulate", RIG, "--road", bump, *DRIVE)
-    assert cli(*words, "--json").json["method"] == "explicit"
+    assert cli(*words, "--json").json["method"] == "exact"
+    assert cli(*words, "--method", "explicit", "--json").json["method"] == "explicit"
     found = cli(*words, "--method", "implicit", "--json").json
     assert found["method"] == "implicit"
     assert found["channels"]["sprung.z"]["maximum"] == pytest.approx(

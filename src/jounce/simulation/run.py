@@ -282,7 +282,7 @@ def simulate(
     method : {"auto", "explicit", "implicit"}
         How to integrate: with steps as small as the fastest motion asks, or, where that is stiff and matters little,
         with the implicit method. By itself the one that is likely to be faster; ``attrs["method"]`` says which ran
-        (``"exact"`` for linear models on simple roads).
+        (``"exact"`` for models that are linear between their switches).
     offset : dict, optional
         Starts the run away from equilibrium: coordinate or ``"<coordinate> rate"`` to m or m/s, at rest otherwise.
     detail : bool
