@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from jounce.control.actuators import Actuator, SemiActiveDamper
 from jounce.control.controller import Controller
 from jounce.control.corner import CornerModel
-from jounce.core.errors import SimulationError
+from jounce.core.errors import SimulationError, unknown
 
 Array = NDArray[np.float64]
 
@@ -93,6 +93,13 @@ class PythonControl(CallbackController):
         return _Own(self.function, setting)
 
 
+class _Measurement(dict[str, float]):
+    """Channels by name; one that is not there is said with the nearest name."""
+
+    def __missing__(self, name: str) -> float:
+        raise unknown(str(name), self, what="channel", where="measurement")
+
+
 class _Own:
     """A user's function with its answer checked, clipped and held back."""
 
@@ -110,7 +117,7 @@ class _Own:
 
     def __call__(self, values: list[float]) -> list[float]:
         """Commands from measurements."""
-        measurement = dict(zip(self.channels, values, strict=False))  # behind the channels stands the time
+        measurement = _Measurement(zip(self.channels, values, strict=False))  # behind the channels stands the time
         answer = self._function(measurement, values[-1])
         if type(answer) is float and len(self._corners) == 1:
             return self._limits.kept([answer])
@@ -127,7 +134,7 @@ class _Own:
             answer = answer.tolist()
         commands = list(answer) if isinstance(answer, Sequence) and not isinstance(answer, str) else [answer]
         if len(commands) != len(corners):
-            raise _refused(f"{len(commands)} values", corners, t)
+            raise _refused(repr(answer), corners, t)
         try:
             return [float(command) for command in commands]
         except (TypeError, ValueError):
