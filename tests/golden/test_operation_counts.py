@@ -4,8 +4,8 @@
 2026-11-21, what depends on parameters only is computed once a run (``derived``): 41; one lane of sensitivities a
 parameter instead of the equations written out for each: 73 instead of 127 for three.
 2026-11-21, every 3-D template: a double wishbone with 1335 operations a right-hand side, 3046 with sensitivities.
-2026-11-21, the tyre takes its deflection rate from the velocity of the wheel centre: 19 fewer a right-hand side, 39 fewer
-switching functions, 15 more outputs.
+2026-11-21, the tyre takes its deflection rate from the velocity of the wheel centre: 19 fewer a right-hand side, 39
+fewer switching functions, 15 more outputs.
 2026-11-21, full car on four 3-D corners: 3121 operations on four corners at once and 212 others, in place of 22 260.
 """
 

@@ -51,6 +51,16 @@ def advance(tracks: Any, piece: Any, t: float, slack: float) -> float:
     return edge
 
 
+@part(forceinline=True)
+def _fill_line(times: Any, start: float, height: float, slope: float, rows: Any) -> None:
+    """Fill value, rate and acceleration of a line that begins at ``height``."""
+    for j in range(len(times)):
+        rows[0, j] = height + slope * (times[j] - start)
+        rows[1, j] = slope
+        if len(rows) > 2:
+            rows[2, j] = 0.0
+
+
 @part()
 def fill(tracks: Any, piece: Any, times: Any, u: Any) -> None:
     """Fill a column of ``u`` for each time with (value, rate[, acceleration]) of every track, on the pieces given."""
@@ -60,11 +70,7 @@ def fill(tracks: Any, piece: Any, times: Any, u: Any) -> None:
         i, rate, value, slope = piece[k], rates[k], order * k, order * k + 1
         c0, c1, c2, c3 = coefficients[i, 0], coefficients[i, 1], coefficients[i, 2], coefficients[i, 3]
         if kind[i] == 0 and c2 == 0.0 and c3 == 0.0:  # most roads are lines, and most loads are level
-            for j in range(len(times)):
-                u[value, j] = c0 + c1 * (rate * (times[j] - start[i]))
-                u[slope, j] = rate * c1
-                if order > 2:
-                    u[slope + 1, j] = 0.0
+            _fill_line(times, start[i], c0, rate * c1, u[value : value + order])
         elif kind[i] == 0:
             for j in range(len(times)):
                 s = rate * (times[j] - start[i])

@@ -140,7 +140,7 @@ class CornerView:
         steered: Callable[[ca.SX], ca.SX] | None,
     ) -> None:
         self.mechanism, self.linkage, self.travel, self.rack = mechanism, linkage, travel, rack
-        self.side = linkage.side
+        self.side = linkage.rig.sign
         self._steered = steered
         self._mirror = ca.SX([1.0, self.side, 1.0])
 
