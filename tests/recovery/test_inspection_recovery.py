@@ -75,7 +75,12 @@ def rigid(twin):
 
 
 def sprung(twin, tester):
-    programme = twin.Programme(start=12.0, end=1.0, rate=1.0, hold=2.0)
+    programme = twin.Programme(
+        start=tester.programme.start_frequency,
+        end=tester.programme.end_frequency,
+        rate=tester.programme.sweep_rate,
+        hold=tester.programme.hold_time,
+    )
     return lambda car: twin.sprung_record(
         car, programme, e=tester.amplitude, mp=tester.plate_mass, kp=tester.plate_spring_rate, fine=4
     )
@@ -100,7 +105,7 @@ def test_sprung_plate(twin):
     tester = load_tester("theta-msd3000")
     keys = ("theta_road", "theta_rig")
     errors, halves, _ = compare(twin, tester, sprung(twin, tester), keys, range(40))
-    check(errors, halves, keys, (0.02, 0.02))
+    check(errors, halves, keys, (0.01, 0.02))  # theta on the road is graded
 
 
 @pytest.mark.parametrize("friction", [80.0, 160.0])
