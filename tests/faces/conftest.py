@@ -39,6 +39,7 @@ class Outcome:
 def cli(capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Cli:
     """Run ``jounce`` with words in an empty folder."""
     monkeypatch.chdir(tmp_path)
+    monkeypatch.delenv("COLUMNS", raising=False)  # what runs the tests side by side sets it
 
     def run(*words: object) -> Outcome:
         capsys.readouterr()

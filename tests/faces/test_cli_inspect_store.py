@@ -226,7 +226,11 @@ def test_watch_ends_cleanly_when_asked_to(lane, tmp_path: Path, how: signal.Sign
         "egea-specsus2018",
     ]
     process = subprocess.Popen(
-        [sys.executable, "-m", "jounce", *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        [sys.executable, "-m", "jounce", *words],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # what runs in the background ignores it
     )
     assert process.stdout.readline().startswith("accepted 1 ")
     process.send_signal(how)

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 _SHARE = 20  # the level of the residuals is taken over this share of a record
+_LEAST = 1e-12  # of the largest level: what is smaller is rounding, where nothing moves
 _FEWEST = 25  # samples, at least
 _REACH = 3  # times the lag at which the residuals stop resembling each other
 
@@ -40,7 +41,8 @@ def robust_covariance(vector: Array, jacobian: Array, blocks: tuple[slice, ...])
         level = _level(vector[block])
         rows = jacobian[block] * level[:, None]
         meat += rows.T @ rows
-        correlation = _correlation(vector[block] / np.maximum(level, np.finfo(float).tiny))
+        least = max(_LEAST * float(np.max(level, initial=0.0)), np.finfo(float).tiny)
+        correlation = _correlation(vector[block] / np.maximum(level, least))
         for lag, weighted in enumerate(correlation, 1):
             cross = rows[lag:].T @ rows[:-lag]
             meat += weighted * (cross + cross.T)
