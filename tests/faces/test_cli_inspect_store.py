@@ -24,6 +24,13 @@ strut = {spring = {rate = "25 N/mm"}, damper = {coefficient = "1000 N*s/m"}}
 tyre = {stiffness = "200 N/mm"}
 """
 
+LISTENING = """
+import signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)  # what was started in the background ignores it
+from jounce.cli import main
+raise SystemExit(main(sys.argv[1:]))
+"""
+
 
 @pytest.fixture(scope="session")
 def simulated(tmp_path_factory: pytest.TempPathFactory) -> Path:
@@ -226,11 +233,7 @@ def test_watch_ends_cleanly_when_asked_to(lane, tmp_path: Path, how: signal.Sign
         "egea-specsus2018",
     ]
     process = subprocess.Popen(
-        [sys.executable, "-m", "jounce", *words],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # what runs in the background ignores it
+        [sys.executable, "-c", LISTENING, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     )
     assert process.stdout.readline().startswith("accepted 1 ")
     process.send_signal(how)
