@@ -111,7 +111,7 @@ class Lowering:
     def __init__(self) -> None:
         self.module = ir.Module(name="jounce")
         self._externals: dict[str, ir.Function] = {}
-        self._made: dict[tuple[int, str], ir.Value] = {}
+        self._made: dict[tuple[int, str], tuple[ir.Value, ir.Value]] = {}
 
     def add(self, name: str, function: AnyFunction) -> None:
         """Append ``void name(double* x, double* u, double* p, double* m, double* out)``; arrays must not overlap."""
@@ -296,11 +296,11 @@ class Lowering:
         return x if x.type == kind else self._once("spread", x, lambda: _spread(b, x, kind))
 
     def _once(self, what: str, x: ir.Value, make: Callable[[], ir.Value]) -> ir.Value:
-        """What was made of a value before in this function, else made now."""
+        """What was made of a value before in this function, else made now; the value is kept, so no other has its id."""
         key = (id(x), what)
         if key not in self._made:
-            self._made[key] = make()
-        return self._made[key]
+            self._made[key] = x, make()
+        return self._made[key][1]
 
 
 def _spread(b: ir.IRBuilder, x: ir.Value, kind: ir.VectorType) -> ir.Value:
