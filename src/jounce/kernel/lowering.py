@@ -296,7 +296,7 @@ class Lowering:
         return x if x.type == kind else self._once("spread", x, lambda: _spread(b, x, kind))
 
     def _once(self, what: str, x: ir.Value, make: Callable[[], ir.Value]) -> ir.Value:
-        """What was made of a value before in this function, else made now; the value is kept, so no other has its id."""
+        """What was made of a value before in this function, else made now; the value is kept, so that its id stays."""
         key = (id(x), what)
         if key not in self._made:
             self._made[key] = x, make()
