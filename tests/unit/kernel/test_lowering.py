@@ -217,3 +217,16 @@ def test_lanes_must_be_linear(operation):
     function = ca.Function("f", [X, *OTHERS], [operation(X[1])])
     with pytest.raises(NotImplementedError, match="no form for lanes"):
         compile_functions({"f": Lanes(function, 4, (1, 1, 1, 1, 0))})
+
+
+@pytest.mark.parametrize(
+    "row", [lambda c, x, u: (c * u + (c + 0.1)) * x + (c + 0.2) * x, lambda c, x, u: c * x + (c + 0.3) * (x - u * x)]
+)
+def test_lanes_take_each_constant_for_itself(row):
+    """Constants come and go while a graph is lowered: none may be taken for one that is gone."""
+    constants, lanes = np.arange(1.0, 33.0) / 7.0, np.array([1.0, -2.0, 3.0, 0.5])
+    u, p, m = OTHERS
+    function = ca.Function("f", [X, u, p, m], [ca.vertcat(*(row(c, X[1], u) for c in constants))])
+    native = compile_functions({"f": Lanes(function, 4, (1, 1, 1, 1, 0))})
+    found = native.evaluate("f", (32 * 4,), np.concatenate([[0.0], lanes]), 2 * ONE, ONE, ONE).reshape(32, 4)
+    np.testing.assert_allclose(found, row(constants[:, None], lanes, 2.0), rtol=1e-14)
