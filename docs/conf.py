@@ -27,7 +27,7 @@ autodoc_default_options = {"members": True, "inherited-members": False, "exclude
 add_module_names = False
 napoleon_google_docstring = False
 napoleon_use_ivar = True
-suppress_warnings = ["bibtex.missing_field"]
+suppress_warnings = ["bibtex.missing_field", "ref.python"]  # attributes of one name in two classes
 
 
 def write_public_names(folder: Path) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import importlib.util
+import inspect
 import io
 import re
 import shlex
@@ -13,6 +14,7 @@ from pathlib import Path
 import pytest
 import typer
 
+import jounce
 from jounce.cli.entry import application, main
 
 ROOT = Path(__file__).parents[2]
@@ -115,6 +117,20 @@ def test_readme_and_the_pages_about_use_hold_blocks():
         *(f"docs/{page}.md" for page in ("campaign", "rig", "vehicle", "roads", "bench", "command-line")),
     ):
         assert blocks(PAGES[name]), name
+
+
+def test_every_page_is_in_the_table_of_contents():
+    index = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
+    listed = {line for tree in re.findall(r"^```{toctree}\n(.*?)^```$", index, re.M | re.S) for line in tree.split()}
+    pages = {name.removeprefix("docs/").removesuffix(".md") for name in PAGES if name.startswith("docs/")}
+    assert pages - listed == {"index"}
+
+
+@pytest.mark.parametrize("name", sorted(set(dir(jounce)) - {"__version__", "__doc__", "__name__"}))
+def test_docstrings_have_no_bars_outside_code(name: str):
+    """Sphinx takes ``|v|`` for the name of a substitution."""
+    text = re.sub(r"``.*?``|^ *>>>.*$", "", inspect.getdoc(getattr(jounce, name)) or "", flags=re.M | re.S)
+    assert not re.findall(r"(?<![\w|])\|\w[^|\n]*\|", text)
 
 
 def commands() -> Iterator[str]:

@@ -105,7 +105,7 @@ def fit_damper(
 
     ``linear``: F = c v + F0. ``bilinear``: c_bump for v > 0, c_rebound for v < 0. ``polynomial``: F = F0 + sum a_i v^i.
     ``tanh-hysteretic``: F = c v + k x + f tanh(slope (v + coupling x)) + F0. ``bouc-wen``: F = c v + k x + f z + F0,
-    z' = rate (v - sigma |v| |z|^(n-1) z + (sigma - 1) v |z|^n), in the normalised form, whose parameters are unique.
+    ``z' = rate (v - sigma |v| |z|^(n-1) z + (sigma - 1) v |z|^n)``, the normalised form, whose parameters are unique.
     Shape parameters are searched from many starts; the factors are solved for exactly at each step.
 
     Parameters
