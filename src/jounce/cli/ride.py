@@ -68,7 +68,7 @@ def ride(
         from jounce.plots.ride import ride_spectra
         from jounce.plots.writing import write_figure
 
-        write_figure(ride_spectra(study.rides, settling=study.trial.settling), figure, force=force)
+        write_figure(ride_spectra(study.rides), figure, force=force)
     plain = {**plain, "out": out and str(out), "figure": figure and str(figure)}
     return Reply(plain, lambda console: _draw_ride(console, plain, study), as_json)
 
@@ -207,10 +207,9 @@ def _draw_stationary(console: Console, study: RideStudy, ride: Ride) -> None:
     """Simulated beside stationary standard deviations, of the rig as it is."""
     if study.stationary is None or ride.control != "passive":
         return
-    signals = ride.run.sel(time=slice(study.trial.settling, None))
     linear = study.stationary.standard_deviation
     rows = [
-        (name, study.stationary.units[name], float(signals[name].std()), linear[name])
+        (name, study.stationary.units[name], ride.standard_deviation(name), linear[name])
         for name in linear
         if linear[name]
     ]

@@ -10,27 +10,23 @@ import numpy as np
 from jounce.plots.style import INK, MUTED, PALETTE, new_figure, styled
 
 if TYPE_CHECKING:
-    import xarray as xr
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
     from jounce.studies.ride import Merit, Ride, RideStudy
 
-_BODY = ("body.az", "sprung.az")
 _HIGHEST = 50.0  # Hz
 _SIZES = (40.0, 260.0)  # points^2
 
 
 @styled
-def ride_spectra(rides: Sequence[Ride], *, settling: float = 0.0) -> Figure:
+def ride_spectra(rides: Sequence[Ride]) -> Figure:
     r"""Draw the spectra of body acceleration and wheel load, one line for each ride.
 
     Parameters
     ----------
     rides : sequence of Ride
         Runs over the same road.
-    settling : float
-        Time at the start that is left out, s.
 
     Returns
     -------
@@ -38,17 +34,14 @@ def ride_spectra(rides: Sequence[Ride], *, settling: float = 0.0) -> Figure:
         Power spectral densities over frequency (Hz): acceleration ((m/s^2)^2/Hz) above, wheel load (N^2/Hz) below
         where the rig has a tyre.
     """
-    from jounce.ride.spectra import power_spectrum
-
-    channels = [names[0] for names in (_of(rides[0].run, _BODY), _of(rides[0].run, ("tyre.force",))) if names]
+    spectra = [ride.spectra() for ride in rides]
+    channels = list(spectra[0])
     figure = new_figure(2.9 * len(channels))
     rows = figure.subplots(len(channels), 1, sharex=True, squeeze=False)[:, 0]
     labels = {"az": "acceleration [(m/s²)²/Hz]", "force": "wheel load [N²/Hz]"}
     for name, axes in zip(channels, rows, strict=True):
-        for i, ride in enumerate(rides):
-            signal = ride.run[name].sel(time=slice(settling, None))
-            rate = 1.0 / float(signal["time"][1] - signal["time"][0])
-            found = power_spectrum(signal.to_numpy(), rate)
+        for i, (ride, spectrum) in enumerate(zip(rides, spectra, strict=True)):
+            found = spectrum[name]
             band = (found.frequency > 0.0) & (found.frequency <= _HIGHEST)
             style = "-" if i < len(PALETTE) else "--"
             axes.loglog(
@@ -60,11 +53,6 @@ def ride_spectra(rides: Sequence[Ride], *, settling: float = 0.0) -> Figure:
     if len(rides) > 1:
         rows[0].legend(ncols=min(len(rides), 4), fontsize=8)
     return figure
-
-
-def _of(run: xr.Dataset, names: Sequence[str]) -> list[str]:
-    """Channels of a recording with these names, at any corner."""
-    return [str(c) for name in names for c in run.data_vars if c == name or str(c).endswith(f".{name}")]
 
 
 @styled

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +13,7 @@ from jounce.core.errors import DescriptionError, JounceError, RecordingError
 from jounce.core.serialise import to_plain
 from jounce.parts import Rig
 from jounce.ride.metrics import RideMetrics, ride_metrics
+from jounce.ride.spectra import Spectrum, power_spectrum
 from jounce.ride.stationary import StationaryResponse, stationary
 from jounce.roads.iso8608 import Iso8608
 from jounce.simulation import simulate
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 Progress = Callable[[str], None]
 AnyControl = Controller | str | Path | Callable[..., Any]
 PASSIVE = "passive"
+_BODY = ("body.az", "sprung.az")
 
 
 @dataclass(frozen=True)
@@ -62,12 +64,32 @@ class Ride:
         What they amount to.
     merits : dict
         The columns of the comparison that the rig has, SI.
+    settling : float
+        Time at the start that is left out of everything, s.
     """
 
     control: str
     run: xr.Dataset = field(repr=False)
     metrics: RideMetrics
     merits: dict[str, float]
+    settling: float = 0.0
+
+    @property
+    def settled(self) -> xr.Dataset:
+        """Signals from the settling time on, SI."""
+        return self.run.sel(time=slice(self.settling, None))
+
+    def spectra(self) -> dict[str, Spectrum]:
+        """Power spectral densities by channel: body acceleration, and wheel load where the rig has a tyre."""
+        signals = self.settled
+        rate = 1.0 / float(signals["time"][1] - signals["time"][0])
+        found = [[c for c in map(str, signals.data_vars) if _is_channel(n, c)] for n in (*_BODY, "tyre.force")]
+        names = [*(found[0] or found[1])[:1], *found[2][:1]]
+        return {name: power_spectrum(signals[name].to_numpy(), rate) for name in names}
+
+    def standard_deviation(self, channel: str) -> float:
+        """Of a channel after settling, in its SI unit."""
+        return float(self.settled[channel].std())
 
     def to_dict(self) -> dict[str, Any]:
         """Give plain values, SI; signals stay out."""
@@ -166,7 +188,7 @@ def drive(rig: Rig, trial: RideTrial, control: AnyControl | None = None) -> Ride
     for missing in metrics.absent:
         if missing.metric == "weighted_rms":
             raise RecordingError(missing.reason, where=missing.place, hint="Drive for longer.")
-    return Ride(control_name(control), run, metrics, _merits(metrics))
+    return Ride(control_name(control), run, metrics, _merits(metrics), trial.settling)
 
 
 def compare_rides(
@@ -212,11 +234,9 @@ def compare_rides(
         name = control_name(given)
         progress(f"driving: {name}")
         try:
-            rides.append(drive(rig, trial, None if name == PASSIVE else control))
+            rides.append(replace(drive(rig, trial, None if name == PASSIVE else control), control=name))
         except JounceError as error:
             failed[name], problem = str(error), problem or error
-            continue
-        rides[-1] = Ride(name, rides[-1].run, rides[-1].metrics, rides[-1].merits)
     if problem is not None and not rides:
         raise problem
     return RideStudy(trial, tuple(rides), failed, _stationary(rig, trial, [ride.control for ride in rides]))
@@ -246,7 +266,7 @@ def _merits(metrics: RideMetrics) -> dict[str, float]:
         if merit.worst and values:
             found[merit.name] = max(values.values())
         elif not merit.worst:
-            body = next((place for place in ("body.az", "sprung.az") if place in values), None)
+            body = next((place for place in _BODY if place in values), None)
             if body is not None:
                 found[merit.name] = values[body]
     return found
@@ -257,11 +277,8 @@ def _stationary(rig: Rig, trial: RideTrial, names: Sequence[str]) -> StationaryR
     road, speed = trial.trial.road, trial.trial.speed
     if PASSIVE not in names or not isinstance(road, Iso8608) or speed is None:
         return None
-    weighting = {"sprung.az": "Wk", "body.az": "Wk"}
-    known = [name for name in weighting if any(_is_channel(name, part) for part in _channels(rig))]
-    return stationary(
-        rig, road.degree_of_roughness, speed, band="iso", weighting={name: weighting[name] for name in known}
-    )
+    weighting = {name: "Wk" for name in _BODY if any(_is_channel(name, part) for part in _channels(rig))}
+    return stationary(rig, road.degree_of_roughness, speed, band="iso", weighting=weighting)
 
 
 def _channels(rig: Rig) -> tuple[str, ...]:
