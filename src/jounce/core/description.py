@@ -73,9 +73,10 @@ def read_toml(path: Path | str) -> tuple[dict[str, Any], str]:
 
 
 _NAME = r"(?:[\w-]+|\"[^\"]*\"|'[^']*')"
-_HEADER = re.compile(r"\s*\[(\[?)([^\]]+)\]")
+_HEADER = re.compile(rf"\s*\[(\[?)\s*({_NAME}(?:\s*\.\s*{_NAME})*)\s*\]\]?\s*(?:#.*)?$")
 _KEY = re.compile(rf"\s*({_NAME}(?:\s*\.\s*{_NAME})*)\s*=")
 _LONG_TEXT = re.compile(r"(\"\"\"|''')(?:.|\n)*?\1")
+_TOKEN = re.compile(r"\"(?:\\.|[^\"\\\n])*\"|'[^'\n]*'|#[^\n]*|[\[\]{},]|[^\s\[\]{},\"'#]+")
 
 
 def line_of(text: str, path: tuple[str | int, ...]) -> int | None:
@@ -83,7 +84,8 @@ def line_of(text: str, path: tuple[str | int, ...]) -> int | None:
     best, best_depth, seen = None, 0, dict[tuple[str, ...], int]()
     table: tuple[str | int, ...] = ()
     flat = _LONG_TEXT.sub(lambda found: "\n" * found[0].count("\n"), text)
-    for number, line in enumerate(flat.splitlines(), 1):
+    lines = flat.split("\n")
+    for number, line in enumerate(lines, 1):
         header, key = _HEADER.match(line), _KEY.match(line)
         if header:
             names = _split_key(header[2])
@@ -96,7 +98,27 @@ def line_of(text: str, path: tuple[str | int, ...]) -> int | None:
             continue
         if path[: len(here)] == here and len(here) > best_depth:
             best, best_depth = number, len(here)
+    entry = path[best_depth] if len(path) > best_depth else ""
+    if best is not None and isinstance(entry, int):
+        return best + _lines_before(entry, "\n".join(lines[best - 1 :]))
     return best
+
+
+def _lines_before(entry: int, text: str) -> int:
+    """How many lines after the start of ``key = [...]`` an entry of the list is written; 0 where it is not found."""
+    key = _KEY.match(text)
+    depth = commas = 0
+    for token in _TOKEN.finditer(text, key.end() if key else len(text)):
+        mark = token[0]
+        if mark.startswith("#"):
+            continue
+        if depth == 1 and commas == entry and mark not in ("]", ","):
+            return text.count("\n", 0, token.start())
+        depth += (mark in ("[", "{")) - (mark in ("]", "}"))
+        commas += depth == 1 and mark == ","
+        if depth <= 0:
+            break
+    return 0
 
 
 def _split_key(text: str) -> tuple[str, ...]:
@@ -139,6 +161,7 @@ def description_error(
     items = error.errors()
     misspelt = [item for item in items if item["type"] == "extra_forbidden"]
     items = [item for item in items if not (item["type"] == "missing" and _is_misspelt(item, misspelt))]
+    items = [item for item in items if not (item["type"] == "too_short" and _is_within(item, items))]
     problems = [_problem(item, kind, where, text, path) for item in items]
     if len(problems) == 1:
         place, what = problems[0]
@@ -152,6 +175,12 @@ def _is_misspelt(item: Any, unknown_keys: list[Any]) -> bool:
     *table, name = item["loc"]
     beside = [str(other["loc"][-1]) for other in unknown_keys if list(other["loc"][:-1]) == table]
     return isinstance(name, str) and bool(nearest(name, beside))
+
+
+def _is_within(whole: Any, items: list[Any]) -> bool:
+    """Whether a list lacks entries only because each has a mistake of its own."""
+    depth = len(whole["loc"])
+    return any(item["loc"][:depth] == whole["loc"] and len(item["loc"]) > depth for item in items)
 
 
 def _problem(item: Any, kind: type[BaseModel], where: str, text: str, above: tuple[str | int, ...]) -> tuple[str, str]:
