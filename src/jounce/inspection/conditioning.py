@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 _ACCELERATION_TIME = 0.021
 _ACCELERATION_ORDER = 7
-_MOVING = 0.15
 _BLOCK_TIME = 0.1
+_OF_OTHER, _IDLE = 0.6, 0.2
 _STANDSTILL, _LONG_STANDSTILL = 0.2, 2.0
 
 
@@ -175,22 +175,47 @@ def _channel(record: xr.Dataset, name: str) -> Array | None:
 def moving_part(values: Array, sample_rate: float, least: float, other: Array | None = None) -> tuple[int, int] | None:
     """First and last sample between which a plate moves, by blocks of 0.1 s; None where it stands still.
 
-    A block counts when the stroke (m) in it is above ``least`` m, and above half of that of the ``other`` plate (m): a
-    sprung plate is shaken a little through the car. The shape of the signals is (n,), their rate in Hz.
+    A block counts when the stroke (m) in it is above ``least`` m. The shape of the signals is (n,), their rate in Hz.
+    Where the ``other`` plate (m) moves as well, a sprung plate is shaken through the car while the other one is tested
+    and swings on with the body afterwards: the part is then the one in which this plate is shaken more than the other,
+    and slow swings do not count.
     """
     size = max(round(_BLOCK_TIME * sample_rate), 2)
     stroke = _strokes(values, size)
     moving = stroke > least
-    if other is not None:
-        moving &= stroke > 0.5 * _strokes(other, size)
-    found = np.flatnonzero(moving)
+    if other is not None and bool(np.any(moving & (_strokes(other, size) > least))):
+        found = _greatest_part(_bends(values, size) - _OF_OTHER * _bends(other, size) - _IDLE * least)
+    else:
+        found = np.flatnonzero(moving)
     if found.size == 0:
         return None
     return int(found[0] * size), int(min((found[-1] + 1) * size, values.size))
 
 
 def _strokes(values: Array, size: int) -> Array:
-    return np.asarray(np.ptp(values[: values.size // size * size].reshape(-1, size), axis=1))
+    return np.asarray(np.ptp(_blocks(values, size), axis=1))
+
+
+def _bends(values: Array, size: int) -> Array:
+    """Stroke of each block about its own straight line: what a swing much slower than the block hardly has."""
+    blocks = _blocks(values, size)
+    place = np.arange(size) - 0.5 * (size - 1)
+    slope = blocks @ place / (place @ place)
+    return np.asarray(np.ptp(blocks - slope[:, None] * place, axis=1))
+
+
+def _blocks(values: Array, size: int) -> Array:
+    return values[: values.size // size * size].reshape(-1, size)
+
+
+def _greatest_part(gains: Array) -> NDArray[np.intp]:
+    """Indices of the connected part of (n,) gains whose sum is greatest; none where no gain is above zero."""
+    sums = np.concatenate([[0.0], np.cumsum(gains)])
+    lowest = np.minimum.accumulate(sums)
+    last = int(np.argmax(sums - lowest))
+    if sums[last] <= lowest[last]:
+        return np.arange(0)
+    return np.arange(int(np.argmin(sums[: last + 1])), last)
 
 
 def standstill_force(signals: WheelSignals, moving: tuple[int, int], other: tuple[int, int] | None) -> float | None:
