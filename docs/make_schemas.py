@@ -14,7 +14,11 @@ from typing import Any
 from pydantic import TypeAdapter
 
 from jounce.control import CONTROLS
+from jounce.inspection.limits import METHODS, Limits
+from jounce.inspection.quantities import QUANTITIES
+from jounce.inspection.record import NUMBERS, SIDES, TEXTS
 from jounce.parts.rigs import RIGS
+from jounce.parts.testers import Tester
 from jounce.parts.vehicles import VEHICLES
 from jounce.roads.loading import SCHEMA
 from jounce.roads.train import ROADS, AnyRoad
@@ -99,6 +103,39 @@ def control_schema() -> dict[str, Any]:
     return {"$schema": DIALECT, **schema, "title": "jounce control file"}
 
 
+def tester_schema() -> dict[str, Any]:
+    """Schema of a tester file."""
+    schema = Tester.model_json_schema(by_alias=True)
+    schema["required"] = ["schema", *schema["required"]]
+    return {"$schema": DIALECT, **schema, "title": "jounce tester file"}
+
+
+def limits_schema() -> dict[str, Any]:
+    """Schema of a limits file: edges of bands have the unit of their quantity, or none."""
+    schema = Limits.model_json_schema(by_alias=True)
+    schema["required"] = ["schema", *schema["required"]]
+    schema["properties"]["methods"]["propertyNames"] = {"enum": list(METHODS)}
+    definitions = schema["$defs"]
+    for side in ("from", "to"):
+        edge = {"type": ["number", "string"], "description": "with a unit, or bare: SI, degrees for angles; none: open"}
+        definitions["Band"]["properties"][side] = edge
+    for name in ("Criterion", "Condition", "DifferenceCriterion"):
+        definitions[name]["properties"]["quantity"]["enum"] = list(QUANTITIES)
+    return {"$schema": DIALECT, **schema, "title": "jounce limits file"}
+
+
+def record_schema() -> dict[str, Any]:
+    """Schema of the file beside a tester's record; further keys are kept and said."""
+    texts: dict[str, Any] = {name: {"type": "string"} for name in TEXTS}
+    texts["axle"] = {"enum": ["front", "rear"]}
+    texts["date"] = {"description": "a date, or text"}
+    texts["wheel_order"] = {"type": ["array", "string"], "items": {"enum": list(SIDES)}}
+    numbers = {name: {"type": ["number", "string"], "description": f"in {si}"} for name, si in NUMBERS.items()}
+    wheel = {"type": "object", "properties": numbers}
+    properties = {**texts, **dict.fromkeys(SIDES, wheel)}
+    return {"$schema": DIALECT, "title": "jounce header of a record", "type": "object", "properties": properties}
+
+
 def _roads(*, named: bool) -> dict[str, Any]:
     """Schema of any road, ``kind`` required; ``named``: the road of a train or an enveloped one may be a name."""
     schema = TypeAdapter(AnyRoad).json_schema(by_alias=True)
@@ -128,8 +165,12 @@ def _short(schema: Any) -> Any:
 def texts() -> dict[str, str]:
     """Give all schemas: file name to text."""
     schemas = {"rig": rig_schema(), "vehicle": vehicle_schema(), "campaign": campaign_schema(), "road": road_schema()}
-    schemas["control"] = control_schema()
-    return {f"{name}.schema.json": json.dumps(_short(schema), indent=1) + "\n" for name, schema in schemas.items()}
+    schemas |= {"control": control_schema(), "tester": tester_schema(), "limits": limits_schema()}
+    schemas["record"] = record_schema()
+    return {
+        f"{name}.schema.json": json.dumps(_short(schema), indent=1, allow_nan=False) + "\n"
+        for name, schema in schemas.items()
+    }
 
 
 if __name__ == "__main__":

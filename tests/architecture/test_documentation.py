@@ -25,6 +25,7 @@ PAGES = {
 }
 BLOCK = re.compile(r"^```(python|toml|console)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 FILE = re.compile(r"# file: (\S+)\n")
+SCHEMAS = ("rig", "vehicle", "campaign", "road", "control", "tester", "limits", "record")
 ELSEWHERE = ("jounce demo",)  # takes half a minute; tests/recovery runs the same
 
 
@@ -171,7 +172,7 @@ def test_schemas_are_up_to_date():
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     texts = module.texts()
-    assert set(texts) == {f"{name}.schema.json" for name in ("rig", "vehicle", "campaign", "road", "control")}
+    assert set(texts) == {f"{name}.schema.json" for name in SCHEMAS}
     for name, text in texts.items():
         found = (module.FOLDER / name).read_text(encoding="utf-8")
         assert found == text, f"{name} is out of date: run python docs/make_schemas.py"

@@ -6,6 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from jounce.inspection.limits import shipped_limits
+from jounce.parts.testers import library as shipped_testers
+
 
 def test_everything_in_order(cli, campaign: Path, bump: Path, decay_file: Path, spring_files: list[Path]) -> None:
     files = (campaign, bump, decay_file, spring_files[0], campaign.parent / "rig.toml", "trial_1.csv")
@@ -94,3 +97,108 @@ def test_controllers(cli, tmp_path: Path) -> None:
     outcome = cli("check", file)
     assert outcome.exit_code == 2
     assert "Did you mean 'skyhook'?" in outcome.err
+
+
+@pytest.fixture
+def tester_file(tmp_path: Path) -> Path:
+    file = tmp_path / "lane.toml"
+    file.write_text(shipped_testers()["egea-specsus2018"].read_text(encoding="utf-8"), encoding="utf-8")
+    return file
+
+
+@pytest.fixture
+def limits_file(tmp_path: Path) -> Path:
+    file = tmp_path / "limits.toml"
+    file.write_text(shipped_limits().read_text(encoding="utf-8"), encoding="utf-8")
+    return file
+
+
+def changed(file: Path, old: str, new: str) -> tuple[Path, int]:
+    """Change a file at one place; give the line of it."""
+    text = file.read_text(encoding="utf-8")
+    assert old in text
+    file.write_text(text.replace(old, new, 1), encoding="utf-8")
+    return file, text[: text.index(old.lstrip())].count("\n") + 1
+
+
+def test_testers_and_limits(cli, tester_file: Path, limits_file: Path) -> None:
+    shipped = list(shipped_testers().values())
+    outcome = cli("check", tester_file, limits_file, *shipped, "--json")
+    assert outcome.exit_code == 0, outcome.err
+    found = outcome.json["files"]
+    assert [item["kind"] for item in found] == ["tester", "limits", *["tester"] * len(shipped)]
+    assert not any(item["notes"] for item in found)
+    assert "rigid-plate, evaluated by egea" in found[0]["what"]
+    assert "eusama, egea, theta, boge, tyre-rigidity, difference of adhesion, " in found[1]["what"]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ('stroke = "6 mm"', 'stroke = "6 N"', "stroke: wrong unit; found '6 N'"),
+        ("\nplate_mass =", "\nplate_mas =", "Did you mean 'plate_mass'?"),
+        ('kind = "rigid-plate"', 'kind = "rigid"', "kind: input should be 'rigid-plate' or 'sprung-plate'"),
+        ('sweep_rate = "2.5 Hz/s"', 'sweep_rate = "-1 Hz/s"', "programme.sweep_rate: out of range"),
+    ],
+)
+def test_broken_testers(old: str, new: str, message: str, cli, tester_file: Path) -> None:
+    file, line = changed(tester_file, old, new)
+    outcome = cli("check", file)
+    assert outcome.exit_code == 2
+    assert f"lane.toml, line {line}: " in outcome.err
+    assert message in outcome.err
+    assert outcome.err.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ('{ from = "20 %", to = "40 %"', '{ from = "22 %", to = "40 %"', "a gap from 20 % to 22 %"),
+        ('{ from = "35 deg"', '{ from = "35 N"', "methods.egea.bands[1].from: wrong unit"),
+        ("{ from = 0.10, to = 0.13, label", "{ from = 0.10, to = 0.13, lable", "Did you mean 'label'?"),
+        ('quantity = "theta_road"', 'quantity = "theta_raod"', "Did you mean 'theta_road'?"),
+    ],
+)
+def test_broken_limits(old: str, new: str, message: str, cli, limits_file: Path) -> None:
+    file, line = changed(limits_file, old, new)
+    outcome = cli("check", file)
+    assert outcome.exit_code == 2
+    assert f"limits.toml, line {line}: " in outcome.err
+    assert message in outcome.err
+    assert outcome.err.count("\n") == 1
+
+
+def test_testers_that_contradict_themselves(cli, tester_file: Path) -> None:
+    changed(tester_file, "[programme]", '[columns]\n"left.plate.forse" = "F [N]"\n\n[programme]')
+    changed(tester_file, 'sweep_rate = "2.5 Hz/s"', 'sweep_rate = "5 Hz/s"')
+    changed(tester_file, 'end_frequency = "0 Hz"', 'end_frequency = "7 Hz"')
+    changed(tester_file, "estimated = [", 'estimated = ["plate_mas", ')
+    outcome = cli("check", tester_file, "--json")
+    assert outcome.exit_code == 0, outcome.err
+    notes = "\n".join(outcome.json["files"][0]["notes"])
+    for said in (
+        "Did you mean 'left.plate.force'?",
+        "5 Hz/s is more than",
+        "from 25 to 7 Hz",
+        "Did you mean 'plate_mass'?",
+    ):
+        assert said in notes
+
+
+def test_headers_of_records(cli, tmp_path: Path) -> None:
+    rows = "\n".join(f"{i / 1000}, {i % 7 - 3}, {4000 + i % 5}" for i in range(20))
+    (tmp_path / "lane.csv").write_text(f"time [s], left.plate.z [mm], left.plate.force [N]\n{rows}\n", encoding="utf-8")
+    file = tmp_path / "lane.toml"
+    file.write_text('axle = "front"\n[left]\nstatic_load = "4 kN"\n', encoding="utf-8")
+    outcome = cli("check", "lane.csv", file, "--json")
+    assert outcome.exit_code == 0, outcome.err
+    assert [item["kind"] for item in outcome.json["files"]] == ["record of a tester", "header of a record"]
+    file.write_text('axle = "frnt"\noperater = "x"\n[left]\nstatic_load = "4 kg"\n', encoding="utf-8")
+    outcome = cli("check", file)
+    assert outcome.exit_code == 2
+    lines = outcome.err.splitlines()
+    assert "lane.toml, line 1: axle: unknown axle; found 'frnt'" in lines[0]
+    assert "lane.toml, line 4: left.static_load: wrong unit; found 'kg'" in lines[1]
+    assert "lane.toml, line 2" in outcome.out
+    assert "Did you mean 'operator'?" in " ".join(outcome.out.split())
+    assert cli("check", "lane.csv").exit_code == 2  # a record is what its header says

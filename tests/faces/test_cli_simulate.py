@@ -7,6 +7,8 @@ from pathlib import Path
 import pytest
 
 import jounce as jn
+from jounce.inspection.limits import load_limits
+from jounce.parts.testers import load_tester
 
 RIG = "kart-quarter-car"
 DRIVE = ("--speed", "1.95 m/s", "--duration", "1 s")
@@ -222,6 +224,13 @@ def test_library(cli, tmp_path: Path) -> None:
     (tmp_path / "mine.toml").write_text(text, encoding="utf-8")
     assert jn.load(tmp_path / "mine.toml") == jn.load(RIG)
     assert "504.75 m" in cli("library", "detrended_rms_course_1in").out
+    assert "egea-specsus2018" in [tester["name"] for tester in found["testers"]]
+    assert [item["name"] for item in found["limits"]] == ["jounce"]
+    assert all(item["source"] for item in [*found["testers"], *found["limits"]])
+    (tmp_path / "eusama.toml").write_text(cli("library", "eusama").out, encoding="utf-8")
+    (tmp_path / "limits.toml").write_text(cli("library", "jounce").out, encoding="utf-8")
+    assert load_tester(tmp_path / "eusama.toml") == load_tester("eusama")
+    assert load_limits(tmp_path / "limits.toml") == load_limits()
     unknown = cli("library", "kart-quarter")
     assert unknown.exit_code == 2
     assert "Did you mean 'kart-quarter-car'?" in unknown.err

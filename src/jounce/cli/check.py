@@ -17,7 +17,10 @@ if TYPE_CHECKING:
 
 def check(
     given: Annotated[
-        list[str], typer.Argument(metavar="FILE...", help="Rigs, vehicles, controllers, campaigns, roads, recordings.")
+        list[str],
+        typer.Argument(
+            metavar="FILE...", help="Rigs, vehicles, controllers, campaigns, roads, testers, limits, recordings."
+        ),
     ],
     as_json: AsJson = False,
 ) -> Reply:

@@ -17,6 +17,8 @@ _TOML_KINDS = {
     "jounce.campaign/1": "campaign",
     "jounce.road/1": "road",
     "jounce.control/1": "control",
+    "jounce.tester/1": "tester",
+    "jounce.limits/1": "limits",
 }
 
 
@@ -42,7 +44,7 @@ class Checked:
 
 
 def check_file(file: Path) -> Checked:
-    """Check one file by what it is: a description (TOML), an OpenCRG road, a road table or a recording."""
+    """Check one file by what it is: a description (TOML), the header of a record, a road, a table or a recording."""
     checked = Checked(file)
     with checked.step():
         checks: dict[str, Callable[[Checked], None]] = {".toml": _toml, ".crg": _road}
@@ -53,7 +55,10 @@ def check_file(file: Path) -> Checked:
 def _toml(checked: Checked) -> None:
     from jounce.core.description import read_toml
 
-    table, _ = read_toml(checked.file)
+    table, text = read_toml(checked.file)
+    if "schema" not in table and _is_header(table):
+        _header(checked, table, text)
+        return
     schema = table.get("schema", "jounce.road/1" if "kind" in table else None)
     checked.kind = _TOML_KINDS.get(str(schema), "unknown")
     if checked.kind == "unknown":
@@ -62,7 +67,7 @@ def _toml(checked: Checked) -> None:
                 "the schema line is missing", where=str(checked.file), allowed=", ".join(_TOML_KINDS)
             )
         raise unknown(str(schema), _TOML_KINDS, what="schema", where=str(checked.file))
-    {"rig": _rig, "vehicle": _rig, "road": _road, "campaign": _campaign, "control": _control}[checked.kind](checked)
+    _CHECKS[checked.kind](checked)
 
 
 def _rig(checked: Checked) -> None:
@@ -88,6 +93,45 @@ def _control(checked: Checked) -> None:
     checked.what = str(getattr(found, "law", type(found).__name__))
 
 
+def _tester(checked: Checked) -> None:
+    from jounce.parts.tester_advice import findings_of_tester
+    from jounce.parts.testers import load_tester
+
+    tester = load_tester(checked.file)
+    checked.what = f"{tester.name}: {tester.kind}, evaluated by {tester.method}"
+    checked.notes += map(str, findings_of_tester(tester, str(checked.file)))
+
+
+def _limits(checked: Checked) -> None:
+    from jounce.inspection.limits import load_limits
+
+    limits = load_limits(checked.file)
+    further = [*limits.conditions, *(f"difference of {name}" for name in limits.differences)]
+    checked.what = f"{limits.label}: {', '.join([*limits.methods, *further])}"
+
+
+def _is_header(table: dict[str, Any]) -> bool:
+    """Whether a file says anything that stands in the header of a tester's record."""
+    from jounce.inspection.record import NUMBERS, SIDES, TEXTS, flat_facts
+
+    known = {*TEXTS, *(f"{side}.{name}" for side in SIDES for name in NUMBERS)}
+    return not known.isdisjoint(flat_facts(table))
+
+
+def _header(checked: Checked, table: dict[str, Any], text: str) -> None:
+    """Facts about the car in the file beside a record; each mistake is said with its line."""
+    from jounce.core.description import line_of
+    from jounce.inspection.record import flat_facts, read_facts
+
+    checked.kind, facts = "header of a record", flat_facts(table)
+    checked.what = ", ".join(facts)
+    for key, value in facts.items():
+        line = line_of(text, tuple(key.split("."))) or line_of(text, (key,))
+        with checked.step():
+            _, findings = read_facts({key: value}, where=f"{checked.file}, line {line}")
+            checked.notes += map(str, findings)
+
+
 def _measured(checked: Checked) -> None:
     """A recording, a force-deflection trial or a road table: the first whose columns the file has."""
     missing: list[JounceError] = []
@@ -109,6 +153,11 @@ def _recording(checked: Checked) -> None:
     from jounce.recordings import read_recording
 
     data, findings = read_recording(checked.file)
+    if any(str(name).endswith(".plate.force") for name in data.data_vars):
+        from jounce.inspection.record import read_record
+
+        checked.kind = "record of a tester"
+        data, findings = read_record(checked.file)
     time = data["time"].to_numpy()
     checked.what = f"{', '.join(map(str, data.data_vars))}; {len(time)} samples, {time[-1] - time[0]:g} s"
     checked.notes += map(str, findings)
@@ -182,3 +231,14 @@ def _bench(checked: Checked, bench: Any, folder: Path) -> None:
         with checked.step():
             for file in files_of(bench.decay.files, folder, f"{checked.file}: bench.decay"):
                 read_recording(file, columns=bench.decay.columns or None)
+
+
+_CHECKS: dict[str, Callable[[Checked], None]] = {
+    "rig": _rig,
+    "vehicle": _rig,
+    "road": _road,
+    "campaign": _campaign,
+    "control": _control,
+    "tester": _tester,
+    "limits": _limits,
+}

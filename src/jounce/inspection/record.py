@@ -86,7 +86,7 @@ def _header(file: Path) -> tuple[dict[str, Any], list[Finding]]:
     beside = file.with_suffix(".toml")
     if beside.is_file() and beside != file:
         try:
-            facts |= _flat(tomllib.loads(beside.read_text(encoding="utf-8")))
+            facts |= flat_facts(tomllib.loads(beside.read_text(encoding="utf-8")))
         except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
             raise DescriptionError(f"not valid TOML: {error}", where=str(beside)) from None
     if file.suffix.lower() in _TABLE_SUFFIXES and file.is_file():
@@ -94,17 +94,18 @@ def _header(file: Path) -> tuple[dict[str, Any], list[Finding]]:
             if "=" not in line:
                 continue
             try:
-                facts |= _flat(tomllib.loads(line))
+                facts |= flat_facts(tomllib.loads(line))
             except tomllib.TOMLDecodeError:
                 text = f"the header line {line!r} was left out: it is not 'key = value' with text in quotes"
                 findings.append(Finding(str(file), "warning", text))
     return facts, findings
 
 
-def _flat(table: Mapping[str, Any], before: str = "") -> dict[str, Any]:
+def flat_facts(table: Mapping[str, Any], before: str = "") -> dict[str, Any]:
+    """Give the facts of a header's tables by their dotted names: ``{"left": {"static_load": "4 kN"}}`` and the like."""
     flat: dict[str, Any] = {}
     for key, value in table.items():
-        flat |= _flat(value, f"{before}{key}.") if isinstance(value, Mapping) else {f"{before}{key}": value}
+        flat |= flat_facts(value, f"{before}{key}.") if isinstance(value, Mapping) else {f"{before}{key}": value}
     return flat
 
 
