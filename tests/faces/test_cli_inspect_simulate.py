@@ -120,7 +120,7 @@ def test_people_read_values_and_the_verdict(cli, car) -> None:
         (("car.toml", "--method", "egea", "--wear", "new"), "within 0 to 1"),
         (("car.toml", "--method", "egea", "--noise=-1"), "noise"),
         (("car.toml", "--method", "egea", "--steady", "--record", "x.csv"), "no record"),
-        (("car.toml", "--method", "egea", "--record", "x.xls"), ".csv, .nc"),
+        (("car.toml", "--method", "egea", "--record", "x.xls"), ".nc, .csv"),
         (("car.toml", "--method", "egea", "--set", "tester.strok=6 mm"), "stroke"),
         (("audi-a6-half-car", "--method", "egea"), "no tyres"),
         (("formula-student-car", "--method", "egea"), "one of its corners"),

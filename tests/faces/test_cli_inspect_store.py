@@ -164,7 +164,7 @@ def test_history_search_export(cli, lane) -> None:
         (("history", "--plate", "M-X 1", "--figure", "h.xls"), "figures are not written in this format"),
         (("search", "--verdict", "passed"), "Did you mean 'pass'?"),
         (("search", "--since", "1.1.2026"), "--since: no day"),
-        (("export", "--out", "lane.xls"), "no table is written in this format"),
+        (("export", "--out", "lane.xls"), "tables are not written in this format"),
         (("export", "--out", "nowhere/lane.csv"), "folder of the output does not exist"),
         (("import", "none.csv"), "none.csv: no such file"),
         (("import", "lane/a.csv", "--tester", "eusamma"), "Did you mean 'eusama'?"),

@@ -8,18 +8,26 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from jounce.cli.design_tables import draw_front, draw_optimisation, draw_springs
-from jounce.cli.options import AsJson, Changes, Force, bare_number, changes, pairs, positive_quantity, quantity
+from jounce.cli.options import (
+    AsJson,
+    Changes,
+    Force,
+    VehicleName,
+    bare_number,
+    changes,
+    pairs,
+    positive_quantity,
+    quantity,
+)
+from jounce.cli.outputs import FigureFile, check_outputs, write_picture
 from jounce.cli.reply import Reply, progress
 from jounce.cli.rigs import chosen_rig
-from jounce.core.errors import DescriptionError, OutputError
+from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
     from jounce.parts import Rig
 
 app = typer.Typer(no_args_is_help=True, help="Springs, dampers and best designs.")
-VehicleName = Annotated[
-    str, typer.Argument(metavar="VEHICLE", help="A vehicle or rig file, or a name of `jounce library`.")
-]
 FreeNumbers = Annotated[
     list[str],
     typer.Option(
@@ -46,7 +54,6 @@ RoadBand = Annotated[
         "--band", help='Waves of the road: iso (0.011 to 2.83 1/m) or "0.02..3"; by default all where that is finite.'
     ),
 ]
-FigureFile = Annotated[Path | None, typer.Option(help="Draw the result: .png, .svg or .pdf.")]
 RigFile = Annotated[Path | None, typer.Option(help="Write the design as a rig file, RIG.toml.")]
 
 
@@ -69,7 +76,7 @@ def springs(
 
     Example: jounce design springs audi-a6-full-car --frequency "1.2 Hz" --rear-frequency "1.35 Hz" --damping-ratio 0.3
     """
-    _check_outputs(out, None, force=force)
+    check_outputs(rig=out, force=force)
     target = positive_quantity(frequency, "Hz", "--frequency")
     share = quantity(damping_ratio, "1", "--damping-ratio")
     rear = [
@@ -122,7 +129,7 @@ def optimise(
 
     Example: jounce design optimise kart-quarter-car --free strut.damper.coefficient="50..500" --objective sprung.az
     """
-    _check_outputs(out, figure, force=force)
+    check_outputs(rig=out, figure=figure, force=force)
     bounds = {path: _bounds(text) for path, text in pairs(free, "--free", 'front.spring_rate="±30 %"').items()}
     limits = {name: _limit(text) for name, text in pairs(limit, "--limit", 'strut.deflection="20 mm"').items()}
     weights = _weights(objective)
@@ -136,7 +143,7 @@ def optimise(
         say("searching")
         found = find_best(rig, bounds, weights, limits, **driven, starts=starts)
     _write_rig(found.rig, out, f"{vehicle}, best for {', '.join(weights)} over {found.driven}.", force=force)
-    _write_figure(found, figure, force=force)
+    write_picture(found, figure, force=force)
     plain = {"rig": vehicle, "set": wanted, **found.to_dict(), **_written(out, figure)}
     return Reply(plain, lambda console: draw_optimisation(console, plain, found), as_json)
 
@@ -162,7 +169,7 @@ def pareto(
 
     Example: jounce design pareto audi-a6-quarter-car --free strut.damper.coefficient="300..6000" --figure front.png
     """
-    _check_outputs(None, figure, force=force)
+    check_outputs(figure=figure, force=force)
     bounds = {path: _bounds(text) for path, text in pairs(free, "--free", 'front.spring_rate="±30 %"').items()}
     limits = {name: _limit(text) for name, text in pairs(limit, "--limit", 'strut.deflection="20 mm"').items()}
     velocity, waves = positive_quantity(speed, "m/s", "--speed"), _band(band)
@@ -176,7 +183,7 @@ def pareto(
             chosen_rig(vehicle, wanted), bounds, road, velocity,
             comfort=comfort, holding=holding, travel=travel, constraints=limits, points=points, band=waves,
         )  # fmt: skip
-    _write_figure(front, figure, force=force)
+    write_picture(front, figure, force=force)
     plain = {"rig": vehicle, "set": wanted, **front.to_dict(), "figure": figure and str(figure)}
     return Reply(plain, lambda console: draw_front(console, plain, front), as_json)
 
@@ -241,37 +248,12 @@ def _weights(texts: list[str]) -> dict[str, float]:
     return found
 
 
-def _check_outputs(out: Path | None, figure: Path | None, *, force: bool) -> None:
-    """Refuse before the work what could not be written after it."""
-    from jounce.core.serialise import check_writable
-
-    if out is not None:
-        if out.suffix.lower() != ".toml":
-            raise OutputError("rigs are written as TOML", where=f"--out {out}", found=out.suffix, allowed=".toml")
-        check_writable(out, force=force)
-    if figure is not None:
-        from jounce.plots.writing import SUFFIXES
-
-        if figure.suffix.lower() not in SUFFIXES:
-            what, allowed = "figures are not written in this format", ", ".join(SUFFIXES)
-            raise OutputError(what, where=f"--figure {figure}", found=figure.suffix, allowed=allowed)
-        check_writable(figure, force=force)
-
-
 def _write_rig(rig: Rig, out: Path | None, comment: str, *, force: bool) -> None:
     if out is not None:
         from jounce.core.serialise import write_atomically
         from jounce.parts.writing import rig_text
 
         write_atomically(out, rig_text(rig, [comment]), force=force)
-
-
-def _write_figure(result: object, figure: Path | None, *, force: bool) -> None:
-    if figure is not None:
-        from jounce.plots import figure_of
-        from jounce.plots.writing import write_figure
-
-        write_figure(figure_of(result), figure, force=force)
 
 
 def _written(out: Path | None, figure: Path | None) -> dict[str, str | None]:

@@ -13,7 +13,7 @@ from jounce.cli.options import AsJson, Changes, Force, RigName, changes, positiv
 from jounce.cli.reply import DONE, REFUSED, Reply, progress
 from jounce.cli.tables import show_findings
 from jounce.cli.trial_options import DrivenSpeed, Duration, ExcitationFile, RoadName, trial_findings, trial_of
-from jounce.core.errors import DescriptionError, OutputError
+from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
     import numpy as np
@@ -47,14 +47,9 @@ def draw(
 
     Example: jounce draw kart-double-wishbone --travel "-20 mm:20 mm:20 mm" --out kart.png
     """
-    from jounce.core.serialise import check_writable
-    from jounce.plots.writing import SUFFIXES, write_figure
+    from jounce.plots.writing import check_figure, write_figure
 
-    file = Path(f"{Path(rig).stem}.png") if out is None else out
-    if file.suffix.lower() not in SUFFIXES:
-        allowed = ", ".join(SUFFIXES)
-        raise OutputError("figures are not written in this format", where=str(file), found=file.suffix, allowed=allowed)
-    check_writable(file, force=force)
+    file = check_figure(f"{Path(rig).stem}.png" if out is None else out, force=force)
     with progress() as say:
         say("loading")
         chosen, wanted = _rig(rig, set_)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from jounce.cli.options import AsJson, Changes, Force, changes, positive_quantity, quantity
+from jounce.cli.outputs import check_outputs
 from jounce.cli.reply import Reply, progress
 from jounce.cli.rigs import warn_of
 from jounce.cli.tables import show_findings, table
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
 
     from jounce.parts.testers import Tester
 
-_RECORD_SUFFIXES = (".csv", ".nc")
 _OF_TESTER = "tester."
 _SIDES, _AXLES = ("left", "right"), ("front", "rear")
 _ROWS = (
@@ -136,15 +136,10 @@ def _check_words(wheel: str, axle: str) -> None:
 
 def _check_record(record: Path, *, steady: bool, several: bool, force: bool) -> None:
     """Refuse before the work a record that could not be written after it."""
-    from jounce.core.serialise import check_writable
-
     if steady or several:
         what = "steady states have no record" if steady else "several tests do not go into one record"
         raise OutputError(what, where=f"--record {record}", hint="Leave out --steady, and give one --wear.")
-    if record.suffix.lower() not in _RECORD_SUFFIXES:
-        allowed = ", ".join(_RECORD_SUFFIXES)
-        raise OutputError("records are not written in this format", where=f"--record {record}", allowed=allowed)
-    check_writable(record, force=force)
+    check_outputs(recording=record, force=force)
 
 
 def _write(record: Any, file: Path, *, truth: bool, force: bool) -> None:

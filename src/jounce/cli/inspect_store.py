@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from jounce.cli.options import AsJson, Force, positive_quantity, quantity
+from jounce.cli.outputs import FigureFile, check_outputs
 from jounce.cli.reply import DONE, FAILED, REFUSED, Reply, progress
 from jounce.cli.tables import table
-from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError, unknown
+from jounce.core.errors import DescriptionError, JounceError, RecordingError, unknown
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -168,7 +169,7 @@ def reevaluate(
 def history(
     plate: Annotated[str, typer.Option(help="Number plate; capitals, spaces and hyphens do not count.")],
     store: StoreName,
-    figure: Annotated[Path | None, typer.Option(help="Draw it: .svg, .png or .pdf.")] = None,
+    figure: FigureFile = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -179,8 +180,7 @@ def history(
     from jounce.inspection.history import history_of, trends_of
     from jounce.inspection.store import Store
 
-    if figure is not None:
-        _check_figure(figure, force=force)
+    check_outputs(figure=figure, force=force)
     with closing(Store(store, read_only=True)) as opened:
         records = opened.records(plate=plate)
         visits = history_of(opened, plate)
@@ -310,16 +310,6 @@ def _conditions(
 
         tester = load_tester(tester).name if tester in library() else tester
     return {"plate": plate, "verdict": verdict, "tester": tester, "since": since, "until": until}
-
-
-def _check_figure(figure: Path, *, force: bool) -> None:
-    from jounce.core.serialise import check_writable
-    from jounce.plots.writing import SUFFIXES
-
-    if figure.suffix.lower() not in SUFFIXES:
-        what, allowed = "figures are not written in this format", ", ".join(SUFFIXES)
-        raise OutputError(what, where=f"--figure {figure}", found=figure.suffix, allowed=allowed)
-    check_writable(figure, force=force)
 
 
 @contextmanager

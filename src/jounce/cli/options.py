@@ -27,6 +27,9 @@ Columns = Annotated[
     ),
 ]
 RigName = Annotated[str, typer.Argument(metavar="RIG", help="A rig file, or a name of `jounce library`.")]
+VehicleName = Annotated[
+    str, typer.Argument(metavar="VEHICLE", help="A vehicle or rig file, or a name of `jounce library`.")
+]
 
 
 def quantity(text: str, unit: str, option: str) -> float:

@@ -30,14 +30,10 @@ def plot(
 
     Example: jounce plot run.nc sprung.az unsprung.az --out accelerations.png
     """
-    from jounce.core.errors import OutputError
-    from jounce.core.serialise import check_writable, to_plain
-    from jounce.plots.writing import SUFFIXES, write_figure
+    from jounce.core.serialise import to_plain
+    from jounce.plots.writing import check_figure, write_figure
 
-    if out.suffix.lower() not in SUFFIXES:
-        allowed = ", ".join(SUFFIXES)
-        raise OutputError("figures are not written in this format", where=str(out), found=out.suffix, allowed=allowed)
-    check_writable(out, force=force)
+    check_figure(out, force=force)
     from jounce.plots.histories import time_history
     from jounce.recordings import read_recording
 

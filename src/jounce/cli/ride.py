@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.options import AsJson, Changes, Force, changes, positive_quantity
+from jounce.cli.options import AsJson, Changes, Force, VehicleName, changes, positive_quantity
+from jounce.cli.outputs import FigureFile, check_outputs, write_picture
 from jounce.cli.reply import Reply, progress
 from jounce.cli.rigs import chosen_rig
 from jounce.cli.tables import show_findings, table
-from jounce.core.errors import DescriptionError, OutputError
+from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -20,9 +21,6 @@ if TYPE_CHECKING:
     from jounce.studies.ride import Ride, RideStudy
     from jounce.studies.ride_trials import RideTrial
 
-VehicleName = Annotated[
-    str, typer.Argument(metavar="VEHICLE", help="A vehicle or rig file, or a name of `jounce library`.")
-]
 RideRoad = Annotated[
     str, typer.Option(help="A class of ISO 8608 (iso:A to iso:H), a road file, or a name of `jounce library`.")
 ]
@@ -32,8 +30,6 @@ RideDuration = Annotated[
     typer.Option(help="Time over the road; by default 60 s on ISO roads, else to the end of the road."),
 ]
 Seed = Annotated[int, typer.Option(min=0, help="Which of all random roads of the class.")]
-FigureFile = Annotated[Path | None, typer.Option(help="Draw the result: .png, .svg or .pdf.")]
-_RECORDINGS = (".nc", ".csv")
 
 
 def ride(
@@ -57,18 +53,17 @@ def ride(
     Example: jounce ride audi-a6-full-car --road iso:C --speed "20 m/s" --control skyhook
     """
     names = _names(control or ["passive"])
-    if out is not None:
-        _check_recording(out, names, force=force)
-    study, plain = _study(vehicle, road, speed, duration, seed, names, set_, figure, force=force)
+    if out is not None and len(names) > 1:
+        raise DescriptionError(
+            "one file holds one run", where="--out", found=", ".join(names), allowed="one --control with --out"
+        )
+    check_outputs(recording=out, figure=figure, force=force)
+    study, plain = _study(vehicle, road, speed, duration, seed, names, set_)
     if out is not None:
         from jounce.recordings import write_recording
 
         write_recording(study.rides[0].run, out, force=force)
-    if figure is not None:
-        from jounce.plots.ride import ride_spectra
-        from jounce.plots.writing import write_figure
-
-        write_figure(ride_spectra(study.rides), figure, force=force)
+    write_picture(study.rides, figure, force=force)
     plain = {**plain, "out": out and str(out), "figure": figure and str(figure)}
     return Reply(plain, lambda console: _draw_ride(console, plain, study), as_json)
 
@@ -94,12 +89,9 @@ def compare(
     """
     length = duration or ("20 s" if road.lower().startswith("iso:") else None)
     names = _names(control or ["all"])
-    study, plain = _study(vehicle, road, speed, length, seed, names, set_, figure, force=force)
-    if figure is not None:
-        from jounce.plots.ride import trade_off
-        from jounce.plots.writing import write_figure
-
-        write_figure(trade_off(study), figure, force=force)
+    check_outputs(figure=figure, force=force)
+    study, plain = _study(vehicle, road, speed, length, seed, names, set_)
+    write_picture(study, figure, force=force)
     plain = {**plain, "figure": figure and str(figure)}
     return Reply(plain, lambda console: _draw_comparison(console, plain, study), as_json)
 
@@ -122,13 +114,8 @@ def _study(
     seed: int,
     names: list[str],
     set_: list[str] | None,
-    figure: Path | None,
-    *,
-    force: bool,
 ) -> tuple[RideStudy, dict[str, Any]]:
     """Run the study that the options describe; give it with what ``--json`` prints."""
-    if figure is not None:
-        _check_figure(figure, force=force)
     seed = _seed(road, seed)
     wanted, v = changes(set_), positive_quantity(speed, "m/s", "--speed")
     lasting = None if duration is None else positive_quantity(duration, "s", "--duration")
@@ -160,32 +147,6 @@ def _trial(rig: Rig, road: str, speed: float, duration: float | None, seed: int)
         lasting = DEFAULT_DURATION if duration is None else duration
         return iso_trial(rig, class_and_seed(road)[0], speed, duration=lasting, seed=seed)
     return road_trial(rig, load_road(road), speed, duration=duration)
-
-
-def _check_figure(figure: Path, *, force: bool) -> None:
-    from jounce.core.serialise import check_writable
-    from jounce.plots.writing import SUFFIXES
-
-    if figure.suffix.lower() not in SUFFIXES:
-        allowed = ", ".join(SUFFIXES)
-        raise OutputError(
-            "figures are not written in this format", where="--figure", found=str(figure), allowed=allowed
-        )
-    check_writable(figure, force=force)
-
-
-def _check_recording(out: Path, names: list[str], *, force: bool) -> None:
-    from jounce.core.serialise import check_writable
-
-    if out.suffix.lower() not in _RECORDINGS:
-        raise OutputError(
-            "recordings are not written in this format", where=f"--out {out}", found=out.suffix, allowed=".nc, .csv"
-        )
-    if len(names) > 1:
-        raise DescriptionError(
-            "one file holds one run", where="--out", found=", ".join(names), allowed="one --control with --out"
-        )
-    check_writable(out, force=force)
 
 
 def _draw_ride(console: Console, plain: dict[str, Any], study: RideStudy) -> None:

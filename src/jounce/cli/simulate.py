@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, cast
 import typer
 
 from jounce.cli.options import AsJson, Changes, Force, RigName, changes, positive_quantity
+from jounce.cli.outputs import check_outputs
 from jounce.cli.reply import Reply, progress
 from jounce.cli.rigs import chosen_rig
 from jounce.cli.tables import show_findings, table
@@ -32,8 +33,6 @@ if TYPE_CHECKING:
     from jounce.roads import Trial
     from jounce.simulation.stiff import Method
 
-_RECORDING_SUFFIXES = (".nc", ".csv")
-
 
 def simulate(
     rig: RigName,
@@ -57,8 +56,7 @@ def simulate(
 
     Example: jounce simulate kart-quarter-car --road bump.toml --speed "1.95 m/s" --duration "3 s" --out run.nc
     """
-    if out is not None:
-        _check_output(out, force=force)
+    check_outputs(recording=out, force=force)
     step = positive_quantity(output_step, "s", "--output-step")
     error = positive_quantity(tolerance, "1", "--tolerance")
     loads = {
@@ -83,18 +81,6 @@ def simulate(
     setup |= {"excitation": excitation and str(excitation)}
     plain = {**setup, **_summary(run, trial), "findings": findings, "out": out and str(out)}
     return Reply(plain, lambda console: _draw(console, plain, findings), as_json)
-
-
-def _check_output(out: Path, *, force: bool) -> None:
-    """Refuse before the work what could not be written after it."""
-    from jounce.core.errors import OutputError
-    from jounce.core.serialise import check_writable
-
-    if out.suffix.lower() not in _RECORDING_SUFFIXES:
-        raise OutputError(
-            "recordings are not written in this format", where=f"--out {out}", found=out.suffix, allowed=".nc, .csv"
-        )
-    check_writable(out, force=force)
 
 
 def _summary(run: xr.Dataset, trial: Trial) -> dict[str, Any]:

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from jounce.cli.options import AsJson, Changes, Force, RigName, changes
+from jounce.cli.outputs import FigureFile, check_outputs, write_picture
 from jounce.cli.reply import Reply, progress
 from jounce.cli.rigs import chosen_rig
 from jounce.cli.tables import table
-from jounce.core.errors import OutputError
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -34,7 +34,7 @@ def equivalence(
     points: Annotated[int, typer.Option(min=2, max=200, help="Values of tyre stiffness, load and friction.")] = 28,
     set_: Changes = None,
     limits: Annotated[Path | None, typer.Option(help="Another limits file.")] = None,
-    figure: Annotated[Path | None, typer.Option(help="Draw the result: .png, .svg or .pdf.")] = None,
+    figure: FigureFile = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -42,8 +42,7 @@ def equivalence(
 
     Example: jounce study inspection-equivalence audi-a6-quarter-car --figure tests.png
     """
-    if figure is not None:
-        _check(figure, force=force)
+    check_outputs(figure=figure, force=force)
     wanted = changes(set_)
     with progress() as say:
         say("loading")
@@ -57,27 +56,9 @@ def equivalence(
             workers=os.cpu_count() or 1,
             progress=lambda share: say(f"testing: {100.0 * share:.0f} %"),
         )
-        if figure is not None:
-            from jounce.plots.equivalence import equivalence as draw_equivalence
-            from jounce.plots.writing import write_figure
-
-            write_figure(draw_equivalence(study), figure, force=force)
+        write_picture(study, figure, force=force)
     plain = {"rig": rig, "changes": wanted, **study.to_dict(), "figure": figure and str(figure)}
     return Reply(plain, lambda console: _draw(console, plain), as_json)
-
-
-def _check(figure: Path, *, force: bool) -> None:
-    from jounce.core.serialise import check_writable
-    from jounce.plots.writing import SUFFIXES
-
-    if figure.suffix.lower() not in SUFFIXES:
-        raise OutputError(
-            "figures are not written in this format",
-            where="--figure",
-            found=str(figure),
-            allowed=", ".join(SUFFIXES),
-        )
-    check_writable(figure, force=force)
 
 
 def _draw(console: Console, plain: dict[str, Any]) -> None:

@@ -7,7 +7,7 @@ import json
 import math
 import os
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -39,9 +39,12 @@ def to_json(value: Any, *, indent: int | None = 2) -> str:
     return json.dumps(to_plain(value), indent=indent, allow_nan=False, ensure_ascii=False)
 
 
-def check_writable(path: Path | str, *, force: bool = False) -> Path:
-    """Refuse an output that exists (without ``force``) or whose folder is missing; give the path."""
+def check_writable(path: Path | str, *, what: str = "files", suffixes: Sequence[str] = (), force: bool = False) -> Path:
+    """Refuse an output of another suffix, that exists (without ``force``) or whose folder is missing; give the path."""
     file = Path(path)
+    if suffixes and file.suffix.lower() not in suffixes:
+        problem, allowed = f"{what} are not written in this format", ", ".join(suffixes)
+        raise OutputError(problem, where=str(file), found=file.suffix, allowed=allowed)
     if file.exists() and not force:
         raise OutputError("the output exists", where=str(file), hint="Choose another name or allow it with --force.")
     if not file.parent.is_dir():

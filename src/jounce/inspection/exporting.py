@@ -8,7 +8,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from jounce.core.errors import OutputError
 from jounce.core.optional import require
 from jounce.core.serialise import check_writable, replacing, write_atomically
 
@@ -60,9 +59,7 @@ def _of_wheel(wheel: Mapping[str, Any]) -> Row:
 
 def check_export(path: Path | str, *, force: bool = False) -> Path:
     """Refuse an export that could not be written, before any work is done."""
-    file = check_writable(path, force=force)
-    if file.suffix.lower() not in SUFFIXES:
-        raise OutputError("no table is written in this format", where=str(file), allowed=", ".join(SUFFIXES))
+    file = check_writable(path, what="tables", suffixes=SUFFIXES, force=force)
     if file.suffix.lower() == ".parquet":
         require("pyarrow", "lane")
     return file

@@ -7,24 +7,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from jounce.core.errors import OutputError
 from jounce.core.serialise import check_writable, replacing, write_atomically
-from jounce.recordings.writing import storable
+from jounce.recordings.writing import SUFFIXES, storable
 
 if TYPE_CHECKING:
     import xarray as xr
 
-SUFFIXES = (".nc", ".csv")
-
 
 def check_sweep_file(path: Path | str, *, force: bool = False) -> Path:
     """Refuse, before the work, a file that could not be written after it; give the path."""
-    file = Path(path)
-    if file.suffix.lower() not in SUFFIXES:
-        raise OutputError(
-            "sweeps are not written in this format", where=str(file), found=file.suffix, allowed=", ".join(SUFFIXES)
-        )
-    return check_writable(file, force=force)
+    return check_writable(path, what="sweeps", suffixes=SUFFIXES, force=force)
 
 
 def write_sweep(sweep: xr.Dataset, path: Path | str, *, force: bool = False) -> Path:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from jounce.core.errors import DescriptionError, OutputError
+from jounce.core.errors import DescriptionError
 from jounce.core.serialise import check_writable, replacing, write_atomically
 from jounce.plots.films import FRAMES_A_SECOND, ffmpeg, film_length, gif, mp4
 from jounce.plots.poses import Poses, poses_of
@@ -115,15 +115,7 @@ def animate(
 
 def check_animation(path: Path | str, *, force: bool = False) -> Path:
     """Refuse, before the work, a file that could not be written: its suffix, its folder, what stands there, ffmpeg."""
-    file = Path(path)
-    if file.suffix.lower() not in ANIMATIONS:
-        raise OutputError(
-            "animations are not written in this format",
-            where=str(file),
-            found=file.suffix,
-            allowed=", ".join(ANIMATIONS),
-        )
-    check_writable(file, force=force)
+    file = check_writable(path, what="animations", suffixes=ANIMATIONS, force=force)
     if file.suffix.lower() == ".mp4":
         ffmpeg()
     return file

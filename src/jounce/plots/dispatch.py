@@ -118,6 +118,7 @@ def _registered() -> Callable[..., Figure]:
     from jounce.roads.road import Road
     from jounce.simulation import LinearModel, Mode
     from jounce.studies.campaign.result import TrialResult
+    from jounce.studies.ride import Ride
 
     @singledispatch
     def draw(result: object, **options: Any) -> Figure:  # noqa: ARG001
@@ -136,7 +137,10 @@ def _registered() -> Callable[..., Figure]:
         return draw(object(), **options)
 
     def of_sequence(result: Sequence[Any], **options: Any) -> Figure:
-        drawings = {TrialResult: trials.trial_matrix, UpdateResult: updating.objectives, Mode: linear.modes}
+        drawings = {
+            TrialResult: trials.trial_matrix, UpdateResult: updating.objectives, Mode: linear.modes,
+            Ride: ride.ride_spectra,
+        }  # fmt: skip
         for kind, function in drawings.items():
             if result and all(isinstance(item, kind) for item in result):
                 return function(result, **options)  # type: ignore[operator,no-any-return]

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from jounce.core.errors import OutputError
 from jounce.core.serialise import check_writable, write_atomically
 from jounce.plots.style import style
 
@@ -49,14 +48,14 @@ def write_figure(figure: Figure, path: Path | str, *, force: bool = False) -> Pa
     >>> write_figure(figure, pathlib.Path(tempfile.mkdtemp()) / "road.svg").name
     'road.svg'
     """
-    file = Path(path)
+    file = check_figure(path, force=force)
     suffix = file.suffix.lower()
-    if suffix not in SUFFIXES:
-        raise OutputError(
-            "figures are not written in this format", where=str(file), found=suffix, allowed=", ".join(SUFFIXES)
-        )
-    check_writable(file, force=force)
     return write_atomically(file, rendered(figure, [suffix])[suffix], force=force)
+
+
+def check_figure(path: Path | str, *, force: bool = False) -> Path:
+    """Refuse, before the work, a file that no figure could be written to; give the path."""
+    return check_writable(path, what="figures", suffixes=SUFFIXES, force=force)
 
 
 def rendered(figure: Figure, suffixes: Sequence[str] = (".svg", ".png"), salt: str = "jounce") -> dict[str, bytes]:

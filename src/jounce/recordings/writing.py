@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from jounce.core.errors import OutputError
 from jounce.core.serialise import check_writable, replacing, to_plain, write_atomically
 
 if TYPE_CHECKING:
     import xarray as xr
+
+SUFFIXES = (".nc", ".csv")
 
 
 def write_recording(dataset: xr.Dataset, path: Path | str, *, force: bool = False) -> Path:
@@ -46,16 +47,17 @@ def write_recording(dataset: xr.Dataset, path: Path | str, *, force: bool = Fals
     >>> read_recording(file)[0].equals(run)
     True
     """
-    file = check_writable(path, force=force)
+    file = check_recording(path, force=force)
     if file.suffix.lower() == ".csv":
         return write_atomically(file, _csv_text(dataset), force=force)
-    if file.suffix.lower() != ".nc":
-        raise OutputError(
-            "recordings are not written in this format", where=str(file), found=file.suffix, allowed=".nc, .csv"
-        )
     with replacing(file) as temporary:
         storable(dataset).to_netcdf(temporary, engine="h5netcdf")
     return file
+
+
+def check_recording(path: Path | str, *, force: bool = False) -> Path:
+    """Refuse, before the work, a file that no recording could be written to; give the path."""
+    return check_writable(path, what="recordings", suffixes=SUFFIXES, force=force)
 
 
 def storable(dataset: xr.Dataset) -> xr.Dataset:

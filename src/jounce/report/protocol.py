@@ -9,7 +9,7 @@ from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from jounce.core.errors import OutputError, unknown
+from jounce.core.errors import unknown
 from jounce.core.serialise import check_writable, to_json, to_plain, write_atomically
 from jounce.inspection.grading import GradedInspection, VehicleGrade, grade_vehicle
 from jounce.inspection.lane import day_of
@@ -97,15 +97,7 @@ def check_protocol(path: Path | str, *, force: bool = False) -> Path:
     OutputError
         For a wrong suffix, an existing page or JSON file beside it without ``force``, a missing folder.
     """
-    file = Path(path)
-    if file.suffix.lower() not in SUFFIXES:
-        raise OutputError(
-            "protocols are not written in this format",
-            where=str(file),
-            found=file.suffix,
-            allowed=", ".join(SUFFIXES),
-        )
-    check_writable(file, force=force)
+    file = check_writable(path, what="protocols", suffixes=SUFFIXES, force=force)
     check_writable(file.with_suffix(".json"), force=force)
     return file
 
