@@ -17,6 +17,7 @@ from jounce.inspection.period_filter import force_in_periods
 from jounce.inspection.response_fit import ResponseFit, Stretch, fit_response, predicted_force, stretch_of
 
 Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
 LOWEST_FIT, HIGHEST_FIT, LOWEST_TURN = 0.7, 40.0, 3.5  # Hz
 UNDERFLOW = 0.01
 _BOX_TIME = 0.009
@@ -164,26 +165,24 @@ def fit_test(
     try:
         fit = fit_response(stretches, load, where=place)
     except FitError as error:
-        return None, [warning(place, f"{error.what}: the values come from the single turns alone.")]
+        return None, [warning(place, "not_fitted", text=error.what)]
     strange = not _TYRES[0] < fit.corner.tyre_stiffness < _TYRES[1]
     doubtful = strange or fit.explained < 0.9
     if doubtful and _upside_down(signals, parts, load, high) > 0.5 * (1.0 + fit.explained):
-        text = "the plate's height has the wrong sign: upwards must be positive."
-        return None, [problem(f"{signals.wheel}.plate.z", text, fit.explained)]
+        return None, [problem(f"{signals.wheel}.plate.z", "upside_down", fit.explained)]
     if strange or fit.explained < 0.3:
-        text = (
-            f"no wheel on a plate explains this record: height and force would mean a tyre of "
-            f"{1e-3 * fit.corner.tyre_stiffness:.4g} N/mm; check channels and units."
-        )
-        return None, [problem(place, text, fit.corner.tyre_stiffness)]
+        stiffness = fit.corner.tyre_stiffness
+        return None, [problem(place, "no_wheel", stiffness, stiffness=1e-3 * stiffness)]
     from scipy.fft import irfft
 
-    for (a, _), one in zip(parts, stretches, strict=True):
+    predicted = [predicted_force(fit, one) for one in stretches]
+    for (a, _), one, force in zip(parts, stretches, predicted, strict=True):
         spectrum = np.zeros(one.samples // 2 + 1, dtype=complex)
         lowest = round(one.s[0].imag / (2.0 * np.pi) * one.samples / signals.sample_rate)
-        spectrum[lowest : lowest + one.s.size] = predicted_force(fit, one)
+        spectrum[lowest : lowest + one.s.size] = force
         model[a : a + one.samples] = irfft(spectrum, n=one.samples) + load
-    return fit, _doubts(fit, stretches, signals, load)
+    left = [one.force - force for one, force in zip(stretches, predicted, strict=True)]
+    return fit, _doubts(fit, stretches, left, signals, load)
 
 
 def _upside_down(signals: WheelSignals, parts: list[tuple[int, int]], load: float, high: float) -> float:
@@ -195,23 +194,17 @@ def _upside_down(signals: WheelSignals, parts: list[tuple[int, int]], load: floa
     return fit_response(turned, load).explained
 
 
-def _doubts(fit: ResponseFit, stretches: list[Stretch], signals: WheelSignals, load: float) -> list[Finding]:
+def _doubts(
+    fit: ResponseFit, stretches: list[Stretch], left: list[Complex], signals: WheelSignals, load: float
+) -> list[Finding]:
     place = f"{signals.wheel}.plate.force"
     findings = []
     if fit.explained < 0.97:
-        text = (
-            f"a linear quarter car explains {100.0 * fit.explained:.0f} % of the force only: dry friction, a damper "
-            "that is not linear, or another vibration; damping ratios are means over the amplitudes met."
-        )
-        findings.append(warning(place, text, fit.explained))
-    for one in stretches:
-        size = 2.0 / one.samples * np.abs(one.force - predicted_force(fit, one))
+        findings.append(warning(place, "poor_fit", fit.explained, percent=100.0 * fit.explained))
+    for one, unexplained in zip(stretches, left, strict=True):
+        size = 2.0 / one.samples * np.abs(unexplained)
         at = int(np.argmax(size))
         if size[at] > 0.01 * load and size[at] > 12.0 * float(np.median(size)):
             frequency = float(one.s[at].imag / (2.0 * np.pi))
-            text = (
-                f"the force vibrates at {frequency:.1f} Hz by {size[at]:.0f} N that this plate does not make: "
-                "is the other plate or another machine running?"
-            )
-            findings.append(warning(place, text, frequency))
+            findings.append(warning(place, "vibrates", frequency, frequency=frequency, force=float(size[at])))
     return findings

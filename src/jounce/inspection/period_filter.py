@@ -52,25 +52,34 @@ def prototype() -> tuple[Array, float]:
 
 
 @part(fastmath=_FAST)
-def _weigh(weight, reach, period, taps, half):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
+def _dot(weight, values):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
+    total = 0.0
+    for j in range(values.size):
+        total += weight[j] * values[j]
+    return total
+
+
+@part(fastmath=_FAST)
+def _weigh(weight, wave, bell, reach, period, taps, half):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
     """Taps of one period; the sampled ones, too, are given the gain 1 at 0 and at the period's frequency."""
-    total = first = bells = waved = squared = 0.0
-    for j in range(-reach, reach + 1):
-        place = abs(j) / period / half * (taps.size - 1)
+    for j in range(reach + 1):
+        place = j / period / half * (taps.size - 1)
         k = min(int(place), taps.size - 2)
-        value = taps[k] + (place - k) * (taps[k + 1] - taps[k])
-        wave, bell = math.cos(2.0 * math.pi * j / period), 1.0 + math.cos(math.pi * j / (reach + 1.0))
-        weight[j + reach] = value
-        total += value
-        first += value * wave
-        bells += bell
-        waved += bell * wave
-        squared += bell * wave * wave
-    scale, centre = 1.0 / total, waved / bells
-    lift = (1.0 - first * scale) / (squared - waved * centre)
-    for j in range(-reach, reach + 1):
-        wave, bell = math.cos(2.0 * math.pi * j / period), 1.0 + math.cos(math.pi * j / (reach + 1.0))
-        weight[j + reach] = weight[j + reach] * scale + lift * bell * (wave - centre)
+        weight[reach + j] = taps[k] + (place - k) * (taps[k + 1] - taps[k])
+        wave[j], bell[j] = math.cos(2.0 * math.pi * j / period), 1.0 + math.cos(math.pi * j / (reach + 1.0))
+    total = first = 0.5 * weight[reach]
+    bells = waved = squared = 1.0  # of one half, as are all sums here
+    for j in range(1, reach + 1):
+        total += weight[reach + j]
+        first += weight[reach + j] * wave[j]
+        bells += bell[j]
+        waved += bell[j] * wave[j]
+        squared += bell[j] * wave[j] * wave[j]
+    scale, centre = 0.5 / total, waved / bells
+    lift = 0.5 * (1.0 - 2.0 * first * scale) / (squared - waved * centre)
+    for j in range(reach + 1):
+        value = weight[reach + j] * scale + lift * bell[j] * (wave[j] - centre)
+        weight[reach + j] = weight[reach - j] = value
 
 
 @part(fastmath=False)
@@ -106,7 +115,8 @@ def _periods(signals, rate, start, tops, frequencies, level, taps, half, low, hi
     found = np.full((rows, count, 7), np.nan)
     longest = int(rate / frequencies.min() * (high - low + 1.2)) + 8
     smooth = np.empty(longest)
-    weight = np.empty(int(2.0 * half * rate / frequencies.min()) + 4)
+    widest = int(half * rate / frequencies.min()) + 2
+    weight, wave, bell = np.empty(2 * widest), np.empty(widest), np.empty(widest)
     for i in range(count):
         f = frequencies[i]
         period = rate / f
@@ -116,16 +126,13 @@ def _periods(signals, rate, start, tops, frequencies, level, taps, half, low, hi
         last = math.ceil(middle + (high + 0.55) * period)
         if first - reach < 0 or last + reach >= samples:
             continue
-        _weigh(weight, reach, period, taps, half)
+        _weigh(weight, wave, bell, reach, period, taps, half)
         step = max(1, int(period / _PER_TURN))
         length = (last - first) // step + 1
         for row in range(rows):
             for m in range(length):
-                value = 0.0
-                base = first + m * step - reach
-                for j in range(2 * reach + 1):
-                    value += weight[j] * signals[row, base + j]
-                smooth[m] = value
+                begin = first + m * step - reach
+                smooth[m] = _dot(weight, signals[row, begin : begin + 2 * reach + 1])
             begin = math.ceil((middle + low * period - first) / step)
             end = math.floor((middle + high * period - first) / step)
             at = begin

@@ -1,4 +1,4 @@
-"""Quarter car on a plate as a linear response: tyre force over plate height, its poles, its derivatives."""
+"""Quarter car on a plate as a linear response: tyre force over plate height, its poles."""
 
 from __future__ import annotations
 
@@ -64,17 +64,12 @@ def force_response(corner: Corner, frequency: ArrayLike) -> Complex:
     250400.0
     """
     s = 2j * np.pi * np.asarray(frequency, dtype=float)
-    return _terms(corner, s)[0]
-
-
-def _terms(corner: Corner, s: Complex) -> tuple[Complex, Complex, Complex, Complex]:
-    """Response, wheel over tyre force without it (Q), tyre T, and suspension over body (S / B)."""
     with np.errstate(divide="ignore", invalid="ignore"):
         strut = corner.spring_rate + corner.damping_coefficient * s
         tyre = corner.tyre_stiffness + corner.tyre_damping_coefficient * s
         body = strut / (corner.sprung_mass * s * s + strut)
         wheel = 1.0 / (corner.unsprung_mass * s * s + strut * (1.0 - body) + tyre)
-        return tyre - tyre * tyre * wheel, wheel, tyre, body
+        return np.asarray(tyre - tyre * tyre * wheel)
 
 
 def responses(parameters: Array, mass: float, s: Complex) -> Complex:
@@ -86,29 +81,6 @@ def responses(parameters: Array, mass: float, s: Complex) -> Complex:
     strut, tyre, square = rate + damping * s, stiffness + loss * s, s * s
     hung = strut - strut * strut / ((mass - unsprung) * square + strut)
     return np.asarray(tyre - tyre * tyre / (unsprung * square + hung + tyre))
-
-
-def response_and_slopes(corner: Corner, s: Complex) -> tuple[Complex, Complex]:
-    """Response (n,) in N/m and its derivatives (n, 6), SI.
-
-    By unsprung mass, spring rate, damping, tyre stiffness, tyre damping and sprung mass; ``s`` in 1/s.
-    """
-    response, wheel, tyre, body = _terms(corner, s)
-    through = (tyre * wheel) ** 2
-    strut = through * (1.0 - body) ** 2
-    contact = (1.0 - tyre * wheel) ** 2
-    mass = through * s * s
-    return response, np.stack([mass, strut, strut * s, contact, contact * s, mass * body * body], axis=1)
-
-
-def denominator_and_slopes(corner: Corner, s: Complex) -> tuple[Complex, Complex]:
-    """Characteristic polynomial (n,) at ``s`` in 1/s, SI, and its derivatives (n, 6) as in ``response_and_slopes``."""
-    strut = corner.spring_rate + corner.damping_coefficient * s
-    body = corner.sprung_mass * s * s + strut
-    wheel = corner.unsprung_mass * s * s + strut + corner.tyre_stiffness + corner.tyre_damping_coefficient * s
-    both = body + wheel - 2.0 * strut
-    slopes = np.stack([s * s * body, both, both * s, body, body * s, s * s * wheel], axis=1)
-    return body * wheel - strut * strut, slopes
 
 
 def road_poles(corner: Corner) -> Complex:

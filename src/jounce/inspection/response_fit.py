@@ -15,17 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import FitError
-from jounce.inspection.response import (
-    GRAVITY,
-    Corner,
-    denominator_and_slopes,
-    response_and_slopes,
-    responses,
-)
+from jounce.inspection.normal_equations import TRANSIENT, normal_equations
+from jounce.inspection.response import GRAVITY, Corner, responses
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-_TRANSIENT = 5
 _FREE = 6
 _TIED = np.eye(_FREE, 5)
 _TIED[5, 0] = -1.0  # sprung and unsprung mass together carry the static load
@@ -176,7 +170,7 @@ def fit_response(stretches: Sequence[Stretch], static_load: float, *, where: str
 
 def _released(parts: Sequence[Stretch], here: Array, mass: float) -> ResponseFit:
     """Let the masses differ from the static load, and weigh what is known beforehand against the noise."""
-    freedom = max(2 * sum(one.s.size for one in parts) - _FREE - _TRANSIENT * len(parts), 1)
+    freedom = max(2 * sum(one.s.size for one in parts) - _FREE - TRANSIENT * len(parts), 1)
     cost, normal, right = _system(parts, here)
     damping = 1e-9
     for _ in range(_MORE_STEPS):
@@ -278,34 +272,13 @@ def _tyre_stiffness(parts: Sequence[Stretch]) -> float:
 
 def _system(parts: Sequence[Stretch], parameters: Array) -> tuple[float, Array, Array]:
     """Sum of squares, normal matrix and right side for the six parameters; the transients are projected out."""
-    corner = _corner(parameters)
     cost, normal, right = 0.0, np.zeros((_FREE, _FREE)), np.zeros(_FREE)
     for one in parts:
-        response, slopes = response_and_slopes(corner, one.s)
-        columns, falls = _transients(corner, one.s)
-        basis, upper = np.linalg.qr(_real(columns))
-        residual = _real(one.force - response * one.height)
-        share = basis.T @ residual
-        residual -= basis @ share
-        transient = columns @ np.linalg.solve(upper, share)
-        jacobian = _real(slopes * one.height[:, None] - transient[:, None] * falls)
-        jacobian -= basis @ (basis.T @ jacobian)
-        cost += float(residual @ residual)
-        normal += jacobian.T @ jacobian
-        right += jacobian.T @ residual
+        squares, of_part, pull, _ = normal_equations(parameters, one.s.imag, one.height, one.force)
+        cost += squares
+        normal += of_part
+        right += pull
     return cost, normal, right
-
-
-def _transients(corner: Corner, s: Complex) -> tuple[Complex, Complex]:
-    """What a stretch may have begun and ended with (columns of equal size), and relative slopes of its denominator."""
-    value, slopes = denominator_and_slopes(corner, s)
-    relative = s / abs(s[-1])
-    columns = relative[:, None] ** np.arange(_TRANSIENT) / value[:, None]
-    return columns / np.linalg.norm(columns, axis=0), slopes / value[:, None]
-
-
-def _real(values: Complex) -> Array:
-    return np.concatenate([values.real, values.imag])
 
 
 def _solve(normal: Array, right: Array, damping: float) -> Array:
@@ -317,9 +290,5 @@ def _solve(normal: Array, right: Array, damping: float) -> Array:
 
 def predicted_force(fit: ResponseFit, stretch: Stretch) -> Complex:
     """Dynamic force (N) in the bins of a stretch, with the transients that fit best."""
-    response, _ = response_and_slopes(fit.corner, stretch.s)
-    forced = response * stretch.height
-    columns, _ = _transients(fit.corner, stretch.s)
-    gap = _real(stretch.force - forced)
-    share = np.linalg.lstsq(_real(columns), gap, rcond=None)[0]
-    return np.asarray(forced + columns @ share)
+    left = normal_equations(_parameters(fit.corner), stretch.s.imag, stretch.height, stretch.force)[3]
+    return np.asarray(stretch.force - left)

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-_SIZES = (0.3, 0.6, 1.2, 2.5, 5.0, 10.0, 30.0, 100.0, 1000.0)
+_SIZES = np.array([0.3, 0.6, 1.2, 2.5, 5.0, 10.0, 30.0, 100.0, 1000.0])
 _BELIEVED = 2.0  # log likelihood that a size must win over none
 _FLOOR = 1e-9
 _FEWEST = 8
@@ -133,12 +133,11 @@ def _posterior(f: Array, gap: Array, noise: Array, length: float) -> tuple[Array
     values, vectors = np.linalg.eigh(white.T @ white)
     values = np.maximum(values, 0.0)
     along = vectors.T @ (white.T @ (gap / noise))
-    best, chosen, unit = _BELIEVED, 0.0, float(np.median(noise))
-    for size in _SIZES:
-        rise = (size * unit) ** 2
-        found = 0.5 * float(np.sum(rise * along**2 / (1.0 + rise * values) - np.log1p(rise * values)))
-        if found > best:
-            best, chosen = found, rise
+    rises = (_SIZES * float(np.median(noise))) ** 2
+    grown = np.outer(rises, values)
+    likelihoods = 0.5 * np.sum(np.outer(rises, along**2) / (1.0 + grown) - np.log1p(grown), axis=1)
+    best = int(np.argmax(likelihoods))
+    chosen = rises[best] if likelihoods[best] > _BELIEVED else 0.0
     shares = chosen / (1.0 + chosen * values)
     turned = basis @ vectors
     return turned @ (shares * along), np.sqrt((turned**2) @ shares)
