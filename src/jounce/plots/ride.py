@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from jounce.plots.point_names import name_points
 from jounce.plots.style import INK, MUTED, PALETTE, new_figure, styled
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
     from jounce.studies.ride import Merit, Ride, RideStudy
@@ -78,39 +78,23 @@ def trade_off(study: RideStudy) -> Figure:
     axes = figure.subplots()
     travel = np.array([ride.merits["travel"] for ride in study.rides])
     low, high = float(travel.min()), float(max(travel.max(), travel.min() * (1.0 + 1e-9)))
-    for ride, size in zip(study.rides, np.interp(travel, (low, high), _SIZES), strict=True):
-        is_passive = ride.control == "passive"
-        x, y = ride.merits[across.name], _shown(up, ride.merits[up.name])
-        axes.scatter(x, y, size, color=INK if is_passive else PALETTE[0], alpha=0.85, linewidths=0, zorder=3)
+    sizes = np.interp(travel, (low, high), _SIZES)
+    places = np.array([(ride.merits[across.name], _shown(up, ride.merits[up.name])) for ride in study.rides])
+    for i in np.argsort(-sizes, kind="stable"):  # small ones upon large ones
+        is_passive = study.rides[i].control == "passive"
+        x, y = places[i]
+        colour = INK if is_passive else PALETTE[0]
+        axes.scatter(x, y, sizes[i], color=colour, alpha=0.85, edgecolors="white", linewidths=0.8, zorder=3)
         if is_passive:
             axes.axvline(x, color=MUTED, linewidth=0.8, linestyle=":")
             axes.axhline(y, color=MUTED, linewidth=0.8, linestyle=":")
-    _name_points(axes, [(r.control, r.merits[across.name], _shown(up, r.merits[up.name])) for r in study.rides])
     axes.set(xlabel=f"{across.label} [m/s²]", ylabel=f"{up.label} [{'–' if up.unit == '1' else 'mm'}]")
     axes.set_title(f"Better is to the lower left; size shows travel, {1e3 * low:.3g} to {1e3 * high:.3g} mm r.m.s.")
+    axes.margins(0.1)
+    axes.autoscale_view()
+    name_points(axes, [ride.control for ride in study.rides], places, np.sqrt(sizes / np.pi))
     return figure
 
 
 def _shown(merit: Merit, value: float) -> float:
     return 1e3 * value if merit.unit == "m" else value
-
-
-def _name_points(axes: Axes, points: Sequence[tuple[str, float, float]]) -> None:
-    """Write the names beside their points, each moved up until it covers no other; a line leads back to its point."""
-    axes.margins(0.08)
-    axes.autoscale_view()
-    (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
-    right += 0.18 * (right - left)
-    axes.set_xlim(left, right)
-    height, width = 0.034 * (top - bottom), 0.0115 * (right - left)
-    radius = 0.012 * (right - left)
-    taken = [(x - radius, x + radius, y) for _, x, y in points]
-    for name, x, y in sorted(points, key=lambda point: (point[2], point[1])):
-        start, at = x + 1.5 * radius, y
-        end = start + width * len(name)
-        while any(abs(at - other) < height and start < last and end > first for first, last, other in taken):
-            at += 0.25 * height
-        taken.append((start, end, at))
-        line = {"arrowstyle": "-", "color": MUTED, "linewidth": 0.5, "shrinkA": 0.0, "shrinkB": 2.0}
-        moved = line if at > y else None
-        axes.annotate(name, (x, y), (start, at), fontsize=7.5, color=INK, va="center", arrowprops=moved, zorder=4)
