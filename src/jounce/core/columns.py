@@ -5,8 +5,9 @@ from __future__ import annotations
 import csv
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import compress
 from pathlib import Path
 
 import numpy as np
@@ -88,14 +89,14 @@ class ColumnTable:
         Lines before the header that start with ``#``, without the ``#``.
     file : str
         Where they come from.
-    lines : tuple of int
+    lines : sequence of int
         Line of each row in a text file, from 1; empty for other files.
     """
 
     columns: tuple[Column, ...]
     comments: tuple[str, ...] = ()
     file: str = ""
-    lines: tuple[int, ...] = ()
+    lines: Sequence[int] = ()
 
     def __iter__(self) -> Iterator[Column]:
         return iter(self.columns)
@@ -165,20 +166,32 @@ def read_columns_csv(path: Path | str) -> ColumnTable:
     separator = _separator(lines[start])
     header = _cells(lines[start], separator)
     _check_header(header, file, start + 1, separator)
-    rows, numbers = [], []
-    for number, line in enumerate(lines[start + 1 :], start + 2):
-        if line.strip(" \r\ufeff"):
-            rows.append(_cells(line, separator))
-            numbers.append(number)
+    rows, numbers = _without_blank_lines(lines[start + 1 :], start + 2)
     if not rows:
         raise RecordingError("a header but no rows of numbers", where=f"{file}, line {start + 1}")
-    values = _values(rows, numbers, header, file, separator)
+    values = _plain_numbers(rows, len(header), separator)
+    if values is None:
+        values = _values([_cells(line, separator) for line in rows], numbers, header, file, separator)
     names = [name_and_unit(cell) for cell in header[: values.shape[1]]]
     columns = tuple(
         Column(name, unit, np.ascontiguousarray(column), str(file))
         for (name, unit), column in zip(names, values.T, strict=True)
     )
-    return ColumnTable(columns, comments, str(file), tuple(numbers))
+    return ColumnTable(columns, comments, str(file), numbers)
+
+
+def read_comments_csv(path: Path | str) -> tuple[str, ...]:
+    r"""Read the ``#`` lines before the header of a text file, without the ``#``; the rest may be anything.
+
+    Examples
+    --------
+    >>> import tempfile, pathlib
+    >>> file = pathlib.Path(tempfile.mkdtemp()) / "lane.csv"
+    >>> _ = file.write_text("# axle = 'front'\n\ntime [s], force [N]\n0, ?")
+    >>> read_comments_csv(file)
+    ("axle = 'front'",)
+    """
+    return _leading_comments(_text_of(Path(path)).splitlines())[0]
 
 
 def parse_header(header: str) -> list[tuple[str, str]]:
@@ -257,7 +270,24 @@ def _check_header(header: list[str], file: Path, line: int, separator: str) -> N
         seen.add(name)
 
 
-def _values(rows: list[list[str]], lines: list[int], header: list[str], file: Path, separator: str) -> Array:
+def _without_blank_lines(lines: list[str], first: int) -> tuple[list[str], Sequence[int]]:
+    """Lines with something on them, and their numbers; ``first`` is the number of the first line."""
+    filled = [bool(line.strip(" \r\ufeff")) for line in lines]
+    if all(filled):
+        return lines, range(first, first + len(lines))
+    return list(compress(lines, filled)), list(compress(range(first, first + len(lines)), filled))
+
+
+def _plain_numbers(lines: list[str], width: int, separator: str) -> Array | None:
+    """Rows of finite numbers without quotes and without faults; None for all others, which are read cell by cell."""
+    try:
+        values = np.loadtxt(lines, delimiter=separator, comments=None, ndmin=2)
+    except ValueError:
+        return None
+    return values if values.shape == (len(lines), width) and np.isfinite(values).all() else None
+
+
+def _values(rows: list[list[str]], lines: Sequence[int], header: list[str], file: Path, separator: str) -> Array:
     """Numbers of all rows, shape (rows, columns); the first thing wrong is raised with its line."""
     trailing = header[-1] == ""
     for row, line in zip(rows, lines, strict=True):
@@ -299,7 +329,7 @@ def _ragged(row: list[str], header: list[str], where: str, separator: str) -> Re
     )
 
 
-def _first_bad_cell(rows: list[list[str]], lines: list[int], header: list[str], file: Path) -> RecordingError:
+def _first_bad_cell(rows: list[list[str]], lines: Sequence[int], header: list[str], file: Path) -> RecordingError:
     for order, (row, line) in enumerate(zip(rows, lines, strict=True)):
         for position, cell in enumerate(row):
             if not _is_number(cell) or not math.isfinite(float(cell)):

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from jounce.core.columns import read_columns_csv
+from jounce.core.columns import read_comments_csv
 from jounce.core.errors import DescriptionError, RecordingError, nearest
 from jounce.core.findings import Finding
 from jounce.core.units import to_si
@@ -90,7 +90,7 @@ def _header(file: Path) -> tuple[dict[str, Any], list[Finding]]:
         except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
             raise DescriptionError(f"not valid TOML: {error}", where=str(beside)) from None
     if file.suffix.lower() in _TABLE_SUFFIXES and file.is_file():
-        for line in read_columns_csv(file).comments:
+        for line in read_comments_csv(file):
             if "=" not in line:
                 continue
             try:
