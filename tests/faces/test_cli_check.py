@@ -202,3 +202,11 @@ def test_headers_of_records(cli, tmp_path: Path) -> None:
     assert "lane.toml, line 2" in outcome.out
     assert "Did you mean 'operator'?" in " ".join(outcome.out.split())
     assert cli("check", "lane.csv").exit_code == 2  # a record is what its header says
+
+
+def test_numbers_by_their_paths(cli, tester_file: Path) -> None:
+    found = cli("check", tester_file, "--parameters", "--json").json["files"][0]["parameters"]
+    assert found["stroke"] == {"value": 0.006, "unit": "m"}
+    assert found["programme.sweep_rate"] == {"value": 2.5, "unit": "Hz/s"}
+    assert "programme.sweep_rate" in cli("check", tester_file, "--parameters").out
+    assert "programme.sweep_rate" not in cli("check", tester_file).out

@@ -22,6 +22,9 @@ def check(
             metavar="FILE...", help="Rigs, vehicles, controllers, campaigns, roads, testers, limits, recordings."
         ),
     ],
+    parameters: Annotated[
+        bool, typer.Option("--parameters", help="List the numbers of rigs, vehicles and testers by their paths.")
+    ] = False,
     as_json: AsJson = False,
 ) -> Reply:
     """Check descriptions, and for campaigns every file they name. Exit code 2 when anything is wrong.
@@ -41,6 +44,7 @@ def check(
                 "what": item.what,
                 "problems": list(item.problems),
                 "notes": list(item.notes),
+                **({"parameters": item.parameters} if parameters else {}),
             }
             for item in checked
         ],
@@ -60,3 +64,7 @@ def _draw(out: Console, plain: dict[str, Any]) -> None:
     for item in plain["files"]:
         for note in item["notes"]:
             out.print(note)
+    for item in plain["files"]:
+        if item.get("parameters"):
+            numbers = [(path, found["value"], found["unit"]) for path, found in item["parameters"].items()]
+            out.print(table(f"{item['file']}: numbers", ("path", "value", "unit"), numbers, text=(0, 2)))

@@ -24,13 +24,14 @@ _TOML_KINDS = {
 
 @dataclass
 class Checked:
-    """Outcome for one file: what it is, in words, and everything wrong with it."""
+    """Outcome for one file: what it is, in words, everything wrong with it, and the numbers that ``--set`` changes."""
 
     file: Path
     kind: str = "unknown"
     what: str = ""
     problems: list[str] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
+    parameters: dict[str, dict[str, float | str]] = field(default_factory=dict)
 
     @contextmanager
     def step(self) -> Iterator[None]:
@@ -75,7 +76,16 @@ def _rig(checked: Checked) -> None:
 
     rig = load(checked.file)
     checked.what = f"{getattr(rig, 'model', 'rig')} with {len(rig.parameters())} parameters"
+    checked.parameters = _parameters(rig)
     checked.notes += map(str, rig_findings(rig, str(checked.file)))
+
+
+def _parameters(description: Any) -> dict[str, dict[str, float | str]]:
+    """Every number of a description by its path, SI, with its unit."""
+    from jounce.parts.parameters import parameters_of, unit_of
+
+    found = parameters_of(description)
+    return {path: {"value": value, "unit": unit_of(description, path)} for path, value in found.items()}
 
 
 def _road(checked: Checked) -> None:
@@ -99,6 +109,7 @@ def _tester(checked: Checked) -> None:
 
     tester = load_tester(checked.file)
     checked.what = f"{tester.name}: {tester.kind}, evaluated by {tester.method}"
+    checked.parameters = _parameters(tester)
     checked.notes += map(str, findings_of_tester(tester, str(checked.file)))
 
 

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import difflib
 import re
+from collections.abc import Iterable
 from typing import Any
 
 from pydantic import BaseModel
 
-from jounce.core.errors import DescriptionError, nearest
+from jounce.core.errors import DescriptionError
 from jounce.core.units import Unit
+
+_FEW = 10
+"""How many paths a message may list."""
 
 
 def parameters_of(description: BaseModel, prefix: str = "") -> dict[str, float]:
@@ -76,10 +81,35 @@ def _set(table: Any, parts: list[str | int], value: Any, path: str, known: dict[
     here[last] = value  # type: ignore[index]
 
 
-def unknown_path(where: str, known: dict[str, float], *, name: str = "") -> DescriptionError:
+def unknown_path(where: str, known: Iterable[str], *, name: str = "") -> DescriptionError:
     """Build the error for a path that the description does not have; ``name`` is the path when ``where`` says more."""
-    hint = nearest(name or where, known)
-    return DescriptionError("no such parameter", where=where, allowed=", ".join(sorted(known)), hint=hint)
+    paths = sorted(known)
+    near = nearest_paths(name or where, paths)
+    every = f"All {len(paths)}: jounce check FILE --parameters." if len(paths) > _FEW else ""
+    if near:
+        names = " or ".join(filter(None, (", ".join(map(repr, near[:-1])), repr(near[-1]))))
+        hint = f"Did you mean {names}? {every}".rstrip()
+        return DescriptionError("no such parameter", where=where, hint=hint)
+    begins = dict.fromkeys(re.split(r"[.[]", path)[0] for path in paths)
+    allowed = f"paths that begin with {', '.join(begins)}" if every else ", ".join(paths)
+    return DescriptionError("no such parameter", where=where, allowed=allowed, hint=every)
+
+
+def nearest_paths(name: str, known: Iterable[str]) -> list[str]:
+    """Give the paths that may have been meant, at most three, the likeliest first.
+
+    Examples
+    --------
+    >>> nearest_paths("spring.rate", ["strut.spring.rate", "strut.damper.coefficient", "tyre.stiffness"])
+    ['strut.spring.rate']
+    >>> nearest_paths("upper_ball_joint", [f"hardpoints.upper_ball_joint[{i}]" for i in range(3)])
+    ['hardpoints.upper_ball_joint[0]', 'hardpoints.upper_ball_joint[1]', 'hardpoints.upper_ball_joint[2]']
+    """
+    paths = sorted(known)
+    inside = re.compile(rf"(?:^|\.){re.escape(name)}(?:$|[.[])")
+    return [path for path in paths if inside.search(path)][:3] or difflib.get_close_matches(
+        name, paths, n=3, cutoff=0.7
+    )
 
 
 def unit_of(kind: BaseModel, path: str) -> str:

@@ -30,10 +30,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from jounce.core.errors import DescriptionError, FitError, SimulationError, unknown
+from jounce.core.errors import DescriptionError, FitError, SimulationError
 from jounce.core.units import to_si
 from jounce.identify.update.problem import FitTrial, Free, UpdateProblem
 from jounce.parts import Rig
+from jounce.parts.parameters import unknown_path
 from jounce.recordings.schema import recording
 from jounce.roads import Road, Train, Trial
 from jounce.simulation.run import output_times
@@ -163,7 +164,7 @@ def _logarithmic(rig: Rig, parameters: Sequence[str]) -> tuple[Free, ...]:
     values = rig.parameters()
     for path in parameters:
         if path not in values:
-            raise unknown(path, values, what="parameter", where="speed sweep")
+            raise unknown_path(f"speed sweep: {path}", values, name=path)
         if values[path] == 0.0:
             raise FitError("no relative sensitivity to a value of zero", where=path, hint="Give it a small value.")
     return tuple(Free(path, values[path], 0.0, 2.0 * values[path]) for path in parameters)

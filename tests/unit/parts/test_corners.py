@@ -12,7 +12,7 @@ import pytest
 from jounce import parts
 from jounce.core.errors import DescriptionError
 from jounce.parts import changed_text, load, rig_from_table
-from jounce.parts.parameters import structure_of, unit_of
+from jounce.parts.parameters import structure_of, unit_of, unknown_path
 
 TEXT = parts.library()["reference-double-wishbone"].read_text(encoding="utf-8")
 REFERENCE = load("reference-double-wishbone")
@@ -378,3 +378,25 @@ def test_an_inertia_on_the_edge_of_the_possible_is_allowed():
     assert rig.bodies.lower_arm.inertia.principal_moments == pytest.approx([0.05, 0.06, 0.11005])
     with pytest.raises(DescriptionError, match="no body has"):
         REFERENCE.with_changes({"bodies.lower_arm.inertia": {"xx": 0.05, "yy": 0.06, "zz": 0.1105}})
+
+
+@pytest.mark.parametrize(
+    ("path", "expected"),
+    [
+        ("hardpoints.strut_topp[0]", "Did you mean 'hardpoints.strut_top[0]'"),
+        ("strut_top[1]", "Did you mean 'hardpoints.strut_top[1]'? All "),
+        (
+            "hardpoints.strut_top",
+            "Did you mean 'hardpoints.strut_top[0]', 'hardpoints.strut_top[1]' or 'hardpoints.strut",
+        ),
+        ("quux", "allowed: paths that begin with bodies, gravity, hardpoints"),
+    ],
+)
+def test_unknown_paths_are_answered_shortly(path: str, expected: str):
+    """Of more than sixty paths only the nearest are said, and how to see all."""
+    known = load("sedan-multi-link").parameters()
+    message = str(unknown_path(path, known))
+    assert message.startswith(f"{path}: no such parameter")
+    assert expected in message
+    assert message.endswith(f"All {len(known)}: jounce check FILE --parameters.")
+    assert len(message) < 280
