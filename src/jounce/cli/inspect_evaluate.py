@@ -12,6 +12,7 @@ from jounce.cli.options import AsJson, Force
 from jounce.cli.reply import DONE, REFUSED, Reply, progress
 from jounce.cli.tables import show_findings, table
 from jounce.core.errors import DescriptionError, RecordingError, unknown
+from jounce.core.files import existing_file
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -102,8 +103,7 @@ class _Wanted:
         if len(records) > _MOST_RECORDS:
             raise DescriptionError("too many records", where="RECORD", found=len(records), allowed="one of each axle")
         for file in records:
-            if not file.is_file():
-                raise RecordingError("no such file", where=str(file), hint="Check the path and the name.")
+            existing_file(file, RecordingError)
         for one in methods or ():
             if one not in METHODS:
                 raise unknown(one, METHODS, what="method", where="--method")

@@ -17,6 +17,7 @@ from jounce.cli.outputs import FigureFile, check_outputs
 from jounce.cli.reply import DONE, FAILED, REFUSED, Reply, progress
 from jounce.cli.tables import table
 from jounce.core.errors import DescriptionError, JounceError, RecordingError, unknown
+from jounce.core.files import existing_file
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -63,8 +64,7 @@ def import_(
     from jounce.inspection.store import Store
 
     for file in files:
-        if not file.is_file():
-            raise RecordingError("no such file", where=str(file), hint="Check the path and the name.")
+        existing_file(file, RecordingError)
     for one in method or ():
         if one not in METHODS:
             raise unknown(one, METHODS, what="method", where="--method")

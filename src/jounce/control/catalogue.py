@@ -24,7 +24,8 @@ from jounce.control.linear_laws import LQG, LQR, HInfinity
 from jounce.control.preview import PreviewMPC
 from jounce.control.regulator import PythonControl
 from jounce.core.description import read_toml
-from jounce.core.errors import DescriptionError, nearest, unknown
+from jounce.core.errors import DescriptionError, unknown
+from jounce.parts.loading import check_schema
 
 SCHEMA = "jounce.control/1"
 
@@ -110,20 +111,10 @@ def controller(name: str | Path, **changes: Any) -> Controller:
 
 def _from_file(path: Path) -> Controller:
     table, text = read_toml(path)
-    if table.get("schema") != SCHEMA:
-        raise DescriptionError(
-            "the schema line is missing or another one",
-            where=str(path),
-            found=table.get("schema"),
-            allowed=f'schema = "{SCHEMA}"',
-            hint="Is this the right kind of file?",
-        )
+    check_schema(table, (SCHEMA,), str(path))
     law = table.get("law")
     if law not in CONTROLS:
-        shown = ", ".join(CONTROLS)
-        raise DescriptionError(
-            "unknown law", where=f"{path}: law", found=law, allowed=shown, hint=nearest(str(law), CONTROLS)
-        )
+        raise unknown(str(law), CONTROLS, what="law", where=f"{path}: law")
     kind = CONTROLS[str(law)]
     own = kind.law.model_fields["law"].default
     return kind.law.from_table({**kind.fields, **table, "law": own}, where=str(path), text=text)

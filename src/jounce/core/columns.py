@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError, nearest
+from jounce.core.files import existing_file
 from jounce.core.units import conversion_factor
 
 Array = NDArray[np.float64]
@@ -206,9 +207,7 @@ def parse_header(header: str) -> list[tuple[str, str]]:
 
 
 def _text_of(file: Path) -> str:
-    if not file.is_file():
-        raise RecordingError("no such file", where=str(file), hint="Check the path and the name.")
-    content = file.read_bytes()
+    content = existing_file(file, RecordingError).read_bytes()
     if content.startswith((b"\xff\xfe", b"\xfe\xff")):
         return content.decode("utf-16", errors="replace")
     if b"\0" in content:

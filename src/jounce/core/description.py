@@ -11,6 +11,7 @@ from pydantic import BaseModel, ConfigDict, ValidationError
 from pydantic_core import PydanticCustomError
 
 from jounce.core.errors import DescriptionError, nearest
+from jounce.core.files import existing_file
 
 D = TypeVar("D", bound="Description")
 
@@ -55,9 +56,7 @@ def read_toml(path: Path | str) -> tuple[dict[str, Any], str]:
     DescriptionError
         When the file is missing, empty, not text, or not TOML (with the line).
     """
-    file = Path(path)
-    if not file.is_file():
-        raise DescriptionError("no such file", where=str(file), hint="Check the path and the name.")
+    file = existing_file(path)
     try:
         text = file.read_text(encoding="utf-8")
     except UnicodeDecodeError:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import AssemblyError
+from jounce.core.files import existing_file
 from jounce.core.optional import require
 from jounce.core.units import to_si
 
@@ -189,8 +190,7 @@ def mesh(density: Number, surface: str | Path | tuple[ArrayLike, ArrayLike], sca
 
 def _read(trimesh: ModuleType, file: Path) -> Any:
     """Surface in a file."""
-    if not file.is_file():
-        raise AssemblyError("no such file", where=str(file))
+    existing_file(file, AssemblyError)
     try:
         found = trimesh.load(str(file), force="mesh")
     except Exception as error:  # the readers of many formats raise what they like

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from functools import reduce
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +11,7 @@ import tomlkit
 
 from jounce.core.description import dotted, line_of, read_toml
 from jounce.core.errors import DescriptionError, nearest, unknown
+from jounce.core.files import chosen_file, shipped_files
 from jounce.parts.corner import Corner
 from jounce.parts.parameters import split_path, unit_of, unknown_path
 from jounce.parts.rigs import RIGS, Rig
@@ -26,23 +26,12 @@ CORNERS = tuple(name for name, rig in RIGS.items() if issubclass(rig, Corner))
 
 def library() -> dict[str, Path]:
     """Give the shipped rigs and vehicles: name to file."""
-    folder = Path(str(resources.files("jounce.parts") / "library"))
-    return {file.stem: file for file in sorted(folder.glob("*.toml"))}
+    return shipped_files("jounce.parts", "library")
 
 
 def rig_path(name: str | Path) -> Path:
     """Find the file of a rig: a path, or the name of a shipped one."""
-    if Path(name).suffix == ".toml" or Path(name).exists():
-        return Path(name)
-    shipped = library()
-    if str(name) not in shipped:
-        raise DescriptionError(
-            "no such file and no shipped rig of that name",
-            where=str(name),
-            allowed=f"a path to a .toml file, or one of {', '.join(shipped)}",
-            hint=nearest(str(name), shipped),
-        )
-    return shipped[str(name)]
+    return chosen_file(name, library(), "rig")
 
 
 def load(name: str | Path) -> Rig:

@@ -6,14 +6,13 @@ record the limits and the names of the record's columns.
 
 from __future__ import annotations
 
-from importlib import resources
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
 from jounce.core.description import Description, misplaced, read_toml
-from jounce.core.errors import DescriptionError, nearest
+from jounce.core.files import chosen_file, shipped_files
 from jounce.core.units import (
     Frequency,
     Mass,
@@ -221,8 +220,7 @@ class Tester(Description):
 
 def library() -> dict[str, Path]:
     """Give the shipped testers: name to file."""
-    folder = Path(str(resources.files("jounce.parts") / "library" / "testers"))
-    return {file.stem: file for file in sorted(folder.glob("*.toml"))}
+    return shipped_files("jounce.parts", "library/testers")
 
 
 def load_tester(name: str | Path) -> Tester:
@@ -249,22 +247,8 @@ def load_tester(name: str | Path) -> Tester:
     >>> tester.kind, tester.amplitude   # m
     ('rigid-plate', 0.003)
     """
-    path = _tester_path(name)
+    path = chosen_file(name, library(), "tester")
     table, text = read_toml(path)
     check_schema(table, (SCHEMA,), str(path))
     found = Tester.from_table(table, where=str(path), text=text)
     return found if found.name else found.model_copy(update={"name": path.stem})
-
-
-def _tester_path(name: str | Path) -> Path:
-    if Path(name).suffix == ".toml" or Path(name).exists():
-        return Path(name)
-    shipped = library()
-    if str(name) not in shipped:
-        raise DescriptionError(
-            "no such file and no shipped tester of that name",
-            where=str(name),
-            allowed=f"a path to a .toml file, or one of {', '.join(shipped)}",
-            hint=nearest(str(name), shipped),
-        )
-    return shipped[str(name)]

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from jounce.core.columns import Column, ColumnTable, name_and_unit
 from jounce.core.errors import RecordingError, nearest
+from jounce.core.files import existing_file
 from jounce.core.findings import Finding
 from jounce.core.units import conversion_factor, to_si
 from jounce.recordings.quality import FEWEST_SAMPLES, check_channels, check_time
@@ -154,10 +155,7 @@ def reader_of(path: Path) -> Reader:
 
 
 def _read_table(path: Path, columns: Columns, variable: str) -> SignalTable:
-    if not path.is_file():
-        what = "a folder, not a file" if path.is_dir() else "no such file"
-        raise RecordingError(what, where=str(path), hint="Check the path and the name.")
-    if path.stat().st_size == 0:
+    if existing_file(path, RecordingError).stat().st_size == 0:
         raise RecordingError("the file is empty", where=str(path))
     header = columns if isinstance(columns, str) else ""
     return reader_of(path).read(path, ReaderOptions(variable=variable, header=header))

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
 from jounce.core.description import dotted, line_of, read_toml
-from jounce.core.errors import DescriptionError, nearest, unknown
+from jounce.core.errors import DescriptionError, unknown
+from jounce.core.files import chosen_file, shipped_files
 from jounce.roads.iso8608 import Iso8608
 from jounce.roads.measured import Crg, Table
 from jounce.roads.road import Road
@@ -27,8 +27,7 @@ def road_library() -> dict[str, Path]:
     >>> list(road_library())
     ['detrended_rms_course_1in']
     """
-    folder = Path(str(resources.files("jounce.roads") / "library"))
-    return {file.stem: file for file in sorted(folder.glob("*.crg"))}
+    return shipped_files("jounce.roads", "library", ".crg")
 
 
 def load_road(path: Path | str, *, length: float | None = None) -> Road:
@@ -63,16 +62,8 @@ def load_road(path: Path | str, *, length: float | None = None) -> Road:
     """
     if is_class(path):
         return _of_class(str(path), length)
-    shipped = road_library()
-    file = shipped.get(str(path), Path(path))
+    file = chosen_file(path, road_library(), "road", others="a path to a file, iso:A to iso:H")
     suffix = file.suffix.lower()
-    if not file.is_file():
-        raise DescriptionError(
-            "no such file and no shipped road of that name",
-            where=str(path),
-            allowed=f"a path to a file, iso:A to iso:H, or one of {', '.join(shipped)}",
-            hint=nearest(str(path), shipped),
-        )
     if suffix == ".crg":
         return Crg(file=file)
     if suffix == ".toml":

@@ -13,6 +13,7 @@ from pydantic import BeforeValidator
 
 from jounce.core.columns import read_columns_csv
 from jounce.core.errors import DescriptionError, RecordingError
+from jounce.core.files import existing_file
 from jounce.core.segments import Segments
 from jounce.core.units import Length, Unit
 from jounce.roads.opencrg import Course, read_course
@@ -193,9 +194,7 @@ _Key = tuple[str, tuple[tuple[str, str], ...], int, int, int]
 
 def _key(file: Path, columns: dict[str, str], fewest: int) -> _Key:
     """What a file is remembered by: its columns, and when it was changed."""
-    if not file.is_file():
-        raise RecordingError("no such file", where=str(file), hint="Check the path and the name.")
-    status = file.stat()
+    status = existing_file(file, RecordingError).stat()
     return str(file), tuple(columns.items()), fewest, status.st_mtime_ns, status.st_size
 
 

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError
+from jounce.core.files import existing_file
 from jounce.roads.profile import Profile, linear_profile
 
 Array = NDArray[np.float64]
@@ -89,9 +90,7 @@ def read_crg_profile(path: Path | str, lateral_offset: float = 0.0) -> tuple[Arr
 
 def read_course(path: Path | str, lateral_offset: float = 0.0) -> Course:
     """Read the path at one lateral offset in m, with what the options of the file say of its ends."""
-    file = Path(path)
-    if not file.is_file():
-        raise RecordingError("no such file", where=str(file), hint="Check the path and the name.")
+    file = existing_file(path, RecordingError)
     status = file.stat()
     return _course(str(file), float(lateral_offset), status.st_mtime_ns, status.st_size)
 

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, nearest
+from jounce.core.files import existing_file
 
 Array = NDArray[np.float64]
 _COMMENT = re.compile(r'("(?:\\.|[^"\\])*")|//[^\n]*|/\*.*?\*/', re.DOTALL)
@@ -163,10 +164,8 @@ def _has_truth(value: object) -> bool:
 
 def read_json(path: Path) -> dict[str, Any]:
     """Read one JSON object with comments; give its table."""
-    if not path.is_file():
-        raise DescriptionError("no such file", where=str(path), hint="Check the path and the name.")
     try:
-        text = path.read_text(encoding="utf-8")
+        text = existing_file(path).read_text(encoding="utf-8")
     except UnicodeDecodeError:
         raise DescriptionError("not a text file", where=str(path), allowed="JSON text in UTF-8") from None
     blank = _COMMENT.sub(lambda found: found[1] or re.sub(r"[^\n]", " ", found[0]), text)

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from jounce.core.errors import DescriptionError, nearest
+from jounce.core.files import existing_file
 from jounce.core.findings import Finding
 from jounce.core.units import conversion_factor
 
@@ -366,9 +367,7 @@ class _Entries:
 
 
 def _lines(file: Path) -> list[str]:
-    if not file.is_file():
-        raise DescriptionError("no such file", where=str(file), hint="Check the path and the name.")
-    content = file.read_bytes()
+    content = existing_file(file).read_bytes()
     if b"\0" in content:
         raise DescriptionError("not a text file", where=str(file), allowed="a tyre property file")
     return content.decode("cp1252", errors="replace").splitlines()
