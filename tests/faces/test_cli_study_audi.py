@@ -76,8 +76,12 @@ def test_excenter(cli, tmp_path: Path):
     assert (tmp_path / "e" / "curves" / "two-mass.nc").is_file()
 
 
-@pytest.mark.parametrize("words", [("--amplitude", "0 mm"), ("--amplitude", "3 kg"), ("--plate-mass", "-1 kg")])
+@pytest.mark.parametrize(
+    "words",
+    [("--amplitude", "0 mm"), ("--amplitude", "3 m"), ("--amplitude", "3 kg"), ("--plate-mass", "-1 kg")],
+)
 def test_wrong_inputs_of_the_excenter(cli, words: tuple[str, ...]):
     found = cli("study", "audi-a6-excenter", *words)
     assert found.exit_code == 2
+    assert words[0].strip("-").replace("-", "_") in found.err.replace("-", "_")
     assert "allowed" in found.err

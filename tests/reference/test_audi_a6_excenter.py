@@ -11,7 +11,7 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import DescriptionError
-from jounce.studies.audi_a6_excenter import Excenter, run_excenter
+from jounce.studies.audi_a6_excenter import LARGEST, Excenter, run_excenter
 
 
 @pytest.fixture(scope="module")
@@ -104,6 +104,13 @@ def test_a_large_amplitude_lifts_the_wheel_off():
     found = run_excenter(amplitude=0.08)
     assert float(found.run("two-mass").signals["tyre.force"].min()) == 0.0
     assert any("leaves the plate" in finding.message for finding in found.findings)
+
+
+def test_the_largest_amplitude_leaves_the_spring_hardly_any_length():
+    shortest = run_excenter(amplitude=LARGEST).run("summed").shortest
+    assert 0.0 < shortest < 0.01  # m of 0.341
+    with pytest.raises(DescriptionError, match=r"^amplitude: .*found '3 m'; allowed: above 0 m, at most 0.095 m"):
+        run_excenter(amplitude=3.0)
 
 
 @pytest.mark.parametrize(("amplitude", "mass"), [(0.0, 20.0), (-0.003, 20.0), (np.nan, 20.0), (0.003, -1.0)])

@@ -38,6 +38,8 @@ Array = NDArray[np.float64]
 Progress = Callable[[str], None]
 RIG = "audi-a6-quarter-car"
 AMPLITUDE, PLATE_MASS = 0.003, 20.0
+LARGEST = 0.095
+"""Amplitude in m at which the spring of the summed model, 341 mm long, is compressed to nothing."""
 """Of the excenter (m) and of the plate (kg); neither is in the paper, both are estimated."""
 DURATION, STEADY = 12.0, 1.0
 """Length of a run, and of its last part that counts as steady, s."""
@@ -227,7 +229,7 @@ def run_excenter(
     Raises
     ------
     DescriptionError
-        For an amplitude that is not above 0, or a negative mass.
+        For an amplitude that is not above 0 or leaves the spring no length, or a negative mass.
 
     Examples
     --------
@@ -235,8 +237,13 @@ def run_excenter(
     >>> [round(1e3 * run.statics["compression"], 2) for run in found.runs]    # mm
     [13.35, 133.79, 135.27]
     """
-    if not (np.isfinite(amplitude) and amplitude > 0.0):
-        raise DescriptionError("not an amplitude", where="amplitude", found=amplitude, allowed="above 0 m")
+    if not (np.isfinite(amplitude) and 0.0 < amplitude <= LARGEST):
+        raise DescriptionError(
+            "not an amplitude of this excenter",
+            where="amplitude",
+            found=f"{amplitude:g} m",
+            allowed=f"above 0 m, at most {LARGEST:g} m; more would compress the spring to nothing",
+        )
     if not (np.isfinite(plate_mass) and plate_mass >= 0.0):
         raise DescriptionError("not a mass", where="plate_mass", found=plate_mass, allowed="0 kg or more")
     rig = load(RIG)
