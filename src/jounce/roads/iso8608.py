@@ -266,7 +266,8 @@ class SineSum(Road):
     phi_i = 2 pi frac(0.6180339887498949 i), for i from ``first`` to ``last``. It repeats after 1 / ``spacing``, without
     an end on either side, so steady values can be taken over one period. The defaults are the benchmark of class C
     against which controllers are compared. Their phases grow in proportion to i, so all waves meet in one sharp peak of
-    every period: height and power are those of the class, the peak is not (use `Iso8608` where peaks matter).
+    every period: in effect a train of pulses. Mean squares are those of the class, peaks and lift-off are not those of
+    a random road (use `Iso8608` where they matter).
 
     Attributes
     ----------
