@@ -35,6 +35,31 @@ def test_stationary_response_stands_beside_the_simulated_one(cli) -> None:
     assert "linear model" in text
 
 
+@pytest.mark.parametrize("is_level", [True, False])
+def test_the_front_axle_rolls_on_for_a_wheelbase(is_level: bool, cli, tmp_path: Path) -> None:
+    import jounce as jn
+
+    last = 0.0 if is_level else 5.0  # mm
+    rows = "\n".join(f"{0.05 * i:.2f}, {10 * np.sin(0.05 * np.pi * i) + last * i / 400:.6f}" for i in range(401))
+    (tmp_path / "road.csv").write_text(f"x [m], z [mm]\n{rows}\n", encoding="utf-8")
+    drive = ("ride", CAR, "--road", "road.csv", "--speed", "5 m/s")
+    outcome = cli(*drive, "--out", "run.nc")
+    assert outcome.exit_code == 0, outcome.err
+    run, _ = jn.read_recording(tmp_path / "run.nc")
+    end = float(run["time"][-1])
+    assert end == pytest.approx((20.0 + is_level * jn.load(CAR).wheelbase) / 5.0, abs=1.1e-3)
+    beyond = run["front.road.z"].sel(time=slice(20.0 / 5.0, None))
+    assert float(abs(beyond - 1e-3 * last).max()) < 1e-6
+    refused = cli(*drive, "--duration", f"{end + 0.01} s")
+    assert refused.exit_code == 2
+    assert "duration: the road is shorter than the run" in refused.err
+
+
+@pytest.mark.parametrize("command", ["ride", "compare"])
+def test_help_says_how_far_a_road_is_driven(command: str, cli) -> None:
+    assert "a wheelbase beyond it" in " ".join(cli(command, "--help").out.replace("│", " ").split())
+
+
 def test_several_controls_and_a_picture(cli, tmp_path: Path) -> None:
     outcome = cli("ride", CAR, *SHORT, "--control", "passive,skyhook", "--figure", "spectra.png")
     assert outcome.exit_code == 0, outcome.err

@@ -21,13 +21,17 @@ if TYPE_CHECKING:
     from jounce.studies.ride import Ride, RideStudy
     from jounce.studies.ride_trials import RideTrial
 
+_TO_THE_END = (
+    "else until the rear axle reaches the road's end and the front axle is a wheelbase beyond it; until the front axle "
+    "reaches it where the road does not end as high as it begins."
+)
 RideRoad = Annotated[
     str, typer.Option(help="A class of ISO 8608 (iso:A to iso:H), a road file, or a name of `jounce library`.")
 ]
 RideSpeed = Annotated[str, typer.Option(help='Speed over the road, e.g. "20 m/s".')]
 RideDuration = Annotated[
     str | None,
-    typer.Option(help="Time over the road; by default 60 s on ISO roads, else to the end of the road."),
+    typer.Option(help=f"Time over the road; by default 60 s on ISO roads, {_TO_THE_END}"),
 ]
 Seed = Annotated[int, typer.Option(min=0, help="Which of all random roads of the class.")]
 
@@ -76,7 +80,9 @@ def compare(
     ] = None,
     road: RideRoad = "iso:C",
     speed: RideSpeed = "20 m/s",
-    duration: Annotated[str | None, typer.Option(help="Time over the road; by default 20 s on ISO roads.")] = None,
+    duration: Annotated[
+        str | None, typer.Option(help=f"Time over the road; by default 20 s on ISO roads, {_TO_THE_END}")
+    ] = None,
     seed: Seed = 0,
     set_: Changes = None,
     figure: FigureFile = None,

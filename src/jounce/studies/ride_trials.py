@@ -11,6 +11,7 @@ from jounce.core.units import to_si
 from jounce.parts import FullCar, FullCar3D, Rig, Vehicle
 from jounce.roads import Crg, Trial, check_covered, point_spacing
 from jounce.roads.advice import FASTEST
+from jounce.roads.coverage import ends_level
 from jounce.roads.iso8608 import Iso8608
 from jounce.roads.road import Road
 
@@ -101,7 +102,9 @@ def road_trial(rig: Rig, road: Road, speed: float | str, *, duration: float | st
     speed : float or str
         m/s, or text with a unit.
     duration : float or str, optional
-        s; by default until the last axle reaches the road's end.
+        s; by default, and at most, until the last axle reaches the road's end: the front axle is then one wheelbase
+        beyond it. On a road that does not end at the height at which it begins nobody knows how it goes on: there it
+        is until the front axle reaches the end.
 
     Returns
     -------
@@ -123,13 +126,14 @@ def road_trial(rig: Rig, road: Road, speed: float | str, *, duration: float | st
     """
     behind = _wheelbase(rig)
     velocity = _positive(speed, "m/s", "speed")
-    whole = (road.end() + behind) / velocity
+    left, right = _tracks(rig, road)
+    beyond = behind if all(ends_level(side) for side in (left, right) if side is not None) else 0.0
+    whole = (road.end() + beyond) / velocity
     if duration is None and whole <= 0.0:
         raise DescriptionError("the road ends where it begins", where="road", hint="Give the duration.")
     lasting = whole if duration is None else _positive(duration, "s", "duration")
-    check_covered(road, velocity * lasting, behind=behind, where="duration")
+    check_covered(road, velocity * lasting, behind=beyond, where="duration")
     _check_fine_enough(road, velocity)
-    left, right = _tracks(rig, road)
     return RideTrial(_trial(left, right, velocity, _whole_samples(lasting)), behind / velocity)
 
 
