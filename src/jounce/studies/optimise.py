@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -28,6 +28,7 @@ _AT_BOUND = 1e-6
 _KEPT = 1e-6
 _ONE_PERCENT = 0.01
 _HALVINGS = 20
+_STEPS = tuple(0.5**k for k in range(6, -1, -1))
 
 
 @dataclass(frozen=True)
@@ -45,7 +46,7 @@ class DesignNumber:
     sensitivity : float
         Relative change of the objective for a relative change of the number (1), the others kept.
     flat : tuple of float or None
-        Within this range the objective rises by at most 1 %, the others kept; None for trials.
+        Within this range the objective rises by at most 1 % and every limit holds, the others kept; None for trials.
     """
 
     path: str
@@ -295,25 +296,34 @@ def _number(problem: DesignProblem, i: int, values: Array, objective: float, slo
 
 
 def _flat(problem: DesignProblem, i: int, values: Array, objective: float) -> tuple[float, float]:
-    """Range of a number within which the objective rises by at most 1 %, by halving."""
+    """Range of a number, within its bounds, in which all limits hold and the objective rises by at most 1 %."""
+    broken = -min([0.0, *(margin[3] for margin in problem.margins(values))])
 
-    def rises(value: float) -> bool:
+    def is_as_good(value: float) -> bool:
         moved = values.copy()
         moved[i] = value
-        return problem.objective(moved)[0] > (1.0 + _ONE_PERCENT) * objective
+        if problem.objective(moved)[0] > (1.0 + _ONE_PERCENT) * objective:
+            return False
+        return all(margin[3] >= -max(_KEPT, broken) for margin in problem.margins(moved))
 
-    ends = []
-    for bound in (problem.free[i].lower, problem.free[i].upper):
-        near, far = float(values[i]), bound
-        if not rises(far):
-            near = far
-        for _ in range(_HALVINGS if near != far else 0):
-            middle = 0.5 * (near + far)
-            near, far = (near, middle) if rises(middle) else (middle, far)
-            if abs(far - near) < 1e-3 * abs(values[i]):
-                break
-        ends.append(near)
-    return ends[0], ends[1]
+    best = float(values[i])
+    return _reach(best, problem.free[i].lower, is_as_good), _reach(best, problem.free[i].upper, is_as_good)
+
+
+def _reach(start: float, bound: float, is_as_good: Callable[[float], bool]) -> float:
+    """How far from ``start`` to ``bound`` everything is as good: in growing steps, then by halving the last one."""
+    near = far = start
+    for share in _STEPS if bound != start else ():
+        far = start + share * (bound - start)
+        if not is_as_good(far):
+            break
+        near = far
+    for _ in range(_HALVINGS if near != far else 0):
+        middle = 0.5 * (near + far)
+        near, far = (middle, far) if is_as_good(middle) else (near, middle)
+        if abs(far - near) < 1e-3 * abs(start):
+            break
+    return near
 
 
 def _constraints(
@@ -344,7 +354,7 @@ def _findings(problem: DesignProblem, numbers: tuple[DesignNumber, ...], *, conv
             text = f"ended at its {number.at} bound; the objective would fall further beyond it."
             found.append(Finding(number.path, "warning", text, number.value))
         if number.flat == (number.lower, number.upper):
-            text = "matters little: the objective stays within 1 % over its whole range."
+            text = "matters little: the objective stays within 1 %, and every limit holds, over its whole range."
             found.append(Finding(number.path, "note", text, number.value))
     value = problem.objective(np.array([number.value for number in numbers]))[0]
     if value > 1.0 - 1e-6:

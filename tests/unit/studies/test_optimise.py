@@ -67,6 +67,33 @@ def test_limits_hold_and_say_what_they_cost():
     assert np.log(found.value / looser.value) / np.log(1.001) == pytest.approx(travel.gain, rel=0.01)
 
 
+def test_ranges_around_the_best_keep_the_limits():
+    free = {DAMPER: (300.0, 5000.0), SPRING: ("5 N/mm", "60 N/mm")}
+    limits = {"strut.deflection": "12 mm", "mode 1 frequency": (None, "1.5 Hz"), "strut.deflection static": "0.4 m"}
+    found = optimise(CAR_A, free, "sprung.az", limits, **ROAD)
+    free_of_limits = optimise(CAR_A, free, "sprung.az", **ROAD)
+    for number, other in zip(found.numbers, free_of_limits.numbers, strict=True):
+        low, high = number.flat or (0.0, 0.0)
+        assert number.lower <= low <= number.value <= high <= number.upper
+        assert (other.flat or (0.0, 0.0))[0] < number.value
+        for end, outwards in ((low, -1.0), (high, 1.0)):
+            rig = found.rig.with_changes({number.path: end})
+            assert stationary(rig, "C", 20.0)["strut.deflection"] <= 0.012 * (1.0 + 1e-5)
+            assert jn.modes(rig)[0].frequency_hz <= 1.5 * (1.0 + 1e-5)
+            assert 400.0 * 9.81 / rig.parameters()[SPRING] <= 0.4 * (1.0 + 1e-5)
+            further = end + outwards * 3e-3 * number.value
+            if number.lower < further < number.upper:  # one of them would not hold there
+                moved = found.rig.with_changes({number.path: further})
+                rises = (stationary(moved, "C", 20.0)["sprung.az"] / found.after["sprung.az"]) ** 2 > 1.0095
+                breaks = (
+                    stationary(moved, "C", 20.0)["strut.deflection"] > 0.012 or jn.modes(moved)[0].frequency_hz > 1.5
+                )
+                assert rises or breaks or 400.0 * 9.81 / moved.parameters()[SPRING] > 0.4
+    damper = found.numbers[0].flat or (0.0, 0.0)
+    assert damper[0] == pytest.approx(found.values[DAMPER], rel=1e-3)  # less damping would break the limit of travel
+    assert damper[1] > 1.01 * found.values[DAMPER]
+
+
 def test_worst_corner_of_a_vehicle():
     vehicle = jn.load("audi-a6-half-car-4dof")
     mean = optimise(vehicle, AXLES, "tyre.force coefficient", band="iso", **ROAD)
