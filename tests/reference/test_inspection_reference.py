@@ -16,10 +16,11 @@ import pytest
 
 from jounce.inspection import Corner, evaluate, force_response, steady_state
 from jounce.inspection.response import rig_poles, road_poles, wheel_damping
-from jounce.inspection.steady import rigidity
-from jounce.inspection.theta import half_power, plate_gain, road_from_rig, theta_by_amplification
+from jounce.inspection.theta import half_power, plate_gain, theta_by_amplification
+from jounce.mechanics.plates import tyre_rigidity
 from jounce.parts.testers import load_tester
 from jounce.recordings.schema import recording
+from jounce.simulation.plate_response import road_damping_ratio
 
 STEADY = {  # damping: adhesion %, at Hz, least phase, at Hz, wheel mode Hz, damping ratio
     500.0: (25.69, 12.04, 31.16, 8.06, 11.931, 0.0851),
@@ -105,7 +106,7 @@ def test_rigidity():
     for stiffness, gain, value in ((150, 175.5, 146.2), (200, 248.0, 187.6), (250, 329.6, 234.2), (300, 421.9, 286.9)):
         found = abs(force_response(car(1500.0, tyre_stiffness=1e3 * stiffness), [25.0])[0])
         assert found == pytest.approx(1e3 * gain, abs=60.0)
-        assert rigidity(3e-3 * found, 3e-3) == pytest.approx(1e3 * value, abs=60.0)
+        assert tyre_rigidity(3e-3 * found, 3e-3) == pytest.approx(1e3 * value, abs=60.0)
         assert steady_state(car(1500.0, tyre_stiffness=1e3 * stiffness)).tyre_rigidity == pytest.approx(
             1e3 * value, abs=60.0
         )
@@ -133,7 +134,9 @@ def test_sprung_plate(damping):
     wheel = car(damping)
     assert wheel_damping(rig_poles(wheel, 20.0, 50e3))[0] == pytest.approx(rig, abs=6e-5)
     assert wheel_damping(road_poles(wheel))[0] == pytest.approx(road, abs=6e-5)
-    assert road_from_rig(rig, wheel, 20.0, 50e3) == pytest.approx(converted, abs=1.2e-4)
+    plate = {"plate_mass": 20.0, "plate_spring_rate": 50e3}
+    on_road = road_damping_ratio(rig, wheel_rate=25e3, tyre_stiffness=200e3, unsprung_mass=40.0, **plate)
+    assert on_road == pytest.approx(converted, abs=1.2e-4)
     frequency = np.linspace(2.0, 12.0, 5001)
     curve = plate_gain(wheel, tester, frequency)
     assert curve.max() == pytest.approx(gain, abs=6e-4)

@@ -11,6 +11,7 @@ import itertools
 import numpy as np
 import pytest
 
+from jounce.mechanics.plates import tyre_rigidity
 from jounce.parts import QuarterCar, load
 from jounce.parts.testers import load_tester
 from jounce.simulation.periodic import steady_sweep
@@ -19,7 +20,6 @@ from jounce.simulation.plate_response import (
     least_phase_angle,
     road_damping_ratio,
     steady_response,
-    tyre_rigidity,
     wheel_mode,
 )
 from jounce.simulation.testing import simulate_test

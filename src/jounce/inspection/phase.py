@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from jounce.inspection.analysis import Analysis
 from jounce.inspection.response import force_response
 from jounce.inspection.smoothing import corrected_course
-from jounce.inspection.steady import phase_angle
+from jounce.mechanics.plates import phase_angle
 
 Array = NDArray[np.float64]
 _LENGTH = 2.0
@@ -84,14 +84,15 @@ def find_phase_minimum(analysis: Analysis, band: tuple[float, float]) -> tuple[P
     course = corrected_course(frequency[steady], measured[steady], modelled[steady], spread[steady], _LENGTH)
     hops = frequency[inside & analysis.lifted]
     if hops.size and analysis.fit is not None:
-        course = course.with_turns(hops, phase_angle(force_response(analysis.fit.corner, hops)))
+        course = course.with_turns(hops, np.degrees(phase_angle(force_response(analysis.fit.corner, hops))))
     found = course.least(*band)
     if found is None:
         return None, measured
     at, angle, error = found
     fit = analysis.fit
     if fit is not None:
-        error = math.hypot(error, fit.spread(lambda corner: float(phase_angle(force_response(corner, [at]))[0])))
+        of_fit = fit.spread(lambda corner: float(phase_angle(force_response(corner, [at]))[0]))
+        error = math.hypot(error, math.degrees(of_fit))
     half = _NORMAL * error if math.isfinite(error) else None
     hopping = bool(hops.size) and float(np.min(np.abs(hops - at))) < _END
     return PhaseMinimum(angle, at, half, min(at - band[0], band[1] - at) < _END, hopping), measured

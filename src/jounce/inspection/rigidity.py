@@ -10,9 +10,9 @@ from jounce.core.findings import Finding
 from jounce.inspection.checks import warning
 from jounce.inspection.conditioning import WheelSignals
 from jounce.inspection.course import Course
-from jounce.inspection.steady import rigidity
+from jounce.mechanics.plates import RIGIDITY, RIGIDITY_FREQUENCY, tyre_rigidity
 
-HOLD_FREQUENCY, _TOLERANCE = 25.0, 1.0
+_TOLERANCE = 1.0  # Hz
 _FEWEST_TURNS = 6
 _NORMAL = 1.959964
 
@@ -35,7 +35,7 @@ def find_rigidity(signals: WheelSignals, course: Course, load: float) -> tuple[R
     held = turns.frequency[course.hold]
     top = turns.top[course.hold]
     count = min(course.hold.stop - course.hold.start, 25)
-    if count < _FEWEST_TURNS or abs(course.highest - HOLD_FREQUENCY) > _TOLERANCE:
+    if count < _FEWEST_TURNS or abs(course.highest - RIGIDITY_FREQUENCY) > _TOLERANCE:
         text = f"the plate is not held at 25 Hz ({count} turns at {float(np.median(held)):.3g} Hz): no tyre rigidity."
         return None, [warning(place, text)]
     begin, end = top[-count], top[-1]
@@ -47,7 +47,7 @@ def find_rigidity(signals: WheelSignals, course: Course, load: float) -> tuple[R
     stroke = 2.0 * abs(complex(np.mean((height - height.mean()) * wave)))
     rest = force - 2.0 * np.real(np.mean(force * wave) * np.conj(wave)) - force.mean()
     error = float(np.std(rest)) * np.sqrt(2.0 / force.size)
-    return Rigidity(rigidity(amplitude, stroke), _NORMAL * 0.571 * error / stroke, amplitude), []
+    return Rigidity(tyre_rigidity(amplitude, stroke), _NORMAL * RIGIDITY[0] * error / stroke, amplitude), []
 
 
 def rigidity_findings(value: float, wheel: str, low: float, high: float) -> list[Finding]:

@@ -10,12 +10,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.inspection.response import Corner, force_response
+from jounce.mechanics.plates import SteadyResponse, least, least_adhesion, tyre_rigidity
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Response = Callable[[ArrayLike], Complex]
-FREQUENCY_STEP = 0.01
-_COARSE = 0.05
+_AT_END = 0.005  # Hz
 
 
 @dataclass(frozen=True)
@@ -48,23 +48,6 @@ class SteadyState:
     phase_at_end: bool
     relative_force_amplitude: float
     tyre_rigidity: float
-
-
-def phase_angle(response: ArrayLike) -> Array:
-    """EGEA phase angle in degrees, between -90 and 270, of responses (n,) of the tyre force to plate height in N/m."""
-    angle = 180.0 - np.degrees(np.angle(np.asarray(response, dtype=complex)))
-    return np.asarray(np.where(angle > 270.0, angle - 360.0, angle))
-
-
-def rigidity(force_amplitude: float, plate_amplitude: float) -> float:
-    """Tyre rigidity by EGEA (N/m) from the force amplitude (N) at 25 Hz and the plate's amplitude (m).
-
-    Examples
-    --------
-    >>> round(rigidity(248.0 * 3.0, 3e-3))
-    187608
-    """
-    return 0.571 * force_amplitude / plate_amplitude + 46e3
 
 
 def steady_state(
@@ -104,29 +87,19 @@ def steady_state(
     force: Response = partial(force_response, response) if isinstance(response, Corner) else response
     own = response.static_load if isinstance(response, Corner) else 0.0
     load = own if static_load is None else static_load
-    peak, size = _least(lambda f: -np.abs(force(f)), 0.1, highest)
-    at, angle = _least(lambda f: phase_angle(force(f)), *band)
-    adhesion = 1.0 + amplitude * size / load
-    top = amplitude * float(abs(force([highest])[0]))
+
+    def answer(frequency: Array) -> SteadyResponse:
+        return SteadyResponse(frequency, force(frequency), np.ones(frequency.size, complex), load, amplitude)
+
+    adhesion, peak = least_adhesion(answer, highest)
+    angle, at = least(lambda f: answer(f).phase_angle, *band)
     return SteadyState(
         adhesion=max(0.0, adhesion),
         adhesion_frequency_hz=peak,
         lift_off=adhesion < 0.0,
-        phase_angle_min_deg=angle,
+        phase_angle_min_deg=float(np.degrees(angle)),
         phase_frequency_hz=at,
-        phase_at_end=min(at - band[0], band[1] - at) < FREQUENCY_STEP / 2.0,
-        relative_force_amplitude=-amplitude * size / load,
-        tyre_rigidity=rigidity(top, amplitude),
+        phase_at_end=min(at - band[0], band[1] - at) < _AT_END,
+        relative_force_amplitude=1.0 - adhesion,
+        tyre_rigidity=tyre_rigidity(float(answer(np.array([highest])).force_amplitude[0]), amplitude),
     )
-
-
-def _least(curve: Callable[[Array], Array], low: float, high: float) -> tuple[float, float]:
-    """Where a curve is least between two frequencies (ends included), to 0.01 Hz, and its value there."""
-    coarse = np.linspace(low, high, round((high - low) / _COARSE) + 1)
-    at = float(coarse[int(np.argmin(curve(coarse)))])
-    fine = np.linspace(
-        max(low, at - 2 * _COARSE), min(high, at + 2 * _COARSE), round(4 * _COARSE / FREQUENCY_STEP) * 5 + 1
-    )
-    values = curve(fine)
-    best = int(np.argmin(values))
-    return float(fine[best]), float(values[best])

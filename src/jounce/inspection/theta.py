@@ -63,20 +63,6 @@ def theta_by_fit(fit: ResponseFit, tester: Tester | None) -> Theta:
     return Theta(on_rig(fit.corner), road, _NORMAL * fit.spread(on_rig), half)
 
 
-def road_from_rig(theta: float, corner: Corner, plate_mass: float, spring_rate: float) -> float:
-    """Convert a damping ratio (1) from a sprung plate (kg, N/m) to the road, the wheel taken as one mass on springs.
-
-    Examples
-    --------
-    >>> round(road_from_rig(0.1118, Corner(400.0, 40.0, 25e3, 400.0, 200e3), 20.0, 50e3), 4)
-    0.069
-    """
-    kt, k = corner.tyre_stiffness, corner.spring_rate
-    share = kt / (kt + spring_rate)
-    rig = (k + share * spring_rate) * (corner.unsprung_mass + plate_mass * share**2)
-    return theta * math.sqrt(rig / ((k + kt) * corner.unsprung_mass))
-
-
 def half_power(frequency: Array, amplitude: Array) -> float | None:
     """Damping ratio (1) from the width of a resonance at 0.707 of its height.
 

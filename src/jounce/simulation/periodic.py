@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
 from jounce.mechanics.motions import steady
+from jounce.mechanics.plates import wrapped
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Tester
-from jounce.simulation.plate_response import LinearStand, linear_stand, place_of, wrapped
+from jounce.simulation.plate_response import LinearStand, linear_stand, place_of
 from jounce.simulation.run import samples_reached
 from jounce.simulation.stand import Stand, channel, stand
 

@@ -12,6 +12,7 @@ from jounce.core.findings import Finding
 from jounce.inspection.evaluation import evaluate
 from jounce.inspection.grading import grade
 from jounce.inspection.result import Inspection, WheelResult
+from jounce.mechanics.plates import RIGIDITY_FREQUENCY, tyre_rigidity
 from jounce.parts import QuarterCar, Rig
 from jounce.parts.elements import LinearDamper
 from jounce.parts.front_view import axle_of
@@ -19,11 +20,9 @@ from jounce.parts.testers import Tester, load_tester
 from jounce.parts.vehicles import Vehicle
 from jounce.simulation.periodic import steady_sweep
 from jounce.simulation.plate_response import (
-    RIGIDITY_FREQUENCY,
     closed_form_adhesion,
     least_phase_angle,
     steady_response,
-    tyre_rigidity,
     wheel_mode,
 )
 from jounce.simulation.stand import check_rig

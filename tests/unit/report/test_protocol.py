@@ -17,7 +17,8 @@ from jounce.core.findings import Finding
 from jounce.inspection.grading import VehicleGrade, grade, grade_vehicle
 from jounce.inspection.response import Corner, force_response
 from jounce.inspection.result import Inspection, WheelCurves, WheelResult
-from jounce.inspection.steady import phase_angle, steady_state
+from jounce.inspection.steady import steady_state
+from jounce.mechanics.plates import phase_angle
 from jounce.report.protocol import protocol_html, protocol_pdf, protocol_png, write_protocol
 from jounce.report.protocol_content import protocol_content, shortened
 
@@ -32,7 +33,7 @@ def wheel(side: str, damping: float = 1300.0) -> WheelResult:
     force = 3e-3 * np.abs(response)
     load = corner.static_load
     curves = WheelCurves(
-        26.0 - frequency, frequency, load - force, load + force, phase_angle(response), np.full(60, 3e-3)
+        26.0 - frequency, frequency, load - force, load + force, np.degrees(phase_angle(response)), np.full(60, 3e-3)
     )
     return WheelResult(
         side,

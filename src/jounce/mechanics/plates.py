@@ -1,0 +1,99 @@
+"""A wheel on a tester's plate in steady motion, as its linear response tells: adhesion, phase angle, tyre rigidity."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+_COARSE, _FINE = 0.1, 0.01  # Hz
+RIGIDITY = 0.571, 46e3
+"""EGEA: rigidity = 0.571 H25 / e_p + 46 N/mm."""
+RIGIDITY_FREQUENCY = 25.0
+
+
+@dataclass(frozen=True)
+class SteadyResponse:
+    """Steady answer of one wheel to its tester, small motions.
+
+    Attributes
+    ----------
+    frequency : ndarray, shape (n,)
+        Hz.
+    force_response : ndarray of complex, shape (n,)
+        Contact force for motion of the plate, N/m.
+    plate_response : ndarray of complex, shape (n,)
+        Motion of the plate for motion of the excenter; 1 on a rigid plate.
+    static_load : float
+        N.
+    amplitude : float
+        Of the excenter, m.
+    """
+
+    frequency: Array
+    force_response: Complex
+    plate_response: Complex
+    static_load: float
+    amplitude: float
+
+    @property
+    def force_amplitude(self) -> Array:
+        """Of the contact force, N, shape (n,); above the static load the wheel lifts off, and this is not true."""
+        return np.asarray(self.amplitude * np.abs(self.force_response * self.plate_response))
+
+    @property
+    def adhesion(self) -> Array:
+        """Least over static contact force (1), shape (n,); 0 where the wheel would lift off."""
+        return np.maximum(1.0 - self.force_amplitude / self.static_load, 0.0)
+
+    @property
+    def phase_angle(self) -> Array:
+        """EGEA phase angle, rad between -pi/2 and 3/2 pi, shape (n,): 180 degrees less the argument of the response."""
+        return phase_angle(self.force_response)
+
+
+def wrapped(angle: ArrayLike) -> Array:
+    """Give angles (rad) between -pi/2 and 3/2 pi, where phase angles of testers are."""
+    return np.asarray(1.5 * np.pi - np.mod(1.5 * np.pi - np.asarray(angle), 2.0 * np.pi))
+
+
+def phase_angle(response: ArrayLike) -> Array:
+    """EGEA phase angle (rad) of responses of the contact force to plate height (N/m): pi less their argument."""
+    return wrapped(np.pi - np.angle(np.asarray(response, dtype=complex)))
+
+
+def least_adhesion(at: Callable[[Array], SteadyResponse], highest: float) -> tuple[float, float]:
+    """Least adhesion (1, negative where the linear force is) up to a frequency (Hz), and where: Hz, to 0.01 Hz."""
+
+    def value(frequency: Array) -> Array:
+        found = at(frequency)
+        return 1.0 - found.force_amplitude / found.static_load
+
+    return least(value, _COARSE, highest)
+
+
+def least(value: Callable[[Array], Array], low: float, high: float) -> tuple[float, float]:
+    """Least value of a function of frequencies (Hz) on [low, high], ends included, and where: to 0.01 Hz."""
+    coarse = np.linspace(low, high, int(np.ceil((high - low) / _COARSE)) + 1)
+    about = float(coarse[np.argmin(value(coarse))])
+    steps = np.arange(-_COARSE, _COARSE + 0.5 * _FINE, _FINE)
+    fine = np.unique(np.clip(np.round((about + steps) / _FINE) * _FINE, low, high))
+    values = value(fine)
+    best = int(np.argmin(values))
+    return float(values[best]), round(float(fine[best]), 9)
+
+
+def tyre_rigidity(force_amplitude: float, amplitude: float) -> float:
+    """Tyre rigidity (N/m) by EGEA, from the force amplitude at 25 Hz (N) and the plate's amplitude (m).
+
+    Examples
+    --------
+    >>> round(tyre_rigidity(3 * 248.0, 0.003) / 1e3, 1)   # N/mm, of a tyre of 200 N/mm
+    187.6
+    """
+    slope, offset = RIGIDITY
+    return slope * force_amplitude / amplitude + offset
