@@ -12,6 +12,7 @@ import time
 from pathlib import Path
 
 import numpy as np
+from inspection_rows import inspection_rows
 from mechanism_rows import mechanism_rows
 from peers import casadi_runs, cheapest, diffrax_runs, linear_runs, numba_runs, scipy_runs
 from problems import CHANNELS, DURATION, TIMES, Obstacle, QuarterCar, displacement_error, long_road
@@ -158,10 +159,22 @@ def _process(arguments: list[str]) -> float:
     return float(np.median(times))
 
 
+PARTS = (
+    obstacle_rows,
+    linear_rows,
+    mechanism_rows,
+    vehicle_rows,
+    ride_rows,
+    inspection_rows,
+    update_rows,
+    start_rows,
+)
+
+
 def main() -> None:
     """Run everything, print the table and write the page."""
     rows: list[Row] = []
-    for part in (obstacle_rows, linear_rows, mechanism_rows, vehicle_rows, ride_rows, update_rows, start_rows):
+    for part in PARTS:
         new = part()
         rows += new
         for row in new:

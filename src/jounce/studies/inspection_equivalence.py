@@ -137,6 +137,12 @@ class Equivalence:
     limits: str
     tests: int
 
+    def rejecting_wear(self, factor: str, method: str) -> Array:
+        """Least wear (1) at which a method rejects, for each value of a factor; no number where it never does."""
+        plane = self.planes[factor]
+        fails = plane[f"{method}_verdict"].to_numpy() == "fail"
+        return np.where(fails.any(axis=0), plane["wear"].to_numpy()[fails.argmax(axis=0)], np.nan)
+
     def to_dict(self) -> dict[str, Any]:
         """Give plain values: tables of values over wear (rows) and factor, SI and degrees."""
         planes = {
@@ -203,23 +209,21 @@ def compare_tests(
     shares = np.asarray(_spaced(0.0, 0.95, 24) if wear is None else wear, dtype=float)
     chosen = tuple(usual_factors() if factors is None else factors)
     used = limits or load_limits()
-    total = sum(len(factor.values) for factor in chosen) * len(shares)
-    planes, done = {}, 0
-    for factor in chosen:
-        tables = {quantity: np.full((len(shares), len(factor.values)), np.nan) for quantity in METHODS.values()}
-        columns = [(rig.with_changes(factor.changes(rig, value)), shares) for value in factor.values]
-        for j, column in enumerate(_tested(columns, workers)):
-            for quantity, values in column.items():
-                tables[quantity][:, j] = values
-            done += len(shares)
-            progress(done / total)
-        planes[factor.name] = _plane(factor, shares, tables, used)
+    places = [(factor, j) for factor in chosen for j in range(len(factor.values))]
+    columns = [(rig.with_changes(factor.changes(rig, factor.values[j])), shares) for factor, j in places]
+    size = {factor.name: (len(shares), len(factor.values)) for factor in chosen}
+    tables = {name: {quantity: np.full(shape, np.nan) for quantity in METHODS.values()} for name, shape in size.items()}
+    for done, ((factor, j), column) in enumerate(zip(places, _tested(columns, workers), strict=True), 1):
+        for quantity, values in column.items():
+            tables[factor.name][quantity][:, j] = values
+        progress(done / len(places))
+    planes = {factor.name: _plane(factor, shares, tables[factor.name], used) for factor in chosen}
     found = tuple(row for factor in chosen for row in _disagreements(factor, planes[factor.name]))
-    return Equivalence(planes, found, chosen, used.label, total)
+    return Equivalence(planes, found, chosen, used.label, len(columns) * len(shares))
 
 
 def _tested(columns: Sequence[tuple[QuarterCar, Array]], workers: int) -> Iterator[dict[str, Array]]:
-    """Test all columns of a plane, in their order."""
+    """Test all columns, in their order."""
     if workers <= 1:
         yield from map(_column, columns)
         return
