@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.findings import Finding
 from jounce.inspection.conditioning import WheelSignals
+from jounce.inspection.remarks import remark
 
 if TYPE_CHECKING:
     from jounce.parts.testers import Tester
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 FORCE_UNITS = {0.22481: "pounds (lbf)", 0.10197: "kilograms (kgf)", 0.1: "daN", 0.001: "kN", 4.4482: "", 9.80665: ""}
 LENGTH_UNITS = {1.0 / 25.4: "inches", 0.001: "metres", 0.1: "centimetres", 1000.0: "micrometres"}
-_NEAR = 0.06
+_NEAR, _KILO, _NEAR_KILO = 0.06, 0.001, 0.5
 _WEIGHT_WARNING, _WEIGHT_PROBLEM = 0.02, 0.08
 _LEAST_LOAD, _GREATEST_LOAD = 300.0, 30e3
 _FEWEST_CLIPPED = 6
@@ -26,14 +27,14 @@ _SLOWEST_SAMPLING = 200.0  # Hz
 _SHORTEST = 2.0  # s
 
 
-def problem(place: str, message: str, value: float | None = None) -> Finding:
-    """Make the finding of what makes a record unfit."""
-    return Finding(place, "problem", message, value)
+def problem(place: str, code: str, value: float | None = None, /, **words: Any) -> Finding:
+    """Make the finding of what makes a record unfit; ``code`` and ``words`` as in `remarks`."""
+    return remark(place, "problem", code, value, **words)
 
 
-def warning(place: str, message: str, value: float | None = None) -> Finding:
-    """Make the finding of what weakens a value."""
-    return Finding(place, "warning", message, value)
+def warning(place: str, code: str, value: float | None = None, /, **words: Any) -> Finding:
+    """Make the finding of what weakens a value; ``code`` and ``words`` as in `remarks`."""
+    return remark(place, "warning", code, value, **words)
 
 
 def check_finite(channels: Mapping[str, Array], time: Array) -> list[Finding]:
@@ -42,53 +43,54 @@ def check_finite(channels: Mapping[str, Array], time: Array) -> list[Finding]:
     for name, values in channels.items():
         if not np.isfinite(values).all():
             bad = np.flatnonzero(~np.isfinite(values))
-            text = (
-                f"{bad.size} sample{'s are' if bad.size > 1 else ' is'} no number, the first at {time[bad[0]]:.4g} s: "
-                "the record has gaps; repeat the test."
-            )
-            findings.append(problem(name, text, float(bad.size)))
+            count, plural = int(bad.size), "s are" if bad.size > 1 else " is"
+            first = float(time[bad[0]])
+            findings.append(problem(name, "samples_missing", float(count), count=count, plural=plural, time=first))
     return findings
+
+
+def check_tester(name: str, tester: Tester | None) -> list[Finding]:
+    """Compare the tester that the header names with the one by which the record is evaluated."""
+    from jounce.parts.testers import library
+
+    known = [] if tester is None else [tester.name, *(file for file in library() if file == name)]
+    if not name or tester is None or name in known:
+        return []
+    return [remark("tester", "note", "other_tester", name=name, tester=tester.name)]
 
 
 def check_columns(signals: WheelSignals, raw: Array, tester: Tester | None) -> list[Finding]:
     """Look for a record that is too short, swapped columns, heights in another unit; ``raw`` is the force in N."""
     length = float(signals.time[-1] - signals.time[0])
     if length < _SHORTEST:
-        return [problem("time", f"the record is too short: {length:.3g} s, without a run-down.", length)]
+        return [problem("time", "too_short", length, length=length)]
     if signals.height is None:
         return []
     place = f"{signals.wheel}.plate.z"
     stroke, force = float(np.ptp(signals.height)), float(np.max(np.abs(raw)))
     if (stroke > 0.2 or abs(float(np.median(signals.height))) > 0.3) and force < 100.0:
-        text = (
-            f"the plate would move {1e3 * stroke:.4g} mm and the force reach {force:.3g} N only: the columns of plate "
-            "and force are swapped."
-        )
-        return [problem(place, text, stroke)]
+        return [problem(place, "columns_swapped", stroke, stroke=1e3 * stroke, force=force)]
     if stroke == 0.0:
-        return [problem(place, "the plate never moves; was its sensor connected?", 0.0)]
+        return [problem(place, "plate_still", 0.0)]
     if tester is None:
         return []
     ratio = stroke / tester.stroke
     if tester.kind == "rigid-plate":
         return _rigid_stroke(place, ratio, stroke, tester)
     if not 0.15 < ratio < 30.0:
-        text = f"the plate moves {1e3 * stroke:.4g} mm on an excenter of {1e3 * tester.stroke:.4g} mm: check its unit."
-        return [problem(place, text, stroke)]
+        return [problem(place, "stroke_unit", stroke, stroke=1e3 * stroke, expected=1e3 * tester.stroke)]
     return []
 
 
 def _rigid_stroke(place: str, ratio: float, stroke: float, tester: Tester) -> list[Finding]:
-    said = f"the plate moves {1e3 * stroke:.4g} mm, the tester's stroke is {1e3 * tester.stroke:.4g} mm"
+    words = {"stroke": 1e3 * stroke, "expected": 1e3 * tester.stroke}
     for factor, unit in LENGTH_UNITS.items():
         if abs(ratio / factor - 1.0) < 2.0 * _NEAR:
-            return [problem(place, f"{said}: the heights seem to be in {unit}; correct the unit in the header.", ratio)]
+            return [problem(place, "height_unit", ratio, unit=unit, **words)]
     if not 0.7 < ratio < 1.4:
-        return [problem(place, f"{said}: wrong unit, wrong tester, or a defect of the plate.", ratio)]
+        return [problem(place, "stroke_wrong", ratio, **words)]
     if abs(stroke - tester.stroke) > tester.limits.stroke_tolerance:
-        return [
-            warning(place, f"{said}; allowed are {1e3 * tester.limits.stroke_tolerance:.2g} mm of difference.", ratio)
-        ]
+        return [warning(place, "stroke_off", ratio, allowed=1e3 * tester.limits.stroke_tolerance, **words)]
     return []
 
 
@@ -98,27 +100,32 @@ def check_load(signals: WheelSignals, measured: float, tester: Tester | None) ->
     load = signals.static_load
     if load is None:
         if not _LEAST_LOAD < measured < _GREATEST_LOAD:
-            text = (
-                f"the plate carries {measured:.4g} N on average, which is no wheel load: check the unit of the force."
-            )
-            return [problem(f"{signals.wheel}.plate.force", text, measured)]
-        text = f"the header does not give the static load; {measured:.0f} N were taken from the force itself."
-        return [*_range(place, measured, tester), warning(place, text, measured)]
+            return [problem(f"{signals.wheel}.plate.force", "no_wheel_load", measured, measured=measured)]
+        return [
+            *_range(place, measured, tester),
+            warning(place, "load_from_signal", measured, measured=measured),
+        ]
     ratio = measured / load
-    said = f"the header gives {load:.0f} N, the plate carries {measured:.4g} N on average"
-    for factor, unit in FORCE_UNITS.items():
-        if abs(ratio / factor - 1.0) < _NEAR:
-            text = f"the forces seem to be in {unit}" if unit else "the static load seems to be in another unit"
-            return [problem(f"{signals.wheel}.plate.force", f"{said}: {text}; correct the unit in the header.", ratio)]
+    words = {"load": load, "measured": measured}
+    unit = _unit_of(ratio)
+    if unit == "":
+        return [problem(place, "load_unit", ratio, **words)]
+    if unit is not None:
+        return [problem(f"{signals.wheel}.plate.force", "force_unit", ratio, unit=unit, **words)]
     if abs(ratio - 1.0) > _WEIGHT_PROBLEM:
-        text = (
-            f"{said}: the static weight contradicts the signal (wrong, or a force offset of {measured - load:+.0f} N)."
-        )
-        return [problem(place, text, ratio)]
+        return [problem(place, "load_contradicts", ratio, offset=measured - load, **words)]
     findings = _range(place, load, tester)
     if abs(ratio - 1.0) > _WEIGHT_WARNING:
-        findings.append(warning(place, f"{said}: {100.0 * (ratio - 1.0):+.1f} %, allowed are 2 %.", ratio))
+        findings.append(warning(place, "load_off", ratio, percent=100.0 * (ratio - 1.0), **words))
     return findings
+
+
+def _unit_of(ratio: float) -> str | None:
+    """Unit of a force that is ``ratio`` times (1) its value in N; empty where rather the load is in another unit."""
+    if abs(ratio / _KILO - 1.0) < _NEAR_KILO:  # what the plate's inertia leaves is not small beside so few newtons
+        return FORCE_UNITS[_KILO]
+    nearest = min(FORCE_UNITS, key=lambda factor: abs(ratio / factor - 1.0))
+    return FORCE_UNITS[nearest] if abs(ratio / nearest - 1.0) < _NEAR else None
 
 
 def _range(place: str, load: float, tester: Tester | None) -> list[Finding]:
@@ -127,9 +134,7 @@ def _range(place: str, load: float, tester: Tester | None) -> list[Finding]:
     low, high = tester.limits.wheel_load_min, tester.limits.wheel_load_max
     if low <= load <= high:
         return []
-    return [
-        warning(place, f"{load:.0f} N is outside the weights this tester is made for, {low:.0f} to {high:.0f} N.", load)
-    ]
+    return [warning(place, "load_out_of_range", load, load=load, low=low, high=high)]
 
 
 def check_pair(loads: Mapping[str, float | None], measured: Mapping[str, float]) -> list[Finding]:
@@ -140,17 +145,13 @@ def check_pair(loads: Mapping[str, float | None], measured: Mapping[str, float])
     if left is None or right is None or max(_off(measured[side], loads[side]) for side in loads) < 0.03:
         return []
     if max(_off(measured["left"], right), _off(measured["right"], left)) < 0.02:
-        text = (
-            f"the plates carry {measured['left']:.0f} N (left) and {measured['right']:.0f} N (right), the header says "
-            f"{left:.0f} N and {right:.0f} N: left and right are swapped."
-        )
-        return [problem("left, right", text)]
+        return [problem("left, right", "sides_swapped", left_load=left, right_load=right, **measured)]
+    if all(_unit_of(measured[side] / loads[side]) is not None for side in loads):  # type: ignore[operator]
+        return []  # each wheel says of which unit it is
     offsets = measured["left"] - left, measured["right"] - right
     if abs(offsets[0] - offsets[1]) < 0.1 * max(abs(value) for value in offsets):
-        text = (
-            f"both forces are {0.5 * sum(offsets):+.0f} N off the static loads: an offset of the force; tare the cells."
-        )
-        return [problem("left, right", text, 0.5 * sum(offsets))]
+        offset = 0.5 * sum(offsets)
+        return [problem("left, right", "both_offset", offset, offset=offset)]
     return []
 
 
@@ -163,9 +164,9 @@ def check_sampling(signals: WheelSignals, tester: Tester | None) -> list[Finding
     rate, place = signals.sample_rate, f"{signals.wheel}.plate.force"
     wanted = tester.limits.sampling_frequency_min if tester is not None else 1000.0
     if rate < _SLOWEST_SAMPLING:
-        return [problem(place, f"{rate:.4g} samples per second are too few; {wanted:.0f} are asked for.", rate)]
+        return [problem(place, "samples_too_few", rate, rate=rate, wanted=wanted)]
     if rate < 0.999 * wanted:
-        return [warning(place, f"{rate:.4g} samples per second; {wanted:.0f} are asked for.", rate)]
+        return [warning(place, "samples_few", rate, rate=rate, wanted=wanted)]
     return []
 
 
@@ -184,11 +185,11 @@ def check_clipping(force: Array, load: float, place: str) -> list[Finding]:
         if entered.size == 0 or float(np.median(entered)) <= 1.5 * float(np.min(jumps[jumps > 0.0], initial=np.inf)):
             continue
         share = count / force.size
-        text = f"the force is clipped at {limit:.4g} N ({100.0 * share:.2g} % of the samples)"
+        words = {"limit": limit, "percent": 100.0 * share}
         if share > _CLIPPED_SHARE:
-            findings.append(problem(place, f"{text}: saturated; widen the range of the force cell.", share))
+            findings.append(problem(place, "saturated", share, **words))
         else:
-            findings.append(warning(place, f"{text}; amplitudes come out too small.", share))
+            findings.append(warning(place, "clipped", share, **words))
     return findings
 
 
@@ -201,12 +202,22 @@ def check_other_plate(
     overlap = (min(own[1], other[1]) - max(own[0], other[0])) * step
     if overlap < 0.5:
         return []
-    text = f"the other plate runs for {overlap:.1f} s of this test"
     if order == "together":
-        return [Finding(f"{wheel}.plate.z", "note", f"{text}, as the wheel order says; it shakes this wheel as well.")]
-    return [
-        warning(f"{wheel}.plate.z", f"{text}: it shakes this wheel as well; test one wheel after the other.", overlap)
-    ]
+        return [remark(f"{wheel}.plate.z", "note", "other_together", time=overlap)]
+    return [warning(f"{wheel}.plate.z", "other_running", overlap, time=overlap)]
+
+
+def check_order(order: str, moving: Mapping[str, tuple[int, int] | None]) -> list[Finding]:
+    """Compare the order of the wheels that the header gives with that in which the plates run (samples)."""
+    spans = {side: span for side, span in moving.items() if span is not None}
+    sides = [side.strip() for side in order.split(",")]
+    if len(sides) != 2 or set(spans) != {"left", "right"}:
+        return []
+    first, second = sorted(spans, key=lambda side: spans[side][0])
+    apart = spans[second][0] >= spans[first][0] + 0.5 * (spans[first][1] - spans[first][0])
+    if first == sides[0] or not apart:
+        return []
+    return [problem("left, right", "order_contradicts", order=order, first=first)]
 
 
 def check_wandering(mean: Array, frequency: Array, load: float, wheel: str) -> list[Finding]:
@@ -218,5 +229,4 @@ def check_wandering(mean: Array, frequency: Array, load: float, wheel: str) -> l
     drift = float(smooth[int(np.argmax(np.abs(smooth)))])
     if abs(drift) < 0.05:
         return []
-    text = f"the mean force leaves the static load by {100.0 * drift:+.0f} % during the test: the wheel slips or rolls."
-    return [(problem if abs(drift) > 0.2 else warning)(f"{wheel}.plate.force", text, drift)]
+    return [(problem if abs(drift) > 0.2 else warning)(f"{wheel}.plate.force", "slips", drift, percent=100.0 * drift)]

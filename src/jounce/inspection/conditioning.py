@@ -192,6 +192,12 @@ def moving_part(values: Array, sample_rate: float, least: float, other: Array | 
     return int(found[0] * size), int(min((found[-1] + 1) * size, values.size))
 
 
+def mean_shaking(values: Array, sample_rate: float) -> float:
+    """Mean stroke (m) of a plate within blocks of 0.1 s, slow swings apart; height (n,) in m at a rate in Hz."""
+    size = max(round(_BLOCK_TIME * sample_rate), 2)
+    return float(np.mean(_bends(values, size))) if values.size >= size else 0.0
+
+
 def _strokes(values: Array, size: int) -> Array:
     return np.asarray(np.ptp(_blocks(values, size), axis=1))
 

@@ -77,23 +77,24 @@ def find_course(signals: WheelSignals, tester: Tester | None, *, rigid: bool) ->
     turns = turns_of(signals, None if rigid else tester)
     place = f"{signals.wheel}.plate.z" if signals.height is not None else f"{signals.wheel}.plate.frequency"
     if turns is None:
-        return None, [problem(place, f"the plate makes fewer than {FEWEST_TURNS} turns: no run-down.")]
+        return None, [problem(place, "few_turns", fewest=FEWEST_TURNS)]
     low, high = (tester.limits.frequency_min, tester.limits.frequency_max) if tester is not None else (6.0, 18.0)
     if not rigid:
         return _any_course(turns), []
     frequency = turns.frequency
     top = float(np.percentile(frequency, 95.0))
-    said = f"the plate turns at {frequency.min():.3g} to {top:.3g} Hz"
+    lowest = float(frequency.min())
+    words = {"low": lowest, "top": top}
     if top < high:
-        return None, [problem(place, f"{said}: it never reaches {high:g} Hz, the run-down is missing.", top)]
-    falls = _falls(frequency, 0.5 * (top + high) if top > high else high, low)
+        return None, [problem(place, "never_high", top, high=high, **words)]
+    begin = 0.5 * (top + high) if top > high else high
+    falls = _falls(frequency, begin, low)
     if falls == 0:
-        what = (
-            "the run-down is missing" if frequency.min() > high else "the record is too short: the run-down is cut off"
-        )
-        return None, [problem(place, f"{said}: {what}.", float(frequency.min()))]
+        rises = _falls(frequency[::-1], begin, low)
+        code = "no_run_down" if lowest > high else "run_up" if rises else "run_down_cut"
+        return None, [problem(place, code, lowest, **words)]
     if falls > 1:
-        return None, [problem(place, f"{falls} run-downs in one record: cut them apart.", float(falls))]
+        return None, [problem(place, "several", float(falls), count=falls)]
     first = int(np.flatnonzero(frequency >= HIGHEST_SHARE * top)[-1])
     last = first + int(np.argmin(frequency[first:]))
     begun = first
@@ -151,13 +152,9 @@ def _sweep_findings(course: Course, tester: Tester | None, place: str) -> list[F
     findings = []
     most, least = (tester.limits.sweep_rate_max, tester.limits.sweep_time_min) if tester is not None else (3.0, 7.5)
     if course.sweep_rate > 1.02 * most:
-        text = (
-            f"the sweep is too fast: {course.sweep_rate:.2g} Hz/s, allowed are {most:g}; adhesion comes out too good "
-            "and the phase angle is blurred."
-        )
-        findings.append(warning(place, text, course.sweep_rate))
+        findings.append(warning(place, "sweep_fast", course.sweep_rate, rate=course.sweep_rate, most=most))
     top = course.turns.top
     length = float(top[course.last] - top[course.first])
     if length < 0.98 * least and course.turns.frequency[course.last] < 2.0:
-        findings.append(warning(place, f"the run-down takes {length:.1f} s, at least {least:g} are asked for.", length))
+        findings.append(warning(place, "run_down_short", length, length=length, least=least))
     return findings

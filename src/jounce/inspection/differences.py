@@ -111,7 +111,7 @@ def grade_differences(
             continue
         value = one.absolute if criterion.definition == "absolute" else one.relative
         band = None if value is None else criterion.band_of(value)
-        counts = bool(set(criterion.methods) & set(used))
+        counts = criterion.verified and bool(set(criterion.methods) & set(used))
         if band is None:
             if counts:
                 reasons.append(Reason("no_difference", "", {"quantity": criterion.quantity}))

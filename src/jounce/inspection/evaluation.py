@@ -15,10 +15,18 @@ from jounce.inspection import checks
 from jounce.inspection.adhesion import find_adhesion
 from jounce.inspection.analysis import analyse, fit_test, stretches_between
 from jounce.inspection.boge import LOWEST_RESONANCE, find_boge, stroke_by_turn
-from jounce.inspection.conditioning import WheelSignals, moving_part, signals_of, standstill_force, uniform_time
+from jounce.inspection.conditioning import (
+    WheelSignals,
+    mean_shaking,
+    moving_part,
+    signals_of,
+    standstill_force,
+    uniform_time,
+)
 from jounce.inspection.course import Course, find_course
 from jounce.inspection.phase import find_phase_minimum
-from jounce.inspection.record import FORCE, HEIGHT, TACHO, read_facts, wheels_of
+from jounce.inspection.record import FORCE, HEIGHT, SIDES, TACHO, read_facts, wheels_of
+from jounce.inspection.remarks import remark
 from jounce.inspection.response import GRAVITY
 from jounce.inspection.result import Inspection, WheelCurves, WheelResult
 from jounce.inspection.rigidity import find_rigidity, rigidity_findings
@@ -34,6 +42,8 @@ METHODS = ("eusama", "egea", "theta", "boge")
 _RIGID, _SPRUNG = ("eusama", "egea", "theta"), ("theta", "boge")
 _MARGIN = 0.5
 _SLOWEST = 0.3
+_AS_MUCH = 0.5
+_STANDING = 0.1e-3  # m
 
 
 @dataclass(frozen=True)
@@ -92,8 +102,8 @@ def evaluate(
     (0.71, False)
     """
     task = _task(tester, vehicle, methods)
-    sides = wheels_of(record)
     facts, said = read_facts(record.attrs)
+    tested = sides = tested_wheels(record, facts)
     names = [name for name in map(str, record.data_vars) if name.partition(".")[0] in sides]
     channels = {name: np.asarray(record[name].values, dtype=float) for name in names}
     time = np.asarray(record["time"].values, dtype=float)
@@ -101,8 +111,8 @@ def evaluate(
     try:
         dataset, clock = uniform_time(record)
     except RecordingError as error:
-        dataset, clock = record, [checks.problem("time", str(error))]
-    general = [*said, *clock]
+        dataset, clock = record, [checks.problem("time", "clock", text=str(error))]
+    general = [*said, *clock, *checks.check_tester(str(facts.get("tester", "")), tester)]
     unfit = [finding for finding in (*clock, *gaps) if finding.severity == "problem"]
     if unfit:
         wheels = [_unfit(side, [one for one in unfit if _concerns(one, side)]) for side in sides]
@@ -110,11 +120,47 @@ def evaluate(
         sides = tuple(side for side in sides if side not in hit)
         rest = _evaluate_wheels(dataset, sides, facts, task) if sides else []
         order = {wheel.wheel: wheel for wheel in (*(w for w in wheels if w.wheel in hit), *rest)}
-        found = tuple(order[side] for side in wheels_of(record))
+        found = tuple(order[side] for side in tested)
     else:
         found = tuple(_evaluate_wheels(dataset, sides, facts, task))
     axle = {"axle": facts["axle"]} if "axle" in facts else {}
-    return Inspection(found, axle, facts, task.methods, tuple(general))
+    return Inspection(_in_order((*found, *_without_force(record))), axle, facts, task.methods, tuple(general))
+
+
+def tested_wheels(record: xr.Dataset, facts: Mapping[str, Any]) -> tuple[str, ...]:
+    """Give the wheels that were tested: of a record whose order names one wheel, the other one is not.
+
+    The car shakes the other plate a little, sprung ones more; a plate that moves as much as the one that is named
+    counts all the same, so that wrong sides are noticed.
+    """
+    sides, order = wheels_of(record), facts.get("wheel_order")
+    if order not in sides:
+        return sides
+    shaken = {side: _shaking(record, side) for side in sides}
+    return tuple(side for side in sides if side == order or shaken[side] > _AS_MUCH * shaken[str(order)])
+
+
+def _without_force(record: xr.Dataset) -> list[WheelResult]:
+    """Wheels whose plate has moved but whose force is not in the record: a column is lost or misspelt."""
+    lost = []
+    for side in SIDES:
+        force, height = f"{side}.{FORCE}", f"{side}.{HEIGHT}"
+        if force not in record and height in record and _shaking(record, side) > _STANDING:
+            lost.append(_unfit(side, [checks.problem(force, "force_missing", found=height, force=force)]))
+    return lost
+
+
+def _in_order(wheels: Iterable[WheelResult]) -> tuple[WheelResult, ...]:
+    return tuple(sorted(wheels, key=lambda one: SIDES.index(one.wheel)))
+
+
+def _shaking(record: xr.Dataset, side: str) -> float:
+    """Mean stroke (m) of a plate in short blocks, 0 without its height."""
+    name, time = f"{side}.{HEIGHT}", np.asarray(record["time"].values, dtype=float)
+    heights = record[name].to_numpy() if name in record else np.empty(0)
+    known = heights[np.isfinite(heights)]
+    length = float(time[-1] - time[0]) if known.size > 1 else 0.0
+    return mean_shaking(known, (time.size - 1) / length) if length > 0.0 else 0.0
 
 
 def require_gradable(inspection: Inspection, where: str = "record") -> None:
@@ -170,6 +216,7 @@ def _evaluate_wheels(
             still = standstill_force(one, span, other)
             measured[side] = float(np.mean(one.force[span[0] : span[1]])) if still is None else still
     pair = checks.check_pair({side: one.static_load for side, one in signals.items()}, measured)
+    pair += checks.check_order(str(facts.get("wheel_order", "")), moving)
     results = []
     for side, one in signals.items():
         other = next((moving[name] for name in sides if name != side), None)
@@ -200,10 +247,10 @@ def _evaluate_wheel(
     wheel, tester = signals.wheel, task.tester
     findings = [*checks.check_columns(signals, raw, tester), *checks.check_sampling(signals, tester)]
     if signals.height is None and signals.tacho is None:
-        text = f"neither {wheel}.{HEIGHT} nor {wheel}.{TACHO} is in the record: its frequency is not known."
-        findings.append(checks.problem(f"{wheel}.{FORCE}", text))
+        names = {"height": f"{wheel}.{HEIGHT}", "tacho": f"{wheel}.{TACHO}"}
+        findings.append(checks.problem(f"{wheel}.{FORCE}", "no_frequency", **names))
     elif (span is None or measured is None) and not _is_unfit(findings):
-        findings.append(checks.problem(f"{wheel}.plate.z", "the plate never moves: no run-down."))
+        findings.append(checks.problem(f"{wheel}.plate.z", "plate_never_moves"))
     if _is_unfit(findings) or span is None or measured is None:
         return _unfit(wheel, findings, signals.static_load)
     findings += pair if pair else checks.check_load(signals, measured, tester)
@@ -229,8 +276,7 @@ def _is_unfit(findings: list[Finding]) -> bool:
 def _vehicle_findings(load: float, expected: float | None, wheel: str) -> list[Finding]:
     if expected is None or abs(load / expected - 1.0) < 0.15:
         return []
-    text = f"the static load of {load:.0f} N is not that of the vehicle file, {expected:.0f} N."
-    return [checks.warning(f"{wheel}.static_load", text, load / expected)]
+    return [checks.warning(f"{wheel}.static_load", "other_vehicle", load / expected, load=load, expected=expected)]
 
 
 def _on_rigid_plate(
@@ -247,7 +293,7 @@ def _on_rigid_plate(
     halves: dict[str, float | None] = {}
     adhesion = find_adhesion(analysis, course.highest)
     if adhesion is None:
-        findings.append(checks.problem(f"{wheel}.{FORCE}", "no turn of the plate could be evaluated."))
+        findings.append(checks.problem(f"{wheel}.{FORCE}", "no_turn"))
         return _unfit(wheel, findings, load)
     values |= {"lift_off": adhesion.lift_off, "resonance_frequency_hz": adhesion.frequency_hz}
     if "eusama" in methods or "egea" in methods:
@@ -258,7 +304,7 @@ def _on_rigid_plate(
         }
         halves |= {"adhesion": adhesion.half_width, "relative_force_amplitude": adhesion.half_width}
     if adhesion.lift_off:
-        findings.append(checks.warning(f"{wheel}.{FORCE}", "the tyre leaves the plate: adhesion counts as 0.", 0.0))
+        findings.append(checks.warning(f"{wheel}.{FORCE}", "lift_off", 0.0))
     angles = np.full(analysis.top.size, np.nan)
     if "egea" in methods:
         angles = _egea(signals, course, analysis, load, findings, values, halves, tester)
@@ -296,24 +342,19 @@ def _egea(
         )
         findings += rigidity_findings(tyre.rigidity, wheel, low, high)
     if signals.height is None:
-        text = "without the plate's height the phase angle is not known."
-        findings.append(checks.warning(f"{wheel}.plate.z", text))
+        findings.append(checks.warning(f"{wheel}.plate.z", "no_height_no_phase"))
         return np.full(analysis.top.size, np.nan)
     minimum, angles = find_phase_minimum(analysis, band)
     if minimum is None:
-        text = f"the turns do not reach over {band[0]:g} to {band[1]:g} Hz: no least phase angle."
-        findings.append(checks.warning(f"{wheel}.phase", text))
+        findings.append(checks.warning(f"{wheel}.phase", "phase_not_covered", low=band[0], high=band[1]))
         return angles
     values |= {"phase_angle_min_deg": minimum.angle_deg, "phase_frequency_hz": minimum.frequency_hz}
     halves["phase_angle_min_deg"] = minimum.half_width_deg
     if minimum.in_lift_off:
-        text = "the tyre leaves the plate where the phase angle is least: it is that of the fitted quarter car there."
-        findings.append(checks.warning(f"{wheel}.phase", text))
+        findings.append(checks.warning(f"{wheel}.phase", "phase_in_lift_off"))
     if minimum.at_end:
-        text = (
-            f"the least phase angle lies at the end of the band, {minimum.frequency_hz:.3g} Hz: outside it may be less."
-        )
-        findings.append(checks.warning(f"{wheel}.phase", text, minimum.frequency_hz))
+        at = minimum.frequency_hz
+        findings.append(checks.warning(f"{wheel}.phase", "phase_at_end", at, frequency=at))
     return angles
 
 
@@ -325,9 +366,7 @@ def _on_sprung_plate(
     wheel, tester = signals.wheel, task.tester
     height = signals.height
     if height is None or tester is None:
-        findings.append(
-            checks.problem(f"{wheel}.plate.z", "a sprung plate is evaluated by its height, which is missing.")
-        )
+        findings.append(checks.problem(f"{wheel}.plate.z", "height_missing"))
         return _unfit(wheel, findings, load)
     rate = signals.sample_rate
     lifted = find_lift_off(signals.force, load, rate)
@@ -346,7 +385,7 @@ def _on_sprung_plate(
         if "boge" in task.methods:
             values["boge_amplitude"], halves["boge_amplitude"] = boge.amplitude, boge.half_width
     if lifted.any():
-        findings.append(checks.warning(f"{wheel}.{FORCE}", "the tyre leaves the plate; these parts do not count."))
+        findings.append(checks.warning(f"{wheel}.{FORCE}", "lift_off_left_out"))
     if "theta" in task.methods:
         if fit is not None:
             theta = theta_by_fit(fit, tester)
@@ -378,17 +417,13 @@ def _theta_methods(
 def _overdamped(road: float, wheel: str) -> list[Finding]:
     if road < 1.0:
         return []
-    text = (
-        "the wheel does not oscillate: its damping ratio is 1 or more; is the damper stuck, or the suspension locked?"
-    )
-    return [checks.warning(f"{wheel}.theta", text, road)]
+    return [checks.warning(f"{wheel}.theta", "overdamped", road)]
 
 
 def _theta_findings(tester: Tester, wheel: str, findings: list[Finding]) -> None:
-    guessed = [name for name in tester.estimated if name.startswith("plate_")]
+    guessed = [name.replace("_", " ") for name in tester.estimated if name.startswith("plate_")]
     if guessed:
-        text = f"{', '.join(guessed)} are estimated: theta_rig depends on them, theta_road (graded) does not."
-        findings.append(Finding(f"{wheel}.theta", "note", text))
+        findings.append(remark(f"{wheel}.theta", "note", "plate_estimated", names=", ".join(guessed)))
 
 
 def _result(

@@ -166,7 +166,7 @@ def grade(
     deciding : sequence of {"eusama", "egea", "theta", "boge"}, optional
         Methods whose grade counts for the verdict: a wheel that lacks one of them is not graded. By default all that
         were evaluated and gave a value count. Other methods are graded for information, and where they disagree the
-        reasons say why.
+        reasons say why. Limits that nobody has verified decide nothing.
 
     Returns
     -------
@@ -191,7 +191,8 @@ def grade(
             raise unknown(method, METHODS, what="method")
     counted = None if deciding is None else tuple(deciding)
     grades = tuple(_grade_wheel(wheel, inspection, chosen, counted) for wheel in inspection.wheels)
-    used = counted if counted is not None else tuple(m for m in METHODS if any(m in one.bands for one in grades))
+    firm = [method for method in METHODS if method in chosen.methods and chosen.methods[method].verified]
+    used = counted if counted is not None else tuple(m for m in firm if any(m in one.bands for one in grades))
     differences, about = _between_wheels(inspection, grades, chosen, used)
     reasons = (*_axle_reasons(grades), *about)
     verdicts = [*(one.verdict for one in grades), *(reason.verdict for reason in about if reason.verdict)]
@@ -233,24 +234,24 @@ def _grade_wheel(
 ) -> WheelGrade:
     unfit = [one for one in (*wheel.findings, *inspection.findings) if one.severity == "problem"]
     if unfit:
-        texts = dict.fromkeys(one.message for one in unfit)
-        return WheelGrade(
-            wheel.wheel, {}, NOT_GRADED, tuple(Reason("finding", NOT_GRADED, {"text": text}) for text in texts)
-        )
+        found = {one.message: one for one in reversed(unfit)}
+        reasons_ = tuple(Reason("finding", NOT_GRADED, {"finding": one}) for one in reversed(found.values()))
+        return WheelGrade(wheel.wheel, {}, NOT_GRADED, reasons_)
     bands: dict[str, Band] = {}
     reasons: dict[str, list[Reason]] = {}
     for method in dict.fromkeys((*(inspection.methods or limits.methods), *(deciding or ()))):
         band, reasons[method] = _by_method(wheel, method, limits)
         if band is not None:
             bands[method] = band
-    used = deciding if deciding is not None else tuple(bands)
+    firm = {method: band for method, band in bands.items() if limits.methods[method].verified}
+    used = deciding if deciding is not None else tuple(firm)
     conditions = [one for one in _conditions(wheel, limits, used) if bands]
-    verdict = worst([*(bands[m].verdict if m in bands else NOT_GRADED for m in used), *_verdicts(conditions)])
+    verdict = worst([*(firm[m].verdict if m in firm else NOT_GRADED for m in used), *_verdicts(conditions)])
     order = sorted(reasons, key=lambda m: (m not in used, -_severity(bands.get(m))))
     listed = [reason for method in order for reason in reasons[method]] + conditions
-    if any(method not in used for method in bands):
+    if any(method not in used for method in bands) and any(method in firm for method in used):
         listed.append(Reason("deciding", "", {"methods": used}))
-    return WheelGrade(wheel.wheel, bands, verdict, (*listed, *explain(wheel, bands, limits)))
+    return WheelGrade(wheel.wheel, bands, verdict, (*listed, *explain(wheel, firm, limits)))
 
 
 def _severity(band: Band | None) -> int:
@@ -275,6 +276,8 @@ def _by_method(wheel: WheelResult, method: str, limits: Limits) -> tuple[Band | 
     band = criterion.band_of(value)
     if band is None:
         return None, [Reason("outside", NOT_GRADED, about)]
+    if not criterion.verified:
+        return band, [Reason("unverified", "", {**about, "band": band})]
     reasons = [Reason("band", band.verdict, {**about, "band": band, "verdict": band.verdict})]
     if band.note == "over_range":
         reasons.append(Reason("over_range", "", {**about, "limit": band.start}))

@@ -17,7 +17,7 @@ from jounce.core.errors import JounceError, RecordingError
 from jounce.inspection.evaluation import evaluate
 from jounce.inspection.grading import GradedInspection, grade
 from jounce.inspection.limits import Limits, load_limits
-from jounce.inspection.record import TEXTS, read_record
+from jounce.inspection.record import SIDES, TEXTS, read_record
 from jounce.inspection.result import NOT_GRADED
 
 if TYPE_CHECKING:
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
     from jounce.core.findings import Finding
     from jounce.inspection.entries import Grading, RecordEntry
+    from jounce.inspection.result import Inspection
     from jounce.inspection.store import Store
     from jounce.parts.testers import Tester
 
@@ -95,11 +96,17 @@ def inspect_record(
     """
     record, findings = read if read is not None else read_record(path, tester)
     inspection = evaluate(record, tester, vehicle, methods)
-    known = {(one.place, one.message) for one in inspection.findings}
-    new = [one for one in findings if (one.place, one.message) not in known]
-    inspection = replace(inspection, findings=(*new, *inspection.findings))
+    inspection = replace(inspection, findings=_said_once(findings, inspection))
     graded = grade(inspection, limits, deciding=list(methods) if methods else [tester.method])
     return InspectedRecord(Path(path), record, graded)
+
+
+def _said_once(findings: Sequence[Finding], inspection: Inspection) -> tuple[Finding, ...]:
+    """Findings of the reading, without those of wheels that were not tested, then the others of the evaluation."""
+    unused = [f"{side}." for side in SIDES if all(wheel.wheel != side for wheel in inspection.wheels)]
+    read = [one for one in findings if not any(side in one.place for side in unused)]
+    said = {one.message for one in read}
+    return (*read, *(one for one in inspection.findings if one.message not in said))
 
 
 def entry_of(

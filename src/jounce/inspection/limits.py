@@ -68,16 +68,24 @@ class Criterion(Description):
         Key of the value in results, e.g. ``"theta_road"``.
     bands : tuple of Band
         Ascending, without gaps and overlaps.
-    source : str
-        Where the numbers are from.
+    source, source_de : str
+        Where the numbers are from, in English and German.
     date : str
         Of the source.
+    verified : bool
+        Whether the numbers may decide. A class by limits that nobody has verified is for information only.
     """
 
     quantity: str
     bands: tuple[Band, ...] = Field(min_length=1)
     source: str = Field(min_length=1)
+    source_de: str = ""
     date: str = ""
+    verified: bool = True
+
+    def cited(self, language: Language = "en") -> str:
+        """Give its source; the English one where there is no other."""
+        return self.source_de if language == "de" and self.source_de else self.source
 
     @property
     def kind(self) -> Quantity:
@@ -275,8 +283,6 @@ def load_limits(name: str | Path | None = None) -> Limits:
     ['bad', 'insufficient', 'insufficient', 'good', 'good']
     """
     path = shipped_limits() if name is None or (str(name) == SHIPPED and not Path(name).exists()) else Path(name)
-    if path.is_dir():
-        raise DescriptionError("a folder, not a limits file", where=str(path))
     table, text = read_toml(path)
     check_schema(table, (SCHEMA,), str(path))
     found = Limits.from_table(table, where=str(path), text=text)

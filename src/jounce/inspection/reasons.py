@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 from jounce.inspection.limits import Band, Criterion
 from jounce.inspection.quantities import QUANTITIES, Language
+from jounce.inspection.remarks import said
 from jounce.inspection.result import NOT_GRADED
 
 METHOD_NAMES = {"eusama": "EUSAMA", "egea": "EGEA", "theta": "THETA", "boge": "BOGE"}
@@ -42,6 +43,16 @@ _SENTENCES: dict[str, dict[Language, str]] = {
         "de": (
             "Das 95-%-Intervall, {quantity} {low} bis {high}, reicht über den Grenzwert {limit}: "
             "Die Einstufung ist unsicher."
+        ),
+    },
+    "unverified": {
+        "en": (
+            "{quantity} {value} would be {label} ({range}), but nobody has verified the limits of {method}: it decides "
+            "nothing. Give the maker's limits.{limits}"
+        ),
+        "de": (
+            "{quantity} {value} wäre {label} ({range}), aber die Grenzwerte für {method} sind nicht belegt: Das "
+            "entscheidet nichts. Grenzwerte des Herstellers angeben.{limits}"
         ),
     },
     "missing": {
@@ -115,7 +126,7 @@ _SENTENCES: dict[str, dict[Language, str]] = {
         "en": "the difference of {quantity} is not known.",
         "de": "Der Unterschied ist nicht bekannt: {quantity}.",
     },
-    "finding": {"en": "{text}", "de": "{text}"},
+    "finding": {"en": "{finding}", "de": "{finding}"},
 }
 SIDES: dict[str, dict[Language, str]] = {
     "left": {"en": "left", "de": "links"},
@@ -167,31 +178,27 @@ class Reason:
         if isinstance(criterion, Criterion):
             words |= _criterion_words(criterion, self.values, language)
             before = "Grenzwerte" if language == "de" else "Limits"
-            words["limits"] = f" {before}: {criterion.source}." if with_source else ""
+            words["limits"] = f" {before}: {criterion.cited(language)}." if with_source else ""
         sentence = _SENTENCES[self.kind][language].format(**words)
         return sentence[0].upper() + sentence[1:] if language == "de" else sentence
 
 
 def _word(name: str, value: Any, language: Language) -> str:
-    if name in ("method", "methods"):
-        return ", ".join(METHOD_NAMES.get(one, one) for one in ([value] if isinstance(value, str) else value))
-    if name == "grades":
-        shown = (
-            f"{METHOD_NAMES[m]} {band.words(language)} ({verdict_words(band.verdict, language)})" for m, band in value
-        )
-        return "; ".join(shown)
+    if name in _WRITTEN:
+        return _WRITTEN[name](value, language)
     tables = {"wheel": SIDES, "missing": SIDES, "axle": AXLES, "across": _ACROSS, "definition": _DEFINITIONS}
     if name in tables:
         return tables[name].get(value, {}).get(language, str(value))
-    if name == "verdict":
-        return verdict_words(value, language)
-    if name == "quantity":
-        return QUANTITIES[value].words(language)
-    if name == "adhesion":
-        return QUANTITIES["adhesion"].text(value, language)
-    if name == "phase":
-        return QUANTITIES["phase_angle_min_deg"].text(value, language)
     return f"{value:.0f}" if isinstance(value, float) else str(value)
+
+
+def _methods(value: Any, _: Language) -> str:
+    return ", ".join(METHOD_NAMES.get(one, one) for one in ([value] if isinstance(value, str) else value))
+
+
+def _grades(value: Any, language: Language) -> str:
+    shown = (f"{METHOD_NAMES[m]} {band.words(language)} ({verdict_words(band.verdict, language)})" for m, band in value)
+    return "; ".join(shown)
 
 
 def _criterion_words(criterion: Criterion, values: Mapping[str, Any], language: Language) -> dict[str, str]:
@@ -234,3 +241,16 @@ def range_words(criterion: Criterion, band: Band, language: Language = "en") -> 
 def verdict_words(verdict: str, language: Language = "en") -> str:
     """Say ``pass``, ``advise``, ``fail`` or ``not graded`` in a language; another text is given as it is."""
     return VERDICT_WORDS.get(verdict, {}).get(language, verdict)
+
+
+_WRITTEN: Mapping[str, Callable[[Any, Language], str]] = {
+    "method": _methods,
+    "methods": _methods,
+    "grades": _grades,
+    "finding": said,
+    "verdict": verdict_words,
+    "quantity": lambda value, language: QUANTITIES[value].words(language),
+    "adhesion": QUANTITIES["adhesion"].text,
+    "phase": QUANTITIES["phase_angle_min_deg"].text,
+}
+"""How words and values are written that are neither in a table nor a plain number."""

@@ -12,6 +12,7 @@ from jounce.core.columns import read_comments_csv
 from jounce.core.errors import DescriptionError, RecordingError, nearest
 from jounce.core.findings import Finding
 from jounce.core.units import to_si
+from jounce.inspection.remarks import remark
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -73,6 +74,8 @@ def read_record(path: Path | str, tester: Tester | None = None) -> tuple[xr.Data
         dataset, found = read_recording(file, columns=columns or None)
     except DescriptionError as error:
         raise _unit_error(error) from None
+    except RecordingError as error:
+        raise _column_error(error) from None
     facts, said = read_facts({**dict(dataset.attrs), **header}, where=str(file))
     dataset.attrs = facts
     wheels_of(dataset, where=str(file))
@@ -96,8 +99,7 @@ def _header(file: Path) -> tuple[dict[str, Any], list[Finding]]:
             try:
                 facts |= flat_facts(tomllib.loads(line))
             except tomllib.TOMLDecodeError:
-                text = f"the header line {line!r} was left out: it is not 'key = value' with text in quotes"
-                findings.append(Finding(str(file), "warning", text))
+                findings.append(remark(str(file), "warning", "line_left_out", line=line))
     return facts, findings
 
 
@@ -147,13 +149,16 @@ def read_facts(facts: Mapping[str, Any], *, where: str = "record") -> tuple[dict
             found[key] = value.isoformat() if isinstance(value, (datetime.date, datetime.time)) else str(value)
             if key not in TEXTS and key not in ("schema", "jounce", "source", "Conventions"):
                 hint = nearest(key, known)
-                text = f"the header's {key!r} is not known and was not used. {hint}".rstrip()
-                findings.append(Finding(where, "warning" if hint else "note", text))
+                meant = f" {hint}" if hint else ""
+                findings.append(remark(where, "warning" if hint else "note", "unknown_key", key=key, hint=meant))
     return found, findings
 
 
 def _number(value: object, si: str, where: str) -> float:
-    number = to_si(value.item() if hasattr(value, "item") else value, si, where=where)
+    try:
+        number = to_si(value.item() if hasattr(value, "item") else value, si, where=where)
+    except DescriptionError as error:
+        raise _unit_error(error) if si == "N" else error from None
     if number < 0.0 or (si != "kg" and number == 0.0):
         raise DescriptionError("out of range", where=where, found=f"{number:g} {si}", allowed="above 0")
     return number
@@ -186,6 +191,14 @@ def _unit_error(error: DescriptionError) -> DescriptionError:
     if unit in words and "convert" in error.allowed:
         hint = f"{unit!r} is a mass; write {words[unit]!r} for the force."
     return DescriptionError(error.what, where=error.where, found=error.found, allowed=error.allowed, hint=hint)
+
+
+def _column_error(error: RecordingError) -> RecordingError:
+    """Say where a tester's own names of columns belong."""
+    if not error.what.startswith("no column"):
+        return error
+    hint = 'Tell its name in the tester file, [columns]: time = "Zeit [s]", "left.plate.z" = "s_left [mm]", ...'
+    return RecordingError(error.what, where=error.where, found=error.found, allowed=error.allowed, hint=hint)
 
 
 def wheels_of(record: xr.Dataset, *, where: str = "record") -> tuple[str, ...]:

@@ -30,14 +30,13 @@ def find_rigidity(signals: WheelSignals, course: Course, load: float) -> tuple[R
     """Find the rigidity of a tyre under a static load (N); None without plate height or a hold at 25 Hz."""
     place = f"{signals.wheel}.tyre"
     if signals.height is None:
-        return None, [warning(place, "without the plate's height the tyre's rigidity is not known.")]
+        return None, [warning(place, "no_rigidity_height")]
     turns = course.turns
     held = turns.frequency[course.hold]
     top = turns.top[course.hold]
     count = min(course.hold.stop - course.hold.start, 25)
     if count < _FEWEST_TURNS or abs(course.highest - RIGIDITY_FREQUENCY) > _TOLERANCE:
-        text = f"the plate is not held at 25 Hz ({count} turns at {float(np.median(held)):.3g} Hz): no tyre rigidity."
-        return None, [warning(place, text)]
+        return None, [warning(place, "no_rigidity_hold", count=count, frequency=float(np.median(held)))]
     begin, end = top[-count], top[-1]
     rate, start = signals.sample_rate, float(signals.time[0])
     cut = slice(max(round((begin - start) * rate), 0), round((end - start) * rate))
@@ -53,11 +52,8 @@ def find_rigidity(signals: WheelSignals, course: Course, load: float) -> tuple[R
 def rigidity_findings(value: float, wheel: str, low: float, high: float) -> list[Finding]:
     """Say whether a rigidity (N/m) means a tyre inflated too little or too much, by limits in N/m."""
     place = f"{wheel}.tyre"
-    said = f"the tyre's rigidity of {1e-3 * value:.0f} N/mm is"
     if value < low:
-        return [warning(place, f"{said} below {1e-3 * low:.0f} N/mm: inflate the tyre and repeat the test.", value)]
+        return [warning(place, "tyre_soft", value, rigidity=1e-3 * value, limit=1e-3 * low)]
     if value > high:
-        return [
-            warning(place, f"{said} above {1e-3 * high:.0f} N/mm: too much pressure; correct it and repeat.", value)
-        ]
+        return [warning(place, "tyre_stiff", value, rigidity=1e-3 * value, limit=1e-3 * high)]
     return []

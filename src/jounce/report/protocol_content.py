@@ -11,6 +11,7 @@ from jounce.inspection.grading import GradedInspection, VehicleGrade, WheelGrade
 from jounce.inspection.limits import Band, Criterion, Limits
 from jounce.inspection.quantities import QUANTITIES, Language, Quantity
 from jounce.inspection.reasons import METHOD_NAMES, Reason, verdict_words
+from jounce.inspection.remarks import said
 from jounce.inspection.result import NOT_GRADED, WheelResult
 from jounce.report.protocol_words import WORDS
 
@@ -66,7 +67,7 @@ def protocol_content(
         "reasons": shown or [{"place": "", "text": words["fine"], "tone": "green"}][: vehicle.verdict == "pass"],
         "remarks": noted,
         "more": words["more"].format(count=left_out) if left_out else "",
-        "sources": _sources(vehicle, limits),
+        "sources": _sources(vehicle, limits, language),
         "foot": _foot(limits, about, software, words),
     }
 
@@ -181,7 +182,12 @@ def _value_cell(graded: GradedInspection, wheel: WheelResult | None, quantity: Q
     shown = "" if half is None or value is None else f"± {quantity.rounded_up(half, language)}"
     if band is None:
         return _cell(text, shown)
-    return _cell(text, shown, shortened(band.words(language), 60), band.colour)
+    return _cell(text, shown, shortened(band.words(language), 60), _tone(band, criterion))
+
+
+def _tone(band: Band, criterion: Criterion | None) -> str:
+    """Colour of a band; grey where its limits decide nothing."""
+    return band.colour if criterion is None or criterion.verified else TONES[NOT_GRADED]
 
 
 def _band_of(
@@ -236,6 +242,19 @@ def _places(graded: GradedInspection, side: str, language: Language) -> str:
     return WORDS[language].get(key, WORDS[language][side])
 
 
+def _joined(places: Sequence[str], vehicle: VehicleGrade, language: Language) -> str:
+    """Name places once and shortly: an axle in place of both of its wheels, all wheels in place of both axles."""
+    words, found = WORDS[language], list(dict.fromkeys(places))
+    for graded in vehicle.axles:
+        wheels = [_places(graded, side, language) for side in _SIDES]
+        title = words["both_" + graded.axle] if graded.axle in words else words["both_wheels"]
+        if set(wheels) <= set(found):
+            found[found.index(wheels[0])] = title
+            found.remove(wheels[1])
+    both = [words["both_front"], words["both_rear"]]
+    return words["all_wheels"] if sorted(found) == sorted(both) else ", ".join(found)
+
+
 def _reasons(vehicle: VehicleGrade, language: Language) -> list[Plain]:
     """What must be read: what does not pass, what is uncertain, why methods disagree; the worst first."""
     found: dict[str, tuple[Reason, list[str]]] = {}
@@ -259,7 +278,11 @@ def _reasons(vehicle: VehicleGrade, language: Language) -> list[Plain]:
         found.items(), key=lambda item: (_is_information(item[1][0], deciding), _ORDER.get(item[1][0].verdict, 3))
     )
     return [
-        {"place": ", ".join(places), "text": shortened(text, 400), "tone": TONES.get(reason.verdict, "")}
+        {
+            "place": _joined(places, vehicle, language),
+            "text": shortened(text, 400),
+            "tone": TONES.get(reason.verdict, ""),
+        }
         for text, (reason, places) in listed
     ]
 
@@ -271,13 +294,13 @@ def _said(reason: Reason, graded: GradedInspection, language: Language) -> str:
 
 def _is_information(reason: Reason, deciding: Sequence[str]) -> bool:
     """Whether it is the grade of a method that does not decide."""
-    return reason.kind == "band" and reason.values["method"] not in deciding
+    return reason.kind in ("band", "unverified") and reason.values["method"] not in deciding
 
 
 def _must_be_read(reason: Reason, graded: GradedInspection) -> bool:
     if reason.kind in _EXPLAINING or reason.kind == "finding":
         return True
-    if reason.kind in ("missing", "outside", "unlimited", "near", "over_range"):
+    if reason.kind in ("missing", "outside", "unlimited", "unverified", "near", "over_range"):
         return reason.values.get("method") in graded.deciding
     return reason.verdict not in ("", "pass")
 
@@ -289,13 +312,13 @@ def _remarks(vehicle: VehicleGrade, language: Language) -> list[Plain]:
         title = WORDS[language].get(graded.axle, WORDS[language]["axle"])
         for finding in graded.inspection.findings:
             if finding.severity != "problem":
-                found.setdefault(finding.message, []).append(title)
+                found.setdefault(said(finding, language), []).append(title)
         for wheel in graded.wheels:
             for finding in wheel.findings:
                 if finding.severity != "problem":
-                    found.setdefault(finding.message, []).append(_places(graded, wheel.wheel, language))
+                    found.setdefault(said(finding, language), []).append(_places(graded, wheel.wheel, language))
     return [
-        {"place": ", ".join(dict.fromkeys(places)), "text": _capital(shortened(text, 400)), "tone": ""}
+        {"place": _joined(places, vehicle, language), "text": _capital(shortened(text, 400)), "tone": ""}
         for text, places in found.items()
     ]
 
@@ -312,13 +335,14 @@ def _front_rear(vehicle: VehicleGrade, language: Language) -> list[Plain]:
     return lines
 
 
-def _sources(vehicle: VehicleGrade, limits: Limits) -> list[str]:
+def _sources(vehicle: VehicleGrade, limits: Limits, language: Language) -> list[str]:
     """Where the limits that were used are from, one line for each method."""
     used = [m for m in limits.methods if any(m in one.bands for a in vehicle.axles for one in a.grades)]
     lines = []
     for method in used:
         others = [*limits.conditions.values(), *limits.differences.values()]
-        texts = [limits.methods[method].source, *(one.source for one in others if method in one.methods)]
+        using = [limits.methods[method], *(one for one in others if method in one.methods)]
+        texts = [one.cited(language) for one in using]
         lines.append(f"{METHOD_NAMES[method]}: {shortened('; '.join(dict.fromkeys(texts)), 300)}.")
     return lines
 

@@ -105,8 +105,9 @@ def test_wrong_files_are_refused_with_one_message(tmp_path: Path, old: str, new:
 
 def test_errors_name_the_line(tmp_path: Path) -> None:
     file = changed(tmp_path, "from = 0.10, to = 0.13", "from = 0.10, to = 0.12")
-    first = next(i for i, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1) if "theta_road" in line)
-    with pytest.raises(DescriptionError, match=rf"line {first + 3}: methods\.theta"):
+    lines = file.read_text(encoding="utf-8").splitlines()
+    first = next(i for i, line in enumerate(lines, 1) if "from = 0.13" in line)
+    with pytest.raises(DescriptionError, match=rf"line {first}: methods\.theta"):
         load_limits(file)
 
 

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
+from jounce.inspection import evaluate
 from jounce.inspection.conditioning import moving_part
+from jounce.recordings.schema import recording
 
 RATE, LEAST = 1000.0, 0.325e-3
 
@@ -44,3 +47,79 @@ def test_a_plate_at_rest_beside_one_that_runs_does_not_move() -> None:
     left, _ = _two_plates()
     assert moving_part(0.02 * left, RATE, LEAST, left) is None
     assert moving_part(0.0 * left, RATE, LEAST) is None
+
+
+@pytest.fixture(scope="module")
+def run(twin):
+    return twin.rigid_record(twin.Car(), twin.Programme(before=0.5), mp=20.0, fine=4)
+
+
+@pytest.fixture(scope="module")
+def both(twin, run):
+    """Build a record of both wheels; the second one stands still, or runs after the first."""
+    time, height, force, _ = run
+    load, rest = twin.Car().static_load, np.zeros_like(height)
+
+    def build(order: str, *, second: bool, leave_out: str = "", scale: float = 1.0):
+        still = np.full_like(force, load)
+        one = {"plate.z": np.append(height, rest), "plate.force": np.append(force, still)}
+        other = {name: values[::-1].copy() * 0.0 for name, values in one.items()}
+        other["plate.force"] += load
+        if second:
+            other = {"plate.z": np.append(rest, height), "plate.force": np.append(still, force)}
+        whole = np.append(time, time + time[-1] + time[1])
+        found = {
+            f"{side}.{name}": (
+                values * (scale if name == "plate.force" else 1.0),
+                "m" if name == "plate.z" else "N",
+                "",
+            )
+            for side, channels in (("left", one), ("right", other))
+            for name, values in channels.items()
+            if f"{side}.{name}" != leave_out
+        }
+        loads = {f"{side}.static_load": load for side in ("left", "right")}
+        return recording(whole, found, attributes={**loads, "wheel_order": order})
+
+    return build
+
+
+def test_only_the_wheel_that_the_order_names_was_tested(both, eusama) -> None:
+    found = evaluate(both("left", second=False), eusama)
+    assert [wheel.wheel for wheel in found.wheels] == ["left"]
+    assert found.is_gradable
+    assert [wheel.wheel for wheel in evaluate(both("left, right", second=False), eusama).wheels] == ["left", "right"]
+    assert [wheel.wheel for wheel in evaluate(both("left", second=True), eusama).wheels] == ["left", "right"]
+
+
+def test_a_wheel_without_its_force_is_not_left_out(both, eusama) -> None:
+    found = evaluate(both("left, right", second=True, leave_out="right.plate.force"), eusama)
+    assert found.wheel("left").is_gradable
+    assert found.wheel("right").reasons == (
+        "right.plate.z is in the record, but right.plate.force is not: check the names of the columns.",
+    )
+
+
+def test_an_order_that_the_plates_contradict(both, eusama) -> None:
+    found = evaluate(both("right, left", second=True), eusama)
+    assert not found.is_gradable
+    assert all("the left plate runs first: left and right are swapped" in one.reasons[0] for one in found.wheels)
+    assert evaluate(both("left, right", second=True), eusama).is_gradable
+    assert evaluate(both("together", second=True), eusama).is_gradable
+
+
+@pytest.mark.parametrize(("scale", "unit"), [(1e-3, "kN"), (0.224809, "pounds (lbf)"), (0.1, "daN")])
+def test_equal_wheels_in_another_unit_are_no_offset(both, eusama, scale: float, unit: str) -> None:
+    found = evaluate(both("left, right", second=True, scale=scale), eusama)
+    assert [len(wheel.reasons) for wheel in found.wheels] == [1, 1]
+    assert all(f"the forces seem to be in {unit}" in wheel.reasons[0] for wheel in found.wheels)
+
+
+def test_another_tester_in_the_header_is_said(both, eusama) -> None:
+    record = both("left", second=False)
+    record.attrs["tester"] = "FooTester"
+    assert [one.message for one in evaluate(record, eusama).findings] == [
+        "the header names the tester 'FooTester'; the record is evaluated as one of 'EUSAMA'."
+    ]
+    record.attrs["tester"] = "eusama"
+    assert evaluate(record, eusama).findings == ()

@@ -1,0 +1,76 @@
+"""Findings of an evaluation as data: each code says the same in both languages, and every code is used."""
+
+from __future__ import annotations
+
+import re
+import string
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import jounce.inspection
+from jounce.core.findings import Finding
+from jounce.inspection import Inspection, WheelResult, evaluate
+from jounce.inspection.grading import grade, grade_vehicle
+from jounce.inspection.remarks import SENTENCES, Remark, remark, said
+from jounce.report.protocol import protocol_html
+
+FOLDER = Path(jounce.inspection.__file__).parent
+
+
+def _names(template: str) -> set[str]:
+    return {name for _, name, _, _ in string.Formatter().parse(template) if name}
+
+
+@pytest.mark.parametrize("code", SENTENCES)
+def test_each_code_is_said_in_both_languages(code: str) -> None:
+    english, german = SENTENCES[code]["en"], SENTENCES[code]["de"]
+    assert _names(german) <= _names(english)
+    assert german[0].isupper() or german[0] == "{"
+    assert english != german
+
+
+def test_every_code_is_used_and_known() -> None:
+    text = "".join(file.read_text(encoding="utf-8") for file in FOLDER.glob("*.py") if file.name != "remarks.py")
+    unused = [code for code in SENTENCES if f'"{code}"' not in text]
+    assert unused == []
+    plain = re.findall(r'(?:problem|warning)\([^"\n]*(?:f"[^"]*")?[^"\n]*, "([^"]*)"', text)
+    assert len(plain) > 30
+    assert [code for code in plain if code not in SENTENCES] == []
+
+
+def test_german_numbers_have_commas_and_german_words() -> None:
+    found = remark("left.plate.z", "problem", "height_unit", 0.04, stroke=0.2362, expected=6.0, unit="inches")
+    assert found.message.endswith("the heights seem to be in inches; correct the unit in the header.")
+    assert said(found, "de").startswith("Die Platte bewegt sich um 0,2362 mm, der Hub des Prüfstands ist 6 mm")
+    assert "in Zoll" in said(found, "de")
+    assert said(Finding("file", "note", "only English"), "de") == "only English"
+
+
+def test_findings_and_reasons_are_german_on_a_german_page() -> None:
+    weak = remark("left.plate.force", "warning", "poor_fit", 0.9, percent=90.0)
+    unfit = remark("right.plate.force", "problem", "saturated", 0.05, limit=5600.0, percent=5.0)
+    wheels = (
+        WheelResult("left", static_load=4e3, phase_angle_min_deg=50.0, findings=(weak,)),
+        WheelResult("right", static_load=4e3, findings=(unfit,)),
+    )
+    graded = grade_vehicle([grade(Inspection(wheels, {"axle": "front"}, methods=("egea",)))])
+    english, german = (protocol_html(graded, language=language) for language in ("en", "de"))
+    for text in (weak.message, unfit.message):
+        assert text[1:] in english
+        assert text[1:] not in german
+    assert "erklärt nur 90 % der Kraft" in german
+    assert "Die Kraft ist bei 5600 N abgeschnitten (5 % der Messwerte): übersteuert" in german
+    assert "absolutes Kriterium (aus zweiter Hand)" in german
+    assert "second-hand" not in german
+
+
+def test_codes_and_words_are_in_the_plain_result(twin, left_record, eusama) -> None:
+    time, height, force, _ = twin.rigid_record(twin.Car(), twin.Programme(before=0.5), mp=20.0, fine=4)
+    found = evaluate(left_record(time, height, np.minimum(force, 5400.0), twin.Car().static_load), eusama)
+    finding = found.to_dict()["wheels"][0]["findings"][0]
+    assert isinstance(found.wheel("left").findings[0], Remark)
+    assert finding["code"] == "saturated"
+    assert finding["words"]["limit"] == 5400.0
+    assert finding["message"] == found.wheel("left").reasons[0]
