@@ -137,7 +137,7 @@ def _lane_rows() -> list[Row]:
 
 def _files(folder: Path) -> Iterator[Path]:
     """Records of both wheels of an axle, 15 s each, one after the other."""
-    tester, car = load_tester("eusama").with_changes({"programme.hold_time": "4 s"}), jn.load("audi-a6-full-car")
+    tester, car = load_tester("eusama").with_changes({"programme.hold_time": "4.5 s"}), jn.load("audi-a6-full-car")
     for seed in range(_DIFFERENT):
         run = simulate_test(car, tester, noise=_NOISE, seed=seed, truth=False)
         columns = [run["time"].to_numpy()]
