@@ -17,11 +17,7 @@ from jounce.cli.tables import table
 if TYPE_CHECKING:
     from rich.console import Console
 
-_SCALES = {
-    "tyre_stiffness": ("tyre stiffness, kN/m", 1e-3),
-    "load": ("sprung mass, share", 1.0),
-    "friction": ("N", 1.0),
-}
+    from jounce.studies.inspection_equivalence import Equivalence, Factor
 
 
 def register(app: typer.Typer) -> None:
@@ -58,20 +54,21 @@ def equivalence(
         )
         write_picture(study, figure, force=force)
     plain = {"rig": rig, "changes": wanted, **study.to_dict(), "figure": figure and str(figure)}
-    return Reply(plain, lambda console: _draw(console, plain), as_json)
+    return Reply(plain, lambda console: _draw(console, plain, study), as_json)
 
 
-def _draw(console: Console, plain: dict[str, Any]) -> None:
+def _draw(console: Console, plain: dict[str, Any], study: Equivalence) -> None:
+    factors = {factor.name: factor for factor in study.factors}
     rows = [
         (
-            one["factor"],
-            one["method"],
-            f"{one['rejected_sound']} of {one['sound']}",
-            _range(one["factor"], one["rejected_at"]),
-            f"{one['passed_worn']} of {one['worn']}",
-            _range(one["factor"], one["passed_at"]),
+            factors[one.factor].label,
+            one.method,
+            f"{one.rejected_sound} of {one.sound}",
+            _range(factors[one.factor], one.rejected_at),
+            f"{one.passed_worn} of {one.worn}",
+            _range(factors[one.factor], one.passed_at),
         )
-        for one in plain["disagreements"]
+        for one in study.disagreements
     ]
     header = ("varied", "method", "sound rejected", "at", "worn passed", "at")
     title = (
@@ -84,9 +81,5 @@ def _draw(console: Console, plain: dict[str, Any]) -> None:
         console.print(f"written: {plain['figure']}")
 
 
-def _range(factor: str, ends: list[float] | None) -> str:
-    if ends is None:
-        return ""
-    unit, scale = _SCALES[factor]
-    shown = [f"{scale * end:.4g}" for end in dict.fromkeys(ends)]
-    return f"{' to '.join(shown)} {unit}"
+def _range(factor: Factor, ends: tuple[float, float] | None) -> str:
+    return " to ".join(f"{factor.scale * end:.4g}" for end in dict.fromkeys(ends or ()))

@@ -46,15 +46,13 @@ def equivalence(study: Equivalence) -> Figure:
 def _panel(study: Equivalence, factor: Factor, axes: Axes) -> None:
     from jounce.studies.inspection_equivalence import SOUND, WORN
 
-    plane = study.planes[factor.name]
-    wear, values = 100.0 * plane["wear"].to_numpy(), factor.scale * plane[factor.name].to_numpy()
+    values = factor.scale * study.planes[factor.name][factor.name].to_numpy()
     axes.axhspan(0.0, 100.0 * SOUND, color=_SOUND, zorder=0)
     axes.axhspan(100.0 * WORN, 100.0, color=_WORN, zorder=0)
     for i, (method, name) in enumerate(_NAMES.items()):
-        fails = plane[f"{method}_verdict"].to_numpy() == "fail"
-        edge = np.where(fails.any(axis=0), wear[fails.argmax(axis=0)], np.nan)
-        axes.plot(values, edge, color=PALETTE[i], label=name, drawstyle="steps-mid")
-        never = values[~fails.any(axis=0)]
+        edge = study.rejecting_wear(factor.name, method)
+        axes.plot(values, 100.0 * edge, color=PALETTE[i], label=name, drawstyle="steps-mid")
+        never = values[np.isnan(edge)]
         if len(never):
             axes.plot(never, np.full(len(never), 98.5 - 2.2 * i), ".", color=PALETTE[i], markersize=2.5)
     middle = 0.5 * (values[0] + values[-1])

@@ -47,6 +47,15 @@ def test_plain_values_and_picture(study: Equivalence) -> None:
     assert [axes.get_xlabel() for axes in figure.axes] == [factor.label for factor in study.factors]
 
 
+def test_wear_from_which_a_method_rejects(study: Equivalence) -> None:
+    wear = study.rejecting_wear("load", "eusama")
+    verdicts = study.planes["load"]["eusama_verdict"]
+    assert wear[0] == 0.0  # the light car, sound as it is
+    for load, first in zip(verdicts["load"].to_numpy(), wear, strict=True):
+        failing = verdicts["wear"].to_numpy()[verdicts.sel(load=load).to_numpy() == "fail"]
+        assert first == failing.min() if failing.size else np.isnan(first)
+
+
 def test_other_rigs_are_refused() -> None:
     with pytest.raises(JounceError, match="quarter cars"):
         compare_tests(jn.load("audi-a6-half-car"))  # type: ignore[arg-type]
