@@ -25,7 +25,7 @@ def printed(value: float, text: str) -> None:
 
 def matrices(car: jn.LinearModel) -> tuple[np.ndarray, np.ndarray]:
     """Stiffness and damping matrix about body height and pitch, from the linear model."""
-    assert car.states == ("body.z", "body.pitch", "body.z rate", "body.pitch rate")
+    assert car.states == ("body.z", "body.pitch", "body.vz", "body.pitch_rate")
     return -MASSES @ car.A[2:, :2], -MASSES @ car.A[2:, 2:]
 
 

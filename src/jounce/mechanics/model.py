@@ -37,6 +37,32 @@ def is_road(track: str) -> bool:
     return track == ROAD or track.endswith(f".{ROAD}")
 
 
+def speed_of(coordinate: str) -> str:
+    """Name of a coordinate's speed, as channels are called.
+
+    Examples
+    --------
+    >>> speed_of("body.z"), speed_of("body.pitch")
+    ('body.vz', 'body.pitch_rate')
+    """
+    place, dot, word = coordinate.rpartition(".")
+    return f"{place}{dot}{f'v{word}' if word in ('x', 'y', 'z') else f'{word}_rate'}"
+
+
+def moved_by(speed: str) -> str:
+    """Name of the motion that has a speed: the coordinate, where the speed is its rate.
+
+    Examples
+    --------
+    >>> moved_by("body.vz"), moved_by("body.pitch_rate"), moved_by("lower_arm.angle rate"), moved_by("ball_joint.wx")
+    ('body.z', 'body.pitch', 'lower_arm.angle', 'ball_joint.wx')
+    """
+    place, dot, word = speed.rpartition(".")
+    if word in ("vx", "vy", "vz"):
+        return f"{place}{dot}{word[1:]}"
+    return speed.removesuffix(" rate").removesuffix("_rate")
+
+
 @dataclass(frozen=True)
 class Output:
     """One signal a model can give: its channel name, SI unit and label."""

@@ -15,7 +15,7 @@ import casadi as ca
 
 from jounce.core.errors import AssemblyError
 from jounce.mechanics.equations import Constraint, Inertia, PointMass, Solved, solve
-from jounce.mechanics.model import Alike, Balance, Model, Output, with_numbers
+from jounce.mechanics.model import Alike, Balance, Model, Output, speed_of, with_numbers
 
 
 @dataclass(frozen=True)
@@ -87,8 +87,8 @@ class System:
         return self._scope[0] + name
 
     def coordinate(self, name: str) -> ca.SX:
-        """Add a coordinate and give its symbol."""
-        return self.coordinates([name], [f"{name} rate"])[0][0]
+        """Add a coordinate and give its symbol; its speed is called as the channel is (``vz``, ``pitch_rate``)."""
+        return self.coordinates([name], [speed_of(name)])[0][0]
 
     def coordinates(
         self, names: Sequence[str], speeds: Sequence[str], start: Sequence[float] | None = None

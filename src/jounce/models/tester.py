@@ -194,7 +194,7 @@ def _add_plate(system: System, form: PlateForm, place: str) -> Plate:
     excenter = system.parameter("tester.amplitude") * ca.sin(angle)
     height = excenter
     if form.sprung:
-        height = system.coordinates([f"{begin}plate.z"], [f"{begin}plate.z rate"], [_LIFTED])[0][0]
+        height = system.coordinates([f"{begin}plate.z"], [f"{begin}plate.vz"], [_LIFTED])[0][0]
     if form.sprung or free:
         mass = system.parameter("tester.plate_mass")
         system.point_mass(mass, height)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import SimulationError, unknown
-from jounce.mechanics.model import Facts
+from jounce.mechanics.model import Facts, moved_by
 from jounce.parts import Rig
 from jounce.simulation.branch import flipped_at
 from jounce.simulation.compiled import Compiled, compile_rig
@@ -140,7 +140,7 @@ def linearise(rig: Rig, road_height: float = 0.0) -> LinearModel:
 def _reduced_states(facts: Facts, rest: Rest) -> tuple[str, ...]:
     """Names of the free motions, their speeds, and the internal states."""
     speeds = [facts.speeds[i] for i in rest.free]
-    return (*(speed.removesuffix(" rate") for speed in speeds), *speeds, *facts.internal)
+    return (*map(moved_by, speeds), *speeds, *facts.internal)
 
 
 def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:

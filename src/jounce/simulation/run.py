@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from jounce.core.errors import SimulationError
+from jounce.core.errors import SimulationError, nearest
 from jounce.core.segments import SINE, Segments
 from jounce.kernel import implicit, linear
 from jounce.kernel.explicit import Control, Problem, integrate
@@ -284,7 +284,8 @@ def simulate(
         with the implicit method. By itself the one that is likely to be faster; ``attrs["method"]`` says which ran
         (``"exact"`` for models that are linear between their switches).
     offset : dict, optional
-        Starts the run away from equilibrium: coordinate or ``"<coordinate> rate"`` to m or m/s, at rest otherwise.
+        Starts the run away from equilibrium: state, e.g. ``"sprung.z"`` or ``"sprung.vz"`` (`equilibrium` gives their
+        names), to m or m/s (rad, rad/s); at rest otherwise.
     detail : bool
         For 3-D rigs also all hardpoints (m), joint reactions (N, N m, on the second body, ground axes), energies (J).
     check : bool
@@ -402,7 +403,8 @@ def _offset(compiled: Compiled, offset: dict[str, float] | None) -> Array | None
     names = compiled.facts.states
     for name in offset:
         if name not in names:
-            raise SimulationError("not a state of the model", where=name, allowed=", ".join(names))
+            hint = nearest(name, names)
+            raise SimulationError("not a state of the model", where=name, allowed=", ".join(names), hint=hint)
         if not np.isfinite(offset[name]):
             raise SimulationError(
                 "not a finite number", where=f"offset: {name}", found=offset[name], allowed="m or m/s"

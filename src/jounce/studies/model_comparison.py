@@ -221,8 +221,8 @@ def without_friction(rig: R) -> R:
 def _at_wheel(lumped: QuarterCar) -> tuple[float, float]:
     """Rate (N/m) and damping coefficient (N s/m) of the strut at the wheel, about rest, friction apart."""
     model = linearise(without_friction(lumped))
-    row, mass = model.states.index("sprung.z rate"), lumped.sprung.mass
-    return tuple(-mass * float(model.A[row, model.states.index(name)]) for name in ("sprung.z", "sprung.z rate"))  # type: ignore[return-value]
+    row, mass = model.states.index("sprung.vz"), lumped.sprung.mass
+    return tuple(-mass * float(model.A[row, model.states.index(name)]) for name in ("sprung.z", "sprung.vz"))  # type: ignore[return-value]
 
 
 def _rows(spatial: Corner, found: Lumping, lumped: QuarterCar, rate: float, damping: float) -> tuple[Difference, ...]:

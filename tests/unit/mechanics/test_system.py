@@ -88,7 +88,7 @@ def test_names_and_order():
     system.set_internal_rate("w", -3.0 * w)
     system.output("z", z, "m", "height")
     model = system.finish()
-    assert model.states == ("z", "y", "z rate", "y rate", "w")
+    assert model.states == ("z", "y", "vz", "vy", "w")
     assert (model.parameters, model.switches, model.internal) == (("k",), ("contact",), ("w",))
     assert evaluated(model, model.rate, [2.0, 1.0, 0.5, 0.6, 4.0], p=[10.0], m=[1.0]).tolist() == [
         0.5,

@@ -70,7 +70,7 @@ def test_channels_agree_with_each_other():
 
 def test_offset_starts_a_decay():
     level = jounce.Trial(road=jounce.Flat(), speed=1.0, duration=1.0)
-    run = jounce.simulate(KART, level, offset={"sprung.z": 0.005, "unsprung.z rate": 0.1})
+    run = jounce.simulate(KART, level, offset={"sprung.z": 0.005, "unsprung.vz": 0.1})
     rest = jounce.equilibrium(KART)
     assert float(run["sprung.z"][0]) == pytest.approx(rest["sprung.z"] + 0.005, abs=1e-15)
     assert float(run["unsprung.vz"][0]) == pytest.approx(0.1)

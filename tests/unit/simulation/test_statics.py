@@ -8,7 +8,7 @@ import pytest
 from jounce import parts
 from jounce.core.errors import SimulationError
 from jounce.models import build
-from jounce.simulation import equilibrium, modes
+from jounce.simulation import equilibrium, linearise, modes
 from jounce.simulation.compiled import compile_model
 from jounce.simulation.statics import find_rest
 
@@ -59,7 +59,7 @@ def check(changes, height=0.0):
     assert found["strut.force"] * np.cos(rig.strut.angle) == pytest.approx(156.96, rel=1e-9)
     assert found["sprung.az"] == pytest.approx(0.0, abs=1e-9)
     assert found["unsprung.az"] == pytest.approx(0.0, abs=1e-7)
-    assert found["sprung.z rate"] == found["unsprung.z rate"] == 0.0
+    assert found["sprung.vz"] == found["unsprung.vz"] == 0.0
 
 
 @pytest.mark.parametrize("name", HARD)
@@ -134,3 +134,14 @@ def test_modes_are_plain_numbers():
             mode.frequency_hz * np.sqrt(1.0 - mode.damping_ratio**2), rel=1e-9
         )
         assert max(abs(complex(*shape)) for shape in mode.shape.values()) == pytest.approx(1.0)
+
+
+def test_states_are_called_as_the_channels_are():
+    """No speed has two names: what moves in a lumped vehicle is shown under the name of its state."""
+    for name in ("kart-quarter-car", "audi-a6-half-car", "audi-a6-full-car"):
+        rig = parts.load(name)
+        model = linearise(rig)
+        assert set(model.states) <= set(model.outputs)
+        assert not any(" " in key for key in equilibrium(rig))
+    half = linearise(parts.load("audi-a6-half-car"))
+    assert half.states == ("body.z", "body.pitch", "body.vz", "body.pitch_rate")

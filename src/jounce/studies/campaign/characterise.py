@@ -327,7 +327,7 @@ def _at_wheel(rig: Rig) -> _AtWheel:
         return _AtWheel(lumped.wheel_rate, lumped.tyre_stiffness, sprung, lumped.damper_ratio**2)
     values, model = rig.parameters(), linearise(rig)
     row = {name: i for i, name in enumerate(model.states)}
-    wheel_rate = -values["sprung.mass"] * model.A[row["sprung.z rate"], row["sprung.z"]]
-    both = -values["unsprung.mass"] * model.A[row["unsprung.z rate"], row["unsprung.z"]]
+    wheel_rate = -values["sprung.mass"] * model.A[row["sprung.vz"], row["sprung.z"]]
+    both = -values["unsprung.mass"] * model.A[row["unsprung.vz"], row["unsprung.z"]]
     lever = math.cos(values.get("strut.angle", 0.0)) ** 2
     return _AtWheel(float(wheel_rate), float(both - wheel_rate), values["sprung.mass"], lever)
