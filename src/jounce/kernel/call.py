@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Callable
-from functools import cache
-from pathlib import Path
 from typing import Any
 
 from llvmlite import ir
 from numba import njit, types
 from numba.core import cgutils
 from numba.extending import intrinsic
+
+from jounce.core.sources import digest_of
 
 _POINTER = ir.DoubleType().as_pointer()
 
@@ -37,19 +36,10 @@ def kept(**options: Any) -> Callable[[Callable[..., Any]], Any]:
         except RuntimeError:  # Numba finds no place for its files
             return njit(**options)(function)
         file = dispatcher._cache._cache_file
-        file._source_stamp = (file._source_stamp, _sources())
+        file._source_stamp = (file._source_stamp, digest_of("kernel"))
         return dispatcher
 
     return compile_one
-
-
-@cache
-def _sources() -> str:
-    """Digest of all sources of the kernel."""
-    digest = hashlib.sha256()
-    for file in sorted(Path(__file__).parent.glob("*.py")):
-        digest.update(file.read_bytes())
-    return digest.hexdigest()
 
 
 def part(**options: Any) -> Callable[[Callable[..., Any]], Any]:

@@ -31,18 +31,22 @@ _MAX_WAVES, _MAX_PARTS, _MAX_STEPS = 8, 64, 20_000_000
 _COMPLETED, _NOT_FINITE = Status.COMPLETED.code, Status.NOT_FINITE.code
 
 
-class Plan(NamedTuple):
+class Blocks(NamedTuple):
     """How a run is cut up, and room for a block of steps.
 
-    Every distance of samples of ``parts`` times the propagators' step is cut into so many steps. ``wave`` is the number
-    of each piece's angular frequency. At the nodes of a block: ``clock`` (s), ``rows`` (states), ``signals`` of the
-    tracks, and, an element a row, ``x``, ``u`` and the switching functions ``g``; ``jumps`` (for each signal) are what
-    edges make of it inside the step to a node, and ``most`` the largest in the block.
+    Every distance of samples of ``parts`` times the propagators' step is cut into so many steps; samples with another
+    distance to the next are in ``odd``, and the last one. ``slack`` (s) is how far times are rounded. ``wave`` is the
+    number of each piece's angular frequency, ``reached`` the piece of each track at the end of a block. At the nodes
+    of a block: ``clock`` (s), ``rows`` (states), ``signals`` of the tracks, and, an element a row, ``x``, ``u`` and the
+    switching functions ``g``; ``jumps`` (for each signal) are what edges make of it inside the step to a node, and
+    ``most`` the largest in the block.
     """
 
     parts: int
+    slack: float
+    odd: NDArray[np.int64]
     wave: NDArray[np.int64]
-    props: Propagators
+    reached: NDArray[np.int64]
     clock: Array
     rows: Array
     signals: Array
@@ -53,11 +57,18 @@ class Plan(NamedTuple):
     most: Array
 
 
+class Plan(NamedTuple):
+    """Propagators, and the blocks of their steps."""
+
+    props: Propagators
+    blocks: Blocks
+
+
 class Work(NamedTuple):
-    """A run and its plan, for the loops."""
+    """A run and its blocks, for the loops."""
 
     run: Run
-    plan: Plan
+    blocks: Blocks
 
 
 def plan(problem: Problem, control: Control, calls: Calls, slopes: int, times: Array) -> Plan | None:
@@ -93,10 +104,14 @@ def plan(problem: Problem, control: Control, calls: Calls, slopes: int, times: A
         return None
     wave = np.where(tracks.kind == 1, np.searchsorted(frequency, speed), 0).astype(np.int64)
     nodes, rows = _BLOCK + 1, count * props.layout.signals
-    return Plan(
+    slack = 1e-12 * max(1.0, abs(times[-1]))
+    odd = np.flatnonzero(np.abs(np.diff(times) - typical) > slack)
+    blocks = Blocks(
         parts,
+        slack,
+        np.append(odd, len(times) - 1),
         wave,
-        props._replace(step=typical / parts),
+        np.zeros(count, dtype=np.int64),
         clock=np.zeros(nodes),
         rows=np.zeros((nodes, props.matrix.shape[2])),
         signals=np.zeros((rows, nodes)),
@@ -106,6 +121,7 @@ def plan(problem: Problem, control: Control, calls: Calls, slopes: int, times: A
         jumps=np.zeros((rows, nodes)),
         most=np.zeros(rows),
     )
+    return Plan(props._replace(step=typical / parts), blocks)
 
 
 def _signals(tracks: Tracks, inputs: int) -> int:
@@ -152,7 +168,7 @@ def propagate(problem: Problem, control: Control, plan: Plan, out: Samples, coun
 
     At an input edge the samples are those just after it. ``counts`` gets steps, rejected steps (none) and events.
     """
-    width, inputs = plan.rows.shape[1], problem.inputs
+    width, inputs = plan.blocks.rows.shape[1], problem.inputs
     run = Run(
         problem,
         control,
@@ -166,39 +182,42 @@ def propagate(problem: Problem, control: Control, plan: Plan, out: Samples, coun
         part=np.zeros(2),
         orders=np.zeros(1, dtype=np.int64),
         counts=counts,
-        marks=np.zeros(4, dtype=np.int64),
+        marks=np.zeros(5, dtype=np.int64),
     )
     run.x[0, : len(control.scale)] = problem.x0
-    return int(_propagate(Work(run, plan)))
+    return int(_propagate(Work(run, plan.blocks)))
 
 
 @compiled()
 def _propagate(work: Any) -> int:
-    run, plan, times = work.run, work.plan, work.run.out.times
+    run, blocks, times = work.run, work.blocks, work.run.out.times
     problem, marks = run.problem, run.marks
-    slack, sub = 1e-12 * max(1.0, abs(times[-1])), 0
+    slack, sub = blocks.slack, 0
     switches = len(problem.m)
     run.time[0] = times[0]
     advance(problem.tracks, problem.piece, times[0], slack)
-    fill(problem.tracks, problem.piece, run.time, plan.props.scratch.base)
-    find(problem, plan.props)
+    fill(problem.tracks, problem.piece, run.time, run.props.scratch.base)
+    find(problem, run.props)
     status = step_to(run, times[0], times[0], slack)
     _place(run, times[0])
     size = _FIRST_BLOCK if switches > 0 else _BLOCK
     while status == _COMPLETED and marks[0] < len(times):
-        events, passed, nodes = run.counts[2], 0, _clock(plan, times, marks[0] - 1, sub, size, slack)
-        if nodes > 0 and (switches == 0 or plan.props.step <= 1.000001 * longest_part(run)):
-            advance(problem.tracks, problem.piece, plan.clock[0], slack)
-            nodes = _lay_out(work, nodes, slack)
+        events, passed, laid = run.counts[2], 0, _clock(work, marks[0] - 1, sub, size)
+        if laid > 0 and (switches == 0 or run.props.step <= 1.000001 * longest_part(run)):
+            advance(problem.tracks, problem.piece, blocks.clock[0], slack)
+            nodes = _lay_out(work, laid)
             if nodes > (1 if switches > 0 else 0):
-                passed, status = _block(work, nodes, sub, slack)
+                passed, status = _block(work, nodes, sub)
+            if passed == laid:
+                for track in range(len(problem.piece)):
+                    problem.piece[track] = blocks.reached[track]
         if passed == 0:
-            start, end = _next_step(plan, times, marks[0] - 1, sub, slack)
+            start, end = _next_step(work, marks[0] - 1, sub)
             status = step_to(run, start, end, slack)
-            passed = plan.parts if end == times[marks[0]] and sub == 0 else 1
+            passed = blocks.parts if end == times[marks[0]] and sub == 0 else 1
             if end == times[marks[0]]:
                 _place(run, end)
-        sub = (sub + passed) % plan.parts
+        sub = (sub + passed) % blocks.parts
         if marks[0] - marks[1] >= _BLOCK:
             finish_outputs(run)
         size = _FIRST_BLOCK if run.counts[2] > events else min(2 * size, _BLOCK)
@@ -217,90 +236,99 @@ def _place(run: Any, t: float) -> None:
     run.marks[0] += 1
 
 
-@part()
-def _regular(plan: Any, times: Any, sample: int, slack: float) -> bool:
-    """Whether the distance to the next sample is the one that the steps are made for."""
-    return bool(abs(times[sample + 1] - times[sample] - plan.parts * plan.props.step) <= slack)
+@part(forceinline=True)
+def _regular(work: Any, sample: int) -> int:
+    """How many distances of samples, from one on, are such as the steps are made for."""
+    odd, marks = work.blocks.odd, work.run.marks
+    while odd[marks[4]] < sample:
+        marks[4] += 1
+    return int(odd[marks[4]] - sample)
 
 
-@part()
-def _next_step(plan: Any, times: Any, sample: int, sub: int, slack: float) -> tuple[float, float]:
+@part(forceinline=True)
+def _next_step(work: Any, sample: int, sub: int) -> tuple[float, float]:
     """Start and end of the next step alone: up to the next sample where the steps do not fit."""
-    if not _regular(plan, times, sample, slack):
+    times, parts, step = work.run.out.times, work.blocks.parts, work.run.props.step
+    if _regular(work, sample) == 0:
         return times[sample], times[sample + 1]
-    start = times[sample] + sub * plan.props.step
-    return start, times[sample + 1] if sub == plan.parts - 1 else start + plan.props.step
+    start = times[sample] + sub * step
+    return start, times[sample + 1] if sub == parts - 1 else start + step
 
 
-@part()
-def _clock(plan: Any, times: Any, sample: int, sub: int, size: int, slack: float) -> int:
+@part(forceinline=True)
+def _clock(work: Any, sample: int, sub: int, size: int) -> int:
     """Lay out the times of up to ``size`` steps; give their number."""
-    node, clock, step = 0, plan.clock, plan.props.step
-    clock[0] = times[sample] + sub * step
-    while node < size and sample + 1 < len(times) and (sub > 0 or _regular(plan, times, sample, slack)):
-        node, sub = node + 1, sub + 1
-        if sub == plan.parts:
-            sample, sub = sample + 1, 0
+    times, clock, parts, step = work.run.out.times, work.blocks.clock, work.blocks.parts, work.run.props.step
+    nodes = int(min(size, _regular(work, sample) * parts - sub))
+    if parts == 1:
+        _copy(times[sample:], 1, clock[: nodes + 1])
+        return nodes
+    for node in range(nodes + 1):
         clock[node] = times[sample] + sub * step
-    return node
+        sub += 1
+        if sub == parts:
+            sample, sub = sample + 1, 0
+    return nodes
 
 
-@part()
-def _lay_out(work: Any, nodes: int, slack: float) -> int:
+@part(forceinline=True)
+def _lay_out(work: Any, nodes: int) -> int:
     """Lay out what acts over each of ``nodes`` steps, apart from the state; give the number of steps that is good for.
 
     A step in which a sine begins or ends, or in which jumps have no series, ends the block before it.
     """
-    run, plan = work.run, work.plan
-    lay, rows, cell = plan.props.layout, plan.rows, plan.props.used[1]
-    matrix = plan.props.matrix[cell]
+    run, blocks = work.run, work.blocks
+    lay, rows = run.props.layout, blocks.rows
     for d in range(rows.shape[1]):
         rows[0, d] = run.x[0, d]
-    set_rows(plan.props.loops.set, rows, 1, matrix, lay.drift, nodes)
-    for row in range(len(plan.most) if len(run.problem.m) > 0 else 0):
-        plan.most[row], jumps = 0.0, plan.jumps[row]
+    set_rows(run.props.loops.set, rows, 1, run.props.matrix[run.props.used[1]], lay.drift, nodes)
+    for row in range(len(blocks.most) if len(run.problem.m) > 0 else 0):
+        blocks.most[row], jumps = 0.0, blocks.jumps[row]
         for node in range(nodes + 1):
             jumps[node] = 0.0
     for track in range(lay.tracks):
-        piece = run.problem.piece[track]
-        nodes = _lay_track(run.problem.tracks, piece, plan, matrix, plan.props.terms[cell], track, nodes, slack)
+        nodes = _lay_track(work, track, nodes)
     return nodes
 
 
-@part()
-def _lay_track(tracks: Any, i: int, plan: Any, matrix: Any, terms: int, track: int, nodes: int, slack: float) -> int:
-    """The same for one track, from its piece ``i`` on."""
-    clock, lay, c = plan.clock, plan.props.layout, tracks.coefficients
-    last, rate, row = tracks.first[track + 1] - 1, tracks.rate[track], track * lay.signals
-    value, slope, higher = plan.signals[row], plan.signals[row + 1], plan.signals[row + 2 : row + lay.signals]
-    stop = tracks.stop[i] if i < last else np.inf
+@part(forceinline=True)
+def _lay_track(work: Any, track: int, nodes: int) -> int:
+    """The same for one track."""
+    run, blocks = work.run, work.blocks
+    lay, tracks, cell, clock = run.props.layout, run.problem.tracks, run.props.used[1], blocks.clock
+    matrix, terms, slack, c = run.props.matrix[cell], run.props.terms[cell], blocks.slack, tracks.coefficients
+    i, last, rate, row = run.problem.piece[track], tracks.first[track + 1] - 1, tracks.rate[track], track * lay.signals
+    value, slope, higher = blocks.signals[row], blocks.signals[row + 1], blocks.signals[row + 2 : row + lay.signals]
+    stop, start, straight = tracks.stop[i] if i < last else np.inf, tracks.start[i], lay.signals == 2
+    c0, c1 = c[i, 0], rate * c[i, 1]
     for node in range(nodes + 1):
         while clock[node] + slack >= stop:
             left = clock[node] - stop
             if left > slack:
                 if terms == 0 or tracks.kind[i] == 1 or tracks.kind[i + 1] == 1:
                     return node - 1
-                _add_edge(tracks, i, rate, plan, matrix, terms, track, node, left)
+                _add_edge(work, track, i, node, left)
             i += 1
-            stop = tracks.stop[i] if i < last else np.inf
-        s = rate * (clock[node] - tracks.start[i])
-        if tracks.kind[i] == 0 and lay.signals == 2:
-            value[node], slope[node] = c[i, 0] + s * c[i, 1], rate * c[i, 1]
+            stop, start = tracks.stop[i] if i < last else np.inf, tracks.start[i]
+            c0, c1 = c[i, 0], rate * c[i, 1]
+        if straight:
+            value[node], slope[node] = c0 + (clock[node] - start) * c1, c1
         else:
-            _signals_at(tracks, i, rate, s, node, value, slope, higher)
+            _signals_at(tracks, i, rate, rate * (clock[node] - start), node, value, slope, higher)
         if lay.waves > 1 and node < nodes:
-            forcing, stride = lay.forcing + (plan.wave[i] * lay.tracks + track) * lay.signals, plan.signals.shape[1]
+            forcing, stride = lay.forcing + (blocks.wave[i] * lay.tracks + track) * lay.signals, blocks.signals.shape[1]
             add_rows(
-                plan.props.loops.add,
-                plan.rows,
+                run.props.loops.add,
+                blocks.rows,
                 node + 1,
                 matrix,
                 forcing,
-                plan.signals,
+                blocks.signals,
                 row * stride + node,
                 lay.signals,
                 stride,
             )
+    blocks.reached[track] = i
     return nodes
 
 
@@ -322,20 +350,11 @@ def _signals_at(tracks: Any, i: int, rate: float, s: float, node: int, value: An
 
 
 @part(forceinline=True)
-def _add_edge(
-    tracks: Any,
-    i: int,
-    rate: float,
-    plan: Any,
-    matrix: Any,
-    terms: int,
-    track: int,
-    node: int,
-    left: float,
-) -> None:
+def _add_edge(work: Any, track: int, i: int, node: int, left: float) -> None:
     """Add what a track's jumps of signals from piece ``i`` to the next make of the state at ``node``, ``left`` s on."""
-    lay, c, powers = plan.props.layout, tracks.coefficients, plan.props.scratch.powers
-    stop = tracks.stop[i]
+    run, blocks, tracks = work.run, work.blocks, work.run.problem.tracks
+    lay, c, powers, cell = run.props.layout, tracks.coefficients, run.props.scratch.powers, run.props.used[1]
+    stop, rate, terms, matrix = tracks.stop[i], tracks.rate[track], run.props.terms[cell], run.props.matrix[cell]
     s = rate * (stop - tracks.start[i])
     for j in range(lay.signals):
         if j == 0:
@@ -351,89 +370,90 @@ def _add_edge(
         else:
             jump = 6.0 * rate**3 * (c[i + 1, 3] - c[i, 3])
         row = track * lay.signals + j
-        plan.jumps[row, node] += abs(jump)
-        plan.most[row] = max(plan.most[row], plan.jumps[row, node])
+        blocks.jumps[row, node] += abs(jump)
+        blocks.most[row] = max(blocks.most[row], blocks.jumps[row, node])
         if jump != 0.0:
             powers_of(powers, jump, left, terms + 1)
-            add_rows(plan.props.loops.add, plan.rows, node, matrix, lay.series + row * TERMS + 1, powers, 1, terms, 1)
+            add_rows(run.props.loops.add, blocks.rows, node, matrix, lay.series + row * TERMS + 1, powers, 1, terms, 1)
 
 
-@part()
-def _block(work: Any, nodes: int, sub: int, slack: float) -> tuple[int, int]:
+@part(forceinline=True)
+def _block(work: Any, nodes: int, sub: int) -> tuple[int, int]:
     """Take the steps that are laid out, up to an event; give the number of steps taken and a status code."""
-    run, plan = work.run, work.plan
-    problem, lay = run.problem, plan.props.layout
-    matrix = plan.props.matrix[plan.props.used[1]]
+    run, blocks = work.run, work.blocks
+    problem, lay = run.problem, run.props.layout
+    matrix = run.props.matrix[run.props.used[1]]
     forced = lay.tracks * lay.signals if lay.waves == 1 else 0
     for d in range(lay.states):
-        plan.x[d, 0] = plan.rows[0, d]
-    march(plan.props.loops.march, plan.rows, nodes, matrix, lay.forcing, forced, plan.signals, plan.x)
+        blocks.x[d, 0] = blocks.rows[0, d]
+    march(run.props.loops.march, blocks.rows, nodes, matrix, lay.forcing, forced, blocks.signals, blocks.x)
     finite = True
     for d in range(lay.states):
-        finite = finite and math.isfinite(plan.x[d, nodes])
+        finite = finite and math.isfinite(blocks.x[d, nodes])
     sample = run.marks[0] - 1
     if len(problem.m) == 0 or not finite:
         _accept(work, sample, sub, 1, nodes)
         run.counts[0] += nodes
         for d in range(lay.states):
-            run.x[0, d] = plan.x[d, nodes]
+            run.x[0, d] = blocks.x[d, nodes]
         return nodes, _COMPLETED if finite else _NOT_FINITE
     _look(work, nodes)
     at = 0
     while True:
-        suspect = _suspect(run, plan, at, nodes)
+        suspect = _suspect(work, at, nodes)
         if suspect > at:
             _accept(work, sample, sub, at + 1, suspect)
             run.counts[0] += suspect - at
             run.marks[2] = 0
         for d in range(lay.states):
-            run.x[0, d] = plan.x[d, suspect]
+            run.x[0, d] = blocks.x[d, suspect]
         if suspect == nodes:
             return nodes, _COMPLETED
-        advance(problem.tracks, problem.piece, plan.clock[suspect], slack)
+        advance(problem.tracks, problem.piece, blocks.clock[suspect], blocks.slack)
         events, at = run.counts[2], suspect + 1
-        status = step_to(run, plan.clock[suspect], plan.clock[at], slack)
+        status = step_to(run, blocks.clock[suspect], blocks.clock[at], blocks.slack)
         if status != _COMPLETED or run.counts[2] > events:
-            if status == _COMPLETED and (sub + at) % plan.parts == 0:
-                _place(run, plan.clock[at])
+            if status == _COMPLETED and (sub + at) % blocks.parts == 0:
+                _place(run, blocks.clock[at])
             return at, int(status)
         _accept(work, sample, sub, at, at)
 
 
-@part()
+@part(forceinline=True)
 def _look(work: Any, nodes: int) -> None:
     """Evaluate the switching functions at all nodes."""
-    problem, plan = work.run.problem, work.plan
-    lay, address = plan.props.layout, plan.props.calls.switch_many
+    run, blocks, problem = work.run, work.blocks, work.run.problem
+    lay, address = run.props.layout, run.props.calls.switch_many
     if lay.signals == lay.order:
-        call_many(address, plan.x, plan.signals, problem.p, problem.m, plan.g, 0, nodes + 1)
+        call_many(address, blocks.x, blocks.signals, problem.p, problem.m, blocks.g, 0, nodes + 1)
         return
     for track in range(lay.tracks):
         for i in range(lay.order):
             for k in range(nodes + 1):
-                plan.u[track * lay.order + i, k] = plan.signals[track * lay.signals + i, k]
-    call_many(address, plan.x, plan.u, problem.p, problem.m, plan.g, 0, nodes + 1)
+                blocks.u[track * lay.order + i, k] = blocks.signals[track * lay.signals + i, k]
+    call_many(address, blocks.x, blocks.u, problem.p, problem.m, blocks.g, 0, nodes + 1)
 
 
-@part()
-def _suspect(run: Any, plan: Any, first: int, nodes: int) -> int:
+@part(forceinline=True)
+def _suspect(work: Any, first: int, nodes: int) -> int:
     """First step in which a switch may leave its side, at its end or before; ``nodes`` where there is none.
 
     Inside a step a switch lies off its chord by what edges there can make of it, and by its curvature.
     """
-    g, band, modes, found = plan.g, run.band, run.problem.m, nodes
-    kick = plan.props.kick[plan.props.used[1]]
+    run, blocks = work.run, work.blocks
+    g, band, modes, found = blocks.g, run.band, run.problem.m, nodes
+    kick = run.props.kick[run.props.used[1]]
     for i in range(len(modes)):
         side, room = 1.0 if modes[i] > 0.5 else -1.0, -band[i]
         for row in range(kick.shape[0]):
-            room += plan.most[row] * kick[row, i]
+            room += blocks.most[row] * kick[row, i]
         lowest, bend = _extremes(g[i], side, nodes)
         if lowest >= room + 0.5 * bend:
             continue
         for k in range(first, found):
             room = -band[i]
             for row in range(kick.shape[0]):
-                room += plan.jumps[row, k + 1] * kick[row, i]
+                room += blocks.jumps[row, k + 1] * kick[row, i]
             here, there = side * g[i, k], side * g[i, k + 1]
             bend = abs(here - 2.0 * there + side * g[i, k + 2]) if k + 2 <= nodes else 0.0
             if k > 0:
@@ -460,17 +480,19 @@ def _extremes(g: Any, side: float, nodes: int) -> tuple[float, float]:
 @part()
 def _accept(work: Any, sample: int, sub: int, first: int, last: int) -> None:
     """Write the samples among the nodes ``first`` to ``last``; the block begins ``sub`` steps after ``sample``."""
-    run, plan = work.run, work.plan
-    out, lay, parts = run.out, plan.props.layout, plan.parts
+    run, blocks = work.run, work.blocks
+    out, lay, parts = run.out, run.props.layout, blocks.parts
     begin = -((sub + first) // -parts) * parts - sub  # the first node that is a sample
     at = sample + (begin + sub) // parts
     count = (last - begin) // parts + 1 if begin <= last else 0
     for d in range(lay.states):
-        _copy(plan.x[d, begin:], parts, out.states[d, at : at + count])
+        _copy(blocks.x[d, begin:], parts, out.states[d, at : at + count])
     for track in range(lay.tracks):
         for i in range(lay.order):
             _copy(
-                plan.signals[track * lay.signals + i, begin:], parts, out.inputs[track * lay.order + i, at : at + count]
+                blocks.signals[track * lay.signals + i, begin:],
+                parts,
+                out.inputs[track * lay.order + i, at : at + count],
             )
     run.marks[0] += count
 

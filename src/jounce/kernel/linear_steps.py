@@ -35,7 +35,7 @@ class Run(NamedTuple):
     ``dead_band``, since times are rounded. ``x`` holds the state, ``trial`` one on the way; ``time`` and ``u`` an
     instant and the inputs there; ``part`` is (start, length) in s of the part of a step in work, with ``orders`` terms
     in its series. ``counts`` gets steps, rejected steps (none) and events; ``marks`` are: samples placed, those of them
-    with outputs, events without time passing, and parts of steps.
+    with outputs, events without time passing, parts of steps, and samples with an odd distance to the next passed.
     """
 
     problem: Problem

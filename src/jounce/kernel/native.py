@@ -20,11 +20,11 @@ import numpy as np
 from llvmlite import binding as llvm
 from numpy.typing import NDArray
 
+from jounce.core.sources import digest_of
 from jounce.kernel.lowering import AnyFunction, Lowering
 from jounce.kernel.rosenbrock_steps import RosenbrockStep
 from jounce.kernel.steps import Step
 
-_FORMAT = "jounce-kernel-20"
 MANY = ("output", "project_many", "switch_many")
 SELDOM = ("slopes", "switch_slope", "derived", "derived_lanes", "constraint", "constraint_s")
 """Functions called a few times a run: they are compiled without the optimiser, which makes them little faster."""
@@ -105,7 +105,7 @@ def kept_code(identity: str, make: Callable[[], Source]) -> tuple[Native, str]:
     Parameters
     ----------
     identity : str
-        Says everything that the code depends on, apart from this processor and the versions of the compiler.
+        Says everything that the code depends on, apart from this processor, the kernel and versions of the compiler.
     make : callable
         Gives the functions where the cache holds no sound entry.
 
@@ -115,7 +115,7 @@ def kept_code(identity: str, make: Callable[[], Source]) -> tuple[Native, str]:
         The code, and the notes of its source.
     """
     target = f"{llvm.get_host_cpu_name()} {llvm.get_host_cpu_features().flatten()} {llvm.llvm_version_info}"
-    key = hashlib.sha256(f"{_FORMAT} {llvmlite.__version__} {target} {identity}".encode()).hexdigest()
+    key = hashlib.sha256(f"{digest_of('kernel')} {llvmlite.__version__} {target} {identity}".encode()).hexdigest()
     cached = _read(key)
     if cached is not None:
         with contextlib.suppress(Exception):  # whatever is wrong with it: rebuild

@@ -160,32 +160,53 @@ def _march(module: ir.Module, width: int, states: int) -> None:
     given, acting = _Rows(builder, rows, width), _Rows(builder, forcing, width)
     images = [_Rows(builder, matrix, width).load(_INDEX(j)) for j in range(states)]
     kept = [cgutils.alloca_once_value(builder, value) for value in given.load(_INDEX(0))]
-    with cgutils.for_range(builder, count, intp=_INDEX) as loop:
-        after = builder.add(loop.index, _INDEX(1))
-        start = given.load(after)
-        acted = _sum_of_rows(builder, start, acting, forced, builder.gep(signals, [loop.index]), stride)
-        moved = _moved(builder, [builder.load(value) for value in kept], images, acted)
-        for value, place in zip(moved, kept, strict=True):
-            builder.store(value, place)
+
+    def acted(k: Any) -> list[Any]:
+        start = given.load(builder.add(k, _INDEX(1)))
+        return _sum_of_rows(builder, start, acting, forced, builder.gep(signals, [k]), stride)
+
+    def move(over: list[list[Any]], change: list[Any]) -> list[Any]:
+        x = [builder.load(value) for value in kept]
+        return _sum(builder, x, _applied(builder, x, over, change))
+
+    def write(x: list[Any], k: Any) -> None:
         for j in range(states):
-            place = builder.gep(to, [builder.add(builder.mul(_INDEX(j), stride), after)])
-            lane = j % given.vector.count
-            builder.store(builder.extract_element(moved[j // given.vector.count], _LANE(lane)), place)
+            place = builder.gep(to, [builder.add(builder.mul(_INDEX(j), stride), builder.add(k, _INDEX(1)))])
+            builder.store(builder.extract_element(x[j // given.vector.count], _LANE(j % given.vector.count)), place)
+
+    def advance(x: list[Any], k: Any) -> None:
+        write(x, k)
+        for value, place in zip(x, kept, strict=True):
+            builder.store(value, place)
+
+    paired = builder.and_(count, _INDEX(-2)) if width <= given.vector.count else _INDEX(0)
+    if width <= given.vector.count:
+        twice = [_applied(builder, image, images, _sum(builder, image, image)) for image in images]
+        with cgutils.for_range_slice(builder, _INDEX(0), paired, _INDEX(2), intp=_INDEX) as (k, _):
+            following = builder.add(k, _INDEX(1))
+            first, second = acted(k), acted(following)
+            write(move(images, first), k)
+            advance(move(twice, _applied(builder, first, images, _sum(builder, first, second))), following)
+    with cgutils.for_range_slice(builder, paired, count, _INDEX(1), intp=_INDEX) as (k, _):
+        advance(move(images, acted(k)), k)
     builder.ret_void()
 
 
-def _moved(builder: Any, x: list[Any], images: list[list[Any]], acted: list[Any]) -> list[Any]:
-    """State after a step; the change is summed in four parts, so that no sum waits long for the term before."""
+def _applied(builder: Any, x: list[Any], images: list[list[Any]], start: list[Any]) -> list[Any]:
+    """``start + E x``; summed in four parts, so that no sum waits long for the term before."""
     vector = x[0].type
     spread = [_lane(builder, x[j // vector.count], j % vector.count) for j in range(len(images))]
-    moved = []
-    for b, start in enumerate(acted):
-        parts = [start, *[ir.Constant(vector, [0.0] * vector.count)] * 3]
+    found = []
+    for b, first in enumerate(start):
+        parts = [first, *[ir.Constant(vector, [0.0] * vector.count)] * 3]
         for j, weight in enumerate(spread):
             parts[j % 4] = _add_product(builder, weight, images[j][b], parts[j % 4])
-        change = builder.fadd(builder.fadd(parts[0], parts[1]), builder.fadd(parts[2], parts[3]))
-        moved.append(builder.fadd(x[b], change))
-    return moved
+        found.append(builder.fadd(builder.fadd(parts[0], parts[1]), builder.fadd(parts[2], parts[3])))
+    return found
+
+
+def _sum(builder: Any, x: list[Any], y: list[Any]) -> list[Any]:
+    return [builder.fadd(*pair) for pair in zip(x, y, strict=True)]
 
 
 def _call(builder: Any, address: Any, arguments: list[Any]) -> Any:

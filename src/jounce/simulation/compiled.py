@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, field
 from functools import cache, cached_property
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from jounce.control.actuators import AnyActuator
+from jounce.core.sources import digest_of
 from jounce.kernel.explicit import Engine
 from jounce.kernel.native import Native, Source, compile_functions, kept_code
 from jounce.kernel.steps import SHORT_NAMES, STEP_NAMES
@@ -301,9 +300,4 @@ def _sources() -> str:
     """Digest of everything that turns a rig into code: our sources (and version) and the version of the algebra."""
     from importlib.metadata import version
 
-    digest = hashlib.sha256(f"{version('casadi')} {version('jounce')}".encode())
-    root = Path(__file__).parent.parent
-    for package in _PACKAGES:
-        for file in sorted((root / package).rglob("*.py")):
-            digest.update(f"{file.relative_to(root)}\n".encode() + file.read_bytes())
-    return digest.hexdigest()
+    return f"{version('casadi')} {version('jounce')} {digest_of(*_PACKAGES)}"

@@ -32,7 +32,7 @@ def test_code_is_reused_until_a_source_of_the_kernel_changes(tmp_path, monkeypat
     file.write_text(SOURCE)
     assert sum(fresh(file).double.stats.cache_misses.values()) == 1
     assert sum(fresh(file).double.stats.cache_hits.values()) == 1
-    monkeypatch.setattr(call, "_sources", lambda: "another kernel")
+    monkeypatch.setattr(call, "digest_of", lambda *_: "another kernel")
     assert sum(fresh(file).double.stats.cache_misses.values()) == 1
 
 
@@ -61,3 +61,17 @@ def test_without_a_home_folder_models_are_compiled_all_the_same(monkeypatch):
         native.cache_folder()
     assert native._read("key") is None
     native._write("key", b"code")
+
+
+def test_native_code_is_not_taken_from_another_kernel(monkeypatch, tmp_path):
+    monkeypatch.setenv("JOUNCE_CACHE_DIR", str(tmp_path))
+    made = []
+
+    def make() -> native.Source:
+        made.append(1)
+        return native.Source({})
+
+    for digest in ("one kernel", "one kernel", "another kernel"):
+        monkeypatch.setattr(native, "digest_of", lambda *_, digest=digest: digest)
+        native.kept_code("nothing", make)
+    assert len(made) == 2

@@ -29,7 +29,7 @@ def test_a_step(step: float, wave: int) -> None:
     p = compiled.parameter_values(RIG.parameters())
     case = prepare(compiled, p, ROAD, output_times(2.0 * step, step))
     assert case.run().status.name == "COMPLETED"
-    assert case.exact.parts == 1
+    assert case.exact.blocks.parts == 1
     lay, rows = case.exact.props.layout, case.exact.props.matrix[0]
     zero, still = np.zeros(4), np.zeros(2)
     joined = np.zeros((9, 9))
@@ -52,3 +52,15 @@ def test_a_step(step: float, wave: int) -> None:
 
 def test_rows_are_whole_vectors() -> None:
     assert [padded(count) for count in (1, 4, 5, 8, 14, 16, 17)] == [4, 4, 8, 8, 16, 16, 24]
+
+
+@pytest.mark.parametrize("count", [2, 3, 4, 5, 100, 193, 194, 195, 402])
+def test_runs_of_any_number_of_samples_begin_alike(count: int) -> None:
+    """Steps are taken in blocks and by pairs: where they end leaves no mark on the samples; odd distances neither."""
+    compiled = compile_model(build(RIG))
+    p, times = compiled.parameter_values(RIG.parameters()), output_times(0.5, 1e-3)
+    whole = prepare(compiled, p, ROAD, times).run().states
+    size = np.max(np.abs(whole), axis=1)[:, None]
+    assert np.max(np.abs(prepare(compiled, p, ROAD, times[:count]).run().states - whole[:, :count]) / size) < 1e-12
+    some = np.delete(np.arange(len(times)), [7, 8, count + 20])
+    assert np.max(np.abs(prepare(compiled, p, ROAD, times[some]).run().states - whole[:, some]) / size) < 1e-12
