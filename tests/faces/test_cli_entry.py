@@ -90,6 +90,7 @@ def test_bad_input_as_a_process(tmp_path: Path) -> None:
     ("words", "message"),
     [
         (("simulate", "kart-quarter-car", "--sped", "2"), "no such option: --sped. Did you mean '--speed'?"),
+        (("plot", "run.nc", "--channels", "z"), "no such option: --channels. Give the value without --channels."),
         (("simulatte",), "Did you mean 'simulate'"),
         (("fit", "stifness"), "Did you mean 'stiffness'?"),
         (("fit", "decay", "x.csv", "--chanel", "z"), "Did you mean '--channel'?"),

@@ -148,12 +148,20 @@ def _misused(error: Any, *, as_json: bool) -> int:
         message = "no command is given"
     option = getattr(error, "option_name", None)
     if type(error).__name__ == "NoSuchOption" and option and context is not None:
-        known = [name for parameter in context.command.params for name in parameter.opts]
-        message = f"no such option: {option}. {nearest(option, known)}".rstrip()
+        message = f"no such option: {option}. {_instead(option, context.command.params)}".rstrip()
     hint = f"See `{path} --help`."
     message = message if message.endswith((".", "?")) else f"{message}."
     plain = {"kind": "UsageError", "message": f"{message} {hint}", "where": path, "what": message, "hint": hint}
     return complain(plain, REFUSED, as_json=as_json)
+
+
+def _instead(option: str, parameters: list[Any]) -> str:
+    """What may have been meant by an option that there is not."""
+    names = [name for parameter in parameters for name in parameter.opts]
+    hint = nearest(option, [name for name in names if name.startswith("-")])
+    if not hint and nearest(option.lstrip("-"), [name for name in names if not name.startswith("-")]):
+        return f"Give the value without {option}."
+    return hint
 
 
 def _file_error(error: OSError) -> OutputError:

@@ -19,6 +19,8 @@ CLIPPED_RUN = 3
 FEWEST_CLIPPED = 6
 _NEVER_CLIPPED = {"slope", "command", "adhesion"}
 _DRIVEN_PLACES = ("road", "platform")
+_MAY_REST = (".road.z", "pitch_moment", "deceleration", "lateral_acceleration")
+"""Ends of channels that are 0 throughout on a level road, and without braking or bends."""
 
 
 def row_number(row: int) -> str:
@@ -143,8 +145,8 @@ def check_channels(
     -------
     list of Finding
         A warning for each channel that is constant, or clipped: several flat pieces of at least 3 equal samples at its
-        largest or smallest value, entered by a jump. Flat pieces at 0, at either end of the record, and in what was
-        driven (``road``, ``platform``) do not count.
+        largest or smallest value, entered by a jump. Flat pieces at 0, at either end of the record, and what was
+        driven (``road``, ``platform``, braking and bends) do not count.
 
     Raises
     ------
@@ -163,11 +165,18 @@ def check_channels(
         at = f"{where}: {name}"
         _check_finite(values, at, name_row)
         if values.size > 1 and np.ptp(values) == 0.0:
+            if values[0] == 0.0 and f".{name}".endswith(_MAY_REST):
+                continue
             text = f"the channel is constant ({values[0]:g}); was the sensor connected?"
             findings.append(Finding(at, "warning", text, float(values[0])))
-        elif clipping and not (name.startswith(_DRIVEN_PLACES) or quantity_of(name) in _NEVER_CLIPPED):
+        elif clipping and not (_is_driven(name) or quantity_of(name) in _NEVER_CLIPPED):
             findings += _clipping(values, at)
     return findings
+
+
+def _is_driven(name: str) -> bool:
+    """Whether a channel says what was done to the rig: the road under any wheel, a shaker, loads of driving."""
+    return name.endswith(_MAY_REST) or any(part.startswith(_DRIVEN_PLACES) for part in name.split("."))
 
 
 def _clipping(values: Array, at: str) -> list[Finding]:

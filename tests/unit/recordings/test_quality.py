@@ -73,6 +73,15 @@ def test_constant_channel() -> None:
     assert "constant" in finding.message
 
 
+def test_nothing_is_said_of_a_level_road_and_of_no_braking() -> None:
+    still = dict.fromkeys(("road.z", "front.road.z", "body.pitch_moment", "body.lateral_acceleration"), np.zeros(20))
+    assert check_channels(still, where="a.csv") == []
+    (finding,) = check_channels({"front.road.z": np.full(20, 0.3), "platform.z": np.arange(20.0)}, where="a.csv")
+    assert finding.place == "a.csv: front.road.z"
+    wave = np.clip(np.sin(STEPS * 0.1), -0.9, 2.0)
+    assert check_channels({"front_left.road.z": wave, "body.pitch_moment": wave}, where="a.csv") == []
+
+
 def test_clipped_channel() -> None:
     wave = np.clip(np.sin(STEPS * 0.1), -0.9, 2.0)
     (finding,) = check_channels({"sprung.az": wave}, where="a.csv")
