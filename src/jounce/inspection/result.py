@@ -120,7 +120,7 @@ class WheelResult:
     verdict: str = NOT_GRADED
     reasons: tuple[str, ...] = ()
     findings: tuple[Finding, ...] = ()
-    curves: WheelCurves | None = None
+    curves: WheelCurves | None = field(default=None, repr=False)
 
     @property
     def is_gradable(self) -> bool:
