@@ -7,10 +7,7 @@ such that it rests in the design position, found by the twin alone.
 
 from __future__ import annotations
 
-import importlib.util
-import sys
-from pathlib import Path
-
+import double_wishbone_twin as twin
 import numpy as np
 import pytest
 
@@ -38,18 +35,6 @@ CHANNELS = {
 JOINTS = ("lower_arm", "upper_arm", "lower_ball_joint", "upper_ball_joint", "tie_rod")
 
 
-def twin():
-    path = Path(__file__).parents[1] / "twins" / "double_wishbone_twin.py"
-    spec = importlib.util.spec_from_file_location("double_wishbone_twin", path)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
-
-
-TWIN = twin()
-
-
 def described(on: str):
     rig = jn.load("reference-double-wishbone")
     changes = {f"hardpoints.strut_bottom[{i}]": value for i, value in enumerate(STRUTS[on])}
@@ -70,8 +55,8 @@ def corner(rig, on: str, free_length: float, radius: float):
         bodies[name] = (body.mass, body.centre_of_mass, elements)
     bodies["chassis"] = (rig.sprung.mass, (0.0, 0.0, 0.5), (1.0, 1.0, 1.0, 0.0, 0.0, 0.0))
     law = {"rate": rig.strut.spring.rate, "damping": rig.strut.damper.coefficient, "free_length": free_length}
-    system = TWIN.double_wishbone(points, bodies, law, gravity=rig.gravity, strut_on=on)
-    return TWIN.Corner(system, rig.tyre.stiffness, radius, unilateral=True)
+    system = twin.double_wishbone(points, bodies, law, gravity=rig.gravity, strut_on=on)
+    return twin.Corner(system, rig.tyre.stiffness, radius, unilateral=True)
 
 
 def resting(rig, on: str):
@@ -93,7 +78,7 @@ def test_every_channel_agrees(on: str) -> None:
     rig = rig.with_changes({"tyre.undeformed_radius": made.radius})
     road = jn.HalfSine(height=BUMP["height"], length=BUMP["length"], start=0.1 * BUMP["speed"])
     run = jn.simulate(rig, jn.Trial(road=road, speed=BUMP["speed"], duration=0.8), tolerance=1e-10, detail=True)
-    obstacle = TWIN.Obstacle(BUMP["height"], BUMP["length"], BUMP["speed"], 0.1)
+    obstacle = twin.Obstacle(BUMP["height"], BUMP["length"], BUMP["speed"], 0.1)
     expected = made.run(obstacle, run["time"].values, rtol=1e-12, atol=1e-14)
     assert run.attrs["events"] == len(expected["events"]) >= 2
     found = {

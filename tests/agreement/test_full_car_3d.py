@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import importlib.util
-import sys
-from pathlib import Path
-
 import casadi as ca
 import numpy as np
 import pytest
+from full_car_in_ground_axes import full_car_in_ground_axes
 
 import jounce as jn
 from jounce.core.segments import flat
@@ -22,12 +19,7 @@ BODY = ("sprung.distance", "attitude.angle", "attitude.second_angle")
 
 @pytest.fixture(scope="module")
 def in_ground():
-    path = Path(__file__).parents[1] / "twins" / "full_car_in_ground_axes.py"
-    spec = importlib.util.spec_from_file_location("full_car_in_ground_axes", path)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module.full_car_in_ground_axes
+    return full_car_in_ground_axes
 
 
 def functions(model):

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import importlib.util
-import sys
-from pathlib import Path
-
+import corner_kinematics_twin as twin
 import numpy as np
 import pytest
 
@@ -51,18 +48,6 @@ NAMES = {
 TRAVEL = np.linspace(-0.08, 0.08, 9)
 
 
-def _twin():
-    path = Path(__file__).parents[1] / "twins" / "corner_kinematics_twin.py"
-    spec = importlib.util.spec_from_file_location("corner_kinematics_twin", path)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
-
-
-TWIN = _twin()
-
-
 @pytest.fixture(scope="module")
 def trailing_arm(tmp_path_factory: pytest.TempPathFactory):
     file = tmp_path_factory.mktemp("rigs") / "arm.toml"
@@ -73,7 +58,7 @@ def trailing_arm(tmp_path_factory: pytest.TempPathFactory):
 def twin_of(rig):
     points = {name: np.array(place) for name, place in rig.hardpoints.given().items()}
     wheel = rig.wheel
-    build = getattr(TWIN, rig.model.replace("-", "_"))
+    build = getattr(twin, rig.model.replace("-", "_"))
     return build(points, wheel.radius, wheel.camber, wheel.toe)
 
 

@@ -5,11 +5,8 @@ The truth is what the same record gives without noise; damping ratios are also c
 
 from __future__ import annotations
 
-import importlib.util
-import sys
-from pathlib import Path
-
 import numpy as np
+import plate_twin
 import pytest
 
 from jounce.inspection import evaluate
@@ -21,12 +18,7 @@ NOISE = 0.01
 
 @pytest.fixture(scope="module")
 def twin():
-    path = Path(__file__).parents[1] / "twins" / "plate_twin.py"
-    spec = importlib.util.spec_from_file_location("plate_twin", path)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
+    return plate_twin
 
 
 def wheel_of(time, height, force, load, tester):

@@ -7,24 +7,10 @@ kinematic sweeps, too.
 
 from __future__ import annotations
 
-import importlib.util
-import sys
-from pathlib import Path
-
+import corner_kinematics_twin as twin
 import numpy as np
 import pytest
 
-
-def _twin():
-    path = Path(__file__).parents[1] / "twins" / "corner_kinematics_twin.py"
-    spec = importlib.util.spec_from_file_location("corner_kinematics_twin", path)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
-
-
-TWIN = _twin()
 MILLIMETRES = {
     "lower_arm_front": (150, 400, 155),
     "lower_arm_rear": (-150, 400, 145),
@@ -50,7 +36,7 @@ DEGREE, MM = np.pi / 180.0, 1e-3
 
 @pytest.fixture(scope="module")
 def corner():
-    return TWIN.double_wishbone(HARDPOINTS, radius=0.3, camber=-1.0 * DEGREE)
+    return twin.double_wishbone(HARDPOINTS, radius=0.3, camber=-1.0 * DEGREE)
 
 
 def printed(text: str) -> tuple[float, float]:
@@ -121,10 +107,10 @@ def variants():
         "strut_top": (-0.01, 0.58, 0.6),
     }
     return {
-        "double wishbone": TWIN.double_wishbone(HARDPOINTS, 0.3, -0.02, 0.003),
-        "mcpherson": TWIN.mcpherson(mcpherson, 0.31, -0.01, 0.002),
-        "five link": TWIN.five_link(five, 0.31, -0.01, 0.002),
-        "trailing arm": TWIN.trailing_arm(arm, 0.3, -0.01, 0.002),
+        "double wishbone": twin.double_wishbone(HARDPOINTS, 0.3, -0.02, 0.003),
+        "mcpherson": twin.mcpherson(mcpherson, 0.31, -0.01, 0.002),
+        "five link": twin.five_link(five, 0.31, -0.01, 0.002),
+        "trailing arm": twin.trailing_arm(arm, 0.3, -0.01, 0.002),
     }
 
 
@@ -164,7 +150,7 @@ def test_forces_on_the_upright_balance() -> None:
     pose = corner.pose(0.015)
     on_upright = corner.contact_loads(0.015, force)["on_upright"]
     spin = pose.turned(corner.spin)
-    arm = corner.radius * TWIN.unit(-TWIN.UP + spin * spin[2])
+    arm = corner.radius * twin.unit(-twin.UP + spin * spin[2])
     total = force + sum(on_upright.values())
     moment = np.cross(arm, force) + sum(np.cross(pose.arm(p), f) for p, f in on_upright.items())
     assert np.abs(total).max() < 1e-9

@@ -7,11 +7,8 @@ per-turn evaluation by ``360 f (t_ref - t_top)``) are asked for within 0.5.
 
 from __future__ import annotations
 
-import importlib.util
-import sys
-from pathlib import Path
-
 import numpy as np
+import plate_twin
 import pytest
 
 from jounce.inspection import Corner, evaluate, force_response, steady_state
@@ -40,12 +37,7 @@ RUN_DOWN = {  # damping, Hz/s: adhesion %, least phase
 
 @pytest.fixture(scope="module")
 def twin():
-    path = Path(__file__).parents[1] / "twins" / "plate_twin.py"
-    spec = importlib.util.spec_from_file_location("plate_twin", path)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
+    return plate_twin
 
 
 def car(damping: float, **changes) -> Corner:

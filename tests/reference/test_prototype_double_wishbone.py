@@ -7,9 +7,7 @@ jounce meets them, for both tyres and three speeds, to what was asked of it and 
 
 from __future__ import annotations
 
-import importlib.util
 import json
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -124,11 +122,8 @@ def test_another_tyre_would_be_noticed() -> None:
 @pytest.mark.parametrize("tyre", TYRES)
 def test_twin_made_the_references(tyre: str) -> None:
     """The stored references are what the twin gives today."""
-    path = ROOT / "twins" / "double_wishbone_twin.py"
-    spec = importlib.util.spec_from_file_location("double_wishbone_twin", path)
-    twin = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = twin
-    spec.loader.exec_module(twin)
+    import double_wishbone_twin as twin
+
     model = json.loads((FILES / "double_wishbone.json").read_text(encoding="utf-8"))
     expected = reference(tyre, 2.86)
     count = 601  # to 0.6 s: all contact events

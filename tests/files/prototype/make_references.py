@@ -6,7 +6,7 @@ and how far 1.95 m/s is from the reference that came with the model. Takes about
 
 from __future__ import annotations
 
-import importlib.util
+import importlib
 import json
 import sys
 from pathlib import Path
@@ -20,12 +20,8 @@ GIVEN = {"tyre_force": "Ftyre", "strut_force": "Fstrut"}
 
 
 def twin():
-    path = HERE.parents[1] / "twins" / "double_wishbone_twin.py"
-    spec = importlib.util.spec_from_file_location("double_wishbone_twin", path)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
+    sys.path.insert(0, str(HERE.parents[1] / "twins"))
+    return importlib.import_module("double_wishbone_twin")
 
 
 def main() -> None:

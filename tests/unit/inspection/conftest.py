@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import importlib.util
-import sys
-from pathlib import Path
-
+import plate_twin
 import pytest
 
 from jounce.parts.testers import load_tester
@@ -14,12 +11,7 @@ from jounce.recordings.schema import recording
 
 @pytest.fixture(scope="session")
 def twin():
-    path = Path(__file__).parents[2] / "twins" / "plate_twin.py"
-    spec = importlib.util.spec_from_file_location("plate_twin", path)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
+    return plate_twin
 
 
 @pytest.fixture(scope="session")

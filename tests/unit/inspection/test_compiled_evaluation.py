@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import importlib.util
-from pathlib import Path
-
+import normal_equations_twin
 import numpy as np
+import period_filter_twin
 import pytest
 
 from jounce.inspection.normal_equations import normal_equations
@@ -14,22 +13,14 @@ from jounce.inspection.period_filter import force_in_periods, prototype
 BASE = np.array([40.0, 25e3, 900.0, 200e3, 60.0, 400.0])
 
 
-def twin_of(name):
-    path = Path(__file__).parents[2] / "twins" / f"{name}_twin.py"
-    spec = importlib.util.spec_from_file_location(f"{name}_twin", path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
 @pytest.fixture(scope="module")
 def equations():
-    return twin_of("normal_equations")
+    return normal_equations_twin
 
 
 @pytest.fixture(scope="module")
 def low_pass():
-    return twin_of("period_filter")
+    return period_filter_twin
 
 
 class TestNormalEquations:
