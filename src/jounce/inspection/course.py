@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 HIGHEST_SHARE = 0.985
-_WAIT = 1.0  # s
+_WAIT, _SLOW_TIME = 1.0, 0.25  # s
+_PASSES = 2
 _QUIET_SHARE = 0.12
 
 
@@ -117,19 +118,30 @@ def _any_course(turns: Turns) -> Course:
 def turns_of(signals: WheelSignals, tester: Tester | None = None) -> Turns | None:
     """Turns from the plate's height; without it, from the tacho (then with an unknown beginning of the turn).
 
-    On the sprung plate of a ``tester`` the turns may be as small as an eighth of the excenter's or of the greatest.
+    On the sprung plate of a ``tester`` the turns may be as small as an eighth of the excenter's or of the greatest, and
+    stand on slow swings of the car.
     """
     if signals.height is not None:
         middle = 0.5 * float(signals.height.max() + signals.height.min())
         amplitude = 0.5 * float(np.ptp(signals.height))
-        if tester is not None:
-            amplitude = _QUIET_SHARE * min(amplitude, 0.5 * tester.stroke)
-        return find_turns(signals.time, signals.height, middle, amplitude)
+        if tester is None:
+            return find_turns(signals.time, signals.height, middle, amplitude)
+        quick = signals.height
+        for _ in range(_PASSES):
+            quick = quick - _slow_part(quick, signals.sample_rate)
+        return find_turns(signals.time, quick, 0.0, _QUIET_SHARE * min(amplitude, 0.5 * tester.stroke))
     if signals.tacho is None:
         return None
     steps = 0.5 * (signals.tacho[1:] + signals.tacho[:-1]) * np.diff(signals.time)
     angle = 2.0 * np.pi * np.concatenate([[0.0], np.cumsum(steps)])
     return find_turns(signals.time, np.sin(angle), 0.0, 1.0)
+
+
+def _slow_part(height: Array, sample_rate: float) -> Array:
+    """Mean of a height (n,) in m over 0.25 s around each sample; the rate is in Hz."""
+    half = min(max(round(0.5 * _SLOW_TIME * sample_rate), 1), (height.size - 1) // 2)
+    sums = np.concatenate([[0.0], np.cumsum(np.pad(height, half, mode="edge"))])
+    return np.asarray((sums[2 * half + 1 :] - sums[: -2 * half - 1]) / (2 * half + 1))
 
 
 def _falls(frequency: Array, high: float, low: float) -> int:

@@ -145,14 +145,15 @@ def _value_rows(graded: GradedInspection, wheels: Mapping[str, WheelResult], lan
         if not asked and name == "theta_rig" and graded.inspection.wheels[0].theta_rig is not None and _same(wheels):
             continue  # a rigid plate has no value of its own
         cells = [_value_cell(graded, wheels.get(side), quantity, language) for side in _SIDES]
+        limiting = next(iter(methods.values()), None) or _condition(graded.limits, name)
         found = next((one for one in graded.differences if one.quantity == name), None)
-        passing = _passing(next(iter(methods.values()), None) or _condition(graded.limits, name), language)
+        passing = _passing(limiting, language)
         decides = bool(set(methods) & set(graded.deciding))
         label = _capital(quantity.words(language))
         rows.append(
             {
                 "label": label,
-                "cells": [*cells, _gap_cell(found, quantity, language), _cell(passing)],
+                "cells": [*cells, _gap_cell(found, quantity, language, graded.limits), _cell(passing)],
                 "decides": decides,
             }
         )
@@ -177,9 +178,9 @@ def _value_cell(graded: GradedInspection, wheel: WheelResult | None, quantity: Q
     text = quantity.text(value, language, apart_from=edges)
     if quantity.name == "phase_angle_min_deg" and value is not None and wheel.phase_frequency_hz is not None:
         text += f" {WORDS[language]['at']} {_number(wheel.phase_frequency_hz, 1, language)} Hz"
-    if quantity.name == "adhesion" and wheel.lift_off and value is not None:
-        text += f", {WORDS[language]['lift_off']}"
     shown = "" if half is None or value is None else f"± {quantity.rounded_up(half, language)}"
+    if quantity.name == "adhesion" and wheel.lift_off and value is not None:
+        shown = ", ".join(filter(None, (shown, WORDS[language]["lift_off"])))
     if band is None:
         return _cell(text, shown)
     return _cell(text, shown, shortened(band.words(language), 60), _tone(band, criterion))
@@ -207,7 +208,7 @@ def _condition(limits: Limits, name: str) -> Criterion | None:
     return next((one for one in limits.conditions.values() if one.quantity == name), None)
 
 
-def _gap_cell(found: Difference | None, quantity: Quantity, language: Language) -> Plain:
+def _gap_cell(found: Difference | None, quantity: Quantity, language: Language, limits: Limits | None = None) -> Plain:
     if found is None:
         return _cell("–")
     text = quantity.text(found.absolute, language)
@@ -215,15 +216,16 @@ def _gap_cell(found: Difference | None, quantity: Quantity, language: Language) 
         text = text.replace("%", "pp" if language == "en" else "%-P.")
     if found.relative is not None:
         text += f" · {_number(100.0 * found.relative, 1, language)} %"
-    band = next(iter(found.bands.values()), None)
+    name, band = next(iter(found.bands.items()), ("", None))
     if band is None:
         return _cell(text)
-    return _cell(text, "", shortened(band.words(language), 60), band.colour)
+    criterion = None if limits is None else limits.differences.get(name)
+    return _cell(text, "", shortened(band.words(language), 60), _tone(band, criterion))
 
 
 def _passing(criterion: Criterion | None, language: Language) -> str:
     """Where a value passes, e.g. ``from 35°``."""
-    if criterion is None:
+    if criterion is None or not criterion.verified:
         return ""
     passing = [i for i, band in enumerate(criterion.bands) if band.verdict == "pass"]
     if not passing:

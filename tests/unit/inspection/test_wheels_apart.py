@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 
 from jounce.inspection import evaluate
-from jounce.inspection.conditioning import moving_part
+from jounce.inspection.conditioning import WheelSignals, moving_part
+from jounce.inspection.course import turns_of
+from jounce.parts.testers import load_tester
 from jounce.recordings.schema import recording
 
 RATE, LEAST = 1000.0, 0.325e-3
@@ -123,3 +125,17 @@ def test_another_tester_in_the_header_is_said(both, eusama) -> None:
     ]
     record.attrs["tester"] = "eusama"
     assert evaluate(record, eusama).findings == ()
+
+
+def test_turns_of_a_sprung_plate_stand_on_the_swing_of_the_car() -> None:
+    time = np.arange(12_000) / RATE
+    frequency = 20.0 - 1.5 * time
+    height = 0.5e-3 * np.sin(2 * np.pi * (20.0 * time - 0.75 * time**2))
+    height += 1.5e-3 * np.sin(2 * np.pi * 1.3 * time) + 1e-3
+    signals = WheelSignals("left", time, 4e3 + 0.0 * time, height, None, 4e3, 20.0)
+    turns = turns_of(signals, load_tester("theta-msd3000"))
+    assert turns is not None
+    inside = (turns.top > 0.5) & (turns.top < 11.0)
+    expected = np.interp(turns.top[inside], time, frequency)
+    assert np.count_nonzero(inside) == pytest.approx(np.trapezoid(frequency[500:11_000], dx=1e-3), abs=2.0)
+    assert np.abs(turns.frequency[inside] / expected - 1.0).max() < 0.15
