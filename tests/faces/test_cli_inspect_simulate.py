@@ -136,3 +136,42 @@ def test_refused_with_one_message(cli, car, words, says) -> None:
 def test_every_shipped_tester_runs(cli, car) -> None:
     for name in library():
         assert cli("inspect", "simulate", car, "--tester", name, "--json").exit_code == 0
+
+
+def test_both_wheels_of_an_axle_make_a_record_of_an_axle(cli, tmp_path: Path) -> None:
+    said = ("inspect", "simulate", "audi-a6-full-car", "--method", "egea", "--axle", "rear", "--noise", "1 %")
+    found = cli(*said, "--wheel", "both", "--record", "lane.csv", "--json").json
+    assert [wheel["wheel"] for wheel in found["wheels"]] == ["left", "right"]
+    assert found["axle"]["axle"] == "rear"
+    again = cli("inspect", "evaluate", "lane.csv", "--tester", "egea-specsus2018", "--json").json
+    for mine, theirs in zip(found["wheels"], again["wheels"], strict=True):
+        assert mine["phase_angle_min_deg"] == pytest.approx(theirs["phase_angle_min_deg"], abs=1e-3)
+        assert mine["verdict"] == theirs["verdict"] == "pass"
+    assert "run-down of both wheels" in cli(*said, "--wheel", "both").out
+
+
+def test_a_record_of_one_wheel_of_an_axle_is_one_of_this_wheel(cli, tmp_path: Path) -> None:
+    said = ("inspect", "simulate", "audi-a6-full-car", "--method", "egea", "--wheel", "right", "--record", "lane.csv")
+    assert cli(*said).exit_code == 0
+    outcome = cli("inspect", "evaluate", "lane.csv", "--tester", "egea-specsus2018", "--json")
+    assert outcome.exit_code == 0
+    assert [wheel["wheel"] for wheel in outcome.json["wheels"]] == ["right"]
+    assert outcome.json["findings"] == []
+
+
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        (("audi-a6-quarter-car", "--wheel", "both"), "one wheel stands on one plate"),
+        (("audi-a6-full-car", "--wheel", "both", "--steady"), "steady states are of one wheel"),
+        (("audi-a6-full-car", "--wheel", "both", "--wear", "0:1:0.5"), "a range of wear is of one wheel"),
+    ],
+)
+def test_both_wheels_that_cannot_be(cli, words: tuple[str, ...], says: str) -> None:
+    outcome = cli("inspect", "simulate", *words, "--method", "egea")
+    assert outcome.exit_code == 2
+    assert says in outcome.err
+
+
+def test_help_names_the_store(cli) -> None:
+    assert "record store" in " ".join(cli("inspect", "--help").out.split())

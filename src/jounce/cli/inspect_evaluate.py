@@ -72,7 +72,11 @@ def evaluate(
     whole = grade_vehicle([one.graded for one, _ in inspected])
     written = _write(whole, [one for one, _ in inspected], wanted)
     plain = _plain(whole, [one for one, _ in inspected]) | {"protocol": [str(file) for file in written]}
-    plain["store"] = None if store is None else {"location": store, "records": [number for _, number in inspected]}
+    plain["store"] = (
+        None
+        if open_store is None
+        else {"location": open_store.location, "records": [number for _, number in inspected]}
+    )
     unfit = _unfit(inspected)
     if unfit is not None:
         plain["error"] = {"kind": "RecordingError", "message": str(unfit), "where": unfit.where, "what": unfit.what}
@@ -226,7 +230,7 @@ def _unfit(inspected: list[tuple[InspectedRecord, int | None]]) -> RecordingErro
 
 def _draw(console: Console, whole: VehicleGrade, plain: dict[str, Any]) -> None:
     for graded in whole.axles:
-        _draw_axle(console, graded)
+        draw_axle(console, graded)
     if len(whole.axles) > 1:
         console.print(f"vehicle: {whole.verdict}", style=_VERDICT_STYLES.get(whole.verdict, ""))
     for file in plain["protocol"]:
@@ -236,7 +240,8 @@ def _draw(console: Console, whole: VehicleGrade, plain: dict[str, Any]) -> None:
         console.print(f"stored: {plain['store']['location']}, record {numbers}")
 
 
-def _draw_axle(console: Console, graded: GradedInspection) -> None:
+def draw_axle(console: Console, graded: GradedInspection) -> None:
+    """Print a graded axle: values of the wheels beside each other, reasons, findings."""
     sides = [wheel.wheel for wheel in graded.wheels]
     decides = ", ".join(graded.deciding)
     title = f"{graded.axle or 'axle'}: {graded.verdict} (decides: {decides}; limits: {graded.limits.label})"

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from jounce.cli.inspect_evaluate import draw_axle
 from jounce.cli.options import AsJson, Changes, Force, changes, positive_quantity, quantity
 from jounce.cli.outputs import check_outputs
 from jounce.cli.reply import Reply, progress
@@ -17,10 +18,11 @@ from jounce.core.errors import DescriptionError, OutputError
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from jounce.inspection.grading import GradedInspection
     from jounce.parts.testers import Tester
 
 _OF_TESTER = "tester."
-_SIDES, _AXLES = ("left", "right"), ("front", "rear")
+_SIDES, _BOTH, _AXLES = ("left", "right"), "both", ("front", "rear")
 _ROWS = (
     ("adhesion", "adhesion", "1"),
     ("phase_angle_min_deg", "least phase angle", "deg"),
@@ -48,7 +50,10 @@ def simulate(
     wear: Annotated[
         str | None, typer.Option(help="Share of the damping that is lost: one number, or FIRST:LAST:STEP.")
     ] = None,
-    wheel: Annotated[str, typer.Option(help="left or right: the plate, and of an axle the wheel.")] = "left",
+    wheel: Annotated[
+        str,
+        typer.Option(help="left or right: the plate, and of an axle the wheel; both: one wheel of it after the other."),
+    ] = "left",
     axle: Annotated[str, typer.Option(help="front or rear: which axle of a vehicle.")] = "front",
     noise: Annotated[
         str, typer.Option(help='Standard deviation of the noise of the force, of the static load: "1 %".')
@@ -62,7 +67,8 @@ def simulate(
 ) -> Reply:
     """Simulate the test of a wheel, evaluate the record as a measured one, and grade it.
 
-    --set changes the rig, and with `tester.` before the path the tester: --set tester.plate_mass="25 kg".
+    --set changes the rig, and with `tester.` before the path the tester: --set tester.plate_mass="25 kg". With --json
+    one wheel is one object; both wheels are {wheels: [...], axle: {...}}, as of `inspect evaluate`.
 
     Example: jounce inspect simulate audi-a6-quarter-car --method egea --wear 0:1:0.1
     """
@@ -75,12 +81,23 @@ def simulate(
     chosen_tester = _tester(method, tester, stroke, sweep_rate, of_tester)
     from jounce.parts import load
     from jounce.parts.wear import worn
-    from jounce.studies.inspection_simulation import simulate_inspection, sweep_wear
+    from jounce.studies.inspection_simulation import simulate_axle, simulate_inspection, sweep_wear
 
     chosen = load(rig).with_changes(of_rig) if of_rig else load(rig)
     warn_of(chosen, rig)
     share = quantity(noise, "1", "--noise")
     wears = sweep_wear(wear) if wear is not None else [0.0]
+    about = {"rig": rig, "tester": chosen_tester.name, "method": method or chosen_tester.method, "steady": steady}
+    if wheel == _BOTH:
+        _check_both(steady=steady, several=len(wears) > 1)
+        graded, measured = simulate_axle(
+            worn(chosen, wears[0]) if wears[0] else chosen, chosen_tester, method=method,
+            axle=axle, noise=share, seed=seed, vehicle=_name(rig),  # type: ignore[arg-type]
+        )  # fmt: skip
+        if record is not None:
+            _write(measured, record, truth=truth, force=force)
+        both = {**graded.to_dict(), **about, "record": record and str(record)}
+        return Reply(both, lambda out: _draw_both(out, graded, both), as_json)
     runs = []
     with progress() as say:
         for number, lost in enumerate(wears, 1):
@@ -93,7 +110,6 @@ def simulate(
     if record is not None and runs[0].record is not None:
         _write(runs[0].record, record, truth=truth, force=force)
     tables = [_plain(found.wheel.to_dict(), found.theta_road, found.theta_rig, steady=steady) for found in runs]
-    about = {"rig": rig, "tester": chosen_tester.name, "method": method or chosen_tester.method, "steady": steady}
     if wear is None or ":" not in wear:
         plain: dict[str, Any] = {**tables[0], **about, "record": record and str(record)}
         return Reply(plain, lambda out: _draw(out, plain, runs[0].wheel.findings), as_json)
@@ -128,8 +144,14 @@ def _tester(
     return found.with_changes(made) if made else found
 
 
+def _check_both(*, steady: bool, several: bool) -> None:
+    if steady or several:
+        what = "steady states are of one wheel" if steady else "a range of wear is of one wheel"
+        raise DescriptionError(what, where="--wheel", found=_BOTH, allowed=", ".join(_SIDES))
+
+
 def _check_words(wheel: str, axle: str) -> None:
-    for option, value, allowed in (("--wheel", wheel, _SIDES), ("--axle", axle, _AXLES)):
+    for option, value, allowed in (("--wheel", wheel, (*_SIDES, _BOTH)), ("--axle", axle, _AXLES)):
         if value not in allowed:
             raise DescriptionError("unknown", where=option, found=value, allowed=", ".join(allowed))
 
@@ -153,12 +175,20 @@ def _name(rig: str) -> str:
     return Path(rig).stem if rig.endswith(".toml") else rig
 
 
+def _draw_both(out: Console, graded: GradedInspection, plain: dict[str, Any]) -> None:
+    out.print(f"{plain['rig']} on {plain['tester']}, run-down of both wheels", style="bold")
+    draw_axle(out, graded)
+    if plain["record"]:
+        out.print(f"written: {plain['record']}")
+
+
 def _draw(out: Console, plain: dict[str, Any], findings: Any) -> None:
     how = "steady states" if plain["steady"] else "run-down"
     uncertainty = plain["uncertainty"]
     rows = [(text, plain[key], uncertainty.get(key), unit) for key, text, unit in _ROWS if plain.get(key) is not None]
     title = f"{plain['rig']} on {plain['tester']}, {how}: {plain['wheel']} wheel, {plain['static_load']:.0f} N"
-    out.print(table(title, ("value", "", "±", "unit"), rows, text=(0, 3)))
+    out.print(title, style="bold", soft_wrap=not out.is_terminal)
+    out.print(table("", ("value", "", "±", "unit"), rows, text=(0, 3)))
     for name, band in plain["grade"].items():
         out.print(f"{name}: {band}")
     out.print(f"verdict: {plain['verdict']}")

@@ -10,12 +10,12 @@ import numpy as np
 from jounce.core.errors import SimulationError, unknown
 from jounce.core.findings import Finding
 from jounce.inspection.evaluation import evaluate
-from jounce.inspection.grading import grade
+from jounce.inspection.grading import GradedInspection, grade
 from jounce.inspection.result import Inspection, WheelResult
 from jounce.mechanics.plates import RIGIDITY_FREQUENCY, tyre_rigidity
 from jounce.parts import QuarterCar, Rig
 from jounce.parts.elements import LinearDamper
-from jounce.parts.front_view import axle_of
+from jounce.parts.front_view import FrontViewAxle, axle_of
 from jounce.parts.testers import Tester, load_tester
 from jounce.parts.vehicles import Vehicle
 from jounce.simulation.periodic import steady_sweep
@@ -153,6 +153,67 @@ def simulate_inspection(
         found = _with_findings(found, stood, tester)
     graded = grade(found, deciding=[deciding])
     return SimulatedInspection(graded.wheels[0], record, road, on_rig)
+
+
+def simulate_axle(
+    rig: Rig,
+    tester: Tester,
+    *,
+    method: str | None = None,
+    axle: Literal["front", "rear"] = "front",
+    noise: float = 0.0,
+    seed: int = 0,
+    vehicle: str = "",
+) -> tuple[GradedInspection, xr.Dataset]:
+    """Simulate the test of both wheels of an axle, one after the other, evaluate the record and grade it.
+
+    Parameters
+    ----------
+    rig : FrontViewAxle, FullCar or HalfCar4
+        Under test.
+    tester : Tester
+        Plates, programme and limits.
+    method : {"eusama", "egea", "theta", "boge"}, optional
+        Whose grade decides; the tester's own otherwise.
+    axle : {"front", "rear"}
+        Of a vehicle.
+    noise : float
+        Standard deviation of the force's noise, in shares of the static load (1).
+    seed : int
+        Of the noise.
+    vehicle : str
+        Name of the vehicle, for the record.
+
+    Returns
+    -------
+    graded : GradedInspection
+        Values (SI), grades and differences of both wheels, by the record alone.
+    record : xarray.Dataset
+        Of the simulated test.
+
+    Raises
+    ------
+    JounceError
+        For a rig with one wheel only, or as `simulate_inspection`.
+
+    Examples
+    --------
+    >>> from jounce.parts import load
+    >>> graded, record = simulate_axle(load("audi-a6-full-car"), tester_for("egea"), axle="rear")
+    >>> [wheel.verdict for wheel in graded.wheels], record.attrs["wheel_order"]
+    (['pass', 'pass'], 'left, right')
+    """
+    deciding = method or tester.method
+    if deciding not in METHODS:
+        raise unknown(deciding, METHODS, what="method", where="method")
+    stood = on_plates(rig, axle)
+    if not isinstance(stood, FrontViewAxle):
+        raise SimulationError(
+            "one wheel stands on one plate", where="wheel", found="both", allowed="left, right; or an axle of a vehicle"
+        )
+    about = {"axle": axle, "vehicle": vehicle}
+    record = simulate_test(stood, tester, noise=noise, seed=seed, about=about)
+    return grade(evaluate(record, tester), deciding=[deciding]), record
 
 
 def _of_wheel(record: xr.Dataset, wheel: str) -> xr.Dataset:
