@@ -3,6 +3,8 @@
 Each round forks two importers that write into one store at once, through the command line. One of them is killed at
 a random moment, often the other one, too. What was acknowledged on stdout must be in the store, byte for byte, with
 its grading; nothing may be there in half. Some rounds start with a new store, so that its making is killed as well.
+
+    python lane_kills.py FOLDER KILLS SEED [URL]    URL of a server's database, in which databases may be made
 """
 
 from __future__ import annotations
@@ -22,14 +24,39 @@ from jounce.inspection.store import Store
 FILES = 12
 
 
-def fork_importer(files: list[Path], store: Path, out: Path) -> int:
+def new_store(folder: Path, name: str, server: str) -> str:
+    """Where the next store will be: a file, or a database that is empty."""
+    if not server:
+        return str(folder / f"{name}.sqlite")
+    from sqlalchemy import create_engine, make_url
+
+    engine = create_engine(server, isolation_level="AUTOCOMMIT")
+    with engine.connect() as connection:
+        connection.exec_driver_sql(f"CREATE DATABASE kills_{name}")
+    engine.dispose()
+    return make_url(server).set(database=f"kills_{name}").render_as_string(hide_password=False)
+
+
+def is_made(store: str) -> bool:
+    if "://" not in store:
+        return Path(store).exists()
+    from sqlalchemy import create_engine, inspect
+
+    engine = create_engine(store)
+    tables = inspect(engine).get_table_names()
+    engine.dispose()
+    assert len(tables) in (0, 7), f"half a store: {tables}"
+    return bool(tables)
+
+
+def fork_importer(files: list[Path], store: str, out: Path) -> int:
     child = os.fork()
     if child == 0:
         with contextlib.suppress(BaseException):
             handle = os.open(out, os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
             os.dup2(handle, 1)
             sys.stdout = os.fdopen(1, "w")
-            main(["inspect", "import", *map(str, files), "--store", str(store)])
+            main(["inspect", "import", *map(str, files), "--store", store])
         os._exit(0)
     return child
 
@@ -41,9 +68,9 @@ def acknowledged(out: Path) -> dict[str, int]:
     return {word[2].rstrip(":"): int(word[1]) for word in words}
 
 
-def check_round(store: Path, files: list[Path], told: dict[str, int]) -> int:
+def check_round(store: str, files: list[Path], told: dict[str, int]) -> int:
     """Everything acknowledged is there and whole; give the number of records of this round."""
-    if not store.exists():
+    if not is_made(store):
         assert not told, "acknowledged without a store"
         return 0
     opened = Store(store, read_only=True)
@@ -72,25 +99,26 @@ def write_files(folder: Path, name: str, rng: random.Random) -> list[Path]:
     return files
 
 
-def undisturbed_time(folder: Path, rng: random.Random) -> float:
+def undisturbed_time(folder: Path, rng: random.Random, server: str) -> float:
     """Time (s) of a round that nobody kills; everything is imported and compiled before it."""
     files = write_files(folder, "warm", rng)
     for name in ("cold", "warm"):
+        store = new_store(folder, name, server)
         start = time.monotonic()
-        main(["inspect", "import", *map(str, files), "--store", str(folder / f"{name}.sqlite"), "--json"])
+        main(["inspect", "import", *map(str, files), "--store", store, "--json"])
     return time.monotonic() - start
 
 
-def run(folder: Path, kills: int, seed: int) -> dict[str, int]:
+def run(folder: Path, kills: int, seed: int, server: str = "") -> dict[str, int]:
     rng = random.Random(seed)
     with Path(os.devnull).open("w") as nowhere, contextlib.redirect_stdout(nowhere):
-        longest = undisturbed_time(folder, rng)
+        longest = undisturbed_time(folder, rng, server)
     seen = {"kills": 0, "rounds": 0, "in_the_middle": 0, "acknowledged": 0, "stored": 0, "unacknowledged": 0}
-    store, everything = folder / "0.sqlite", {}
+    store, everything = new_store(folder, "0", server), {}
     while seen["kills"] < kills:
         seen["rounds"] += 1
         if seen["rounds"] % 10 == 0:
-            store, everything = folder / f"{seen['rounds']}.sqlite", {}
+            store, everything = new_store(folder, str(seen["rounds"]), server), {}
         files = write_files(folder, str(seen["rounds"]), rng)
         outs = [folder / "first.out", folder / "second.out"]
         for out in outs:
@@ -118,4 +146,4 @@ def run(folder: Path, kills: int, seed: int) -> dict[str, int]:
 
 
 if __name__ == "__main__":
-    sys.stdout.write(json.dumps(run(Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3]))))
+    sys.stdout.write(json.dumps(run(Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3]), *sys.argv[4:])))

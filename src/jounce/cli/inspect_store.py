@@ -83,7 +83,7 @@ def import_(
                 sys.stderr.write(f"jounce: {error}\n")
                 continue
             _say_kept(kept[-1], as_json=as_json)
-    plain = {"store": store, "records": kept, "failed": failed}
+    plain = {"store": opened.location, "records": kept, "failed": failed}
     unfit = failed or any(one.problem for one in kept)
     return Reply(plain, lambda out: _draw_import(out, kept, failed), as_json, REFUSED if unfit else DONE)
 
@@ -127,7 +127,7 @@ def watch(
                 if once and (not watching.is_waiting or time.monotonic() > end):
                     break
                 time.sleep(min(pause, max(settled, 0.01)) if once else pause)
-    plain = {"folder": str(folder), "store": store, "records": kept, "failed": failed}
+    plain = {"folder": str(folder), "store": opened.location, "records": kept, "failed": failed}
     return Reply(plain, lambda out: _draw_import(out, kept, failed), as_json)
 
 
@@ -159,7 +159,7 @@ def reevaluate(
             say=lambda done, number: say(f"evaluated {done} of {number}"),
         )  # fmt: skip
     plain = {
-        "store": store, "limits": graded_by.label, "records": found.records, "added": found.added,
+        "store": opened.location, "limits": graded_by.label, "records": found.records, "added": found.added,
         "unchanged": found.unchanged, "changed": found.changed, "failed": found.failed,
         "changes": [{"before": a, "after": b, "records": count} for (a, b), count in found.changes.items()],
     }  # fmt: skip
@@ -185,7 +185,9 @@ def history(
         records = opened.records(plate=plate)
         visits = history_of(opened, plate)
     if not records:
-        raise RecordingError("no record of this number plate", where=store, found=plate, hint="See: inspect search.")
+        raise RecordingError(
+            "no record of this number plate", where=opened.location, found=plate, hint="See: inspect search."
+        )
     trends = trends_of(visits)
     if figure is not None:
         from jounce.plots.history import vehicle_history
@@ -221,7 +223,7 @@ def search(
     rows = [[record[name] for name in columns] for record in found]
     title = f"{len(found)} record{'' if len(found) == 1 else 's'}"
     shown = lambda out: out.print(table(title, columns, rows, text=range(1, len(columns))))  # noqa: E731
-    return Reply({"store": store, "records": found}, shown, as_json)
+    return Reply({"store": opened.location, "records": found}, shown, as_json)
 
 
 def export(
@@ -258,7 +260,7 @@ def export(
     write(rows, out, force=force)
     for text in lost:
         sys.stderr.write(f"jounce: {text}\n")
-    plain = {"store": store, "out": str(out), "records": len(records), "rows": len(rows), "lost": lost}
+    plain = {"store": opened.location, "out": str(out), "records": len(records), "rows": len(rows), "lost": lost}
     said = f"written: {out}, {len(records)} records, {len(rows)} rows"
     return Reply(plain, lambda console: console.print(said), as_json, FAILED if lost else DONE)
 
@@ -272,10 +274,12 @@ def verify(store: StoreName, as_json: AsJson = False) -> Reply:
 
     with closing(Store(store, read_only=True)) as opened:
         found, count = opened.problems(), len(opened.numbers())
-    plain = {"store": store, "records": count, "problems": found}
+    plain = {"store": opened.location, "records": count, "problems": found}
     if found:
-        raise RecordingError(f"the store is damaged: {'; '.join(found)}", where=store, hint="Use a copy of the store.")
-    return Reply(plain, lambda out: out.print(f"{store}: sound, {count} records"), as_json)
+        raise RecordingError(
+            f"the store is damaged: {'; '.join(found)}", where=opened.location, hint="Use a copy of the store."
+        )
+    return Reply(plain, lambda out: out.print(f"{opened.location}: sound, {count} records"), as_json)
 
 
 def register(app: typer.Typer) -> None:

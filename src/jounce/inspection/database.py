@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 import tempfile
 import time
 from collections.abc import Iterator
@@ -20,13 +21,30 @@ READS = "jounce_reads"
 """Option of a connection that will not write: it waits for nobody."""
 _WAIT = 30.0  # s that a writer waits for another one
 _WHOLE = "ok"
+_DAMAGES = ("malformed", "not a database", "corrupt", "decode", "invalid page")
 _MAGIC = b"SQLite format 3\0"
 _PLAIN_SQLITE = "sqlite:///"
+_PASSWORD, _PASSWORD_ASKED = re.compile(r"(://[^/:@]*:).*@"), re.compile(r"([?&]\w*passw\w*=)[^&]*")
+_PATIENCE = 10  # s to wait for a server
+_MAKING = 0x6A6F756E6365  # lock under which tables are made: "jounce"
 _LEFT_ALONE = "It was left as it is; use a copy of the store. What can still be read: jounce inspect export --damaged."
 
 
 class DamagedStoreError(RecordingError):
     """A file that was a record store, or no store at all; it is never written to."""
+
+
+def shown(location: str) -> str:
+    """Give a location without its password, for messages and results.
+
+    Examples
+    --------
+    >>> shown("postgresql+psycopg://lane:se/cr@t@host/lane"), shown("lane.sqlite")
+    ('postgresql+psycopg://lane:***@host/lane', 'lane.sqlite')
+    """
+    if "://" not in location:
+        return location
+    return _PASSWORD_ASKED.sub(r"\1***", _PASSWORD.sub(r"\1***@", location))
 
 
 def file_of(location: str) -> Path | None:
@@ -94,33 +112,68 @@ def complaints(location: str) -> Iterator[None]:
     except (JounceError, IntegrityError):
         raise
     except DBAPIError as error:
-        reason = str(error.orig).strip()
-        if any(word in reason for word in ("malformed", "not a database", "corrupt", "decode")):
+        reason = (str(error.orig).strip() or type(error.orig).__name__).splitlines()[0]
+        if any(word in reason for word in _DAMAGES):
             raise DamagedStoreError(f"the store is damaged: {reason}", where=location, hint=_LEFT_ALONE) from None
-        hint = "Another process writes; try again." if "locked" in reason else "Check the rights and the space."
+        hint = "Check the rights and the space."
+        if "locked" in reason:
+            hint = "Another process writes; try again."
+        elif file_of(location) is None:
+            hint = "Check the server, its database, the rights and the password."
         raise OutputError(f"the store cannot be used: {reason}", where=location, hint=hint) from None
 
 
 def _open_other(location: str, *, read_only: bool) -> Engine:
     """Another database, or a SQLite database named by its driver."""
     from sqlalchemy import create_engine
+    from sqlalchemy.engine import make_url
     from sqlalchemy.exc import ArgumentError, NoSuchModuleError
 
-    from jounce.inspection.tables import create_tables
-
+    allowed = "a file, or e.g. postgresql+psycopg://user@host/lane"
     try:
-        engine = create_engine(location)
-    except (ArgumentError, NoSuchModuleError, ValueError) as error:
-        allowed = "a file, or e.g. postgresql+psycopg://user@host/lane"
-        raise DescriptionError(f"no database: {error}", where="store", found=location, allowed=allowed) from None
+        url = make_url(location)
+        if "@" in (url.host or ""):
+            raise ArgumentError
+        if url.drivername == "postgresql":
+            url = url.set(drivername="postgresql+psycopg")
+        can_wait = url.drivername == "postgresql+psycopg" and "connect_timeout" not in url.query
+        waits = {"connect_timeout": _PATIENCE} if can_wait else {}
+        engine = create_engine(url, pool_pre_ping=True, connect_args=waits)
+    except NoSuchModuleError:
+        what = "no database of a kind that is known"
+        raise DescriptionError(what, where="store", found=shown(location), allowed=allowed) from None
+    except (ArgumentError, ValueError):  # their texts hold parts of the password
+        hint = "In a password, write / : @ as %2F %3A %40."
+        what = "no database: the address cannot be read"
+        raise DescriptionError(what, where="store", found=shown(location), allowed=allowed, hint=hint) from None
     except ModuleNotFoundError as error:
-        hint = f"Install it with: pip install {error.name}"
-        raise RecordingError("the driver of this database is not installed", where=location, hint=hint) from None
-    with complaints(engine.url.render_as_string(hide_password=True)), engine.begin() as connection:
-        if not read_only:
-            create_tables(connection)
-        _check_tables(connection, location)
+        package = "jounce[postgresql]" if error.name == "psycopg" else error.name
+        what, hint = "the driver of this database is not installed", f"Install it with: pip install '{package}'"
+        raise RecordingError(what, where=shown(location), hint=hint) from None
+    try:
+        with complaints(shown(location)), engine.begin() as connection:
+            if not read_only:
+                _make_tables(connection, shown(location))
+            _check_tables(connection, shown(location))
+    except JounceError:
+        engine.dispose()
+        raise
     return engine
+
+
+def _make_tables(connection: Connection, location: str) -> None:
+    """Make the tables in a database of a server, unless others with one of their names are there."""
+    from sqlalchemy import func, inspect, select
+
+    from jounce.inspection.tables import NAMES, create_tables
+
+    if connection.dialect.name == "postgresql":  # two that make the same table at once get in each other's way
+        connection.execute(select(func.pg_advisory_xact_lock(_MAKING)))
+    there = set(inspect(connection).get_table_names()) & NAMES
+    if there and there != NAMES:
+        found = ", ".join(sorted(there))
+        raise RecordingError("a database of another kind", where=location, found=found, allowed="a record store")
+    create_tables(connection)
 
 
 def _sqlite(file: Path, *, read_only: bool, damaged: bool = False) -> Engine:

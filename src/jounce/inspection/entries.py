@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import hashlib
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
+
+_NO_TEXT = re.compile("[\0\ud800-\udfff]")
 
 
 @dataclass(frozen=True)
@@ -61,6 +64,17 @@ def digest_of(content: bytes, sidecar: bytes | None) -> str:
     """SHA-256 of a file and the one beside it: the same for the same bytes, whatever their names."""
     parts = [hashlib.sha256(part).digest() for part in (content, sidecar) if part is not None]
     return hashlib.sha256(b"".join(parts)).hexdigest()
+
+
+def storable(text: str) -> str:
+    r"""Text that every database takes: replacement characters stand for NUL and for bytes of names that are no text.
+
+    Examples
+    --------
+    >>> storable("a\udcffb\0.csv") == "a\ufffdb\ufffd.csv"
+    True
+    """
+    return _NO_TEXT.sub("\ufffd", text)
 
 
 def plate_key(plate: str) -> str:

@@ -103,7 +103,7 @@ def reevaluate(
     from jounce.inspection.limits import load_limits
 
     numbers = store.numbers()
-    task = _Task(store.location, limits if limits is not None else load_limits(), tester, from_files)
+    task = _Task(store.address, limits if limits is not None else load_limits(), tester, from_files)
     batches = [numbers[start : start + _BATCH] for start in range(0, len(numbers), _BATCH)]
     added, done, changed = 0, 0, []
     changes: Counter[tuple[str, str]] = Counter()
@@ -126,7 +126,7 @@ def reevaluate(
 
 @dataclass(frozen=True)
 class _Task:
-    location: str
+    address: str
     limits: Limits
     tester: Tester | None
     from_files: bool
@@ -136,7 +136,7 @@ class _Task:
 def _results(task: _Task, batches: list[list[int]], workers: int) -> Iterator[Iterable[list[_Found]]]:
     """Give what comes of the batches, in their order, as it comes."""
     if workers <= 1:
-        store = Store(task.location, read_only=True)
+        store = Store(task.address, read_only=True)
         yield (_work_on(store, task, batch) for batch in batches)
         store.close()
         return
@@ -175,7 +175,7 @@ _open: dict[str, Any] = {}
 
 def _begin(task: _Task) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the first process tells when to stop
-    _open.update(task=task, store=Store(task.location, read_only=True))
+    _open.update(task=task, store=Store(task.address, read_only=True))
 
 
 def _work(batch: list[int]) -> list[_Found]:

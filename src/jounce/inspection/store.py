@@ -9,22 +9,23 @@ from __future__ import annotations
 import hashlib
 import json
 import zlib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from jounce.core.errors import OutputError, RecordingError
 from jounce.core.serialise import to_json
-from jounce.inspection.database import READS, DamagedStoreError, complaints, open_database, problems_of
-from jounce.inspection.entries import Grading, RecordEntry, StoredRecord, digest_of, plate_key
+from jounce.inspection.database import READS, DamagedStoreError, complaints, open_database, problems_of, shown
+from jounce.inspection.entries import Grading, RecordEntry, StoredRecord, digest_of, plate_key, storable
 from jounce.inspection.tables import CONTENTS, DESCRIPTIONS, RECORDS, RESULTS, VEHICLES, WATCHED
 
 if TYPE_CHECKING:
     from sqlalchemy import Column, Select
     from sqlalchemy.engine import Connection
 
+T = TypeVar("T")
 _RESULT_COLUMNS = (
     RESULTS.c.record,
     RESULTS.c.verdict,
@@ -72,8 +73,9 @@ class Store:
     """
 
     def __init__(self, location: str | Path, *, read_only: bool = False, damaged: bool = False) -> None:
-        self.location, self.read_only = str(location), read_only or damaged
-        self._engine = open_database(self.location, read_only=self.read_only, damaged=damaged)
+        self.address, self.read_only = str(location), read_only or damaged
+        self.location = shown(self.address)  # for messages and results
+        self._engine = open_database(self.address, read_only=self.read_only, damaged=damaged)
 
     def accept(self, entry: RecordEntry, grading: Grading | None) -> tuple[int, bool]:
         """Put a record in, with its grading, in one transaction.
@@ -92,12 +94,16 @@ class Store:
         is_new : bool
             False where the same file is in the store already: then nothing changes.
         """
+        return self._again(lambda: self._accept(entry, grading))
+
+    def _again(self, write: Callable[[], T]) -> T:
+        """Write, once more where another process put the same record, vehicle, tester or file in meanwhile."""
         from sqlalchemy.exc import IntegrityError
 
         for _ in range(_ATTEMPTS):
             try:
-                return self._accept(entry, grading)
-            except IntegrityError:  # another process put the same record, vehicle or tester in meanwhile
+                return write()
+            except IntegrityError:
                 continue
         raise OutputError("the record could not be stored: others keep writing the same", where=self.location)
 
@@ -128,6 +134,7 @@ class Store:
                 "vehicle_digest": _note_description(connection, entry.vehicle_table),
                 "methods": ",".join(entry.methods),
             }
+            values = _storable(values)
             values["seal"] = _seal(*(values[name] for name in _SHOWN))
             number = int(connection.execute(insert(RECORDS).values(**values).returning(RECORDS.c.number)).scalar_one())
             connection.execute(insert(CONTENTS).values(record=number, **packed))
@@ -313,9 +320,14 @@ class Store:
         """Remember a file of a watched folder: its size in bytes, its time in ns, what was wrong with it."""
         from sqlalchemy import delete, insert
 
-        with self._writing() as connection:
-            connection.execute(delete(WATCHED).where(WATCHED.c.path == path))
-            connection.execute(insert(WATCHED).values(path=path, size=size, modified=modified, message=message))
+        row = _storable({"path": path, "size": size, "modified": modified, "message": message})
+
+        def write() -> None:
+            with self._writing() as connection:
+                connection.execute(delete(WATCHED).where(WATCHED.c.path == row["path"]))
+                connection.execute(insert(WATCHED).values(**row))
+
+        self._again(write)
 
     def watched(self) -> dict[str, tuple[int, int]]:
         """Size (bytes) and time (ns) of the files that were looked at, by path."""
@@ -361,7 +373,8 @@ def _note_vehicle(connection: Connection, entry: RecordEntry) -> None:
     key = plate_key(entry.plate)
     if not key or connection.execute(select(VEHICLES.c.plate).where(VEHICLES.c.plate_key == key)).first():
         return
-    connection.execute(insert(VEHICLES).values(plate_key=key, plate=entry.plate, name=entry.vehicle, since=_now()))
+    row = {"plate_key": key, "plate": entry.plate, "name": entry.vehicle, "since": _now()}
+    connection.execute(insert(VEHICLES).values(**_storable(row)))
 
 
 def _note_description(connection: Connection, table: Mapping[str, Any] | None) -> str | None:
@@ -370,7 +383,7 @@ def _note_description(connection: Connection, table: Mapping[str, Any] | None) -
 
     if table is None:
         return None
-    text = json.dumps(json.loads(to_json(table)), sort_keys=True)
+    text = storable(json.dumps(json.loads(to_json(table)), sort_keys=True))
     digest = hashlib.sha256(text.encode()).hexdigest()
     if connection.execute(select(DESCRIPTIONS.c.digest).where(DESCRIPTIONS.c.digest == digest)).first() is None:
         connection.execute(insert(DESCRIPTIONS).values(digest=digest, content=text))
@@ -385,7 +398,12 @@ def _row_of(record: int, grading: Grading) -> dict[str, Any]:
         "software": grading.software,
         "result": to_json(grading.result, indent=None),
     }
+    row = _storable(row)
     return {**row, "seal": _seal(*row.values()), "graded": _now()}
+
+
+def _storable(row: Mapping[str, Any]) -> dict[str, Any]:
+    return {name: storable(value) if isinstance(value, str) else value for name, value in row.items()}
 
 
 def _seal(*parts: object) -> str:

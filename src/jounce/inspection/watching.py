@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from jounce.core.errors import JounceError
 from jounce.inspection.database import DamagedStoreError
+from jounce.inspection.entries import storable
 from jounce.inspection.lane import ImportedRecord, import_record
 
 if TYPE_CHECKING:
@@ -123,11 +124,11 @@ class FolderWatch:
                 self._complaint = f"the folder cannot be read: {error.strerror}"
                 yield Seen(self.folder, None, self._complaint)
             return
-        there = {str(file.resolve()) for file in files}
+        there = {_path_of(file) for file in files}
         self._waiting = {path: waiting for path, waiting in self._waiting.items() if path in there}
         for file in files:
             stamp = _stamp_of(file)
-            path = str(file.resolve())
+            path = _path_of(file)
             if stamp is None or self._done.get(path) == stamp:
                 self._waiting.pop(path, None)
                 continue
@@ -164,6 +165,11 @@ class FolderWatch:
             self._done[path] = stamp
         self._waiting.pop(path, None)
         return seen
+
+
+def _path_of(file: Path) -> str:
+    """Path of a file as the store keeps it."""
+    return storable(str(file.resolve()))
 
 
 def _stamp_of(file: Path) -> _Stamp | None:
