@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from jounce.studies.inspection_equivalence import Equivalence, Factor
 
 _NAMES = {"eusama": "EUSAMA adhesion", "egea": "EGEA phase angle", "theta": "THETA"}
+_NEVER = "dots at the top: never rejects"
 _SOUND, _WORN = "#dceedd", "#f6ddd4"
 
 
@@ -30,16 +31,20 @@ def equivalence(study: Equivalence) -> Figure:
     Returns
     -------
     matplotlib.figure.Figure
-        One set of axes a factor: wear (%) over the factor; above its line a method rejects. Sound dampers are shaded
-        green, worn ones red.
+        One set of axes a factor: wear (%) over the factor; above its line a method rejects, where it has dots at the
+        top it never does. Sound dampers are shaded green, worn ones red.
     """
+    from matplotlib.lines import Line2D
+
     figure = new_figure(4.0)
     row = figure.subplots(1, len(study.factors), sharey=True, squeeze=False)[0]
     for factor, axes in zip(study.factors, row, strict=True):
         _panel(study, factor, axes)
     row[0].set_ylabel("damping lost [%]")
     handles = [line for line in row[0].lines if line.get_label() in _NAMES.values()]
-    figure.legend(handles=handles, loc="outside upper left", ncols=len(_NAMES), fontsize=8.5, frameon=False)
+    if any(line.get_linestyle() == "None" for axes in row for line in axes.lines):
+        handles += [Line2D([], [], color=MUTED, marker=".", linestyle="None", markersize=2.5, label=_NEVER)]
+    figure.legend(handles=handles, loc="outside upper left", ncols=len(handles), fontsize=8.5, frameon=False)
     return figure
 
 
@@ -51,7 +56,7 @@ def _panel(study: Equivalence, factor: Factor, axes: Axes) -> None:
     axes.axhspan(100.0 * WORN, 100.0, color=_WORN, zorder=0)
     for i, (method, name) in enumerate(_NAMES.items()):
         edge = study.rejecting_wear(factor.name, method)
-        axes.plot(values, 100.0 * edge, color=PALETTE[i], label=name, drawstyle="steps-mid")
+        axes.plot(values, 100.0 * edge, color=PALETTE[i], label=name)
         never = values[np.isnan(edge)]
         if len(never):
             axes.plot(never, np.full(len(never), 98.5 - 2.2 * i), ".", color=PALETTE[i], markersize=2.5)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from itertools import pairwise
 from multiprocessing import get_context
 from typing import TYPE_CHECKING, Any
 
@@ -129,6 +130,8 @@ class Equivalence:
         Which limits.
     tests : int
         Simulated run-downs.
+    edges : dict
+        Method to the value below which it rejects, in the unit of its quantity.
     """
 
     planes: dict[str, xr.Dataset]
@@ -136,12 +139,39 @@ class Equivalence:
     factors: tuple[Factor, ...]
     limits: str
     tests: int
+    edges: dict[str, float] = field(default_factory=dict)
 
     def rejecting_wear(self, factor: str, method: str) -> Array:
-        """Least wear (1) at which a method rejects, for each value of a factor; no number where it never does."""
+        """Least wear at which a method rejects, over a factor: between two wears where its value meets the limit.
+
+        Parameters
+        ----------
+        factor : str
+            Name of the plane.
+        method : {"eusama", "egea", "theta"}
+            Whose value.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+            Shares of damping lost (1) for each value of the factor; not a number where the method never rejects.
+
+        Examples
+        --------
+        >>> import xarray as xr
+        >>> values = {"adhesion": (("wear", "load"), [[0.6], [0.3]])}
+        >>> verdicts = {"eusama_verdict": (("wear", "load"), [["pass"], ["fail"]])}
+        >>> plane = xr.Dataset(values | verdicts, {"wear": [0.0, 0.9], "load": [1.0]})
+        >>> study = Equivalence({"load": plane}, (), (), "", 2, {"eusama": 0.4})
+        >>> study.rejecting_wear("load", "eusama").round(6).tolist()
+        [0.6]
+        """
         plane = self.planes[factor]
+        wear, values = plane["wear"].to_numpy(), plane[METHODS[method]].to_numpy()
         fails = plane[f"{method}_verdict"].to_numpy() == "fail"
-        return np.where(fails.any(axis=0), plane["wear"].to_numpy()[fails.argmax(axis=0)], np.nan)
+        edge = self.edges.get(method, np.nan)
+        columns = zip(fails.T, values.T, strict=True)
+        return np.array([_first_rejected(wear, fail, value, edge) for fail, value in columns])
 
     def to_dict(self) -> dict[str, Any]:
         """Give plain values: tables of values over wear (rows) and factor, SI and degrees."""
@@ -154,6 +184,7 @@ class Equivalence:
             for name, plane in self.planes.items()
         }
         found = {"limits": self.limits, "tests": self.tests, "sound_up_to": SOUND, "worn_from": WORN}
+        found |= {"rejected_below": self.edges}
         plain: dict[str, Any] = to_plain({**found, "planes": planes, "disagreements": self.disagreements})
         return plain
 
@@ -219,7 +250,27 @@ def compare_tests(
         progress(done / len(places))
     planes = {factor.name: _plane(factor, shares, tables[factor.name], used) for factor in chosen}
     found = tuple(row for factor in chosen for row in _disagreements(factor, planes[factor.name]))
-    return Equivalence(planes, found, chosen, used.label, len(columns) * len(shares))
+    return Equivalence(planes, found, chosen, used.label, len(columns) * len(shares), _edges(used))
+
+
+def _first_rejected(wear: Array, fails: NDArray[np.bool_], values: Array, edge: float) -> float:
+    """Least wear (1) that fails; on the straight line between it and the one before, where the value is at the edge."""
+    if not fails.any():
+        return float("nan")
+    i = int(fails.argmax())
+    drop = values[i - 1] - values[i] if i else np.nan
+    share = (values[i - 1] - edge) / drop if drop > 0.0 else np.nan
+    return float(wear[i - 1] + share * (wear[i] - wear[i - 1]) if 0.0 <= share <= 1.0 else wear[i])
+
+
+def _edges(limits: Limits) -> dict[str, float]:
+    """Value of each method below which it rejects, where more is better."""
+    found: dict[str, float] = {}
+    for method in METHODS:
+        bands = limits.methods[method].bands if method in limits.methods else ()
+        ends = [low.end for low, high in pairwise(bands) if low.verdict == "fail" and high.verdict != "fail"]
+        found |= {method: ends[0]} if ends else {}
+    return found
 
 
 def _tested(columns: Sequence[tuple[QuarterCar, Array]], workers: int) -> Iterator[dict[str, Array]]:

@@ -45,6 +45,11 @@ def test_plain_values_and_picture(study: Equivalence) -> None:
     assert len(plain["planes"]["load"]["adhesion"]) == 3
     figure = equivalence(study)
     assert [axes.get_xlabel() for axes in figure.axes] == [factor.label for factor in study.factors]
+    dotted = any(
+        np.isnan(study.rejecting_wear(factor.name, method)).any() for factor in study.factors for method in METHODS
+    )
+    texts = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert (texts[-1] == "dots at the top: never rejects") == dotted
 
 
 def test_wear_from_which_a_method_rejects(study: Equivalence) -> None:
@@ -53,7 +58,17 @@ def test_wear_from_which_a_method_rejects(study: Equivalence) -> None:
     assert wear[0] == 0.0  # the light car, sound as it is
     for load, first in zip(verdicts["load"].to_numpy(), wear, strict=True):
         failing = verdicts["wear"].to_numpy()[verdicts.sel(load=load).to_numpy() == "fail"]
-        assert first == failing.min() if failing.size else np.isnan(first)
+        assert 0.0 <= failing.min() - first < 0.4 if failing.size else np.isnan(first)
+
+
+def test_a_boundary_lies_where_the_value_meets_the_limit(study: Equivalence) -> None:
+    assert study.edges == {"eusama": 0.4, "egea": 35.0, "theta": 0.1}
+    assert study.to_dict()["rejected_below"] == study.edges
+    values = study.planes["tyre_stiffness"]["phase_angle_min_deg"].to_numpy()
+    first = study.rejecting_wear("tyre_stiffness", "egea")
+    for column, wear in zip(values.T, first, strict=True):
+        assert wear not in (0.0, 0.4, 0.8)
+        assert np.interp(wear, [0.0, 0.4, 0.8], column) == pytest.approx(35.0, abs=1e-9)
 
 
 def test_other_rigs_are_refused() -> None:
