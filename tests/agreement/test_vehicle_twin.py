@@ -234,7 +234,8 @@ def compare_linear(vehicle_twin, car):
     kept = [i for i in range(len(rest)) if car.model != "half-car-4dof" or i not in (2, 2 + len(rest) // 2)]
     names = ["body.z", "body.pitch", *(["body.roll"] if full else [])]
     names += [] if car.model == "half-car" else [f"{corner}.unsprung.z" for corner in car.corners]
-    assert list(model.states) == [*names, *(f"{name} rate" for name in names)]
+    speeds = [f"{name}_rate" if name.endswith(("pitch", "roll")) else f"{name[:-1]}vz" for name in names]
+    assert list(model.states) == [*names, *speeds]
     base, outputs = perturbed(vehicle_twin, car, {}, rest)
     rows = [name for name in model.outputs if name in outputs]
     assert set(model.outputs) - set(rows) <= {"body.lateral_acceleration"}
