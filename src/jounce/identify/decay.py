@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, Severity
 from jounce.identify.decay_peaks import Peaks, find_peaks, find_release, noise_of, ratio_from_decrement
-from jounce.identify.decay_response import QUANTITIES, DecayParameters, Quantity
+from jounce.identify.decay_response import QUANTITIES, DecayParameters, Quantity, alternating
 from jounce.identify.decay_search import search_decay
 from jounce.identify.estimate import Estimate, at_least_zero
 from jounce.identify.regression import Uncertainty, linear_least_squares, r_squared
@@ -41,6 +41,8 @@ class DecayResult:
     logarithmic_decrement : Estimate
         The naive one: slope of ln(amplitude) per full cycle about the equilibrium, all turning points [1]. Friction
         makes it larger than the viscous damping alone would.
+    amplitudes : tuple of float
+        Of the successive turning points about the equilibrium, unit of the record.
     decrements : tuple of float
         ln(X_i / X_(i+2)) of successive turning points [1].
     naive_damping_ratios : tuple of float
@@ -68,6 +70,7 @@ class DecayResult:
     equilibrium: Estimate | None
     stiffness: Estimate
     logarithmic_decrement: Estimate
+    amplitudes: tuple[float, ...]
     decrements: tuple[float, ...]
     naive_damping_ratios: tuple[float, ...]
     cycles: float
@@ -156,6 +159,7 @@ def fit_decay(
         **estimates,
         equilibrium=centre if quantity == "displacement" else None,
         logarithmic_decrement=_naive_decrement(amplitudes),
+        amplitudes=tuple(map(float, amplitudes)),
         decrements=decrements,
         naive_damping_ratios=tuple(ratio_from_decrement(one) for one in decrements),
         cycles=(len(peaks.time) - 1) / 2.0,
@@ -221,10 +225,7 @@ def _amplitudes(peaks: Peaks, parameters: DecayParameters, quantity: Quantity) -
     away = peaks.value - parameters.offset
     if quantity == "displacement":
         away[0] = parameters.release_deflection  # the fitted release is better than one sample
-    signed = away * np.sign(away[0]) * (-1.0) ** np.arange(len(away))
-    wrong = np.flatnonzero(signed <= 0.0)
-    amplitudes: Array = signed[: int(wrong[0]) if len(wrong) else len(signed)]
-    return amplitudes
+    return alternating(away)
 
 
 def _naive_decrement(amplitudes: Array) -> Estimate:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import FitError
+from jounce.identify.decay_response import alternating
 
 Array = NDArray[np.float64]
 
@@ -241,8 +242,7 @@ def regress_peaks(peaks: Peaks) -> PeakRegression:
     q = float(np.clip(q, 1e-4, 0.9999))
     friction = -float(intercept) / (2.0 * (1.0 + q))
     centre = _equilibrium(peaks, swing, q, friction)
-    amplitude = (peaks.value - centre) * np.sign(peaks.value[0] - centre) * (-1.0) ** np.arange(len(peaks.value))
-    positive = amplitude[: int(np.argmax(amplitude <= 0.0)) if np.any(amplitude <= 0.0) else len(amplitude)]
+    positive = alternating(peaks.value - centre)
     if len(positive) >= 4:
         slope, level = np.polyfit(positive[:-1], positive[1:], 1)
         if 0.0 < slope < 1.0:

@@ -43,6 +43,11 @@ class DecayParameters:
     release_time: float
     release_deflection: float
 
+    @property
+    def half_cycle_ratio(self) -> float:
+        """What viscous damping alone leaves of an amplitude after half a cycle [1]."""
+        return math.exp(-math.pi * self.damping_ratio / math.sqrt(1.0 - self.damping_ratio**2))
+
 
 def turning_points(parameters: DecayParameters, count: int) -> Array:
     """Give the displacement from equilibrium at successive turning points.
@@ -66,13 +71,24 @@ def turning_points(parameters: DecayParameters, count: int) -> Array:
     >>> (1e3 * turning_points(system, 20)).round(4).tolist()
     [20.0, -12.7024, 7.5594, -3.9349, 1.3805, 0.4197]
     """
-    ratio = parameters.damping_ratio
-    q = math.exp(-math.pi * ratio / math.sqrt(1.0 - ratio * ratio))
+    q = parameters.half_cycle_ratio
     points = [parameters.release_deflection]
     while len(points) <= count and abs(points[-1]) > parameters.friction_deflection and points[-1] != 0.0:
         shifted = parameters.friction_deflection * math.copysign(1.0, points[-1])
         points.append(shifted - q * (points[-1] - shifted))
     return np.array(points)
+
+
+def alternating(away: Array) -> Array:
+    """Amplitudes of turning points given from equilibrium, up to the first that is not on its own side.
+
+    >>> alternating(np.array([-20.0, 12.0, -7.0, -1.0])).tolist()
+    [20.0, 12.0, 7.0]
+    """
+    turned = away * np.sign(away[0]) * (-1.0) ** np.arange(len(away))
+    wrong = np.flatnonzero(turned <= 0.0)
+    kept: Array = turned[: int(wrong[0]) if len(wrong) else len(turned)]
+    return kept
 
 
 def decay_response(time: Array, parameters: DecayParameters, quantity: Quantity) -> Array:

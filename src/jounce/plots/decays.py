@@ -7,9 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from jounce.core.errors import FitError
-from jounce.identify.decay_peaks import find_peaks, noise_of
-from jounce.identify.decay_response import QUANTITIES, decay_response, turning_points
+from jounce.identify.decay_response import QUANTITIES, alternating, decay_response, turning_points
 from jounce.plots.display import display_unit, quantity
 from jounce.plots.style import AFTER, MEASURED, MUTED, PALETTE, legend_above, new_figure, styled
 
@@ -37,7 +35,7 @@ def decay_fit(result: DecayResult, time: ArrayLike = (), signal: ArrayLike = (),
     time : array (n,), optional
         Times of the record [s].
     signal : array (n,), optional
-        The record itself in SI; without it only the response is drawn.
+        The record itself in SI; without it only what was fitted is drawn.
     title : str
         Name of the record.
 
@@ -51,7 +49,7 @@ def decay_fit(result: DecayResult, time: ArrayLike = (), signal: ArrayLike = (),
     t, record = np.asarray(time, float), np.asarray(signal, float)
     _draw_decay(parts["decay"], result, t, record)
     parts["decay"].set_title(title)
-    _draw_peaks(parts["peaks"], result, t, record)
+    _draw_peaks(parts["peaks"], result)
     _draw_ratios(parts["ratios"], result)
     return figure
 
@@ -86,28 +84,20 @@ def _draw_decay(axes: Axes, result: DecayResult, time: Array, record: Array) -> 
     legend_above(axes, 3)
 
 
-def _draw_peaks(axes: Axes, result: DecayResult, time: Array, record: Array) -> None:
+def _draw_peaks(axes: Axes, result: DecayResult) -> None:
     if result.quantity != "displacement":
         axes.set_axis_off()
         axes.text(0.5, 0.5, "turning points are drawn\nfor displacements only", ha="center", va="center", color=MUTED)
         return
     unit = display_unit("m")
-    if len(record):
-        use = (time >= result.window[0]) & (time <= result.window[1])
-        try:
-            found = find_peaks(time[use], record[use], noise_of(record[use]))
-        except FitError:
-            found = None
-        if found is not None:
-            measured = _amplitudes(found.value - result.parameters.offset) * unit.factor
-            axes.plot(measured[:-1], measured[1:], "o", color=MEASURED, markersize=4.5, label="measured")
-    turns = _amplitudes(turning_points(result.parameters, 40)) * unit.factor
+    measured = np.array(result.amplitudes) * unit.factor
+    axes.plot(measured[:-1], measured[1:], "o", color=MEASURED, markersize=4.5, label="measured")
+    turns = alternating(turning_points(result.parameters, 40)) * unit.factor
     if len(turns) > 2:
         axes.plot(turns[:-1], turns[1:], color=AFTER, label="fitted")
-        slope = (turns[1] - turns[2]) / (turns[0] - turns[1])
         axes.plot(
             [0.0, turns[0]],
-            [0.0, slope * turns[0]],
+            [0.0, result.parameters.half_cycle_ratio * turns[0]],
             color=MUTED,
             linewidth=1.0,
             linestyle=(0, (1, 2)),
@@ -118,14 +108,6 @@ def _draw_peaks(axes: Axes, result: DecayResult, time: Array, record: Array) -> 
     axes.set(xlabel="turning point from equilibrium [mm]", ylabel="next turning point [mm]")
     axes.set_title("each turning point against the one before", fontweight="normal", fontsize=9)
     axes.legend(loc="upper left")
-
-
-def _amplitudes(signed: Array) -> Array:
-    """Amplitudes as long as they alternate in sign."""
-    turned = signed * np.sign(signed[0]) * (-1.0) ** np.arange(len(signed))
-    wrong = np.flatnonzero(turned <= 0.0)
-    kept: Array = turned[: int(wrong[0]) if len(wrong) else len(turned)]
-    return kept
 
 
 def _draw_ratios(axes: Axes, result: DecayResult) -> None:
