@@ -19,9 +19,9 @@ def check_outputs(
     if rig is not None:
         check_writable(rig, what="rigs", suffixes=(".toml",), force=force)
     if recording is not None:
-        from jounce.recordings.writing import check_recording
+        from jounce.recordings.writing import check_recording_file
 
-        check_recording(recording, force=force)
+        check_recording_file(recording, force=force)
     if figure is not None:
         from jounce.plots.writing import check_figure
 

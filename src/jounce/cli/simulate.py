@@ -85,28 +85,17 @@ def simulate(
 
 def _summary(run: xr.Dataset, trial: Trial) -> dict[str, Any]:
     """What the recording holds: extremes of every channel with their times, and the state of rest it starts from."""
-    time = run["time"].to_numpy()
-    channels = {}
-    for name, channel in run.data_vars.items():
-        values = channel.to_numpy()
-        low, high = int(values.argmin()), int(values.argmax())
-        channels[str(name)] = {
-            "unit": channel.attrs["units"],
-            "static": float(values[0]),
-            "minimum": float(values[low]),
-            "time_of_minimum": float(time[low]),
-            "maximum": float(values[high]),
-            "time_of_maximum": float(time[high]),
-        }
+    from jounce.recordings.schema import extremes
+
     return {
         "speed": trial.speed,
         "duration": trial.duration,
-        "samples": len(time),
+        "samples": run.sizes["time"],
         "status": run.attrs["status"],
         "method": run.attrs["method"],
         "steps": int(run.attrs["steps"]),
         "events": int(run.attrs["events"]),
-        "channels": channels,
+        "channels": extremes(run),
     }
 
 

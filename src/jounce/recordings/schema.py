@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -71,6 +71,38 @@ QUANTITIES: dict[str, tuple[str, str]] = {
 def place_of(name: str) -> str:
     """Give the place of a channel: its name without the last word (``sprung`` for ``sprung.az``)."""
     return name.rpartition(".")[0]
+
+
+def is_channel(channel: str, name: str) -> bool:
+    """Whether a channel is the one of that name, or that of a corner.
+
+    >>> is_channel("front_left.tyre.force", "tyre.force"), is_channel("front_tyre.force", "tyre.force")
+    (True, False)
+    """
+    return channel == name or channel.endswith(f".{name}")
+
+
+def channels_of(name: str, names: Sequence[str]) -> list[str]:
+    """Channels of that name: the channel itself, or the one of every corner that ends with it."""
+    return [name] if name in names else [channel for channel in names if is_channel(channel, name)]
+
+
+def extremes(run: xr.Dataset) -> dict[str, dict[str, str | float]]:
+    """First, least and greatest value of every channel in its unit, with the times (s) of the extremes."""
+    time = run["time"].to_numpy()
+    found: dict[str, dict[str, str | float]] = {}
+    for name, channel in run.data_vars.items():
+        values = channel.to_numpy()
+        low, high = int(values.argmin()), int(values.argmax())
+        found[str(name)] = {
+            "unit": str(channel.attrs["units"]),
+            "static": float(values[0]),
+            "minimum": float(values[low]),
+            "time_of_minimum": float(time[low]),
+            "maximum": float(values[high]),
+            "time_of_maximum": float(time[high]),
+        }
+    return found
 
 
 def quantity_of(name: str) -> str:

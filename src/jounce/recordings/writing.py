@@ -47,7 +47,7 @@ def write_recording(dataset: xr.Dataset, path: Path | str, *, force: bool = Fals
     >>> read_recording(file)[0].equals(run)
     True
     """
-    file = check_recording(path, force=force)
+    file = check_recording_file(path, force=force)
     if file.suffix.lower() == ".csv":
         return write_atomically(file, _csv_text(dataset), force=force)
     with replacing(file) as temporary:
@@ -55,7 +55,7 @@ def write_recording(dataset: xr.Dataset, path: Path | str, *, force: bool = Fals
     return file
 
 
-def check_recording(path: Path | str, *, force: bool = False) -> Path:
+def check_recording_file(path: Path | str, *, force: bool = False) -> Path:
     """Refuse, before the work, a file that no recording could be written to; give the path."""
     return check_writable(path, what="recordings", suffixes=SUFFIXES, force=force)
 

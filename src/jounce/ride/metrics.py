@@ -14,7 +14,7 @@ from jounce.core.findings import Finding
 from jounce.core.units import to_si
 from jounce.parts import Rig
 from jounce.recordings.quality import check_time
-from jounce.recordings.schema import check_recording
+from jounce.recordings.schema import check_recording, is_channel
 from jounce.ride import comfort
 from jounce.ride.catalogue import CATALOGUE, Metric, Scope
 from jounce.ride.gaps import Given, by_corner, gaps_of
@@ -272,12 +272,8 @@ def _weightings(given: Mapping[str, str], names: Sequence[str]) -> Mapping[str, 
 
 def _corner_names(names: Sequence[str]) -> tuple[str, ...]:
     """Corners in the order of their channels; empty text for channels without a prefix."""
-    found = [name.removesuffix(part).removesuffix(".") for name in names for part in _PARTS if _ends(name, part)]
+    found = [name.removesuffix(part).removesuffix(".") for name in names for part in _PARTS if is_channel(name, part)]
     return tuple(dict.fromkeys(found))
-
-
-def _ends(name: str, part: str) -> bool:
-    return name == part or name.endswith(f".{part}")
 
 
 Views = dict[Scope, list[tuple[str, Any]]]

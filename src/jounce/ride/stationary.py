@@ -14,6 +14,7 @@ from jounce.core.errors import unknown
 from jounce.core.findings import Finding
 from jounce.core.serialise import to_plain
 from jounce.parts import Rig
+from jounce.recordings.schema import channels_of, is_channel
 from jounce.ride.covariance import KICKED, WANDERS
 from jounce.ride.family import LinearFamily
 from jounce.ride.moments import Analysis, Gain, Moments, Signal
@@ -103,7 +104,7 @@ class StationaryResponse:
         return {
             name: value / self.static[name]
             for name, value in self.standard_deviation.items()
-            if _is_part(name, "tyre.force") and self.static[name] > 0.0
+            if is_channel(name, "tyre.force") and self.static[name] > 0.0
         }
 
     def to_dict(self) -> dict[str, Any]:
@@ -252,20 +253,11 @@ def _gains(weighting: Mapping[str, str | Gain], names: Sequence[str]) -> dict[st
     return found
 
 
-def channels_of(name: str, names: Sequence[str]) -> list[str]:
-    """Channels of that name: the channel itself, or the one of every corner that ends with it."""
-    return [name] if name in names else [channel for channel in names if _is_part(channel, name)]
-
-
-def _is_part(channel: str, name: str) -> bool:
-    return channel == name or channel.endswith(f".{name}")
-
-
 def linear_findings(rig: Rig, sigma: Mapping[str, float], static: Mapping[str, float]) -> list[Finding]:
     """Say where a linear model about rest says more than the rig can do; standard deviations and static values, SI."""
     found = []
     for name, value in sigma.items():
-        if _is_part(name, "tyre.force") and 0.0 < static[name] < _LIFTS * value:
+        if is_channel(name, "tyre.force") and 0.0 < static[name] < _LIFTS * value:
             times = static[name] / value
             share = 0.5 * math.erfc(times / math.sqrt(2.0))
             text = (
@@ -294,7 +286,7 @@ def _stop_findings(
 ) -> list[Finding]:
     found = []
     for name, value in sigma.items():
-        if not _is_part(name, "strut.deflection") or value == 0.0:
+        if not is_channel(name, "strut.deflection") or value == 0.0:
             continue
         corner = name.removesuffix("strut.deflection").removesuffix(".")
         axle = corner.partition("_")[0]

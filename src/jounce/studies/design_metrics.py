@@ -18,9 +18,10 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, FitError, SimulationError, nearest, unknown
 from jounce.parts import Rig
+from jounce.recordings.schema import channels_of
 from jounce.ride.family import LinearFamily, Matrices
 from jounce.ride.moments import Analysis, Signal
-from jounce.ride.stationary import channels_of, weighting_gain
+from jounce.ride.stationary import weighting_gain
 from jounce.ride.surface import Surface
 from jounce.roads import Trial
 

@@ -12,6 +12,7 @@ from jounce.control.catalogue import CONTROLS, as_controller
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
 from jounce.core.serialise import to_plain
 from jounce.parts import Rig
+from jounce.recordings.schema import channels_of
 from jounce.ride.metrics import RideMetrics, ride_metrics
 from jounce.ride.spectra import Spectrum, power_spectrum
 from jounce.ride.stationary import StationaryResponse, stationary
@@ -83,7 +84,8 @@ class Ride:
         """Power spectral densities by channel: body acceleration, and wheel load where the rig has a tyre."""
         signals = self.settled
         rate = 1.0 / float(signals["time"][1] - signals["time"][0])
-        found = [[c for c in map(str, signals.data_vars) if _is_channel(n, c)] for n in (*_BODY, "tyre.force")]
+        channels = list(map(str, signals.data_vars))
+        found = [channels_of(name, channels) for name in (*_BODY, "tyre.force")]
         names = [*(found[0] or found[1])[:1], *found[2][:1]]
         return {name: power_spectrum(signals[name].to_numpy(), rate) for name in names}
 
@@ -277,7 +279,7 @@ def _stationary(rig: Rig, trial: RideTrial, names: Sequence[str]) -> StationaryR
     road, speed = trial.trial.road, trial.trial.speed
     if PASSIVE not in names or not isinstance(road, Iso8608) or speed is None:
         return None
-    weighting = {name: "Wk" for name in _BODY if any(_is_channel(name, part) for part in _channels(rig))}
+    weighting = {name: "Wk" for name in _BODY if channels_of(name, _channels(rig))}
     return stationary(rig, road.degree_of_roughness, speed, band="iso", weighting=weighting)
 
 
@@ -285,7 +287,3 @@ def _channels(rig: Rig) -> tuple[str, ...]:
     from jounce.simulation.compiled import compile_rig
 
     return compile_rig(rig).output_names
-
-
-def _is_channel(name: str, channel: str) -> bool:
-    return channel == name or channel.endswith(f".{name}")

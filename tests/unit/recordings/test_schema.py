@@ -8,8 +8,10 @@ from jounce.core.units import conversion_factor
 from jounce.recordings.schema import (
     QUANTITIES,
     channel_unit,
+    channels_of,
     check_recording,
     describe,
+    extremes,
     place_of,
     quantity_of,
     recording,
@@ -113,3 +115,18 @@ def test_check_refuses_what_is_no_recording() -> None:
         check_recording(run.assign({"mass": 1.0}))
     with pytest.raises(RecordingError, match="has no unit"):
         check_recording(run.assign({"sprung.vz": ("time", TIME)}))
+
+
+def test_extremes_with_their_times() -> None:
+    run = recording([0.0, 0.1, 0.2, 0.3], {"tyre.force": ([5.0, 9.0, -1.0, 9.0], "N", "")})
+    assert extremes(run)["tyre.force"] == {
+        "unit": "N", "static": 5.0,
+        "minimum": -1.0, "time_of_minimum": 0.2, "maximum": 9.0, "time_of_maximum": 0.1,
+    }  # fmt: skip
+
+
+def test_channels_are_found_at_every_corner() -> None:
+    names = ["front.tyre.force", "rear.tyre.force", "rear.old_tyre.force", "body.az"]
+    assert channels_of("tyre.force", names) == names[:2]
+    assert channels_of("body.az", [*names, "front.body.az"]) == ["body.az"]
+    assert channels_of("sprung.az", names) == []
