@@ -15,7 +15,8 @@ import jounce as jn
 from jounce.cli import main
 from jounce.core.errors import OutputError
 from jounce.parts.importers import ChronoCorner, shipped_corner
-from jounce.report.proving_ground import write_proving_ground
+from jounce.report import write_page
+from jounce.report.proving_ground import proving_ground_page
 from jounce.studies.proving_ground import (
     BEGIN,
     COURSE,
@@ -254,7 +255,7 @@ def test_results_are_plain_and_the_runs_are_recordings(study: ProvingGround):
 
 
 def test_page_holds_every_figure_and_says_what_is_estimated(study: ProvingGround, tmp_path: Path):
-    files = {file.name for file in write_proving_ground(study, tmp_path / "out")}
+    files = {file.name for file in write_page(proving_ground_page(study), tmp_path / "out")}
     assert {
         "report.html",
         "results.json",
@@ -269,7 +270,7 @@ def test_page_holds_every_figure_and_says_what_is_estimated(study: ProvingGround
     plain = json.loads((tmp_path / "out" / "results.json").read_text(encoding="utf-8"))
     assert plain["similitude"]["stroke_scale"] == pytest.approx(study.similitude.stroke_scale)
     with pytest.raises(OutputError, match="not empty"):
-        write_proving_ground(study, tmp_path / "out")
+        write_page(proving_ground_page(study), tmp_path / "out")
 
 
 def test_command_answers_with_one_json_object_and_writes_nothing(

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.options import AsJson, Force, output_folder
+from jounce.cli.options import AsJson, Force
+from jounce.cli.outputs import check_outputs
 from jounce.cli.reply import DONE, FAILED, Reply, progress
 from jounce.cli.tables import show_findings, table
 
@@ -33,7 +34,7 @@ def run(
 
     Example: jounce campaign run campaign.toml --out results
     """
-    output_folder(out, force=force)
+    check_outputs(folder=out, force=force)
     with progress() as say:
         from jounce.report import write_campaign
         from jounce.studies.campaign import run_campaign

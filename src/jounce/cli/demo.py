@@ -8,7 +8,8 @@ from typing import Annotated
 import typer
 
 from jounce.cli.campaign import campaign_reply
-from jounce.cli.options import AsJson, Force, output_folder
+from jounce.cli.options import AsJson, Force
+from jounce.cli.outputs import check_outputs
 from jounce.cli.reply import Reply, progress
 
 
@@ -24,8 +25,7 @@ def demo(
 
     Example: jounce demo --out jounce-demo
     """
-    if out is not None:
-        output_folder(out, force=force)
+    check_outputs(folder=out, force=force)
     with progress() as say:
         from jounce.report import write_campaign
         from jounce.studies.demo import run_demo

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.options import AsJson, Changes, Force, RigName, changes, output_folder, pairs
+from jounce.cli.options import AsJson, Changes, Force, RigName, changes, pairs
+from jounce.cli.outputs import check_outputs
 from jounce.cli.reply import DONE, REFUSED, Reply, progress
 from jounce.cli.rigs import chosen_rig
 from jounce.cli.tables import table
@@ -66,8 +67,7 @@ def kinematics(
 
     if out is not None:
         check_sweep_file(out, force=force)
-    if plot is not None:
-        output_folder(plot, force=force)
+    check_outputs(folder=plot, force=force)
     with progress() as say:
         say("loading")
         chosen = chosen_rig(rig, changes(set_))

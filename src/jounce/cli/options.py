@@ -95,13 +95,6 @@ def files(names: Sequence[str], option: str) -> list[Path]:
     return found
 
 
-def output_folder(path: Path, *, force: bool) -> None:
-    """Refuse, before the work, a folder that holds something (without ``force``) or a file of that name."""
-    from jounce.report.folder import check_folder
-
-    check_folder(path, force=force)
-
-
 def bare_number(text: str) -> str | float:
     """Give the number when the text is one, otherwise the text."""
     try:

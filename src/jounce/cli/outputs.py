@@ -11,9 +11,14 @@ FigureFile = Annotated[Path | None, typer.Option(help="Draw the result: .png, .s
 
 
 def check_outputs(
-    *, figure: Path | None = None, recording: Path | None = None, rig: Path | None = None, force: bool
+    *,
+    figure: Path | None = None,
+    recording: Path | None = None,
+    rig: Path | None = None,
+    folder: Path | None = None,
+    force: bool,
 ) -> None:
-    """Refuse files of another suffix, in a missing folder, or (without ``force``) that exist."""
+    """Refuse files of another suffix, in a missing folder, or (without ``force``) that exist; folders not empty."""
     from jounce.core.serialise import check_writable
 
     if rig is not None:
@@ -22,6 +27,10 @@ def check_outputs(
         from jounce.recordings.writing import check_recording_file
 
         check_recording_file(recording, force=force)
+    if folder is not None:
+        from jounce.report.folder import check_folder
+
+        check_folder(folder, force=force)
     if figure is not None:
         from jounce.plots.writing import check_figure
 

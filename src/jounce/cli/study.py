@@ -9,6 +9,7 @@ import typer
 
 from jounce.cli import study_audi, study_inspection
 from jounce.cli.options import AsJson, Force, RigName, positive_quantity
+from jounce.cli.outputs import check_outputs
 from jounce.cli.reply import Reply, progress
 from jounce.cli.tables import show_findings, table
 
@@ -38,18 +39,16 @@ def proving_ground(
 
     Example: jounce study proving-ground --out proving-ground
     """
-    from jounce.report.folder import check_folder
-
-    if out is not None:
-        check_folder(out, force=force)
+    check_outputs(folder=out, force=force)
     with progress() as say:
         from jounce.studies.proving_ground import run_proving_ground
 
         study = run_proving_ground(progress=say)
         if out is not None:
-            from jounce.report.proving_ground import write_proving_ground
+            from jounce.report import write_page
+            from jounce.report.proving_ground import proving_ground_page
 
-            write_proving_ground(study, out, force=force, progress=say)
+            write_page(proving_ground_page(study), out, force=force, progress=say)
     plain = {**study.to_dict(), "out": None if out is None else str(out)}
     return Reply(plain, lambda console: _draw(console, plain, study, out), as_json)
 

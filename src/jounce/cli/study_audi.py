@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from jounce.cli.options import AsJson, Force, positive_quantity, quantity
+from jounce.cli.outputs import check_outputs
 from jounce.cli.reply import Reply, progress
 from jounce.cli.tables import show_findings, table
 
@@ -57,15 +58,16 @@ def excenter(
     """
     size = positive_quantity(amplitude, "m", "--amplitude")
     mass = quantity(plate_mass, "kg", "--plate-mass")
-    _check(out, force)
+    check_outputs(folder=out, force=force)
     with progress() as say:
         from jounce.studies.audi_a6_excenter import run_excenter
 
         study = run_excenter(size, mass, progress=say)
         if out is not None:
-            from jounce.report.audi_a6_excenter import write_excenter
+            from jounce.report import write_page
+            from jounce.report.audi_a6_excenter import excenter_page
 
-            write_excenter(study, out, force=force, progress=say)
+            write_page(excenter_page(study), out, force=force, progress=say)
     plain = {**study.to_dict(), "out": None if out is None else str(out)}
 
     def draw(console: Console) -> None:
@@ -76,15 +78,16 @@ def excenter(
 
 
 def _case(name: str, out: Path | None, force: bool, as_json: bool) -> Reply:
-    _check(out, force)
+    check_outputs(folder=out, force=force)
     with progress() as say:
         from jounce.studies.audi_a6 import run_audi_a6
 
         study = run_audi_a6(name, progress=say)
         if out is not None:
-            from jounce.report.audi_a6 import write_audi_case
+            from jounce.report import write_page
+            from jounce.report.audi_a6 import audi_case_page
 
-            write_audi_case(study, out, force=force, progress=say)
+            write_page(audi_case_page(study), out, force=force, progress=say)
     plain = {**study.to_dict(), "out": None if out is None else str(out)}
 
     def draw(console: Console) -> None:
@@ -92,13 +95,6 @@ def _case(name: str, out: Path | None, force: bool, as_json: bool) -> Reply:
         _end(console, study.slips, study.findings, out)
 
     return Reply(plain, draw, as_json)
-
-
-def _check(out: Path | None, force: bool) -> None:
-    from jounce.report.folder import check_folder
-
-    if out is not None:
-        check_folder(out, force=force)
 
 
 def _draw_case(console: Console, plain: dict[str, Any], title: str) -> None:

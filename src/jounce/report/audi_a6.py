@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from pathlib import Path
-
 from jounce.core.serialise import to_json
 from jounce.plots.audi_a6 import case_curve, case_overview, start_up_transient
 from jounce.plots.display import number, quantity
 from jounce.report.curves import curve_files
 from jounce.report.page import Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table
-from jounce.report.render import write_page
 from jounce.studies.audi_a6 import RAMP, SPEED, AudiCase, CaseRun
 from jounce.studies.audi_a6_paper import Slip
 from jounce.studies.extremes import Window
@@ -28,35 +24,6 @@ _VARIANTS = (
 )
 _SIGNS = "Bounce z (up) and pitch θ (nose down) are changes from static equilibrium. Windows are closed."
 _SAME = "The paper's figures are scope screens without numbers; these curves stand for them."
-
-
-def write_audi_case(
-    study: AudiCase, out: Path | str, *, force: bool = False, progress: Callable[[str], None] = lambda _: None
-) -> list[Path]:
-    """Write a case's page, its figures, its curves and ``results.json`` (SI) into a folder.
-
-    Parameters
-    ----------
-    study : AudiCase
-        What was found.
-    out : Path or str
-        Folder, refused when it holds something and ``force`` is not given.
-    force : bool
-        Replace files of the same names.
-    progress : callable
-        Called with one line of text as the work goes on.
-
-    Returns
-    -------
-    list of Path
-        The files written.
-
-    Raises
-    ------
-    OutputError
-        For a folder that is not empty or cannot be written.
-    """
-    return write_page(audi_case_page(study), out, force=force, progress=progress)
 
 
 def audi_case_page(study: AudiCase) -> Page:

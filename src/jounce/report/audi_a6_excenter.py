@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from pathlib import Path
-
 from jounce.core.serialise import to_json
 from jounce.plots.audi_a6 import excenter_spring, excenter_torque_curve
 from jounce.plots.display import number, quantity
 from jounce.report.audi_a6 import slips_table
 from jounce.report.curves import curve_files
 from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table
-from jounce.report.render import write_page
 from jounce.studies.audi_a6_excenter import Excenter, Range
 from jounce.studies.audi_a6_paper import FREQUENCY, LOAD, POWER
 
@@ -25,35 +21,6 @@ _RUN = (
     "place with an uncompressed spring of 341 mm, and the load then compresses it. Without friction in the guides the "
     "drive's mean power is what the dampers turn to heat."
 )
-
-
-def write_excenter(
-    study: Excenter, out: Path | str, *, force: bool = False, progress: Callable[[str], None] = lambda _: None
-) -> list[Path]:
-    """Write the study's page, its figures, its curves and ``results.json`` (SI) into a folder.
-
-    Parameters
-    ----------
-    study : Excenter
-        What was found.
-    out : Path or str
-        Folder, refused when it holds something and ``force`` is not given.
-    force : bool
-        Replace files of the same names.
-    progress : callable
-        Called with one line of text as the work goes on.
-
-    Returns
-    -------
-    list of Path
-        The files written.
-
-    Raises
-    ------
-    OutputError
-        For a folder that is not empty or cannot be written.
-    """
-    return write_page(excenter_page(study), out, force=force, progress=progress)
 
 
 def excenter_page(study: Excenter) -> Page:

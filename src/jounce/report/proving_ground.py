@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from pathlib import Path
-
 from jounce.core.serialise import to_json
 from jounce.plots import damper_loops, number, quantity, road_profile, sweep, time_history
 from jounce.report.page import Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table
-from jounce.report.render import write_page
 from jounce.studies.proving_ground import FIGURES, LAW, SHOWN_SPEED, ProvingGround
 
 _ABOUT = (
@@ -31,35 +27,6 @@ _ENVELOPE = (
     "A tyre does not follow edges shorter than its contact, so the course is averaged over the contact length; "
     "steps of up to 80 mm between samples 50 mm apart would otherwise strike a point."
 )
-
-
-def write_proving_ground(
-    study: ProvingGround, out: Path | str, *, force: bool = False, progress: Callable[[str], None] = lambda _: None
-) -> list[Path]:
-    """Write the study's page, its figures and ``results.json`` (SI) into a folder.
-
-    Parameters
-    ----------
-    study : ProvingGround
-        What was found.
-    out : Path or str
-        Folder, refused when it holds something and ``force`` is not given.
-    force : bool
-        Replace files of the same names.
-    progress : callable
-        Called with one line of text as the work goes on.
-
-    Returns
-    -------
-    list of Path
-        The files written.
-
-    Raises
-    ------
-    OutputError
-        For a folder that is not empty or cannot be written.
-    """
-    return write_page(proving_ground_page(study), out, force=force, progress=progress)
 
 
 def proving_ground_page(study: ProvingGround) -> Page:
