@@ -54,12 +54,10 @@ class CornerModel:
         return wheel / self.motion_ratio**2
 
 
-STATES = ("sprung.z - unsprung.z", "sprung.vz", "unsprung.z - road.z", "unsprung.vz")
-"""States of the corner's equations: suspension and tyre extension (m), velocities (m/s)."""
-
-
 def corner_equations(corner: CornerModel, damping_coefficient: float | None = None) -> tuple[Array, Array, Array]:
     """Matrices ``A``, ``B``, ``G`` of ``dx/dt = A x + B u + G w``: ``u`` lifts the body (N), ``w`` is road.vz (m/s).
+
+    States: sprung.z - unsprung.z (m), sprung.vz (m/s), unsprung.z - road.z (m), unsprung.vz (m/s).
 
     Parameters
     ----------

@@ -21,12 +21,6 @@ def quaternion_rate(e: ca.SX, w: ca.SX) -> ca.SX:
     return 0.5 * ca.vertcat(-ca.dot(vector, w), e[0] * w + ca.cross(vector, w))
 
 
-def quaternion_product(a: ca.SX, b: ca.SX) -> ca.SX:
-    """Quaternion of the rotation ``b`` followed by ``a``."""
-    scalar = a[0] * b[0] - ca.dot(a[1:], b[1:])
-    return ca.vertcat(scalar, a[0] * b[1:] + b[0] * a[1:] + ca.cross(a[1:], b[1:]))
-
-
 def skew(a: ca.SX) -> ca.SX:
     """Matrix of the cross product ``a x``."""
     zero = ca.SX(1, 1)

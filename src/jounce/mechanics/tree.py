@@ -12,7 +12,6 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BaseModel
 
 from jounce.core.errors import AssemblyError
 from jounce.core.units import to_si
@@ -23,7 +22,6 @@ from jounce.mechanics.frames import GROUND, Frame, Moving, by_quaternion
 from jounce.mechanics.reactions import Wrench
 from jounce.mechanics.rotations import unit
 from jounce.mechanics.system import System, Track
-from jounce.parts.parameters import parameters_of
 
 Number = float | str | ca.SX
 """A number in SI, text with a unit, or an expression of parameters."""
@@ -85,10 +83,6 @@ class Tree(System):
             if not any(found):
                 raise AssemblyError("an axis without direction", where=path, found=tuple(found), allowed="not all zero")
         return unit(self.vector(path, value, "1"))
-
-    def take(self, path: str, part: BaseModel) -> None:
-        """Take the numbers of a part's description as parameters under ``path``, for the force laws of ``elements``."""
-        self.values.update(parameters_of(part, f"{path}."))
 
     def body(
         self,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import casadi as ca
@@ -194,9 +193,6 @@ class Linkage:
     def spin_direction(self) -> Moving:
         """The wheel's axis, pointing outboard, as it moves with the upright."""
         return self.upright.direction(self.spin_axis)
-
-
-Template = Callable[[Linkage], None]
 
 
 def guided(mechanism: Mechanism, guide: str) -> Body:

@@ -243,11 +243,6 @@ def _summed_products(left: Complex, weights: Complex, right: Complex) -> Array:
     return total
 
 
-def contact_filter(wavenumber: Array, length: float) -> Array:
-    """Share of a wave (``wavenumber`` in 1/m) that a tyre with a contact ``length`` (m) feels: its moving average."""
-    return np.asarray(np.sinc(wavenumber * length))
-
-
 def longest_delay(sources: Sequence[Source]) -> float:
     """Longest delay (s) between wheels that one source drives."""
     return max(source[-1].delay - source[0].delay for source in sources)
