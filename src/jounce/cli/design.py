@@ -15,6 +15,8 @@ from jounce.cli.options import (
     VehicleName,
     bare_number,
     changes,
+    optional_positive,
+    optional_quantity,
     pairs,
     positive_quantity,
     quantity,
@@ -80,8 +82,8 @@ def springs(
     target = positive_quantity(frequency, "Hz", "--frequency")
     share = quantity(damping_ratio, "1", "--damping-ratio")
     rear = [
-        None if rear_frequency is None else positive_quantity(rear_frequency, "Hz", "--rear-frequency"),
-        None if rear_damping_ratio is None else quantity(rear_damping_ratio, "1", "--rear-damping-ratio"),
+        optional_positive(rear_frequency, "Hz", "--rear-frequency"),
+        optional_quantity(rear_damping_ratio, "1", "--rear-damping-ratio"),
     ]
     from jounce.studies.design import design_springs
 

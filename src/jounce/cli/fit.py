@@ -7,7 +7,16 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from jounce.cli.fit_damper import damper
-from jounce.cli.options import AsJson, Columns, columns, files, optional_quantity, positive_quantity, quantity
+from jounce.cli.options import (
+    AsJson,
+    Columns,
+    columns,
+    files,
+    optional_positive,
+    optional_quantity,
+    positive_quantity,
+    quantity,
+)
 from jounce.cli.reply import Reply
 from jounce.cli.tables import estimates, show_findings, table
 from jounce.core.errors import RecordingError, nearest
@@ -100,7 +109,7 @@ def decay(
     from jounce.recordings import read_recording
 
     moving = positive_quantity(mass, "kg", "--mass")
-    known = None if stiffness_ is None else positive_quantity(stiffness_, "N/m", "--stiffness")
+    known = optional_positive(stiffness_, "N/m", "--stiffness")
     results: list[DecayResult] = []
     notes: list[Finding] = []
     for file in files(measured, "FILE"):

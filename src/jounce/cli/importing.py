@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.options import AsJson, Force, positive_quantity
+from jounce.cli.options import AsJson, Force, optional_positive
 from jounce.cli.reply import Reply
 from jounce.cli.tables import show_findings
 
@@ -50,10 +50,10 @@ def chrono(
         check_writable(out, force=force)
     rig, findings, text = import_chrono(
         file,
-        wheel_radius=_given(wheel_radius, "m", "--wheel-radius"),
-        wheel_mass=_given(wheel_mass, "kg", "--wheel-mass"),
-        tyre_stiffness=_given(tyre_stiffness, "N/m", "--tyre-stiffness"),
-        sprung_mass=_given(sprung_mass, "kg", "--sprung-mass"),
+        wheel_radius=optional_positive(wheel_radius, "m", "--wheel-radius"),
+        wheel_mass=optional_positive(wheel_mass, "kg", "--wheel-mass"),
+        tyre_stiffness=optional_positive(tyre_stiffness, "N/m", "--tyre-stiffness"),
+        sprung_mass=optional_positive(sprung_mass, "kg", "--sprung-mass"),
     )
     found = [*findings, *rig_findings(rig, "" if out is None else str(out))]
     if out is not None:
@@ -68,10 +68,6 @@ def chrono(
         "text": text,
     }
     return Reply(plain, lambda console: _draw(console, plain, found), as_json)
-
-
-def _given(text: str | None, unit: str, option: str) -> float | None:
-    return None if text is None else positive_quantity(text, unit, option)
 
 
 def _draw(console: Console, plain: dict[str, Any], findings: list[Finding]) -> None:

@@ -52,6 +52,11 @@ def positive_quantity(text: str, unit: str, option: str) -> float:
     return value
 
 
+def optional_positive(text: str | None, unit: str, option: str) -> float | None:
+    """Read the value of an option that may be left out, and must be above 0."""
+    return None if text is None else positive_quantity(text, unit, option)
+
+
 def pairs(texts: Sequence[str] | None, option: str, example: str) -> dict[str, str]:
     """Split ``NAME=VALUE`` texts."""
     found: dict[str, str] = {}

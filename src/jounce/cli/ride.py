@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.options import AsJson, Changes, Force, VehicleName, changes, positive_quantity
+from jounce.cli.options import AsJson, Changes, Force, VehicleName, changes, optional_positive, positive_quantity
 from jounce.cli.outputs import FigureFile, check_outputs, write_picture
 from jounce.cli.reply import Reply, progress
 from jounce.cli.rigs import chosen_rig
@@ -124,7 +124,7 @@ def _study(
     """Run the study that the options describe; give it with what ``--json`` prints."""
     seed = _seed(road, seed)
     wanted, v = changes(set_), positive_quantity(speed, "m/s", "--speed")
-    lasting = None if duration is None else positive_quantity(duration, "s", "--duration")
+    lasting = optional_positive(duration, "s", "--duration")
     with progress() as say:
         say("loading")
         from jounce.studies.ride import compare_rides
