@@ -122,6 +122,7 @@ def watch(
                         failed[str(seen.file)] = seen.problem
                         sys.stderr.write(f"jounce: {seen.file}: {seen.problem.removeprefix(f'{seen.file}: ')}\n")
                     else:
+                        failed.pop(str(seen.file), None)  # the store, or the file, may have come back
                         kept.append(seen.imported)
                         _say_kept(seen.imported, as_json=as_json)
                 if once and (not watching.is_waiting or time.monotonic() > end):
