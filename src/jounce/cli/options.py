@@ -46,10 +46,9 @@ def optional_quantity(text: str | None, unit: str, option: str) -> float | None:
 
 def positive_quantity(text: str, unit: str, option: str) -> float:
     """Read the value of an option that must be above 0."""
-    value = quantity(text, unit, option)
-    if value <= 0.0:
-        raise DescriptionError("out of range", where=option, found=text, allowed=f"above 0 {unit}")
-    return value
+    from jounce.core.units import positive_si
+
+    return positive_si(bare_number(text), unit, where=option)
 
 
 def optional_positive(text: str | None, unit: str, option: str) -> float | None:

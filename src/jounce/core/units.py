@@ -123,6 +123,15 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
     return number
 
 
+def positive_si(value: object, si: str, *, where: str, zero: bool = False) -> float:
+    """Read one physical value as :func:`to_si` does, and refuse those below 0 and (but with ``zero``) 0 itself."""
+    number = to_si(value, si, where=where)
+    if number < 0.0 or (number == 0.0 and not zero):
+        allowed = f"{'at least' if zero else 'above'} 0 {si if si != '1' else ''}".rstrip()
+        raise DescriptionError("out of range", where=where, found=value, allowed=allowed)
+    return number
+
+
 @dataclass(frozen=True)
 class Unit:
     """Pydantic annotation of a physical field: ``Annotated[float, Unit("m")]`` reads text with units into SI."""

@@ -9,7 +9,7 @@ import math
 from dataclasses import dataclass
 
 from jounce.core.errors import DescriptionError
-from jounce.core.units import to_si
+from jounce.core.units import positive_si
 
 GRAVITY = 9.81
 """m/s^2, as in descriptions that say nothing else."""
@@ -344,11 +344,11 @@ def spring_and_damper(
     >>> round(found.spring_rate, -2), round(found.damping_coefficient, -1)
     (38000.0, 2010.0)
     """
-    mass = _positive(sprung_mass, "kg", "sprung_mass")
-    wanted = _positive(frequency, "Hz", "frequency")
-    share = _positive(damping_ratio, "1", "damping_ratio", zero=True)
-    ratio = _positive(motion_ratio, "1", "motion_ratio")
-    stiffness = None if tyre_stiffness is None else _positive(tyre_stiffness, "N/m", "tyre_stiffness")
+    mass = positive_si(sprung_mass, "kg", where="sprung_mass")
+    wanted = positive_si(frequency, "Hz", where="frequency")
+    share = positive_si(damping_ratio, "1", where="damping_ratio", zero=True)
+    ratio = positive_si(motion_ratio, "1", where="motion_ratio")
+    stiffness = None if tyre_stiffness is None else positive_si(tyre_stiffness, "N/m", where="tyre_stiffness")
     ride = mass * (2.0 * math.pi * wanted) ** 2
     rate = ride
     if stiffness is not None:
@@ -410,13 +410,3 @@ def as_built(
     sag = static_deflection(sprung_mass, rate, gravity)
     load = sprung_mass * gravity
     return SpringAndDamper(spring_rate, damping_coefficient, rate, damping, ride, frequency, share, sag, load)
-
-
-def _positive(value: float | str, unit: str, where: str, *, zero: bool = False) -> float:
-    number = to_si(value, unit, where=where)
-    if number < 0.0 or (number == 0.0 and not zero):
-        shown = unit if unit != "1" else ""
-        raise DescriptionError(
-            "out of range", where=where, found=value, allowed=f"{'at least' if zero else 'above'} 0 {shown}".rstrip()
-        )
-    return number

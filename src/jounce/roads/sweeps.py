@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError
 from jounce.core.segments import SINE
-from jounce.core.units import Angle, Length, PositiveLength, to_si
+from jounce.core.units import Angle, Length, PositiveLength, positive_si, to_si
 from jounce.roads.profile import Profile, hermite_profile
 from jounce.roads.road import Road
 
@@ -147,7 +147,9 @@ def swept_sine(
 
     a = to_si(amplitude, "m", where="amplitude")
     named = (("first_frequency", first_frequency, "Hz"), ("last_frequency", last_frequency, "Hz"))
-    first, last, length = (_positive(name, value, si) for name, value, si in (*named, ("duration", duration, "s")))
+    first, last, length = (
+        positive_si(value, si, where=name) for name, value, si in (*named, ("duration", duration, "s"))
+    )
     if law not in ("linear", "logarithmic"):
         raise DescriptionError("unknown law", where="law", found=law, allowed="linear, logarithmic")
     waves = _cycles(first, last, length, law)
@@ -155,13 +157,6 @@ def swept_sine(
         raise DescriptionError("too many waves", where="duration", found=f"{waves:.0f}", allowed=f"up to {MOST_WAVES}")
     time, phase, _ = _swept(first, last, length, law)
     return Excitation(time=time, height=a * np.sin(phase))
-
-
-def _positive(name: str, value: str | float, si: str) -> float:
-    number = to_si(value, si, where=name)
-    if number <= 0.0:
-        raise DescriptionError("out of range", where=name, found=value, allowed=f"above 0 {si}")
-    return number
 
 
 def _cycles(first: float, last: float, length: float, law: str) -> float:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from jounce.core.errors import DescriptionError, RecordingError
-from jounce.core.units import to_si
+from jounce.core.units import positive_si
 from jounce.parts import FullCar, FullCar3D, Rig, Vehicle
 from jounce.roads import Crg, Trial, check_covered, point_spacing
 from jounce.roads.advice import FASTEST
@@ -80,7 +80,7 @@ def iso_trial(
     >>> ride.trial.right.side, round(ride.settling, 4), round(ride.trial.duration, 4)
     ('right', 0.646, 10.646)
     """
-    velocity, rough = _positive(speed, "m/s", "speed"), _positive(duration, "s", "duration")
+    velocity, rough = positive_si(speed, "m/s", where="speed"), positive_si(duration, "s", where="duration")
     settling = _whole_samples((_RUN_IN + _wheelbase(rig)) / velocity)
     lasting = settling + _whole_samples(rough)
     left = Iso8608(class_=class_, length=velocity * lasting + _RUN_IN, step=step, seed=seed, run_in=_RUN_IN)
@@ -125,13 +125,13 @@ def road_trial(rig: Rig, road: Road, speed: float | str, *, duration: float | st
     (50.766, 0.291)
     """
     behind = _wheelbase(rig)
-    velocity = _positive(speed, "m/s", "speed")
+    velocity = positive_si(speed, "m/s", where="speed")
     left, right = _tracks(rig, road)
     beyond = behind if all(ends_level(side) for side in (left, right) if side is not None) else 0.0
     whole = (road.end() + beyond) / velocity
     if duration is None and whole <= 0.0:
         raise DescriptionError("the road ends where it begins", where="road", hint="Give the duration.")
-    lasting = whole if duration is None else _positive(duration, "s", "duration")
+    lasting = whole if duration is None else positive_si(duration, "s", where="duration")
     check_covered(road, velocity * lasting, behind=beyond, where="duration")
     _check_fine_enough(road, velocity)
     return RideTrial(_trial(left, right, velocity, _whole_samples(lasting)), behind / velocity)
@@ -152,13 +152,6 @@ def _check_fine_enough(road: Road, speed: float) -> None:
 
 def _trial(left: Road, right: Road | None, speed: float, duration: float) -> Trial:
     return Trial(road=left, right=right, speed=speed, duration=duration)
-
-
-def _positive(value: float | str, unit: str, where: str) -> float:
-    number = to_si(value, unit, where=where)
-    if number <= 0.0:
-        raise DescriptionError("out of range", where=where, found=value, allowed=f"above 0 {unit}")
-    return number
 
 
 def _whole_samples(time: float) -> float:
