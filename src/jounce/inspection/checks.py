@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -51,12 +52,18 @@ def check_finite(channels: Mapping[str, Array], time: Array) -> list[Finding]:
 
 def check_tester(name: str, tester: Tester | None) -> list[Finding]:
     """Compare the tester that the header names with the one by which the record is evaluated."""
-    from jounce.parts.testers import library
-
-    known = [] if tester is None else [tester.name, *(file for file in library() if file == name)]
-    if not name or tester is None or name in known:
+    if not name or tester is None or tester.name in (name, _shipped_name(name)):
         return []
     return [remark("tester", "note", "other_tester", name=name, tester=tester.name)]
+
+
+@lru_cache(maxsize=32)
+def _shipped_name(name: str) -> str:
+    """Name that a shipped tester, named by its file, gives itself; empty where there is none."""
+    from jounce.parts.testers import library, load_tester
+
+    file = library().get(name)
+    return "" if file is None else load_tester(file).name
 
 
 def check_columns(signals: WheelSignals, raw: Array, tester: Tester | None) -> list[Finding]:
@@ -68,7 +75,7 @@ def check_columns(signals: WheelSignals, raw: Array, tester: Tester | None) -> l
         return []
     place = f"{signals.wheel}.plate.z"
     stroke, force = float(np.ptp(signals.height)), float(np.max(np.abs(raw)))
-    if (stroke > 0.2 or abs(float(np.median(signals.height))) > 0.3) and force < 100.0:
+    if force < 100.0 and (stroke > 0.2 or abs(float(np.median(signals.height))) > 0.3):
         return [problem(place, "columns_swapped", stroke, stroke=1e3 * stroke, force=force)]
     if stroke == 0.0:
         return [problem(place, "plate_still", 0.0)]

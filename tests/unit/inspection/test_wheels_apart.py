@@ -123,6 +123,8 @@ def test_another_tester_in_the_header_is_said(both, eusama) -> None:
     assert [one.message for one in evaluate(record, eusama).findings] == [
         "the header names the tester 'FooTester'; the record is evaluated as one of 'EUSAMA'."
     ]
+    record.attrs["tester"] = "theta-msd3000"  # another one that is shipped
+    assert [one.code for one in evaluate(record, eusama).findings] == ["other_tester"]
     record.attrs["tester"] = "eusama"
     assert evaluate(record, eusama).findings == ()
 
