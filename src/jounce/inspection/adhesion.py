@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.inspection.analysis import UNDERFLOW, Analysis
-from jounce.inspection.response import force_response
 from jounce.inspection.smoothing import corrected_course
 
 Array = NDArray[np.float64]
@@ -64,7 +63,7 @@ def find_adhesion(analysis: Analysis, highest: float) -> Adhesion | None:
     at, force, error = course.lowest() if course.value.size else (analysis.frequency[lowest], least[lowest], math.nan)
     fit = analysis.fit
     if fit is not None:
-        spread = fit.spread(lambda corner: float(abs(force_response(corner, [at])[0])))
+        spread = fit.spread_at(at, np.abs)
         error = math.hypot(error, spread * analysis.amplitude)
     half = _NORMAL * error / load if math.isfinite(error) else None
     share = force / load

@@ -91,8 +91,7 @@ def find_phase_minimum(analysis: Analysis, band: tuple[float, float]) -> tuple[P
     at, angle, error = found
     fit = analysis.fit
     if fit is not None:
-        of_fit = fit.spread(lambda corner: float(phase_angle(force_response(corner, [at]))[0]))
-        error = math.hypot(error, math.degrees(of_fit))
+        error = math.hypot(error, math.degrees(fit.spread_at(at, phase_angle)))
     half = _NORMAL * error if math.isfinite(error) else None
     hopping = bool(hops.size) and float(np.min(np.abs(hops - at))) < _END
     return PhaseMinimum(angle, at, half, min(at - band[0], band[1] - at) < _END, hopping), measured

@@ -72,14 +72,14 @@ def force_response(corner: Corner, frequency: ArrayLike) -> Complex:
         return np.asarray(tyre - tyre * tyre * wheel)
 
 
-def responses(parameters: Array, mass: float, s: Complex) -> Complex:
-    """Responses (m, n) in N/m of m quarter cars of one total mass (kg) at ``s`` in 1/s (n,).
+def responses(parameters: Array, s: Complex) -> Complex:
+    """Responses (m, n) in N/m of m quarter cars at ``s`` in 1/s (n,).
 
-    Columns of the parameters (m, 5): unsprung mass, rate, damping, tyre stiffness, tyre damping, SI.
+    Columns of the parameters (m, 6): unsprung mass, rate, damping, tyre stiffness, tyre damping, sprung mass, SI.
     """
-    unsprung, rate, damping, stiffness, loss = (column[:, None] for column in parameters.T)
+    unsprung, rate, damping, stiffness, loss, sprung = (column[:, None] for column in parameters.T)
     strut, tyre, square = rate + damping * s, stiffness + loss * s, s * s
-    hung = strut - strut * strut / ((mass - unsprung) * square + strut)
+    hung = strut - strut * strut / (sprung * square + strut)
     return np.asarray(tyre - tyre * tyre / (unsprung * square + hung + tyre))
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -78,10 +79,24 @@ class ResponseFit:
 
     def spread(self, quantity: Callable[[Corner], float]) -> float:
         """Standard error of a number that follows from the corner, in the number's unit."""
+        return self._spread(np.array([quantity(_corner(near)) for near in self._near]))
+
+    def spread_at(self, frequency: float, quantity: Callable[[Complex], Array]) -> float:
+        """Standard error of a number that follows from the response (N/m) at a frequency in Hz, in its unit.
+
+        The quantity is asked for several responses (m,) at once.
+        """
+        return self._spread(quantity(responses(self._near, np.array([2j * np.pi * frequency]))[:, 0]))
+
+    @cached_property
+    def _near(self) -> Array:
+        """The parameters, and for each of them a copy in which it is a little greater, shape (7, 6)."""
         here = _parameters(self.corner)
         steps = np.maximum(np.abs(here), _SCALE) * _GRADIENT_STEP
-        base = quantity(self.corner)
-        slope = np.array([quantity(_corner(here + step)) - base for step in np.diag(steps)]) / steps
+        return np.asarray(here + np.vstack([np.zeros(_FREE), np.diag(steps)]))
+
+    def _spread(self, values: Array) -> float:
+        slope = (values[1:] - values[0]) / np.diag(self._near[1:] - self._near[0])
         return math.sqrt(max(float(slope @ self.covariance @ slope), 0.0))
 
 
@@ -245,7 +260,14 @@ def _start(parts: Sequence[Stretch], mass: float) -> Array:
     """Best of a grid of quarter cars."""
     tyre = _tyre_stiffness(parts)
     grid = [
-        (share * mass, (1.0 - share) * mass * 65.0, ratio * 2.0 * math.sqrt(tyre * share * mass), tyre * factor, 0.0)
+        (
+            share * mass,
+            (1.0 - share) * mass * 65.0,
+            ratio * 2.0 * math.sqrt(tyre * share * mass),
+            tyre * factor,
+            0.0,
+            (1.0 - share) * mass,
+        )
         for share in (0.06, 0.1, 0.16)
         for ratio in (0.05, 0.15, 0.4)
         for factor in (0.8, 1.0, 1.25)
@@ -254,11 +276,8 @@ def _start(parts: Sequence[Stretch], mass: float) -> Array:
     misfit = np.zeros(len(grid))
     for one in parts:
         few = slice(None, None, max(one.s.size // _START_LINES, 1))
-        misfit += np.sum(
-            np.abs(one.force[few] - responses(candidates, mass, one.s[few]) * one.height[few]) ** 2, axis=1
-        )
-    best = candidates[int(np.argmin(misfit))]
-    return np.append(best, mass - best[0])
+        misfit += np.sum(np.abs(one.force[few] - responses(candidates, one.s[few]) * one.height[few]) ** 2, axis=1)
+    return np.asarray(candidates[int(np.argmin(misfit))])
 
 
 def _tyre_stiffness(parts: Sequence[Stretch]) -> float:
