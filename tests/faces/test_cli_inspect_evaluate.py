@@ -8,10 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from jounce.inspection import read_record
 from jounce.inspection.limits import shipped_limits
 from jounce.inspection.response import Corner, force_response, road_poles, wheel_damping
 from jounce.inspection.steady import steady_state
 from jounce.inspection.store import Store
+from jounce.inspection.stored_signals import unpack
+from jounce.parts.testers import load_tester
 
 RATE, HOLD, SLOPE, PLATE_MASS = 1000.0, 2.0, 2.5, 20.0
 SOUND, WORN = Corner(330.0, 36.0, 22e3, 1300.0, 210e3), Corner(330.0, 36.0, 22e3, 380.0, 190e3)
@@ -147,6 +150,10 @@ def test_records_and_results_are_kept(cli, front: Path) -> None:
     assert [one.verdict for one in gradings] == ["fail", "fail"]
     assert gradings[0].limits.startswith("jounce 1 (")
     assert [one["verdict"] for one in gradings[0].result["wheels"]] == ["pass", "fail"]
+    signals, findings = unpack(store.signals(1))
+    read, said = read_record(front, load_tester("egea-specsus2018"))
+    assert signals.identical(read)
+    assert findings == said
     store.close()
 
 

@@ -251,3 +251,11 @@ def test_two_hundred_kills_lose_nothing_and_leave_nothing_in_half(tmp_path: Path
     assert seen["kills"] >= 200
     assert seen["in_the_middle"] >= 20
     assert seen["stored"] >= seen["acknowledged"] > 200
+
+
+def test_a_time_to_settle_below_zero_is_refused(cli, lane, tmp_path: Path) -> None:
+    said = ("inspect", "watch", lane, "--store", tmp_path / "s.sqlite", "--settle=-1 s", "--once")
+    outcome = cli(*said)
+    assert outcome.exit_code == 2
+    assert "--settle: out of range; found '-1 s'; allowed: 0 s or more" in outcome.err
+    assert not (tmp_path / "s.sqlite").exists()

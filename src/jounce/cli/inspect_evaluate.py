@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -151,6 +152,7 @@ def _inspect(file: Path, wanted: _Wanted, store: Any, say: Any) -> tuple[Inspect
     """Read, evaluate and grade one record and keep it; what cannot be read is kept, too, before it is refused."""
     from jounce.inspection.lane import entry_of, grading_of, inspect_record, refusal_of
     from jounce.inspection.record import read_record
+    from jounce.inspection.stored_signals import pack
 
     say(f"evaluating {file.name}")
     read = None
@@ -164,7 +166,8 @@ def _inspect(file: Path, wanted: _Wanted, store: Any, say: Any) -> tuple[Inspect
     if store is None:
         return found, None
     facts = {"vehicle": wanted.vehicle_name, **found.facts}
-    return found, _keep(store, entry_of(file, facts, **wanted.task), grading_of(found.graded))
+    entry = replace(entry_of(file, facts, **wanted.task), signals=pack(*read))
+    return found, _keep(store, entry, grading_of(found.graded))
 
 
 def _keep(store: Any, entry: Any, grading: Any) -> int:

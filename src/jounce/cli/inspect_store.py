@@ -109,6 +109,8 @@ def watch(
     from jounce.inspection.watching import FolderWatch
 
     pause, settled = positive_quantity(interval, "s", "--interval"), quantity(settle, "s", "--settle")
+    if settled < 0.0:
+        raise DescriptionError("out of range", where="--settle", found=settle, allowed="0 s or more")
     kept: list[ImportedRecord] = []
     failed: dict[str, str] = {}
     chosen, graded_by = _tester(tester), load_limits(limits)
@@ -140,7 +142,7 @@ def reevaluate(
     ] = None,
     workers: Annotated[int, typer.Option(min=1, help="Processes.")] = 2,
     from_files: Annotated[
-        bool, typer.Option("--from-files", help="Read the files as they came in once more (slow).")
+        bool, typer.Option("--from-files", help="Read the files as they came in once more (slower).")
     ] = False,
     as_json: AsJson = False,
 ) -> Reply:

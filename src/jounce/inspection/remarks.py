@@ -432,6 +432,21 @@ def remark(place: str, severity: Severity, code: str, value: float | None = None
     return Remark(place, severity, _sentence(code, words, "en"), value, code, words)
 
 
+def of_plain(table: Mapping[str, Any]) -> Finding:
+    """Give a finding back from its plain table, with its code where it has one that is known.
+
+    Examples
+    --------
+    >>> found = remark("left", "note", "plate_still")
+    >>> of_plain(found.__dict__) == found, of_plain({"place": "a", "severity": "note", "message": "b", "value": None})
+    (True, Finding(place='a', severity='note', message='b', value=None))
+    """
+    known = {name: table[name] for name in ("place", "severity", "message", "value")}
+    if table.get("code") not in SENTENCES:
+        return Finding(**known)
+    return Remark(**known, code=str(table["code"]), words=dict(table.get("words", {})))
+
+
 def said(finding: Finding, language: Language = "en") -> str:
     """Give a finding's sentence in a language; the English one where it has no code."""
     if language == "en" or not isinstance(finding, Remark):

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
 from jounce.core.serialise import to_json
+from jounce.inspection.remarks import of_plain
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -90,7 +91,7 @@ def unpack(packed: bytes) -> tuple[xr.Dataset, list[Finding]]:
         start += width * head["samples"]
         arrays[channel["name"]] = (values, channel["units"], channel["long_name"])
     time = arrays.pop("time")[0]
-    return recording(time, arrays, attributes=head["attributes"]), [Finding(**one) for one in head["findings"]]
+    return recording(time, arrays, attributes=head["attributes"]), [of_plain(one) for one in head["findings"]]
 
 
 def _packed(values: Array) -> tuple[dict[str, Any], bytes]:

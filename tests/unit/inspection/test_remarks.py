@@ -11,9 +11,10 @@ import pytest
 
 import jounce.inspection
 from jounce.core.findings import Finding
-from jounce.inspection import Inspection, WheelResult, evaluate
+from jounce.inspection import Inspection, WheelResult, evaluate, read_record
 from jounce.inspection.grading import grade, grade_vehicle
 from jounce.inspection.remarks import SENTENCES, Remark, remark, said
+from jounce.inspection.stored_signals import pack, unpack
 from jounce.report.protocol import protocol_html
 
 FOLDER = Path(jounce.inspection.__file__).parent
@@ -74,3 +75,14 @@ def test_codes_and_words_are_in_the_plain_result(twin, left_record, eusama) -> N
     assert finding["code"] == "saturated"
     assert finding["words"]["limit"] == 5400.0
     assert finding["message"] == found.wheel("left").reasons[0]
+
+
+def test_codes_outlive_the_store(tmp_path: Path) -> None:
+    text = "# foo = 3\ntime [s], left.plate.z [mm], left.plate.force [N]\n" + "".join(
+        f"{i / 1000}, {i % 7}, {4000 + i % 5}\n" for i in range(20)
+    )
+    (tmp_path / "lane.csv").write_text(text, encoding="utf-8")
+    record, findings = read_record(tmp_path / "lane.csv")
+    again = unpack(pack(record, findings))[1]
+    assert again == findings
+    assert "ist nicht bekannt" in said(again[0], "de")
