@@ -15,6 +15,7 @@ from jounce.identify.regression import linear_least_squares
 
 Array = NDArray[np.float64]
 Branch = Literal["loading", "unloading", "both"]
+Zero = Literal["first-contact", "none"]
 
 _FREE_TRAVEL_SHARE = 0.03  # free travel shorter than this share of the stroke is taken as curvature, not as a gap
 _FORCE_THRESHOLD = 0.002  # of the largest force
@@ -107,7 +108,7 @@ class SeatedTrial:
         return float(self.deflection[self.turn :].min()) < 0.5 * float(self.deflection[self.turn])
 
 
-def seat(trial: ForceDeflectionTrial, *, zero: Literal["first-contact", "none"]) -> tuple[SeatedTrial, list[Finding]]:
+def seat(trial: ForceDeflectionTrial, *, zero: Zero) -> tuple[SeatedTrial, list[Finding]]:
     """Turn a trial to compression positive and put its zero at first contact.
 
     A record whose deflection goes negative is turned round; so is a force that falls while the deflection grows.

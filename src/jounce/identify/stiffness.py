@@ -16,6 +16,7 @@ from jounce.identify.force_deflection import (
     Branch,
     ForceDeflectionTrial,
     SeatedTrial,
+    Zero,
     hysteresis,
     renamed,
     seat,
@@ -73,6 +74,8 @@ class StiffnessResult:
         Force of the fitted line at zero deflection [N]; None for laws that pass through the origin.
     intercept_choice : {"drop", "shift", "keep"}
         What ``curve`` does with it.
+    zero : {"first-contact", "none"}
+        Where deflections and forces of the trials begin.
     coefficients : tuple of Estimate
         Parameters of the law: slope [N/m]; a_i [N/m^i]; a [N/m^b] and b [1]; forces at the knots [N].
     curve : FittedCurve
@@ -101,6 +104,7 @@ class StiffnessResult:
     stiffness: Estimate
     intercept: Estimate | None
     intercept_choice: Intercept
+    zero: Zero
     coefficients: tuple[Estimate, ...]
     curve: FittedCurve
     fitted_range: tuple[float, float]
@@ -122,6 +126,7 @@ class _Choices:
     discard_below: float
     intercept: Intercept
     branch: Branch
+    zero: Zero
 
 
 def fit_stiffness(
@@ -133,7 +138,7 @@ def fit_stiffness(
     intercept: Intercept = "drop",
     branch: Branch = "loading",
     operating_force: float | None = None,
-    zero: Literal["first-contact", "none"] = "first-contact",
+    zero: Zero = "first-contact",
 ) -> StiffnessResult:
     """Fit a force law to repeated force-deflection trials.
 
@@ -185,8 +190,8 @@ def fit_stiffness(
     >>> round(result.stiffness.value), round(result.repeatability)
     (22730, 30)
     """
-    _check(trials, law, degree, discard_below, intercept, branch)
-    choices = _Choices(law, degree, discard_below, intercept, branch)
+    choices = _Choices(law, degree, discard_below, intercept, branch, zero)
+    _check(trials, choices)
     seated, findings = [], []
     for trial in renamed(list(trials)):
         one, notes = seat(trial, zero=zero)
@@ -208,15 +213,15 @@ def fit_stiffness(
     return _result(choices, pooled, alone, rows, x, force, at, operating, tangent, findings)
 
 
-def _check(
-    trials: Sequence[ForceDeflectionTrial], law: str, degree: int, discard_below: float, intercept: str, branch: str
-) -> None:
+def _check(trials: Sequence[ForceDeflectionTrial], choices: _Choices) -> None:
     if not trials:
         raise FitError("no trials to fit", allowed="at least one force-deflection trial")
+    law, degree, discard_below, intercept = choices.law, choices.degree, choices.discard_below, choices.intercept
     for value, options, what in (
         (law, LAWS, "law"),
         (intercept, ("drop", "shift", "keep"), "intercept"),
-        (branch, ("loading", "unloading", "both"), "branch"),
+        (choices.branch, ("loading", "unloading", "both"), "branch"),
+        (choices.zero, ("first-contact", "none"), "zero"),
     ):
         if value not in options:
             raise unknown(str(value), options, what=what)
@@ -411,6 +416,7 @@ def _result(
         stiffness=mean_of_replicates(values, value=own.value) if several else own,
         intercept=intercept,
         intercept_choice=choices.intercept,
+        zero=choices.zero,
         coefficients=_coefficients(pooled, alone),
         curve=pooled.curve,
         fitted_range=(float(x.min()), float(x.max())),

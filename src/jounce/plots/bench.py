@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from jounce.identify.force_deflection import Zero
     from jounce.identify.stiffness import StiffnessResult
     from jounce.identify.tyre_pressure import PressureStiffness
 
@@ -30,7 +31,7 @@ def stiffness_fit(result: StiffnessResult, trials: Sequence[ForceDeflectionTrial
     result : StiffnessResult
         What was fitted.
     trials : sequence of ForceDeflectionTrial, optional
-        The trials it was fitted to; with them the measured points are drawn, from first contact on as the fit saw them.
+        The trials it was fitted to; with them the measured points are drawn as the fit saw them.
     title : str
         What was measured, e.g. ``"spring"``.
 
@@ -50,7 +51,7 @@ def stiffness_fit(result: StiffnessResult, trials: Sequence[ForceDeflectionTrial
     """
     figure = new_figure(3.7)
     left, right = figure.subplots(1, 2, gridspec_kw={"width_ratios": [1.5, 1.0]})
-    reach = _draw_points(left, trials) or result.fitted_range[1]
+    reach = _draw_points(left, trials, result.zero) or result.fitted_range[1]
     _draw_law(left, result, reach)
     left.set(xlabel="deflection [mm]", ylabel="force [N]", title=title)
     _draw_trials(right, result)
@@ -58,11 +59,11 @@ def stiffness_fit(result: StiffnessResult, trials: Sequence[ForceDeflectionTrial
     return figure
 
 
-def _draw_points(axes: Axes, trials: Sequence[ForceDeflectionTrial]) -> float:
-    """Draw all points from first contact on; give the largest deflection in m."""
+def _draw_points(axes: Axes, trials: Sequence[ForceDeflectionTrial], zero: Zero) -> float:
+    """Draw all points from where the fit counts them; give the largest deflection in m."""
     reach = 0.0
     for k, trial in enumerate(renamed(list(trials))):
-        seated, _ = seat(trial, zero="first-contact")
+        seated, _ = seat(trial, zero=zero)
         label = ("measured" if len(trials) == 1 else f"measured, {len(trials)} trials") if k == 0 else None
         axes.plot(
             seated.deflection * _MM.factor,

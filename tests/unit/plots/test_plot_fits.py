@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.core.errors import FitError
+from jounce.core.errors import DescriptionError, FitError
 from jounce.identify.decay import fit_decay
 from jounce.identify.decay_response import DecayParameters, decay_response
 from jounce.identify.estimate import Estimate
@@ -51,6 +51,20 @@ def test_stiffness_without_points_and_curved_laws() -> None:
     left = stiffness_fit(result).axes[0]
     fit = line_of(left, "fit, polynomial")
     assert fit.get_ydata()[-1] == pytest.approx(float(result.curve(result.fitted_range[1])))
+
+
+def test_points_stand_where_the_fit_counted_them() -> None:
+    x = np.linspace(0.0, 0.020, 41)
+    trial = ForceDeflectionTrial(x, 3.0 + 20e3 * np.clip(x - 0.005, 0.0, None), "slack")
+    firsts = []
+    for zero in ("first-contact", "none"):
+        result = jn.fit_stiffness([trial], zero=zero, discard_below=0.006)
+        assert result.zero == zero
+        firsts.append(line_of(stiffness_fit(result, [trial]).axes[0], "measured").get_xydata()[-1])
+    assert firsts[0] == pytest.approx([15.0, 300.0], abs=0.1)
+    assert firsts[1] == pytest.approx([20.0, 303.0])  # as recorded: 5 mm of slack, 3 N of load cell
+    with pytest.raises(DescriptionError, match="unknown zero"):
+        jn.fit_stiffness([trial], zero="last-contact")
 
 
 def test_tyre_pressure() -> None:
