@@ -26,7 +26,7 @@ from jounce.inspection.conditioning import (
 from jounce.inspection.course import Course, find_course
 from jounce.inspection.phase import find_phase_minimum
 from jounce.inspection.record import FORCE, HEIGHT, SIDES, TACHO, read_facts, wheels_of
-from jounce.inspection.remarks import remark
+from jounce.inspection.remarks import of_reader, remark
 from jounce.inspection.response import GRAVITY
 from jounce.inspection.result import Inspection, WheelCurves, WheelResult
 from jounce.inspection.rigidity import find_rigidity, rigidity_findings
@@ -112,7 +112,7 @@ def evaluate(
         dataset, clock = uniform_time(record)
     except RecordingError as error:
         dataset, clock = record, [checks.problem("time", "clock", text=str(error))]
-    general = [*said, *clock, *checks.check_tester(str(facts.get("tester", "")), tester)]
+    general = [*said, *map(of_reader, clock), *checks.check_tester(str(facts.get("tester", "")), tester)]
     unfit = [finding for finding in (*clock, *gaps) if finding.severity == "problem"]
     if unfit:
         wheels = [_unfit(side, [one for one in unfit if _concerns(one, side)]) for side in sides]
@@ -352,6 +352,8 @@ def _egea(
     halves["phase_angle_min_deg"] = minimum.half_width_deg
     if minimum.in_lift_off:
         findings.append(checks.warning(f"{wheel}.phase", "phase_in_lift_off"))
+    if minimum.angle_deg < 0.0:
+        findings.append(checks.warning(f"{wheel}.phase", "phase_below_zero", minimum.angle_deg))
     if minimum.at_end:
         at = minimum.frequency_hz
         findings.append(checks.warning(f"{wheel}.phase", "phase_at_end", at, frequency=at))

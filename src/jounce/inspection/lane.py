@@ -105,8 +105,14 @@ def _said_once(findings: Sequence[Finding], inspection: Inspection) -> tuple[Fin
     """Findings of the reading, without those of wheels that were not tested, then the others of the evaluation."""
     unused = [f"{side}." for side in SIDES if all(wheel.wheel != side for wheel in inspection.wheels)]
     read = [one for one in findings if not any(side in one.place for side in unused)]
+    named = {one.place for wheel in inspection.wheels for one in wheel.findings if _is_of_clipping(one)}
+    read = [one for one in read if not (_is_of_clipping(one) and one.place.rpartition(": ")[2] in named)]
     said = {one.message for one in read}
     return (*read, *(one for one in inspection.findings if one.message not in said))
+
+
+def _is_of_clipping(finding: Finding) -> bool:
+    return getattr(finding, "code", "") in ("reading_clipped", "clipped", "saturated")
 
 
 def entry_of(

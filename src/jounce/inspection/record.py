@@ -12,7 +12,7 @@ from jounce.core.columns import read_comments_csv
 from jounce.core.errors import DescriptionError, RecordingError, nearest
 from jounce.core.findings import Finding
 from jounce.core.units import to_si
-from jounce.inspection.remarks import remark
+from jounce.inspection.remarks import of_reader, remark
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -79,7 +79,7 @@ def read_record(path: Path | str, tester: Tester | None = None) -> tuple[xr.Data
     facts, said = read_facts({**dict(dataset.attrs), **header}, where=str(file))
     dataset.attrs = facts
     wheels_of(dataset, where=str(file))
-    return dataset, [*findings, *found, *said]
+    return dataset, [*findings, *map(of_reader, found), *said]
 
 
 def _header(file: Path) -> tuple[dict[str, Any], list[Finding]]:

@@ -32,6 +32,20 @@ SENTENCES: dict[str, dict[Language, str]] = {
         "en": "the header names the tester {name!r}; the record is evaluated as one of {tester!r}.",
         "de": "Der Kopf nennt den Prüfstand {name!r}; ausgewertet wird die Messung als eine von {tester!r}.",
     },
+    # what the reader of the file found; its sentence is the English one
+    "reading_constant": {
+        "en": "{text}",
+        "de": "Der Kanal ist unverändert ({value:g}); war der Aufnehmer angeschlossen?",
+    },
+    "reading_clipped": {
+        "en": "{text}",
+        "de": "Der Kanal scheint abgeschnitten: {percent:.2g} % seiner Messwerte liegen an seinen Grenzen.",
+    },
+    "reading_resampled": {
+        "en": "{text}",
+        "de": "Die Zeitschritte schwanken um {percent:.2g} % (zulässig: 1 %); auf gleiche Schritte umgerechnet.",
+    },
+    "reading_columns": {"en": "{text}", "de": "Nicht alle Spalten der Datei wurden verwendet (englisch): {text}"},
     # plates and units
     "columns_swapped": {
         "en": (
@@ -304,6 +318,16 @@ SENTENCES: dict[str, dict[Language, str]] = {
             "Viertelfahrzeugs."
         ),
     },
+    "phase_below_zero": {
+        "en": (
+            "a phase angle below 0 belongs to no steady state: the wheel still swings from lift-off, or the sweep is "
+            "fast for so little damping."
+        ),
+        "de": (
+            "Ein Phasenwinkel unter 0 gehört zu keinem eingeschwungenen Zustand: Das Rad schwingt noch vom Abheben, "
+            "oder der Durchlauf ist für so wenig Dämpfung schnell."
+        ),
+    },
     "phase_at_end": {
         "en": "the least phase angle lies at the end of the band, {frequency:.3g} Hz: outside it may be less.",
         "de": (
@@ -430,6 +454,25 @@ def remark(place: str, severity: Severity, code: str, value: float | None = None
     'Der Kopf nennt 4000 N, die Platte trägt im Mittel 4120 N: +3,0 %, zulässig sind 2 %.'
     """
     return Remark(place, severity, _sentence(code, words, "en"), value, code, words)
+
+
+_OF_READER = {
+    "the channel is constant": "reading_constant",
+    "the channel looks clipped": "reading_clipped",
+    "the time step varies": "reading_resampled",
+    "columns that are no known channel": "reading_columns",
+    "signals of another length": "reading_columns",
+}
+
+
+def of_reader(finding: Finding) -> Finding:
+    """Give a finding of the file's reader its code; one that has a code, or that is not known, is given as it is."""
+    code = next((code for begin, code in _OF_READER.items() if finding.message.startswith(begin)), None)
+    if code is None or isinstance(finding, Remark):
+        return finding
+    value = finding.value if finding.value is not None else 0.0
+    words = {"text": finding.message, "value": value, "percent": 100.0 * value}
+    return Remark(finding.place, finding.severity, finding.message, finding.value, code, words)
 
 
 def of_plain(table: Mapping[str, Any]) -> Finding:

@@ -142,7 +142,7 @@ def _value_rows(graded: GradedInspection, wheels: Mapping[str, WheelResult], lan
         asked = set(methods) & {*graded.deciding, *graded.inspection.methods}
         if not asked and all(getattr(wheel, name) is None for wheel in wheels.values()):
             continue
-        if not asked and name == "theta_rig" and graded.inspection.wheels[0].theta_rig is not None and _same(wheels):
+        if not asked and name == "theta_rig" and _same(wheels):
             continue  # a rigid plate has no value of its own
         cells = [_value_cell(graded, wheels.get(side), quantity, language) for side in _SIDES]
         limiting = next(iter(methods.values()), None) or _condition(graded.limits, name)

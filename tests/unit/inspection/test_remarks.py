@@ -15,7 +15,11 @@ from jounce.inspection import Inspection, WheelResult, evaluate, read_record
 from jounce.inspection.grading import grade, grade_vehicle
 from jounce.inspection.remarks import SENTENCES, Remark, remark, said
 from jounce.inspection.stored_signals import pack, unpack
+from jounce.parts import load
+from jounce.parts.testers import load_tester
+from jounce.parts.wear import worn
 from jounce.report.protocol import protocol_html
+from jounce.simulation.testing import simulate_test
 
 FOLDER = Path(jounce.inspection.__file__).parent
 
@@ -27,13 +31,26 @@ def _names(template: str) -> set[str]:
 @pytest.mark.parametrize("code", SENTENCES)
 def test_each_code_is_said_in_both_languages(code: str) -> None:
     english, german = SENTENCES[code]["en"], SENTENCES[code]["de"]
-    assert _names(german) <= _names(english)
+    more = {"value", "percent"} if code.startswith("reading_") else set()
+    assert _names(german) <= _names(english) | more
     assert german[0].isupper() or german[0] == "{"
     assert english != german
 
 
+def test_a_phase_angle_below_zero_is_said_to_be_no_steady_state() -> None:
+    car = load("audi-a6-quarter-car").with_changes({"sprung.mass": 350.0, "tyre.damping_coefficient": 0.0})
+    tester = load_tester("egea-specsus2018")
+    wheel = evaluate(simulate_test(worn(car, 0.9), tester, truth=False), tester).wheels[0]
+    codes = [one.code for one in wheel.findings]
+    assert (wheel.phase_angle_min_deg < 0.0) == ("phase_below_zero" in codes)
+    assert "phase_below_zero" in codes
+    sound = evaluate(simulate_test(car, tester, truth=False), tester).wheels[0]
+    assert "phase_below_zero" not in [one.code for one in sound.findings]
+
+
 def test_every_code_is_used_and_known() -> None:
     text = "".join(file.read_text(encoding="utf-8") for file in FOLDER.glob("*.py") if file.name != "remarks.py")
+    text += (FOLDER / "remarks.py").read_text(encoding="utf-8").partition("_OF_READER")[2]
     unused = [code for code in SENTENCES if f'"{code}"' not in text]
     assert unused == []
     plain = re.findall(r'(?:problem|warning)\([^"\n]*(?:f"[^"]*")?[^"\n]*, "([^"]*)"', text)
@@ -75,6 +92,18 @@ def test_codes_and_words_are_in_the_plain_result(twin, left_record, eusama) -> N
     assert finding["code"] == "saturated"
     assert finding["words"]["limit"] == 5400.0
     assert finding["message"] == found.wheel("left").reasons[0]
+
+
+def test_findings_of_the_reader_are_german_too(tmp_path: Path) -> None:
+    rows = "".join(f"{i / 1000}, 0.5, {4000 + i % 5}, {min(i % 9, 5)}\n" for i in range(400))
+    text = f"time [s], left.plate.z [mm], left.plate.force [N], nonsense [V]\n{rows}"
+    (tmp_path / "lane.csv").write_text(text, encoding="utf-8")
+    _, findings = read_record(tmp_path / "lane.csv")
+    assert len(findings) == 2
+    german = [said(one, "de") for one in findings]
+    assert german[0].startswith("Nicht alle Spalten der Datei wurden verwendet")
+    assert german[1].startswith("Der Kanal ist unverändert (0,0005)")
+    assert [said(one) for one in findings] == [one.message for one in findings]
 
 
 def test_codes_outlive_the_store(tmp_path: Path) -> None:
