@@ -13,7 +13,8 @@ import jounce.inspection
 from jounce.core.findings import Finding
 from jounce.inspection import Inspection, WheelResult, evaluate, read_record
 from jounce.inspection.grading import grade, grade_vehicle
-from jounce.inspection.remarks import SENTENCES, Remark, remark, said
+from jounce.inspection.remark_sentences import SENTENCES
+from jounce.inspection.remarks import Remark, remark, said
 from jounce.inspection.stored_signals import pack, unpack
 from jounce.parts import load
 from jounce.parts.testers import load_tester
@@ -49,7 +50,7 @@ def test_a_phase_angle_below_zero_is_said_to_be_no_steady_state() -> None:
 
 
 def test_every_code_is_used_and_known() -> None:
-    text = "".join(file.read_text(encoding="utf-8") for file in FOLDER.glob("*.py") if file.name != "remarks.py")
+    text = "".join(file.read_text(encoding="utf-8") for file in FOLDER.glob("*.py") if not file.name.startswith("remark"))
     text += (FOLDER / "remarks.py").read_text(encoding="utf-8").partition("_OF_READER")[2]
     unused = [code for code in SENTENCES if f'"{code}"' not in text]
     assert unused == []
