@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError, nearest
 from jounce.core.segments import SINE, Segments
-from jounce.kernel import implicit, linear
+from jounce.kernel import implicit, linear, linear_plan
 from jounce.kernel.explicit import Control, Problem, integrate
 from jounce.kernel.feedback import NO_FEEDBACK, Feedback
 from jounce.kernel.propagators import Calls
@@ -102,7 +102,7 @@ class Prepared:
     problem: Problem
     control: Control
     out: Samples
-    exact: linear.Plan | None
+    exact: linear_plan.Plan | None
     modes: Array
     rest: Rest | None
     still: Array
@@ -245,14 +245,14 @@ def solve(
     return prepare(compiled, p, signals, times, tolerance=tolerance, offset=offset, method=method).run()
 
 
-def _exact(compiled: Compiled, problem: Problem, control: Control, times: Array) -> linear.Plan | None:
+def _exact(compiled: Compiled, problem: Problem, control: Control, times: Array) -> linear_plan.Plan | None:
     """Plan of exact propagation; None when the model or the road is not for it."""
     zero, names = compiled.facts.linear_without, compiled.facts.parameters
     if compiled.free or zero is None or any(problem.p[names.index(name)] != 0.0 for name in zero):
         return None
     address = compiled.native.address
     calls = Calls(address["rate"], address["switch"], address.get("switch_many", 0), address["slopes"], SLOPE_LANES)
-    return linear.plan(problem, control, calls, compiled.shapes["slopes"][0], times)
+    return linear_plan.plan(problem, control, calls, compiled.shapes["slopes"][0], times)
 
 
 def simulate(
