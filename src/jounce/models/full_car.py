@@ -49,8 +49,8 @@ def _axle(
         with system.within(f"{name}_{side}", name):
             x, y = end * system.parameter("distance"), 0.5 * sign * system.parameter("track")
             height = body.height(x, y)
-            unsprung, deflection = add_wheel(system, axle, height, gravity, actuator=actuator)
-            wheels[side] = _Wheel(unsprung, height, deflection)
+            unsprung, _ = add_wheel(system, axle, height, gravity, actuator=actuator)
+            wheels[side] = _Wheel(unsprung, height, unsprung - height)
     return wheels
 
 

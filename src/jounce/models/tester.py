@@ -14,13 +14,14 @@ import casadi as ca
 
 from jounce.core.errors import AssemblyError
 from jounce.mechanics import Mechanism, Model, System
-from jounce.mechanics.elements import friction_force, tyre_force
+from jounce.mechanics.elements import friction_force
 from jounce.mechanics.system import Track
 from jounce.models.attachments import add_tyre
 from jounce.models.corner import TEMPLATES, add_strut, show_wheel, suspension
 from jounce.models.linkage import Linkage
 from jounce.models.quarter_car import add_quarter_car
-from jounce.models.vehicle import show_height, show_strut, strut_force
+from jounce.models.vehicle import show_height
+from jounce.models.wheels import add_wheel
 from jounce.parts.corner import Corner
 from jounce.parts.front_view import FrontViewAxle, Side
 from jounce.parts.rig import Rig
@@ -163,23 +164,7 @@ def _add_wheel(system: System, side: Side, height: ca.SX, plate: Plate, gravity:
     """Wheel of one side under the body; give its height (m) and contact force (N)."""
     if isinstance(side.wheel, QuarterCar):
         return add_quarter_car(system, side.wheel, plate.height, sprung=height)
-    axle, unsprung = side.wheel, system.coordinate("unsprung.z")
-    mass = system.parameter("unsprung_mass")
-    system.point_mass(mass, unsprung)
-    system.force(unsprung, -mass * gravity)
-    deflection = unsprung - height
-    velocity = system.rate_of(deflection)
-    force = strut_force(system, axle, deflection, velocity)
-    system.force(-deflection, force)
-    tyre = plate.height - unsprung
-    contact = tyre_force(system, axle.tyre, tyre, system.rate_of(tyre))
-    system.force(-tyre, contact)
-    show_height(system, "sprung", height, "body above the wheel")
-    show_height(system, "unsprung", unsprung, "unsprung mass")
-    show_strut(system, deflection, velocity, force)
-    system.output("tyre.deflection", tyre, "m", "tyre deflection from undeformed, compression positive")
-    system.output("tyre.force", contact, "N", "contact force, compression positive")
-    return unsprung, contact
+    return add_wheel(system, side.wheel, height, gravity, plate=plate.height)
 
 
 def _add_plate(system: System, form: PlateForm, place: str) -> Plate:

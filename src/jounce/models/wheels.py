@@ -17,10 +17,11 @@ def add_wheel(
     height: ca.SX,
     gravity: ca.SX,
     *,
+    plate: ca.SX | None = None,
     wheels: int = 1,
     actuator: AnyActuator | None = None,
 ) -> tuple[ca.SX, ca.SX]:
-    """Hang one wheel (or a pair that moves as one) under the body; give heights of wheel and strut deflection.
+    """Hang one wheel (or a pair that moves as one) under the body; give its height and the contact force of one.
 
     Parameters
     ----------
@@ -32,12 +33,14 @@ def add_wheel(
         Height of the body above the wheel, m.
     gravity : casadi.SX
         m/s^2.
+    plate : casadi.SX, optional
+        Height (m) of what it stands on and pushes back; a road otherwise.
     wheels : int
         How many move together; forces that are shown are those of one.
     actuator : AnyActuator, optional
         Of each strut.
     """
-    road = system.track("road.z")
+    ground = system.track("road.z").value if plate is None else plate
     unsprung = system.coordinate("unsprung.z")
     mass = wheels * system.parameter("unsprung_mass")
     system.point_mass(mass, unsprung)
@@ -46,13 +49,14 @@ def add_wheel(
     velocity = system.rate_of(deflection)
     force = strut_force(system, axle, deflection, velocity, actuator)
     system.force(-deflection, wheels * force)
-    tyre_deflection = road.value - unsprung
+    tyre_deflection = ground - unsprung
     contact = tyre_force(system, axle.tyre, tyre_deflection, system.rate_of(tyre_deflection))
-    system.force(unsprung, wheels * contact)
-    system.output("road.z", road.value, "m", "road height under the wheel")
+    system.force(-tyre_deflection, wheels * contact)
+    if plate is None:
+        system.output("road.z", ground, "m", "road height under the wheel")
     show_height(system, "sprung", height, "body above the wheel")
     show_height(system, "unsprung", unsprung, "unsprung mass")
     show_strut(system, deflection, velocity, force)
     system.output("tyre.deflection", tyre_deflection, "m", "tyre deflection from undeformed, compression positive")
     system.output("tyre.force", contact, "N", "contact force of one wheel, compression positive")
-    return unsprung, deflection
+    return unsprung, contact
