@@ -34,14 +34,15 @@ def _table(values: Sequence[MetricValue]) -> list[str]:
     names = {item.metric: item.unit for item in values}
     rows = [["", "", *places]] if any(places) else []
     rows += [[name, unit, *(cells.get((name, place), "–") for place in places)] for name, unit in names.items()]
-    return _aligned(rows)
+    return aligned(rows, left=2)
 
 
-def _aligned(rows: Sequence[Sequence[str]]) -> list[str]:
+def aligned(rows: Sequence[Sequence[str]], left: int = 1) -> list[str]:
+    """Lines of a table whose columns stand below each other, the first ones to the left."""
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     return [
         "  ".join(
-            cell.ljust(w) if i < 2 else cell.rjust(w) for i, (cell, w) in enumerate(zip(row, widths, strict=True))
+            cell.rjust(w) if i >= left else cell.ljust(w) for i, (cell, w) in enumerate(zip(row, widths, strict=True))
         )
         for row in rows
     ]

@@ -2,22 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING
+
+from jounce.ride.printing import aligned
 
 if TYPE_CHECKING:
     from jounce.studies.design import SpringDesign
     from jounce.studies.optimise import Optimisation
     from jounce.studies.pareto import ParetoFront
-
-
-def aligned(rows: Sequence[Sequence[str]]) -> list[str]:
-    """Lines of a table whose columns stand below each other, the first to the left."""
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    return [
-        "  ".join(cell.rjust(w) if i else cell.ljust(w) for i, (cell, w) in enumerate(zip(row, widths, strict=True)))
-        for row in rows
-    ]
 
 
 def springs_text(design: SpringDesign) -> str:
