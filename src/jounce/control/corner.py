@@ -8,6 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.constants import GRAVITY
+
 Array = NDArray[np.float64]
 _TYPICAL_RATIO = 0.3  # damping ratio of a body on a damper where the corner has none
 
@@ -42,7 +44,7 @@ class CornerModel:
     tyre_stiffness: float
     damping_coefficient: float
     motion_ratio: float = 1.0
-    gravity: float = 9.81
+    gravity: float = GRAVITY
     static_deflection: float = 0.0
 
     @property

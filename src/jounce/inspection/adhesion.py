@@ -8,13 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.constants import NORMAL_95
 from jounce.inspection.analysis import UNDERFLOW, Analysis
 from jounce.inspection.smoothing import corrected_course
 
 Array = NDArray[np.float64]
 _LENGTH = 1.2
 _NEAR = 4.0  # Hz
-_NORMAL = 1.959964
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ def find_adhesion(analysis: Analysis, highest: float) -> Adhesion | None:
     if fit is not None:
         spread = fit.spread_at(at, np.abs)
         error = math.hypot(error, spread * analysis.amplitude)
-    half = _NORMAL * error / load if math.isfinite(error) else None
+    half = NORMAL_95 * error / load if math.isfinite(error) else None
     share = force / load
     lifted = share <= 0.0
     amplitude = (greatest - load) / load if share < UNDERFLOW else 1.0 - share

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.constants import NORMAL_95
 from jounce.inspection.conditioning import WheelSignals
 from jounce.inspection.turns import Turns
 
 Array = NDArray[np.float64]
-_NORMAL = 1.959964
 LOWEST_RESONANCE = 2.0  # Hz; below it is the body's
 
 
@@ -44,4 +44,4 @@ def find_boge(signals: WheelSignals, turns: Turns) -> BogeAmplitude | None:
     at = int(np.argmax(np.where(turns.frequency > LOWEST_RESONANCE, stroke, 0.0)))
     third = np.diff(signals.height, 3)
     noise = float(np.median(np.abs(third))) / (0.6745 * np.sqrt(20.0))
-    return BogeAmplitude(float(stroke[at]), _NORMAL * noise * np.sqrt(2.0), float(turns.frequency[at]))
+    return BogeAmplitude(float(stroke[at]), NORMAL_95 * noise * np.sqrt(2.0), float(turns.frequency[at]))

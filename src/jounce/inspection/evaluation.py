@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.constants import GRAVITY
 from jounce.core.errors import RecordingError, unknown
 from jounce.core.findings import Finding
 from jounce.inspection import checks
@@ -27,7 +28,6 @@ from jounce.inspection.course import Course, find_course
 from jounce.inspection.phase import find_phase_minimum
 from jounce.inspection.record import FORCE, HEIGHT, SIDES, TACHO, read_facts, wheels_of
 from jounce.inspection.remarks import of_reader, remark
-from jounce.inspection.response import GRAVITY
 from jounce.inspection.result import Inspection, WheelCurves, WheelResult
 from jounce.inspection.rigidity import find_rigidity, rigidity_findings
 from jounce.inspection.theta import half_power, theta_by_amplification, theta_by_decay, theta_by_fit

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.constants import NORMAL_95
 from jounce.inspection.analysis import Analysis
 from jounce.inspection.response import force_response
 from jounce.inspection.smoothing import corrected_course
@@ -15,7 +16,6 @@ from jounce.mechanics.plates import phase_angle
 
 Array = NDArray[np.float64]
 _LENGTH = 2.0
-_NORMAL = 1.959964
 _END, _BESIDE = 0.05, 2.0  # Hz
 
 
@@ -92,6 +92,6 @@ def find_phase_minimum(analysis: Analysis, band: tuple[float, float]) -> tuple[P
     fit = analysis.fit
     if fit is not None:
         error = math.hypot(error, math.degrees(fit.spread_at(at, phase_angle)))
-    half = _NORMAL * error if math.isfinite(error) else None
+    half = NORMAL_95 * error if math.isfinite(error) else None
     hopping = bool(hops.size) and float(np.min(np.abs(hops - at))) < _END
     return PhaseMinimum(angle, at, half, min(at - band[0], band[1] - at) < _END, hopping), measured

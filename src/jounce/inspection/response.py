@@ -8,9 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from jounce.core.constants import GRAVITY
+
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-GRAVITY = 9.81
 
 
 @dataclass(frozen=True)

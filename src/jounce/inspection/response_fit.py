@@ -15,9 +15,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.constants import GRAVITY
 from jounce.core.errors import FitError
 from jounce.inspection.normal_equations import TRANSIENT, normal_equations
-from jounce.inspection.response import GRAVITY, Corner, responses
+from jounce.inspection.response import Corner, responses
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

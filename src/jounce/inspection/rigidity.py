@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from jounce.core.constants import NORMAL_95
 from jounce.core.findings import Finding
 from jounce.inspection.checks import warning
 from jounce.inspection.conditioning import WheelSignals
@@ -14,7 +15,6 @@ from jounce.mechanics.plates import RIGIDITY, RIGIDITY_FREQUENCY, tyre_rigidity
 
 _TOLERANCE = 1.0  # Hz
 _FEWEST_TURNS = 6
-_NORMAL = 1.959964
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ def find_rigidity(signals: WheelSignals, course: Course, load: float) -> tuple[R
     stroke = 2.0 * abs(complex(np.mean((height - height.mean()) * wave)))
     rest = force - 2.0 * np.real(np.mean(force * wave) * np.conj(wave)) - force.mean()
     error = float(np.std(rest)) * np.sqrt(2.0 / force.size)
-    return Rigidity(tyre_rigidity(amplitude, stroke), _NORMAL * RIGIDITY[0] * error / stroke, amplitude), []
+    return Rigidity(tyre_rigidity(amplitude, stroke), NORMAL_95 * RIGIDITY[0] * error / stroke, amplitude), []
 
 
 def rigidity_findings(value: float, wheel: str, low: float, high: float) -> list[Finding]:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.constants import NORMAL_95
 from jounce.inspection.response import Corner, force_response, rig_poles, road_poles, wheel_damping
 from jounce.inspection.response_fit import ResponseFit
 
@@ -16,7 +17,6 @@ if TYPE_CHECKING:
     from jounce.parts.testers import Tester
 
 Array = NDArray[np.float64]
-_NORMAL = 1.959964
 _LOWEST, _HIGHEST, _POINTS = 1.5, 15.0, 541
 _FEWEST_EXTREMES = 4
 _EVEN = 0.2
@@ -57,10 +57,10 @@ def theta_by_fit(fit: ResponseFit, tester: Tester | None) -> Theta:
         damping = tester.plate_damping_coefficient or 0.0
         return wheel_damping(rig_poles(corner, tester.plate_mass, tester.plate_spring_rate, damping))[0]
 
-    road, half = on_road(fit.corner), _NORMAL * fit.spread(on_road)
+    road, half = on_road(fit.corner), NORMAL_95 * fit.spread(on_road)
     if tester is None or tester.plate_spring_rate is None:
         return Theta(road, road, half, half)
-    return Theta(on_rig(fit.corner), road, _NORMAL * fit.spread(on_rig), half)
+    return Theta(on_rig(fit.corner), road, NORMAL_95 * fit.spread(on_rig), half)
 
 
 def half_power(frequency: Array, amplitude: Array) -> float | None:

@@ -8,6 +8,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.constants import GRAVITY
 from jounce.core.errors import AssemblyError, unknown
 from jounce.mechanics.bodies import Body, RigidMass, as_vector
 from jounce.mechanics.carrier import Carried, MovingCarrier
@@ -28,7 +29,7 @@ class Loaded(Tree):
         m/s^2, along -z.
     """
 
-    def __init__(self, gravity: Number = 9.81) -> None:
+    def __init__(self, gravity: Number = GRAVITY) -> None:
         super().__init__()
         self.gravity = self.number("gravity", gravity, "m/s^2")
         self._settled: set[str | int] = set()

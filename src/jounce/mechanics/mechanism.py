@@ -8,6 +8,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.constants import GRAVITY
 from jounce.core.errors import AssemblyError, unknown
 from jounce.mechanics.assembly import removable
 from jounce.mechanics.bodies import Body
@@ -43,7 +44,7 @@ class Mechanism(Loaded):
     ('pivot.angle',)
     """
 
-    def __init__(self, gravity: Number = 9.81) -> None:
+    def __init__(self, gravity: Number = GRAVITY) -> None:
         super().__init__(gravity)
         self._watched: dict[str, Callable[[], None]] = {}
         self._finished: dict[tuple[object, ...], Model] = {}

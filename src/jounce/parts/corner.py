@@ -6,6 +6,7 @@ from typing import Any, Literal, Self
 
 from pydantic import Field, model_validator
 
+from jounce.core.constants import GRAVITY
 from jounce.core.description import Description, misplaced
 from jounce.core.units import Acceleration, Angle, Mass, PositiveLength
 from jounce.parts.bodies import Inertia, RigidBody
@@ -44,7 +45,7 @@ class Corner(Rig):
     """
 
     schema_: Literal["jounce.rig/1"] = Field(default="jounce.rig/1", alias="schema")
-    gravity: Acceleration = 9.81
+    gravity: Acceleration = GRAVITY
     side: Literal["left", "right"] = "left"
     guide: Literal["fixed", "vertical", "vertical+spherical"] = "vertical"
     guide_friction: Friction | None = None

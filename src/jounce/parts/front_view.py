@@ -6,6 +6,7 @@ from typing import Literal
 
 from pydantic import Field
 
+from jounce.core.constants import GRAVITY
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.units import Acceleration, Mass, MomentOfInertia, NonNegativeStiffness, PositiveLength
@@ -44,7 +45,7 @@ class FrontViewAxle(Rig):
 
     schema_: Literal["jounce.rig/1"] = Field(default="jounce.rig/1", alias="schema")
     model: Literal["front-view-axle"] = "front-view-axle"
-    gravity: Acceleration = 9.81
+    gravity: Acceleration = GRAVITY
     mass: Mass
     roll_inertia: MomentOfInertia
     anti_roll_bar_rate: NonNegativeStiffness = 0.0

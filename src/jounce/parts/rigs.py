@@ -6,6 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
+from jounce.core.constants import GRAVITY
 from jounce.core.description import Description
 from jounce.core.units import Acceleration, Mass, Unit
 from jounce.parts.corner import Corner
@@ -46,7 +47,7 @@ class QuarterCar(Rig):
 
     schema_: Literal["jounce.rig/1"] = Field(default="jounce.rig/1", alias="schema")
     model: Literal["quarter-car"] = "quarter-car"
-    gravity: Acceleration = 9.81
+    gravity: Acceleration = GRAVITY
     sprung: Lump
     unsprung: Lump
     strut: Strut

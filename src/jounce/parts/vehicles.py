@@ -6,6 +6,7 @@ from typing import Annotated, ClassVar, Literal, NamedTuple, Self
 
 from pydantic import Field, model_validator
 
+from jounce.core.constants import GRAVITY
 from jounce.core.description import Description, misplaced
 from jounce.core.units import (
     Acceleration,
@@ -132,7 +133,7 @@ class Vehicle(Rig):
     """
 
     schema_: Literal["jounce.vehicle/1"] = Field(default="jounce.vehicle/1", alias="schema")
-    gravity: Acceleration = 9.81
+    gravity: Acceleration = GRAVITY
     corners: ClassVar[tuple[str, ...]] = ("front", "rear")
 
     @property

@@ -8,10 +8,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from jounce.core.constants import GRAVITY
 from jounce.core.errors import DescriptionError
 from jounce.core.units import positive_si
 
-GRAVITY = 9.81
 """m/s^2, as in descriptions that say nothing else."""
 
 

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import Annotated
 
+from jounce.core.constants import GRAVITY
 from jounce.core.description import Description
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding
@@ -209,8 +210,8 @@ def _violations(case: Similitude, frequency: float, density: float) -> tuple[str
             f"frequency: body bounce is {frequency:.3g} Hz, {frequency / similar:.2g} times the {similar:.3g} Hz that "
             f"{case.reference_frequency:g} Hz at full size asks for (ride rate {rate:.3g} N/m)."
         )
-    deflection = 9.81 * case.prototype_mass / case.prototype_wheel_rate
-    wanted = 9.81 / (2.0 * math.pi * case.reference_frequency) ** 2 / case.geometry_factor
+    deflection = GRAVITY * case.prototype_mass / case.prototype_wheel_rate
+    wanted = GRAVITY / (2.0 * math.pi * case.reference_frequency) ** 2 / case.geometry_factor
     if abs(deflection / wanted - 1.0) > 0.05:
         found.append(
             f"static deflection: {1e3 * deflection:.3g} mm at the wheel instead of about {1e3 * wanted:.3g} mm, so "

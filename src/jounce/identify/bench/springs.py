@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from jounce.core.constants import GRAVITY
 from jounce.core.description import Description
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding
@@ -151,7 +152,7 @@ def _row(name: str, rate: float, choice: SpringChoice) -> SpringRow:
     lever = math.cos(choice.strut_angle) ** 2
     wheel = rate * lever
     ride = 1.0 / (1.0 / wheel + 1.0 / choice.tyre_stiffness)
-    static = 9.81 * choice.sprung_mass / wheel
+    static = GRAVITY * choice.sprung_mass / wheel
     return SpringRow(
         name=name,
         spring_rate=rate,
