@@ -89,11 +89,11 @@ def test_height_of_the_road_does_not_matter():
     assert np.max(np.abs(b[:2] - a[:2] - 0.05)) < 1e-10
 
 
-@pytest.mark.parametrize("method", ["auto", "explicit"])
-def test_samples_do_not_steer_the_steps(method):
-    """Coarse output is the fine one at fewer times, to the last digit but one."""
+@pytest.mark.parametrize(("method", "rounding"), [("auto", 1e-14), ("explicit", 1e-15)])
+def test_samples_do_not_steer_the_steps(method, rounding):
+    """Coarse output is the fine one at fewer times, but for the rounding of 600 exact steps, or of the last digit."""
     compiled = compile_model(build(KART))
     p = compiled.parameter_values(KART.parameters())
     segments = HalfSine(height=0.01, length=0.06, start=0.1).segments(3.0).in_time(2.86)
     fine, coarse = (solve(compiled, p, segments, output_times(0.6, step), method=method) for step in (1e-3, 1e-1))
-    assert fine.states[:, ::100] == pytest.approx(coarse.states, abs=1e-15)
+    assert fine.states[:, ::100] == pytest.approx(coarse.states, abs=rounding)
