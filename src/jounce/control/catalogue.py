@@ -23,9 +23,8 @@ from jounce.control.laws import (
 from jounce.control.linear_laws import LQG, LQR, HInfinity
 from jounce.control.preview import PreviewMPC
 from jounce.control.regulator import PythonControl
-from jounce.core.description import read_toml
+from jounce.core.description import check_schema, read_toml
 from jounce.core.errors import DescriptionError, unknown
-from jounce.parts.loading import check_schema
 
 SCHEMA = "jounce.control/1"
 

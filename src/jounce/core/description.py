@@ -71,6 +71,30 @@ def read_toml(path: Path | str) -> tuple[dict[str, Any], str]:
         raise DescriptionError(f"not valid TOML: {error}", where=str(file)) from None
 
 
+def check_schema(table: dict[str, Any], expected: tuple[str, ...], where: str) -> str:
+    """Give the kind and version of a file; refuse others than the expected ones."""
+    found = table.get("schema")
+    if found in expected:
+        return str(found)
+    raise DescriptionError(
+        "the schema line is missing or another one",
+        where=where,
+        found=found,
+        allowed=" or ".join(f'schema = "{name}"' for name in expected),
+        hint="Is this the right kind of file?",
+    )
+
+
+Described = TypeVar("Described", bound=Description)
+
+
+def read_description(kind: type[Described], path: Path | str, schema: str) -> tuple[Described, str]:
+    """Read the one kind of description that a file with this schema line holds; give it with the file's text."""
+    table, text = read_toml(path)
+    check_schema(table, (schema,), str(path))
+    return kind.from_table(table, where=str(path), text=text), text
+
+
 _NAME = r"(?:[\w-]+|\"[^\"]*\"|'[^']*')"
 _HEADER = re.compile(rf"\s*\[(\[?)\s*({_NAME}(?:\s*\.\s*{_NAME})*)\s*\]\]?\s*(?:#.*)?$")
 _KEY = re.compile(rf"\s*({_NAME}(?:\s*\.\s*{_NAME})*)\s*=")

@@ -11,11 +11,10 @@ from typing import Any, Literal, Self
 
 from pydantic import Field, model_validator
 
-from jounce.core.description import Description, misplaced, read_toml
+from jounce.core.description import Description, misplaced, read_description
 from jounce.core.errors import DescriptionError, nearest
 from jounce.core.units import Number, to_si
 from jounce.inspection.quantities import QUANTITIES, Language, Quantity
-from jounce.parts.loading import check_schema
 
 SCHEMA = "jounce.limits/1"
 SHIPPED = "jounce"
@@ -283,9 +282,7 @@ def load_limits(name: str | Path | None = None) -> Limits:
     ['bad', 'insufficient', 'insufficient', 'good', 'good']
     """
     path = shipped_limits() if name is None or (str(name) == SHIPPED and not Path(name).exists()) else Path(name)
-    table, text = read_toml(path)
-    check_schema(table, (SCHEMA,), str(path))
-    found = Limits.from_table(table, where=str(path), text=text)
+    found, _ = read_description(Limits, path, SCHEMA)
     return found if found.name else found.model_copy(update={"name": path.stem})
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import tomlkit
 
-from jounce.core.description import dotted, line_of, read_toml
+from jounce.core.description import check_schema, dotted, line_of, read_toml
 from jounce.core.errors import DescriptionError, nearest, unknown
 from jounce.core.files import chosen_file, shipped_files
 from jounce.parts.corner import Corner
@@ -120,20 +120,6 @@ def _shipped_corners() -> str:
     """What may be the corner of a vehicle."""
     corners = [shipped for shipped, file in library().items() if read_toml(file)[0].get("model") in CORNERS]
     return f"a table, a .toml file from this file's folder, or one of {', '.join(corners)}"
-
-
-def check_schema(table: dict[str, Any], expected: tuple[str, ...], where: str) -> str:
-    """Give the kind and version of a file; refuse others than the expected ones."""
-    found = table.get("schema")
-    if found in expected:
-        return str(found)
-    raise DescriptionError(
-        "the schema line is missing or another one",
-        where=where,
-        found=found,
-        allowed=" or ".join(f'schema = "{name}"' for name in expected),
-        hint="Is this the right kind of file?",
-    )
 
 
 def changed_text(text: str, rig: Rig, values: dict[str, float]) -> str:

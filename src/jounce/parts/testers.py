@@ -11,7 +11,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
-from jounce.core.description import Description, misplaced, read_toml
+from jounce.core.description import Description, misplaced, read_description
 from jounce.core.files import chosen_file, shipped_files
 from jounce.core.units import (
     Frequency,
@@ -22,7 +22,6 @@ from jounce.core.units import (
     PositiveStiffness,
     Unit,
 )
-from jounce.parts.loading import check_schema
 
 SCHEMA = "jounce.tester/1"
 _Seconds = Annotated[float, Unit("s", at_least=0.0)]
@@ -248,7 +247,5 @@ def load_tester(name: str | Path) -> Tester:
     ('rigid-plate', 0.003)
     """
     path = chosen_file(name, library(), "tester")
-    table, text = read_toml(path)
-    check_schema(table, (SCHEMA,), str(path))
-    found = Tester.from_table(table, where=str(path), text=text)
+    found, _ = read_description(Tester, path, SCHEMA)
     return found if found.name else found.model_copy(update={"name": path.stem})

@@ -7,9 +7,8 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, field_validator, model_validator
 
-from jounce.core.description import Description, read_toml
+from jounce.core.description import Description, read_description
 from jounce.core.units import NonNegativeLength, PositiveSpeed, PositiveTime, Unit, to_si
-from jounce.parts.loading import check_schema
 from jounce.recordings import Sensor
 
 Angle = Annotated[float, Unit("rad")]
@@ -138,6 +137,4 @@ def load_campaign(path: Path | str) -> tuple[Campaign, str]:
     DescriptionError
         With file, line, path, found value and what is allowed.
     """
-    table, text = read_toml(path)
-    check_schema(table, ("jounce.campaign/1",), str(path))
-    return Campaign.from_table(table, where=str(path), text=text), text
+    return read_description(Campaign, path, "jounce.campaign/1")
