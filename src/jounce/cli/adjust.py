@@ -10,7 +10,7 @@ import typer
 from jounce.cli.options import AsJson, Force, RigName, bare_number, pairs
 from jounce.cli.reply import Reply
 from jounce.cli.rigs import chosen_rig
-from jounce.cli.tables import show_findings, table
+from jounce.cli.tables import show_findings, show_written, table
 from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
@@ -112,8 +112,7 @@ def _draw(console: Console, plain: dict[str, Any], report: Any, lengths: Lengths
     if lengths is not None:
         console.print(f"reached: camber {_degrees(lengths.camber)}, toe {_degrees(lengths.toe)}")
     show_findings(console, findings)
-    if plain["out"]:
-        console.print(f"written: {plain['out']}")
+    show_written(console, plain)
 
 
 def _states(*states: WheelState) -> list[tuple[object, ...]]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from jounce.cli.tables import show_findings, table
+from jounce.cli.tables import show_findings, show_written, table
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -12,13 +12,6 @@ if TYPE_CHECKING:
     from jounce.studies.design import SpringDesign
     from jounce.studies.optimise import Optimisation
     from jounce.studies.pareto import ParetoFront
-
-
-def say_written(console: Console, plain: dict[str, Any]) -> None:
-    """Name the files that were written."""
-    for key in ("out", "figure"):
-        if plain.get(key):
-            console.print(f"written: {plain[key]}")
 
 
 def draw_springs(console: Console, plain: dict[str, Any], design: SpringDesign) -> None:
@@ -34,7 +27,7 @@ def draw_springs(console: Console, plain: dict[str, Any], design: SpringDesign) 
     tyre = "spring and tyre in series" if design.with_tyre else "the tyre rigid"
     console.print(table(f"Springs and dampers of {plain['rig']}, {tyre}", header, rows, text=(0, 1)))
     show_findings(console, design.findings)
-    say_written(console, plain)
+    show_written(console, plain)
 
 
 def draw_optimisation(console: Console, plain: dict[str, Any], found: Optimisation) -> None:
@@ -61,7 +54,7 @@ def draw_optimisation(console: Console, plain: dict[str, Any], found: Optimisati
     end = "converged" if found.converged else "did not converge"
     console.print(f"{end} after {found.iterations} steps, {found.evaluations} designs, {slopes}")
     show_findings(console, found.findings)
-    say_written(console, plain)
+    show_written(console, plain)
 
 
 def draw_front(console: Console, plain: dict[str, Any], front: ParetoFront) -> None:
@@ -80,4 +73,4 @@ def draw_front(console: Console, plain: dict[str, Any], front: ParetoFront) -> N
         marks.append((mark.name, mark.kind, mark.comfort, mark.holding, mark.travel, dampers))
     console.print(table("Beside them (SI)", ("design", "by", *names, "dampers"), marks, text=(0, 1, 5)))
     show_findings(console, front.findings)
-    say_written(console, plain)
+    show_written(console, plain)

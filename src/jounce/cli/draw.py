@@ -11,7 +11,7 @@ import typer
 from jounce.cli.kinematics import swept_range
 from jounce.cli.options import AsJson, Changes, Force, RigName, changes, positive_quantity, quantity
 from jounce.cli.reply import DONE, REFUSED, Reply, progress
-from jounce.cli.tables import show_findings
+from jounce.cli.tables import show_findings, show_written
 from jounce.cli.trial_options import DrivenSpeed, Duration, ExcitationFile, RoadName, trial_findings, trial_of
 from jounce.core.errors import DescriptionError
 
@@ -59,13 +59,13 @@ def draw(
         if travel is None and rack is None:
             write_figure(mechanism(chosen, names=names, title=title), file, force=force)
             plain = {"rig": rig, "changes": wanted, "poses": [], "out": str(file)}
-            return Reply(plain, lambda console: _say(console, plain), as_json)
+            return Reply(plain, lambda console: show_written(console, plain), as_json)
         say("sweeping")
         sweep, at = _few_poses(chosen, travel, rack)
         say("drawing")
         write_figure(mechanism(chosen, sweep, list(at), names=names, title=title), file, force=force)
     plain = {"rig": rig, "changes": wanted, "poses": at.tolist(), "out": str(file)}
-    return Reply(plain, lambda console: _say(console, plain), as_json, _stopped(sweep))
+    return Reply(plain, lambda console: show_written(console, plain), as_json, _stopped(sweep))
 
 
 def animate(
@@ -122,7 +122,7 @@ def animate(
     plain["out"] = str(out)
 
     def tell(console: Console) -> None:
-        _say(console, plain)
+        show_written(console, plain)
         show_findings(console, findings)
 
     return Reply(plain, tell, as_json, _stopped(poses))
@@ -221,7 +221,3 @@ def _stopped(poses: xr.Dataset) -> int:
     if why:
         sys.stderr.write(f"jounce: {why}. The poses before it are shown.\n")
     return REFUSED if why else DONE
-
-
-def _say(console: Console, plain: dict[str, Any]) -> None:
-    console.print(f"written: {plain['out']}")

@@ -12,7 +12,7 @@ from jounce.cli.options import AsJson, Changes, Force, changes, positive_quantit
 from jounce.cli.outputs import check_outputs
 from jounce.cli.reply import Reply, progress
 from jounce.cli.rigs import warn_of
-from jounce.cli.tables import show_findings, table
+from jounce.cli.tables import show_findings, show_written, table
 from jounce.core.errors import DescriptionError, OutputError
 
 if TYPE_CHECKING:
@@ -178,8 +178,7 @@ def _name(rig: str) -> str:
 def _draw_both(out: Console, graded: GradedInspection, plain: dict[str, Any]) -> None:
     out.print(f"{plain['rig']} on {plain['tester']}, run-down of both wheels", style="bold")
     draw_axle(out, graded)
-    if plain["record"]:
-        out.print(f"written: {plain['record']}")
+    show_written(out, plain)
 
 
 def _draw(out: Console, plain: dict[str, Any], findings: Any) -> None:
@@ -195,8 +194,7 @@ def _draw(out: Console, plain: dict[str, Any], findings: Any) -> None:
     for reason in plain["reasons"]:
         out.print(f"  {reason}")
     show_findings(out, list(findings))
-    if plain["record"]:
-        out.print(f"written: {plain['record']}")
+    show_written(out, plain)
 
 
 def _draw_wear(out: Console, plain: dict[str, Any]) -> None:

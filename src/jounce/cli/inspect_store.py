@@ -15,7 +15,7 @@ import typer
 from jounce.cli.options import AsJson, Force, positive_quantity, quantity
 from jounce.cli.outputs import FigureFile, check_outputs
 from jounce.cli.reply import DONE, FAILED, REFUSED, Reply, progress
-from jounce.cli.tables import table
+from jounce.cli.tables import show_written, table
 from jounce.core.errors import DescriptionError, JounceError, RecordingError, unknown
 from jounce.core.files import existing_file
 
@@ -383,5 +383,4 @@ def _draw_history(out: Console, plain: dict[str, Any], visits: list[WheelVisit],
     if trends:
         rows_ = [(one.axle, one.wheel, one.quantity, one.change_per_year, one.visits) for one in trends]
         out.print(table("change per year", ("axle", "wheel", "value", "per year", "visits"), rows_, text=(0, 1, 2)))
-    if plain["figure"] is not None:
-        out.print(f"written: {plain['figure']}")
+    show_written(out, plain)

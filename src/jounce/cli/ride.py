@@ -11,7 +11,7 @@ from jounce.cli.options import AsJson, Changes, Force, VehicleName, changes, opt
 from jounce.cli.outputs import FigureFile, check_outputs, write_picture
 from jounce.cli.reply import Reply, progress
 from jounce.cli.rigs import chosen_rig
-from jounce.cli.tables import show_findings, table
+from jounce.cli.tables import show_findings, show_written, table
 from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
@@ -201,6 +201,4 @@ def _draw_comparison(console: Console, plain: dict[str, Any], study: RideStudy) 
 def _draw_end(console: Console, plain: dict[str, Any], study: RideStudy) -> None:
     for name, reason in study.failed.items():
         console.print(f"not driven: {name}: {reason}", soft_wrap=True)
-    for key in ("out", "figure"):
-        if plain.get(key):
-            console.print(f"written: {plain[key]}")
+    show_written(console, plain)

@@ -11,7 +11,7 @@ from jounce.cli.options import AsJson, Changes, Force, RigName, changes, positiv
 from jounce.cli.outputs import check_outputs
 from jounce.cli.reply import Reply, progress
 from jounce.cli.rigs import chosen_rig
-from jounce.cli.tables import show_findings, table
+from jounce.cli.tables import show_findings, show_written, table
 from jounce.cli.trial_options import (
     Deceleration,
     DrivenSpeed,
@@ -110,5 +110,4 @@ def _draw(out: Console, plain: dict[str, Any], findings: list[Finding]) -> None:
         "(the tyre leaves or meets the road, a stop opens or closes)"
     )
     show_findings(out, findings)
-    if plain["out"]:
-        out.print(f"written: {plain['out']}")
+    show_written(out, plain)

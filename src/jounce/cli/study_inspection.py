@@ -12,7 +12,7 @@ from jounce.cli.options import AsJson, Changes, Force, RigName, changes
 from jounce.cli.outputs import FigureFile, check_outputs, write_picture
 from jounce.cli.reply import Reply, progress
 from jounce.cli.rigs import chosen_rig
-from jounce.cli.tables import table
+from jounce.cli.tables import show_written, table
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -77,8 +77,7 @@ def _draw(console: Console, plain: dict[str, Any], study: Equivalence) -> None:
     title += f"{100.0 * plain['worn_from']:.0f} % or more (estimated)"
     console.print(table(title, header, rows, text=tuple(range(6))))
     console.print(f"{plain['tests']} simulated tests, limits {plain['limits']}")
-    if plain["figure"]:
-        console.print(f"written: {plain['figure']}")
+    show_written(console, plain)
 
 
 def _range(factor: Factor, ends: tuple[float, float] | None) -> str:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -63,6 +63,13 @@ def estimates(title: str, rows: Iterable[tuple[str, Estimate | None, str]]) -> T
     """Table of estimates: name, estimate and unit in each row."""
     header = ("quantity", "value", "standard error", "95 % interval", "unit")
     return table(title, header, (estimate_row(*row) for row in rows), text=(0, 4))
+
+
+def show_written(out: Console, plain: Mapping[str, Any]) -> None:
+    """Name the files that were written."""
+    for key in ("out", "record", "figure"):
+        if plain.get(key) is not None:
+            out.print(f"written: {plain[key]}")
 
 
 def show_findings(out: Console, findings: Iterable[Finding]) -> None:
