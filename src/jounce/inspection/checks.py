@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 FORCE_UNITS = {0.22481: "pounds (lbf)", 0.10197: "kilograms (kgf)", 0.1: "daN", 0.001: "kN", 4.4482: "", 9.80665: ""}
 LENGTH_UNITS = {1.0 / 25.4: "inches", 0.001: "metres", 0.1: "centimetres", 1000.0: "micrometres"}
+_RIGID_BAND, _RIGID_SPREAD, _FEWEST_STROKES = (7.0, 24.0), 1.3, 12  # Hz, 1, 1
 _NEAR, _KILO, _NEAR_KILO = 0.06, 0.001, 0.5
 _WEIGHT_WARNING, _WEIGHT_PROBLEM = 0.02, 0.08
 _LEAST_LOAD, _GREATEST_LOAD = 300.0, 30e3
@@ -52,18 +53,37 @@ def check_finite(channels: Mapping[str, Array], time: Array) -> list[Finding]:
 
 def check_tester(name: str, tester: Tester | None) -> list[Finding]:
     """Compare the tester that the header names with the one by which the record is evaluated."""
-    if not name or tester is None or tester.name in (name, _shipped_name(name)):
+    if not name or tester is None:
+        return []
+    own_name, kind = _shipped(name)
+    if kind and kind != tester.kind:
+        return [problem("tester", "other_kind", name=name, kind=kind, tester=tester.name, own=tester.kind)]
+    if tester.name in (name, own_name):
         return []
     return [remark("tester", "note", "other_tester", name=name, tester=tester.name)]
 
 
 @lru_cache(maxsize=32)
-def _shipped_name(name: str) -> str:
-    """Name that a shipped tester, named by its file, gives itself; empty where there is none."""
+def _shipped(name: str) -> tuple[str, str]:
+    """Name and kind of a shipped tester, by its file or the name that it gives itself; empty where there is none."""
     from jounce.parts.testers import library, load_tester
 
-    file = library().get(name)
-    return "" if file is None else load_tester(file).name
+    for file, path in library().items():
+        found = load_tester(path)
+        if name in (file, found.name):
+            return found.name, found.kind
+    return "", ""
+
+
+def check_rigid(strokes: Array, frequency: Array, place: str) -> list[Finding]:
+    """Tell a plate on a spring by its stroke (n,) in m: it follows the frequency (n,) in Hz, a rigid one's does not."""
+    inside = (frequency > _RIGID_BAND[0]) & (frequency < _RIGID_BAND[1])
+    if np.count_nonzero(inside) < _FEWEST_STROKES:
+        return []
+    low, high = (float(one) for one in np.percentile(strokes[inside], [10.0, 90.0]))
+    if high <= _RIGID_SPREAD * low:
+        return []
+    return [problem(place, "not_rigid", high / max(low, 1e-12), low=1e3 * low, high=1e3 * high)]
 
 
 def check_columns(signals: WheelSignals, raw: Array, tester: Tester | None) -> list[Finding]:

@@ -69,7 +69,7 @@ def evaluate(
     tester : Tester, optional
         Kind of the plate, its mass, springs and limits; by default a rigid plate whose force needs no compensation.
     vehicle : Rig or Vehicle, optional
-        Under test; a quarter car's weight is compared with the static load.
+        Under test; the wheel loads of a quarter car, or of a vehicle's axle, are compared with the static loads.
     methods : iterable of {"eusama", "egea", "theta", "boge"}, optional
         What to evaluate; by default all that the plate allows.
 
@@ -101,8 +101,8 @@ def evaluate(
     >>> round(found.adhesion, 2), found.lift_off
     (0.71, False)
     """
-    task = _task(tester, vehicle, methods)
     facts, said = read_facts(record.attrs)
+    task = _task(tester, vehicle, methods, str(facts.get("axle", "")))
     tested = sides = tested_wheels(record, facts)
     names = [name for name in map(str, record.data_vars) if name.partition(".")[0] in sides]
     channels = {name: np.asarray(record[name].values, dtype=float) for name in names}
@@ -112,8 +112,9 @@ def evaluate(
         dataset, clock = uniform_time(record)
     except RecordingError as error:
         dataset, clock = record, [checks.problem("time", "clock", text=str(error))]
-    general = [*said, *map(of_reader, clock), *checks.check_tester(str(facts.get("tester", "")), tester)]
-    unfit = [finding for finding in (*clock, *gaps) if finding.severity == "problem"]
+    named = checks.check_tester(str(facts.get("tester", "")), tester)
+    general = [*said, *map(of_reader, clock), *named]
+    unfit = [finding for finding in (*clock, *gaps, *named) if finding.severity == "problem"]
     if unfit:
         wheels = [_unfit(side, [one for one in unfit if _concerns(one, side)]) for side in sides]
         hit = {wheel.wheel for wheel in wheels if wheel.findings}
@@ -177,7 +178,7 @@ def require_gradable(inspection: Inspection, where: str = "record") -> None:
                 raise RecordingError(finding.message.removesuffix("."), where=f"{where}: {finding.place}")
 
 
-def _task(tester: Tester | None, vehicle: Any, methods: Iterable[str] | None) -> _Task:
+def _task(tester: Tester | None, vehicle: Any, methods: Iterable[str] | None, axle: str) -> _Task:
     rigid = tester is None or tester.kind == "rigid-plate"
     possible = _RIGID if rigid else _SPRUNG
     chosen = tuple(methods) if methods is not None else possible
@@ -186,14 +187,31 @@ def _task(tester: Tester | None, vehicle: Any, methods: Iterable[str] | None) ->
             plate = "rigid" if rigid else "sprung"
             choices = METHODS if method not in METHODS else possible
             raise unknown(method, choices, what="method" if method not in METHODS else f"method of a {plate} plate")
+    return _Task(tester, None if vehicle is None else wheel_load(vehicle, axle), chosen, rigid)
+
+
+def wheel_load(vehicle: Any, axle: str = "") -> float | None:
+    """Static load (N) of a quarter car's wheel, or of each wheel of a vehicle's axle; None where it is not known.
+
+    Examples
+    --------
+    >>> from jounce.parts import load
+    >>> [round(wheel_load(load("audi-a6-full-car"), axle)) for axle in ("front", "rear")]
+    [4909, 3969]
+    """
     masses = [getattr(getattr(vehicle, part, None), "mass", None) for part in ("sprung", "unsprung")]
     known = [float(mass) for mass in masses if mass is not None]
-    load = GRAVITY * sum(known) if len(known) == 2 else None
-    return _Task(tester, load, chosen, rigid)
+    if len(known) == 2:
+        return GRAVITY * sum(known)
+    here, there = (getattr(vehicle, part, None) for part in (axle, {"front": "rear", "rear": "front"}.get(axle, "")))
+    if not all(hasattr(one, "unsprung_mass") for one in (here, there)):
+        return None
+    share = there.distance / (here.distance + there.distance)  # type: ignore[union-attr]
+    return GRAVITY * float(0.5 * share * vehicle.body.mass + here.unsprung_mass)  # type: ignore[union-attr]
 
 
 def _concerns(finding: Finding, side: str) -> bool:
-    return finding.place == "time" or finding.place.startswith(f"{side}.")
+    return finding.place in ("time", "tester") or finding.place.startswith(f"{side}.")
 
 
 def _unfit(wheel: str, findings: list[Finding], load: float | None = None) -> WheelResult:
@@ -283,6 +301,9 @@ def _on_rigid_plate(
     signals: WheelSignals, course: Course, load: float, findings: list[Finding], task: _Task
 ) -> WheelResult:
     wheel, tester, methods = signals.wheel, task.tester, task.methods
+    if signals.height is not None:
+        strokes = stroke_by_turn(signals.height, signals.time, course.turns)
+        findings += checks.check_rigid(strokes, course.turns.frequency, f"{wheel}.{HEIGHT}")
     analysis, about = analyse(signals, course, load)
     findings += about
     steady = np.where(analysis.lifted, np.nan, analysis.measured[:, 5])
@@ -313,9 +334,9 @@ def _on_rigid_plate(
         values |= {"theta_rig": theta.rig, "theta_road": theta.road, "theta_methods": {"fit": theta.rig}}
         halves |= {"theta_rig": theta.rig_half_width, "theta_road": theta.road_half_width}
         findings += _overdamped(theta.road, wheel)
-    strokes = np.full(analysis.top.size, analysis.amplitude)
+    amplitudes = np.full(analysis.top.size, analysis.amplitude)
     curves = WheelCurves(
-        analysis.top, analysis.frequency, analysis.measured[:, 0], analysis.measured[:, 2], angles, strokes
+        analysis.top, analysis.frequency, analysis.measured[:, 0], analysis.measured[:, 2], angles, amplitudes
     )
     return _result(signals, load, values, halves, findings, analysis.fit, curves)
 

@@ -27,6 +27,26 @@ SENTENCES: dict[str, dict[Language, str]] = {
         "en": "the header names the tester {name!r}; the record is evaluated as one of {tester!r}.",
         "de": "Der Kopf nennt den Prüfstand {name!r}; ausgewertet wird die Messung als eine von {tester!r}.",
     },
+    "other_kind": {
+        "en": (
+            "the header names the tester {name!r} ({kind}); the record cannot be evaluated as one of {tester!r} "
+            "({own})."
+        ),
+        "de": (
+            "Der Kopf nennt den Prüfstand {name!r} ({kind}); die Messung kann nicht als eine von {tester!r} ({own}) "
+            "ausgewertet werden."
+        ),
+    },
+    "not_rigid": {
+        "en": (
+            "the plate moves {low:.3g} to {high:.3g} mm, by its frequency: it stands on a spring; choose the tester "
+            "that made this record."
+        ),
+        "de": (
+            "Die Platte bewegt sich je nach Frequenz um {low:.3g} bis {high:.3g} mm: Sie ist gefedert; den Prüfstand "
+            "dieser Messung wählen."
+        ),
+    },
     # what the reader of the file found; its sentence is the English one
     "reading_constant": {
         "en": "{text}",
@@ -414,6 +434,8 @@ GERMAN_WORDS = {
     "micrometres": "Mikrometern",
     "plate mass": "Masse der Platte",
     "plate spring rate": "Federrate der Platte",
+    "rigid-plate": "starre Platte",
+    "sprung-plate": "gefederte Platte",
     "plate damping coefficient": "Dämpfung der Platte",
 }
 """Words within the sentences, by the English ones."""

@@ -8,6 +8,8 @@ import pytest
 from jounce.inspection import evaluate
 from jounce.inspection.conditioning import WheelSignals, moving_part
 from jounce.inspection.course import turns_of
+from jounce.inspection.evaluation import wheel_load
+from jounce.parts import load
 from jounce.parts.testers import load_tester
 from jounce.recordings.schema import recording
 
@@ -123,7 +125,7 @@ def test_another_tester_in_the_header_is_said(both, eusama) -> None:
     assert [one.message for one in evaluate(record, eusama).findings] == [
         "the header names the tester 'FooTester'; the record is evaluated as one of 'EUSAMA'."
     ]
-    record.attrs["tester"] = "theta-msd3000"  # another one that is shipped
+    record.attrs["tester"] = "egea-specsus2018"  # another one that is shipped
     assert [one.code for one in evaluate(record, eusama).findings] == ["other_tester"]
     record.attrs["tester"] = "eusama"
     assert evaluate(record, eusama).findings == ()
@@ -141,3 +143,38 @@ def test_turns_of_a_sprung_plate_stand_on_the_swing_of_the_car() -> None:
     expected = np.interp(turns.top[inside], time, frequency)
     assert np.count_nonzero(inside) == pytest.approx(np.trapezoid(frequency[500:11_000], dx=1e-3), abs=2.0)
     assert np.abs(turns.frequency[inside] / expected - 1.0).max() < 0.15
+
+
+def test_a_record_of_a_sprung_plate_is_not_taken_for_one_of_a_rigid_plate(both, eusama) -> None:
+    record = both("left", second=False)
+    record.attrs["tester"] = "theta-msd3000"
+    (wheel,) = evaluate(record, eusama).wheels
+    assert wheel.reasons == (
+        "the header names the tester 'theta-msd3000' (sprung-plate); the record cannot be evaluated as one of 'EUSAMA' "
+        "(rigid-plate).",
+    )
+    assert wheel.adhesion is None
+
+
+def test_a_rigid_plate_has_one_stroke(run, twin, left_record, eusama) -> None:
+    time, height, force, _ = run
+    slower = np.interp(time, [time[0], time[-1]], [0.8, 1.0])
+    wheel = evaluate(left_record(time, height * slower, force, twin.Car().static_load), eusama).wheels[0]
+    assert not [one for one in wheel.findings if one.code == "not_rigid"]
+    resonant = np.interp(time, [0.0, 3.0, 7.0, time[-1]], [0.6, 0.6, 1.0, 1.0])
+    wheel = evaluate(left_record(time, height * resonant, force, twin.Car().static_load), eusama).wheels[0]
+    assert [one.code for one in wheel.findings if one.severity == "problem"] == ["not_rigid"]
+
+
+def test_loads_are_compared_with_the_axle_of_the_vehicle(both, eusama) -> None:
+    record, vehicle = both("left", second=False), load("audi-a6-full-car")
+    for axle in ("front", "rear"):
+        record.attrs["axle"] = axle
+        off = abs(record.attrs["left.static_load"] / wheel_load(vehicle, axle) - 1.0)
+        codes = ["other_vehicle"] if off > 0.15 else []
+        found = evaluate(record, eusama, vehicle).wheels[0]
+        assert [one.code for one in found.findings if one.code == "other_vehicle"] == codes
+    assert wheel_load(vehicle, "front") == pytest.approx(9.81 * (1636.0 * 1.62 / 2.91 / 2.0 + 45.0), rel=2e-3)
+    heavier = vehicle.with_changes({"body.mass": 2600.0})
+    record.attrs["axle"] = "front"
+    assert "other_vehicle" in [one.code for one in evaluate(record, eusama, heavier).wheels[0].findings]
