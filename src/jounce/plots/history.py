@@ -60,8 +60,8 @@ def vehicle_history(visits: Sequence[WheelVisit], *, height: float = 5.4) -> Fig
             days, values = [day for day, _ in known], [value for _, value in known]
             axes.plot(days, values, marker=mark, ls=line, color=colour, label=f"{axle} {wheel}".strip())
         axes.set_title(title)
-        highest = max((scale * value for _, one in dated if (value := one.values.get(name)) is not None), default=1.0)
-        axes.set_ylim(0.0, 1.15 * highest or 1.0)
+        shown = [scale * value for _, one in dated if (value := one.values.get(name)) is not None] or [1.0]
+        axes.set_ylim(1.15 * min(0.0, *shown), 1.15 * max(0.0, *shown) or 1.0)
     if wheels:
         legend_above(panels[0])
     figure.autofmt_xdate(rotation=0, ha="center")

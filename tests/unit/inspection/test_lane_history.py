@@ -13,7 +13,7 @@ from jounce.core.optional import MissingPackageError
 from jounce.inspection import exporting
 from jounce.inspection.entries import Grading, RecordEntry
 from jounce.inspection.exporting import COLUMNS, export, rows_of
-from jounce.inspection.history import history_of, trends_of
+from jounce.inspection.history import WheelVisit, history_of, trends_of
 from jounce.inspection.store import Store
 
 WHEEL = {
@@ -88,3 +88,13 @@ def test_history_is_drawn(store, tmp_path: Path) -> None:
     assert list(adhesion.get_ydata()) == [60.0, 50.0, 40.0]
     assert figure.axes[0].get_ylim()[1] > 60.0
     vehicle_history([])
+
+
+def test_values_below_zero_are_within_the_picture() -> None:
+    from jounce.plots.history import vehicle_history
+
+    values = {"adhesion": 0.0, "phase_angle_min_deg": -9.0, "theta_road": 0.05}
+    figure = vehicle_history([WheelVisit(1, "2026-11-21", "B-AB 1", "front", "left", values, "fail", "")])
+    low, high = figure.axes[1].get_ylim()
+    assert low < -9.0 < high
+    assert all(axes.get_ylim()[0] == 0.0 for axes in (figure.axes[0], figure.axes[2]))
