@@ -13,9 +13,9 @@ from jounce.mechanics import Mechanism, Model
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.frames import Moving
 from jounce.models.attachments import add_tyre, undeformed_radius
+from jounce.models.channels import show_height
 from jounce.models.corner import add_strut, hung, show_wheel
 from jounce.models.linkage import Linkage
-from jounce.models.vehicle import show_height
 from jounce.parts.vehicles import FullCar3D, SpatialAxle
 
 _SIDES = {"left": 1.0, "right": -1.0}

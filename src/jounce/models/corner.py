@@ -25,6 +25,7 @@ from jounce.models.attachments import (
     spring_law,
     stop_law,
 )
+from jounce.models.channels import show_height, show_strut, show_tyre
 from jounce.models.detail import show_bushings, show_energy, show_hardpoints, show_reactions
 from jounce.models.double_wishbone import double_wishbone
 from jounce.models.five_link import five_link
@@ -102,8 +103,7 @@ def corner(rig: Corner, *, detail: bool = False, actuator: AnyActuator | None = 
     mechanism.output("road.z", road.value, "m", "road height under the wheel")
     elements = add_strut(linkage, actuator)
     deflection, force = add_tyre(linkage, road)
-    mechanism.output("tyre.deflection", deflection, "m", "tyre deflection from undeformed, compression positive")
-    mechanism.output("tyre.force", force, "N", "contact force, compression positive")
+    show_tyre(mechanism, deflection, force)
     _guide_friction(linkage)
     _motions(linkage)
     if detail:
@@ -128,9 +128,8 @@ def add_strut(linkage: Linkage, actuator: AnyActuator | None = None) -> dict[str
     push(linkage, spring, elastic + stops)
     push(linkage, damper, viscous)
     total = elastic + stops + viscous
-    mechanism.output("strut.deflection", spring.deflection, "m", "strut deflection from design, compression positive")
-    mechanism.output("strut.velocity", -damper.rate, "m/s", "strut deflection rate, bump positive")
-    mechanism.output("strut.force", total, "N", "spring, stops, damper and friction, compression positive")
+    what = "spring, stops, damper and friction"
+    show_strut(mechanism, spring.deflection, -damper.rate, total, what, " from design")
     return {"spring": (elastic + stops, -spring.rate), "damper": (viscous, -damper.rate)}
 
 
@@ -151,9 +150,7 @@ def _motions(linkage: Linkage) -> None:
     if rig.guide != "fixed":
         bodies.insert(0, ("sprung", mechanism.coordinate_named("sprung.distance"), "sprung mass"))
     for name, z, text in bodies:
-        mechanism.output(f"{name}.z", z, "m", f"{text}, height above design")
-        mechanism.output(f"{name}.vz", mechanism.rate_of(z), "m/s", f"{text}, vertical velocity")
-        mechanism.output(f"{name}.az", mechanism.acceleration_of(z), "m/s^2", f"{text}, vertical acceleration")
+        show_height(mechanism, name, z, text, ", height above design")
     show_wheel(linkage)
 
 

@@ -15,9 +15,9 @@ from jounce.mechanics import Mechanism, Model
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.frames import Moving
 from jounce.models.attachments import add_tyre, undeformed_radius
+from jounce.models.channels import show_height, show_turn, show_tyre
 from jounce.models.corner import add_strut, hung, show_wheel
 from jounce.models.linkage import Linkage
-from jounce.models.vehicle import show_height
 from jounce.parts.parameters import structure_of
 from jounce.parts.vehicles import FullCar3D, SpatialAxle
 
@@ -84,15 +84,9 @@ def _body(mechanism: Mechanism, vehicle: FullCar3D) -> Body:
 
 def _show_body(mechanism: Mechanism, height: ca.SX, pitch: ca.SX, roll: ca.SX) -> None:
     """Let the body be seen; pitch is the turn about the car's y axis, then roll about its own x axis."""
-    place = "centre of gravity of the body"
-    mechanism.output("body.z", height, "m", f"{place}, z; from the design position")
-    mechanism.output("body.vz", mechanism.rate_of(height), "m/s", f"{place}, vertical velocity")
-    mechanism.output("body.az", mechanism.acceleration_of(height), "m/s^2", f"{place}, vertical acceleration")
-    for name, angle, text in (("pitch", pitch, "nose down"), ("roll", roll, "right side down")):
-        mechanism.output(f"body.{name}", angle, "rad", f"body {name}, {text} positive")
-        mechanism.output(f"body.{name}_rate", mechanism.rate_of(angle), "rad/s", f"body {name} rate")
-        acceleration = mechanism.acceleration_of(angle)
-        mechanism.output(f"body.{name}_acceleration", acceleration, "rad/s^2", f"body {name} acceleration")
+    show_height(mechanism, "body", height, "centre of gravity of the body", ", z; from the design position")
+    show_turn(mechanism, "pitch", pitch)
+    show_turn(mechanism, "roll", roll)
 
 
 def _corner(
@@ -108,8 +102,7 @@ def _corner(
         mechanism.output("road.z", road.value, "m", "road height under the wheel")
         add_strut(linkage, actuator)
         deflection, load = add_tyre(linkage, road)
-        mechanism.output("tyre.deflection", deflection, "m", "tyre deflection from undeformed, compression positive")
-        mechanism.output("tyre.force", load, "N", "contact force, compression positive")
+        show_tyre(mechanism, deflection, load)
         design = linkage.hardpoint("wheel_centre")
         centre = linkage.wheel_centre
         for which, place, text in (

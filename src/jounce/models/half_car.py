@@ -7,7 +7,8 @@ import casadi as ca
 from jounce.control.actuators import AnyActuator
 from jounce.mechanics import Model, System
 from jounce.models.actuation import controlled_force
-from jounce.models.vehicle import add_body, show_height, show_strut
+from jounce.models.channels import show_height, show_strut
+from jounce.models.vehicle import add_body
 from jounce.parts.vehicles import HalfCar
 
 
@@ -34,4 +35,4 @@ def _axle(system: System, vehicle: HalfCar, height: ca.SX, actuator: AnyActuator
     system.force(height, 2.0 * force)
     system.output("road.z", road.value, "m", "road height under the axle")
     show_height(system, "sprung", height, "body above the axle")
-    show_strut(system, deflection, velocity, force)
+    show_strut(system, deflection, velocity, force, "strut force of one wheel")

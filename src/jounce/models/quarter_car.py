@@ -11,6 +11,7 @@ from jounce.control.actuators import AnyActuator
 from jounce.mechanics import Model, System
 from jounce.mechanics.elements import bump_stop_force, damper_force, friction_force, spring_force, tyre_force
 from jounce.models.actuation import controlled_force
+from jounce.models.channels import show_height, show_strut, show_tyre
 from jounce.parts import QuarterCar
 
 
@@ -80,9 +81,7 @@ def _strut(system: System, rig: QuarterCar, sprung: ca.SX, unsprung: ca.SX, actu
     system.force(-deflection, force)
     guide = friction_force(system, rig.guide.friction, "guide.friction", system.rate_of(sprung))
     system.force(-sprung, guide)
-    system.output("strut.deflection", deflection, "m", "strut deflection, compression positive")
-    system.output("strut.velocity", velocity, "m/s", "strut deflection rate, bump positive")
-    system.output("strut.force", force, "N", "strut force, compression positive")
+    show_strut(system, deflection, velocity, force)
     if rig.guide.friction is not None:
         system.output("guide.force", -guide, "N", "guide friction on the sprung mass, up positive")
 
@@ -91,14 +90,11 @@ def _tyre(system: System, rig: QuarterCar, road: ca.SX, unsprung: ca.SX) -> ca.S
     deflection = road - unsprung
     force = tyre_force(system, rig.tyre, deflection, system.rate_of(deflection))
     system.force(-deflection, force)
-    system.output("tyre.deflection", deflection, "m", "tyre deflection from undeformed, compression positive")
-    system.output("tyre.force", force, "N", "contact force, compression positive")
+    show_tyre(system, deflection, force)
     return force
 
 
 def _motions(system: System, road: ca.SX, sprung: ca.SX, unsprung: ca.SX) -> None:
     system.output("road.z", road, "m", "road height under the wheel")
     for body, z in (("sprung", sprung), ("unsprung", unsprung)):
-        system.output(f"{body}.z", z, "m", f"{body} mass, height")
-        system.output(f"{body}.vz", system.rate_of(z), "m/s", f"{body} mass, vertical velocity")
-        system.output(f"{body}.az", system.acceleration_of(z), "m/s^2", f"{body} mass, vertical acceleration")
+        show_height(system, body, z, f"{body} mass")

@@ -17,10 +17,10 @@ from jounce.mechanics import Mechanism, Model, System
 from jounce.mechanics.elements import friction_force
 from jounce.mechanics.system import Track
 from jounce.models.attachments import add_tyre
+from jounce.models.channels import show_height, show_tyre
 from jounce.models.corner import TEMPLATES, add_strut, show_wheel, suspension
 from jounce.models.linkage import Linkage
 from jounce.models.quarter_car import add_quarter_car
-from jounce.models.vehicle import show_height
 from jounce.models.wheels import add_wheel
 from jounce.parts.corner import Corner
 from jounce.parts.front_view import FrontViewAxle, Side
@@ -116,8 +116,7 @@ def _corner(rig: Rig, form: PlateForm) -> System:
     rate = mechanism.rate_of(plate.height)
     deflection, contact = add_tyre(linkage, Track(plate.height, rate, ca.SX(0.0)))
     mechanism.force(plate.height, -contact)
-    mechanism.output("tyre.deflection", deflection, "m", "tyre deflection from undeformed, compression positive")
-    mechanism.output("tyre.force", contact, "N", "contact force, compression positive")
+    show_tyre(mechanism, deflection, contact)
     _guide(linkage)
     show_wheel(linkage)
     _show_plate(mechanism, plate, contact)

@@ -14,9 +14,8 @@ from jounce.control.actuators import AnyActuator
 from jounce.mechanics import System
 from jounce.mechanics.elements import bump_stop_force, damper_force, friction_force, spring_force
 from jounce.models.actuation import controlled_force
+from jounce.models.channels import TURNS, show_height, show_turn
 from jounce.parts.vehicles import Vehicle, WheeledAxle
-
-_TURNS = {"pitch": "nose down", "roll": "right side down"}
 
 
 @dataclass(frozen=True)
@@ -59,33 +58,9 @@ def _pitch_moment(system: System, vehicle: Vehicle) -> ca.SX:
 
 
 def _show_body(system: System, body: Body, *, rolls: bool) -> None:
-    for name, value, text in (
-        ("z", body.z, "height"),
-        ("vz", system.rate_of(body.z), "vertical velocity"),
-        ("az", system.acceleration_of(body.z), "vertical acceleration"),
-    ):
-        unit = {"z": "m", "vz": "m/s", "az": "m/s^2"}[name]
-        system.output(f"body.{name}", value, unit, f"centre of gravity of the body, {text}")
-    for turn, sign in list(_TURNS.items())[: 1 + rolls]:
-        angle = getattr(body, turn)
-        system.output(f"body.{turn}", angle, "rad", f"body {turn}, {sign} positive")
-        system.output(f"body.{turn}_rate", system.rate_of(angle), "rad/s", f"body {turn} rate")
-        acceleration = system.acceleration_of(angle)
-        system.output(f"body.{turn}_acceleration", acceleration, "rad/s^2", f"body {turn} acceleration")
-
-
-def show_height(system: System, name: str, z: ca.SX, text: str) -> None:
-    """Let a height be seen, with velocity and acceleration."""
-    system.output(f"{name}.z", z, "m", f"{text}, height")
-    system.output(f"{name}.vz", system.rate_of(z), "m/s", f"{text}, vertical velocity")
-    system.output(f"{name}.az", system.acceleration_of(z), "m/s^2", f"{text}, vertical acceleration")
-
-
-def show_strut(system: System, deflection: ca.SX, velocity: ca.SX, force: ca.SX) -> None:
-    """Let the strut of one wheel be seen."""
-    system.output("strut.deflection", deflection, "m", "strut deflection, compression positive")
-    system.output("strut.velocity", velocity, "m/s", "strut deflection rate, bump positive")
-    system.output("strut.force", force, "N", "strut force of one wheel, compression positive")
+    show_height(system, "body", body.z, "centre of gravity of the body")
+    for turn in list(TURNS)[: 1 + rolls]:
+        show_turn(system, turn, getattr(body, turn))
 
 
 def strut_force(

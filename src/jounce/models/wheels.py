@@ -7,7 +7,8 @@ import casadi as ca
 from jounce.control.actuators import AnyActuator
 from jounce.mechanics import System
 from jounce.mechanics.elements import tyre_force
-from jounce.models.vehicle import show_height, show_strut, strut_force
+from jounce.models.channels import show_height, show_strut, show_tyre
+from jounce.models.vehicle import strut_force
 from jounce.parts.vehicles import WheeledAxle
 
 
@@ -56,7 +57,6 @@ def add_wheel(
         system.output("road.z", ground, "m", "road height under the wheel")
     show_height(system, "sprung", height, "body above the wheel")
     show_height(system, "unsprung", unsprung, "unsprung mass")
-    show_strut(system, deflection, velocity, force)
-    system.output("tyre.deflection", tyre_deflection, "m", "tyre deflection from undeformed, compression positive")
-    system.output("tyre.force", contact, "N", "contact force of one wheel, compression positive")
+    show_strut(system, deflection, velocity, force, "strut force of one wheel")
+    show_tyre(system, tyre_deflection, contact, " of one wheel")
     return unsprung, contact
