@@ -25,6 +25,7 @@ _WEIGHT_WARNING, _WEIGHT_PROBLEM = 0.02, 0.08
 _LEAST_LOAD, _GREATEST_LOAD = 300.0, 30e3
 _FEWEST_CLIPPED = 6
 _CLIPPED_SHARE = 0.01
+_DROPOUT = 8e-3  # s
 _SLOWEST_SAMPLING = 200.0  # Hz
 _SHORTEST = 2.0  # s
 
@@ -218,6 +219,20 @@ def check_clipping(force: Array, load: float, place: str) -> list[Finding]:
         else:
             findings.append(warning(place, "clipped", share, **words))
     return findings
+
+
+def check_dropout(force: Array, signals: WheelSignals, load: float) -> list[Finding]:
+    """Look for a force (N) that is exactly nothing for a while: a cell under a moving plate always feels the plate."""
+    if signals.plate_mass <= 0.0:
+        return []
+    still = np.flatnonzero((np.diff(force) == 0.0) & (np.abs(force[1:]) < 0.05 * load))
+    runs = np.split(still, np.flatnonzero(np.diff(still) > 1) + 1)
+    longest = max(runs, key=len)
+    length = (longest.size + 1) / signals.sample_rate
+    if longest.size + 1 < _FEWEST_CLIPPED or length < _DROPOUT:
+        return []
+    words = {"force": float(force[longest[0]]), "time": 1e3 * length}
+    return [problem(f"{signals.wheel}.plate.force", "dropout", length, **words)]
 
 
 def check_other_plate(

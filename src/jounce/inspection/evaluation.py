@@ -274,6 +274,7 @@ def _evaluate_wheel(
     findings += pair if pair else checks.check_load(signals, measured, tester)
     load = signals.static_load if signals.static_load is not None else measured
     findings += checks.check_clipping(raw[span[0] : span[1]], load, f"{wheel}.{FORCE}")
+    findings += checks.check_dropout(raw[span[0] : span[1]], signals, load)
     step = 1.0 / signals.sample_rate
     findings += checks.check_other_plate(wheel, span, other, step, str(facts.get("wheel_order", "")))
     findings += _vehicle_findings(load, task.vehicle_load, wheel)

@@ -249,6 +249,16 @@ SENTENCES: dict[str, dict[Language, str]] = {
         "en": "the force is clipped at {limit:.4g} N ({percent:.2g} % of the samples); amplitudes come out too small.",
         "de": "Die Kraft ist bei {limit:.4g} N abgeschnitten ({percent:.2g} % der Messwerte): zu kleine Amplituden.",
     },
+    "dropout": {
+        "en": (
+            "the force stays at exactly {force:.4g} N for {time:.0f} ms, which a cell under a moving plate never shows: "
+            "a dropout of the signal, or the force is that of the contact (force_cell)."
+        ),
+        "de": (
+            "Die Kraft bleibt {time:.0f} ms lang genau bei {force:.4g} N, was ein Aufnehmer unter einer bewegten "
+            "Platte nie zeigt: Signalausfall, oder es ist die Aufstandskraft selbst (force_cell)."
+        ),
+    },
     "slips": {
         "en": ("the mean force leaves the static load by {percent:+.0f} % during the test: the wheel slips or rolls."),
         "de": (

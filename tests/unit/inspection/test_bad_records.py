@@ -67,6 +67,7 @@ CHANGES = {
     "no run-down": (lambda t, z, f: (t[:2450], 1.0 * z[:2450], f[:2450]), "run-down is missing"),
     "cut off": (lambda t, z, f: (t[:7000], z[:7000], f[:7000]), "the record is too short: the run-down is cut off"),
     "too short": (lambda t, z, f: (t[:500], z[:500], f[:500]), "the record is too short"),
+    "dropout": (lambda t, z, f: (t, z, np.where((t > 6.0) & (t < 6.05), 0.0, f)), "a dropout of the signal"),
     "saturated": (lambda t, z, f: (t, z, np.minimum(f, 5400.0)), "saturated"),
     "not a number": (lambda t, z, f: (t, z, np.where(np.arange(t.size) == 4000, np.nan, f)), "1 sample is no number"),
     "two sweeps": (
