@@ -20,6 +20,7 @@ Array = NDArray[np.float64]
 HIGHEST_SHARE = 0.985
 _WAIT, _SLOW_TIME = 1.0, 0.25  # s
 _PASSES = 2
+_RESONANCE, _BELOW_RESONANCE, _LASTING = 7.0, 5.0, 5  # Hz, Hz, turns
 _QUIET_SHARE = 0.12
 
 
@@ -81,7 +82,8 @@ def find_course(signals: WheelSignals, tester: Tester | None, *, rigid: bool) ->
         return None, [problem(place, "few_turns", fewest=FEWEST_TURNS)]
     low, high = (tester.limits.frequency_min, tester.limits.frequency_max) if tester is not None else (6.0, 18.0)
     if not rigid:
-        return _any_course(turns), []
+        found = _any_course(turns)
+        return found, _sprung_findings(turns.frequency, found.highest, place)
     frequency = turns.frequency
     top = float(np.percentile(frequency, 95.0))
     lowest = float(frequency.min())
@@ -104,6 +106,29 @@ def find_course(signals: WheelSignals, tester: Tester | None, *, rigid: bool) ->
     rate = _rate(turns.top[first : last + 1], frequency[first : last + 1], low, high)
     course = Course(turns, first, last, slice(begun, first + 1), rate)
     return course, _sweep_findings(course, tester, place)
+
+
+def _sprung_findings(frequency: Array, top: float, place: str) -> list[Finding]:
+    """What is wrong with the run-down (or run-up) of a sprung plate: it must pass the wheel's resonance, once."""
+    middle = np.median(np.lib.stride_tricks.sliding_window_view(np.pad(frequency, 2, mode="edge"), 5), axis=1)
+    low = min(_BELOW_RESONANCE, 0.4 * top)
+    falls, rises = (_falls(_lasting(one, 0.75 * top, low), 0.75 * top, low) for one in (middle, middle[::-1]))
+    if falls > 1:
+        return [problem(place, "several", float(falls), count=falls)]
+    lowest = float(middle.min())
+    if falls + rises == 0 and lowest > min(_RESONANCE, 0.6 * top):
+        code = "no_run_down" if lowest > 0.75 * top else "run_down_cut"
+        return [problem(place, code, lowest, low=lowest, top=top)]
+    return []
+
+
+def _lasting(frequency: Array, high: float, low: float) -> Array:
+    """Frequencies (n,) in Hz of the stretches above ``high`` and below ``low`` that last for some turns."""
+    level = np.where(frequency >= high, 1, np.where(frequency <= low, -1, 0))
+    ends = np.append(np.flatnonzero(np.diff(level)) + 1, level.size)
+    begins = np.append(0, ends[:-1])
+    lasting = ends - begins >= _LASTING
+    return np.asarray(frequency[np.repeat(lasting, ends - begins)])
 
 
 def _any_course(turns: Turns) -> Course:

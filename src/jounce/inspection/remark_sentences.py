@@ -251,8 +251,8 @@ SENTENCES: dict[str, dict[Language, str]] = {
     },
     "dropout": {
         "en": (
-            "the force stays at exactly {force:.4g} N for {time:.0f} ms, which a cell under a moving plate never shows: "
-            "a dropout of the signal, or the force is that of the contact (force_cell)."
+            "the force stays at exactly {force:.4g} N for {time:.0f} ms, which a cell under a moving plate never "
+            "shows: a dropout of the signal, or the force is that of the contact (force_cell)."
         ),
         "de": (
             "Die Kraft bleibt {time:.0f} ms lang genau bei {force:.4g} N, was ein Aufnehmer unter einer bewegten "

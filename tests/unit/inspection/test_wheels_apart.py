@@ -12,6 +12,7 @@ from jounce.inspection.evaluation import wheel_load
 from jounce.parts import load
 from jounce.parts.testers import load_tester
 from jounce.recordings.schema import recording
+from jounce.simulation.testing import simulate_test
 
 RATE, LEAST = 1000.0, 0.325e-3
 
@@ -178,3 +179,39 @@ def test_loads_are_compared_with_the_axle_of_the_vehicle(both, eusama) -> None:
     heavier = vehicle.with_changes({"body.mass": 2600.0})
     record.attrs["axle"] = "front"
     assert "other_vehicle" in [one.code for one in evaluate(record, eusama, heavier).wheels[0].findings]
+
+
+@pytest.fixture(scope="module")
+def sprung():
+    return load_tester("theta-msd3000")
+
+
+@pytest.fixture(scope="module")
+def sprung_run(sprung):
+    return simulate_test(load("audi-a6-quarter-car"), sprung, noise=0.01, seed=1, truth=False)
+
+
+def test_a_sprung_plate_must_run_down_through_the_resonance_once(sprung, sprung_run) -> None:
+    assert evaluate(sprung_run, sprung).is_gradable
+    end = float(sprung_run["time"][-1])
+    for length, message in ((0.5 * end, "the run-down is cut off"), (0.2 * end, "the run-down is missing")):
+        cut = sprung_run.sel(time=slice(0.0, length))
+        (wheel,) = evaluate(cut, sprung).wheels
+        assert [message in reason for reason in wheel.reasons] == [True]
+        assert wheel.theta_road is None
+    later = sprung_run.assign_coords(time=sprung_run["time"] + end + 1e-3)
+    twice = recording(
+        np.append(sprung_run["time"], later["time"]),
+        {name: (np.append(sprung_run[name], later[name]), sprung_run[name].attrs["units"], "") for name in sprung_run},
+        attributes=sprung_run.attrs,
+    )
+    (wheel,) = evaluate(twice, sprung).wheels
+    assert wheel.reasons == ("2 run-downs in one record: cut them apart.",)
+
+
+def test_a_run_up_of_a_sprung_plate_is_a_test_too(sprung) -> None:
+    upwards = sprung.with_changes({"programme.start_frequency": 1.0, "programme.end_frequency": 20.0})
+    record = simulate_test(load("audi-a6-quarter-car"), upwards, noise=0.01, seed=1, truth=False)
+    (wheel,) = evaluate(record, upwards).wheels
+    assert wheel.is_gradable
+    assert wheel.theta_road == pytest.approx(0.393, abs=0.02)
