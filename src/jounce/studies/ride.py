@@ -189,7 +189,7 @@ def drive(rig: Rig, trial: RideTrial, control: AnyControl | None = None) -> Ride
     metrics = ride_metrics(run, rig, settling=trial.settling)
     for missing in metrics.absent:
         if missing.metric == "weighted_rms":
-            raise RecordingError(missing.reason, where=missing.place, hint="Drive for longer.")
+            raise RecordingError(missing.reason, where=missing.place, hint="Drive for longer (duration).")
     return Ride(control_name(control), run, metrics, _merits(metrics), trial.settling)
 
 
