@@ -125,7 +125,7 @@ def evaluate(
     else:
         found = tuple(_evaluate_wheels(dataset, sides, facts, task))
     axle = {"axle": facts["axle"]} if "axle" in facts else {}
-    return Inspection(_in_order((*found, *_without_force(record))), axle, facts, task.methods, tuple(general))
+    return Inspection(_in_order((*found, *_without_force(record, facts))), axle, facts, task.methods, tuple(general))
 
 
 def tested_wheels(record: xr.Dataset, facts: Mapping[str, Any]) -> tuple[str, ...]:
@@ -141,13 +141,14 @@ def tested_wheels(record: xr.Dataset, facts: Mapping[str, Any]) -> tuple[str, ..
     return tuple(side for side in sides if side == order or shaken[side] > _AS_MUCH * shaken[str(order)])
 
 
-def _without_force(record: xr.Dataset) -> list[WheelResult]:
+def _without_force(record: xr.Dataset, facts: Mapping[str, Any]) -> list[WheelResult]:
     """Wheels whose plate has moved but whose force is not in the record: a column is lost or misspelt."""
     lost = []
-    for side in SIDES:
+    order = facts.get("wheel_order")
+    for side in (order,) if order in SIDES else SIDES:
         force, height = f"{side}.{FORCE}", f"{side}.{HEIGHT}"
-        if force not in record and height in record and _shaking(record, side) > _STANDING:
-            lost.append(_unfit(side, [checks.problem(force, "force_missing", found=height, force=force)]))
+        if force not in record and height in record and _shaking(record, str(side)) > _STANDING:
+            lost.append(_unfit(str(side), [checks.problem(force, "force_missing", found=height, force=force)]))
     return lost
 
 

@@ -103,6 +103,8 @@ def test_a_wheel_without_its_force_is_not_left_out(both, eusama) -> None:
     assert found.wheel("right").reasons == (
         "right.plate.z is in the record, but right.plate.force is not: check the names of the columns.",
     )
+    alone = evaluate(both("left", second=True, leave_out="right.plate.force"), eusama)
+    assert [wheel.wheel for wheel in alone.wheels] == ["left"]
 
 
 def test_an_order_that_the_plates_contradict(both, eusama) -> None:
