@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import re
 import tempfile
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from datetime import date
 from importlib import metadata
 from itertools import takewhile
 from pathlib import Path
@@ -17,7 +15,7 @@ from jounce.core.errors import JounceError, RecordingError
 from jounce.inspection.evaluation import evaluate
 from jounce.inspection.grading import GradedInspection, grade
 from jounce.inspection.limits import Limits, load_limits
-from jounce.inspection.record import SIDES, TEXTS, read_record
+from jounce.inspection.record import SIDES, TEXTS, day_of, read_record
 from jounce.inspection.result import NOT_GRADED
 
 if TYPE_CHECKING:
@@ -180,22 +178,6 @@ def header_facts(content: bytes, sidecar: bytes | None = None) -> dict[str, str]
             continue
         facts |= {name: str(value) for name, value in table.items() if name in TEXTS}
     return facts
-
-
-def day_of(text: str) -> str:
-    """Give a date as ISO 8601 day; what is no date is kept as it is.
-
-    Examples
-    --------
-    >>> day_of("21.11.2026"), day_of("2026-11-21T08:30:00"), day_of("soon")
-    ('2026-11-21', '2026-11-21', 'soon')
-    """
-    german = re.match(r"\s*(\d{1,2})\.(\d{1,2})\.(\d{4})", text)
-    iso = f"{german[3]}-{int(german[2]):02}-{int(german[1]):02}" if german else text.strip()[:10]
-    try:
-        return date.fromisoformat(iso).isoformat()
-    except ValueError:
-        return text
 
 
 def _table_of(description: Any) -> dict[str, Any]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import datetime
+import re
 import tomllib
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -147,11 +148,37 @@ def read_facts(facts: Mapping[str, Any], *, where: str = "record") -> tuple[dict
             found[key] = _axle(value, where)
         else:
             found[key] = value.isoformat() if isinstance(value, (datetime.date, datetime.time)) else str(value)
+            if key == "date" and found[key] and not _is_day(found[key]):
+                findings.append(remark(where, "warning", "no_day", date=found[key]))
             if key not in TEXTS and key not in ("schema", "jounce", "source", "Conventions"):
                 hint = nearest(key, known)
                 meant = f" {hint}" if hint else ""
                 findings.append(remark(where, "warning" if hint else "note", "unknown_key", key=key, hint=meant))
     return found, findings
+
+
+def day_of(text: str) -> str:
+    """Give a date as ISO 8601 day; what is no date is kept as it is.
+
+    Examples
+    --------
+    >>> day_of("21.11.2026"), day_of("2026-11-21T08:30:00"), day_of("soon")
+    ('2026-11-21', '2026-11-21', 'soon')
+    """
+    german = re.match(r"\s*(\d{1,2})\.(\d{1,2})\.(\d{4})", text)
+    iso = f"{german[3]}-{int(german[2]):02}-{int(german[1]):02}" if german else text.strip()[:10]
+    try:
+        return datetime.date.fromisoformat(iso).isoformat()
+    except ValueError:
+        return text
+
+
+def _is_day(text: str) -> bool:
+    try:
+        datetime.date.fromisoformat(day_of(text))
+    except ValueError:
+        return False
+    return True
 
 
 def _number(value: object, si: str, where: str) -> float:

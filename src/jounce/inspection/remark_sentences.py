@@ -19,6 +19,10 @@ SENTENCES: dict[str, dict[Language, str]] = {
         "en": "the header's {key!r} is not known and was not used.{hint}",
         "de": "Die Angabe {key!r} im Kopf ist nicht bekannt und wurde nicht verwendet.",
     },
+    "no_day": {
+        "en": "the date {date!r} is no day, e.g. 2026-11-21: the record has no place in a vehicle's history.",
+        "de": "Das Datum {date!r} ist kein Tag, z. B. 2026-11-21: Die Messung hat keinen Platz im Verlauf.",
+    },
     "line_left_out": {
         "en": "the header line {line!r} was left out: it is not 'key = value' with text in quotes",
         "de": "Die Kopfzeile {line!r} wurde ausgelassen: Sie ist nicht 'name = wert' mit Text in Anführungszeichen.",

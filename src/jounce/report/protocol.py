@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 from jounce.core.errors import unknown
 from jounce.core.serialise import check_writable, to_json, to_plain, write_atomically
 from jounce.inspection.grading import GradedInspection, VehicleGrade, grade_vehicle
-from jounce.inspection.lane import day_of
 from jounce.inspection.quantities import LANGUAGES, Language
+from jounce.inspection.record import day_of
 from jounce.plots import rendered
 from jounce.plots.inspection import inspection_curves
 from jounce.report.inline import inline_svg

@@ -13,6 +13,7 @@ import jounce.inspection
 from jounce.core.findings import Finding
 from jounce.inspection import Inspection, WheelResult, evaluate, read_record
 from jounce.inspection.grading import grade, grade_vehicle
+from jounce.inspection.record import read_facts
 from jounce.inspection.remark_sentences import SENTENCES
 from jounce.inspection.remarks import Remark, remark, said
 from jounce.inspection.stored_signals import pack, unpack
@@ -106,6 +107,13 @@ def test_findings_of_the_reader_are_german_too(tmp_path: Path) -> None:
     assert german[0].startswith("Nicht alle Spalten der Datei wurden verwendet")
     assert german[1].startswith("Der Kanal ist unverändert (0,0005)")
     assert [said(one) for one in findings] == [one.message for one in findings]
+
+
+@pytest.mark.parametrize(("date", "codes"), [("2026-11-21", []), ("21.11.2026", []), ("soon", ["no_day"]), ("", [])])
+def test_a_date_that_is_no_day_is_said(date: str, codes: list[str]) -> None:
+    facts, findings = read_facts({"date": date})
+    assert facts["date"] == date
+    assert [one.code for one in findings] == codes
 
 
 def test_codes_outlive_the_store(tmp_path: Path) -> None:
