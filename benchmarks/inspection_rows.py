@@ -16,12 +16,12 @@ from inspection_peers import egea_script, run_down, table_of_numbers
 from timing import Row, median_time
 
 import jounce as jn
+from jounce.inspection.archive.lane import import_record
+from jounce.inspection.archive.reevaluation import reevaluate
+from jounce.inspection.archive.store import Store
 from jounce.inspection.evaluation import evaluate
-from jounce.inspection.lane import import_record
-from jounce.inspection.limits import load_limits
 from jounce.inspection.record import read_record
-from jounce.inspection.reevaluation import reevaluate
-from jounce.inspection.store import Store
+from jounce.inspection.verdicts.limits import load_limits
 from jounce.parts.testers import load_tester
 from jounce.simulation.testing import simulate_test
 from jounce.studies.inspection_equivalence import compare_tests

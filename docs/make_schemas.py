@@ -14,9 +14,9 @@ from typing import Any
 from pydantic import TypeAdapter
 
 from jounce.control import CONTROLS
-from jounce.inspection.limits import METHODS, Limits
-from jounce.inspection.quantities import QUANTITIES
 from jounce.inspection.record import NUMBERS, SIDES, TEXTS
+from jounce.inspection.verdicts.limits import METHODS, Limits
+from jounce.inspection.verdicts.quantities import QUANTITIES
 from jounce.parts.rigs import RIGS
 from jounce.parts.testers import Tester
 from jounce.parts.vehicles import VEHICLES

@@ -50,9 +50,9 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.identify.update import UpdateResult as UpdateResult
     from jounce.identify.update import update_model as update_model
     from jounce.inspection.evaluation import evaluate as evaluate
-    from jounce.inspection.grading import grade as grade
-    from jounce.inspection.limits import load_limits as load_limits
     from jounce.inspection.record import read_record as read_record
+    from jounce.inspection.verdicts.grading import grade as grade
+    from jounce.inspection.verdicts.limits import load_limits as load_limits
     from jounce.kinematics import AxleLayout as AxleLayout
     from jounce.kinematics import ContactLoad as ContactLoad
     from jounce.kinematics import compliance as compliance
@@ -141,6 +141,7 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.studies.design import design_springs as design_springs
     from jounce.studies.environment import ride_environment as ride_environment
     from jounce.studies.inspection_equivalence import compare_tests as compare_tests
+    from jounce.studies.inspection_simulation import simulate_axle as simulate_axle
     from jounce.studies.inspection_simulation import simulate_inspection as simulate_inspection
     from jounce.studies.lumping import lumped_from as lumped_from
     from jounce.studies.model_comparison import compare_models as compare_models
@@ -243,14 +244,14 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "fit_damper": "jounce.identify.damper_fit",
     "fit_decay": "jounce.identify.decay",
     "fit_stiffness": "jounce.identify.stiffness",
-    "grade": "jounce.inspection.grading",
+    "grade": "jounce.inspection.verdicts.grading",
     "gradient": "jounce.simulation",
     "iri": "jounce.ride.iri",
     "iso_trial": "jounce.studies.ride_trials",
     "lengths_for": "jounce.studies.adjustment_effects",
     "linearise": "jounce.simulation",
     "load": "jounce.parts",
-    "load_limits": "jounce.inspection.limits",
+    "load_limits": "jounce.inspection.verdicts.limits",
     "load_road": "jounce.roads",
     "load_tester": "jounce.parts.testers",
     "lumped_from": "jounce.studies.lumping",
@@ -273,6 +274,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "run_excenter": "jounce.studies.audi_a6_excenter",
     "sensitivities": "jounce.simulation",
     "simulate": "jounce.simulation",
+    "simulate_axle": "jounce.studies.inspection_simulation",
     "simulate_inspection": "jounce.studies.inspection_simulation",
     "simulate_mechanism": "jounce.simulation",
     "simulate_test": "jounce.simulation.testing",

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from jounce.inspection import read_record
-from jounce.inspection.limits import shipped_limits
-from jounce.inspection.response import Corner, force_response, road_poles, wheel_damping
-from jounce.inspection.steady import steady_state
-from jounce.inspection.store import Store
-from jounce.inspection.stored_signals import unpack
+from jounce.inspection.archive.store import Store
+from jounce.inspection.archive.stored_signals import unpack
+from jounce.inspection.methods.steady import steady_state
+from jounce.inspection.signals.response import Corner, force_response, road_poles, wheel_damping
+from jounce.inspection.verdicts.limits import shipped_limits
 from jounce.parts.testers import load_tester
 
 RATE, HOLD, SLOPE, PLATE_MASS = 1000.0, 2.0, 2.5, 20.0
@@ -266,7 +266,7 @@ def test_the_vehicle_names_the_car_where_the_record_does_not(cli) -> None:
 
 
 def test_an_evaluation_that_fails_loses_no_record(cli, front: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from jounce.inspection import lane
+    from jounce.inspection.archive import lane
 
     def fail(*_arguments: object) -> None:
         raise ZeroDivisionError("somewhere")

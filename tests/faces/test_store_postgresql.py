@@ -19,8 +19,8 @@ from pathlib import Path
 import pytest
 
 from jounce.core.errors import OutputError, RecordingError
-from jounce.inspection.entries import Grading, RecordEntry
-from jounce.inspection.store import Store
+from jounce.inspection.archive.entries import Grading, RecordEntry
+from jounce.inspection.archive.store import Store
 
 PASSWORD = "gehe1m:nis"
 WRITTEN = "gehe1m%3Anis"

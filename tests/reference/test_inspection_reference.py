@@ -12,8 +12,8 @@ import plate_twin
 import pytest
 
 from jounce.inspection import Corner, evaluate, force_response, steady_state
-from jounce.inspection.response import rig_poles, road_poles, wheel_damping
-from jounce.inspection.theta import half_power, plate_gain, theta_by_amplification
+from jounce.inspection.methods.theta import half_power, plate_gain, theta_by_amplification
+from jounce.inspection.signals.response import rig_poles, road_poles, wheel_damping
 from jounce.mechanics.plates import tyre_rigidity
 from jounce.parts.testers import load_tester
 from jounce.recordings.schema import recording

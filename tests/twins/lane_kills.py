@@ -19,7 +19,7 @@ import time
 from pathlib import Path
 
 from jounce.cli import main
-from jounce.inspection.store import Store
+from jounce.inspection.archive.store import Store
 
 FILES = 12
 

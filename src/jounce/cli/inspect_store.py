@@ -22,10 +22,10 @@ from jounce.core.files import existing_file
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from jounce.inspection.entries import StoredRecord
-    from jounce.inspection.history import Trend, WheelVisit
-    from jounce.inspection.lane import ImportedRecord
-    from jounce.inspection.reevaluation import Reevaluation
+    from jounce.inspection.archive.entries import StoredRecord
+    from jounce.inspection.archive.history import Trend, WheelVisit
+    from jounce.inspection.archive.lane import ImportedRecord
+    from jounce.inspection.archive.reevaluation import Reevaluation
     from jounce.parts.testers import Tester
 
 StoreName = Annotated[str, typer.Option("--store", help="The store: a SQLite file, or a database URL.")]
@@ -58,10 +58,10 @@ def import_(
 
     Example: jounce inspect import lane/*.csv --store lane.sqlite --tester egea-specsus2018
     """
+    from jounce.inspection.archive.lane import import_record
+    from jounce.inspection.archive.store import Store
     from jounce.inspection.evaluation import METHODS
-    from jounce.inspection.lane import import_record
-    from jounce.inspection.limits import load_limits
-    from jounce.inspection.store import Store
+    from jounce.inspection.verdicts.limits import load_limits
 
     for file in files:
         existing_file(file, RecordingError)
@@ -104,9 +104,9 @@ def watch(
 
     Example: jounce inspect watch /srv/lane --store lane.sqlite --tester theta-msd3000
     """
-    from jounce.inspection.limits import load_limits
-    from jounce.inspection.store import Store
-    from jounce.inspection.watching import FolderWatch
+    from jounce.inspection.archive.store import Store
+    from jounce.inspection.archive.watching import FolderWatch
+    from jounce.inspection.verdicts.limits import load_limits
 
     pause, settled = positive_quantity(interval, "s", "--interval"), quantity(settle, "s", "--settle")
     if settled < 0.0:
@@ -150,9 +150,9 @@ def reevaluate(
 
     Example: jounce inspect reevaluate --store lane.sqlite --limits stricter.toml
     """
-    from jounce.inspection.limits import load_limits
-    from jounce.inspection.reevaluation import reevaluate as again
-    from jounce.inspection.store import Store
+    from jounce.inspection.archive.reevaluation import reevaluate as again
+    from jounce.inspection.archive.store import Store
+    from jounce.inspection.verdicts.limits import load_limits
 
     chosen, graded_by = _tester(tester), load_limits(limits)
     Store(store, read_only=True).close()  # where there is no store, none is made
@@ -180,8 +180,8 @@ def history(
 
     Example: jounce inspect history --plate "B-AB 123" --store lane.sqlite --figure history.svg
     """
-    from jounce.inspection.history import history_of, trends_of
-    from jounce.inspection.store import Store
+    from jounce.inspection.archive.history import history_of, trends_of
+    from jounce.inspection.archive.store import Store
 
     check_outputs(figure=figure, force=force)
     with closing(Store(store, read_only=True)) as opened:
@@ -217,7 +217,7 @@ def search(
 
     Example: jounce inspect search --store lane.sqlite --verdict fail --since 2026-01-01
     """
-    from jounce.inspection.store import Store
+    from jounce.inspection.archive.store import Store
 
     conditions = _conditions(plate, verdict, tester, since, until)
     with closing(Store(store, read_only=True)) as opened:
@@ -247,9 +247,9 @@ def export(
 
     Example: jounce inspect export --store lane.sqlite --out lane.parquet --since 2026-01-01
     """
-    from jounce.inspection.exporting import check_export, rows_of
-    from jounce.inspection.exporting import export as write
-    from jounce.inspection.store import Store
+    from jounce.inspection.archive.exporting import check_export, rows_of
+    from jounce.inspection.archive.exporting import export as write
+    from jounce.inspection.archive.store import Store
 
     conditions = _conditions(plate, verdict, tester, since, until)
     check_export(out, force=force)
@@ -273,7 +273,7 @@ def verify(store: StoreName, as_json: AsJson = False) -> Reply:
 
     Example: jounce inspect verify --store lane.sqlite
     """
-    from jounce.inspection.store import Store
+    from jounce.inspection.archive.store import Store
 
     with closing(Store(store, read_only=True)) as opened:
         found, count = opened.problems(), len(opened.numbers())
@@ -302,9 +302,9 @@ def _conditions(
     plate: str | None, verdict: str | None, tester: str | None, since: str | None, until: str | None
 ) -> dict[str, Any]:
     """Conditions of a search, checked."""
-    from jounce.inspection.history import day_number
-    from jounce.inspection.limits import VERDICTS
+    from jounce.inspection.archive.history import day_number
     from jounce.inspection.result import NOT_GRADED
+    from jounce.inspection.verdicts.limits import VERDICTS
 
     words = (*VERDICTS, *(() if NOT_GRADED in VERDICTS else (NOT_GRADED,)))
     if verdict is not None and verdict not in words:

@@ -42,7 +42,7 @@ def equivalence(
     wanted = changes(set_)
     with progress() as say:
         say("loading")
-        from jounce.inspection.limits import load_limits
+        from jounce.inspection.verdicts.limits import load_limits
         from jounce.studies.inspection_equivalence import compare_tests, usual_factors
 
         study = compare_tests(

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from jounce.inspection.conditioning import PlateCalibration, calibrate_plate
 from jounce.inspection.evaluation import evaluate
-from jounce.inspection.grading import GradedInspection, VehicleGrade, grade, grade_vehicle
-from jounce.inspection.limits import Limits, load_limits
+from jounce.inspection.methods.steady import SteadyState, steady_state
 from jounce.inspection.record import read_record
-from jounce.inspection.response import Corner, force_response
 from jounce.inspection.result import Inspection, WheelCurves, WheelResult
-from jounce.inspection.steady import SteadyState, steady_state
+from jounce.inspection.signals.conditioning import PlateCalibration, calibrate_plate
+from jounce.inspection.signals.response import Corner, force_response
+from jounce.inspection.verdicts.grading import GradedInspection, VehicleGrade, grade, grade_vehicle
+from jounce.inspection.verdicts.limits import Limits, load_limits
 
 __all__ = [
     "Corner",

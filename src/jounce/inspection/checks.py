@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.findings import Finding
-from jounce.inspection.conditioning import WheelSignals
 from jounce.inspection.remarks import remark
+from jounce.inspection.signals.conditioning import WheelSignals
 
 if TYPE_CHECKING:
     from jounce.parts.testers import Tester

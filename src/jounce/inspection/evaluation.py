@@ -13,10 +13,16 @@ from jounce.core.constants import GRAVITY
 from jounce.core.errors import RecordingError, unknown
 from jounce.core.findings import Finding
 from jounce.inspection import checks
-from jounce.inspection.adhesion import find_adhesion
-from jounce.inspection.analysis import analyse, fit_test, stretches_between
-from jounce.inspection.boge import LOWEST_RESONANCE, find_boge, stroke_by_turn
-from jounce.inspection.conditioning import (
+from jounce.inspection.methods.adhesion import find_adhesion
+from jounce.inspection.methods.boge import LOWEST_RESONANCE, find_boge, stroke_by_turn
+from jounce.inspection.methods.phase import find_phase_minimum
+from jounce.inspection.methods.rigidity import find_rigidity, rigidity_findings
+from jounce.inspection.methods.theta import half_power, theta_by_amplification, theta_by_decay, theta_by_fit
+from jounce.inspection.record import FORCE, HEIGHT, SIDES, TACHO, read_facts, wheels_of
+from jounce.inspection.remarks import of_reader, remark
+from jounce.inspection.result import Inspection, WheelCurves, WheelResult
+from jounce.inspection.signals.analysis import analyse, fit_test, stretches_between
+from jounce.inspection.signals.conditioning import (
     WheelSignals,
     mean_shaking,
     moving_part,
@@ -24,13 +30,7 @@ from jounce.inspection.conditioning import (
     standstill_force,
     uniform_time,
 )
-from jounce.inspection.course import Course, find_course
-from jounce.inspection.phase import find_phase_minimum
-from jounce.inspection.record import FORCE, HEIGHT, SIDES, TACHO, read_facts, wheels_of
-from jounce.inspection.remarks import of_reader, remark
-from jounce.inspection.result import Inspection, WheelCurves, WheelResult
-from jounce.inspection.rigidity import find_rigidity, rigidity_findings
-from jounce.inspection.theta import half_power, theta_by_amplification, theta_by_decay, theta_by_fit
+from jounce.inspection.signals.course import Course, find_course
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -88,7 +88,7 @@ def evaluate(
 
     Examples
     --------
-    >>> from jounce.inspection.response import Corner, force_response
+    >>> from jounce.inspection.signals.response import Corner, force_response
     >>> from jounce.recordings.schema import recording
     >>> t = np.arange(12000) / 1000.0
     >>> f = np.clip(25.0 - 2.5 * (t - 1.5), 0.1, 25.0)  # slow enough to be steady at every instant
@@ -386,7 +386,7 @@ def _egea(
 def _on_sprung_plate(
     signals: WheelSignals, course: Course, load: float, findings: list[Finding], task: _Task
 ) -> WheelResult:
-    from jounce.inspection.analysis import find_lift_off
+    from jounce.inspection.signals.analysis import find_lift_off
 
     wheel, tester = signals.wheel, task.tester
     height = signals.height

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from jounce.inspection.quantities import Language
+from jounce.inspection.verdicts.quantities import Language
 
 SENTENCES: dict[str, dict[Language, str]] = {
     # the record as a whole

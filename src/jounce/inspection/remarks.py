@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from jounce.core.findings import Finding, Severity
-from jounce.inspection.quantities import Language
 from jounce.inspection.remark_sentences import GERMAN_WORDS, SENTENCES
+from jounce.inspection.verdicts.quantities import Language
 
 
 @dataclass(frozen=True)

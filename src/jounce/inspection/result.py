@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from jounce.core.findings import Finding
 from jounce.core.serialise import to_plain
-from jounce.inspection.response import Corner
+from jounce.inspection.signals.response import Corner
 
 Array = NDArray[np.float64]
 NOT_GRADED = "not graded"

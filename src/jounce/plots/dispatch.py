@@ -179,8 +179,8 @@ def _register_fits(draw: Any) -> None:
 
 def _register_studies(draw: Any) -> None:
     """Results of whole jobs."""
-    from jounce.inspection.grading import GradedInspection
     from jounce.inspection.result import Inspection
+    from jounce.inspection.verdicts.grading import GradedInspection
     from jounce.studies.audi_a6 import AudiCase
     from jounce.studies.audi_a6_excenter import Excenter
     from jounce.studies.campaign.result import CampaignResult, StrategyResult, TrialResult

@@ -11,7 +11,7 @@ from jounce.plots.style import PALETTE, legend_above, new_figure, styled
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from jounce.inspection.history import WheelVisit
+    from jounce.inspection.archive.history import WheelVisit
 
 _TITLES = {
     "adhesion": ("Adhesion [%]", 100.0),
@@ -28,7 +28,7 @@ def vehicle_history(visits: Sequence[WheelVisit], *, height: float = 5.4) -> Fig
     Parameters
     ----------
     visits : sequence of WheelVisit
-        As ``jounce.inspection.history.history_of`` gives them; those without a date are left out.
+        As ``jounce.inspection.archive.history.history_of`` gives them; those without a date are left out.
     height : float
         Inches.
 
@@ -39,12 +39,12 @@ def vehicle_history(visits: Sequence[WheelVisit], *, height: float = 5.4) -> Fig
 
     Examples
     --------
-    >>> from jounce.inspection.history import WheelVisit
+    >>> from jounce.inspection.archive.history import WheelVisit
     >>> visit = WheelVisit(1, "2026-11-21", "B-AB 123", "rear", "left", {"adhesion": 0.6}, "pass", "")
     >>> [axes.get_title("left") for axes in vehicle_history([visit]).axes]
     ['Adhesion [%]', 'Least phase angle [°]', 'Damping ratio on the road']
     """
-    from jounce.inspection.history import day_number
+    from jounce.inspection.archive.history import day_number
 
     dated = [(date.fromordinal(day), one) for one in visits if (day := day_number(one.date)) is not None]
     wheels = list(dict.fromkeys((one.axle, one.wheel) for _, one in dated))

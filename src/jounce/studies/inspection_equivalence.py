@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from jounce.core.errors import SimulationError
 from jounce.core.serialise import to_plain
 from jounce.inspection.evaluation import evaluate
-from jounce.inspection.limits import Limits, load_limits
+from jounce.inspection.verdicts.limits import Limits, load_limits
 from jounce.parts import QuarterCar
 from jounce.parts.testers import load_tester
 from jounce.parts.wear import worn

@@ -10,8 +10,8 @@ import numpy as np
 from jounce.core.errors import SimulationError, unknown
 from jounce.core.findings import Finding
 from jounce.inspection.evaluation import evaluate
-from jounce.inspection.grading import GradedInspection, grade
 from jounce.inspection.result import Inspection, WheelResult
+from jounce.inspection.verdicts.grading import GradedInspection, grade
 from jounce.mechanics.plates import RIGIDITY_FREQUENCY, tyre_rigidity
 from jounce.parts import QuarterCar, Rig
 from jounce.parts.elements import LinearDamper

@@ -10,11 +10,11 @@ import pytest
 
 from jounce.core.errors import OutputError
 from jounce.core.optional import MissingPackageError
-from jounce.inspection import exporting
-from jounce.inspection.entries import Grading, RecordEntry
-from jounce.inspection.exporting import COLUMNS, export, rows_of
-from jounce.inspection.history import WheelVisit, history_of, trends_of
-from jounce.inspection.store import Store
+from jounce.inspection.archive import exporting
+from jounce.inspection.archive.entries import Grading, RecordEntry
+from jounce.inspection.archive.exporting import COLUMNS, export, rows_of
+from jounce.inspection.archive.history import WheelVisit, history_of, trends_of
+from jounce.inspection.archive.store import Store
 
 WHEEL = {
     "wheel": "left", "verdict": "advise", "reasons": ['adhesion "low", 30 %.', "Second, one."], "lift_off": False,

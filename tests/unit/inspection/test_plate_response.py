@@ -8,19 +8,19 @@ import numpy as np
 import pytest
 
 from jounce.core.errors import FitError
-from jounce.inspection.period_filter import force_in_periods, prototype
-from jounce.inspection.response import (
+from jounce.inspection.methods.steady import steady_state
+from jounce.inspection.methods.theta import half_power, theta_by_decay
+from jounce.inspection.signals.period_filter import force_in_periods, prototype
+from jounce.inspection.signals.response import (
     Corner,
     force_response,
     rig_poles,
     road_poles,
     wheel_damping,
 )
-from jounce.inspection.response_fit import fit_response, stretch_of
-from jounce.inspection.smoothing import corrected_course
-from jounce.inspection.steady import steady_state
-from jounce.inspection.theta import half_power, theta_by_decay
-from jounce.inspection.turns import find_turns, middle_crossings
+from jounce.inspection.signals.response_fit import fit_response, stretch_of
+from jounce.inspection.signals.smoothing import corrected_course
+from jounce.inspection.signals.turns import find_turns, middle_crossings
 from jounce.mechanics.plates import phase_angle
 from jounce.simulation.plate_response import road_damping_ratio
 

@@ -12,11 +12,11 @@ import pytest
 import jounce.inspection
 from jounce.core.findings import Finding
 from jounce.inspection import Inspection, WheelResult, evaluate, read_record
-from jounce.inspection.grading import grade, grade_vehicle
+from jounce.inspection.archive.stored_signals import pack, unpack
 from jounce.inspection.record import read_facts
 from jounce.inspection.remark_sentences import SENTENCES
 from jounce.inspection.remarks import Remark, remark, said
-from jounce.inspection.stored_signals import pack, unpack
+from jounce.inspection.verdicts.grading import grade, grade_vehicle
 from jounce.parts import load
 from jounce.parts.testers import load_tester
 from jounce.parts.wear import worn
@@ -51,7 +51,7 @@ def test_a_phase_angle_below_zero_is_said_to_be_no_steady_state() -> None:
 
 
 def test_every_code_is_used_and_known() -> None:
-    files = [file for file in FOLDER.glob("*.py") if not file.name.startswith("remark")]
+    files = [file for file in FOLDER.rglob("*.py") if not file.name.startswith("remark")]
     text = "".join(file.read_text(encoding="utf-8") for file in files)
     text += (FOLDER / "remarks.py").read_text(encoding="utf-8").partition("_OF_READER")[2]
     unused = [code for code in SENTENCES if f'"{code}"' not in text]

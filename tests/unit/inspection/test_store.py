@@ -14,9 +14,9 @@ from pathlib import Path
 import pytest
 
 from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError
-from jounce.inspection.database import DamagedStoreError
-from jounce.inspection.entries import Grading, RecordEntry, digest_of, plate_key
-from jounce.inspection.store import Store
+from jounce.inspection.archive.database import DamagedStoreError
+from jounce.inspection.archive.entries import Grading, RecordEntry, digest_of, plate_key
+from jounce.inspection.archive.store import Store
 
 PASS = Grading("pass", "limits 1", "0.1", {"adhesion": 0.6})
 FAIL = Grading("fail", "limits 2", "0.1", {"adhesion": 0.6})
@@ -136,7 +136,7 @@ def test_many_writers_at_once_lose_nothing(location) -> None:
 
 _WRITER = """
 import sys
-from jounce.inspection.store import Grading, RecordEntry, Store
+from jounce.inspection.archive.store import Grading, RecordEntry, Store
 store = Store(sys.argv[1])
 for i in range(25):
     print(store.accept(RecordEntry(f"{i}", f"{sys.argv[2]} {i}".encode()), Grading("pass", "", "", {}))[0], flush=True)
@@ -271,7 +271,7 @@ def test_a_store_can_be_copied_and_goes_on(sound: Path, tmp_path: Path) -> None:
 def test_packed_signals_are_the_same_bit_by_bit() -> None:
     import numpy as np
 
-    from jounce.inspection.stored_signals import pack, unpack
+    from jounce.inspection.archive.stored_signals import pack, unpack
     from jounce.recordings.schema import recording
 
     rng = np.random.default_rng(3)

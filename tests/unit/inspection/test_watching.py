@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from jounce.core.errors import JounceError, OutputError
-from jounce.inspection import watching
-from jounce.inspection.store import Store
-from jounce.inspection.watching import FolderWatch
+from jounce.inspection.archive import watching
+from jounce.inspection.archive.store import Store
+from jounce.inspection.archive.watching import FolderWatch
 
 HALF = '# plate_number = "B-AB 1"\n# date = 21.11.2026\ntime [s], left.plate.z [mm]\n'
 

@@ -13,18 +13,18 @@ from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import JounceError, RecordingError
 from jounce.inspection.evaluation import evaluate
-from jounce.inspection.grading import GradedInspection, grade
-from jounce.inspection.limits import Limits, load_limits
 from jounce.inspection.record import SIDES, TEXTS, day_of, read_record
 from jounce.inspection.result import NOT_GRADED
+from jounce.inspection.verdicts.grading import GradedInspection, grade
+from jounce.inspection.verdicts.limits import Limits, load_limits
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from jounce.core.findings import Finding
-    from jounce.inspection.entries import Grading, RecordEntry
+    from jounce.inspection.archive.entries import Grading, RecordEntry
+    from jounce.inspection.archive.store import Store
     from jounce.inspection.result import Inspection
-    from jounce.inspection.store import Store
     from jounce.parts.testers import Tester
 
 _HEADER_BYTES = 65536
@@ -136,7 +136,7 @@ def entry_of(
     methods : sequence of str, optional
         What is evaluated and decides; all by default.
     """
-    from jounce.inspection.entries import RecordEntry
+    from jounce.inspection.archive.entries import RecordEntry
 
     file = Path(path)
     beside = file.with_suffix(".toml")
@@ -187,14 +187,14 @@ def _table_of(description: Any) -> dict[str, Any]:
 
 def grading_of(graded: GradedInspection) -> Grading:
     """Give what the store keeps of a graded axle."""
-    from jounce.inspection.entries import Grading
+    from jounce.inspection.archive.entries import Grading
 
     return Grading(graded.verdict, graded.limits.label, metadata.version("jounce"), graded.to_dict())
 
 
 def refusal_of(error: Exception, limits: Limits | None = None) -> Grading:
     """Give what the store keeps of a record that cannot be read: not graded, with the reason."""
-    from jounce.inspection.entries import Grading
+    from jounce.inspection.archive.entries import Grading
 
     label = (limits if limits is not None else load_limits()).label
     plain = {"wheels": [], "axle": {}, "verdict": NOT_GRADED, "reasons": [str(error)]}
@@ -269,7 +269,7 @@ def import_record(
     Examples
     --------
     >>> import tempfile
-    >>> from jounce.inspection.store import Store
+    >>> from jounce.inspection.archive.store import Store
     >>> folder = Path(tempfile.mkdtemp())
     >>> _ = (folder / "half.csv").write_text("time [s], left.plate.z [mm]")
     >>> with_reason = import_record(folder / "half.csv", Store(folder / "lane.sqlite"))
@@ -335,7 +335,7 @@ def _with_tester(entry: RecordEntry, tester: Tester | None) -> RecordEntry:
 
 def _evaluated(entry: RecordEntry, vehicle: Any, limits: Limits | None) -> tuple[RecordEntry, GradedInspection]:
     """Evaluate the very bytes of an entry; gives it with its signals."""
-    from jounce.inspection.stored_signals import pack
+    from jounce.inspection.archive.stored_signals import pack
 
     tester = stored_tester(entry)
     record, findings = read_entry(entry, tester)

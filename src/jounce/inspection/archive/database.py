@@ -165,7 +165,7 @@ def _make_tables(connection: Connection, location: str) -> None:
     """Make the tables in a database of a server, unless others with one of their names are there."""
     from sqlalchemy import func, inspect, select
 
-    from jounce.inspection.tables import NAMES, create_tables
+    from jounce.inspection.archive.tables import NAMES, create_tables
 
     if connection.dialect.name == "postgresql":  # two that make the same table at once get in each other's way
         connection.execute(select(func.pg_advisory_xact_lock(_MAKING)))
@@ -206,7 +206,7 @@ def _sqlite(file: Path, *, read_only: bool, damaged: bool = False) -> Engine:
 
 def _make(file: Path) -> None:
     """Make an empty store beside its place and give it its name at the end: nobody ever sees half of it."""
-    from jounce.inspection.tables import create_tables
+    from jounce.inspection.archive.tables import create_tables
 
     handle, name = tempfile.mkstemp(dir=file.parent, prefix=f".{file.name}.", suffix=".new")
     os.close(handle)
@@ -266,7 +266,7 @@ def _check_tables(connection: Connection, location: str) -> None:
     """Refuse a database that is damaged or holds something else; contents are checked when they are read."""
     from sqlalchemy import inspect, text
 
-    from jounce.inspection.tables import NAMES, SCHEMA_VERSION, SMALL
+    from jounce.inspection.archive.tables import NAMES, SCHEMA_VERSION, SMALL
 
     is_file = connection.dialect.name == "sqlite"
     names = set(inspect(connection).get_table_names())

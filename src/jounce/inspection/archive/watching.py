@@ -9,13 +9,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from jounce.core.errors import JounceError
-from jounce.inspection.database import DamagedStoreError
-from jounce.inspection.entries import storable
-from jounce.inspection.lane import ImportedRecord, import_record
+from jounce.inspection.archive.database import DamagedStoreError
+from jounce.inspection.archive.entries import storable
+from jounce.inspection.archive.lane import ImportedRecord, import_record
 
 if TYPE_CHECKING:
-    from jounce.inspection.limits import Limits
-    from jounce.inspection.store import Store
+    from jounce.inspection.archive.store import Store
+    from jounce.inspection.verdicts.limits import Limits
     from jounce.parts.testers import Tester
 
 _Stamp = tuple[int, int]
@@ -77,7 +77,7 @@ class FolderWatch:
     Examples
     --------
     >>> import tempfile
-    >>> from jounce.inspection.store import Store
+    >>> from jounce.inspection.archive.store import Store
     >>> folder = Path(tempfile.mkdtemp())
     >>> _ = (folder / "torn.csv").write_text("time [s], left.pl")
     >>> watch = FolderWatch(folder, Store(folder / "lane.sqlite"), settle=0.0)

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from jounce.core.findings import Finding
 from jounce.inspection.checks import problem, warning
-from jounce.inspection.conditioning import WheelSignals
-from jounce.inspection.turns import FEWEST_TURNS, Turns, find_turns
+from jounce.inspection.signals.conditioning import WheelSignals
+from jounce.inspection.signals.turns import FEWEST_TURNS, Turns, find_turns
 
 if TYPE_CHECKING:
     from jounce.parts.testers import Tester

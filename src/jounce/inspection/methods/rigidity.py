@@ -9,8 +9,8 @@ import numpy as np
 from jounce.core.constants import NORMAL_95
 from jounce.core.findings import Finding
 from jounce.inspection.checks import warning
-from jounce.inspection.conditioning import WheelSignals
-from jounce.inspection.course import Course
+from jounce.inspection.signals.conditioning import WheelSignals
+from jounce.inspection.signals.course import Course
 from jounce.mechanics.plates import RIGIDITY, RIGIDITY_FREQUENCY, tyre_rigidity
 
 _TOLERANCE = 1.0  # Hz

@@ -17,9 +17,9 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from jounce.core.errors import OutputError, RecordingError
 from jounce.core.serialise import to_json
-from jounce.inspection.database import READS, DamagedStoreError, complaints, open_database, problems_of, shown
-from jounce.inspection.entries import Grading, RecordEntry, StoredRecord, digest_of, plate_key, storable
-from jounce.inspection.tables import CONTENTS, DESCRIPTIONS, RECORDS, RESULTS, VEHICLES, WATCHED
+from jounce.inspection.archive.database import READS, DamagedStoreError, complaints, open_database, problems_of, shown
+from jounce.inspection.archive.entries import Grading, RecordEntry, StoredRecord, digest_of, plate_key, storable
+from jounce.inspection.archive.tables import CONTENTS, DESCRIPTIONS, RECORDS, RESULTS, VEHICLES, WATCHED
 
 if TYPE_CHECKING:
     from sqlalchemy import Column, Select
@@ -62,7 +62,7 @@ class Store:
     Examples
     --------
     >>> import tempfile
-    >>> from jounce.inspection.entries import Grading, RecordEntry
+    >>> from jounce.inspection.archive.entries import Grading, RecordEntry
     >>> store = Store(tempfile.mkdtemp() + "/lane.sqlite")
     >>> entry = RecordEntry("a.csv", b"time [s]", plate="B-AB 123", date="2026-11-21")
     >>> number, is_new = store.accept(entry, Grading("pass", "1", "0", {"adhesion": 0.6}))

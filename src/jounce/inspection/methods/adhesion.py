@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.constants import NORMAL_95
-from jounce.inspection.analysis import UNDERFLOW, Analysis
-from jounce.inspection.smoothing import corrected_course
+from jounce.inspection.signals.analysis import UNDERFLOW, Analysis
+from jounce.inspection.signals.smoothing import corrected_course
 
 Array = NDArray[np.float64]
 _LENGTH = 1.2

@@ -9,12 +9,12 @@ from typing import Any
 
 from jounce.core.errors import RecordingError, unknown
 from jounce.core.serialise import to_plain
-from jounce.inspection.differences import Difference, difference_of, grade_differences
-from jounce.inspection.disagreement import explain
-from jounce.inspection.limits import METHODS, VERDICTS, Band, Criterion, Limits, load_limits
-from jounce.inspection.quantities import QUANTITIES, Language
-from jounce.inspection.reasons import Reason
 from jounce.inspection.result import NOT_GRADED, Inspection, WheelResult
+from jounce.inspection.verdicts.differences import Difference, difference_of, grade_differences
+from jounce.inspection.verdicts.disagreement import explain
+from jounce.inspection.verdicts.limits import METHODS, VERDICTS, Band, Criterion, Limits, load_limits
+from jounce.inspection.verdicts.quantities import QUANTITIES, Language
+from jounce.inspection.verdicts.reasons import Reason
 
 _SIDES = ("left", "right")
 

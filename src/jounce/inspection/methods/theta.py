@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.constants import NORMAL_95
-from jounce.inspection.response import Corner, force_response, rig_poles, road_poles, wheel_damping
-from jounce.inspection.response_fit import ResponseFit
+from jounce.inspection.signals.response import Corner, force_response, rig_poles, road_poles, wheel_damping
+from jounce.inspection.signals.response_fit import ResponseFit
 
 if TYPE_CHECKING:
     from jounce.parts.testers import Tester

@@ -7,10 +7,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from jounce.inspection.limits import VERDICTS, Band, Limits
-from jounce.inspection.reasons import Reason
+from jounce.inspection.methods.steady import steady_state
 from jounce.inspection.result import WheelResult
-from jounce.inspection.steady import steady_state
+from jounce.inspection.verdicts.limits import VERDICTS, Band, Limits
+from jounce.inspection.verdicts.reasons import Reason
 
 USUAL_TYRE = 200e3
 """Stiffness of a usual car tyre, N/m; that of the reference car on which the methods were compared."""

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.constants import NORMAL_95
-from jounce.inspection.analysis import Analysis
-from jounce.inspection.response import force_response
-from jounce.inspection.smoothing import corrected_course
+from jounce.inspection.signals.analysis import Analysis
+from jounce.inspection.signals.response import force_response
+from jounce.inspection.signals.smoothing import corrected_course
 from jounce.mechanics.plates import phase_angle
 
 Array = NDArray[np.float64]

@@ -12,7 +12,7 @@ from jounce.core.optional import require
 from jounce.core.serialise import check_writable, replacing, write_atomically
 
 if TYPE_CHECKING:
-    from jounce.inspection.entries import StoredRecord
+    from jounce.inspection.archive.entries import StoredRecord
 
 Row = dict[str, Any]
 SUFFIXES = (".csv", ".parquet")

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from jounce.inspection.limits import Band, Limits
-from jounce.inspection.reasons import Reason
 from jounce.inspection.result import WheelResult
+from jounce.inspection.verdicts.limits import Band, Limits
+from jounce.inspection.verdicts.reasons import Reason
 
 
 @dataclass(frozen=True)

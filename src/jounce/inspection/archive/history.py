@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 if TYPE_CHECKING:
-    from jounce.inspection.entries import StoredRecord
-    from jounce.inspection.store import Store
+    from jounce.inspection.archive.entries import StoredRecord
+    from jounce.inspection.archive.store import Store
 
 QUANTITIES = ("adhesion", "phase_angle_min_deg", "theta_road")
 _DAYS_OF_A_YEAR = 365.25

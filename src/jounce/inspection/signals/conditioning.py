@@ -295,7 +295,7 @@ def calibrate_plate(record: xr.Dataset, tester: Tester | None = None, *, wheel: 
 
 def _residual_per_hz(time: Array, height: Array, residual: Array, tester: Tester | None, where: str) -> float:
     """Greatest amplitude of the residual at the plate's frequency over that frequency, N/Hz, by half seconds."""
-    from jounce.inspection.turns import find_turns
+    from jounce.inspection.signals.turns import find_turns
 
     middle = 0.5 * float(height.max() + height.min())
     turns = find_turns(time, height, middle, 0.5 * float(np.ptp(height)))

@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 
 from jounce.core.constants import GRAVITY
 from jounce.core.errors import FitError
-from jounce.inspection.normal_equations import TRANSIENT, normal_equations
-from jounce.inspection.response import Corner, responses
+from jounce.inspection.signals.normal_equations import TRANSIENT, normal_equations
+from jounce.inspection.signals.response import Corner, responses
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

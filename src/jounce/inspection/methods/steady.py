@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from jounce.inspection.response import Corner, force_response
+from jounce.inspection.signals.response import Corner, force_response
 from jounce.mechanics.plates import SteadyResponse, least, least_adhesion, tyre_rigidity
 
 Array = NDArray[np.float64]

@@ -13,15 +13,15 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import JounceError, RecordingError
-from jounce.inspection.entries import Grading
-from jounce.inspection.store import Store
+from jounce.inspection.archive.entries import Grading
+from jounce.inspection.archive.store import Store
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from jounce.core.findings import Finding
-    from jounce.inspection.entries import RecordEntry
-    from jounce.inspection.limits import Limits
+    from jounce.inspection.archive.entries import RecordEntry
+    from jounce.inspection.verdicts.limits import Limits
     from jounce.parts.testers import Tester
 
 _BATCH = 20
@@ -100,7 +100,7 @@ def reevaluate(
     JounceError
         When the store cannot be written to, or a process was ended from outside.
     """
-    from jounce.inspection.limits import load_limits
+    from jounce.inspection.verdicts.limits import load_limits
 
     numbers = store.numbers()
     task = _Task(store.address, limits if limits is not None else load_limits(), tester, from_files)
@@ -188,7 +188,7 @@ def _work_on(store: Store, task: _Task, batch: list[int]) -> list[_Found]:
 
 def _again(store: Store, task: _Task, number: int) -> _Found:
     """Evaluate one record again; whatever it meets, the others go on."""
-    from jounce.inspection.lane import grading_of, inspect_record, refusal_of, stored_tester
+    from jounce.inspection.archive.lane import grading_of, inspect_record, refusal_of, stored_tester
 
     try:
         newest = store.newest_grading(number)
@@ -216,8 +216,8 @@ class _Lost(Exception):
 def _signals(
     store: Store, number: int, entry: RecordEntry, tester: Tester, *, from_files: bool
 ) -> tuple[xr.Dataset, list[Finding]]:
-    from jounce.inspection.lane import read_entry
-    from jounce.inspection.stored_signals import unpack
+    from jounce.inspection.archive.lane import read_entry
+    from jounce.inspection.archive.stored_signals import unpack
 
     try:
         packed = None if from_files else store.signals(number)

@@ -1,0 +1,1 @@
+"""What each method makes of the signals of a wheel."""

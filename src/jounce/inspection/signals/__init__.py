@@ -1,0 +1,1 @@
+"""From plate signals to turns and the response of a wheel."""

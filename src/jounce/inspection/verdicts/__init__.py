@@ -1,0 +1,1 @@
+"""Limits, and what they say of values: bands, verdicts, reasons."""
