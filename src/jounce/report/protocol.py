@@ -17,7 +17,7 @@ from jounce.inspection.verdicts.quantities import LANGUAGES, Language
 from jounce.plots import rendered
 from jounce.plots.inspection import inspection_curves
 from jounce.report.inline import inline_svg
-from jounce.report.protocol_content import HEAD, protocol_content
+from jounce.report.protocol_content import SAID, protocol_content
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -52,8 +52,8 @@ def write_protocol(
     language : {"en", "de"}
         Of the page.
     about : mapping of str to str, optional
-        ``vehicle``, ``plate_number``, ``date``, ``tester``, ``place``, ``operator``, ``record``; by default what the
-        records say.
+        ``vehicle``, ``plate_number``, ``date``, ``tester``, ``place``, ``operator``, ``comment``, ``record``; by
+        default what the records say.
     force : bool
         Overwrite what exists.
 
@@ -105,7 +105,7 @@ def check_protocol(path: Path | str, *, force: bool = False) -> Path:
 def facts_of(vehicle: VehicleGrade) -> dict[str, str]:
     """What the records say for the head of the page; texts of two records that differ are both given."""
     found: dict[str, str] = {}
-    for name in HEAD:
+    for name in SAID:
         texts = [str(one.inspection.facts[name]) for one in vehicle.axles if one.inspection.facts.get(name)]
         if texts:
             found[name] = ", ".join(dict.fromkeys(texts))

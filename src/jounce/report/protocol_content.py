@@ -17,6 +17,8 @@ from jounce.report.protocol_words import WORDS
 
 TONES = {"pass": "green", "advise": "yellow", "fail": "red", NOT_GRADED: "grey"}
 HEAD = ("vehicle", "plate_number", "date", "tester", "place", "operator")
+SAID = (*HEAD, "comment")
+"""What the head of the page takes from the header of a record."""
 _SIDES = ("left", "right")
 _LONGEST_TEXT, _LONGEST_HEAD = 160, 64
 _EXPLAINING = {"disagree", "mass", "tyre", "rigidity", "lifted", "limits_differ", "one_wheel"}
@@ -35,7 +37,8 @@ def protocol_content(
     vehicle : VehicleGrade
         One or two graded axles.
     about : mapping of str to str
-        Texts by ``vehicle``, ``plate_number``, ``date``, ``tester``, ``place``, ``operator``, ``record``.
+        Texts by ``vehicle``, ``plate_number``, ``date``, ``tester``, ``place``, ``operator``, ``comment``,
+        ``record``.
     language : {"en", "de"}
         Of all words; German numbers have a comma.
     software : str
@@ -60,6 +63,7 @@ def protocol_content(
         "title": words["title"],
         "head": [{"label": words[name], "text": _head_text(name, about, language)} for name in HEAD],
         "date": about.get("date", ""),
+        "comment": {"label": words["comment"], "text": _head_text("comment", about, language)},
         "deciding": ", ".join(METHOD_NAMES[method] for method in vehicle.axles[0].deciding) or "–",
         "verdict": _verdict(vehicle.verdict, language),
         "axles": [_axle(one, i, language) for i, one in enumerate(vehicle.axles)],

@@ -203,6 +203,13 @@ def test_german_dates_are_dates(worn: VehicleGrade) -> None:
     assert b"(D:20261121000000" in protocol_pdf(worn, about={"date": "21.11.2026"})
 
 
+def test_the_comment_says_what_is_simulated() -> None:
+    """Synthetic data says so wherever it is shown."""
+    car = vehicle(axle("front", comment="simulated, seed 0"), axle("rear", comment="simulated, seed 0"))
+    html = protocol_html(car, language="de")
+    assert re.search(r"<dt>Bemerkung</dt><dd>simulated, seed 0</dd>", html)
+
+
 @pytest.mark.parametrize("date", ["yesterday", "", "2026-13-45"])
 def test_a_date_that_is_none_is_no_date(worn: VehicleGrade, date: str) -> None:
     page = protocol_pdf(worn, about={"date": date})
