@@ -135,9 +135,7 @@ def simulate_inspection(
     >>> round(found.wheel.adhesion, 3), round(found.wheel.adhesion_frequency_hz, 1)   # 1, Hz
     (0.725, 16.6)
     """
-    deciding = method or tester.method
-    if deciding not in METHODS:
-        raise unknown(deciding, METHODS, what="method", where="method")
+    deciding = _deciding(method, tester)
     stood = on_plates(rig, axle)
     modes = [wheel_mode(stood, tester, wheel=wheel, on=place) for place in ("road", "rig")]
     road, on_rig = (None if mode is None else mode.damping_ratio for mode in modes)
@@ -203,9 +201,7 @@ def simulate_axle(
     >>> [wheel.verdict for wheel in graded.wheels], record.attrs["wheel_order"]
     (['pass', 'pass'], 'left, right')
     """
-    deciding = method or tester.method
-    if deciding not in METHODS:
-        raise unknown(deciding, METHODS, what="method", where="method")
+    deciding = _deciding(method, tester)
     stood = on_plates(rig, axle)
     if not isinstance(stood, FrontViewAxle):
         raise SimulationError(
@@ -214,6 +210,14 @@ def simulate_axle(
     about = {"axle": axle, "vehicle": vehicle}
     record = simulate_test(stood, tester, noise=noise, seed=seed, about=about)
     return grade(evaluate(record, tester), deciding=[deciding]), record
+
+
+def _deciding(method: str | None, tester: Tester) -> str:
+    """The method whose grade decides."""
+    found = method or tester.method
+    if found not in METHODS:
+        raise unknown(found, METHODS, what="method", where="method")
+    return found
 
 
 def _of_wheel(record: xr.Dataset, wheel: str) -> xr.Dataset:
