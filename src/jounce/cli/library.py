@@ -93,7 +93,7 @@ def _limits(name: str, file: Path) -> dict[str, Any]:
 
 
 def _road(name: str, file: Path) -> dict[str, Any]:
-    from jounce.roads import load_road
+    from jounce.roads import load_road, source_of_course
 
     road = load_road(file)
     points = road.segments(road.end()).evaluate(road.segments(road.end()).edges)[0]
@@ -104,17 +104,9 @@ def _road(name: str, file: Path) -> dict[str, Any]:
         "length": road.end(),
         "lowest": float(points.min()),
         "highest": float(points.max()),
-        "source": _source_of(file),
+        "source": source_of_course(file),
         "file": str(file),
     }
-
-
-def _source_of(file: Path) -> str:
-    """What the list of sources beside a file says about it: its cells, joined."""
-    sources = file.parent / "SOURCE.md"
-    lines = sources.read_text(encoding="utf-8").splitlines() if sources.is_file() else []
-    about = [line for line in lines if file.name in line]
-    return "; ".join(cell.replace("`", "").strip() for cell in about[0].strip("|").split("|")[1:]) if about else ""
 
 
 def _print_raw(text: str) -> None:

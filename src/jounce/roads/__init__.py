@@ -3,7 +3,7 @@
 from jounce.roads.coverage import check_covered, covered, point_spacing
 from jounce.roads.enveloping import Enveloped, contact_length
 from jounce.roads.iso8608 import Iso8608, SineSum
-from jounce.roads.loading import load_road, read_roads, road_library
+from jounce.roads.loading import load_road, read_roads, road_library, source_of_course
 from jounce.roads.measured import Crg, Table
 from jounce.roads.obstacles import (
     CircularSegment,
@@ -74,6 +74,7 @@ __all__ = [
     "road_library",
     "road_psd",
     "roughness_class",
+    "source_of_course",
     "swept_sine",
     "track_coherence",
     "white_noise_intensity",

@@ -30,6 +30,20 @@ def road_library() -> dict[str, Path]:
     return shipped_files("jounce.roads", "library", ".crg")
 
 
+def source_of_course(file: Path) -> str:
+    """Give what the list of sources beside a shipped course (``SOURCE.md``) says about it; empty where it says nothing.
+
+    Examples
+    --------
+    >>> "BSD" in source_of_course(road_library()["detrended_rms_course_1in"])
+    True
+    """
+    sources = file.parent / "SOURCE.md"
+    lines = sources.read_text(encoding="utf-8").splitlines() if sources.is_file() else []
+    about = [line for line in lines if file.name in line]
+    return "; ".join(cell.replace("`", "").strip() for cell in about[0].strip("|").split("|")[1:]) if about else ""
+
+
 def load_road(path: Path | str, *, length: float | None = None) -> Road:
     """Read a road from a file, or a shipped course by its name, or make a rough road of a class.
 
