@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.inspection.signals.run_down import run_down
 from jounce.plots.style import MUTED, PALETTE, new_figure, styled
 
 if TYPE_CHECKING:
@@ -22,8 +23,6 @@ _LOOKS = {"left": (PALETTE[0], "-"), "right": (PALETTE[1], (0, (4, 1.5)))}
 _BAND = (6.0, 18.0)
 _ENVELOPE = 400  # bins of a force over time; finer than the paper shows
 _EMPTY_HEIGHT = 0.5  # inches
-_ONE_TURN, _BESIDE, _BACK = 0.25, 0.15, 1.02
-_FEWEST_TURNS = 5
 _WORDS = {
     "en": {
         "left": "left", "right": "right", "frequency": "frequency [Hz]", "time": "time [s]",
@@ -134,41 +133,13 @@ def _over_frequency(axes: Axes, wheels: list[WheelResult], kind: str, words: dic
         if kind == "amplitude":
             values = 1e-3 * _amplitude(wheel)
         else:
-            values = np.where(_run(wheel.curves), 1e3 * wheel.curves.plate_amplitude, np.nan)
+            values = np.where(
+                run_down(wheel.curves.frequency, wheel.curves.time), 1e3 * wheel.curves.plate_amplitude, np.nan
+            )
         _curve(axes, wheel.curves, values, wheel.wheel, words)
     axes.set_ylim(bottom=0.0)
     axes.set(title=words[kind], xlabel=words["frequency"])
     axes.legend(loc="best", labelspacing=0.2)
-
-
-def _whole_turns(curves: WheelCurves) -> NDArray[np.bool_]:
-    """Turns (n,) at one over their frequency from the one before or after: others are swings of another kind."""
-    parts = curves.frequency[:-1] * np.diff(curves.time)
-    whole = np.abs(parts - 1.0) < _ONE_TURN
-    before, after = np.append(False, whole), np.append(whole, False)
-    return np.asarray(before | after)
-
-
-def _run(curves: WheelCurves) -> NDArray[np.bool_]:
-    """Turns (n,) of the run-down (or run-up): whole ones, from the highest frequency on, each slower than the last."""
-    whole = np.flatnonzero(_whole_turns(curves))
-    shown = np.zeros(curves.frequency.size, dtype=bool)
-    if whole.size < _FEWEST_TURNS:
-        return shown
-    first, second = np.array_split(curves.frequency[whole], 2)
-    ordered = whole if float(np.mean(first)) >= float(np.mean(second)) else whole[::-1]
-    usual = _medians(curves.frequency[ordered])
-    kept = ordered[np.abs(curves.frequency[ordered] / usual - 1.0) < _BESIDE]
-    kept = kept[int(np.argmax(curves.frequency[kept])) :]
-    slowest = np.minimum.accumulate(curves.frequency[kept])
-    shown[kept[curves.frequency[kept] <= _BACK * slowest]] = True
-    return shown
-
-
-def _medians(values: Array) -> Array:
-    """Median of each of (n,) values and the two on either side of it."""
-    rows = np.lib.stride_tricks.sliding_window_view(np.pad(values, 2, mode="edge"), 5)
-    return np.asarray(np.median(rows, axis=1))
 
 
 def _phase(axes: Axes, wheels: list[WheelResult], words: dict[str, str], limit: float | None) -> None:
