@@ -19,12 +19,12 @@ import jounce as jn
 from jounce.inspection.archive.lane import import_record
 from jounce.inspection.archive.reevaluation import reevaluate
 from jounce.inspection.archive.store import Store
+from jounce.inspection.equivalence import compare_tests
 from jounce.inspection.evaluation import evaluate
 from jounce.inspection.record import read_record
 from jounce.inspection.verdicts.limits import load_limits
 from jounce.parts.testers import load_tester
-from jounce.simulation.testing import simulate_test
-from jounce.studies.inspection_equivalence import compare_tests
+from jounce.testers.testing import simulate_test
 
 _NOISE, _SEEDS = 0.01, 20
 _STORED, _DIFFERENT, _LANE = 480, 8, 10_000

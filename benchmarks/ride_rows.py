@@ -10,10 +10,10 @@ import numpy as np
 from timing import Row, median_time
 
 import jounce as jn
-from jounce.ride.iri import iri, state_transition
+from jounce.ride.trials import iso_trial
 from jounce.ride.weighting import weighted, weighting_response
 from jounce.roads.iso8608 import Iso8608
-from jounce.studies.ride_trials import iso_trial
+from jounce.roughness.iri import iri, state_transition
 
 _CONTROLLED = 10.0  # s at 1 kHz
 

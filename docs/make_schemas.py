@@ -13,6 +13,7 @@ from typing import Any
 
 from pydantic import TypeAdapter
 
+from jounce.campaign.description import Campaign
 from jounce.control import CONTROLS
 from jounce.inspection.record import NUMBERS, SIDES, TEXTS
 from jounce.inspection.verdicts.limits import METHODS, Limits
@@ -22,7 +23,6 @@ from jounce.parts.testers import Tester
 from jounce.parts.vehicles import VEHICLES
 from jounce.roads.loading import SCHEMA
 from jounce.roads.train import ROADS, AnyRoad
-from jounce.studies.campaign.description import Campaign
 
 FOLDER = Path(__file__).parent / "schemas"
 DIALECT = "https://json-schema.org/draft/2020-12/schema"

@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal to _PUBLIC
     from jounce import mechanics as mechanics
     from jounce import plots as plots
+    from jounce.campaign import run_campaign as run_campaign
+    from jounce.campaign.speed_sweep import speed_sweep as speed_sweep
     from jounce.control import ADD as ADD
     from jounce.control import LQG as LQG
     from jounce.control import LQR as LQR
@@ -41,6 +43,15 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.core.errors import RecordingError as RecordingError
     from jounce.core.errors import SimulationError as SimulationError
     from jounce.core.findings import Finding as Finding
+    from jounce.design.adjustment_effects import adjust_report as adjust_report
+    from jounce.design.adjustment_effects import lengths_for as lengths_for
+    from jounce.design.adjustments import adjusted as adjusted
+    from jounce.design.first_designs import best_dampers as best_dampers
+    from jounce.design.first_designs import design_springs as design_springs
+    from jounce.design.lumping import lumped_from as lumped_from
+    from jounce.design.model_comparison import compare_models as compare_models
+    from jounce.design.optimise import optimise as optimise
+    from jounce.design.pareto import pareto as pareto
     from jounce.identify.damper_fit import fit_damper as fit_damper
     from jounce.identify.decay import fit_decay as fit_decay
     from jounce.identify.force_deflection import ForceDeflectionTrial as ForceDeflectionTrial
@@ -49,8 +60,11 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.identify.update import UpdatedParameter as UpdatedParameter
     from jounce.identify.update import UpdateResult as UpdateResult
     from jounce.identify.update import update_model as update_model
+    from jounce.inspection.equivalence import compare_tests as compare_tests
     from jounce.inspection.evaluation import evaluate as evaluate
     from jounce.inspection.record import read_record as read_record
+    from jounce.inspection.simulated import simulate_axle as simulate_axle
+    from jounce.inspection.simulated import simulate_inspection as simulate_inspection
     from jounce.inspection.verdicts.grading import grade as grade
     from jounce.inspection.verdicts.limits import load_limits as load_limits
     from jounce.kinematics import AxleLayout as AxleLayout
@@ -63,6 +77,8 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.kinematics import sweep_travel as sweep_travel
     from jounce.kinematics import sweep_variants as sweep_variants
     from jounce.kinematics import write_sweep as write_sweep
+    from jounce.papers.audi_a6 import run_audi_a6 as run_audi_a6
+    from jounce.papers.audi_a6_excenter import run_excenter as run_excenter
     from jounce.parts import FullCar as FullCar
     from jounce.parts import FullCar3D as FullCar3D
     from jounce.parts import HalfCar as HalfCar
@@ -83,13 +99,15 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.recordings import write_recording as write_recording
     from jounce.report.protocol import write_protocol as write_protocol
     from jounce.ride.closed_forms import spring_and_damper as spring_and_damper
-    from jounce.ride.iri import Roughness as Roughness
-    from jounce.ride.iri import iri as iri
+    from jounce.ride.comparison import compare_rides as compare_rides
+    from jounce.ride.comparison import drive as drive
     from jounce.ride.metrics import RideMetrics as RideMetrics
     from jounce.ride.metrics import ride_metrics as ride_metrics
     from jounce.ride.spectra import power_spectrum as power_spectrum
     from jounce.ride.spectra import transfer_function as transfer_function
     from jounce.ride.stationary import stationary as stationary
+    from jounce.ride.trials import iso_trial as iso_trial
+    from jounce.ride.trials import road_trial as road_trial
     from jounce.roads import CircularSegment as CircularSegment
     from jounce.roads import Crg as Crg
     from jounce.roads import Enveloped as Enveloped
@@ -112,11 +130,13 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.roads import Trial as Trial
     from jounce.roads import Triangle as Triangle
     from jounce.roads import Versine as Versine
-    from jounce.roads import estimate_roughness as estimate_roughness
     from jounce.roads import load_road as load_road
     from jounce.roads import road_psd as road_psd
     from jounce.roads import swept_sine as swept_sine
     from jounce.roads import white_noise_intensity as white_noise_intensity
+    from jounce.roughness.iri import Roughness as Roughness
+    from jounce.roughness.iri import iri as iri
+    from jounce.roughness.spectra import estimate_roughness as estimate_roughness
     from jounce.simulation import Gradient as Gradient
     from jounce.simulation import LinearModel as LinearModel
     from jounce.simulation import Mode as Mode
@@ -128,30 +148,10 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.simulation import simulate as simulate
     from jounce.simulation import simulate_mechanism as simulate_mechanism
     from jounce.simulation.corner_models import corner_models as corner_models
-    from jounce.simulation.plate_response import steady_response as steady_response
+    from jounce.simulation.environment import ride_environment as ride_environment
     from jounce.simulation.stability import closed_loop_poles as closed_loop_poles
-    from jounce.simulation.testing import simulate_test as simulate_test
-    from jounce.studies.adjustment_effects import adjust_report as adjust_report
-    from jounce.studies.adjustment_effects import lengths_for as lengths_for
-    from jounce.studies.adjustments import adjusted as adjusted
-    from jounce.studies.audi_a6 import run_audi_a6 as run_audi_a6
-    from jounce.studies.audi_a6_excenter import run_excenter as run_excenter
-    from jounce.studies.campaign import run_campaign as run_campaign
-    from jounce.studies.design import best_dampers as best_dampers
-    from jounce.studies.design import design_springs as design_springs
-    from jounce.studies.environment import ride_environment as ride_environment
-    from jounce.studies.inspection_equivalence import compare_tests as compare_tests
-    from jounce.studies.inspection_simulation import simulate_axle as simulate_axle
-    from jounce.studies.inspection_simulation import simulate_inspection as simulate_inspection
-    from jounce.studies.lumping import lumped_from as lumped_from
-    from jounce.studies.model_comparison import compare_models as compare_models
-    from jounce.studies.optimise import optimise as optimise
-    from jounce.studies.pareto import pareto as pareto
-    from jounce.studies.ride import compare_rides as compare_rides
-    from jounce.studies.ride import drive as drive
-    from jounce.studies.ride_trials import iso_trial as iso_trial
-    from jounce.studies.ride_trials import road_trial as road_trial
-    from jounce.studies.speed_sweep import speed_sweep as speed_sweep
+    from jounce.testers.plate_response import steady_response as steady_response
+    from jounce.testers.testing import simulate_test as simulate_test
 
     __version__: str
 
@@ -202,7 +202,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "Rectangle": "jounce.roads",
     "RideMetrics": "jounce.ride.metrics",
     "Rig": "jounce.parts",
-    "Roughness": "jounce.ride.iri",
+    "Roughness": "jounce.roughness.iri",
     "SHADD": "jounce.control",
     "SemiActiveDamper": "jounce.control",
     "Sensor": "jounce.recordings",
@@ -224,64 +224,64 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "UpdatedParameter": "jounce.identify.update",
     "Vehicle": "jounce.parts",
     "Versine": "jounce.roads",
-    "adjust_report": "jounce.studies.adjustment_effects",
-    "adjusted": "jounce.studies.adjustments",
+    "adjust_report": "jounce.design.adjustment_effects",
+    "adjusted": "jounce.design.adjustments",
     "apply_sensors": "jounce.recordings",
     "axle_of": "jounce.parts.front_view",
-    "best_dampers": "jounce.studies.design",
+    "best_dampers": "jounce.design.first_designs",
     "closed_loop_poles": "jounce.simulation.stability",
-    "compare_models": "jounce.studies.model_comparison",
-    "compare_rides": "jounce.studies.ride",
-    "compare_tests": "jounce.studies.inspection_equivalence",
+    "compare_models": "jounce.design.model_comparison",
+    "compare_rides": "jounce.ride.comparison",
+    "compare_tests": "jounce.inspection.equivalence",
     "compliance": "jounce.kinematics",
     "controller": "jounce.control",
     "corner_models": "jounce.simulation.corner_models",
-    "design_springs": "jounce.studies.design",
-    "drive": "jounce.studies.ride",
+    "design_springs": "jounce.design.first_designs",
+    "drive": "jounce.ride.comparison",
     "equilibrium": "jounce.simulation",
-    "estimate_roughness": "jounce.roads",
+    "estimate_roughness": "jounce.roughness.spectra",
     "evaluate": "jounce.inspection.evaluation",
     "fit_damper": "jounce.identify.damper_fit",
     "fit_decay": "jounce.identify.decay",
     "fit_stiffness": "jounce.identify.stiffness",
     "grade": "jounce.inspection.verdicts.grading",
     "gradient": "jounce.simulation",
-    "iri": "jounce.ride.iri",
-    "iso_trial": "jounce.studies.ride_trials",
-    "lengths_for": "jounce.studies.adjustment_effects",
+    "iri": "jounce.roughness.iri",
+    "iso_trial": "jounce.ride.trials",
+    "lengths_for": "jounce.design.adjustment_effects",
     "linearise": "jounce.simulation",
     "load": "jounce.parts",
     "load_limits": "jounce.inspection.verdicts.limits",
     "load_road": "jounce.roads",
     "load_tester": "jounce.parts.testers",
-    "lumped_from": "jounce.studies.lumping",
+    "lumped_from": "jounce.design.lumping",
     "mechanics": "jounce.mechanics",
     "modes": "jounce.simulation",
-    "optimise": "jounce.studies.optimise",
-    "pareto": "jounce.studies.pareto",
+    "optimise": "jounce.design.optimise",
+    "pareto": "jounce.design.pareto",
     "pickup_loads": "jounce.kinematics",
     "plots": "jounce.plots",
     "power_spectrum": "jounce.ride.spectra",
     "read_record": "jounce.inspection.record",
     "read_recording": "jounce.recordings",
     "read_tir": "jounce.parts.importers",
-    "ride_environment": "jounce.studies.environment",
+    "ride_environment": "jounce.simulation.environment",
     "ride_metrics": "jounce.ride.metrics",
     "road_psd": "jounce.roads",
-    "road_trial": "jounce.studies.ride_trials",
-    "run_audi_a6": "jounce.studies.audi_a6",
-    "run_campaign": "jounce.studies.campaign",
-    "run_excenter": "jounce.studies.audi_a6_excenter",
+    "road_trial": "jounce.ride.trials",
+    "run_audi_a6": "jounce.papers.audi_a6",
+    "run_campaign": "jounce.campaign",
+    "run_excenter": "jounce.papers.audi_a6_excenter",
     "sensitivities": "jounce.simulation",
     "simulate": "jounce.simulation",
-    "simulate_axle": "jounce.studies.inspection_simulation",
-    "simulate_inspection": "jounce.studies.inspection_simulation",
+    "simulate_axle": "jounce.inspection.simulated",
+    "simulate_inspection": "jounce.inspection.simulated",
     "simulate_mechanism": "jounce.simulation",
-    "simulate_test": "jounce.simulation.testing",
-    "speed_sweep": "jounce.studies.speed_sweep",
+    "simulate_test": "jounce.testers.testing",
+    "speed_sweep": "jounce.campaign.speed_sweep",
     "spring_and_damper": "jounce.ride.closed_forms",
     "stationary": "jounce.ride.stationary",
-    "steady_response": "jounce.simulation.plate_response",
+    "steady_response": "jounce.testers.plate_response",
     "sweep_rack": "jounce.kinematics",
     "sweep_roll": "jounce.kinematics",
     "sweep_steering": "jounce.kinematics",

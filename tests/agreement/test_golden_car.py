@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.ride.iri import SPEED, golden_car_response, rectified_slope
+from jounce.roughness.iri import SPEED, golden_car_response, rectified_slope
 
 FILES = Path(__file__).parents[1] / "files" / "road_iri"
 MASS = 250.0

@@ -7,13 +7,13 @@ import re
 import pytest
 import typer
 
+from jounce.bench.drive import BenchDrive
+from jounce.bench.similitude import Similitude
+from jounce.bench.springs import SpringChoice
+from jounce.bench.traction import BeltLoad
 from jounce.cli.entry import application
 from jounce.core.description import Description
 from jounce.core.units import Unit, to_si
-from jounce.identify.bench.drive import BenchDrive
-from jounce.identify.bench.similitude import Similitude
-from jounce.identify.bench.springs import SpringChoice
-from jounce.identify.bench.traction import BeltLoad
 
 KINDS = {"speed": (BenchDrive,), "drive": (BenchDrive, BeltLoad), "scale": (Similitude,), "springs": (SpringChoice,)}
 ELSEWHERE = {

@@ -224,7 +224,7 @@ def records(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
     """Two inspections of a car, one of another."""
     import jounce as jn
     from jounce.parts.testers import load_tester
-    from jounce.simulation.testing import simulate_test
+    from jounce.testers.testing import simulate_test
 
     folder, tester = tmp_path_factory.mktemp("records"), load_tester("eusama")
     files = []

@@ -14,10 +14,7 @@ from scipy.spatial.transform import Rotation
 import jounce as jn
 from jounce.cli import main
 from jounce.core.errors import OutputError
-from jounce.parts.importers import ChronoCorner, shipped_corner
-from jounce.report import write_page
-from jounce.report.proving_ground import proving_ground_page
-from jounce.studies.proving_ground import (
+from jounce.papers.proving_ground import (
     BEGIN,
     COURSE,
     END,
@@ -29,13 +26,16 @@ from jounce.studies.proving_ground import (
     ride_figures,
     run_proving_ground,
 )
-from jounce.studies.proving_ground_corner import FrontView, lumped_corner
-from jounce.studies.proving_ground_damper import (
+from jounce.papers.proving_ground_corner import FrontView, lumped_corner
+from jounce.papers.proving_ground_damper import (
     Similitude,
     equivalent_coefficient,
     harmonic_energy,
     referred_to_wheel,
 )
+from jounce.parts.importers import ChronoCorner, shipped_corner
+from jounce.report import write_page
+from jounce.report.proving_ground import proving_ground_page
 
 
 @pytest.fixture(scope="module")

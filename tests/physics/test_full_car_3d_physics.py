@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.design.lumping import lump
 from jounce.parts.vehicles import FullCar
 from jounce.simulation.compiled import compile_rig
-from jounce.studies.lumping import lump
 
 CAR = jn.load("formula-student-car")
 SEDAN = jn.load("sedan-full-car-3d")

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from jounce.roads import Iso8608, estimate_roughness, road_psd, track_coherence
+from jounce.roads import Iso8608, road_psd, track_coherence
 from jounce.roads.roughness import class_roughness
+from jounce.roughness.spectra import estimate_roughness
 
 
 def estimated(road: Iso8608):

@@ -10,11 +10,11 @@ from jounce.mechanics.motions import held, steady
 from jounce.parts import QuarterCar, load
 from jounce.parts.front_view import axle_from, axle_of
 from jounce.parts.testers import Motor, load_tester
-from jounce.simulation.courses import run_course
-from jounce.simulation.periodic import periodic, steady_sweep
-from jounce.simulation.plate_response import closed_form_adhesion, steady_response, wheel_mode
-from jounce.simulation.stand import stand
-from jounce.simulation.testing import simulate_test
+from jounce.testers.courses import run_course
+from jounce.testers.periodic import periodic, steady_sweep
+from jounce.testers.plate_response import closed_form_adhesion, steady_response, wheel_mode
+from jounce.testers.stand import stand
+from jounce.testers.testing import simulate_test
 
 EUSAMA, THETA, BOGE = (load_tester(name) for name in ("eusama", "theta-msd3000", "boge"))
 

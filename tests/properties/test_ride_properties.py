@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from jounce.ride import comfort
-from jounce.ride.iri import iri
 from jounce.ride.spectra import power_spectrum
 from jounce.ride.weighting import WEIGHTINGS, weighted
+from jounce.roughness.iri import iri
 
 seeds = st.integers(0, 2**32 - 1)
 

@@ -7,17 +7,17 @@ import tomllib
 import numpy as np
 import pytest
 
+from jounce.campaign import run_campaign
+from jounce.campaign.description import load_campaign
+from jounce.campaign.speed_sweep import misfit_against_speed
 from jounce.core.errors import DescriptionError, JounceError, OutputError
 from jounce.core.serialise import to_json, write_files
+from jounce.papers.demo import prepare_demo, run_demo
+from jounce.papers.table2 import table2
+from jounce.papers.template import campaign_texts, new_campaign
+from jounce.papers.virtual_bench import BenchPlan, course, measurement_texts, true_pass
+from jounce.papers.virtual_rig import GUIDE_FRICTION, SPRING_RATE, STRUT_FRICTION
 from jounce.parts import rig_from_table
-from jounce.studies.campaign import run_campaign
-from jounce.studies.campaign.description import load_campaign
-from jounce.studies.campaign.template import campaign_texts, new_campaign
-from jounce.studies.demo import prepare_demo, run_demo
-from jounce.studies.speed_sweep import misfit_against_speed
-from jounce.studies.table2 import table2
-from jounce.studies.virtual_bench import BenchPlan, course, measurement_texts, true_pass
-from jounce.studies.virtual_rig import GUIDE_FRICTION, SPRING_RATE, STRUT_FRICTION
 
 
 @pytest.fixture(scope="module")

@@ -8,21 +8,21 @@ import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.campaign import run_campaign
 from jounce.cli.checking import check_file
 from jounce.core.errors import DescriptionError
 from jounce.core.serialise import write_files
+from jounce.design.lumping import lump
+from jounce.papers import demo
+from jounce.papers.table2 import table2
+from jounce.papers.template import campaign_texts
+from jounce.papers.virtual_bench import BenchPlan, measurement_texts, true_pass
+from jounce.papers.virtual_rig import GUIDE_FRICTION, SPRING_RATE, STRUT_FRICTION
 from jounce.parts import rig_from_table
 from jounce.parts.strut_angle import strut_angle, with_strut_angle
 from jounce.recordings import write_recording
 from jounce.report.campaign.lumped import lumped as lumped_section
 from jounce.report.page import Table
-from jounce.studies import demo
-from jounce.studies.campaign import run_campaign
-from jounce.studies.campaign.template import campaign_texts
-from jounce.studies.lumping import lump
-from jounce.studies.table2 import table2
-from jounce.studies.virtual_bench import BenchPlan, measurement_texts, true_pass
-from jounce.studies.virtual_rig import GUIDE_FRICTION, SPRING_RATE, STRUT_FRICTION
 
 KART = jn.load("kart-double-wishbone")
 TRUTH = {"strut.spring.rate": 23.9e3, "strut.damper.coefficient": 139.0, "tyre.stiffness": 131e3}
@@ -203,8 +203,8 @@ def test_damping_of_a_3d_strut_is_recovered_from_a_decay(tmp_path, support):
     rest = jn.linearise(rig).equilibrium
     run = jn.simulate(rig, trial, offset={n: v - rest[n] for n, v in laden.items() if v != rest[n]}, tolerance=1e-8)
     write_recording(run[["sprung.z"]], tmp_path / "decay.csv")
-    from jounce.studies.campaign.characterise import characterise
-    from jounce.studies.campaign.description import Bench
+    from jounce.campaign.characterise import characterise
+    from jounce.campaign.description import Bench
 
     start = rig.with_changes({"strut.damper.coefficient": 100.0})
     found, knowledge = characterise(start, Bench(decay={"files": ["decay.csv"], "support": support}), tmp_path)

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.campaign.characterise import characterise
+from jounce.campaign.description import Bench
 from jounce.recordings import write_recording
-from jounce.studies.campaign.characterise import characterise
-from jounce.studies.campaign.description import Bench
 
 KART = jn.load("kart-quarter-car")
 CURVES = {

@@ -11,7 +11,7 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import DescriptionError
-from jounce.studies.audi_a6_excenter import LARGEST, Excenter, run_excenter
+from jounce.papers.audi_a6_excenter import LARGEST, Excenter, run_excenter
 
 
 @pytest.fixture(scope="module")

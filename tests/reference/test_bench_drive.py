@@ -5,10 +5,10 @@ import math
 import numpy as np
 import pytest
 
+from jounce.bench.drive import BenchDrive, belt_speed, inverter_frequency_for, photo_sensor_speed
+from jounce.bench.traction import BeltLoad, attainable_speed, drive_margin
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.serialise import to_json
-from jounce.identify.bench.drive import BenchDrive, belt_speed, inverter_frequency_for, photo_sensor_speed
-from jounce.identify.bench.traction import BeltLoad, attainable_speed, drive_margin
 
 BARE = BenchDrive(
     belt_reference="bare",

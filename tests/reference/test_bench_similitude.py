@@ -2,9 +2,9 @@
 
 import pytest
 
+from jounce.bench.similitude import Similitude, scaled_mass, similitude_report
 from jounce.core.errors import FitError
 from jounce.core.serialise import to_json
-from jounce.identify.bench.similitude import Similitude, scaled_mass, similitude_report
 
 
 @pytest.mark.parametrize(

@@ -4,9 +4,9 @@ import math
 
 import pytest
 
+from jounce.bench.springs import SpringChoice, compare_springs
 from jounce.core.errors import FitError
 from jounce.core.serialise import to_json
-from jounce.identify.bench.springs import SpringChoice, compare_springs
 
 PAPER = [("bicycle spring", 52775.0), ("scooter spring", 22730.0)]
 

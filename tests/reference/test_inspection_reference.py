@@ -14,10 +14,10 @@ import pytest
 from jounce.inspection import Corner, evaluate, force_response, steady_state
 from jounce.inspection.methods.theta import half_power, plate_gain, theta_by_amplification
 from jounce.inspection.signals.response import rig_poles, road_poles, wheel_damping
-from jounce.mechanics.plates import tyre_rigidity
 from jounce.parts.testers import load_tester
 from jounce.recordings.schema import recording
-from jounce.simulation.plate_response import road_damping_ratio
+from jounce.testers.plate_response import road_damping_ratio
+from jounce.testers.plates import tyre_rigidity
 
 STEADY = {  # damping: adhesion %, at Hz, least phase, at Hz, wheel mode Hz, damping ratio
     500.0: (25.69, 12.04, 31.16, 8.06, 11.931, 0.0851),

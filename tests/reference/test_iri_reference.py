@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from jounce.ride.iri import golden_car_response, iri, rectified_slope, state_transition
+from jounce.roughness.iri import golden_car_response, iri, rectified_slope, state_transition
 
 FILES = Path(__file__).parents[1] / "files" / "road_iri"
 PRINTED = json.loads((FILES / "sayers_wtp46_coefficients.json").read_text(encoding="utf-8"))["matrices"]

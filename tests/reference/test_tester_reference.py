@@ -11,18 +11,18 @@ import itertools
 import numpy as np
 import pytest
 
-from jounce.mechanics.plates import tyre_rigidity
 from jounce.parts import QuarterCar, load
 from jounce.parts.testers import load_tester
-from jounce.simulation.periodic import steady_sweep
-from jounce.simulation.plate_response import (
+from jounce.testers.periodic import steady_sweep
+from jounce.testers.plate_response import (
     closed_form_adhesion,
     least_phase_angle,
     road_damping_ratio,
     steady_response,
     wheel_mode,
 )
-from jounce.simulation.testing import simulate_test
+from jounce.testers.plates import tyre_rigidity
+from jounce.testers.testing import simulate_test
 
 EUSAMA, THETA = load_tester("eusama"), load_tester("theta-msd3000")
 

@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from jounce.core.findings import Finding
+    from jounce.design.adjustment_effects import Effect, Lengths, WheelState
     from jounce.parts import DoubleWishbone
-    from jounce.studies.adjustment_effects import Effect, Lengths, WheelState
 
 _FACTORS = {"m": (1e3, "mm"), "rad": (57.29577951308232, "deg"), "rad/m": (0.05729577951308232, "deg/mm")}
 
@@ -42,7 +42,7 @@ def adjust(
     Example: jounce adjust kart-double-wishbone --camber "-2 deg" --toe "0.5 deg" --out cambered.toml
     """
     from jounce.core.serialise import check_writable, write_atomically
-    from jounce.studies.adjustment_effects import adjust_report, lengths_for
+    from jounce.design.adjustment_effects import adjust_report, lengths_for
 
     given = {name: bare_number(value) for name, value in pairs(set_, "--set", 'upper_arm_length="10 mm"').items()}
     if out is not None:
@@ -75,15 +75,15 @@ def _refuse_both(given: dict[str, Any]) -> None:
 
 def _text(name: str, rig: DoubleWishbone) -> str:
     """The rig's file with the new values."""
+    from jounce.campaign.rig_text import updated_text
     from jounce.parts import rig_path
-    from jounce.studies.campaign.rig_text import updated_text
 
     return updated_text(rig_path(name).read_text(encoding="utf-8"), rig)
 
 
 def _plain(rig: str, report: Any, lengths: Lengths | None, out: Path | None) -> dict[str, Any]:
     from jounce.core.serialise import to_plain
-    from jounce.studies.adjustments import SETTINGS
+    from jounce.design.adjustments import SETTINGS
 
     sources = {name: {"text": item.text, "source": item.source} for name, item in SETTINGS.items()}
     return {
@@ -116,7 +116,7 @@ def _draw(console: Console, plain: dict[str, Any], report: Any, lengths: Lengths
 
 
 def _states(*states: WheelState) -> list[tuple[object, ...]]:
-    from jounce.studies.adjustment_effects import QUANTITIES
+    from jounce.design.adjustment_effects import QUANTITIES
 
     rows = []
     for name, unit in QUANTITIES.items():
@@ -128,7 +128,7 @@ def _states(*states: WheelState) -> list[tuple[object, ...]]:
 
 def _draw_effects(console: Console, effects: tuple[Effect, ...]) -> None:
     """One table: what each setting changes from the lowest to the highest value of its range, and per mm, deg or N."""
-    from jounce.studies.adjustment_effects import QUANTITIES
+    from jounce.design.adjustment_effects import QUANTITIES
 
     units = {name: _FACTORS.get(unit, (1.0, unit)) for name, unit in QUANTITIES.items()}
     rows: list[tuple[object, ...]] = []
@@ -149,12 +149,12 @@ def _scaled(values: list[float | None], factors: list[float]) -> list[float | No
 
 
 def _shown(name: str, value: float) -> str:
-    from jounce.studies.adjustments import SETTINGS, shown
+    from jounce.design.adjustments import SETTINGS, shown
 
     return shown(value, SETTINGS[name].unit)
 
 
 def _degrees(value: float) -> str:
-    from jounce.studies.adjustments import shown
+    from jounce.design.adjustments import shown
 
     return shown(value, "rad")

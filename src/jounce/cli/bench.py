@@ -48,7 +48,7 @@ def speed(
     Example: jounce bench speed --inverter-frequency "24.6 Hz" --cylinder-radius "50 mm"
     """
     options = locals()
-    from jounce.identify.bench.drive import BenchDrive, belt_speed, inverter_frequency_for, photo_sensor_speed
+    from jounce.bench.drive import BenchDrive, belt_speed, inverter_frequency_for, photo_sensor_speed
 
     drive = bench.described(BenchDrive, options)
     if (inverter_frequency is not None and wanted is not None) or {inverter_frequency, wanted, pulses} == {None}:
@@ -111,8 +111,8 @@ def drive(
     Example: jounce bench drive --speed "3.87 m/s" --cylinder-radius "50 mm"
     """
     options = locals()
-    from jounce.identify.bench.drive import BenchDrive
-    from jounce.identify.bench.traction import BeltLoad, attainable_speed, drive_margin
+    from jounce.bench.drive import BenchDrive
+    from jounce.bench.traction import BeltLoad, attainable_speed, drive_margin
 
     machine, load = bench.described(BenchDrive, options), bench.described(BeltLoad, options)
     margin = None
@@ -141,7 +141,7 @@ def scale(
     Example: jounce bench scale --prototype-mass "18.6 kg"
     """
     options = locals()
-    from jounce.identify.bench.similitude import Similitude, similitude_report
+    from jounce.bench.similitude import Similitude, similitude_report
 
     return tables.scale_reply(similitude_report(bench.described(Similitude, options)), as_json=as_json)
 
@@ -168,7 +168,7 @@ def springs(
     Example: jounce bench springs stiff="52.775 N/mm" soft="22.73 N/mm" --sprung-mass "16 kg"
     """
     options = locals()
-    from jounce.identify.bench.springs import SpringChoice, compare_springs
+    from jounce.bench.springs import SpringChoice, compare_springs
 
     named: dict[str, Any] = pairs(candidates or PUBLISHED_SPRINGS, "NAME=RATE", 'soft="22.73 N/mm"')
     rates = [(name, positive_quantity(rate, "N/m", name)) for name, rate in named.items()]

@@ -10,11 +10,11 @@ from jounce.cli.tables import estimates, show_findings, table
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from jounce.bench.drive import BeltSpeed, SensorSpeed
+    from jounce.bench.similitude import SimilitudeReport
+    from jounce.bench.springs import SpringComparison
+    from jounce.bench.traction import AttainableSpeed, DriveMargin
     from jounce.core.findings import Finding
-    from jounce.identify.bench.drive import BeltSpeed, SensorSpeed
-    from jounce.identify.bench.similitude import SimilitudeReport
-    from jounce.identify.bench.springs import SpringComparison
-    from jounce.identify.bench.traction import AttainableSpeed, DriveMargin
 
 Row = tuple[str, object, str]
 

@@ -15,8 +15,8 @@ from jounce.cli.tables import show_findings, table
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from jounce.campaign import CampaignResult
     from jounce.core.findings import Finding
-    from jounce.studies.campaign import CampaignResult
 
 app = typer.Typer(no_args_is_help=True, help="Evaluate a folder of bench measurements, or begin one.")
 
@@ -36,8 +36,8 @@ def run(
     """
     check_outputs(folder=out, force=force)
     with progress() as say:
+        from jounce.campaign import run_campaign
         from jounce.report import write_campaign
-        from jounce.studies.campaign import run_campaign
 
         result = run_campaign(campaign, progress=say)
         say("writing the report")
@@ -55,7 +55,7 @@ def new(
 
     Example: jounce campaign new my-campaign
     """
-    from jounce.studies.campaign.template import new_campaign
+    from jounce.papers.template import new_campaign
 
     campaign = new_campaign(folder, force=force)
     made = sorted(str(file.relative_to(folder)) for file in folder.rglob("*") if file.is_file())

@@ -192,10 +192,10 @@ def _table(checked: Checked, wanted: dict[str, str]) -> None:
 
 def _campaign(checked: Checked) -> None:
     """The campaign, its rig and roads, and every file of bench and trials."""
+    from jounce.campaign import load_campaign
+    from jounce.campaign.run import check_strut_angles
     from jounce.parts import load, rig_path
     from jounce.roads import read_roads
-    from jounce.studies.campaign import load_campaign
-    from jounce.studies.campaign.run import check_strut_angles
 
     campaign, text = load_campaign(checked.file)
     folder, where = checked.file.parent, str(checked.file)
@@ -230,8 +230,8 @@ def _recording_of(file: Path, columns: dict[str, str], place: str) -> None:
 
 
 def _bench(checked: Checked, bench: Any, folder: Path) -> None:
+    from jounce.campaign.characterise import files_of, read_force_deflection
     from jounce.recordings import read_recording
-    from jounce.studies.campaign.characterise import files_of, read_force_deflection
 
     tables = {"bench.spring": bench.spring, **{f'bench.tyre."{name}"': item for name, item in bench.tyre.items()}}
     for name, table in tables.items():

@@ -27,8 +27,8 @@ def demo(
     """
     check_outputs(folder=out, force=force)
     with progress() as say:
+        from jounce.papers.demo import run_demo
         from jounce.report import write_campaign
-        from jounce.studies.demo import run_demo
 
         folder, result = run_demo(out, quick=quick, force=force, progress=say)
         say("writing the report")

@@ -85,7 +85,7 @@ def springs(
         optional_positive(rear_frequency, "Hz", "--rear-frequency"),
         optional_quantity(rear_damping_ratio, "1", "--rear-damping-ratio"),
     ]
-    from jounce.studies.design import design_springs
+    from jounce.design.first_designs import design_springs
 
     wanted = changes(set_)
     design = design_springs(
@@ -138,7 +138,7 @@ def optimise(
     wanted = changes(set_)
     with progress() as say:
         say("loading")
-        from jounce.studies.optimise import optimise as find_best
+        from jounce.design.optimise import optimise as find_best
 
         rig = chosen_rig(vehicle, wanted)
         driven = _driven(rig, road, speed, duration, band)
@@ -178,7 +178,7 @@ def pareto(
     wanted = changes(set_)
     with progress() as say:
         say("loading")
-        from jounce.studies.pareto import pareto as find_front
+        from jounce.design.pareto import pareto as find_front
 
         say("searching")
         front = find_front(
@@ -197,9 +197,9 @@ def _driven(rig: Rig, road: str, speed: str, duration: str | None, band: str | N
         return {"road": road, "speed": velocity, "band": _band(band)}
     if band is not None:
         raise DescriptionError("a simulated road has its own waves", where="--band", hint="Leave out the band.")
+    from jounce.ride.trials import iso_trial, road_trial
     from jounce.roads import load_road
     from jounce.roads.loading import class_and_seed, is_class
-    from jounce.studies.ride_trials import iso_trial, road_trial
 
     lasting = positive_quantity(duration, "s", "--duration")
     if is_class(road):

@@ -9,9 +9,9 @@ from jounce.cli.tables import show_findings, show_written, table
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from jounce.studies.design import SpringDesign
-    from jounce.studies.optimise import Optimisation
-    from jounce.studies.pareto import ParetoFront
+    from jounce.design.first_designs import SpringDesign
+    from jounce.design.optimise import Optimisation
+    from jounce.design.pareto import ParetoFront
 
 
 def draw_springs(console: Console, plain: dict[str, Any], design: SpringDesign) -> None:

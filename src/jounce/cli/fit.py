@@ -67,9 +67,9 @@ def stiffness(
 
     Example: jounce fit stiffness tyre_031_*.csv --discard-below "2 mm" --intercept drop --load "206 N"
     """
+    from jounce.campaign.characterise import read_force_deflection
     from jounce.core.serialise import to_plain
     from jounce.identify.stiffness import fit_stiffness
-    from jounce.studies.campaign.characterise import read_force_deflection
 
     choice: dict[str, Any] = {
         "law": law,

@@ -79,9 +79,9 @@ def simulate(
     of_rig = {path: value for path, value in wanted.items() if not path.startswith(_OF_TESTER)}
     of_tester = {path.removeprefix(_OF_TESTER): value for path, value in wanted.items() if path not in of_rig}
     chosen_tester = _tester(method, tester, stroke, sweep_rate, of_tester)
+    from jounce.inspection.simulated import simulate_axle, simulate_inspection, sweep_wear
     from jounce.parts import load
     from jounce.parts.wear import worn
-    from jounce.studies.inspection_simulation import simulate_axle, simulate_inspection, sweep_wear
 
     chosen = load(rig).with_changes(of_rig) if of_rig else load(rig)
     warn_of(chosen, rig)
@@ -125,8 +125,8 @@ def _tester(
     method: str | None, tester: str | None, stroke: str | None, sweep_rate: str | None, wanted: dict[str, Any]
 ) -> Tester:
     """The tester that is asked for, with its changes."""
+    from jounce.inspection.simulated import tester_for
     from jounce.parts.testers import load_tester
-    from jounce.studies.inspection_simulation import tester_for
 
     if method is None and tester is None:
         raise DescriptionError(
@@ -165,7 +165,7 @@ def _check_record(record: Path, *, steady: bool, several: bool, force: bool) -> 
 
 
 def _write(record: Any, file: Path, *, truth: bool, force: bool) -> None:
-    from jounce.simulation.testing import write_test
+    from jounce.testers.testing import write_test
 
     kept = record if truth else record[[name for name in record.data_vars if not str(name).startswith("truth.")]]
     write_test(kept, file, force=force)

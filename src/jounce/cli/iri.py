@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from jounce.core.findings import Finding
-    from jounce.ride.iri import Roughness
+    from jounce.roughness.iri import Roughness
 
 
 def iri(
@@ -32,8 +32,8 @@ def iri(
     """
     length, lateral = positive_quantity(segment, "m", "--segment"), quantity(offset, "m", "--offset")
     from jounce.core.serialise import to_plain
-    from jounce.ride.iri import iri as roughness_of
-    from jounce.ride.profiles import read_profile
+    from jounce.roughness.iri import iri as roughness_of
+    from jounce.roughness.profiles import read_profile
 
     x, z, notes = read_profile(profile, columns=columns(columns_), lateral_offset=lateral)
     found = roughness_of(x, z, segment=length, place=profile)

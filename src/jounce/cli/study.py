@@ -16,7 +16,7 @@ from jounce.cli.tables import show_findings, table
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from jounce.studies.proving_ground import ProvingGround
+    from jounce.papers.proving_ground import ProvingGround
 
 app = typer.Typer(no_args_is_help=True, help="Shipped studies.")
 study_audi.register(app)
@@ -41,7 +41,7 @@ def proving_ground(
     """
     check_outputs(folder=out, force=force)
     with progress() as say:
-        from jounce.studies.proving_ground import run_proving_ground
+        from jounce.papers.proving_ground import run_proving_ground
 
         study = run_proving_ground(progress=say)
         if out is not None:
@@ -71,8 +71,8 @@ def lumped_vs_spatial(
     trials = _trials(road, speed or list(_SPEEDS), positive_quantity(duration, "s", "--duration"))
     with progress() as say:
         say("loading")
+        from jounce.design.model_comparison import compare_models
         from jounce.parts import load
-        from jounce.studies.model_comparison import compare_models
 
         pair = load(rig), None if lumped is None else load(lumped)
         say("comparing")

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from jounce.core.findings import Finding
-    from jounce.studies.audi_a6_paper import Slip
+    from jounce.papers.audi_a6_paper import Slip
 
 Out = Annotated[Path | None, typer.Option(help="Folder for report, figures, curves (CSV, netCDF) and results.json.")]
 
@@ -60,7 +60,7 @@ def excenter(
     mass = quantity(plate_mass, "kg", "--plate-mass")
     check_outputs(folder=out, force=force)
     with progress() as say:
-        from jounce.studies.audi_a6_excenter import run_excenter
+        from jounce.papers.audi_a6_excenter import run_excenter
 
         study = run_excenter(size, mass, progress=say)
         if out is not None:
@@ -80,7 +80,7 @@ def excenter(
 def _case(name: str, out: Path | None, force: bool, as_json: bool) -> Reply:
     check_outputs(folder=out, force=force)
     with progress() as say:
-        from jounce.studies.audi_a6 import run_audi_a6
+        from jounce.papers.audi_a6 import run_audi_a6
 
         study = run_audi_a6(name, progress=say)
         if out is not None:

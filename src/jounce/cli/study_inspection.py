@@ -17,7 +17,7 @@ from jounce.cli.tables import show_written, table
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from jounce.studies.inspection_equivalence import Equivalence, Factor
+    from jounce.inspection.equivalence import Equivalence, Factor
 
 
 def register(app: typer.Typer) -> None:
@@ -42,8 +42,8 @@ def equivalence(
     wanted = changes(set_)
     with progress() as say:
         say("loading")
+        from jounce.inspection.equivalence import compare_tests, usual_factors
         from jounce.inspection.verdicts.limits import load_limits
-        from jounce.studies.inspection_equivalence import compare_tests, usual_factors
 
         study = compare_tests(
             chosen_rig(rig, wanted),  # type: ignore[arg-type]

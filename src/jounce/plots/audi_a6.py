@@ -6,15 +6,15 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import RecordingError, nearest
+from jounce.papers.audi_a6_paper import FREE_LENGTH, READ_LENGTH
 from jounce.plots.style import INK, MUTED, PALETTE, legend_above, new_figure, styled
-from jounce.studies.audi_a6_paper import FREE_LENGTH, READ_LENGTH
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from jounce.studies.audi_a6 import AudiCase, CaseRun
-    from jounce.studies.audi_a6_excenter import Excenter
+    from jounce.papers.audi_a6 import AudiCase, CaseRun
+    from jounce.papers.audi_a6_excenter import Excenter
 
 _QUANTITIES = {
     "bounce.displacement": ("bounce", "mm", 1e3),
@@ -47,7 +47,7 @@ def case_curve(study: AudiCase, channel: str = "bounce.displacement") -> Figure:
     Parameters
     ----------
     study : AudiCase
-        As :func:`jounce.studies.audi_a6.run_audi_a6` gives it.
+        As :func:`jounce.papers.audi_a6.run_audi_a6` gives it.
     channel : str
         ``bounce.displacement`` (m), ``pitch.angle`` (rad) or another signal of its runs.
 
@@ -63,7 +63,7 @@ def case_curve(study: AudiCase, channel: str = "bounce.displacement") -> Figure:
 
     Examples
     --------
-    >>> from jounce.studies.audi_a6 import run_audi_a6
+    >>> from jounce.papers.audi_a6 import run_audi_a6
     >>> figure = case_curve(run_audi_a6("case-a"), "pitch.angle")
     >>> [axes.get_ylabel() for axes in figure.axes]
     ['pitch\n[mrad]', 'pitch\n[mrad]']
@@ -89,7 +89,7 @@ def case_overview(study: AudiCase, moment: float) -> Figure:
     Parameters
     ----------
     study : AudiCase
-        As :func:`jounce.studies.audi_a6.run_audi_a6` gives it.
+        As :func:`jounce.papers.audi_a6.run_audi_a6` gives it.
     moment : float
         Which of its pitch moments, N m.
 
@@ -122,7 +122,7 @@ def start_up_transient(study: AudiCase) -> Figure:
     Parameters
     ----------
     study : AudiCase
-        As :func:`jounce.studies.audi_a6.run_audi_a6` gives it.
+        As :func:`jounce.papers.audi_a6.run_audi_a6` gives it.
 
     Returns
     -------
@@ -151,7 +151,7 @@ def excenter_spring(study: Excenter, duration: float = 3.0) -> Figure:
     Parameters
     ----------
     study : Excenter
-        As :func:`jounce.studies.audi_a6_excenter.run_excenter` gives it.
+        As :func:`jounce.papers.audi_a6_excenter.run_excenter` gives it.
     duration : float
         How long, s.
 
@@ -193,7 +193,7 @@ def excenter_torque_curve(study: Excenter) -> Figure:
     Parameters
     ----------
     study : Excenter
-        As :func:`jounce.studies.audi_a6_excenter.run_excenter` gives it.
+        As :func:`jounce.papers.audi_a6_excenter.run_excenter` gives it.
 
     Returns
     -------

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from jounce.studies.campaign.result import TrialResult
-    from jounce.studies.campaign.validation import ChannelComparison, Signals
+    from jounce.campaign.result import TrialResult
+    from jounce.campaign.validation import ChannelComparison, Signals
 
 Array = NDArray[np.float64]
 _LIVELY = 0.15  # of the largest excursion: what the zoom must show

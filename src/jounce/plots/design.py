@@ -11,8 +11,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from jounce.studies.optimise import DesignConstraint, DesignNumber, Optimisation
-    from jounce.studies.pareto import ParetoFront, ParetoMark
+    from jounce.design.optimise import DesignConstraint, DesignNumber, Optimisation
+    from jounce.design.pareto import ParetoFront, ParetoMark
 
 _MARKERS = {"present": ("D", BEFORE), "closed form": ("o", "white"), "searched": ("x", INK)}
 _KINDS = {"present": "as it is", "closed form": "best damper, closed form", "searched": "best damper, searched"}
@@ -37,7 +37,7 @@ def pareto_front(front: ParetoFront) -> Figure:
     Examples
     --------
     >>> import jounce as jn
-    >>> from jounce.studies.pareto import pareto
+    >>> from jounce.design.pareto import pareto
     >>> free = {"strut.damper.coefficient": ("300 N*s/m", "6000 N*s/m")}
     >>> figure = pareto_front(pareto(jn.load("audi-a6-quarter-car"), free, "C", "20 m/s", points=5))
     >>> len(figure.axes)   # front, one kind of number, colours of the travel
@@ -159,7 +159,7 @@ def optimisation(result: Optimisation) -> Figure:
     Examples
     --------
     >>> import jounce as jn
-    >>> from jounce.studies.optimise import optimise
+    >>> from jounce.design.optimise import optimise
     >>> free = {"strut.damper.coefficient": ("300 N*s/m", "6000 N*s/m")}
     >>> figure = optimisation(optimise(jn.load("audi-a6-quarter-car"), free, "sprung.az", road="C", speed="20 m/s"))
     >>> [axes.get_title("left") for axes in figure.axes]

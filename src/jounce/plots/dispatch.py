@@ -113,12 +113,12 @@ _dispatcher: Callable[..., Figure] | None = None
 def _registered() -> Callable[..., Figure]:
     import xarray as xr
 
+    from jounce.campaign.result import TrialResult
     from jounce.identify.update import UpdateResult
     from jounce.parts.corners import Corner
+    from jounce.ride.comparison import Ride
     from jounce.roads.road import Road
     from jounce.simulation import LinearModel, Mode
-    from jounce.studies.campaign.result import TrialResult
-    from jounce.studies.ride import Ride
 
     @singledispatch
     def draw(result: object, **options: Any) -> Figure:  # noqa: ARG001
@@ -179,15 +179,15 @@ def _register_fits(draw: Any) -> None:
 
 def _register_studies(draw: Any) -> None:
     """Results of whole jobs."""
+    from jounce.campaign.result import CampaignResult, StrategyResult, TrialResult
+    from jounce.design.optimise import Optimisation
+    from jounce.design.pareto import ParetoFront
+    from jounce.inspection.equivalence import Equivalence
     from jounce.inspection.result import Inspection
     from jounce.inspection.verdicts.grading import GradedInspection
-    from jounce.studies.audi_a6 import AudiCase
-    from jounce.studies.audi_a6_excenter import Excenter
-    from jounce.studies.campaign.result import CampaignResult, StrategyResult, TrialResult
-    from jounce.studies.inspection_equivalence import Equivalence
-    from jounce.studies.optimise import Optimisation
-    from jounce.studies.pareto import ParetoFront
-    from jounce.studies.ride import Ride, RideStudy
+    from jounce.papers.audi_a6 import AudiCase
+    from jounce.papers.audi_a6_excenter import Excenter
+    from jounce.ride.comparison import Ride, RideStudy
 
     draw.register(StrategyResult, lambda result, **options: updating.update(result.update, **options))
     draw.register(TrialResult, comparison.measured_against_simulated)

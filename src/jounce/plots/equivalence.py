@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from jounce.studies.inspection_equivalence import Equivalence, Factor
+    from jounce.inspection.equivalence import Equivalence, Factor
 
 _NAMES = {"eusama": "EUSAMA adhesion", "egea": "EGEA phase angle", "theta": "THETA"}
 _NEVER = "dots at the top: never rejects"
@@ -26,7 +26,7 @@ def equivalence(study: Equivalence) -> Figure:
     Parameters
     ----------
     study : Equivalence
-        Of :func:`jounce.studies.inspection_equivalence.compare_tests`.
+        Of :func:`jounce.inspection.equivalence.compare_tests`.
 
     Returns
     -------
@@ -49,7 +49,7 @@ def equivalence(study: Equivalence) -> Figure:
 
 
 def _panel(study: Equivalence, factor: Factor, axes: Axes) -> None:
-    from jounce.studies.inspection_equivalence import SOUND, WORN
+    from jounce.inspection.equivalence import SOUND, WORN
 
     values = factor.scale * study.planes[factor.name][factor.name].to_numpy()
     axes.axhspan(0.0, 100.0 * SOUND, color=_SOUND, zorder=0)

@@ -13,7 +13,7 @@ from jounce.plots.style import INK, MUTED, PALETTE, new_figure, styled
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from jounce.studies.ride import Merit, Ride, RideStudy
+    from jounce.ride.comparison import Merit, Ride, RideStudy
 
 _HIGHEST = 50.0  # Hz
 _SIZES = (40.0, 260.0)  # points^2
@@ -69,7 +69,7 @@ def trade_off(study: RideStudy) -> Figure:
     matplotlib.figure.Figure
         One point for each controller; better is to the lower left. Lines mark the passive rig.
     """
-    from jounce.studies.ride import MERITS
+    from jounce.ride.comparison import MERITS
 
     merits = {merit.name: merit for merit in MERITS}
     across = merits["comfort"]

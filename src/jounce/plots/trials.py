@@ -12,8 +12,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from jounce.studies.campaign.result import TrialResult
-    from jounce.studies.campaign.validation import TrialComparison
+    from jounce.campaign.result import TrialResult
+    from jounce.campaign.validation import TrialComparison
 
 _MARKERS = "osD^vP"
 

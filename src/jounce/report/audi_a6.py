@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+from jounce.core.extremes import Window
 from jounce.core.serialise import to_json
+from jounce.papers.audi_a6 import RAMP, SPEED, AudiCase, CaseRun
+from jounce.papers.audi_a6_paper import Slip
 from jounce.plots.audi_a6 import case_curve, case_overview, start_up_transient
 from jounce.plots.display import number, quantity
 from jounce.report.curves import curve_files
 from jounce.report.page import Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table
-from jounce.studies.audi_a6 import RAMP, SPEED, AudiCase, CaseRun
-from jounce.studies.audi_a6_paper import Slip
-from jounce.studies.extremes import Window
 
 _ABOUT = (
     "The half car of the paper (eqs. 6 to 11, Table 2): a body that bounces and pitches on massless axles, two wheels "

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from jounce.core.serialise import to_json
+from jounce.papers.audi_a6_excenter import Excenter, Range
+from jounce.papers.audi_a6_paper import FREQUENCY, LOAD, POWER
 from jounce.plots.audi_a6 import excenter_spring, excenter_torque_curve
 from jounce.plots.display import number, quantity
 from jounce.report.audi_a6 import slips_table
 from jounce.report.curves import curve_files
 from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table
-from jounce.studies.audi_a6_excenter import Excenter, Range
-from jounce.studies.audi_a6_paper import FREQUENCY, LOAD, POWER
 
 _ABOUT = (
     "The paper simulated the front corner on a plate that an excenter moves (section 4). It merged tyre and spring "

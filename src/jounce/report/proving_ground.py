@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from jounce.core.serialise import to_json
+from jounce.papers.proving_ground import FIGURES, LAW, SHOWN_SPEED, ProvingGround
 from jounce.plots import damper_loops, number, quantity, road_profile, sweep, time_history
 from jounce.report.page import Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table
-from jounce.studies.proving_ground import FIGURES, LAW, SHOWN_SPEED, ProvingGround
 
 _ABOUT = (
     "Only real hardware goes in: a magneto-rheological damper measured on a shaking table at 0 V and 0.88 V, the "

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import RecordingError, unknown
 from jounce.core.findings import Finding
-from jounce.ride.recursion import first_order
+from jounce.core.recursion import first_order
 
 Array = NDArray[np.float64]
 Averaging = Literal["linear", "exponential"]

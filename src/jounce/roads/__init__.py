@@ -29,7 +29,6 @@ from jounce.roads.roughness import (
     track_coherence,
     white_noise_intensity,
 )
-from jounce.roads.spectra import RoadSpectrum, estimate_roughness
 from jounce.roads.sweeps import Sine, SineSweep, swept_sine
 from jounce.roads.train import ROADS, AnyRoad, Train
 from jounce.roads.trial import Excitation, Trial
@@ -50,7 +49,6 @@ __all__ = [
     "Ramp",
     "Rectangle",
     "Road",
-    "RoadSpectrum",
     "Sine",
     "SineSum",
     "SineSweep",
@@ -65,7 +63,6 @@ __all__ = [
     "class_roughness",
     "contact_length",
     "covered",
-    "estimate_roughness",
     "filtered_noise",
     "load_road",
     "point_spacing",

@@ -21,8 +21,8 @@ from jounce.inspection.signals.response import (
 from jounce.inspection.signals.response_fit import fit_response, stretch_of
 from jounce.inspection.signals.smoothing import corrected_course
 from jounce.inspection.signals.turns import find_turns, middle_crossings
-from jounce.mechanics.plates import phase_angle
-from jounce.simulation.plate_response import road_damping_ratio
+from jounce.testers.plate_response import road_damping_ratio
+from jounce.testers.plates import phase_angle
 
 
 def corner(car) -> Corner:

@@ -21,7 +21,7 @@ from jounce.parts import load
 from jounce.parts.testers import load_tester
 from jounce.parts.wear import worn
 from jounce.report.protocol import protocol_html
-from jounce.simulation.testing import simulate_test
+from jounce.testers.testing import simulate_test
 
 FOLDER = Path(jounce.inspection.__file__).parent
 

@@ -12,7 +12,7 @@ from jounce.inspection.signals.course import turns_of
 from jounce.parts import load
 from jounce.parts.testers import load_tester
 from jounce.recordings.schema import recording
-from jounce.simulation.testing import simulate_test
+from jounce.testers.testing import simulate_test
 
 RATE, LEAST = 1000.0, 0.325e-3
 

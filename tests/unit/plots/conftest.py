@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from jounce.campaign.description import TrialEntry
+from jounce.campaign.result import TrialResult
+from jounce.campaign.validation import ChannelComparison, Signals, TrialComparison
 from jounce.identify.update import UpdatedParameter, UpdateResult
 from jounce.identify.update.identifiability import Identifiability
-from jounce.studies.campaign.description import TrialEntry
-from jounce.studies.campaign.result import TrialResult
-from jounce.studies.campaign.validation import ChannelComparison, Signals, TrialComparison
 
 
 def comparison(rating: float, grade: str, verdict: str, nrmse: float = 0.2) -> TrialComparison:

@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from jounce.core.errors import RecordingError
+from jounce.papers.audi_a6 import AudiCase, run_audi_a6
+from jounce.papers.audi_a6_excenter import Excenter, run_excenter
 from jounce.plots.audi_a6 import (
     case_curve,
     case_overview,
@@ -13,8 +15,6 @@ from jounce.plots.audi_a6 import (
     excenter_torque_curve,
     start_up_transient,
 )
-from jounce.studies.audi_a6 import AudiCase, run_audi_a6
-from jounce.studies.audi_a6_excenter import Excenter, run_excenter
 
 
 @pytest.fixture(scope="module")

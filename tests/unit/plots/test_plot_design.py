@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.design.optimise import Optimisation, optimise
+from jounce.design.pareto import ParetoFront, pareto
 from jounce.plots import figure_of
 from jounce.plots.design import optimisation, pareto_front
-from jounce.studies.optimise import Optimisation, optimise
-from jounce.studies.pareto import ParetoFront, pareto
 
 FREE = {
     "front.spring_rate": "±30 %",

@@ -7,7 +7,7 @@ import pytest
 
 import jounce as jn
 from jounce.plots.point_names import Layout
-from jounce.studies.ride import RideStudy
+from jounce.ride.comparison import RideStudy
 
 
 @pytest.fixture(scope="module")

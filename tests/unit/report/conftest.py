@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.campaign.result import CampaignResult
+from jounce.campaign.run import run_campaign
 from jounce.identify.decay_response import DecayParameters, decay_response
 from jounce.recordings import recording, write_recording
-from jounce.studies.campaign.result import CampaignResult
-from jounce.studies.campaign.run import run_campaign
 
 RIG = """schema = "jounce.rig/1"
 model = "quarter-car"

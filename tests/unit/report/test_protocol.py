@@ -18,9 +18,9 @@ from jounce.inspection.methods.steady import steady_state
 from jounce.inspection.result import Inspection, WheelCurves, WheelResult
 from jounce.inspection.signals.response import Corner, force_response
 from jounce.inspection.verdicts.grading import VehicleGrade, grade, grade_vehicle
-from jounce.mechanics.plates import phase_angle
 from jounce.report.protocol import protocol_html, protocol_pdf, protocol_png, write_protocol
 from jounce.report.protocol_content import protocol_content, shortened
+from jounce.testers.plates import phase_angle
 
 FACTS = {"vehicle": "Audi A6", "plate_number": "M-ÄÖ 12", "date": "2026-11-21", "tester": "lane 2"}
 

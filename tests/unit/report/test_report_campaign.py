@@ -10,11 +10,11 @@ from pathlib import Path
 import pytest
 
 import jounce as jn
+from jounce.campaign.characterise import Characterisation
+from jounce.campaign.result import CampaignResult
 from jounce.report import campaign_page, write_campaign
 from jounce.report.campaign.summary import most_important
 from jounce.report.page import Facts, Table
-from jounce.studies.campaign.characterise import Characterisation
-from jounce.studies.campaign.result import CampaignResult
 
 _VOID = {"meta", "path", "use", "rect", "link", "br", "image", "line", "circle"}
 

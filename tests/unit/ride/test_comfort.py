@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.core.recursion import first_order
 from jounce.ride import comfort
-from jounce.ride.recursion import first_order
 
 RATE = 1000.0
 TIME = np.arange(0.0, 10.0 + 0.5 / RATE, 1.0 / RATE)

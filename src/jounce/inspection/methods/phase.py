@@ -12,7 +12,7 @@ from jounce.core.constants import NORMAL_95
 from jounce.inspection.signals.analysis import Analysis
 from jounce.inspection.signals.response import force_response
 from jounce.inspection.signals.smoothing import corrected_course
-from jounce.mechanics.plates import phase_angle
+from jounce.testers.plates import phase_angle
 
 Array = NDArray[np.float64]
 _LENGTH = 2.0

@@ -11,7 +11,7 @@ from jounce.core.findings import Finding
 from jounce.inspection.checks import warning
 from jounce.inspection.signals.conditioning import WheelSignals
 from jounce.inspection.signals.course import Course
-from jounce.mechanics.plates import RIGIDITY, RIGIDITY_FREQUENCY, tyre_rigidity
+from jounce.testers.plates import RIGIDITY, RIGIDITY_FREQUENCY, tyre_rigidity
 
 _TOLERANCE = 1.0  # Hz
 _FEWEST_TURNS = 6

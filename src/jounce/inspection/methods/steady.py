@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.inspection.signals.response import Corner, force_response
-from jounce.mechanics.plates import SteadyResponse, least, least_adhesion, tyre_rigidity
+from jounce.testers.plates import SteadyResponse, least, least_adhesion, tyre_rigidity
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

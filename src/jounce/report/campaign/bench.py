@@ -14,11 +14,11 @@ from jounce.report.numbers import estimate_cells, estimate_text
 from jounce.report.page import Block, Cell, Details, Paragraph, Picture, Section, Subsection, Table, unique_slugs
 
 if TYPE_CHECKING:
+    from jounce.campaign.description import StiffnessBench
+    from jounce.campaign.result import CampaignResult
     from jounce.identify.decay import DecayResult
     from jounce.identify.stiffness import StiffnessResult
     from jounce.parts import Rig
-    from jounce.studies.campaign.description import StiffnessBench
-    from jounce.studies.campaign.result import CampaignResult
 
 _ESTIMATE = ("quantity", "value", "standard error", "95 % interval", "unit")
 _NAMES = {"bench.spring": "spring", "bench.tyre": "tyre", "bench.decay": "free decays"}

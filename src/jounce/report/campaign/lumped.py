@@ -9,7 +9,7 @@ from jounce.report.numbers import percent
 from jounce.report.page import Block, Cell, Paragraph, Picture, Section, Table
 
 if TYPE_CHECKING:
-    from jounce.studies.model_comparison import Difference, ModelComparison, PeakDifference
+    from jounce.design.model_comparison import Difference, ModelComparison, PeakDifference
 
 _NOTICED = 0.05
 """Share from which a difference of a peak is coloured."""

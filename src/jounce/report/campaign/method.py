@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from jounce.report.page import Block, Bullets, Paragraph, Section, Subsection, Table
 
 if TYPE_CHECKING:
-    from jounce.studies.campaign.result import CampaignResult
+    from jounce.campaign.result import CampaignResult
 
 _DEFINITIONS = (
     (

@@ -7,15 +7,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.campaign.characterise import files_of, read_force_deflection
 from jounce.core.errors import JounceError
 from jounce.identify.force_deflection import ForceDeflectionTrial
 from jounce.recordings import read_recording
 from jounce.roads import Road, Trial, read_roads
-from jounce.studies.campaign.characterise import files_of, read_force_deflection
 
 if TYPE_CHECKING:
-    from jounce.studies.campaign.description import DecayBench, StiffnessBench
-    from jounce.studies.campaign.result import CampaignResult, TrialResult
+    from jounce.campaign.description import DecayBench, StiffnessBench
+    from jounce.campaign.result import CampaignResult, TrialResult
 
 Array = NDArray[np.float64]
 

@@ -13,7 +13,7 @@ from jounce.report.numbers import percent
 from jounce.report.page import Block, Fact, Facts, Findings, Paragraph, Section, Subsection, Tone, worst_first
 
 if TYPE_CHECKING:
-    from jounce.studies.campaign.result import CampaignResult, StrategyResult, TrialResult
+    from jounce.campaign.result import CampaignResult, StrategyResult, TrialResult
 
 TONES: dict[str, Tone] = {"holds": "good", "holds partly": "fair", "does not hold": "bad", "not usable": "muted"}
 _MOST_FINDINGS = 3

@@ -17,7 +17,7 @@ from jounce.report.numbers import given, milliseconds, percent
 from jounce.report.page import Block, Cell, Details, Paragraph, Picture, Section, Subsection, Table
 
 if TYPE_CHECKING:
-    from jounce.studies.campaign.result import CampaignResult, TrialResult
+    from jounce.campaign.result import CampaignResult, TrialResult
 
 _OPEN = 3
 _USES = {"fit": "fitted", "hold-out": "held out"}

@@ -10,7 +10,7 @@ from jounce.report.numbers import correlation, estimate_cells, percent
 from jounce.report.page import Block, Cell, Findings, Paragraph, Picture, Section, Subsection, Table, unique_slugs
 
 if TYPE_CHECKING:
-    from jounce.studies.campaign.result import CampaignResult, StrategyResult
+    from jounce.campaign.result import CampaignResult, StrategyResult
 
 
 def updates(result: CampaignResult) -> Section:

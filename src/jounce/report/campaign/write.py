@@ -18,7 +18,7 @@ from jounce.report.page import Findings, Page, Section, unique_slugs
 from jounce.report.render import write_page
 
 if TYPE_CHECKING:
-    from jounce.studies.campaign.result import CampaignResult
+    from jounce.campaign.result import CampaignResult
 
 SYNTHETIC_NOTE = "Synthetic data, not measurements"
 
@@ -35,7 +35,7 @@ def write_campaign(
     Parameters
     ----------
     result : CampaignResult
-        Outcome of :func:`jounce.studies.campaign.run_campaign`.
+        Outcome of :func:`jounce.campaign.run_campaign`.
     out : Path or str
         Folder; made where it is missing, refused when it holds something and ``force`` is not given.
     force : bool

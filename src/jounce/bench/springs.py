@@ -1,0 +1,208 @@
+"""Which of several springs suits the prototype."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from jounce.bench.estimated import estimated, estimates_used
+from jounce.core.constants import GRAVITY
+from jounce.core.description import Description
+from jounce.core.errors import FitError
+from jounce.core.findings import Finding
+from jounce.core.units import (
+    Angle,
+    Frequency,
+    Mass,
+    NonNegativeDampingCoefficient,
+    NonNegativeForce,
+    PositiveLength,
+    PositiveStiffness,
+)
+
+
+class SpringChoice(Description):
+    """What a spring has to do.
+
+    Published: the sprung mass, the strut angles, the tyre stiffness. *Estimated*, because no source gives them:
+    ``damping_coefficient`` 150 N s/m along the strut, ``available_travel`` 40 mm at the wheel, ``target_frequency``
+    1.84 Hz (1.5 Hz at full size, by similitude with lengths reduced by 1.5), ``friction_force`` 15 N at the sprung
+    mass.
+    """
+
+    sprung_mass: Mass = 16.0
+    strut_angle: Angle = math.radians(26.0)
+    tyre_stiffness: PositiveStiffness = 138468.0
+    damping_coefficient: NonNegativeDampingCoefficient = estimated(
+        150.0, "damping ratio near 0.1 with the softer spring"
+    )
+    available_travel: PositiveLength = estimated(0.040, "stroke of a bicycle shock absorber")
+    target_frequency: Frequency = estimated(1.84, "1.5 Hz at full size")
+    friction_force: NonNegativeForce = estimated(15.0, "linear guides after one set of balls was removed")
+
+
+@dataclass(frozen=True)
+class SpringRow:
+    """One candidate at the wheel.
+
+    Attributes
+    ----------
+    name : str
+        Name of the spring.
+    spring_rate, wheel_rate, ride_rate : float
+        At the spring, at the wheel (rate * cos^2 of the strut angle), and with the tyre in series [N/m].
+    natural_frequency_rigid_tyre, natural_frequency : float
+        Of the sprung mass on the spring alone, and with the tyre in series [Hz].
+    damping_ratio : float
+        On the spring alone: damping at the wheel / (2 sqrt(wheel_rate * mass)) [1].
+    static_deflection : float
+        Of the suspension at the wheel [m].
+    travel_share : float
+        Static deflection over available travel [1].
+    suspension_share : float
+        Part of a deflection of the whole that the suspension takes, the rest being the tyre's [1].
+    friction_deflection : float
+        Friction over wheel rate: how far from its equilibrium the mass may rest [m].
+    """
+
+    name: str
+    spring_rate: float
+    wheel_rate: float
+    ride_rate: float
+    natural_frequency_rigid_tyre: float
+    natural_frequency: float
+    damping_ratio: float
+    static_deflection: float
+    travel_share: float
+    suspension_share: float
+    friction_deflection: float
+
+
+@dataclass(frozen=True)
+class SpringComparison:
+    """Candidates side by side, and which one to take.
+
+    Attributes
+    ----------
+    rows : tuple of SpringRow
+        In the order given.
+    chosen : str
+        The spring whose natural frequency with the tyre comes closest to the target without using the travel up.
+    reasons : tuple of str
+        Why each of the others was rejected, one sentence each.
+    findings : tuple of Finding
+        Reasons, doubts about the chosen one, and the estimated values used.
+    """
+
+    rows: tuple[SpringRow, ...]
+    chosen: str
+    reasons: tuple[str, ...]
+    findings: tuple[Finding, ...]
+
+
+def compare_springs(springs: Sequence[tuple[str, float]], choice: SpringChoice | None = None) -> SpringComparison:
+    """Compare candidate springs for a prototype.
+
+    Parameters
+    ----------
+    springs : sequence of (str, float)
+        Name and spring rate [N/m] of each candidate.
+    choice : SpringChoice or None
+        Mass, angle, tyre, damper and travel; None: the published kart prototype.
+
+    Returns
+    -------
+    SpringComparison
+        Rates in N/m, frequencies in Hz, deflections in m.
+
+    Raises
+    ------
+    FitError
+        No springs, a name given twice, a rate that is not positive, a strut lying flat.
+
+    Examples
+    --------
+    >>> found = compare_springs([("bicycle", 52775.0), ("scooter", 22730.0)])
+    >>> found.chosen, round(found.rows[1].wheel_rate), round(found.rows[1].natural_frequency, 3)
+    ('scooter', 18362, 5.066)
+    """
+    choice = choice or SpringChoice()
+    if not springs:
+        raise FitError("no springs to compare", allowed="at least one")
+    if len({name for name, _ in springs}) < len(springs):
+        raise FitError("a spring is named twice", allowed="different names")
+    if math.cos(choice.strut_angle) < 0.1:
+        raise FitError(
+            "the strut lies nearly flat", found=f"{math.degrees(choice.strut_angle):g} deg", allowed="below 84 deg"
+        )
+    rows = tuple(_row(name, rate, choice) for name, rate in springs)
+    fitting = [row for row in rows if row.travel_share <= 0.5] or list(rows)
+    chosen = min(fitting, key=lambda row: abs(math.log(row.natural_frequency / choice.target_frequency)))
+    reasons = tuple(_reason(row, chosen, choice) for row in rows if row is not chosen)
+    findings = [Finding("springs", "note", reason) for reason in reasons]
+    findings += _doubts(chosen, choice)
+    findings += estimates_used(choice, "springs")
+    return SpringComparison(rows, chosen.name, reasons, tuple(findings))
+
+
+def _row(name: str, rate: float, choice: SpringChoice) -> SpringRow:
+    if not (math.isfinite(rate) and rate > 0.0):
+        raise FitError("the spring rate is not positive", where=name, found=f"{rate} N/m", allowed="above 0 N/m")
+    lever = math.cos(choice.strut_angle) ** 2
+    wheel = rate * lever
+    ride = 1.0 / (1.0 / wheel + 1.0 / choice.tyre_stiffness)
+    static = GRAVITY * choice.sprung_mass / wheel
+    return SpringRow(
+        name=name,
+        spring_rate=rate,
+        wheel_rate=wheel,
+        ride_rate=ride,
+        natural_frequency_rigid_tyre=math.sqrt(wheel / choice.sprung_mass) / (2.0 * math.pi),
+        natural_frequency=math.sqrt(ride / choice.sprung_mass) / (2.0 * math.pi),
+        damping_ratio=choice.damping_coefficient * lever / (2.0 * math.sqrt(wheel * choice.sprung_mass)),
+        static_deflection=static,
+        travel_share=static / choice.available_travel,
+        suspension_share=choice.tyre_stiffness / (choice.tyre_stiffness + wheel),
+        friction_deflection=choice.friction_force / wheel,
+    )
+
+
+def _reason(row: SpringRow, chosen: SpringRow, choice: SpringChoice) -> str:
+    name = f"{row.name} ({row.spring_rate:.5g} N/m)"
+    if row.travel_share > 0.5 >= chosen.travel_share:
+        return (
+            f"{name} is too soft: standing still it uses {100 * row.travel_share:.0f} % of the available travel of "
+            f"{1e3 * choice.available_travel:.3g} mm."
+        )
+    if row.natural_frequency < chosen.natural_frequency:
+        return (
+            f"{name} is further from the target of {choice.target_frequency:.3g} Hz than {chosen.name}: "
+            f"{row.natural_frequency:.3g} Hz."
+        )
+    return (
+        f"{name} is too stiff: {row.natural_frequency:.3g} Hz instead of {chosen.natural_frequency:.3g} Hz (target "
+        f"{choice.target_frequency:.3g} Hz); standing still it moves {1e3 * row.static_deflection:.2g} mm, "
+        f"{100 * row.travel_share:.0f} % of the travel; the same damper gives a damping ratio of "
+        f"{row.damping_ratio:.2g} instead of {chosen.damping_ratio:.2g}; and the tyre takes "
+        f"{100 * (1 - row.suspension_share):.0f} % of a deflection instead of "
+        f"{100 * (1 - chosen.suspension_share):.0f} %."
+    )
+
+
+def _doubts(row: SpringRow, choice: SpringChoice) -> list[Finding]:
+    findings = []
+    if row.natural_frequency > 1.5 * choice.target_frequency:
+        text = (
+            f"{row.name} is the best of these, but its {row.natural_frequency:.3g} Hz are still "
+            f"{row.natural_frequency / choice.target_frequency:.2g} times the target of "
+            f"{choice.target_frequency:.3g} Hz."
+        )
+        findings.append(Finding("springs", "warning", text, row.natural_frequency))
+    if row.travel_share > 0.5:
+        text = f"{row.name} uses {100 * row.travel_share:.0f} % of the available travel standing still."
+        findings.append(Finding("springs", "warning", text, row.travel_share))
+    if choice.strut_angle > math.radians(30.0):
+        text = "struts inclined by more than 30 degrees work poorly (Adams 1993)."
+        findings.append(Finding("springs", "warning", text, choice.strut_angle))
+    return findings

@@ -1,0 +1,333 @@
+"""From bench files to the values a rig starts from; a bench table that fails does not stop the others."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Literal
+
+from jounce.campaign.description import Bench, DecayBench, StiffnessBench
+from jounce.campaign.setup import Knowledge, with_tyre
+from jounce.core.errors import JounceError, RecordingError
+from jounce.core.findings import Finding
+from jounce.core.units import to_si
+from jounce.design.lumping import lump
+from jounce.identify.combination import CombinedDecay, combine_decays
+from jounce.identify.decay import DecayResult, fit_decay
+from jounce.identify.force_deflection import ForceDeflectionTrial
+from jounce.identify.stiffness import StiffnessResult, fit_stiffness
+from jounce.identify.tyre_pressure import PressureStiffness, stiffness_against_pressure
+from jounce.parts import Corner, Rig
+from jounce.parts.leverage import static_spring_force
+from jounce.recordings import channel_unit, read_columns, read_recording
+from jounce.simulation import linearise
+
+
+@dataclass(frozen=True)
+class Replaced:
+    """One rig value that a measurement replaced, SI."""
+
+    path: str
+    described: float | None
+    measured: float
+    standard_error: float | None
+    source: str
+
+
+@dataclass
+class Characterisation:
+    """What the bench says: results of each table, and which rig values they replaced."""
+
+    spring: StiffnessResult | None = None
+    tyre: dict[str, StiffnessResult] = field(default_factory=dict)
+    tyre_polynomial: dict[str, StiffnessResult] = field(default_factory=dict)
+    pressure: PressureStiffness | None = None
+    decay: DecayResult | CombinedDecay | None = None
+    decays: tuple[DecayResult, ...] = ()
+    replaced: list[Replaced] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=list)
+    failed: list[str] = field(default_factory=list)
+
+
+def characterise(rig: Rig, bench: Bench, folder: Path) -> tuple[Characterisation, Knowledge]:
+    """Evaluate all bench tables of a campaign.
+
+    Parameters
+    ----------
+    rig : Rig
+        Values as described; the measured ones replace them.
+    bench : Bench
+        Tables of the campaign file.
+    folder : Path
+        Folder the file patterns are relative to.
+
+    Returns
+    -------
+    Characterisation
+        Results, SI.
+    Knowledge
+        The rig with measured values, and its tyre by pressure.
+    """
+    found = Characterisation()
+    knowledge = Knowledge(rig)
+    steps: list[tuple[Callable[..., Knowledge], str, Any]] = [
+        (_spring, "bench.spring", bench.spring),
+        (_tyre, "bench.tyre", bench.tyre),
+        (_decay, "bench.decay", bench.decay),
+    ]
+    for step, place, table in steps:
+        if not table:
+            continue
+        try:
+            knowledge = step(found, knowledge, table, folder)
+        except JounceError as error:
+            found.failed.append(place)
+            text = f"{error} The described value is used instead."
+            found.findings.append(Finding(place, "problem", text))
+    return found, knowledge
+
+
+def files_of(patterns: tuple[str, ...], folder: Path, where: str) -> list[Path]:
+    """Find the files of a table; every pattern must match at least one."""
+    found: list[Path] = []
+    for pattern in patterns:
+        matches = sorted(folder.glob(pattern)) if not Path(pattern).is_absolute() else [Path(pattern)]
+        if not matches:
+            raise RecordingError(
+                "no file matches", where=where, found=pattern, hint=f"The pattern is relative to {folder}."
+            )
+        found += matches
+    return found
+
+
+def read_force_deflection(
+    files: list[Path], columns: dict[str, str]
+) -> tuple[list[ForceDeflectionTrial], list[Finding]]:
+    """Read trials of a test machine: columns ``displacement`` (m) and ``force`` (N), compression positive."""
+    trials, findings = [], []
+    for file in files:
+        table, notes = read_columns(file, {"displacement": "m", "force": "N"}, columns=columns or None)
+        trials.append(ForceDeflectionTrial(table["displacement"], table["force"], file.name))
+        findings += notes
+    return trials, findings
+
+
+def _fit(
+    table: StiffnessBench, folder: Path, where: str, load: float, found: Characterisation, **choice: Any
+) -> StiffnessResult:
+    trials, findings = read_force_deflection(files_of(table.files, folder, where), table.columns)
+    settings: dict[str, Any] = {
+        "law": table.law,
+        "degree": table.degree,
+        "discard_below": table.discard_below,
+        "intercept": table.intercept,
+        "branch": table.branch,
+        "operating_force": load,
+        **choice,
+    }
+    result = fit_stiffness(trials, **settings)
+    found.findings += [
+        Finding(f"{where}: {f.place}", f.severity, f.message, f.value) for f in (*findings, *result.findings)
+    ]
+    return result
+
+
+def _spring(found: Characterisation, knowledge: Knowledge, table: StiffnessBench, folder: Path) -> Knowledge:
+    rig = knowledge.rig
+    values = rig.parameters()
+    result = found.spring = _fit(table, folder, "bench.spring", _static_spring_force(rig), found)
+    dump = rig.model_dump(by_alias=True, exclude_none=True)
+    dump["strut"]["spring"] = _measured_spring(result, values)
+    found.replaced.append(
+        Replaced(
+            "strut.spring.rate",
+            values.get("strut.spring.rate"),
+            result.stiffness.value,
+            result.stiffness.standard_error,
+            "bench.spring",
+        )
+    )
+    return Knowledge(type(rig).from_table(dump), knowledge.tyres, knowledge.between)
+
+
+def _measured_spring(result: StiffnessResult, values: Mapping[str, float]) -> dict[str, Any]:
+    """Describe the spring with its measured law; what the rig says of its load stays: preload, or free length."""
+    load = {key: values[f"strut.spring.{key}"] for key in ("preload", "free_length") if f"strut.spring.{key}" in values}
+    if result.law != "linear":
+        return {**load, "curve": result.curve.to_table(result.fitted_range[1])}
+    rate = result.stiffness.value
+    if result.intercept_choice == "keep" and result.intercept is not None:
+        if "free_length" in load:
+            load["free_length"] += result.intercept.value / rate
+        else:
+            load["preload"] = result.intercept.value
+    return {**load, "rate": rate}
+
+
+def _static_spring_force(rig: Rig) -> float:
+    """Force in N with which the spring carries the rig at rest, at design in 3-D."""
+    if isinstance(rig, Corner):
+        return static_spring_force(rig)
+    values = rig.parameters()
+    return values["sprung.mass"] * values["gravity"] / math.cos(values.get("strut.angle", 0.0))
+
+
+def static_tyre_force(rig: Rig) -> float:
+    """Force in N with which the tyre carries the rig at rest."""
+    values = rig.parameters()
+    if isinstance(rig, Corner):
+        masses = [body.mass for body in rig.body_masses().values()]
+        return (values.get("sprung.mass", 0.0) + sum(masses)) * rig.gravity
+    return (values["sprung.mass"] + values["unsprung.mass"]) * values["gravity"]
+
+
+def _tyre(found: Characterisation, knowledge: Knowledge, tables: dict[str, StiffnessBench], folder: Path) -> Knowledge:
+    values = knowledge.rig.parameters()
+    load = static_tyre_force(knowledge.rig)
+    tyres = {}
+    for name, table in tables.items():
+        place, pressure = f'bench.tyre."{name}"', to_si(name, "Pa", where="bench.tyre")
+        result = found.tyre[name] = _fit(table, folder, place, load, found)
+        tyres[pressure] = _tyre_table(result)
+        found.replaced.append(
+            Replaced(
+                "tyre.stiffness",
+                values.get("tyre.stiffness"),
+                result.stiffness.value,
+                result.stiffness.standard_error,
+                place,
+            )
+        )
+    points = [(to_si(name, "Pa"), result.stiffness) for name, result in found.tyre.items()]
+    found.pressure = stiffness_against_pressure(points)
+    found.findings += found.pressure.findings
+    linear = all(result.law == "linear" for result in found.tyre.values())
+
+    def between(pressure: float) -> dict[str, Any]:
+        if not linear or found.pressure is None:
+            nearest = min(tyres, key=lambda known: abs(known - pressure))
+            return tyres[nearest]
+        stiffness, notes = found.pressure.at(pressure)
+        found.findings += [note for note in notes if note not in found.findings]
+        return {"stiffness": stiffness.value}
+
+    first = next(iter(tyres.values()))
+    return Knowledge(with_tyre(knowledge.rig, first), tyres, between)
+
+
+def polynomial_tyres(bench: Bench, knowledge: Knowledge, folder: Path, found: Characterisation) -> Knowledge:
+    """Knowledge with the tyre's measured curve (cubic through the origin, all points) instead of its stiffness."""
+    load = static_tyre_force(knowledge.rig)
+    tyres = {}
+    for name, table in bench.tyre.items():
+        if name not in found.tyre_polynomial:
+            found.tyre_polynomial[name] = _fit(
+                table, folder, f'bench.tyre."{name}" as polynomial', load, found, law="polynomial", discard_below=0.0
+            )
+        tyres[to_si(name, "Pa")] = _tyre_table(found.tyre_polynomial[name])
+    if not tyres:
+        raise RecordingError(
+            'tyre_law = "polynomial" needs measured tyre curves', where="update", allowed='a [bench.tyre."P"] table'
+        )
+
+    def between(pressure: float) -> dict[str, Any]:
+        return tyres[min(tyres, key=lambda known: abs(known - pressure))]
+
+    return Knowledge(with_tyre(knowledge.rig, next(iter(tyres.values()))), tyres, between)
+
+
+def _tyre_table(result: StiffnessResult) -> dict[str, Any]:
+    if result.law == "linear":
+        return {"stiffness": result.stiffness.value}
+    return {"curve": result.curve.to_table(result.fitted_range[1])}
+
+
+def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, folder: Path) -> Knowledge:
+    """Damping at the strut from free decays of the sprung mass.
+
+    On its tyre, strut and tyre act in series: the decay sees ``c_w (k_t / (k_w + k_t))^2`` of the wheel-referred
+    damping ``c_w = c r^2`` (motion ratio ``r``, lumped ``cos(angle)``); with the hub blocked it sees ``c_w``.
+    """
+    rig = knowledge.rig
+    values = rig.parameters()
+    seen_at = _at_wheel(rig)
+    share = seen_at.tyre_rate / (seen_at.wheel_rate + seen_at.tyre_rate) if table.support == "tyre" else 1.0
+    stiffness = seen_at.wheel_rate * share
+    results = []
+    for file in files_of(table.files, folder, "bench.decay"):
+        data, notes = read_recording(file, columns=table.columns or None)
+        found.findings += notes
+        if table.channel not in data:
+            raise RecordingError(
+                "the channel is missing",
+                where=file.name,
+                found=", ".join(map(str, data.data_vars)),
+                allowed=table.channel,
+            )
+        results.append(
+            fit_decay(
+                data["time"].to_numpy(),
+                data[table.channel].to_numpy(),
+                mass=seen_at.sprung_mass,
+                stiffness=stiffness,
+                quantity=_quantity(table.channel),
+                name=file.name,
+            )
+        )
+    found.decays = tuple(results)
+    found.decay = combine_decays(results) if len(results) > 1 else results[0]
+    found.findings += [Finding(f"bench.decay: {f.place}", f.severity, f.message, f.value) for f in found.decay.findings]
+    if "strut.damper.coefficient" not in values:
+        text = "the rig's damper is no plain coefficient; the decay is reported and does not replace it"
+        found.findings.append(Finding("bench.decay", "note", text))
+        return knowledge
+    factor = 1.0 / (seen_at.lever * share**2)
+    seen = found.decay.damping_coefficient
+    error = None if seen.standard_error is None else seen.standard_error * factor
+    found.replaced.append(
+        Replaced(
+            "strut.damper.coefficient", values["strut.damper.coefficient"], seen.value * factor, error, "bench.decay"
+        )
+    )
+    changed = rig.with_changes({"strut.damper.coefficient": max(seen.value * factor, 0.0)})
+    return Knowledge(changed, knowledge.tyres, knowledge.between)
+
+
+def _quantity(channel: str) -> Literal["displacement", "velocity", "acceleration"]:
+    """What a decay channel measures, by its unit."""
+    unit = channel_unit(channel)
+    kinds: dict[str, Literal["displacement", "velocity", "acceleration"]] = {
+        "m": "displacement",
+        "m/s": "velocity",
+        "m/s^2": "acceleration",
+    }
+    if unit not in kinds:
+        allowed = "a displacement, velocity or acceleration"
+        raise RecordingError("not a motion", where=f"bench.decay: channel {channel!r}", found=unit, allowed=allowed)
+    return kinds[unit]
+
+
+@dataclass(frozen=True)
+class _AtWheel:
+    """A rig at rest: rates of strut and tyre at the wheel (N/m), sprung mass (kg), damping there over the damper's."""
+
+    wheel_rate: float
+    tyre_rate: float
+    sprung_mass: float
+    lever: float
+
+
+def _at_wheel(rig: Rig) -> _AtWheel:
+    """Give what a decay needs of a rig about static equilibrium; tangents of curves."""
+    if isinstance(rig, Corner):
+        lumped = lump(rig)
+        sprung, _ = lumped.effective_masses
+        return _AtWheel(lumped.wheel_rate, lumped.tyre_stiffness, sprung, lumped.damper_ratio**2)
+    values, model = rig.parameters(), linearise(rig)
+    row = {name: i for i, name in enumerate(model.states)}
+    wheel_rate = -values["sprung.mass"] * model.A[row["sprung.vz"], row["sprung.z"]]
+    both = -values["unsprung.mass"] * model.A[row["unsprung.vz"], row["unsprung.z"]]
+    lever = math.cos(values.get("strut.angle", 0.0)) ** 2
+    return _AtWheel(float(wheel_rate), float(both - wheel_rate), values["sprung.mass"], lever)

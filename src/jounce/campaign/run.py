@@ -1,0 +1,302 @@
+"""Run a campaign: characterise, update strategy by strategy, hold every trial against the model."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import xarray as xr
+
+from jounce.campaign.characterise import Characterisation, characterise, polynomial_tyres
+from jounce.campaign.description import Campaign, TrialEntry, UpdateEntry, load_campaign
+from jounce.campaign.result import CampaignResult, StrategyResult, TrialResult
+from jounce.campaign.rig_text import updated_text
+from jounce.campaign.setup import Knowledge
+from jounce.campaign.validation import Signals, TrialComparison, compare_trial
+from jounce.core.errors import DescriptionError, FitError, JounceError, unknown
+from jounce.core.findings import Finding
+from jounce.design.lumping import lumped_from
+from jounce.design.model_comparison import ModelComparison, PeakDifference, compare_models, compare_peaks
+from jounce.identify.update import FitTrial, check_free, update_model
+from jounce.parts import Corner, Rig, load, rig_findings, rig_path
+from jounce.parts.strut_angle import strut_angle_findings, with_strut_angle
+from jounce.recordings import read_recording
+from jounce.roads import Road, Train, Trial, read_roads
+from jounce.simulation.compiled import compile_rig
+
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class _Loaded:
+    """A trial whose road and recording could be read."""
+
+    entry: TrialEntry
+    trial: Trial
+    measured: xr.Dataset
+
+
+def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -> CampaignResult:
+    """Evaluate a whole bench campaign.
+
+    Parameters
+    ----------
+    path : path
+        Campaign TOML; files it names are relative to its folder.
+    progress : callable
+        Called with one line of text as the work goes on.
+
+    Returns
+    -------
+    CampaignResult
+        Nothing is written; see :func:`jounce.report.write_campaign`. What fails (a bench table, a trial, an update)
+        is a finding of severity ``problem``; the rest is done.
+
+    Raises
+    ------
+    DescriptionError
+        When the campaign, rig or road tables cannot be understood.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from jounce.papers.template import new_campaign
+    >>> result = run_campaign(new_campaign(tempfile.mkdtemp() + "/mine"))
+    >>> result.is_complete, result.strategies[0].update.reduction_percent > 0.0
+    (True, True)
+    """
+    file = Path(path)
+    campaign, text = load_campaign(file)
+    rig_file = _rig_file(campaign.rig, file.parent)
+    rig = load(rig_file)
+    roads = read_roads(campaign.roads, where=str(file), text=text, folder=file.parent)
+    _check_references(campaign, roads, file)
+    _check_sensors(campaign, rig, file)
+    findings = rig_findings(rig, rig_file.name) + check_strut_angles(campaign, rig, file)
+    _check_updates(campaign, rig, file)
+    progress("bench: " + ", ".join(name for name in ("spring", "tyre", "decay") if getattr(campaign.bench, name)))
+    bench, knowledge = characterise(rig, campaign.bench, file.parent)
+    findings += bench.findings
+    loaded = _load_trials(campaign, roads, file.parent, findings)
+    runner = _Runner(campaign, file.parent, loaded, rig_file.read_text(encoding="utf-8"), bench, findings, progress)
+    strategies = runner.update_all(knowledge)
+    trials = runner.compare_all(knowledge, strategies)
+    lumped = runner.compare_with_lumped(strategies[-1].knowledge if strategies else knowledge)
+    return CampaignResult(
+        campaign,
+        file.parent,
+        rig,
+        knowledge.rig,
+        bench,
+        tuple(strategies),
+        tuple(trials),
+        tuple(_unique(findings)),
+        lumped,
+    )
+
+
+def _rig_file(name: str, folder: Path) -> Path:
+    beside = folder / name
+    return beside if beside.suffix == ".toml" else rig_path(name)
+
+
+def _check_references(campaign: Campaign, roads: dict[str, Road], file: Path) -> None:
+    for i, entry in enumerate(campaign.trial):
+        if entry.road is not None and entry.road not in roads:
+            raise unknown(entry.road, roads, what="road", where=f"{file}: trial[{i}].road (number {entry.number})")
+
+
+def _check_sensors(campaign: Campaign, rig: Rig, file: Path) -> None:
+    channels = compile_rig(rig).output_names
+    for name in campaign.sensors:
+        if name not in channels:
+            raise unknown(name, channels, what="channel", where=f"{file}: sensors")
+
+
+def check_strut_angles(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
+    """Refuse angles that this rig's strut cannot take; list those that the literature rejects."""
+    findings: list[Finding] = []
+    for i, entry in enumerate(campaign.trial):
+        if entry.strut_angle is None:
+            continue
+        try:
+            with_strut_angle(rig, entry.strut_angle)
+        except DescriptionError as error:
+            place = f"{file}: trial[{i}].strut_angle (number {entry.number})"
+            raise DescriptionError(
+                error.what, where=place, found=error.found, allowed=error.allowed, hint=error.hint
+            ) from None
+        findings += strut_angle_findings(entry.strut_angle, f"trial {entry.number}: strut_angle")
+    return findings
+
+
+def _check_updates(campaign: Campaign, rig: Rig, file: Path) -> None:
+    """Refuse updates that cannot be meant, before any work is done."""
+    for i, entry in enumerate(campaign.update):
+        place = f"{file}: update[{i}].free ({entry.name})"
+        curve = {path for path in entry.free if path.startswith("tyre.curve") and entry.tyre_law == "polynomial"}
+        check_free(
+            rig,
+            {path: bounds for path, bounds in entry.free.items() if path not in curve},
+            where=place,
+            more=len(curve),
+        )
+
+
+def _load_trials(
+    campaign: Campaign, roads: dict[str, Road], folder: Path, findings: list[Finding]
+) -> dict[int, _Loaded]:
+    loaded = {}
+    for entry in campaign.trial:
+        place = f"trial {entry.number}"
+        try:
+            measured, notes = read_recording(folder / entry.recording, columns=entry.columns or None)
+            duration = entry.duration or float(measured["time"][-1])
+            if entry.excitation is not None:
+                trial = Trial(excitation=folder / entry.excitation, duration=duration)
+            else:
+                trial = Trial(road=roads[str(entry.road)], speed=entry.speed, duration=duration)
+            _check_length(trial, measured)
+            loaded[entry.number] = _Loaded(entry, trial, measured.sel(time=slice(None, duration)))
+        except JounceError as error:
+            findings.append(Finding(place, "problem", f"{error} The trial is left out."))
+        else:
+            findings += [Finding(f"{place}: {note.place}", note.severity, note.message, note.value) for note in notes]
+    return loaded
+
+
+def _check_length(trial: Trial, measured: xr.Dataset) -> None:
+    last = min(float(measured["time"][-1]), trial.duration)
+    if last < trial.obstacle_end():
+        raise FitError(
+            "the recording is shorter than the obstacle pass",
+            found=f"{last:.4g} s",
+            allowed=f"at least {trial.obstacle_end():.4g} s",
+            hint="Check speed, start and length of the obstacle, or record longer.",
+        )
+
+
+@dataclass
+class _Runner:
+    campaign: Campaign
+    folder: Path
+    loaded: dict[int, _Loaded]
+    rig_text: str
+    bench: Characterisation
+    findings: list[Finding]
+    progress: Progress
+
+    def fit_trial(self, item: _Loaded, knowledge: Knowledge) -> FitTrial:
+        entry = item.entry
+        rig = knowledge.rig_for(entry.strut_angle, entry.tyre_pressure, entry.changes)
+        return FitTrial(f"trial {entry.number}", rig, item.trial, item.measured, self.campaign.sensors)
+
+    def update_all(self, start: Knowledge) -> list[StrategyResult]:
+        done: dict[str, StrategyResult] = {}
+        for entry in self.campaign.update:
+            try:
+                self.progress(f"update: {entry.name}")
+                done[entry.name] = self._update(entry, start, done)
+            except JounceError as error:
+                self.findings.append(Finding(entry.name, "problem", f"{error} The update is left out."))
+        return list(done.values())
+
+    def _update(self, entry: UpdateEntry, start: Knowledge, done: dict[str, StrategyResult]) -> StrategyResult:
+        knowledge = start
+        if entry.start_from is not None:
+            if entry.start_from not in done:
+                raise FitError("the update it starts from failed", found=entry.start_from)
+            knowledge = done[entry.start_from].knowledge
+        if entry.tyre_law == "polynomial":
+            knowledge = polynomial_tyres(self.campaign.bench, knowledge, self.folder, self.bench)
+        chosen = self._chosen(entry)
+        trials = [self.fit_trial(item, knowledge) for item in chosen]
+        result = update_model(
+            trials,
+            entry.free,
+            name=entry.name,
+            method=entry.method,
+            weights=entry.weights,
+            channels=entry.channels,
+            align=entry.align,
+            starts=entry.starts,
+        )
+        self.findings += [
+            f if f.place == entry.name else Finding(f"{entry.name}: {f.place}", f.severity, f.message, f.value)
+            for f in result.findings
+        ]
+        after = knowledge.after(result.parameters, [item.entry.tyre_pressure for item in chosen])
+        numbers = tuple(item.entry.number for item in chosen)
+        return StrategyResult(result, after, numbers, updated_text(self.rig_text, after.rig))
+
+    def _chosen(self, entry: UpdateEntry) -> list[_Loaded]:
+        if entry.trials == "fit":
+            return [item for item in self.loaded.values() if item.entry.use == "fit"]
+        lost = [number for number in entry.trials if number not in self.loaded]
+        if lost:
+            raise FitError("a trial it needs could not be used", found=f"trial {lost[0]}")
+        return [self.loaded[number] for number in entry.trials]
+
+    def compare_all(self, start: Knowledge, strategies: list[StrategyResult]) -> list[TrialResult]:
+        final = strategies[-1].knowledge if strategies else start
+        lags = {name: lag for strategy in strategies for name, lag in strategy.update.lags.items()}
+        aligned = any(entry.align for entry in self.campaign.update)
+        return [self._compare(entry, start, final, lags, aligned) for entry in self.campaign.trial]
+
+    def compare_with_lumped(self, knowledge: Knowledge) -> ModelComparison | None:
+        """Hold the quarter car that a 3-D rig amounts to against it; None for a lumped rig."""
+        if not isinstance(knowledge.rig, Corner) or knowledge.rig.guide == "fixed":
+            return None
+        self.progress("compare: lumped model")
+        try:
+            found = compare_models(knowledge.rig)
+            peaks = [peak for item in self.loaded.values() for peak in self._peaks(item, knowledge)]
+        except JounceError as error:
+            self.findings.append(Finding("lumped model", "warning", f"{error} It is not compared with the 3-D rig."))
+            return None
+        return replace(found, peaks=tuple(peaks))
+
+    def _peaks(self, item: _Loaded, knowledge: Knowledge) -> list[PeakDifference]:
+        entry = item.entry
+        rig = knowledge.rig_for(entry.strut_angle, entry.tyre_pressure, entry.changes)
+        assert isinstance(rig, Corner)
+        return compare_peaks(f"trial {entry.number}", rig, lumped_from(rig), item.trial)
+
+    def _compare(
+        self, entry: TrialEntry, start: Knowledge, final: Knowledge, lags: dict[str, float], aligned: bool
+    ) -> TrialResult:
+        name = f"trial {entry.number}"
+        item = self.loaded.get(entry.number)
+        if item is None:
+            return TrialResult(entry, None, None, None, {}, {})
+        self.progress(f"compare: {name}")
+        lag = lags.get(name, None if aligned else 0.0)
+        pitch = item.trial.road.pitch if isinstance(item.trial.road, Train) else None
+        compared: list[tuple[TrialComparison | None, dict[str, Signals]]] = []
+        for knowledge in (start, final):
+            try:
+                comparison, signals, notes = compare_trial(self.fit_trial(item, knowledge), lag)
+                if knowledge is final:
+                    self.findings += _without_repeats(notes)
+                compared.append((comparison, signals))
+            except JounceError as error:
+                self.findings.append(Finding(name, "problem", str(error)))
+                compared.append((None, {}))
+        (before, curves_before), (after, curves) = compared
+        return TrialResult(entry, pitch, before, after, curves_before, curves)
+
+
+def _without_repeats(notes: list[Finding]) -> list[Finding]:
+    """Ratings' notes about the sample rate are the same for all trials: they are said once a channel."""
+    return [
+        Finding(n.place.split(", ")[-1], n.severity, n.message, n.value) if n.severity == "note" else n for n in notes
+    ]
+
+
+def _unique(findings: list[Finding]) -> list[Finding]:
+    """Each finding once, in order; the same sentence about many places becomes one."""
+    seen: dict[tuple[str, str], Finding] = {}
+    for finding in findings:
+        seen.setdefault((finding.place, finding.message), finding)
+    return list(seen.values())

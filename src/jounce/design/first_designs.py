@@ -1,0 +1,376 @@
+"""First designs: springs and dampers from frequencies and damping ratios, best dampers by formula and by search."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError
+from jounce.core.findings import Finding
+from jounce.core.serialise import to_plain
+from jounce.core.units import to_si
+from jounce.design.problem import DesignProblem, design_problem
+from jounce.design.search import search
+from jounce.design.text import springs_text
+from jounce.identify.update.free import Bounds
+from jounce.parts import QuarterCar, Rig
+from jounce.parts.elements import LinearDamper
+from jounce.parts.vehicles import FullCar3D, HalfCar, Vehicle
+from jounce.ride.closed_forms import (
+    LumpedCorner,
+    SpringAndDamper,
+    as_built,
+    comfort_damping,
+    corner_masses,
+    road_holding_damping,
+    spring_and_damper,
+)
+from jounce.ride.surface import Density
+
+COMFORT, HOLDING, TRAVEL = "sprung.az", "tyre.force coefficient", "strut.deflection"
+_RANGE = (0.2, 5.0)
+"""Shares of the closed form between which a best damper is searched."""
+
+
+@dataclass(frozen=True)
+class Wheel:
+    """What one wheel carries, and where its spring and damper stand in the description, SI.
+
+    Attributes
+    ----------
+    place : str
+        ``front``, ``rear``; empty for a quarter car.
+    sprung_mass : float
+        On one wheel, kg.
+    spring, damper : str
+        Paths of rate and coefficient.
+    motion_ratio : float
+        Spring travel over wheel travel (1).
+    unsprung_mass, tyre_stiffness : float or None
+        kg and N/m; None where the model has none.
+    tyre_damping : float
+        N*s/m.
+    """
+
+    place: str
+    sprung_mass: float
+    spring: str
+    damper: str
+    motion_ratio: float = 1.0
+    unsprung_mass: float | None = None
+    tyre_stiffness: float | None = None
+    tyre_damping: float = 0.0
+
+    def lumped(self, values: Mapping[str, float]) -> LumpedCorner:
+        """Quarter car of this wheel, with the numbers (SI) of its rig."""
+        if self.unsprung_mass is None or self.tyre_stiffness is None:
+            raise DescriptionError(
+                "best dampers need a wheel with a mass on a tyre of constant stiffness",
+                where=self.place or "tyre",
+                hint="Give unsprung masses and tyres: a quarter car, a half-car-4dof or a full car.",
+            )
+        lever = self.motion_ratio**2
+        rates = values[self.spring] * lever, values[self.damper] * lever
+        return LumpedCorner(self.sprung_mass, self.unsprung_mass, rates[0], self.tyre_stiffness, rates[1])
+
+
+def wheels_of(rig: Rig) -> tuple[Wheel, ...]:
+    """Wheels of a quarter car, or one of each axle of a vehicle.
+
+    Raises
+    ------
+    DescriptionError
+        For rigs in 3-D, and springs and dampers with more than one number.
+    """
+    if isinstance(rig, QuarterCar):
+        tyre, ratio = rig.tyre, float(np.cos(rig.strut.angle))
+        damper = _linear("strut.damper", rig.strut.damper)
+        return (
+            Wheel(
+                "", rig.sprung.mass, _rate("strut.spring", rig.strut.spring.rate), damper, ratio,
+                rig.unsprung.mass, tyre.stiffness, tyre.damping_coefficient,
+            ),
+        )  # fmt: skip
+    if not isinstance(rig, Vehicle) or isinstance(rig, FullCar3D):
+        raise DescriptionError(
+            "this is for quarter cars and lumped vehicles",
+            where="design",
+            found=getattr(rig, "model", type(rig).__name__),
+            hint="jn.lumped_from(rig) gives the quarter car that a corner in 3-D amounts to.",
+        )
+    vehicle: Any = rig
+    masses = corner_masses(vehicle.body.mass, vehicle.front.distance, vehicle.rear.distance)
+    return tuple(_axle(rig, name, mass) for name, mass in zip(("front", "rear"), masses, strict=True))
+
+
+def _axle(rig: Rig, name: str, mass: float) -> Wheel:
+    axle: Any = getattr(rig, name)
+    if isinstance(rig, HalfCar):
+        return Wheel(name, mass, f"{name}.spring_rate", f"{name}.damping_coefficient")
+    if axle.spring_rate is not None:
+        spring = f"{name}.spring_rate"
+    else:
+        spring = _rate(f"{name}.spring", axle.spring.rate)
+    damper = f"{name}.damping_coefficient" if axle.damper is None else _linear(f"{name}.damper", axle.damper)
+    tyre = axle.tyre
+    return Wheel(name, mass, spring, damper, 1.0, axle.unsprung_mass, tyre.stiffness, tyre.damping_coefficient)
+
+
+def _rate(path: str, rate: float | None) -> str:
+    if rate is None:
+        raise DescriptionError("the spring is a curve, not one rate", where=path, allowed=f"{path}.rate")
+    return f"{path}.rate"
+
+
+def _linear(path: str, damper: object) -> str:
+    if not isinstance(damper, LinearDamper):
+        kind = getattr(damper, "kind", type(damper).__name__)
+        raise DescriptionError("the damper has more than one number", where=path, found=str(kind), allowed="linear")
+    return f"{path}.coefficient"
+
+
+@dataclass(frozen=True)
+class WheelDesign:
+    """Spring and damper of one wheel, SI.
+
+    Attributes
+    ----------
+    place : str
+        ``front``, ``rear``; empty for a quarter car.
+    sprung_mass : float
+        kg.
+    present, wanted : SpringAndDamper
+        As in the rig, and as asked for.
+    changes : dict
+        Paths to the wanted values.
+    """
+
+    place: str
+    sprung_mass: float
+    present: SpringAndDamper
+    wanted: SpringAndDamper
+    changes: dict[str, float]
+
+
+@dataclass(frozen=True)
+class SpringDesign:
+    """Springs and dampers for the frequencies that were asked for.
+
+    Attributes
+    ----------
+    rig : Rig
+        With them.
+    wheels : tuple of WheelDesign
+        One of each axle.
+    with_tyre : bool
+        Whether the frequency is that of spring and tyre in series.
+    findings : tuple of Finding
+        What to think about.
+    """
+
+    rig: Rig
+    wheels: tuple[WheelDesign, ...]
+    with_tyre: bool
+    findings: tuple[Finding, ...]
+
+    def __str__(self) -> str:
+        return springs_text(self)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give plain values, SI; the rig by its changes."""
+        changes = {path: value for wheel in self.wheels for path, value in wheel.changes.items()}
+        plain = {"wheels": self.wheels, "with_tyre": self.with_tyre, "changes": changes, "findings": self.findings}
+        return {name: to_plain(value) for name, value in plain.items()}
+
+
+def design_springs(
+    rig: Rig,
+    frequency: float | str | tuple[float | str, float | str],
+    damping_ratio: float | tuple[float, float],
+    *,
+    with_tyre: bool = False,
+) -> SpringDesign:
+    """Springs and dampers that give every wheel's share of the body a natural frequency and a damping ratio.
+
+    Parameters
+    ----------
+    rig : Rig
+        Quarter car, half car or full car with one rate a spring and a linear damper. The lever rule gives the sprung
+        mass on each wheel of a vehicle.
+    frequency : float, str or tuple
+        Hz; a pair for front and rear.
+    damping_ratio : float or tuple of float
+        Of critical (1), the tyre taken as rigid; a pair for front and rear.
+    with_tyre : bool
+        Whether the frequency is that of spring and tyre in series, as it is measured on the car.
+
+    Returns
+    -------
+    SpringDesign
+        SI, with the rig changed accordingly.
+
+    Raises
+    ------
+    DescriptionError
+        For values out of range, rigs in 3-D, and laws with more than one number.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> demo = design_springs(jn.load("sldemo-half-car"), "1.43828 Hz", 0.4)   # 28 and 21 N/mm: one frequency
+    >>> [round(wheel.wanted.spring_rate, -1) for wheel in demo.wheels]
+    [28000.0, 21000.0]
+    """
+    wheels, values = wheels_of(rig), rig.parameters()
+    wanted = zip(
+        wheels, _each(frequency, wheels, "frequency"), _each(damping_ratio, wheels, "damping_ratio"), strict=True
+    )
+    gravity = values["gravity"]
+    found = []
+    for wheel, hertz, share in wanted:
+        if with_tyre and wheel.tyre_stiffness is None:
+            raise DescriptionError("the model has no tyre of constant stiffness", where="with_tyre")
+        tyre = wheel.tyre_stiffness if with_tyre else None
+        design = spring_and_damper(
+            wheel.sprung_mass, hertz, to_si(share, "1", where="damping_ratio"),
+            tyre_stiffness=tyre, motion_ratio=wheel.motion_ratio, gravity=gravity,
+        )  # fmt: skip
+        present = as_built(
+            wheel.sprung_mass, values[wheel.spring], values[wheel.damper],
+            tyre_stiffness=tyre, motion_ratio=wheel.motion_ratio, gravity=gravity,
+        )  # fmt: skip
+        changes = {wheel.spring: design.spring_rate, wheel.damper: design.damping_coefficient}
+        found.append(WheelDesign(wheel.place, wheel.sprung_mass, present, design, changes))
+    changed = rig.with_changes({path: value for wheel in found for path, value in wheel.changes.items()})
+    return SpringDesign(changed, tuple(found), with_tyre, tuple(_advice(rig, found)))
+
+
+def _each(value: Any, wheels: tuple[Wheel, ...], where: str) -> tuple[Any, ...]:
+    """One value for each wheel."""
+    if not isinstance(value, (tuple, list)):
+        return (value,) * len(wheels)
+    if len(value) != len(wheels):
+        places = ", ".join(wheel.place for wheel in wheels) or "one wheel"
+        raise DescriptionError("not one value for each axle", where=where, found=list(value), allowed=places)
+    return tuple(value)
+
+
+def _advice(rig: Rig, wheels: list[WheelDesign]) -> list[Finding]:
+    found = []
+    for wheel in wheels:
+        if wheel.wanted.static_deflection > 0.25:
+            text = (
+                f"the spring sags {1e3 * wheel.wanted.static_deflection:.0f} mm under the body; without preload or "
+                "levelling that is more travel than cars have."
+            )
+            found.append(Finding(wheel.place or "spring", "note", text, wheel.wanted.static_deflection))
+    if len(wheels) == 2:
+        front, rear = (wheel.wanted.frequency_hz for wheel in wheels)
+        if rear < front:
+            text = (
+                "the rear is softer than the front; after a bump the car pitches less when the rear, which meets it "
+                "later, swings faster (Olley's flat ride: some 10 to 20 %)."
+            )
+            found.append(Finding("rear", "note", text, rear / front))
+        vehicle: Any = rig
+        levers = [w.wanted.wheel_rate * getattr(vehicle, w.place).distance for w in wheels]
+        ratio = levers[0] / levers[1]
+        text = f"front over rear rate times distance is {ratio:.3g}; 1 uncouples bounce from pitch."
+        found.append(Finding("front, rear", "note", text, ratio))
+    return found
+
+
+@dataclass(frozen=True)
+class BestDamper:
+    """Dampers with the least of one metric, by the closed form of each wheel and by a search on the whole model, SI.
+
+    Attributes
+    ----------
+    goal : str
+        ``comfort`` or ``road holding``.
+    metric, unit : str
+        What is least there, and its unit.
+    present, closed_form, searched : dict
+        Path to the damping coefficient, N*s/m.
+    values : dict
+        ``present``, ``closed_form`` and ``searched`` to the metric.
+    """
+
+    goal: Literal["comfort", "road holding"]
+    metric: str
+    unit: str
+    present: dict[str, float]
+    closed_form: dict[str, float]
+    searched: dict[str, float]
+    values: dict[str, float]
+
+
+def best_dampers(
+    rig: Rig,
+    road: str | float | Density,
+    speed: float | str,
+    *,
+    band: tuple[float, float] | Literal["iso"] | None = None,
+    comfort: str = COMFORT,
+    holding: str = HOLDING,
+) -> tuple[BestDamper, BestDamper]:
+    """Best dampers for comfort and for road holding: closed forms of the quarter car beside a search.
+
+    Parameters
+    ----------
+    rig : Rig
+        Quarter car, half-car-4dof or full car with linear dampers.
+    road : str, float or callable
+        As for :func:`optimise`: class, degree of roughness in m^3, or density.
+    speed : float or str
+        m/s.
+    band : tuple of float or "iso", optional
+        Spatial frequencies of the road, 1/m; by default white noise where all metrics are finite on it.
+    comfort, holding : str
+        Metrics that are to be least.
+
+    Returns
+    -------
+    tuple of BestDamper
+        Comfort, road holding. The closed forms know one wheel on white noise and a tyre without damping; the search
+        knows the whole model.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> car = jn.load("audi-a6-quarter-car").with_changes({"tyre.damping_coefficient": 0.0})
+    >>> for best in best_dampers(car, "C", "20 m/s"):
+    ...     print(best.goal, *(round(c["strut.damper.coefficient"]) for c in (best.closed_form, best.searched)))
+    comfort 1559 1559
+    road holding 3243 3243
+    """
+    wheels, values = wheels_of(rig), rig.parameters()
+    found = []
+    goals: tuple[tuple[Literal["comfort", "road holding"], str, Any], ...] = (
+        ("comfort", comfort, comfort_damping),
+        ("road holding", holding, road_holding_damping),
+    )
+    for goal, metric, formula in goals:
+        closed = {wheel.damper: formula(wheel.lumped(values)) / wheel.motion_ratio**2 for wheel in wheels}
+        free: dict[str, Bounds] = {path: (_RANGE[0] * c, _RANGE[1] * c) for path, c in closed.items()}
+        begin = {path: min(max(values[path], _RANGE[0] * c), _RANGE[1] * c) for path, c in closed.items()}
+        more = [comfort, holding]  # so that both are judged on the same road
+        problem = design_problem(rig.with_changes(begin), free, metric, more=more, road=road, speed=speed, band=band)
+        ended = search(problem).values
+        searched = {number.path: float(value) for number, value in zip(problem.free, ended, strict=True)}
+        present = {path: values[path] for path in closed}
+        numbers = {
+            name: _judged(problem, metric, dampers)
+            for name, dampers in (("present", present), ("closed_form", closed), ("searched", searched))
+        }
+        unit = problem.metrics[metric].unit
+        found.append(BestDamper(goal, metric, unit, present, closed, searched, numbers))
+    return found[0], found[1]
+
+
+def _judged(problem: DesignProblem, metric: str, dampers: Mapping[str, float]) -> float:
+    values = np.array([dampers[number.path] for number in problem.free])
+    return problem.whole(metric, values)[0]

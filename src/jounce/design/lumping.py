@@ -1,0 +1,374 @@
+"""The quarter car that a corner amounts to: rates, damping and masses at the wheel, from its kinematics at rest.
+
+With the body on a vertical guide, a corner has two free motions: heights of body and wheel centre. Small motions about
+rest obey ``M z'' + C z' + K z = tyre`` with
+
+- ``M``: a share ``r`` of each body's mass moves with the wheel (the rise of its centre of mass over that of the wheel),
+  the rest with the car's body. What its turning and its sideways motion take beyond that is an *inertance* between the
+  two, as of an inerter: ``b = sum(m |v|^2 + w I w - m r)`` with velocities for a unit speed of the wheel centre.
+- ``C``: the damper's coefficient times its motion ratio squared.
+- ``K``: spring rate times its motion ratio squared, plus the spring's force times the change of its motion ratio, plus
+  what the weight of the bodies adds where their centres of mass move along curves.
+
+Two masses without an inertance cannot be the same; those of the quarter car are chosen to give the same two natural
+frequencies.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import DescriptionError, SimulationError
+from jounce.design.poses import rigs_along
+from jounce.kinematics import sweep_travel
+from jounce.parts import Corner, QuarterCar, Rig
+from jounce.parts.curves import VelocityTable
+from jounce.parts.leverage import body_motion, force_at
+from jounce.parts.strut_angle import LARGEST
+from jounce.parts.struts import MapDamper
+from jounce.simulation import Mode, equilibrium
+
+Array = NDArray[np.float64]
+_NUDGE = 1e-4
+"""Travel in m to either side over which the curve of a centre of mass is measured."""
+
+
+@dataclass(frozen=True)
+class BodyShare:
+    """What one body of the suspension is to body and wheel, about rest.
+
+    Attributes
+    ----------
+    mass : float
+        kg.
+    wheel_share : float
+        Rise of its centre of mass over that of the wheel centre [1].
+    inertance : float
+        What it adds between body and wheel, kg.
+    """
+
+    mass: float
+    wheel_share: float
+    inertance: float
+
+    @property
+    def sprung_mass(self) -> float:
+        """Part of its mass that moves with the body, kg."""
+        return self.mass * (1.0 - self.wheel_share)
+
+    @property
+    def unsprung_mass(self) -> float:
+        """Part of its mass that moves with the wheel, kg."""
+        return self.mass * self.wheel_share
+
+
+@dataclass(frozen=True)
+class Lumping:
+    """A corner about static equilibrium, as seen at the wheel centre. SI, compression positive.
+
+    Attributes
+    ----------
+    travel : float
+        Wheel travel from design at rest, m.
+    motion_ratio, damper_ratio : float
+        Shortening of spring and damper over rise of the wheel centre [1].
+    motion_ratio_rate : float
+        Change of the spring's motion ratio with travel, 1/m.
+    spring_deflection : float
+        Shortening of the spring from its design length at rest, m.
+    spring_force : float
+        Force of spring and stops at rest, N.
+    wheel_rate_spring, wheel_rate_preload, wheel_rate_weight : float
+        Rate at the wheel from the spring's stiffness, from its force where the motion ratio changes, and from the
+        weights of the suspension's bodies, N/m.
+    wheel_damping : float
+        Damping coefficient at the wheel, of the damper at rest, N s/m.
+    tyre_stiffness, tyre_damping : float
+        Of the tyre at its static load, N/m and N s/m.
+    body_mass : float
+        Mass on the guide, kg.
+    shares : dict
+        Body of the suspension to its share.
+    gravity : float
+        m/s^2.
+    """
+
+    travel: float
+    motion_ratio: float
+    damper_ratio: float
+    motion_ratio_rate: float
+    spring_deflection: float
+    spring_force: float
+    wheel_rate_spring: float
+    wheel_rate_preload: float
+    wheel_rate_weight: float
+    wheel_damping: float
+    tyre_stiffness: float
+    tyre_damping: float
+    body_mass: float
+    shares: dict[str, BodyShare]
+    gravity: float
+
+    @property
+    def wheel_rate(self) -> float:
+        """Rate at the wheel, N/m."""
+        return self.wheel_rate_spring + self.wheel_rate_preload + self.wheel_rate_weight
+
+    @property
+    def static_masses(self) -> tuple[float, float]:
+        """Sprung and unsprung mass by the law of the lever, kg; together the whole mass."""
+        parts = self.shares.values()
+        return (
+            self.body_mass + sum(part.sprung_mass for part in parts),
+            sum(part.unsprung_mass for part in parts),
+        )
+
+    @property
+    def inertance(self) -> float:
+        """Inertance between body and wheel, kg; negative where masses between them outweigh what turns."""
+        return sum(part.inertance for part in self.shares.values())
+
+    @property
+    def effective_masses(self) -> tuple[float, float]:
+        """Sprung and unsprung mass, kg, that give both natural frequencies without an inertance."""
+        (sprung, unsprung), b = self.static_masses, self.inertance
+        k, k_t = self.wheel_rate, self.tyre_stiffness
+        product = sprung * unsprung + b * (sprung + unsprung)
+        total = k * unsprung + (k + k_t) * sprung + k_t * b
+        found = float(total + np.sqrt(total**2 - 4.0 * (k + k_t) * k * product)) / (2.0 * (k + k_t))
+        return found, product / found
+
+    def matrices(self) -> tuple[Array, Array, Array]:
+        """Mass, damping and stiffness of the heights of body and wheel centre, each shape (2, 2)."""
+        (sprung, unsprung), b = self.static_masses, self.inertance
+        between = np.array([[1.0, -1.0], [-1.0, 1.0]])
+        at_wheel = np.diag([0.0, 1.0])
+        return (
+            np.diag([sprung, unsprung]) + b * between,
+            self.wheel_damping * between + self.tyre_damping * at_wheel,
+            self.wheel_rate * between + self.tyre_stiffness * at_wheel,
+        )
+
+    def modes(self) -> tuple[Mode, ...]:
+        """Oscillating modes by rising natural frequency, shapes in ``sprung.z`` and ``unsprung.z``."""
+        mass, damping, stiffness = self.matrices()
+        inverse = np.linalg.inv(mass)
+        upper = np.hstack([np.zeros((2, 2)), np.eye(2)])
+        values, vectors = np.linalg.eig(np.vstack([upper, np.hstack([-inverse @ stiffness, -inverse @ damping])]))
+        found = []
+        for value, vector in zip(values, vectors.T, strict=True):
+            if value.imag > 1e-9 * abs(value):
+                shape = vector[:2] / vector[np.argmax(np.abs(vector[:2]))]
+                shapes = {
+                    name: (float(z.real), float(z.imag))
+                    for name, z in zip(("sprung.z", "unsprung.z"), shape, strict=True)
+                }
+                size = float(abs(value))
+                found.append(
+                    Mode(size / (2 * np.pi), float(value.imag) / (2 * np.pi), float(-value.real / size), shapes)
+                )
+        return tuple(sorted(found, key=lambda mode: mode.frequency_hz))
+
+
+def lump(rig: Rig) -> Lumping:
+    """Give what a corner amounts to at the wheel, about static equilibrium.
+
+    Parameters
+    ----------
+    rig : Rig
+        A 3-D rig whose body is free along z. Joints count as ideal, turning of the body is left out.
+
+    Returns
+    -------
+    Lumping
+        Exact for small motions on a vertical guide, ideal joints and a vertical tyre.
+
+    Raises
+    ------
+    DescriptionError
+        For a lumped rig or one whose body is fixed.
+    SimulationError
+        When there is no static equilibrium.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> found = lump(jn.load("kart-double-wishbone"))
+    >>> round(found.motion_ratio, 4), round(sum(found.static_masses), 2)   # cos(26 deg); 21.8 kg in all
+    (0.8988, 21.8)
+    """
+    corner = _heaving(rig)
+    rest = equilibrium(corner)
+    travel = rest["unsprung.z"] - rest["sprung.z"]
+    at_rest = sweep_travel(corner, [travel]).isel(wheel_travel=0)
+    below, here, above = rigs_along(corner, [travel - _NUDGE, travel, travel + _NUDGE])
+    values = {str(name): float(value) for name, value in at_rest.data_vars.items()}
+    spring_force = values["spring_force"] + values["stop_force"]
+    return Lumping(
+        travel,
+        values["motion_ratio"],
+        values["damper_motion_ratio"],
+        values["motion_ratio_rate"],
+        corner.hardpoints.length("spring") - values["spring_length"],
+        spring_force,
+        values["wheel_rate_spring"],
+        values["wheel_rate"] - values["wheel_rate_spring"],
+        _weight_rate(below, above),
+        values["wheel_damping_coefficient"],
+        _tyre_slope(corner, rest["tyre.deflection"]),
+        corner.tyre.damping_coefficient,
+        float(corner.sprung.mass) if corner.sprung else 0.0,
+        _shares(here),
+        corner.gravity,
+    )
+
+
+def lumped_from(rig: Rig) -> QuarterCar:
+    """Give the quarter car that a corner amounts to about static equilibrium.
+
+    Parameters
+    ----------
+    rig : Rig
+        A 3-D rig whose body is free along z.
+
+    Returns
+    -------
+    QuarterCar
+        ``strut.angle`` is the angle whose cosine is the damper's motion ratio, so that damper and friction keep their
+        laws; the spring rate makes the wheel rate (preload term and weights included); the preload puts zero
+        deflection at design; masses are those that give both natural frequencies. A spring or tyre curve becomes its
+        slope at rest (spring) or is kept (tyre); the bump stop is met where it is met; rebound stops and bushings have
+        no place in it.
+
+    Raises
+    ------
+    DescriptionError
+        For a lumped rig, a fixed body, or a damper whose motion ratio no strut angle gives.
+    SimulationError
+        When there is no static equilibrium.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import jounce as jn
+    >>> car = lumped_from(jn.load("kart-double-wishbone"))
+    >>> round(float(np.degrees(car.strut.angle)), 1), round(car.sprung.mass, 1), round(car.unsprung.mass, 1)
+    (26.0, 16.4, 5.0)
+    """
+    corner, found = _heaving(rig), lump(rig)
+    ratio = found.damper_ratio
+    lowest = float(np.cos(LARGEST))
+    if not lowest <= ratio <= 1.0 + 1e-12:
+        raise DescriptionError(
+            "no strut angle has this motion ratio",
+            where="damper",
+            found=f"{ratio:.4g}",
+            allowed=f"{lowest:.3g} to 1",
+            hint="Describe the quarter car by hand, with rates and coefficients at the wheel.",
+        )
+    sprung, unsprung = found.effective_masses
+    stop, stop_force, stop_rate = _stop(corner, found)
+    rate = (found.wheel_rate - stop_rate * found.motion_ratio**2) / ratio**2
+    static = (found.spring_force - stop_force) * found.motion_ratio / ratio
+    tyre = corner.tyre.model_dump(by_alias=True, exclude_none=True, exclude={"law", "undeformed_radius"})
+    table: dict[str, Any] = {
+        "schema": "jounce.rig/1",
+        "model": "quarter-car",
+        "source": f"Lumped about rest from: {corner.source}" if corner.source else "Lumped from a 3-D rig about rest",
+        "gravity": corner.gravity,
+        "sprung": {"mass": sprung},
+        "unsprung": {"mass": unsprung},
+        "strut": {
+            "angle": float(np.arccos(min(ratio, 1.0))),
+            "spring": {"rate": rate, "preload": static - rate * ratio * found.travel},
+            "damper": _damper(corner, found),
+        },
+        "tyre": tyre,
+    }
+    if corner.strut.friction is not None:
+        table["strut"]["friction"] = corner.strut.friction.model_dump()
+    if corner.guide_friction is not None:
+        table["guide"] = {"friction": corner.guide_friction.model_dump()}
+    if stop:
+        table["strut"]["bump_stop"] = stop
+    return QuarterCar.from_table(table)
+
+
+def _heaving(rig: Rig) -> Corner:
+    """The corner on a vertical guide with ideal joints."""
+    if not isinstance(rig, Corner):
+        raise DescriptionError(
+            "this rig is lumped already",
+            where=getattr(rig, "model", "rig"),
+            allowed="a rig with hardpoints: double-wishbone, mcpherson, five-link, trailing-arm",
+        )
+    if rig.guide == "fixed" or rig.sprung is None:
+        raise DescriptionError(
+            "a fixed body has no motion to lump", where="guide", found=rig.guide, allowed='"vertical" and a sprung mass'
+        )
+    table = rig.model_dump(by_alias=True, exclude_none=True)
+    table.pop("bushings", None)
+    return type(rig).from_table({**table, "guide": "vertical"})
+
+
+def _shares(rig: Corner) -> dict[str, BodyShare]:
+    """Shares of all bodies at the design of ``rig``."""
+    shares = {}
+    for name, body in rig.body_masses().items():
+        velocity, turn = body_motion(rig, name)
+        at_centre = velocity + np.cross(turn, body.centre_of_mass)
+        whole = body.mass * at_centre @ at_centre + turn @ body.inertia.tensor @ turn
+        shares[name] = BodyShare(body.mass, float(at_centre[2]), float(whole - body.mass * at_centre[2]))
+    return shares
+
+
+def _weight_rate(below: Corner, above: Corner) -> float:
+    """Rate of the bodies' weights at the wheel, N/m: from how much more they rise a little farther up."""
+    shares = [_shares(rig) for rig in (below, above)]
+    gained = sum(part.mass * (part.wheel_share - shares[0][name].wheel_share) for name, part in shares[1].items())
+    return below.gravity * gained / (2.0 * _NUDGE)
+
+
+def _tyre_slope(rig: Corner, deflection: float) -> float:
+    """Stiffness of the tyre at a deflection (m), N/m."""
+    if deflection <= 0.0:
+        raise SimulationError("the wheel does not stand on the road", where="tyre.deflection", found=f"{deflection} m")
+    if rig.tyre.curve is None:
+        assert rig.tyre.stiffness is not None
+        return rig.tyre.stiffness
+    step = 1e-6 * deflection
+    upper, lower = (force_at(rig.tyre.curve, deflection + sign * step) for sign in (1.0, -1.0))
+    return (upper - lower) / (2.0 * step)
+
+
+def _stop(rig: Corner, found: Lumping) -> tuple[dict[str, float], float, float]:
+    """Bump stop along the lumped strut, and its force (N) and stiffness (N/m) along the spring at rest."""
+    stop, scale = rig.strut.bump_stop, found.motion_ratio / found.damper_ratio
+    if stop is None:
+        return {}, 0.0, 0.0
+    depth = found.spring_deflection - stop.gap
+    table = {
+        "gap": found.damper_ratio * found.travel - depth / scale,
+        "rate": stop.rate * scale**2,
+        "progression": stop.progression * scale**4,
+    }
+    if depth <= 0.0:
+        return table, 0.0, 0.0
+    force = stop.rate * depth + stop.progression * depth**3
+    return table, force, stop.rate + 3.0 * stop.progression * depth**2
+
+
+def _damper(rig: Corner, found: Lumping) -> dict[str, Any]:
+    """Damper as a lumped rig describes it; of a map the row at its length at rest."""
+    damper = rig.strut.damper
+    if not isinstance(damper, MapDamper):
+        return dict(damper.model_dump())
+    length = rig.hardpoints.length("damper") - found.damper_ratio * found.travel
+    forces = [
+        float(np.interp(length, damper.length, [row[j] for row in damper.force])) for j in range(len(damper.velocity))
+    ]
+    return dict(VelocityTable(velocity=damper.velocity, force=tuple(forces)).model_dump())

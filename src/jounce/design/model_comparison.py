@@ -1,0 +1,313 @@
+"""Where a lumped model and the corner it stands for differ, and why."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import DescriptionError
+from jounce.core.serialise import to_plain
+from jounce.design.lumping import Lumping, lump, lumped_from
+from jounce.kinematics import sweep_travel
+from jounce.parts import Corner, QuarterCar, Rig
+from jounce.roads import Trial
+from jounce.simulation import Mode, linearise, modes, simulate
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+R = TypeVar("R", bound=Rig)
+CHANNELS = ("sprung.az", "unsprung.az", "tyre.force")
+"""Channels whose largest absolute values are compared."""
+_REACH = 0.15
+"""Travel to either side that curves show, as a share of the wheel's radius."""
+_POINTS = 13
+_SAME_LINE = 1e-6
+
+
+@dataclass(frozen=True)
+class Difference:
+    """One quantity in both models, SI, and why they differ; None where a model does not have it."""
+
+    quantity: str
+    unit: str
+    spatial: float | None
+    lumped: float | None
+    why: str
+
+
+@dataclass(frozen=True)
+class PeakDifference:
+    """Largest absolute value of a channel in one trial, SI, in both models."""
+
+    trial: str
+    channel: str
+    unit: str
+    spatial: float
+    lumped: float
+
+    @property
+    def relative(self) -> float:
+        """Lumped over 3-D, minus 1."""
+        return self.lumped / self.spatial - 1.0
+
+
+@dataclass(frozen=True)
+class ModelComparison:
+    """A corner and a lumped model of it, side by side.
+
+    Attributes
+    ----------
+    lumping : Lumping
+        What the corner amounts to at the wheel, and the share of each body.
+    lumped : QuarterCar
+        The lumped model.
+    rows : tuple of Difference
+        Quantities about rest.
+    travel : ndarray, shape (n,)
+        Wheel travel from design, m.
+    motion_ratio, wheel_rate : ndarray, shape (n,)
+        Of the corner against travel: shortening of the spring over rise of the wheel [1]; N/m, preload term included.
+    lumped_motion_ratio, lumped_wheel_rate : float
+        Of the lumped model, at any travel.
+    peaks : tuple of PeakDifference
+        Of every trial.
+    """
+
+    lumping: Lumping
+    lumped: QuarterCar
+    rows: tuple[Difference, ...]
+    travel: Array
+    motion_ratio: Array
+    wheel_rate: Array
+    lumped_motion_ratio: float
+    lumped_wheel_rate: float
+    peaks: tuple[PeakDifference, ...]
+
+    def curves(self) -> xr.Dataset:
+        """Give motion ratio and wheel rate of both models against travel."""
+        import xarray as xr
+
+        level = np.ones_like(self.travel)
+        dimensions = ("travel", "model")
+        return xr.Dataset(
+            {
+                "motion_ratio": (
+                    dimensions,
+                    np.column_stack([self.motion_ratio, self.lumped_motion_ratio * level]),
+                    {"units": "1", "long_name": "motion ratio"},
+                ),
+                "wheel_rate": (
+                    dimensions,
+                    np.column_stack([self.wheel_rate, self.lumped_wheel_rate * level]),
+                    {"units": "N/m", "long_name": "wheel rate"},
+                ),
+            },
+            {
+                "travel": ("travel", self.travel, {"units": "m", "long_name": "wheel travel from design"}),
+                "model": ("model", ["3-D", "lumped"]),
+            },
+        )
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain data, SI."""
+        masses = {"static_masses": self.lumping.static_masses, "effective_masses": self.lumping.effective_masses}
+        plain: dict[str, Any] = to_plain(
+            {
+                "rows": self.rows,
+                "travel": self.travel,
+                "motion_ratio": self.motion_ratio,
+                "wheel_rate": self.wheel_rate,
+                "lumped_motion_ratio": self.lumped_motion_ratio,
+                "lumped_wheel_rate": self.lumped_wheel_rate,
+                "peaks": [{**to_plain(peak), "relative": peak.relative} for peak in self.peaks],
+                "lumping": {**to_plain(self.lumping), **masses, "inertance": self.lumping.inertance},
+                "lumped": self.lumped.parameters(),
+            }
+        )
+        return plain
+
+
+def compare_models(
+    spatial: Rig, lumped: Rig | None = None, trials: Mapping[str, Trial] | Sequence[Trial] = ()
+) -> ModelComparison:
+    """Hold a lumped model against the corner it stands for.
+
+    Parameters
+    ----------
+    spatial : Rig
+        A 3-D rig whose body is free along z.
+    lumped : Rig, optional
+        A quarter car; by default the one that the corner amounts to about rest.
+    trials : dict or sequence of Trial
+        What to drive with both, by name.
+
+    Returns
+    -------
+    ModelComparison
+        Quantities about rest with the reason of every difference, curves over travel, peaks of every trial. Modes leave
+        out dry friction, which would hold small motions.
+
+    Raises
+    ------
+    DescriptionError
+        When the rigs are not a 3-D and a lumped one.
+    SimulationError
+        When there is no equilibrium, or a trial diverges.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> found = compare_models(jn.load("kart-double-wishbone"), jn.load("kart-quarter-car"))
+    >>> [row.quantity for row in found.rows][:3]
+    ['motion ratio at rest', 'change of the motion ratio with travel', 'wheel rate']
+    >>> round(found.lumped_wheel_rate, 1), round(found.lumping.wheel_rate_preload, 1)   # N/m
+    (18362.0, 162.5)
+    """
+    if not isinstance(spatial, Corner):
+        raise DescriptionError("not a rig with hardpoints", where="spatial", found=getattr(spatial, "model", "a rig"))
+    own = lumped_from(spatial) if lumped is None else lumped
+    if not isinstance(own, QuarterCar):
+        raise DescriptionError("not a quarter car", where="lumped", found=getattr(own, "model", "a rig"))
+    named = trials if isinstance(trials, Mapping) else {f"trial {i}": trial for i, trial in enumerate(trials, 1)}
+    peaks = [peak for name, trial in named.items() for peak in compare_peaks(name, spatial, own, trial)]
+    reach = _REACH * spatial.wheel.radius
+    sweep = sweep_travel(spatial, np.linspace(-reach, reach, _POINTS))
+    found, angle = lump(spatial), own.strut.angle
+    rate, damping = _at_wheel(own)
+    return ModelComparison(
+        found,
+        own,
+        _rows(spatial, found, own, rate, damping),
+        sweep["wheel_travel"].to_numpy(),
+        sweep["motion_ratio"].to_numpy(),
+        sweep["wheel_rate"].to_numpy(),
+        float(np.cos(angle)),
+        rate,
+        tuple(peaks),
+    )
+
+
+def compare_peaks(name: str, spatial: Corner, lumped: QuarterCar, trial: Trial) -> list[PeakDifference]:
+    """Drive both models over a trial; give the largest absolute values of accelerations (m/s^2) and tyre force (N)."""
+    one, other = simulate(spatial, trial), simulate(lumped, trial)
+    return [
+        PeakDifference(
+            name,
+            channel,
+            str(one[channel].attrs["units"]),
+            float(np.abs(one[channel]).max()),
+            float(np.abs(other[channel]).max()),
+        )
+        for channel in CHANNELS
+    ]
+
+
+def without_friction(rig: R) -> R:
+    """Give the rig without dry friction."""
+    table = rig.model_dump(by_alias=True, exclude_none=True)
+    table["strut"].pop("friction", None)
+    table.pop("guide_friction", None)
+    if "guide" in table and isinstance(table["guide"], dict):
+        table["guide"].pop("friction", None)
+    return type(rig).from_table(table)
+
+
+def _at_wheel(lumped: QuarterCar) -> tuple[float, float]:
+    """Rate (N/m) and damping coefficient (N s/m) of the strut at the wheel, about rest, friction apart."""
+    model = linearise(without_friction(lumped))
+    row, mass = model.states.index("sprung.vz"), lumped.sprung.mass
+    return tuple(-mass * float(model.A[row, model.states.index(name)]) for name in ("sprung.z", "sprung.vz"))  # type: ignore[return-value]
+
+
+def _rows(spatial: Corner, found: Lumping, lumped: QuarterCar, rate: float, damping: float) -> tuple[Difference, ...]:
+    sprung, unsprung = found.static_masses
+    shares = ", ".join(f"{name} {1e3 * part.unsprung_mass:.0f} g" for name, part in found.shares.items())
+    turning = ", ".join(f"{name} {1e3 * part.inertance:+.0f} g" for name, part in found.shares.items())
+    ratio = float(np.cos(lumped.strut.angle))
+    rows = [
+        Difference(
+            "motion ratio at rest",
+            "1",
+            found.motion_ratio,
+            ratio,
+            "3-D: shortening of the spring over rise of the wheel centre, from the joints. Lumped: cosine of the "
+            "strut's angle, as if it stood at the wheel.",
+        ),
+        *_damper_row(found, ratio),
+        Difference(
+            "change of the motion ratio with travel",
+            "1/m",
+            found.motion_ratio_rate,
+            0.0,
+            "The arm turns and the strut with it; a lumped strut keeps its angle.",
+        ),
+        Difference(
+            "wheel rate",
+            "N/m",
+            found.wheel_rate,
+            rate,
+            f"3-D: {found.wheel_rate_spring:.5g} from the spring's rate, {found.wheel_rate_preload:+.4g} from its "
+            f"force of {found.spring_force:.4g} N where the motion ratio changes, {found.wheel_rate_weight:+.3g} from "
+            "weights.",
+        ),
+        Difference(
+            "damping at the wheel",
+            "N*s/m",
+            found.wheel_damping,
+            damping,
+            "Damper's coefficient times its motion ratio squared.",
+        ),
+        Difference(
+            "sprung mass",
+            "kg",
+            sprung,
+            lumped.sprung.mass,
+            f"Body of {found.body_mass:.4g} kg and, by the law of the lever, the inner part of each arm.",
+        ),
+        Difference(
+            "unsprung mass", "kg", unsprung, lumped.unsprung.mass, f"Share that rises with the wheel: {shares}."
+        ),
+        Difference(
+            "inertance between body and wheel",
+            "kg",
+            found.inertance,
+            0.0,
+            f"What turning and sideways motion take beyond those shares: {turning}. Two masses cannot have it.",
+        ),
+    ]
+    return (*rows, *_mode_rows(modes(without_friction(spatial)), modes(without_friction(lumped))))
+
+
+def _damper_row(found: Lumping, ratio: float) -> list[Difference]:
+    """Motion ratio of a damper that does not stand on the spring's line."""
+    if abs(found.damper_ratio - found.motion_ratio) < _SAME_LINE:
+        return []
+    why = "Spring and damper stand on lines of their own; a lumped strut has one angle for both."
+    return [Difference("motion ratio of the damper at rest", "1", found.damper_ratio, ratio, why)]
+
+
+def _mode_rows(spatial: tuple[Mode, ...], lumped: tuple[Mode, ...]) -> list[Difference]:
+    """Modes of both, the slow one first; those that do not oscillate are missing."""
+    why = "Follows from the rates, damping, masses and inertance above."
+    rows = []
+    for name in ("body bounce", "wheel hop"):
+        one, other = _named(name, spatial), _named(name, lumped)
+        if one is None and other is None:
+            continue
+        frequencies = None if one is None else one.frequency_hz, None if other is None else other.frequency_hz
+        ratios = None if one is None else one.damping_ratio, None if other is None else other.damping_ratio
+        rows.append(Difference(f"{name}, natural frequency", "Hz", *frequencies, why))
+        rows.append(Difference(f"{name}, damping ratio", "1", *ratios, why))
+    return rows
+
+
+def _named(name: str, found: tuple[Mode, ...]) -> Mode | None:
+    """The mode in which the body (bounce) or the wheel (hop) moves most."""
+    moving = {"body bounce": "sprung.z", "wheel hop": "unsprung.z"}[name]
+    return next((mode for mode in found if abs(complex(*mode.shape.get(moving, (0.0, 0.0)))) > 0.999), None)

@@ -1,0 +1,240 @@
+"""The trade between comfort and road holding: designs of which none is better in both."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import DescriptionError, FitError
+from jounce.core.findings import Finding
+from jounce.core.serialise import to_plain
+from jounce.design.first_designs import COMFORT, HOLDING, TRAVEL, best_dampers
+from jounce.design.metrics import StationaryEvaluator, combined
+from jounce.design.optimise import check_kept, driven_over
+from jounce.design.problem import DesignProblem, Limit, LimitGiven, design_problem
+from jounce.design.search import is_optimal, search
+from jounce.design.text import front_text
+from jounce.identify.update.free import Bounds
+from jounce.parts import Rig
+from jounce.parts.parameters import unit_of
+from jounce.ride.surface import Density
+
+Array = NDArray[np.float64]
+_SAME = 1e-6
+_PRECISION = 1e-9
+_FEWEST, _MOST = 3, 500
+
+
+@dataclass(frozen=True)
+class ParetoMark:
+    """One design beside the front, SI: where it comes from, its free numbers and dampers, and how it does.
+
+    Attributes
+    ----------
+    name : str
+        In words.
+    kind : str
+        ``present``, ``closed form`` or ``searched``.
+    values : dict
+        Path to value of what it changes, SI.
+    comfort, holding, travel : float
+        Metrics, each in its unit.
+    """
+
+    name: str
+    kind: Literal["present", "closed form", "searched"]
+    values: dict[str, float]
+    comfort: float
+    holding: float
+    travel: float
+
+
+@dataclass(frozen=True)
+class ParetoFront:
+    """Best designs from the most comfortable to the one that holds the road best, SI.
+
+    Attributes
+    ----------
+    metrics : dict
+        ``comfort``, ``holding`` and ``travel`` to the metric in words.
+    units : dict
+        The same to SI unit.
+    comfort, holding, travel : ndarray, shape (points,)
+        Metrics along the front, each in its unit.
+    numbers : dict
+        Path to the values along the front, ndarray of shape (points,), SI.
+    number_units : dict
+        Path to SI unit.
+    marks : tuple of ParetoMark
+        The rig as it is, and best dampers by closed form and by search where only they are changed.
+    converged : bool
+        Whether all points are optimal.
+    driven : str
+        What was driven over, in words.
+    findings : tuple of Finding
+        What to know of it.
+    """
+
+    metrics: dict[str, str]
+    units: dict[str, str]
+    comfort: Array
+    holding: Array
+    travel: Array
+    numbers: dict[str, Array]
+    number_units: dict[str, str]
+    marks: tuple[ParetoMark, ...]
+    converged: bool
+    driven: str
+    findings: tuple[Finding, ...]
+
+    def __str__(self) -> str:
+        return front_text(self)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give plain values, SI."""
+        return {name: to_plain(value) for name, value in vars(self).items()}
+
+
+def pareto(
+    rig: Rig,
+    free: Mapping[str, Bounds],
+    road: str | float | Density,
+    speed: float | str,
+    *,
+    comfort: str = COMFORT,
+    holding: str = HOLDING,
+    travel: str = TRAVEL,
+    constraints: Mapping[str, LimitGiven] | None = None,
+    points: int = 25,
+    band: tuple[float, float] | Literal["iso"] | None = None,
+) -> ParetoFront:
+    """Designs between most comfort and best road holding, none of which is worse in both than any other.
+
+    The two ends are the least of each metric; between them comfort is sought under falling limits of road holding
+    (the epsilon-constraint method), each search starting from the design before it.
+
+    Parameters
+    ----------
+    rig : Rig
+        Rig or vehicle: where the search starts.
+    free : mapping
+        Path to its bounds, as for :func:`optimise`.
+    road : str, float or callable
+        Random road: class, degree of roughness in m^3, or density.
+    speed : float or str
+        m/s.
+    comfort, holding, travel : str
+        Metrics as for :func:`optimise`; the last is only shown.
+    constraints : mapping, optional
+        Limits for all points, as for :func:`optimise`.
+    points : int
+        Number of designs, ends included: 3 to 500.
+    band : tuple of float or "iso", optional
+        Spatial frequencies of the road, 1/m; by default white noise where all metrics are finite on it.
+
+    Returns
+    -------
+    ParetoFront
+        SI.
+
+    Raises
+    ------
+    DescriptionError, FitError
+        As for :func:`optimise`.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> free = {"strut.damper.coefficient": ("300 N*s/m", "6000 N*s/m")}
+    >>> front = pareto(jn.load("audi-a6-quarter-car"), free, "C", "20 m/s", points=5)
+    >>> bool((front.comfort[1:] > front.comfort[:-1]).all() and (front.holding[1:] < front.holding[:-1]).all())
+    True
+    """
+    if not _FEWEST <= points <= _MOST:
+        raise DescriptionError("not a number of points", where="points", found=points, allowed=f"{_FEWEST} to {_MOST}")
+    given: dict[str, Any] = {"road": road, "speed": speed, "band": band}
+    soft = design_problem(rig, free, comfort, constraints, more=[holding, travel], **given)
+    firm = replace(soft, weights={holding: 1.0}, base={holding: soft.base_of(soft.metrics[holding])})
+    table, converged = _front(soft, firm, holding, points)
+    whole = {
+        name: np.array([soft.whole(text, values)[0] for values in table])
+        for name, text in (("comfort", comfort), ("holding", holding), ("travel", travel))
+    }
+    metrics = {"comfort": comfort, "holding": holding, "travel": travel}
+    assert soft.surface is not None
+    marks, notes = _marks(soft, metrics, {**given, "band": soft.surface.band})
+    paths = [number.path for number in soft.free]
+    return ParetoFront(
+        metrics,
+        {name: soft.metrics[text].unit for name, text in metrics.items()},
+        whole["comfort"], whole["holding"], whole["travel"],
+        {path: table[:, i] for i, path in enumerate(paths)},
+        {path: unit_of(rig, path) for path in paths},
+        marks, converged, driven_over(soft), (*soft.notes, *notes, *_findings(whole, converged=converged)),
+    )  # fmt: skip
+
+
+def _front(soft: DesignProblem, firm: DesignProblem, holding: str, points: int) -> tuple[Array, bool]:
+    """Free numbers (points, numbers) along the front."""
+    ends = [search(problem) for problem in (soft, firm)]
+    for problem, end in zip((soft, firm), ends, strict=True):
+        check_kept(problem, end)
+    first, last = (soft.whole(holding, end.values)[0] for end in ends)
+    if first <= last * (1.0 + _SAME):
+        return np.array([ends[0].values]), is_optimal(soft, ends[0].values).holds
+    along = np.cos(0.5 * np.pi * np.arange(1, points - 1) / (points - 1)) ** 2
+    table, holds = [ends[0].values], is_optimal(soft, ends[0].values).holds
+    for share in along:  # dense where one of both is nearly free
+        bound = last + (first - last) * float(share)
+        limit = Limit(soft.metrics[holding], None, bound, is_whole=True)
+        problem = replace(soft, limits=(*soft.limits, limit))
+        found = search(problem, begin=table[-1], precision=_PRECISION)
+        holds &= is_optimal(problem, found.values).holds
+        table.append(found.values)
+    table.append(ends[1].values)
+    return np.array(table), bool(holds and is_optimal(firm, ends[1].values).holds)
+
+
+def _marks(
+    soft: DesignProblem, metrics: dict[str, str], given: dict[str, Any]
+) -> tuple[tuple[ParetoMark, ...], list[Finding]]:
+    """The rig as it is, and best dampers where the closed forms know the rig."""
+    found = [_mark("as it is", "present", soft, {}, metrics)]
+    try:
+        best = best_dampers(soft.rig, **given, comfort=metrics["comfort"], holding=metrics["holding"])
+    except (DescriptionError, FitError) as error:
+        return tuple(found), [Finding("closed forms", "note", f"no best dampers: {error}")]
+    for one in best:
+        name = f"best damper for {one.goal}"
+        found.append(_mark(name, "closed form", soft, one.closed_form, metrics))
+        found.append(_mark(name, "searched", soft, one.searched, metrics))
+    return tuple(found), []
+
+
+def _mark(
+    name: str,
+    kind: Literal["present", "closed form", "searched"],
+    soft: DesignProblem,
+    changes: dict[str, float],
+    metrics: dict[str, str],
+) -> ParetoMark:
+    assert isinstance(soft.evaluator, StationaryEvaluator)
+    family = replace(soft.evaluator.family, rig=soft.rig.with_changes(changes), paths=())
+    numbers = replace(soft.evaluator, family=family).at(np.zeros(0))
+    values = {role: combined(soft.metrics[text], numbers[text])[0] for role, text in metrics.items()}
+    return ParetoMark(name, kind, changes, values["comfort"], values["holding"], values["travel"])
+
+
+def _findings(whole: dict[str, Array], *, converged: bool) -> list[Finding]:
+    found = []
+    if not converged:
+        text = "some points did not converge; narrow the bounds or ask for fewer points."
+        found.append(Finding("pareto", "warning", text))
+    if len(whole["comfort"]) == 1:
+        text = "one design is best in both: there is no trade between them within the bounds and limits."
+        found.append(Finding("pareto", "note", text))
+    return found

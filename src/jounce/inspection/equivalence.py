@@ -1,0 +1,341 @@
+"""What three tests say of the same car: adhesion, phase angle and THETA over damper wear, tyre, load and friction."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, field
+from itertools import pairwise
+from multiprocessing import get_context
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import SimulationError
+from jounce.core.serialise import to_plain
+from jounce.inspection.evaluation import evaluate
+from jounce.inspection.verdicts.limits import Limits, load_limits
+from jounce.parts import QuarterCar
+from jounce.parts.testers import load_tester
+from jounce.parts.wear import worn
+from jounce.testers.plate_response import wheel_mode
+from jounce.testers.testing import simulate_test
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+Progress = Callable[[float], None]
+METHODS = {"eusama": "adhesion", "egea": "phase_angle_min_deg", "theta": "theta_road"}
+"""Methods, and what each of them grades."""
+SOUND, WORN = 0.2, 0.7
+"""A damper that has lost up to this share is sound; one that has lost this share or more is worn (estimated)."""
+_RIGID, _SPRUNG = "egea-specsus2018", "theta-msd3000"
+
+
+@dataclass(frozen=True)
+class Factor:
+    """Something beside the damper that a test may feel.
+
+    Attributes
+    ----------
+    name : str
+        In results.
+    label : str
+        On pictures, with its unit.
+    scale : float
+        Shown value for one SI unit.
+    values : tuple of float
+        SI, ascending.
+    changes : callable
+        Changes of the rig for a value.
+    """
+
+    name: str
+    label: str
+    scale: float
+    values: tuple[float, ...]
+    changes: Callable[[QuarterCar, float], dict[str, Any]]
+
+
+def usual_factors(points: int = 28) -> tuple[Factor, ...]:
+    """Tyre stiffness from 140 to 300 kN/m, sprung mass from 0.5 to 1.5 times its own, strut friction up to 200 N."""
+    stiffness = Factor(
+        "tyre_stiffness",
+        "tyre stiffness [kN/m]",
+        1e-3,
+        _spaced(140e3, 300e3, points),
+        lambda _, value: {"tyre.stiffness": value},
+    )
+    load = Factor(
+        "load",
+        "sprung mass over its own [–]",
+        1.0,
+        _spaced(0.5, 1.5, points),
+        lambda rig, value: {"sprung.mass": value * rig.sprung.mass},
+    )
+    friction = Factor(
+        "friction",
+        "friction of the strut [N]",
+        1.0,
+        _spaced(0.0, 200.0, points),
+        lambda _, value: {"strut.friction": {"force": value}} if value > 0.0 else {},
+    )
+    return stiffness, load, friction
+
+
+@dataclass(frozen=True)
+class Disagreement:
+    """Cars that a method misjudges, within one plane of the study.
+
+    Attributes
+    ----------
+    factor, method : str
+        Which.
+    sound, worn : int
+        Cars with a sound, and with a worn damper.
+    rejected_sound, passed_worn : int
+        How many of them the method rejects, and passes.
+    rejected_at : tuple of float or None
+        Range of the factor (SI) in which sound ones are rejected.
+    passed_at : tuple of float or None
+        Range of the factor (SI) in which worn ones pass.
+    """
+
+    factor: str
+    method: str
+    sound: int
+    worn: int
+    rejected_sound: int
+    passed_worn: int
+    rejected_at: tuple[float, float] | None
+    passed_at: tuple[float, float] | None
+
+
+@dataclass(frozen=True)
+class Equivalence:
+    """What the study found.
+
+    Attributes
+    ----------
+    planes : dict
+        Factor to a Dataset over ``wear`` (1) and the factor (SI): ``adhesion`` (1), ``phase_angle_min_deg`` (deg),
+        ``theta_road`` (1), without a number where a test gives none, and ``<method>_verdict``.
+    disagreements : tuple of Disagreement
+        By factor and method.
+    factors : tuple of Factor
+        As given.
+    limits : str
+        Which limits.
+    tests : int
+        Simulated run-downs.
+    edges : dict
+        Method to the value below which it rejects, in the unit of its quantity.
+    """
+
+    planes: dict[str, xr.Dataset]
+    disagreements: tuple[Disagreement, ...]
+    factors: tuple[Factor, ...]
+    limits: str
+    tests: int
+    edges: dict[str, float] = field(default_factory=dict)
+
+    def rejecting_wear(self, factor: str, method: str) -> Array:
+        """Least wear at which a method rejects, over a factor: between two wears where its value meets the limit.
+
+        Parameters
+        ----------
+        factor : str
+            Name of the plane.
+        method : {"eusama", "egea", "theta"}
+            Whose value.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+            Shares of damping lost (1) for each value of the factor; not a number where the method never rejects.
+
+        Examples
+        --------
+        >>> import xarray as xr
+        >>> values = {"adhesion": (("wear", "load"), [[0.6], [0.3]])}
+        >>> verdicts = {"eusama_verdict": (("wear", "load"), [["pass"], ["fail"]])}
+        >>> plane = xr.Dataset(values | verdicts, {"wear": [0.0, 0.9], "load": [1.0]})
+        >>> study = Equivalence({"load": plane}, (), (), "", 2, {"eusama": 0.4})
+        >>> study.rejecting_wear("load", "eusama").round(6).tolist()
+        [0.6]
+        """
+        plane = self.planes[factor]
+        wear, values = plane["wear"].to_numpy(), plane[METHODS[method]].to_numpy()
+        fails = plane[f"{method}_verdict"].to_numpy() == "fail"
+        edge = self.edges.get(method, np.nan)
+        columns = zip(fails.T, values.T, strict=True)
+        return np.array([_first_rejected(wear, fail, value, edge) for fail, value in columns])
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give plain values: tables of values over wear (rows) and factor, SI and degrees."""
+        planes = {
+            name: {
+                "wear": plane["wear"].to_numpy(),
+                name: plane[name].to_numpy(),
+                **{str(quantity): values.to_numpy() for quantity, values in plane.data_vars.items()},
+            }
+            for name, plane in self.planes.items()
+        }
+        found = {"limits": self.limits, "tests": self.tests, "sound_up_to": SOUND, "worn_from": WORN}
+        found |= {"rejected_below": self.edges}
+        plain: dict[str, Any] = to_plain({**found, "planes": planes, "disagreements": self.disagreements})
+        return plain
+
+
+def compare_tests(
+    rig: QuarterCar,
+    *,
+    wear: Sequence[float] | None = None,
+    factors: Sequence[Factor] | None = None,
+    limits: Limits | None = None,
+    workers: int = 1,
+    progress: Progress = lambda _: None,
+) -> Equivalence:
+    """Test a wheel on a rigid plate (adhesion, phase angle) and by its damping ratio on the road, worn and varied.
+
+    Adhesion and phase angle come from simulated run-downs of an EGEA tester, THETA from the poles of the model without
+    friction: what friction adds at a tester's amplitude is not in it.
+
+    Parameters
+    ----------
+    rig : QuarterCar
+        The sound wheel with its share of the car.
+    wear : sequence of float, optional
+        Shares of damping that are lost, 1; 24 from 0 to 0.95 by default.
+    factors : sequence of Factor, optional
+        What else is varied, one plane each; :func:`usual_factors` by default.
+    limits : Limits, optional
+        Whose bands count; the shipped ones by default.
+    workers : int
+        Processes that share the work (1: this one); a script that asks for more needs ``if __name__ == "__main__":``.
+    progress : callable
+        Told the share that is done, 1.
+
+    Returns
+    -------
+    Equivalence
+        Values and verdicts over each plane, and who is misjudged where.
+
+    Raises
+    ------
+    JounceError
+        For a rig that no tester takes.
+
+    Examples
+    --------
+    >>> from jounce.parts import load
+    >>> found = compare_tests(load("audi-a6-quarter-car"), wear=[0.0, 0.8], factors=usual_factors(2)[:1])
+    >>> found.tests, found.planes["tyre_stiffness"].sizes["wear"]
+    (4, 2)
+    """
+    if not isinstance(rig, QuarterCar):
+        raise SimulationError("the study varies quarter cars", where="rig", found=type(rig).__name__)
+    shares = np.asarray(_spaced(0.0, 0.95, 24) if wear is None else wear, dtype=float)
+    chosen = tuple(usual_factors() if factors is None else factors)
+    used = limits or load_limits()
+    places = [(factor, j) for factor in chosen for j in range(len(factor.values))]
+    columns = [(rig.with_changes(factor.changes(rig, factor.values[j])), shares) for factor, j in places]
+    size = {factor.name: (len(shares), len(factor.values)) for factor in chosen}
+    tables = {name: {quantity: np.full(shape, np.nan) for quantity in METHODS.values()} for name, shape in size.items()}
+    for done, ((factor, j), column) in enumerate(zip(places, _tested(columns, workers), strict=True), 1):
+        for quantity, values in column.items():
+            tables[factor.name][quantity][:, j] = values
+        progress(done / len(places))
+    planes = {factor.name: _plane(factor, shares, tables[factor.name], used) for factor in chosen}
+    found = tuple(row for factor in chosen for row in _disagreements(factor, planes[factor.name]))
+    return Equivalence(planes, found, chosen, used.label, len(columns) * len(shares), _edges(used))
+
+
+def _first_rejected(wear: Array, fails: NDArray[np.bool_], values: Array, edge: float) -> float:
+    """Least wear (1) that fails; on the straight line between it and the one before, where the value is at the edge."""
+    if not fails.any():
+        return float("nan")
+    i = int(fails.argmax())
+    drop = values[i - 1] - values[i] if i else np.nan
+    share = (values[i - 1] - edge) / drop if drop > 0.0 else np.nan
+    return float(wear[i - 1] + share * (wear[i] - wear[i - 1]) if 0.0 <= share <= 1.0 else wear[i])
+
+
+def _edges(limits: Limits) -> dict[str, float]:
+    """Value of each method below which it rejects, where more is better."""
+    found: dict[str, float] = {}
+    for method in METHODS:
+        bands = limits.methods[method].bands if method in limits.methods else ()
+        ends = [low.end for low, high in pairwise(bands) if low.verdict == "fail" and high.verdict != "fail"]
+        found |= {method: ends[0]} if ends else {}
+    return found
+
+
+def _tested(columns: Sequence[tuple[QuarterCar, Array]], workers: int) -> Iterator[dict[str, Array]]:
+    """Test all columns, in their order."""
+    if workers <= 1:
+        yield from map(_column, columns)
+        return
+    with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool:
+        yield from pool.map(_column, columns)
+
+
+def _column(column: tuple[QuarterCar, Array]) -> dict[str, Array]:
+    """Values of the three methods for one car over its wear; not a number where a test gives none."""
+    rig, shares = column
+    rigid, sprung = load_tester(_RIGID), load_tester(_SPRUNG)
+    found = {quantity: np.full(len(shares), np.nan) for quantity in METHODS.values()}
+    for i, share in enumerate(shares):
+        car = worn(rig, float(share))
+        wheel = evaluate(simulate_test(car, rigid, truth=False), rigid, methods=["eusama", "egea"]).wheels[0]
+        mode = wheel_mode(_without_friction(car), sprung, on="road")
+        values = (wheel.adhesion, wheel.phase_angle_min_deg, None if mode is None else mode.damping_ratio)
+        for quantity, value in zip(METHODS.values(), values, strict=True):
+            found[quantity][i] = np.nan if value is None else value
+    return found
+
+
+def _without_friction(rig: QuarterCar) -> QuarterCar:
+    """The rig whose poles are those of its damper: about rest friction holds, and has no damping ratio."""
+    return rig.model_copy(update={"strut": rig.strut.model_copy(update={"friction": None})})
+
+
+def _plane(factor: Factor, shares: Array, tables: dict[str, Array], limits: Limits) -> xr.Dataset:
+    import xarray as xr
+
+    variables: dict[str, Any] = {}
+    for method, quantity in METHODS.items():
+        variables[quantity] = (("wear", factor.name), tables[quantity])
+        verdicts = [[_verdict(limits, method, value) for value in row] for row in tables[quantity]]
+        variables[f"{method}_verdict"] = (("wear", factor.name), np.array(verdicts))
+    return xr.Dataset(variables, {"wear": shares, factor.name: np.asarray(factor.values)})
+
+
+def _verdict(limits: Limits, method: str, value: float) -> str:
+    """Verdict of a method; a value that is not there, or in no band, is not graded."""
+    band = limits.methods[method].band_of(value) if np.isfinite(value) else None
+    return "not graded" if band is None else band.verdict
+
+
+def _disagreements(factor: Factor, plane: xr.Dataset) -> list[Disagreement]:
+    """Sound cars that are rejected and worn ones that pass, by method."""
+    wear, values = plane["wear"].to_numpy(), plane[factor.name].to_numpy()
+    sound, worn_out = wear <= SOUND, wear >= WORN
+    rows = []
+    for method in METHODS:
+        verdict = plane[f"{method}_verdict"].to_numpy()
+        rejected, passed = verdict[sound] == "fail", verdict[worn_out] == "pass"
+        counts = (int(rejected.size), int(passed.size), int(rejected.sum()), int(passed.sum()))
+        rows.append(Disagreement(factor.name, method, *counts, _range(values, rejected), _range(values, passed)))
+    return rows
+
+
+def _range(values: Array, chosen: NDArray[np.bool_]) -> tuple[float, float] | None:
+    there = values[chosen.any(axis=0)]
+    return (float(there.min()), float(there.max())) if len(there) else None
+
+
+def _spaced(low: float, high: float, points: int) -> tuple[float, ...]:
+    return tuple(map(float, np.linspace(low, high, points)))

@@ -1,0 +1,350 @@
+"""What a tester would say about a rig: its test simulated and evaluated, or its steady states."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from jounce.core.errors import SimulationError, unknown
+from jounce.core.findings import Finding
+from jounce.inspection.evaluation import evaluate
+from jounce.inspection.result import Inspection, WheelResult
+from jounce.inspection.verdicts.grading import GradedInspection, grade
+from jounce.parts import QuarterCar, Rig
+from jounce.parts.elements import LinearDamper
+from jounce.parts.front_view import FrontViewAxle, axle_of
+from jounce.parts.testers import Tester, load_tester
+from jounce.parts.vehicles import Vehicle
+from jounce.testers.periodic import steady_sweep
+from jounce.testers.plate_response import (
+    closed_form_adhesion,
+    least_phase_angle,
+    steady_response,
+    wheel_mode,
+)
+from jounce.testers.plates import RIGIDITY_FREQUENCY, tyre_rigidity
+from jounce.testers.stand import check_rig
+from jounce.testers.testing import findings_of_test, simulate_test
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+METHODS = {"eusama": "eusama", "egea": "egea-specsus2018", "theta": "theta-msd3000", "boge": "boge"}
+"""Methods, and the shipped tester of each."""
+_OF_RIGID = "eusama", "egea", "theta"
+_RESOLUTION = 0.005  # Hz
+
+
+@dataclass(frozen=True)
+class SimulatedInspection:
+    """One wheel on a tester.
+
+    Attributes
+    ----------
+    wheel : WheelResult
+        Values (SI), grade, verdict and reasons.
+    record : xarray.Dataset or None
+        Of the simulated test; None for steady states.
+    theta_road, theta_rig : float or None
+        Damping ratios of the wheel's mode by the poles of the linear model: the truth that a record is judged by.
+    """
+
+    wheel: WheelResult
+    record: xr.Dataset | None
+    theta_road: float | None
+    theta_rig: float | None
+
+
+def tester_for(method: str) -> Tester:
+    """Give the shipped tester of a method.
+
+    Raises
+    ------
+    DescriptionError
+        For an unknown method.
+    """
+    if method not in METHODS:
+        raise unknown(method, METHODS, what="method", where="method")
+    return load_tester(METHODS[method])
+
+
+def on_plates(rig: Rig, axle: Literal["front", "rear"] = "front") -> Rig:
+    """Give what stands on the plates: of a vehicle one of its axles.
+
+    Raises
+    ------
+    DescriptionError, SimulationError
+        For a vehicle without tyres, or another rig that no tester takes.
+    """
+    found: Rig = axle_of(rig, axle) if isinstance(rig, Vehicle) else rig
+    check_rig(found)
+    return found
+
+
+def simulate_inspection(
+    rig: Rig,
+    tester: Tester,
+    *,
+    method: str | None = None,
+    steady: bool = False,
+    wheel: Literal["left", "right"] = "left",
+    axle: Literal["front", "rear"] = "front",
+    noise: float = 0.0,
+    seed: int = 0,
+    vehicle: str = "",
+) -> SimulatedInspection:
+    """Simulate the test of a wheel, evaluate its record as if it were measured, and grade it.
+
+    Parameters
+    ----------
+    rig : QuarterCar, Corner, FrontViewAxle, FullCar or HalfCar4
+        Under test.
+    tester : Tester
+        Plates, programme and limits.
+    method : {"eusama", "egea", "theta", "boge"}, optional
+        Whose grade decides; the tester's own otherwise.
+    steady : bool
+        Steady states in place of a run-down: what an infinitely slow sweep without noise would show.
+    wheel : {"left", "right"}
+        Of an axle; of a single wheel the plate it stands on.
+    axle : {"front", "rear"}
+        Of a vehicle.
+    noise : float
+        Standard deviation of the force's noise, in shares of the static load (1).
+    seed : int
+        Of the noise.
+    vehicle : str
+        Name of the vehicle, for the record.
+
+    Returns
+    -------
+    SimulatedInspection
+        Values, grade and the record.
+
+    Raises
+    ------
+    JounceError
+        For a rig that no tester takes, an unknown method or wheel, a run that does not end.
+
+    Examples
+    --------
+    >>> from jounce.parts import load
+    >>> found = simulate_inspection(load("audi-a6-quarter-car"), tester_for("eusama"), steady=True)
+    >>> round(found.wheel.adhesion, 3), round(found.wheel.adhesion_frequency_hz, 1)   # 1, Hz
+    (0.725, 16.6)
+    """
+    deciding = _deciding(method, tester)
+    stood = on_plates(rig, axle)
+    modes = [wheel_mode(stood, tester, wheel=wheel, on=place) for place in ("road", "rig")]
+    road, on_rig = (None if mode is None else mode.damping_ratio for mode in modes)
+    record = None
+    if steady:
+        methods = _OF_RIGID if tester.kind == "rigid-plate" else (deciding,)
+        found = Inspection((_steady_wheel(stood, tester, wheel, road, on_rig),), methods=methods)
+    else:
+        about = {"axle": axle, "vehicle": vehicle}
+        record = simulate_test(stood, tester, wheel=wheel, noise=noise, seed=seed, about=about)
+        found = evaluate(_of_wheel(record, wheel), tester)
+        found = replace(found, wheels=tuple(one for one in found.wheels if one.wheel == wheel))
+        found = _with_findings(found, stood, tester)
+    graded = grade(found, deciding=[deciding])
+    return SimulatedInspection(graded.wheels[0], record, road, on_rig)
+
+
+def simulate_axle(
+    rig: Rig,
+    tester: Tester,
+    *,
+    method: str | None = None,
+    axle: Literal["front", "rear"] = "front",
+    noise: float = 0.0,
+    seed: int = 0,
+    vehicle: str = "",
+) -> tuple[GradedInspection, xr.Dataset]:
+    """Simulate the test of both wheels of an axle, one after the other, evaluate the record and grade it.
+
+    Parameters
+    ----------
+    rig : FrontViewAxle, FullCar or HalfCar4
+        Under test.
+    tester : Tester
+        Plates, programme and limits.
+    method : {"eusama", "egea", "theta", "boge"}, optional
+        Whose grade decides; the tester's own otherwise.
+    axle : {"front", "rear"}
+        Of a vehicle.
+    noise : float
+        Standard deviation of the force's noise, in shares of the static load (1).
+    seed : int
+        Of the noise.
+    vehicle : str
+        Name of the vehicle, for the record.
+
+    Returns
+    -------
+    graded : GradedInspection
+        Values (SI), grades and differences of both wheels, by the record alone.
+    record : xarray.Dataset
+        Of the simulated test.
+
+    Raises
+    ------
+    JounceError
+        For a rig with one wheel only, or as `simulate_inspection`.
+
+    Examples
+    --------
+    >>> from jounce.parts import load
+    >>> graded, record = simulate_axle(load("audi-a6-full-car"), tester_for("egea"), axle="rear")
+    >>> [wheel.verdict for wheel in graded.wheels], record.attrs["wheel_order"]
+    (['pass', 'pass'], 'left, right')
+    """
+    deciding = _deciding(method, tester)
+    stood = on_plates(rig, axle)
+    if not isinstance(stood, FrontViewAxle):
+        raise SimulationError(
+            "one wheel stands on one plate", where="wheel", found="both", allowed="left, right; or an axle of a vehicle"
+        )
+    about = {"axle": axle, "vehicle": vehicle}
+    record = simulate_test(stood, tester, noise=noise, seed=seed, about=about)
+    return grade(evaluate(record, tester), deciding=[deciding]), record
+
+
+def _deciding(method: str | None, tester: Tester) -> str:
+    """The method whose grade decides."""
+    found = method or tester.method
+    if found not in METHODS:
+        raise unknown(found, METHODS, what="method", where="method")
+    return found
+
+
+def _of_wheel(record: xr.Dataset, wheel: str) -> xr.Dataset:
+    """Only what the tester of one wheel has measured; the other plate of an axle stood still."""
+    return record[[name for name in record.data_vars if str(name).startswith(f"{wheel}.")]]
+
+
+def _with_findings(found: Inspection, rig: Rig, tester: Tester) -> Inspection:
+    """Add what the description says already, where the record's evaluation does not."""
+    wheel = found.wheels[0]
+    known = {one.place.rpartition(".")[2] for one in wheel.findings}
+    new = [one for one in findings_of_test(rig, tester) if one.place.rpartition(".")[2] not in known]
+    return replace(found, wheels=(replace(wheel, findings=(*wheel.findings, *new)),))
+
+
+def _steady_wheel(rig: Rig, tester: Tester, wheel: str, road: float | None, on_rig: float | None) -> WheelResult:
+    findings = findings_of_test(rig, tester)
+    load = float(steady_response(rig, tester, [RIGIDITY_FREQUENCY], wheel=wheel).static_load)
+    values: dict[str, Any] = {"theta_road": road, "theta_rig": on_rig}
+    if tester.kind == "rigid-plate":
+        steady = _closed(rig, tester, wheel) if _is_linear(rig) else None
+        if steady is None:
+            steady, said = _swept(rig, tester, wheel)
+            findings += said
+        values |= steady
+        findings += _end_finding(values["phase_frequency_hz"], tester, wheel)
+        findings += _rigidity_findings(values["tyre_rigidity"], tester, wheel)
+    uncertainty = dict.fromkeys((key for key, value in values.items() if isinstance(value, float)), 0.0)
+    uncertainty |= {key: _RESOLUTION for key in uncertainty if key.endswith("_hz")}
+    return WheelResult(wheel, static_load=load, uncertainty=uncertainty, findings=tuple(findings), **values)
+
+
+def _is_linear(rig: Rig) -> bool:
+    """Whether nothing but the tyre's lift-off is not linear."""
+    if not isinstance(rig, QuarterCar):
+        return False
+    strut = rig.strut
+    laws = strut.spring.rate is not None and isinstance(strut.damper, LinearDamper) and rig.tyre.stiffness is not None
+    return laws and strut.friction is None and strut.bump_stop is None and rig.guide.friction is None
+
+
+def _closed(rig: Rig, tester: Tester, wheel: str) -> dict[str, Any] | None:
+    """Values in closed form; None where the wheel lifts off."""
+    adhesion, at = closed_form_adhesion(rig, tester, wheel=wheel)
+    if adhesion <= 0.0:
+        return None
+    phase, there = least_phase_angle(rig, tester, wheel=wheel)
+    force = float(steady_response(rig, tester, [RIGIDITY_FREQUENCY], wheel=wheel).force_amplitude[0])
+    return {
+        "adhesion": adhesion,
+        "adhesion_frequency_hz": at,
+        "phase_angle_min_deg": float(np.degrees(phase)),
+        "phase_frequency_hz": there,
+        "relative_force_amplitude": 1.0 - adhesion,
+        "tyre_rigidity": tyre_rigidity(force, tester.amplitude),
+        "lift_off": False,
+    }
+
+
+def _swept(rig: Rig, tester: Tester, wheel: str) -> tuple[dict[str, Any], list[Finding]]:
+    """Values of periodic steady states, and what weakens them."""
+    sweep = steady_sweep(rig, tester, wheel=wheel)
+    static = float(steady_response(rig, tester, [RIGIDITY_FREQUENCY], wheel=wheel).static_load)
+    above = max(state.force_max for state in sweep.states) / static - 1.0
+    values = {
+        "adhesion": sweep.adhesion,
+        "adhesion_frequency_hz": sweep.adhesion_frequency,
+        "phase_angle_min_deg": float(np.degrees(sweep.phase_angle)),
+        "phase_frequency_hz": sweep.phase_frequency,
+        "relative_force_amplitude": above if sweep.lift_off else 1.0 - sweep.adhesion,
+        "tyre_rigidity": tyre_rigidity(sweep.force_amplitude_25, tester.amplitude),
+        "lift_off": sweep.lift_off,
+    }
+    findings = []
+    if sweep.lift_off:
+        findings.append(Finding(f"{wheel}.adhesion", "warning", "the tyre leaves the plate: adhesion counts as 0"))
+    restless = [state.frequency for state in sweep.states if not state.settled]
+    if restless:
+        text = (
+            f"from {min(restless):g} to {max(restless):g} Hz the motion does not repeat: values are the least of turns"
+        )
+        findings.append(Finding(f"{wheel}.steady_states", "warning", text, float(len(restless))))
+    return values, findings
+
+
+def _end_finding(frequency: float, tester: Tester, wheel: str) -> list[Finding]:
+    low, high = tester.limits.frequency_min, tester.limits.frequency_max
+    if low + _RESOLUTION < frequency < high - _RESOLUTION:
+        return []
+    text = f"the least phase angle lies at an end of the band ({low:g} to {high:g} Hz): it is no minimum"
+    return [Finding(f"{wheel}.phase_angle", "warning", text, frequency)]
+
+
+def _rigidity_findings(rigidity: float, tester: Tester, wheel: str) -> list[Finding]:
+    low, high = tester.limits.tyre_rigidity_min, tester.limits.tyre_rigidity_max
+    if low <= rigidity <= high:
+        return []
+    pressure = "low" if rigidity < low else "high"
+    allowed = f"{low / 1e3:.0f} to {high / 1e3:.0f} N/mm"
+    text = f"tyre rigidity {rigidity / 1e3:.0f} N/mm ({allowed}): the tyre's pressure is too {pressure}"
+    return [Finding(f"{wheel}.tyre_rigidity", "warning", text, rigidity)]
+
+
+def sweep_wear(text: str) -> list[float]:
+    """Read wears as ``first:last:step``, both ends included, or one number.
+
+    Raises
+    ------
+    SimulationError
+        For anything else, or wears outside of 0 to 1.
+
+    Examples
+    --------
+    >>> sweep_wear("0:1:0.25")
+    [0.0, 0.25, 0.5, 0.75, 1.0]
+    """
+    parts = text.split(":")
+    try:
+        numbers = [float(part) for part in parts]
+    except ValueError:
+        numbers = []
+    good = len(numbers) in (1, 3) and all(np.isfinite(number) for number in numbers)
+    if good and len(numbers) == 3:
+        first, last, step = numbers
+        good = step > 0.0 and last >= first and (last - first) / step < 1e4
+        numbers = [round(first + i * step, 12) for i in range(round((last - first) / step + 1e-9) + 1)] if good else []
+        numbers = [number for number in numbers if number <= last + 1e-9]
+    if not good or not numbers or min(numbers) < 0.0 or max(numbers) > 1.0:
+        raise SimulationError("not a range of wear", where="wear", found=text, allowed="FIRST:LAST:STEP within 0 to 1")
+    return numbers

@@ -1,0 +1,317 @@
+"""Paper 2's half car: an Audi A6 brakes onto an obstacle (case A) and accelerates into a pothole (case B)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import unknown
+from jounce.core.extremes import Window, extremes_within
+from jounce.core.findings import Finding
+from jounce.core.serialise import to_plain
+from jounce.papers.audi_a6_paper import PrintedSign, Slip, StartUp, paper_slips, printed_sign, start_up
+from jounce.parts import load
+from jounce.parts.vehicles import Compat, HalfCar
+from jounce.recordings.schema import recording
+from jounce.roads import Rectangle, Trapezoid, Trial
+from jounce.roads.loads import PitchMoment
+from jounce.roads.road import Road
+from jounce.simulation import Mode, equilibrium, modes, simulate
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+Progress = Callable[[str], None]
+CaseName = Literal["case-a", "case-b"]
+VEHICLE = "audi-a6-half-car"
+VARIANTS: tuple[Compat, ...] = ("simulink", "sign-corrected", "physical")
+SPEED, RAMP = 10.0, 0.5
+"""Driving speed (m/s) and length of the raised-cosine ramps (m) of the physical variant; estimated."""
+DRIVING, ON, OFF, DURATION = 3.0, 6.0, 8.0, 10.0
+"""When the moment begins, the front axle meets the obstacle, leaves it, and the run ends, s."""
+WINDOWS = ((DRIVING, ON), (ON, OFF), (OFF, DURATION))
+DEMO_MOMENT = 100.0
+"""Step of the pitch moment in the demo that the paper started from, N m."""
+DECELERATION, CENTRE_HEIGHT = 3.0, 0.55
+"""What a second pitch moment is made of: m/s^2 and the height of the centre of gravity in m; estimated."""
+_TOLERANCE = 1e-9
+_FINE = 1e-4  # s: accelerations have no derivative among the channels that could tell what is between samples
+
+
+@dataclass(frozen=True)
+class Case:
+    """One of the paper's two cases: obstacle ``height`` in m, ``sign`` of the pitch moment (1 nose down, -1 up)."""
+
+    name: CaseName
+    title: str
+    height: float
+    sign: float
+    figures: tuple[int, int]
+
+
+CASES: dict[str, Case] = {
+    case.name: case
+    for case in (
+        Case("case-a", "Case A: braking onto a 5 cm obstacle", 0.05, 1.0, (12, 13)),
+        Case("case-b", "Case B: accelerating into a 2 cm pothole", -0.02, -1.0, (14, 15)),
+    )
+}
+
+
+@dataclass(frozen=True)
+class AxleStatics:
+    """One axle at rest: ``force`` of both wheels and ``force_per_wheel`` in N, ``compression`` of a spring in m."""
+
+    force: float
+    force_per_wheel: float
+    compression: float
+
+
+@dataclass(frozen=True)
+class Statics:
+    """Static equilibrium: height ``z`` (m) of the centre of gravity, ``theta`` (rad, nose down positive), axles."""
+
+    z: float
+    theta: float
+    front: AxleStatics
+    rear: AxleStatics
+
+
+@dataclass(frozen=True)
+class CaseRun:
+    """One moment in one variant.
+
+    Attributes
+    ----------
+    moment : float
+        Pitch moment from 3 s on, N m, nose down positive.
+    variant : str
+        One of :data:`VARIANTS`.
+    statics : Statics
+        What the changes count from.
+    outputs : dict of str to tuple of Window
+        Extremes of ``z`` (m, up) and ``theta`` (rad, nose down), changes from static equilibrium.
+    peak_acceleration, least_wheel_force : float
+        Largest acceleration of the body's centre of gravity from 6 s to 8 s (m/s^2, up or down); least force on one
+        wheel (N), negative where the model pulls at the road.
+    signals : xarray.Dataset
+        Changes, axle forces, road and moment over time.
+    """
+
+    moment: float
+    variant: str
+    statics: Statics
+    outputs: dict[str, tuple[Window, ...]]
+    peak_acceleration: float
+    least_wheel_force: float
+    signals: xr.Dataset
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give the results as plain data in SI, without signals."""
+        plain: dict[str, Any] = to_plain(
+            {
+                "moment": self.moment,
+                "variant": self.variant,
+                "statics": self.statics,
+                "outputs": {name: {"windows": windows} for name, windows in self.outputs.items()},
+                "peak_acceleration": self.peak_acceleration,
+                "least_wheel_force": self.least_wheel_force,
+            }
+        )
+        return plain
+
+
+@dataclass(frozen=True)
+class AudiCase:
+    """What a case of the paper comes to.
+
+    Attributes
+    ----------
+    case : Case
+        Which one.
+    vehicle : HalfCar
+        The paper's Table 2.
+    runs : tuple of CaseRun
+        Each moment in all variants.
+    modes : tuple of Mode
+        Bounce and pitch; the same in all variants.
+    printed : PrintedSign
+        What the printed sign of eq. (9) would make of the vehicle.
+    start_up : StartUp
+        What the demo's initial height would make of it.
+    slips : tuple of Slip
+        The paper's numbers beside the correct ones.
+    findings : tuple of Finding
+        What the reader must know.
+    """
+
+    case: Case
+    vehicle: HalfCar
+    runs: tuple[CaseRun, ...]
+    modes: tuple[Mode, ...]
+    printed: PrintedSign
+    start_up: StartUp
+    slips: tuple[Slip, ...]
+    findings: tuple[Finding, ...]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give the results as plain data in SI, without signals."""
+        plain: dict[str, Any] = to_plain(
+            {
+                "case": self.case.name,
+                "vehicle": self.vehicle.model_dump(by_alias=True, exclude_none=True),
+                "obstacle_height": self.case.height,
+                "runs": [run.to_dict() for run in self.runs],
+                "modes": self.modes,
+                "printed_sign_of_eq_9": self.printed,
+                "start_up_of_the_demo": self.start_up.to_dict(),
+                "paper": self.slips,
+                "findings": self.findings,
+            }
+        )
+        return plain
+
+
+def run_audi_a6(name: str, *, progress: Progress = lambda _: None) -> AudiCase:
+    """Run one of the paper's cases: two pitch moments, each in all three variants of the half car.
+
+    Braking (case A, moment positive) or accelerating (case B, moment negative) begins at 3 s; the front axle is on a
+    5 cm obstacle (A) or in a 2 cm pothole (B) from 6 s to 8 s; the run ends at 10 s.
+
+    Parameters
+    ----------
+    name : {"case-a", "case-b"}
+        Which case.
+    progress : callable
+        Called with one line of text as the work goes on.
+
+    Returns
+    -------
+    AudiCase
+        Windows of extremes, statics, modes, signals, and the paper beside what is correct.
+
+    Raises
+    ------
+    JounceError
+        For another name.
+
+    Examples
+    --------
+    >>> run = run_audi_a6("case-a").runs[0]
+    >>> run.variant, run.moment, round(1e3 * run.outputs["z"][1].min, 2)    # mm: the demo counts a bump downwards
+    ('simulink', 100.0, -60.93)
+    """
+    if name not in CASES:
+        raise unknown(name, CASES, what="case", where="study")
+    case, vehicle = CASES[name], load(VEHICLE)
+    assert isinstance(vehicle, HalfCar)
+    runs = []
+    for moment in moments(case, vehicle):
+        for variant in VARIANTS:
+            progress(f"simulate: {moment:g} N m, {variant}")
+            runs.append(case_run(vehicle, case, moment, variant))
+    progress("compare with the paper")
+    found = printed_sign(vehicle), start_up(vehicle), paper_slips()
+    return AudiCase(case, vehicle, tuple(runs), modes(vehicle), *found, _findings(case, runs))
+
+
+def moments(case: Case, vehicle: HalfCar) -> tuple[float, float]:
+    """Pitch moments of a case in N m: that of the demo, and that of 3 m/s^2 at a height of 0.55 m."""
+    return case.sign * DEMO_MOMENT, case.sign * vehicle.body.mass * DECELERATION * CENTRE_HEIGHT
+
+
+def course(case: Case, variant: str) -> Road:
+    """Road of a case: upright steps; in the physical variant ramps that the front axle meets at 6 s and 8 s."""
+    start, length = SPEED * ON, SPEED * (OFF - ON)
+    if variant == "physical":
+        return Trapezoid(height=case.height, length=length + RAMP, ramp=RAMP, shape="cosine", start=start)
+    return Rectangle(height=case.height, length=length, start=start)
+
+
+def case_run(vehicle: HalfCar, case: Case, moment: float, variant: str) -> CaseRun:
+    """Run one variant with a pitch moment in N m from 3 s on."""
+    car = vehicle.with_changes({"compat": variant})
+    load = PitchMoment(value=moment, start=DRIVING)
+    trial = Trial(road=course(case, variant), speed=SPEED, duration=DURATION, pitch_moment=load)
+    run = simulate(car, trial, tolerance=_TOLERANCE)
+    statics = half_car_statics(car)
+    signals = _signals(run, statics)
+    time = run["time"].to_numpy()
+    rates = {"z": "body.vz", "theta": "body.pitch_rate"}
+    outputs = {
+        name: tuple(
+            extremes_within(time, signals[channel].to_numpy(), run[rates[name]].to_numpy(), *window)
+            for window in WINDOWS
+        )
+        for name, channel in (("z", "bounce.displacement"), ("theta", "pitch.angle"))
+    }
+    fine = simulate(car, trial, tolerance=_TOLERANCE, output_step=_FINE)["body.az"]
+    peak = float(np.abs(fine.sel(time=slice(ON, OFF - _FINE)).to_numpy()).max())
+    least = min(float(run[f"{axle}.strut.force"].min()) for axle in ("front", "rear"))
+    return CaseRun(moment, variant, statics, outputs, peak, least, signals)
+
+
+def half_car_statics(vehicle: HalfCar) -> Statics:
+    """Static equilibrium of a half car on a level road."""
+    rest = equilibrium(vehicle)
+    axles = (
+        AxleStatics(2.0 * rest[f"{axle}.strut.force"], rest[f"{axle}.strut.force"], rest[f"{axle}.strut.deflection"])
+        for axle in ("front", "rear")
+    )
+    return Statics(rest["body.z"], rest["body.pitch"], *axles)
+
+
+def _signals(run: xr.Dataset, statics: Statics) -> xr.Dataset:
+    """Collect what the paper's oscilloscopes show: changes of bounce and pitch, forces of the axles, road, moment."""
+    value = {str(name): run[name].to_numpy() for name in run.data_vars}
+    channels = {
+        "bounce.displacement": (value["body.z"] - statics.z, "m", "bounce: change of height from static equilibrium"),
+        "pitch.angle": (value["body.pitch"] - statics.theta, "rad", "pitch: change from static equilibrium, nose down"),
+        "front.force": (2.0 * value["front.strut.force"], "N", "front axle: force on the body, up"),
+        "rear.force": (2.0 * value["rear.strut.force"], "N", "rear axle: force on the body, up"),
+        "front.road.z": (value["front.road.z"], "m", "road under the front axle, up"),
+        "rear.road.z": (value["rear.road.z"], "m", "road under the rear axle, up"),
+        "pitch.moment": (value["body.pitch_moment"], "N*m", "pitch moment of driving, nose down"),
+    }
+    return recording(run["time"].to_numpy(), channels)
+
+
+def _findings(case: Case, runs: list[CaseRun]) -> tuple[Finding, ...]:
+    found = [
+        Finding(
+            "pitch moment",
+            "warning",
+            f"the paper never gives M_y: it is run with the demo's step of {DEMO_MOMENT:g} N m and with "
+            f"{abs(runs[-1].moment):.1f} N m (mass × {DECELERATION:g} m/s² × {CENTRE_HEIGHT:g} m, estimated); "
+            "it is kept until the end of the run.",
+        ),
+        Finding(
+            "simulink",
+            "warning",
+            "the demo adds the road height with the wrong sign: an obstacle lowers the body, a pothole raises it; "
+            "only sign-corrected and physical show what a car does.",
+        ),
+        Finding(
+            "physical",
+            "note",
+            f"speed {SPEED:g} m/s and raised-cosine ramps of {RAMP:g} m are estimated; the front axle meets them at "
+            f"{ON:g} s and {OFF:g} s, the rear axle by wheelbase over speed later.",
+        ),
+        Finding(
+            "vehicle",
+            "warning",
+            "the axles have no mass and never leave the road; Table 2's springs equal the defaults of the demo "
+            "(28000 and 21000 N/m), so they are probably not this car's.",
+        ),
+    ]
+    for run in runs:
+        if run.least_wheel_force < 0.0:
+            text = f"a wheel's force falls to {run.least_wheel_force:.0f} N: a real wheel would leave the road there."
+            place = f"{case.name}, {run.moment:g} N m, {run.variant}"
+            found.append(Finding(place, "warning", text, run.least_wheel_force))
+    return tuple(found)

@@ -1,0 +1,1 @@
+"""Road roughness: spectra and classes of measured profiles, and the international roughness index."""

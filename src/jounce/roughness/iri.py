@@ -1,0 +1,341 @@
+"""International roughness index of a longitudinal profile, by the algorithm of its inventors."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from jounce.core.errors import RecordingError
+from jounce.core.findings import Finding
+from jounce.core.recursion import first_order
+from jounce.core.units import to_si
+
+Array = NDArray[np.float64]
+SPEED = 80.0 / 3.6
+TYRE, SPRING, DAMPER, MASS_RATIO = 653.0, 63.3, 6.0, 0.15  # per sprung mass: 1/s^2, 1/s^2, 1/s; unsprung over sprung
+BASE = 0.25
+RUN_UP = 11.0
+COARSEST, COARSE = 0.61, 0.3
+LARGEST_JITTER = 0.01
+SMOOTHEST, ROUGHEST, NO_ROAD = 0.1, 30.0, 300.0
+_NEARLY = 1e-6
+
+
+@dataclass(frozen=True)
+class RoughnessSegment:
+    """Roughness of one part of a profile.
+
+    Attributes
+    ----------
+    start, end : float
+        Distance, m.
+    iri_m_per_km : float
+        Mean rectified slope of the golden car, m/km.
+    partial : bool
+        Whether it is the rest at the end, shorter than the others.
+    """
+
+    start: float
+    end: float
+    iri_m_per_km: float
+    partial: bool
+
+
+@dataclass(frozen=True)
+class Roughness:
+    """International roughness index of a profile and of its segments.
+
+    Attributes
+    ----------
+    iri_m_per_km : float
+        Of the whole profile, m/km (the same number as mm/m).
+    start, end : float
+        Where the profile begins and ends, m.
+    spacing : float
+        Distance of its samples, m.
+    base : float
+        Length over which slopes are taken, m: 0.25 m in whole samples.
+    segment : float
+        Length of the segments, m.
+    segments : tuple of RoughnessSegment
+        In their order. The car is not started anew at their borders.
+    findings : tuple of Finding
+        What weakens the numbers.
+    """
+
+    iri_m_per_km: float
+    start: float
+    end: float
+    spacing: float
+    base: float
+    segment: float
+    segments: tuple[RoughnessSegment, ...]
+    findings: tuple[Finding, ...] = ()
+
+    def __str__(self) -> str:
+        lines = [f"IRI {self.iri_m_per_km:.3f} m/km from {self.start:g} m to {self.end:g} m, every {self.spacing:g} m"]
+        for part in self.segments:
+            rest = " (partial)" if part.partial else ""
+            lines.append(f"{part.start:12.3f} m {part.end:12.3f} m {part.iri_m_per_km:9.3f} m/km{rest}")
+        return "\n".join([*lines, *map(str, self.findings)])
+
+
+def iri(
+    distance: ArrayLike,
+    height: ArrayLike,
+    *,
+    segment: float | str = 100.0,
+    run_up: float | str = RUN_UP,
+    place: str = "profile",
+) -> Roughness:
+    """International roughness index (IRI) of one wheel track.
+
+    Parameters
+    ----------
+    distance : array_like, shape (n,)
+        Positions in m, ascending in constant steps of at most 0.61 m. They are used as they are: nothing is resampled.
+    height : array_like, shape (n,)
+        Heights in m.
+    segment : float or str
+        Length of the segments, m or text with a unit.
+    run_up : float or str
+        Length in m over which the mean slope gives the car's state at the start; 11 m by definition (some programs take
+        0.5 s at 80 km/h, 11.11 m).
+    place : str
+        What messages call the profile, e.g. its file.
+
+    Returns
+    -------
+    Roughness
+        Index of the whole and of each segment, m/km.
+
+    Raises
+    ------
+    RecordingError
+        For distances that are not uniform or run backwards, values that are not finite, samples too far apart, a
+        profile too short, and heights that are no road's in the unit given.
+
+    Notes
+    -----
+    Source: World Bank Technical Paper 46 (``wtp-46``), ASTM E1926. Slopes over 0.25 m in whole samples drive a quarter
+    car at 80 km/h (``golden car``), propagated exactly from sample to sample; the index is the mean of the absolute
+    difference between the slopes of its sprung and its unsprung mass. It is not a length of the profile's ups and
+    downs, and not the roughness of a lane: that is the mean of two wheel tracks.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> x = np.arange(0.0, 2000.1, 0.25)
+    >>> wave = iri(x, 0.010 * np.sin(2.0 * np.pi * x / 15.4), segment="1 km")
+    >>> round(wave.iri_m_per_km, 3), len(wave.segments)
+    (3.975, 2)
+    """
+    x, z = np.asarray(distance, dtype=float), np.asarray(height, dtype=float)
+    length, start_length = to_si(segment, "m", where="segment"), to_si(run_up, "m", where="run_up")
+    spacing = _checked_spacing(x, z, place)
+    samples = base_samples(spacing)
+    base = samples * spacing
+    _check_lengths(x, spacing, base, length, start_length, place)
+    trace = rectified_slope(z, spacing, start_length)
+    whole = 1e3 * float(trace.mean())
+    findings = _findings(whole, spacing, place)
+    segments = _segments(trace, float(x[0]), float(x[-1]), spacing, base, length)
+    return Roughness(whole, float(x[0]), float(x[-1]), spacing, base, length, segments, findings)
+
+
+def base_samples(spacing: float) -> int:
+    """Number of sample intervals in the base of a slope: 0.25 m over ``spacing`` (m), rounded, at least 1."""
+    return max(1, math.floor(BASE / spacing + 0.5 + _NEARLY))
+
+
+def rectified_slope(height: Array, spacing: float, run_up: float = RUN_UP) -> Array:
+    """Absolute slope difference (m/m) between the masses of the golden car after each step along a profile.
+
+    ``height`` (m) has samples every ``spacing`` (m), ``run_up`` (m) is the length whose mean slope the car starts with.
+    There are as many steps as slopes: the number of samples less that of the base.
+    """
+    count = base_samples(spacing)
+    slope = (height[count:] - height[:-count]) / (count * spacing)
+    ahead = float(np.interp(run_up / spacing, np.arange(height.size), height) - height[0]) / run_up
+    values, vectors, inverse = _modes()
+    factors = np.exp(values * spacing / SPEED)
+    drive = (factors - 1.0) / values * (inverse @ _drive())
+    shown = vectors[0] - vectors[2]
+    rest = inverse @ np.array([ahead, 0.0, ahead, 0.0])
+    upper = [i for i, value in enumerate(values) if value.imag > 0.0]  # the other two are their conjugates
+    found = sum(
+        2.0 * (shown[i] * first_order(slope * drive[i], complex(factors[i]), complex(rest[i]))).real for i in upper
+    )
+    return np.asarray(abs(found), dtype=float)
+
+
+def state_transition(spacing: float) -> tuple[Array, Array]:
+    """Matrices of one step along the profile: ``Z[i+1] = ST Z[i] + PR slope`` (slope form, s for the rates).
+
+    Parameters
+    ----------
+    spacing : float
+        Step in m.
+
+    Returns
+    -------
+    ST : ndarray, shape (4, 4)
+        Of the state: slopes (1) and their rates (1/s) of sprung and unsprung mass.
+    PR : ndarray, shape (4,)
+        Of the profile's slope (1).
+    """
+    values, vectors, inverse = _modes()
+    factors = np.exp(values * spacing / SPEED)
+    step = (vectors * factors) @ inverse
+    drive = vectors @ ((factors - 1.0) / values * (inverse @ _drive()))
+    return np.ascontiguousarray(step.real), np.ascontiguousarray(drive.real)
+
+
+def golden_car_response(wavelength: ArrayLike) -> NDArray[np.complex128]:
+    """Slope difference of the golden car's masses over the slope of a sinusoidal road (1), per wavelength in m.
+
+    The quarter car alone at 80 km/h, without the 0.25 m base, whose gain is ``sinc(0.25 m / wavelength)``.
+    """
+    s = 2j * math.pi * SPEED / np.asarray(wavelength, dtype=float)
+    values, vectors, inverse = _modes()
+    drive = (vectors[0] - vectors[2]) * (inverse @ _drive())
+    return np.asarray(np.sum(drive / (s[..., None] - values), axis=-1), dtype=np.complex128)
+
+
+def _system() -> Array:
+    return np.array(
+        [
+            [0.0, 1.0, 0.0, 0.0],
+            [-SPRING, -DAMPER, SPRING, DAMPER],
+            [0.0, 0.0, 0.0, 1.0],
+            [SPRING / MASS_RATIO, DAMPER / MASS_RATIO, -(TYRE + SPRING) / MASS_RATIO, -DAMPER / MASS_RATIO],
+        ]
+    )
+
+
+def _drive() -> Array:
+    return np.array([0.0, 0.0, 0.0, TYRE / MASS_RATIO])
+
+
+def _modes() -> tuple[NDArray[np.complex128], NDArray[np.complex128], NDArray[np.complex128]]:
+    """Eigenvalues (1/s), eigenvectors and their inverse: with them the matrix exponential is exact and cheap."""
+    values, vectors = np.linalg.eig(_system())
+    return values, vectors, np.linalg.inv(vectors)
+
+
+def _segments(
+    trace: Array, start: float, end: float, spacing: float, base: float, length: float
+) -> tuple[RoughnessSegment, ...]:
+    """Means over the steps whose slope's middle lies in a segment."""
+    middle = 0.5 * base + spacing * np.arange(trace.size)
+    whole = math.floor((end - start) / length + _NEARLY)
+    number = np.floor(middle / length + 1e-9).astype(int)
+    counts, sums = np.bincount(number), np.bincount(number, weights=trace)
+    return tuple(
+        RoughnessSegment(
+            start + i * length,
+            min(start + (i + 1) * length, end),
+            1e3 * float(sums[i] / counts[i]),
+            partial=i >= whole,
+        )
+        for i in range(len(counts))
+        if counts[i]
+    )
+
+
+def _checked_spacing(x: Array, z: Array, place: str) -> float:
+    """Refuse distances and heights that are no profile; give the distance of the samples, m."""
+    if x.ndim != 1 or x.shape != z.shape:
+        problem = "distance and height are not two columns of the same length"
+        raise RecordingError(problem, where=place, found=f"shapes {x.shape} and {z.shape}")
+    if x.size < 3:
+        raise RecordingError("too few samples", where=place, found=x.size, allowed="a profile longer than 11 m")
+    for name, values in (("distance", x), ("height", z)):
+        _check_finite(values, f"{place}: {name}")
+    steps = np.diff(x)
+    if np.all(steps < 0.0):
+        raise RecordingError("distance runs backwards", where=place, hint="Turn the order of the rows round.")
+    if np.any(steps <= 0.0):
+        row = int(np.argmax(steps <= 0.0)) + 1
+        raise RecordingError(
+            f"distance does not ascend at row {row + 1}",
+            where=place,
+            found=f"{x[row]:.9g} m after {x[row - 1]:.9g} m",
+            allowed="strictly ascending distance",
+        )
+    spacing = float(x[-1] - x[0]) / (x.size - 1)
+    usual = float(np.median(steps))
+    jitter = abs(steps - usual)
+    if jitter.max() > LARGEST_JITTER * usual + 1e-9 * abs(x).max():
+        row = int(jitter.argmax()) + 1
+        raise RecordingError(
+            f"the samples are not evenly spaced: see row {row + 1}",
+            where=place,
+            found=f"a step of {steps[row - 1]:.6g} m",
+            allowed=f"{usual:.6g} m within 1 %, as in the rest",
+            hint="Is a row missing, or was distance written with too few digits?",
+        )
+    return spacing
+
+
+def _check_finite(values: Array, where: str) -> None:
+    bad = ~np.isfinite(values)
+    if not bad.any():
+        return
+    inside = np.flatnonzero(~bad)
+    row = int(np.argmax(bad))
+    padding = inside.size > 0 and not bad[inside[0] : inside[-1] + 1].any()
+    hint = "Cut the padding off." if padding else "Fill the gap, or evaluate the parts one by one."
+    what = f"{int(bad.sum())} values are not finite numbers, the first at row {row + 1}"
+    raise RecordingError(what, where=where, found=str(values[row]), hint=hint)
+
+
+def _check_lengths(x: Array, spacing: float, base: float, segment: float, run_up: float, place: str) -> None:
+    if spacing > COARSEST:
+        raise RecordingError(
+            "the samples are too far apart for the roughness index",
+            where=place,
+            found=f"{spacing:g} m",
+            allowed=f"at most {COARSEST} m",
+            hint="Is the distance in the unit that its header says?",
+        )
+    if not run_up > 0.0:
+        raise RecordingError("the run-up is not positive", where=place, found=f"{run_up:g} m")
+    if not segment >= max(base, spacing):
+        raise RecordingError(
+            "the segment is too short", where=place, found=f"{segment:g} m", allowed=f"at least {base:g} m"
+        )
+    total = float(x[-1] - x[0])
+    if total < run_up + base - _NEARLY:
+        raise RecordingError(
+            "the profile is too short for the roughness index",
+            where=place,
+            found=f"{total:g} m",
+            allowed=f"at least {run_up + base:g} m: {run_up:g} m give the state at the start, {base:g} m one slope",
+            hint="Is the distance in the unit that its header says?",
+        )
+
+
+def _findings(whole: float, spacing: float, place: str) -> tuple[Finding, ...]:
+    if whole > NO_ROAD:
+        raise RecordingError(
+            "these heights are no road's",
+            where=place,
+            found=f"IRI {whole:.4g} m/km",
+            allowed=f"at most {NO_ROAD:g} m/km; the roughest tracks have some {ROUGHEST:g}",
+            hint="Are heights and distances in the units that their headers say?",
+        )
+    found = []
+    if whole > ROUGHEST:
+        text = f"IRI {whole:.3g} m/km is rougher than any road that is driven at 80 km/h; are the units right?"
+        found.append(Finding(place, "warning", text, whole))
+    if 0.0 < whole < SMOOTHEST:
+        text = f"IRI {whole:.3g} m/km is smoother than any road is built; are the units right?"
+        found.append(Finding(place, "warning", text, whole))
+    if spacing > COARSE:
+        text = f"samples every {spacing:g} m; ASTM E1926 asks for 0.3 m or less, so the index comes out too low"
+        found.append(Finding(place, "warning", text, spacing))
+    return tuple(found)

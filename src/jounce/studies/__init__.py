@@ -1,1 +1,0 @@
-"""Whole jobs: they return results, the faces write them."""

@@ -1,7 +1,0 @@
-"""Bench campaigns: from a folder of measurements to an updated model with its evidence."""
-
-from jounce.studies.campaign.description import Campaign, load_campaign
-from jounce.studies.campaign.result import CampaignResult, StrategyResult, TrialResult
-from jounce.studies.campaign.run import run_campaign
-
-__all__ = ["Campaign", "CampaignResult", "StrategyResult", "TrialResult", "load_campaign", "run_campaign"]

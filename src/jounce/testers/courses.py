@@ -1,0 +1,170 @@
+"""Runs of a rig over a tester's programme: driven all the way, or free after the drive is switched off."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import partial
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import unknown
+from jounce.core.segments import Segments
+from jounce.mechanics.model import Output
+from jounce.mechanics.motions import held
+from jounce.parts.front_view import FrontViewAxle
+from jounce.parts.rig import Rig
+from jounce.parts.testers import Programme, Tester
+from jounce.simulation.run import samples_reached
+from jounce.testers.model import ANGLE
+from jounce.testers.stand import Stand, channel, stand
+from jounce.testers.turning import Turning, angle_of, turning
+
+Array = NDArray[np.float64]
+Wheel = Literal["left", "right", "both"]
+Other = Literal["still", "excited"]
+
+
+@dataclass(frozen=True)
+class Course:
+    """Arrays of a simulated test.
+
+    Attributes
+    ----------
+    time : ndarray, shape (n,)
+        s.
+    values : dict
+        Output of the model to its samples, SI, shape (n,).
+    static : dict
+        Output to its value at rest.
+    outputs : tuple of Output
+        Names, units and labels.
+    """
+
+    time: Array
+    values: dict[str, Array]
+    static: dict[str, float]
+    outputs: tuple[Output, ...]
+
+
+def run_course(rig: Rig, tester: Tester, *, wheel: Wheel = "both", other: Other = "still") -> Course:
+    """Run a tester's programme; arguments as for :func:`simulate_test`, without sensors and without a Dataset."""
+    chosen = _chosen(rig, wheel, other)
+    return (_free if tester.programme.run_down == "free" else _controlled)(rig, tester, chosen)
+
+
+def _chosen(rig: Rig, wheel: str, other: str) -> list[tuple[str, ...]]:
+    """Wheels that are excited together, test after test."""
+    for name, value, allowed in (("wheel", wheel, ("left", "right", "both")), ("other", other, ("still", "excited"))):
+        if value not in allowed:
+            raise unknown(str(value), allowed, what=name, where=name)
+    if not isinstance(rig, FrontViewAxle):
+        return [("",)]
+    if other == "excited":
+        return [("left", "right")]
+    return [("left",), ("right",)] if wheel == "both" else [(wheel,)]
+
+
+def _controlled(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> Course:
+    """All tests in one run: the drive follows its programme exactly."""
+    on, programme, begin = stand(rig, tester), tester.programme, 0.0
+    turns: dict[str, list[Turning]] = {}
+    for test in tests:
+        load = max(on.static_load(place) for place in test)
+        for place in test:
+            turns.setdefault(place, []).append(turning(programme, load, begin))
+        begin = turns[test[0]][-1].edges[-1] + programme.pause
+    end = begin - programme.pause
+    times = _times(0.0, end, tester.sampling_frequency)
+    angles = {place: angle_of(found) for place, found in turns.items()}
+    solution = on.run(angles, times, fastest=_fastest(programme))
+    samples_reached(solution, on.compiled.facts, check=True)
+    return _course(on, times, solution.outputs)
+
+
+def _free(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> Course:
+    """Test after test: brought to speed, then moved by the drive's inertia only."""
+    programme, on = tester.programme, stand(rig, tester)
+    state: dict[str, float] = {}
+    pieces: list[tuple[Array, dict[str, Array]]] = []
+    outputs: tuple[Output, ...] = ()
+    begin = 0.0
+    for number, test in enumerate(tests):
+        hold = programme.hold(max(on.static_load(place) for place in test))
+        rest = programme.duration + (programme.pause if number + 1 < len(tests) else 0.0)
+        for here, angles, length in _phases(on, stand(rig, tester, test), test, hold, rest):
+            times = begin + _times(0.0, length, tester.sampling_frequency)
+            moved = {place: segments(begin, state) for place, segments in angles.items()}
+            solution = here.run(moved, times, start=state or None, fastest=_fastest(programme))
+            samples_reached(solution, here.compiled.facts, check=True)
+            state = _state(here, moved, solution.states[:, -1], times[-1:])
+            values = dict(zip(here.compiled.output_names, solution.outputs[:, bool(pieces) :], strict=True))
+            outputs = outputs or here.compiled.facts.outputs
+            pieces.append((times[bool(pieces) :], values))
+            begin = float(times[-1])
+    time = np.concatenate([times for times, _ in pieces])
+    common = [output for output in outputs if all(output.name in values for _, values in pieces)]
+    joined = {output.name: np.concatenate([values[output.name] for _, values in pieces]) for output in common}
+    return Course(time, joined, on.static, tuple(common))
+
+
+_Angles = Callable[[float, Mapping[str, float]], Segments]
+
+
+def _phases(
+    driven: Stand, free: Stand, test: tuple[str, ...], hold: float, rest: float
+) -> Iterator[tuple[Stand, dict[str, _Angles], float]]:
+    """Stand, tracks (for a begin in s and the state there) and length (s) of each part of one test."""
+    tester = driven.tester
+    rate = 2.0 * np.pi * tester.programme.start_frequency
+    still = {place: partial(_still, place) for place in driven.places if place not in test}
+    motor = tester.drive is not None and tester.drive.motor is not None
+    if hold > 0.0 and motor:
+        yield free, {**still, **dict.fromkeys(test, _motor_on)}, hold
+    elif hold > 0.0:
+        yield driven, {**still, **{place: partial(_turned, place, rate) for place in test}}, hold
+    yield free, {**still, **dict.fromkeys(test, _motor_off)}, rest
+
+
+def _motor_on(_begin: float, _state: Mapping[str, float]) -> Segments:
+    return held(1.0)
+
+
+def _motor_off(_begin: float, _state: Mapping[str, float]) -> Segments:
+    return held(0.0)
+
+
+def _still(place: str, _begin: float, state: Mapping[str, float]) -> Segments:
+    return held(state.get(channel(place, ANGLE), 0.0))
+
+
+def _turned(place: str, rate: float, begin: float, state: Mapping[str, float]) -> Segments:
+    angle = state.get(channel(place, ANGLE), 0.0)
+    return Segments(np.array([begin, begin + 1.0]), np.zeros(1, np.int64), np.array([[angle, rate, 0.0, 0.0]]))
+
+
+def _state(on: Stand, tracks: Mapping[str, Segments], x: Array, at: Array) -> dict[str, float]:
+    """States at the end of a part by name, the angles of driven excenters among them."""
+    found = dict(zip(on.compiled.facts.states, map(float, x), strict=True))
+    for place, segments in tracks.items():
+        name = channel(place, ANGLE)
+        if name not in found:
+            angle, rate = segments.evaluate(at)
+            found[name], found[f"{name} rate"] = float(angle[0]), float(rate[0])
+    return found
+
+
+def _fastest(programme: Programme) -> float:
+    return 2.0 * np.pi * max(programme.start_frequency, programme.end_frequency)
+
+
+def _times(begin: float, end: float, frequency: float) -> Array:
+    count = int(np.floor((end - begin) * frequency + 1e-9))
+    return np.asarray(begin + np.arange(count + 1) / frequency)
+
+
+def _course(on: Stand, time: Array, outputs: Array) -> Course:
+    values = dict(zip(on.compiled.output_names, outputs, strict=True))
+    return Course(time, values, on.static, on.compiled.facts.outputs)

@@ -1,0 +1,250 @@
+"""Periodic steady states of a wheel on its plate, with everything that is not linear: lift-off, friction, stops."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import SimulationError
+from jounce.mechanics.motions import steady
+from jounce.parts.rig import Rig
+from jounce.parts.testers import Tester
+from jounce.simulation.run import samples_reached
+from jounce.testers.plate_response import LinearStand, linear_stand, place_of
+from jounce.testers.plates import wrapped
+from jounce.testers.stand import Stand, channel, stand
+
+Array = NDArray[np.float64]
+_BLOCK = 1.5  # s between two looks at whether the motion repeats
+_BLOCKS = 40
+_REPEATS = 1e-5  # of the amplitude: what may still change until the motion is periodic
+_ROUNDING = 1e-7  # below that the changes say nothing of how fast they shrink
+_SAMPLES = 512  # a period
+_UNSETTLED = 8  # periods looked at where the motion does not settle
+_STEP = 0.5  # Hz, of the first sweep
+_FINE = 0.01
+
+
+@dataclass(frozen=True)
+class Periodic:
+    """A steady state at one frequency.
+
+    Attributes
+    ----------
+    frequency : float
+        Hz.
+    settled : bool
+        Whether the motion repeats with every turn; otherwise the values are the least of several turns.
+    force_min, force_max : float
+        Of the contact force, N.
+    phase_angle : float
+        EGEA phase angle, rad: from the plate's top to the middle of the turn's low-force half; where the motion does
+        not repeat, from the parts of plate and force that turn with the excenter.
+    values : dict
+        Outputs over one turn (512 samples), SI; the plate's mean height comes first.
+    state : dict
+        At the turn's begin.
+    """
+
+    frequency: float
+    settled: bool
+    force_min: float
+    force_max: float
+    phase_angle: float
+    values: Mapping[str, Array]
+    state: Mapping[str, float]
+
+
+def periodic(
+    on: Stand,
+    frequency: float,
+    *,
+    wheel: str = "left",
+    start: Mapping[str, float] | None = None,
+    tolerance: float = 1e-6,
+) -> Periodic:
+    """Continue a run at one frequency until it repeats with every turn.
+
+    Parameters
+    ----------
+    on : Stand
+        Rig on a tester with driven excenters.
+    frequency : float
+        Hz, above 0.
+    wheel : {"left", "right"}
+        Of an axle the wheel that is excited; the other plate stands still.
+    start : mapping, optional
+        State to begin with, such as that at a frequency nearby; the linear model's steady state otherwise.
+    tolerance : float
+        Of the runs.
+
+    Returns
+    -------
+    Periodic
+        Forces (N), phase angle (rad) and one turn of all outputs.
+
+    Examples
+    --------
+    >>> from jounce.parts import load
+    >>> from jounce.parts.testers import load_tester
+    >>> found = periodic(stand(load("audi-a6-quarter-car"), load_tester("eusama")), 16.6)
+    >>> found.settled, round(found.force_min / 4954.05, 3)   # of the static load in N
+    (True, 0.725)
+    """
+    if not (np.isfinite(frequency) and frequency > 0.0):
+        raise SimulationError("not a frequency", where="frequency", found=frequency, allowed="above 0 Hz")
+    place, rate = place_of(on, wheel), 2.0 * np.pi * frequency
+    turns = max(3, int(np.ceil(_BLOCK * frequency)))
+    times, angles = np.arange(turns + 1) / frequency, {place: steady(rate)}
+    state = dict(start) if start is not None else _linear_start(linear_stand(on), frequency, place)
+    settled = False
+    for _ in range(_BLOCKS):
+        solution = on.run(angles, times, start=state, fastest=rate, tolerance=tolerance)
+        samples_reached(solution, on.compiled.facts, check=True)
+        ends = solution.states
+        state = dict(zip(on.compiled.facts.states, map(float, ends[:, -1]), strict=True))
+        settled = _left(ends, on.scale) < _REPEATS
+        if settled:
+            break
+    length = 1 if settled else _UNSETTLED
+    fine = np.arange(length * _SAMPLES) / (_SAMPLES * frequency)
+    solution = on.run(angles, fine, start=state, fastest=rate, tolerance=tolerance)
+    values = dict(zip(on.compiled.output_names, solution.outputs, strict=True))
+    force = values[channel(place, "tyre.force")]
+    height = values[channel(place, "plate.z")]
+    if settled:
+        phase = _phase_angle(force, on.static_load(place)) - _greatest_at(height, 1)
+    else:
+        phase = np.pi - _greatest_at(height, length) + _greatest_at(force, length)
+    phase = float(wrapped(phase))
+    return Periodic(frequency, settled, float(force.min()), float(force.max()), phase, values, state)
+
+
+def _linear_start(linear: LinearStand, frequency: float, place: str) -> dict[str, float]:
+    """State at angle 0 of the linear model's steady motion."""
+    x = linear.on.rest.x + linear.states(frequency, place).imag
+    return dict(zip(linear.on.compiled.facts.states, map(float, x), strict=True))
+
+
+def _carried(near: Periodic, linear: LinearStand, frequency: float, place: str) -> dict[str, float]:
+    """State at a frequency nearby, changed by what the linear model changes on the way."""
+    there, here = (_linear_start(linear, f, place) for f in (near.frequency, frequency))
+    return {name: value + here[name] - there[name] for name, value in near.state.items()}
+
+
+def _left(ends: Array, scale: Array) -> float:
+    """What the state at a turn's end will still change, in shares of its scale."""
+    changes = np.max(np.abs(np.diff(ends, axis=1)) / scale[:, None], axis=0)
+    if changes[-1] < _ROUNDING:
+        return float(changes[-1])
+    shrinking = min(float((changes[-1] / max(changes[0], 1e-300)) ** (1.0 / (len(changes) - 1))), 1.0 - 1e-4)
+    return float(changes[-1]) / (1.0 - shrinking)
+
+
+def _phase_angle(force: Array, static: float) -> float:
+    """Angle (rad of the turn) of the middle of the low-force half; the part around the least force counts."""
+    low = int(np.argmin(force))
+    turned = np.roll(force, -low) - static
+    up = int(np.argmax(turned > 0.0))
+    down = len(turned) - int(np.argmax(turned[::-1] > 0.0))
+    after = up - turned[up] / (turned[up] - turned[up - 1])
+    before = down - 1 + turned[down - 1] / (turned[down - 1] - turned[down % len(turned)])
+    return float(2.0 * np.pi * (low + 0.5 * (after + before - len(turned))) / len(turned))
+
+
+def _greatest_at(signal: Array, turns: int) -> float:
+    """Angle (rad) at which the part that turns with the excenter is greatest."""
+    return float(-np.angle(np.fft.rfft(signal)[turns]))
+
+
+@dataclass(frozen=True)
+class SteadySweep:
+    """Steady states of one wheel over the tester's frequencies.
+
+    Attributes
+    ----------
+    adhesion, adhesion_frequency : float
+        Least over static contact force (1), and where (Hz, to 0.01 Hz).
+    phase_angle, phase_frequency : float
+        Least EGEA phase angle (rad) in the tester's band, and where (Hz).
+    force_amplitude_25 : float
+        Half of the force's range at 25 Hz, N.
+    lift_off : bool
+        Whether the wheel leaves the plate.
+    states : tuple of Periodic
+        All that were computed, by frequency.
+    """
+
+    adhesion: float
+    adhesion_frequency: float
+    phase_angle: float
+    phase_frequency: float
+    force_amplitude_25: float
+    lift_off: bool
+    states: tuple[Periodic, ...]
+
+
+def steady_sweep(rig: Rig, tester: Tester, *, wheel: str = "left") -> SteadySweep:
+    """Sweep periodic steady states from the highest frequency down, each from the one before.
+
+    Parameters
+    ----------
+    rig : QuarterCar, Corner or FrontViewAxle
+        What stands on the plates.
+    tester : Tester
+        Stroke, plate, highest frequency, band of the phase angle.
+    wheel : {"left", "right"}
+        Of an axle.
+
+    Returns
+    -------
+    SteadySweep
+        Adhesion (1), phase angle (rad), refined to 0.01 Hz.
+    """
+    on, limits = stand(rig, tester), tester.limits
+    highest = max(tester.programme.start_frequency, tester.programme.end_frequency)
+    linear, place = linear_stand(on), place_of(on, wheel)
+    known: dict[float, Periodic] = {}
+
+    def at(frequency: float) -> Periodic:
+        key = round(frequency, 6)
+        if key not in known:
+            above = [f for f in known if f > key]
+            start = _carried(known[min(above)], linear, key, place) if above else None
+            known[key] = periodic(on, key, wheel=wheel, start=start)
+        return known[key]
+
+    lowest = min(limits.frequency_min, _STEP)
+    grid = np.unique(
+        np.append(np.arange(lowest, highest, _STEP), [highest, limits.frequency_min, limits.frequency_max])
+    )
+    for frequency in grid[::-1]:
+        at(float(frequency))
+    force, here = _refined(lambda f: at(f).force_min, grid)
+    band = grid[(grid >= limits.frequency_min) & (grid <= limits.frequency_max)]
+    phase, there = _refined(lambda f: at(f).phase_angle, band)
+    top = at(25.0)
+    static = on.static_load(place)
+    states = tuple(known[f] for f in sorted(known))
+    amplitude = 0.5 * (top.force_max - top.force_min)
+    return SteadySweep(max(0.0, force / static), here, phase, there, amplitude, force <= 1e-9 * static, states)
+
+
+def _refined(value: Callable[[float], float], grid: Array) -> tuple[float, float]:
+    """Least value, and where: the grid's least one refined to 0.01 Hz between its neighbours."""
+    values = np.array([value(float(f)) for f in grid])
+    best = int(np.argmin(values))
+    low = round(float(grid[max(best - 1, 0)]) / _FINE)
+    high = round(float(grid[min(best + 1, len(grid) - 1)]) / _FINE)
+    while high - low > 2:
+        left = low + (high - low) // 3
+        right = high - (high - low) // 3
+        if value(left * _FINE) <= value(right * _FINE):
+            high = right
+        else:
+            low = left
+    inside = [(value(k * _FINE), round(k * _FINE, 9)) for k in range(low, high + 1)]
+    return min([*inside, (float(values[best]), float(grid[best]))])

@@ -1,0 +1,264 @@
+"""Steady answer of a wheel to its plate, from the linear model: force response, adhesion, phase angle, wheel mode."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from jounce.core.errors import SimulationError, unknown
+from jounce.parts.rig import Rig
+from jounce.parts.testers import Tester
+from jounce.testers.plates import SteadyResponse, least, least_adhesion
+from jounce.testers.stand import Stand, channel, stand
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+_ALIKE = 1.3  # ratio of frequencies below which two wheel modes of an axle count as a pair
+
+
+@dataclass(frozen=True)
+class LinearStand:
+    """Small motions about rest: ``dx/dt = A x + B u``, outputs ``C x + D u``; ``u`` is the excenters' angles and rates.
+
+    Attributes
+    ----------
+    on : Stand
+        What it is of.
+    A, B, C, D : ndarray
+        Matrices; inputs are for each track its value and its first derivatives.
+    """
+
+    on: Stand
+    A: Array
+    B: Array
+    C: Array
+    D: Array
+
+    def transfer(self, frequency: ArrayLike, output: str, place: str = "") -> Complex:
+        """Complex amplitude of an output (SI) for 1 rad of an excenter's angle, at frequencies in Hz."""
+        row, (first, last) = self._row(output), self._inputs(place)
+        s = 2j * np.pi * np.atleast_1d(np.asarray(frequency, dtype=float))
+        drive = s[:, None] ** np.arange(last - first)
+        size = len(self.A)
+        states = np.linalg.solve(
+            s[:, None, None] * np.eye(size) - self.A, (drive @ self.B[:, first:last].T)[:, :, None]
+        )
+        return np.asarray(states[:, :, 0] @ self.C[row] + drive @ self.D[row, first:last])
+
+    def states(self, frequency: float, place: str = "") -> Complex:
+        """Complex amplitudes of all states for 1 rad of an excenter's angle."""
+        first, last = self._inputs(place)
+        s = 2j * np.pi * frequency
+        found = np.linalg.solve(s * np.eye(len(self.A)) - self.A, self.B[:, first:last] @ s ** np.arange(last - first))
+        return np.asarray(self.on.rest.lift @ found)
+
+    def _row(self, output: str) -> int:
+        names = self.on.compiled.output_names
+        if output not in names:
+            raise unknown(output, names, what="output", where="linear response")
+        return names.index(output)
+
+    def _inputs(self, place: str) -> tuple[int, int]:
+        order = self.on.compiled.facts.track_order
+        first = order * self.on.places.index(place)
+        return first, first + order
+
+
+def linear_stand(on: Stand) -> LinearStand:
+    """Linearise a stand with driven excenters about rest."""
+    compiled, rest = on.compiled, on.rest
+    where = rest.x, on.prepared.still, on.prepared.problem.p, rest.modes
+    along = compiled.slopes("u", *where)
+    c = compiled.slopes("x", *where)["output"] @ rest.lift
+    return LinearStand(on, rest.reduced, rest.pick @ along["rate"], c, along["output"])
+
+
+def steady_response(rig: Rig, tester: Tester, frequency: ArrayLike, *, wheel: str = "left") -> SteadyResponse:
+    """Steady answer of a wheel to its plate, from the linear model in closed form.
+
+    Parameters
+    ----------
+    rig : QuarterCar, Corner or FrontViewAxle
+        What stands on the plates; laws of springs and dampers count with their slope at rest.
+    tester : Tester
+        Stroke and plate.
+    frequency : array_like, shape (n,)
+        Hz, above 0.
+    wheel : {"left", "right"}
+        Of an axle the wheel that is excited; the other plate stands still.
+
+    Returns
+    -------
+    SteadyResponse
+        Force response (N/m), plate response, adhesion and phase angle (rad).
+
+    Raises
+    ------
+    SimulationError
+        For a rig that no tester takes.
+    DescriptionError
+        For an unknown wheel.
+
+    Examples
+    --------
+    >>> from jounce.parts import load
+    >>> from jounce.parts.testers import load_tester
+    >>> found = steady_response(load("audi-a6-quarter-car"), load_tester("eusama"), [16.6])
+    >>> round(float(found.adhesion[0]), 3)   # 3 mm, tyre damping 1000 N s/m
+    0.725
+    """
+    return _steady(linear_stand(stand(rig, tester)), np.atleast_1d(np.asarray(frequency, dtype=float)), wheel)
+
+
+def _steady(linear: LinearStand, frequency: Array, wheel: str) -> SteadyResponse:
+    if not np.all(np.isfinite(frequency)) or np.any(frequency <= 0.0):
+        raise SimulationError("not frequencies", where="frequency", found=float(frequency.min()), allowed="above 0 Hz")
+    place, amplitude = place_of(linear.on, wheel), linear.on.tester.amplitude
+    force = linear.transfer(frequency, channel(place, "tyre.force"), place)
+    plate = linear.transfer(frequency, channel(place, "plate.z"), place)
+    return SteadyResponse(frequency, force / plate, plate / amplitude, linear.on.static_load(place), amplitude)
+
+
+def place_of(on: Stand, wheel: str) -> str:
+    """Place of a wheel in the model: itself on an axle, nothing for a single one."""
+    if wheel not in ("left", "right"):
+        raise unknown(str(wheel), ("left", "right"), what="wheel", where="wheel")
+    return wheel if len(on.places) > 1 else ""
+
+
+def closed_form_adhesion(rig: Rig, tester: Tester, *, wheel: str = "left") -> tuple[float, float]:
+    """Least adhesion of a slow run-down without lift-off, in closed form.
+
+    Parameters
+    ----------
+    rig : QuarterCar, Corner or FrontViewAxle
+        What stands on the plates.
+    tester : Tester
+        Stroke, plate and the band: from 0 to the programme's highest frequency, which counts.
+    wheel : {"left", "right"}
+        Of an axle.
+
+    Returns
+    -------
+    tuple of float
+        Adhesion (1; negative where the linear model asks for lift-off) and its frequency (Hz, to 0.01 Hz).
+
+    Examples
+    --------
+    >>> from jounce.parts import load
+    >>> from jounce.parts.testers import load_tester
+    >>> adhesion, frequency = closed_form_adhesion(load("audi-a6-quarter-car"), load_tester("eusama"))
+    >>> round(100 * adhesion, 1), round(frequency, 1)   # %, Hz
+    (72.5, 16.6)
+    """
+    linear = linear_stand(stand(rig, tester))
+    highest = max(tester.programme.start_frequency, tester.programme.end_frequency)
+    return least_adhesion(lambda f: _steady(linear, f, wheel), highest)
+
+
+def least_phase_angle(rig: Rig, tester: Tester, *, wheel: str = "left") -> tuple[float, float]:
+    """Least EGEA phase angle (rad) of steady states, and its frequency (Hz, to 0.01 Hz), in the tester's band."""
+    linear, limits = linear_stand(stand(rig, tester)), tester.limits
+    return least(lambda f: _steady(linear, f, wheel).phase_angle, limits.frequency_min, limits.frequency_max)
+
+
+@dataclass(frozen=True)
+class WheelMode:
+    """The wheel's mode: undamped natural frequency (Hz) and damping ratio (1)."""
+
+    frequency_hz: float
+    damping_ratio: float
+
+
+def wheel_mode(rig: Rig, tester: Tester, *, wheel: str = "left", on: str = "road") -> WheelMode | None:
+    """Mode of the wheel from the poles of the linear model.
+
+    Parameters
+    ----------
+    rig : QuarterCar, Corner or FrontViewAxle
+        What stands on the plates.
+    tester : Tester
+        Its plate matters on the rig only.
+    wheel : {"left", "right"}
+        Of an axle.
+    on : {"road", "rig"}
+        With the plate blocked, as on the road, or free on its spring.
+
+    Returns
+    -------
+    WheelMode or None
+        None where the wheel does not oscillate.
+
+    Examples
+    --------
+    >>> from jounce.parts import load
+    >>> from jounce.parts.testers import load_tester
+    >>> mode = wheel_mode(load("audi-a6-quarter-car"), load_tester("theta-msd3000"))
+    >>> round(mode.frequency_hz, 2), round(mode.damping_ratio, 3)   # with a tyre damping of 1000 N s/m
+    (13.67, 0.393)
+    """
+    if on not in ("road", "rig"):
+        raise unknown(on, ("road", "rig"), what="place of the wheel", where="on")
+    linear = linear_stand(stand(rig, tester, blocked=on == "road"))
+    place = place_of(linear.on, wheel)
+    values, vectors = np.linalg.eig(linear.A)
+    unsprung, sprung, plate = (_shapes(linear, channel(place, name), vectors) for name in _HEIGHTS)
+    found = (values.imag > 1e-9 * np.abs(values)) & (np.abs(unsprung) > np.abs(sprung))
+    found &= (unsprung * plate.conj()).real >= 0.0  # against each other plate and wheel are the plate's mode
+    if not found.any():
+        return None
+    lowest = np.min(np.abs(values[found]))
+    pair = np.flatnonzero(found & (np.abs(values) < _ALIKE * lowest))
+    first = linear.on.compiled.facts.track_order * linear.on.places.index(place)
+    drive = np.linalg.solve(vectors, linear.B[:, first])
+    best = values[pair[np.argmax(np.abs(unsprung * drive / values.real)[pair])]]
+    return WheelMode(float(abs(best)) / (2.0 * np.pi), float(-best.real / abs(best)))
+
+
+_HEIGHTS = "unsprung.z", "sprung.z", "plate.z"
+
+
+def _shapes(linear: LinearStand, output: str, vectors: Complex) -> Complex:
+    """Output in each mode; zero where there is no such output, as for a body that is held."""
+    names = linear.on.compiled.output_names
+    found = linear.C[names.index(output)] @ vectors if output in names else np.zeros(len(linear.A))
+    return np.asarray(found, dtype=np.complex128)
+
+
+def road_damping_ratio(
+    damping_ratio: float,
+    *,
+    wheel_rate: float,
+    tyre_stiffness: float,
+    unsprung_mass: float,
+    plate_mass: float,
+    plate_spring_rate: float,
+) -> float:
+    """Convert a damping ratio of the wheel's mode on a sprung plate to the road, one degree of freedom assumed.
+
+    Parameters
+    ----------
+    damping_ratio : float
+        On the tester (1).
+    wheel_rate, tyre_stiffness, plate_spring_rate : float
+        N/m.
+    unsprung_mass, plate_mass : float
+        kg.
+
+    Returns
+    -------
+    float
+        On the road (1); the poles of the model give it exactly.
+
+    Examples
+    --------
+    >>> car = dict(wheel_rate=25e3, tyre_stiffness=200e3, unsprung_mass=40.0)   # N/m, N/m, kg
+    >>> round(road_damping_ratio(0.1118, **car, plate_mass=20.0, plate_spring_rate=50e3), 4)
+    0.069
+    """
+    share = tyre_stiffness / (tyre_stiffness + plate_spring_rate)
+    on_rig = (wheel_rate + share * plate_spring_rate) * (unsprung_mass + plate_mass * share**2)
+    on_road = (wheel_rate + tyre_stiffness) * unsprung_mass
+    return float(damping_ratio * np.sqrt(on_rig / on_road))

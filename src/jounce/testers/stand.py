@@ -1,0 +1,212 @@
+"""A rig standing on a tester: native code, static equilibrium, runs with given excenter angles, linear response."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import SimulationError
+from jounce.core.segments import Segments, flat
+from jounce.kernel.tracks import flatten
+from jounce.mechanics.motions import held
+from jounce.parts.corner import Corner
+from jounce.parts.front_view import FrontViewAxle
+from jounce.parts.parameters import structure_of
+from jounce.parts.rig import Rig
+from jounce.parts.rigs import QuarterCar
+from jounce.parts.testers import Tester
+from jounce.simulation.compiled import Compiled, compile_described
+from jounce.simulation.run import Prepared, Solution, prepare, room, samples_reached
+from jounce.simulation.statics import Rest, state_scale
+from jounce.testers.model import ANGLE, MOTOR, PlateForm, tester_model
+
+Array = NDArray[np.float64]
+_LONGEST = 0.8  # radians of the excenter in one step at a tolerance of 1e-5
+
+
+@dataclass(frozen=True)
+class Stand:
+    """A rig on a tester, ready to run.
+
+    Attributes
+    ----------
+    rig, tester : Rig, Tester
+        What stands on what.
+    form : PlateForm
+        How the plates are built.
+    compiled : Compiled
+        Native code.
+    prepared : Prepared
+        A run laid out; only its numbers are used.
+    rest : Rest
+        Static equilibrium with excenters at angle 0.
+    """
+
+    rig: Rig
+    tester: Tester
+    form: PlateForm
+    compiled: Compiled
+    prepared: Prepared
+    rest: Rest
+
+    @property
+    def places(self) -> tuple[str, ...]:
+        """Wheels: ``("",)``, or left and right of an axle."""
+        return places_of(self.rig)
+
+    @cached_property
+    def static(self) -> dict[str, float]:
+        """Every output at rest, SI."""
+        rest, prepared = self.rest, self.prepared
+        values = self.compiled.evaluate("output", rest.x, prepared.still, prepared.problem.p, rest.modes)
+        return dict(zip(self.compiled.output_names, map(float, values), strict=True))
+
+    @cached_property
+    def scale(self) -> Array:
+        """Typical size of each state for motions of the plate's amplitude."""
+        return state_scale(self.rest, *self.compiled.facts.counts, self.tester.amplitude)
+
+    def static_load(self, place: str = "") -> float:
+        """Contact force of a wheel at rest, N."""
+        return self.static[channel(place, "tyre.force")]
+
+    def run(
+        self,
+        angles: Mapping[str, Segments],
+        times: Array,
+        *,
+        start: Mapping[str, float] | None = None,
+        fastest: float = 0.0,
+        tolerance: float = 1e-5,
+    ) -> Solution:
+        """Run with given excenter angles (rad against s; of free excenters the motor's share), from rest or ``start``.
+
+        Parameters
+        ----------
+        angles : mapping
+            Place of a wheel to its excenter's angle; excenters that are not named stand still at mean height.
+        times : ndarray, shape (n,)
+            Output times, s.
+        start : mapping, optional
+            States that do not start from equilibrium, SI.
+        fastest : float
+            Greatest rate of the angles, rad/s.
+        tolerance : float
+            Relative error of the displacements.
+
+        Returns
+        -------
+        Solution
+            Arrays of the run.
+        """
+        prepared, facts = self.prepared, self.compiled.facts
+        signals = [angles.get(_place_of(track), held(0.0)) for track in facts.tracks]
+        pieces = flatten(signals)
+        problem = prepared.problem
+        x, modes = self.rest.x.copy(), self.rest.modes
+        if start is not None:
+            x = np.array([start.get(name, x[i]) for i, name in enumerate(facts.states)])
+            inputs = np.zeros_like(prepared.still)
+            inputs[:: facts.track_order] = [signal.evaluate(times[:1])[0][0] for signal in signals]
+            sides = self.compiled.evaluate("switch", x, inputs, problem.p, np.ones(len(facts.switches)))
+            modes = (sides > 0.0).astype(float)
+        longest = prepared.control.longest
+        if fastest > 0.0:
+            longest = min(longest, _LONGEST * (tolerance / 1e-5) ** 0.125 * 2.0 * np.pi / fastest)
+        control = prepared.control._replace(
+            scale=0.1 * self.scale, longest=longest, tolerance=prepared.control.tolerance * tolerance / _TOLERANCE
+        )
+        problem = problem._replace(tracks=pieces, piece=pieces.first[:-1].copy(), m=modes.copy(), x0=x)
+        return replace(
+            prepared, problem=problem, control=control, modes=modes, out=room(self.compiled, times), exact=None
+        ).run()
+
+
+_TOLERANCE = 1e-5
+
+
+def stand(rig: Rig, tester: Tester, free: tuple[str, ...] = (), *, blocked: bool = False) -> Stand:
+    """Put a rig on a tester; the excenters of the wheels in ``free`` are moved by their drive's inertia.
+
+    Parameters
+    ----------
+    rig : QuarterCar, Corner or FrontViewAxle
+        What is tested.
+    tester : Tester
+        What it stands on.
+    free : tuple of str
+        Places of wheels: ``""``, ``"left"``, ``"right"``.
+    blocked : bool
+        Without the springs of sprung plates, as on the road.
+
+    Returns
+    -------
+    Stand
+        Ready to run.
+
+    Raises
+    ------
+    SimulationError
+        For a rig that no tester takes, or where there is no equilibrium.
+    """
+    check_rig(rig)
+    form = PlateForm(tester.kind == "sprung-plate" and not blocked, free)
+    compiled = compile_described(
+        ("tester", type(rig).__name__, structure_of(rig), form), lambda: tester_model(rig, form)
+    )
+    p = compiled.parameter_values({**rig.parameters(), **tester_numbers(tester)})
+    still = [flat(1.0) for _ in compiled.facts.tracks]
+    prepared = prepare(compiled, p, still, np.array([0.0, 1.0]), tolerance=_TOLERANCE)
+    assert prepared.rest is not None  # runs from equilibrium have one
+    return Stand(rig, tester, form, compiled, prepared, prepared.rest)
+
+
+def tester_numbers(tester: Tester) -> dict[str, float]:
+    """Parameters of a tester's model by path, SI."""
+    drive = tester.drive
+    motor = drive.motor if drive is not None else None
+    return {
+        "tester.amplitude": tester.amplitude,
+        "tester.plate_mass": tester.plate_mass,
+        "tester.plate_spring_rate": tester.plate_spring_rate or 0.0,
+        "tester.plate_damping_coefficient": tester.plate_damping_coefficient or 0.0,
+        "tester.drive.inertia": drive.inertia if drive else 0.0,
+        "tester.drive.friction_torque": drive.friction_torque if drive else 0.0,
+        "tester.drive.viscous_friction": drive.viscous_friction if drive else 0.0,
+        "tester.drive.motor.stall_torque": motor.stall_torque if motor else 0.0,
+        "tester.drive.motor.no_load_frequency": motor.no_load_frequency if motor else 1.0,
+    }
+
+
+def check_rig(rig: Rig) -> None:
+    """Refuse what does not stand on a tester."""
+    if isinstance(rig, (QuarterCar, FrontViewAxle, Corner)):
+        return
+    raise SimulationError(
+        "this does not stand on a tester",
+        where="rig",
+        found=getattr(rig, "model", type(rig).__name__),
+        allowed="a quarter car, a 3-D corner, or one axle of a full-car or half-car-4dof",
+        hint="Say which axle. A half car without unsprung masses has no tyres.",
+    )
+
+
+def places_of(rig: Rig) -> tuple[str, ...]:
+    """Wheels of a rig on a tester: ``("",)``, or left and right of an axle."""
+    return ("left", "right") if isinstance(rig, FrontViewAxle) else ("",)
+
+
+def channel(place: str, name: str) -> str:
+    """Name of a channel with the place of its wheel before it."""
+    return f"{place}.{name}" if place else name
+
+
+def _place_of(track: str) -> str:
+    return track.removesuffix(ANGLE).removesuffix(MOTOR).removesuffix(".")
+
+
+__all__ = ["Stand", "channel", "check_rig", "places_of", "samples_reached", "stand", "tester_numbers"]

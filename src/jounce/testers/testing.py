@@ -1,0 +1,269 @@
+"""Simulated tests of shock absorbers: records as a tester's computer writes them, with the truth beside them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import SimulationError
+from jounce.core.findings import Finding
+from jounce.core.serialise import write_atomically
+from jounce.parts.front_view import FrontViewAxle, axle_of
+from jounce.parts.rig import Rig
+from jounce.parts.testers import Tester
+from jounce.parts.vehicles import FullCar, HalfCar4
+from jounce.recordings.schema import recording
+from jounce.recordings.writing import write_recording
+from jounce.testers.courses import Course, Other, Wheel, run_course
+from jounce.testers.stand import channel, stand
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Sensors:
+    """What the sensors of a tester do to the signals.
+
+    Attributes
+    ----------
+    displacement_noise : float
+        Standard deviation, m.
+    force_offset : float
+        Added to the force, N.
+    force_limit : float or None
+        Range of the force cells, N: what is beyond is clipped.
+    tacho : bool
+        Whether the turns of the excenter are recorded, too (``<wheel>.plate.frequency``, Hz).
+    """
+
+    displacement_noise: float = 0.0
+    force_offset: float = 0.0
+    force_limit: float | None = None
+    tacho: bool = False
+
+    def __post_init__(self) -> None:
+        for name, unit in (("displacement_noise", "m"), ("force_limit", "N")):
+            _refuse_below_zero(name, getattr(self, name), unit)
+
+
+def _refuse_below_zero(name: str, value: float | None, unit: str) -> None:
+    if value is not None and not (np.isfinite(value) and value >= 0.0):
+        raise SimulationError("out of range", where=name, found=value, allowed=f"0 {unit} or more")
+
+
+def simulate_test(
+    rig: Rig,
+    tester: Tester,
+    *,
+    wheel: Wheel = "both",
+    other: Other = "still",
+    noise: float = 0.0,
+    seed: int = 0,
+    sensors: Sensors | None = None,
+    truth: bool = True,
+    about: Mapping[str, object] | None = None,
+) -> xr.Dataset:
+    """Simulate the test of a wheel or an axle; the result is a record like a measured one.
+
+    Parameters
+    ----------
+    rig : QuarterCar, Corner, FrontViewAxle, FullCar or HalfCar4
+        What stands on the plates; of a vehicle it is the axle that ``about`` names, the front one otherwise.
+    tester : Tester
+        Plates, programme, sampling.
+    wheel : {"both", "left", "right"}
+        Of an axle the wheels tested, left first; of a single wheel the plate that it stands on, left for ``"both"``.
+    other : {"still", "excited"}
+        What the other plate of an axle does in the meantime.
+    noise : float
+        Standard deviation of the force's noise, in shares of the static load (1).
+    seed : int
+        Of the noise; equal seeds give equal records.
+    sensors : Sensors, optional
+        What else the sensors do.
+    truth : bool
+        Whether what no tester measures comes along, as channels that begin with ``truth.``.
+    about : mapping, optional
+        Written into the record's attributes: ``axle`` (``"front"`` otherwise), ``vehicle``, ``date``, ...
+
+    Returns
+    -------
+    xarray.Dataset
+        ``<wheel>.plate.z`` (m, up, zero at rest) and ``<wheel>.plate.force`` (N, compression positive) on ``time``
+        (s). Attributes: ``<wheel>.static_load`` (N), ``<wheel>.plate_mass`` (kg), ``tester``, ``axle``,
+        ``wheel_order``, and what is said ``about`` it.
+
+    Raises
+    ------
+    SimulationError
+        For a rig that no tester takes, no equilibrium, or a run that does not reach its end.
+    DescriptionError
+        For an unknown wheel.
+
+    Examples
+    --------
+    >>> from jounce.parts import load
+    >>> from jounce.parts.testers import load_tester
+    >>> record = simulate_test(load("audi-a6-quarter-car"), load_tester("eusama"))
+    >>> adhesion = float(record["truth.left.tyre.force"].min()) / record.attrs["left.static_load"]
+    >>> 0.7 < adhesion < 0.8
+    True
+    """
+    _refuse_below_zero("noise", noise, "of the static load")
+    facts = {"axle": "front", **(about or {})}
+    if isinstance(rig, (FullCar, HalfCar4)):
+        rig = axle_of(rig, facts["axle"])  # type: ignore[arg-type]  # it refuses other names
+    run = run_course(rig, tester, wheel=wheel, other=other)
+    sides = {"left": "left", "right": "right"} if isinstance(rig, FrontViewAxle) else {_side(wheel): ""}
+    generator = np.random.default_rng(seed)
+    channels: dict[str, tuple[Array, str, str]] = {}
+    attributes: dict[str, object] = {
+        "tester": tester.name,
+        "wheel_order": "together" if len(sides) > 1 and other == "excited" else _order(sides, wheel),
+        "comment": f"simulated, seed {seed}",
+        **facts,
+    }
+    for side, place in sides.items():
+        static = run.static[channel(place, "tyre.force")]
+        attributes[f"{side}.static_load"], attributes[f"{side}.plate_mass"] = static, tester.plate_mass
+        channels.update(_measured(run, tester, side, place, sensors or Sensors(), (generator, noise)))
+    if truth:
+        channels.update(_truth(run, sides))
+    return recording(run.time, channels, attributes=attributes)
+
+
+def _measured(
+    run: Course, tester: Tester, side: str, place: str, sensors: Sensors, noise: tuple[np.random.Generator, float]
+) -> dict[str, tuple[Array, str, str]]:
+    """What the tester of one side reads; ``noise`` is its source and its size in shares of the static load."""
+    cell = "plate.force" if tester.force_cell == "under-plate" else "tyre.force"
+    static = run.static[channel(place, "tyre.force")]
+    height = run.values[channel(place, "plate.z")] - run.static[channel(place, "plate.z")]
+    generator, share = noise
+    force = _noisy(run.values[channel(place, cell)] + sensors.force_offset, share * static, generator)
+    if sensors.force_limit is not None:
+        force = np.clip(force, -sensors.force_limit, sensors.force_limit)
+    height = _noisy(height, sensors.displacement_noise, generator)
+    found = {
+        f"{side}.plate.z": (height, "m", f"{side} plate, height over rest"),
+        f"{side}.plate.force": (force, "N", f"{side} plate, force, compression positive"),
+    }
+    if sensors.tacho:
+        turns = run.values[channel(place, "excenter.frequency")]
+        found[f"{side}.plate.frequency"] = turns, "Hz", f"{side} plate, turns of the excenter per second"
+    return found
+
+
+def _noisy(values: Array, size: float, generator: np.random.Generator) -> Array:
+    return values if size <= 0.0 else np.asarray(values + size * generator.standard_normal(len(values)))
+
+
+def _truth(run: Course, sides: Mapping[str, str]) -> dict[str, tuple[Array, str, str]]:
+    """Every output of the model, the wheel's side in its name."""
+    single = dict.fromkeys([place for place in sides.values() if not place], next(iter(sides)))
+    return {
+        f"truth.{channel(single.get('', ''), output.name)}": (
+            run.values[output.name],
+            output.unit,
+            f"{output.long_name} (truth)",
+        )
+        for output in run.outputs
+    }
+
+
+def _order(sides: Mapping[str, str], wheel: str) -> str:
+    return wheel if wheel in sides else ", ".join(sides)
+
+
+def _side(wheel: Wheel) -> str:
+    return "left" if wheel == "both" else wheel
+
+
+def write_test(record: xr.Dataset, path: Path | str, *, force: bool = False) -> Path:
+    """Write a record as a lane keeps it: ``.csv`` with what is known of the car before the columns, or ``.nc``.
+
+    Parameters
+    ----------
+    record : xarray.Dataset
+        As :func:`simulate_test` gives it; plate heights are written in mm.
+    path : Path or str
+        File with the suffix ``.csv`` or ``.nc``.
+    force : bool
+        Overwrite an existing file.
+
+    Returns
+    -------
+    Path
+        The file written.
+
+    Raises
+    ------
+    OutputError
+        For an existing file without ``force``, a missing folder, or another suffix.
+    """
+    if Path(path).suffix.lower() != ".csv":
+        return write_recording(record, path, force=force)
+    units = {"m": ("mm", 1e3)}
+    columns, header = [record["time"].values], ["time [s]"]
+    for name, signal in record.data_vars.items():
+        unit, factor = units.get(signal.attrs["units"], (signal.attrs["units"], 1.0))
+        columns.append(factor * signal.values)
+        header.append(f"{name} [{unit}]")
+    facts = [f"# {key} = {_written(str(key), value)}" for key, value in record.attrs.items()]
+    rows = [", ".join(map(_number, row)) for row in np.column_stack(columns)]
+    return write_atomically(Path(path), "\n".join([*facts, ", ".join(header), *rows]) + "\n", force=force)
+
+
+def _number(value: float) -> str:
+    return f"{value:.10g}"
+
+
+def _written(key: str, value: object) -> str:
+    unit = {"static_load": " N", "plate_mass": " kg"}.get(key.rpartition(".")[2], "")
+    return json.dumps(f"{value}{unit}", ensure_ascii=False)
+
+
+def findings_of_test(rig: Rig, tester: Tester) -> list[Finding]:
+    """Say what a test of this rig on this tester would be worth less for.
+
+    Parameters
+    ----------
+    rig : QuarterCar, Corner or FrontViewAxle
+        What stands on the plates.
+    tester : Tester
+        Its limits and programme.
+
+    Returns
+    -------
+    list of Finding
+        Wheel loads (N) out of range, sweeps that are too fast or short, samples that are too rare.
+    """
+    on, limits, programme = stand(rig, tester), tester.limits, tester.programme
+    found = []
+    for place in on.places:
+        load = on.static_load(place)
+        if not limits.wheel_load_min <= load <= limits.wheel_load_max:
+            allowed = f"{limits.wheel_load_min:.0f} to {limits.wheel_load_max:.0f} N"
+            text = f"static wheel load {load:.0f} N is outside of what the tester takes ({allowed})"
+            found.append(Finding(channel(place, "static_load"), "warning", text, load))
+    if programme.run_down == "controlled":
+        if programme.sweep_rate > limits.sweep_rate_max:
+            text = f"the sweep of {programme.sweep_rate:g} Hz/s is faster than {limits.sweep_rate_max:g} Hz/s"
+            found.append(Finding("programme.sweep_rate", "warning", text, programme.sweep_rate))
+        swept = abs(programme.start_frequency - programme.end_frequency) / programme.sweep_rate
+        if swept < limits.sweep_time_min:
+            text = f"the sweep of {swept:.1f} s is shorter than {limits.sweep_time_min:g} s"
+            found.append(Finding("programme.sweep_rate", "warning", text, swept))
+    if tester.sampling_frequency < limits.sampling_frequency_min:
+        text = f"sampled at {tester.sampling_frequency:g} Hz, below {limits.sampling_frequency_min:g} Hz"
+        found.append(Finding("sampling_frequency", "warning", text, tester.sampling_frequency))
+    return found

@@ -1,0 +1,46 @@
+"""What a campaign knows: fitted tyre values reach every trial, decays are motions."""
+
+from __future__ import annotations
+
+import pytest
+
+import jounce as jn
+from jounce.campaign.characterise import _quantity
+from jounce.campaign.setup import Knowledge, tyre_of
+from jounce.identify.update import UpdatedParameter
+
+LOW, HIGH = 250e3, 310e3
+
+
+def curved(*coefficients: float) -> jn.Rig:
+    kart = jn.load("kart-quarter-car")
+    table = kart.model_dump(by_alias=True, exclude_none=True)
+    curve = {"kind": "polynomial", "coefficients": list(coefficients)}
+    return type(kart).from_table({**table, "tyre": {"curve": curve}})
+
+
+def fitted(initial: float, value: float) -> UpdatedParameter:
+    return UpdatedParameter(initial, value, None, None, 0.0, 2.0 * value, at_bound=False)
+
+
+@pytest.mark.parametrize("initial", [0.0, 4e6])
+def test_a_fitted_tyre_coefficient_reaches_the_trials_whatever_its_start_was(initial):
+    rig = curved(120e3, initial)
+    path = "tyre.curve.coefficients[1]"
+    known = Knowledge(rig, {HIGH: tyre_of(rig)}).after({path: fitted(initial, 5e6)}, [HIGH])
+    assert known.rig.parameters()[path] == pytest.approx(5e6)
+    assert known.rig_for(None, HIGH, {}).parameters()[path] == pytest.approx(5e6)
+
+
+def test_a_start_above_zero_is_scaled_at_each_pressure():
+    known = Knowledge(curved(120e3), {HIGH: tyre_of(curved(120e3)), LOW: tyre_of(curved(100e3))})
+    path = "tyre.curve.coefficients[0]"
+    known = known.after({path: fitted(120e3, 132e3)}, [HIGH, LOW])
+    assert known.rig_for(None, HIGH, {}).parameters()[path] == pytest.approx(132e3)
+    assert known.rig_for(None, LOW, {}).parameters()[path] == pytest.approx(110e3)
+
+
+def test_a_force_is_no_free_decay():
+    assert [_quantity(f"sprung.{name}") for name in ("z", "vz", "az")] == ["displacement", "velocity", "acceleration"]
+    with pytest.raises(jn.RecordingError, match=r"channel 'tyre.force': not a motion; found 'N'"):
+        _quantity("tyre.force")

@@ -1,0 +1,286 @@
+"""Adjustments of the prototype: what the paper's numbers ask for, what stays, what is refused; the inverse."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.core.errors import AssemblyError, DescriptionError
+from jounce.design.adjustment_effects import QUANTITIES, adjust_report, lengths_for, wheel_state
+from jounce.design.adjustments import BLOCK_MASS, SETTINGS, adjusted, adjustment_findings, arm_length
+from jounce.parts.leverage import spring_force
+from jounce.parts.points import distance
+
+KART = jn.load("kart-double-wishbone")
+REFERENCE = jn.load("reference-double-wishbone")
+PAIRS = (
+    ("lower_ball_joint", "upper_ball_joint"),
+    ("lower_ball_joint", "tie_rod_outer"),
+    ("lower_ball_joint", "wheel_centre"),
+    ("upper_ball_joint", "wheel_centre"),
+    ("tie_rod_outer", "wheel_centre"),
+)
+
+
+def degrees(value):
+    return float(np.degrees(value))
+
+
+# --- the paper's numbers -------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("arm", "sign"), [("upper", 1.0), ("lower", -1.0)])
+def test_20_mm_of_an_arm_give_about_five_degrees_of_camber(arm, sign):
+    """Domain A4: 20 mm at one arm, ball joints 228.6 mm apart: atan(20 / 228.6) = 5 deg; the tie rod turns it, too."""
+    rig = adjusted(KART, {f"{arm}_arm_length": "20 mm", "tie_rod_length": 0.0})
+    assert degrees(rig.wheel.camber) == pytest.approx(sign * 5.0, abs=0.6)
+    straight = lengths_for(KART, camber=f"{sign * 5.0} deg", toe="0 deg")
+    assert 1e3 * getattr(straight, f"{arm}_arm_length") == pytest.approx(20.0, abs=1.2)
+
+
+def test_20_mm_of_the_tie_rod_give_the_published_toe():
+    """Domain A4: 20 mm at a steering arm with a base of 107.9 mm: 10.5 deg."""
+    for sign in (1.0, -1.0):
+        rig = adjusted(KART, {"tie_rod_length": sign * 0.020})
+        assert degrees(rig.wheel.toe) == pytest.approx(sign * 10.5, abs=0.35)
+
+
+def test_published_ranges():
+    assert (SETTINGS["upper_arm_length"].lowest, SETTINGS["upper_arm_length"].highest) == (0.0, 0.020)
+    assert degrees(SETTINGS["strut_angle"].lowest) == pytest.approx(10.0)
+    assert degrees(SETTINGS["strut_angle"].highest) == pytest.approx(26.0)
+    for setting in SETTINGS.values():
+        assert "section 4" in setting.source or "estimated" in setting.source
+        assert setting.lowest < setting.highest
+        assert setting.range_for(KART) == pytest.approx((setting.lowest, setting.highest), rel=1e-3, abs=1e-9)
+    # a car's spring carries more than the prototype's
+    assert SETTINGS["spring_preload"].range_for(REFERENCE)[1] > 5e3
+
+
+def test_block_adds_its_mass_and_shortens_the_upper_arm_only():
+    rig = adjusted(KART, {"short_upper_arm": "150 mm"})
+    assert rig.sprung.mass == pytest.approx(18.6)  # paper: 16 kg and 18.6 kg
+    assert pytest.approx(2.6) == BLOCK_MASS
+    assert arm_length(rig, "upper") == pytest.approx(0.150, rel=1e-12)
+    for name in ("lower_ball_joint", "upper_ball_joint", "wheel_centre", "tie_rod_outer", "lower_arm_front"):
+        assert getattr(rig.hardpoints, name) == pytest.approx(getattr(KART.hardpoints, name), abs=1e-12)
+    # a short upper arm swings the wheel's top in with bump, the more the shorter
+    camber = [
+        float(jn.sweep_travel(one, [0.02])["camber"][0])
+        for one in (KART, rig, adjusted(KART, {"short_upper_arm": "113 mm"}))
+    ]
+    assert camber[0] > camber[1] > camber[2]
+    assert camber[2] < -np.radians(0.2)
+
+
+# --- what stays ----------------------------------------------------------------------------------------------------
+
+CASES = [
+    {"upper_arm_length": "20 mm"},
+    {"lower_arm_length": "12 mm", "upper_arm_length": "4 mm"},
+    {"tie_rod_length": "-15 mm"},
+    {"upper_arm_support": "20 mm", "lower_arm_support": "-10 mm"},
+    {"lower_arm_length": "10 mm", "short_upper_arm": "160 mm", "tie_rod_length": "3 mm"},
+]
+
+
+@pytest.mark.parametrize("settings", CASES, ids=", ".join)
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_upright_is_moved_as_a_rigid_body_and_rods_have_their_lengths(settings, side):
+    rig = KART if side == "left" else KART.mirrored()
+    new = adjusted(rig, settings)
+    old_points, points = rig.hardpoints, new.hardpoints
+    for one, other in PAIRS:
+        before, after = (distance(getattr(p, one), getattr(p, other)) for p in (old_points, points))
+        assert after == pytest.approx(before, abs=1e-11)
+    assert points.wheel_centre[2] == pytest.approx(old_points.wheel_centre[2], abs=1e-11)
+    for arm in ("lower", "upper"):
+        asked = float(str(settings.get(f"{arm}_arm_length", "0 mm")).split()[0]) * 1e-3
+        base = 0.160 if arm == "upper" and "short_upper_arm" in settings else arm_length(rig, arm)
+        assert arm_length(new, arm) == pytest.approx(base + asked, abs=1e-11)
+    asked = float(str(settings.get("tie_rod_length", "0 mm")).split()[0]) * 1e-3
+    lengths = [distance(p.tie_rod_inner, p.tie_rod_outer) for p in (old_points, points)]
+    assert lengths[1] - lengths[0] == pytest.approx(asked, abs=1e-11)
+    foot = [distance(p.strut_bottom, p.lower_ball_joint) for p in (old_points, points)]
+    assert foot[1] == pytest.approx(foot[0], abs=1e-11)
+    assert points.strut_top == old_points.strut_top
+    for name, body in new.body_masses().items():
+        assert body.mass == rig.body_masses()[name].mass
+        moments = body.inertia.principal_moments, rig.body_masses()[name].inertia.principal_moments
+        assert moments[0] == pytest.approx(moments[1], rel=1e-9)
+
+
+def test_wheel_angles_are_those_of_the_moved_upright():
+    """Kinematics of the adjusted rig start from the camber and toe of its description."""
+    rig = adjusted(KART.with_changes({"wheel.camber": "-1 deg", "wheel.toe": "0.5 deg"}), {"upper_arm_length": "7 mm"})
+    sweep = jn.sweep_travel(rig, [0.0])
+    assert float(sweep["camber"][0]) == pytest.approx(rig.wheel.camber, abs=1e-12)
+    assert float(sweep["toe"][0]) == pytest.approx(rig.wheel.toe, abs=1e-12)
+
+
+def test_sides_of_the_car_are_mirrors():
+    left = adjusted(KART, CASES[1])
+    right = adjusted(KART.mirrored(), CASES[1])
+    mirrored = left.mirrored().parameters()
+    assert right.parameters() == pytest.approx(mirrored, abs=1e-9)
+
+
+def test_spring_keeps_its_free_length_and_preload_follows():
+    settings = {"upper_arm_length": "20 mm"}
+    free = adjusted(KART, settings)
+    assert free.strut.spring.free_length == KART.strut.spring.free_length
+    by_preload = KART.with_changes({"strut.spring": {"rate": KART.strut.spring.rate, "preload": spring_force(KART)}})
+    other = adjusted(by_preload, settings)
+    assert spring_force(other) == pytest.approx(spring_force(free), rel=1e-9)
+    assert jn.equilibrium(other)["sprung.z"] == pytest.approx(jn.equilibrium(free)["sprung.z"], abs=1e-9)
+
+
+def test_preload_is_the_force_at_design_length_and_lifts_the_body():
+    rig = adjusted(KART, {"spring_preload": "250 N"})
+    assert spring_force(rig) == pytest.approx(250.0, rel=1e-9)
+    lift = jn.equilibrium(rig)["sprung.z"] - jn.equilibrium(KART)["sprung.z"]
+    # domain A4: ride height shift = preload / rate, at the wheel; the wheel stays on its tyre
+    at_wheel = (250.0 - spring_force(KART)) * 0.8988 / 18525.0
+    assert lift == pytest.approx(at_wheel, rel=0.03)
+
+
+def test_wedges_turn_the_wheel_alone():
+    rig = adjusted(KART, {"camber_wedge": "-2 deg", "toe_wedge": "1 deg"})
+    assert (degrees(rig.wheel.camber), degrees(rig.wheel.toe)) == pytest.approx((-2.0, 1.0))
+    assert rig.hardpoints == KART.hardpoints
+    assert rig.bodies == KART.bodies
+
+
+def test_nothing_set_is_nothing_changed():
+    assert adjusted(KART, {}) == KART
+    assert adjusted(KART, {"upper_arm_length": 0.0}) == KART
+
+
+# --- reports and findings ------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def report():
+    return adjust_report(KART)
+
+
+def test_report_covers_every_setting_and_quantity(report):
+    assert [effect.setting for effect in report.effects] == list(SETTINGS)
+    assert report.findings == ()
+    for effect in report.effects:
+        assert effect.at_lowest is not None
+        assert effect.at_highest is not None
+        assert set(effect.per_unit) == set(QUANTITIES)
+        assert all(value is not None for value in effect.per_unit.values())
+
+
+def test_slopes_lie_between_the_secants_of_the_range(report):
+    """Per unit at the rig's own value: of the size that the ends of the range say."""
+    effects = {effect.setting: effect for effect in report.effects}
+    for name, quantity in (
+        ("upper_arm_length", "camber"),
+        ("lower_arm_length", "camber"),
+        ("tie_rod_length", "toe"),
+        ("lower_arm_support", "roll_centre_height"),
+        ("strut_angle", "wheel_rate"),
+        ("spring_preload", "ride_height"),
+    ):
+        effect = effects[name]
+        ends = [getattr(state, quantity) for state in (effect.at_lowest, effect.at_highest)]
+        secant = (ends[1] - ends[0]) / (effect.highest - effect.lowest)
+        assert effect.per_unit[quantity] == pytest.approx(secant, rel=0.4), name
+
+
+def test_roll_centre_rises_with_the_lower_supports(report):
+    """Arms that are parallel and level: the lower one tilted by h / 225 mm carries the contact point's path with it."""
+    effect = next(effect for effect in report.effects if effect.setting == "lower_arm_support")
+    assert effect.per_unit["roll_centre_height"] == pytest.approx(2.0, abs=0.3)
+    assert wheel_state(KART).roll_centre_height == pytest.approx(8.9e-3, abs=0.5e-3)
+
+
+def test_findings_of_strut_angles():
+    assert adjustment_findings({"strut_angle": np.radians(16.0)}) == []
+    assert [f.severity for f in adjustment_findings({"strut_angle": np.radians(18.0)})] == ["note"]
+    (steep,) = adjust_report(KART, {"strut_angle": "33 deg"}, effects=False).findings
+    assert steep.severity == "warning"
+    assert "Adams" in steep.message
+
+
+def test_report_of_another_rig_says_what_it_cannot_have():
+    spring = {"strut.spring": {"curve": {"kind": "polynomial", "coefficients": [22e3]}, "free_length": 0.208}}
+    found = adjust_report(KART.with_changes(spring))
+    assert "spring_preload" not in [effect.setting for effect in found.effects]
+    assert any(f.place == "spring_preload" and "no single preload" in f.message for f in found.findings)
+
+
+# --- the inverse ---------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("camber", "toe"), [(-2.0, 0.5), (4.0, -1.0), (-4.9, 0.0), (0.3, 8.0), (-0.3, 8.0), (1.0, None), (None, -6.0)]
+)
+def test_lengths_reach_what_is_wished(camber, toe):
+    found = lengths_for(KART, *(None if value is None else f"{value} deg" for value in (camber, toe)))
+    wheel = adjusted(KART, found.settings()).wheel
+    if camber is not None:
+        assert degrees(wheel.camber) == pytest.approx(camber, abs=1e-7)
+    if toe is not None:
+        assert degrees(wheel.toe) == pytest.approx(toe, abs=1e-7)
+    assert (found.camber, found.toe) == pytest.approx((wheel.camber, wheel.toe), abs=1e-12)
+    for name, value in found.settings().items():
+        assert SETTINGS[name].lowest <= value <= SETTINGS[name].highest
+    assert 0.0 in (found.lower_arm_length, found.upper_arm_length)
+
+
+def test_lengths_of_a_car_are_found_too():
+    found = lengths_for(REFERENCE, camber="-2 deg", toe="0.1 deg")
+    wheel = adjusted(REFERENCE, found.settings()).wheel
+    assert (degrees(wheel.camber), degrees(wheel.toe)) == pytest.approx((-2.0, 0.1), abs=1e-7)
+
+
+@pytest.mark.parametrize("wished", [{"camber": "7 deg"}, {"camber": "-8 deg", "toe": 0.0}, {"toe": "15 deg"}])
+def test_what_the_published_lengths_do_not_reach_is_refused_with_their_range(wished):
+    with pytest.raises(DescriptionError, match=r"do not reach this.* deg to .* deg.*wedges"):
+        lengths_for(KART, **wished)
+
+
+# --- bad input -----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("settings", "message"),
+    [
+        ({"uper_arm_length": "3 mm"}, "Did you mean 'upper_arm_length'"),
+        ({"upper_arm_length": "21 mm"}, r"out of range.*0 mm to 20 mm.*section 4"),
+        ({"upper_arm_length": "-1 mm"}, "out of range"),
+        ({"upper_arm_length": "3"}, "unit is missing"),
+        ({"upper_arm_length": "3 deg"}, "wrong unit"),
+        ({"strut_angle": "80 deg"}, "out of range"),
+        ({"spring_preload": -1.0}, "out of range"),
+        ({"short_upper_arm": "300 mm"}, "112.5 mm to 225 mm"),
+    ],
+)
+def test_settings_that_cannot_be_made_are_refused(settings, message):
+    with pytest.raises(DescriptionError, match=message):
+        adjusted(KART, settings)
+
+
+@pytest.mark.parametrize("name", ["kart-quarter-car", "generic-mcpherson"])
+def test_other_suspensions_are_refused(name):
+    with pytest.raises(DescriptionError, match="those of a double wishbone"):
+        adjust_report(jn.load(name))
+
+
+def test_nothing_wished_is_refused():
+    with pytest.raises(DescriptionError, match="nothing is wished"):
+        lengths_for(KART)
+
+
+def test_a_linkage_that_does_not_go_together_is_refused_by_name():
+    """A tie rod that stands upright over its outer end cannot be 20 mm shorter: nothing lets the end rise."""
+    stretched = KART.with_changes({"hardpoints.tie_rod_inner": [-0.1061, 0.3266, 0.212]})
+    points = stretched.hardpoints
+    assert distance(points.tie_rod_inner, points.tie_rod_outer) == pytest.approx(0.107)
+    with pytest.raises(AssemblyError, match="do not go together"):
+        adjusted(stretched, {"tie_rod_length": "-20 mm"})

@@ -1,0 +1,76 @@
+"""What three tests say of the same car: known biases of each are found."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.core.errors import JounceError
+from jounce.inspection.equivalence import METHODS, Equivalence, compare_tests, usual_factors
+
+CAR = jn.load("audi-a6-quarter-car").with_changes({"tyre.damping_coefficient": 100.0, "sprung.mass": 400.0})
+
+
+@pytest.fixture(scope="module")
+def study() -> Equivalence:
+    return compare_tests(CAR, wear=[0.0, 0.4, 0.8], factors=usual_factors(3))
+
+
+def test_adhesion_rejects_light_cars_that_are_sound(study: Equivalence) -> None:
+    found = {(one.factor, one.method): one for one in study.disagreements}
+    assert found["load", "eusama"].rejected_sound == 1
+    assert found["load", "eusama"].rejected_at == (0.5, 0.5)
+    assert found["load", "egea"].rejected_sound == found["load", "theta"].rejected_sound == 0
+
+
+def test_friction_and_soft_tyres_hide_wear_from_the_phase_angle(study: Equivalence) -> None:
+    phase = study.planes["friction"]["phase_angle_min_deg"].sel(wear=0.8).to_numpy()
+    assert np.all(np.diff(phase) > 0.0)
+    theta = study.planes["friction"]["theta_road"].sel(wear=0.8).to_numpy()
+    np.testing.assert_allclose(theta, theta[0], rtol=1e-9)
+
+
+def test_every_quantity_falls_with_wear(study: Equivalence) -> None:
+    for plane in study.planes.values():
+        for quantity in METHODS.values():
+            assert np.all(np.diff(plane[quantity].to_numpy(), axis=0) < 1e-9)
+
+
+def test_plain_values_and_picture(study: Equivalence) -> None:
+    from jounce.plots.equivalence import equivalence
+
+    plain = study.to_dict()
+    assert plain["tests"] == 27
+    assert len(plain["planes"]["load"]["adhesion"]) == 3
+    figure = equivalence(study)
+    assert [axes.get_xlabel() for axes in figure.axes] == [factor.label for factor in study.factors]
+    dotted = any(
+        np.isnan(study.rejecting_wear(factor.name, method)).any() for factor in study.factors for method in METHODS
+    )
+    texts = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert (texts[-1] == "dots at the top: never rejects") == dotted
+
+
+def test_wear_from_which_a_method_rejects(study: Equivalence) -> None:
+    wear = study.rejecting_wear("load", "eusama")
+    verdicts = study.planes["load"]["eusama_verdict"]
+    assert wear[0] == 0.0  # the light car, sound as it is
+    for load, first in zip(verdicts["load"].to_numpy(), wear, strict=True):
+        failing = verdicts["wear"].to_numpy()[verdicts.sel(load=load).to_numpy() == "fail"]
+        assert 0.0 <= failing.min() - first < 0.4 if failing.size else np.isnan(first)
+
+
+def test_a_boundary_lies_where_the_value_meets_the_limit(study: Equivalence) -> None:
+    assert study.edges == {"eusama": 0.4, "egea": 35.0, "theta": 0.1}
+    assert study.to_dict()["rejected_below"] == study.edges
+    values = study.planes["tyre_stiffness"]["phase_angle_min_deg"].to_numpy()
+    first = study.rejecting_wear("tyre_stiffness", "egea")
+    for column, wear in zip(values.T, first, strict=True):
+        assert wear not in (0.0, 0.4, 0.8)
+        assert np.interp(wear, [0.0, 0.4, 0.8], column) == pytest.approx(35.0, abs=1e-9)
+
+
+def test_other_rigs_are_refused() -> None:
+    with pytest.raises(JounceError, match="quarter cars"):
+        compare_tests(jn.load("audi-a6-half-car"))  # type: ignore[arg-type]
