@@ -82,7 +82,7 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.parts import FullCar as FullCar
     from jounce.parts import FullCar3D as FullCar3D
     from jounce.parts import HalfCar as HalfCar
-    from jounce.parts import HalfCar4 as HalfCar4
+    from jounce.parts import HalfCar4DOF as HalfCar4DOF
     from jounce.parts import QuarterCar as QuarterCar
     from jounce.parts import Rig as Rig
     from jounce.parts import Vehicle as Vehicle
@@ -178,7 +178,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "Groundhook": "jounce.control",
     "HInfinity": "jounce.control",
     "HalfCar": "jounce.parts",
-    "HalfCar4": "jounce.parts",
+    "HalfCar4DOF": "jounce.parts",
     "HalfCylinder": "jounce.roads",
     "HalfSine": "jounce.roads",
     "Hybrid": "jounce.control",

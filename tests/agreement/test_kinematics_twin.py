@@ -36,14 +36,14 @@ stiffness = "200 N/mm"
 NAMES = {
     "front_instant_centre_y": "instant_centre_y",
     "front_instant_centre_z": "instant_centre_z",
-    "contact_dx_dz": "contact_longitudinal_slope",
+    "contact_dx_dz": "contact_patch_recession",
     "contact_dy_dz": "jacking",
     "wheel_centre_dx_dz": "wheel_centre_longitudinal_slope",
     "wheel_centre_dy_dz": "wheel_centre_lateral_slope",
-    "motion_ratio_gradient": "motion_ratio_rate",
-    "motion_ratio_gradient_contact": "motion_ratio_contact_rate",
+    "motion_ratio_gradient": "motion_ratio_gradient",
+    "motion_ratio_gradient_contact": "motion_ratio_contact_gradient",
     "wheel_rate_spring_contact": "wheel_rate_contact_spring",
-    "caster_gain": "caster_change",
+    "caster_gain": "caster_gain",
 }
 TRAVEL = np.linspace(-0.08, 0.08, 9)
 
@@ -127,7 +127,7 @@ def test_steering_ratio_and_virtual_axis(name: str) -> None:
         spin = pose.turned(twin.spin)
         rate = np.cross(turn, spin)
         ratio = (spin[0] * rate[1] - spin[1] * rate[0]) / (spin[0] ** 2 + spin[1] ** 2)
-        assert float(found["steering_ratio"][k]) == pytest.approx(ratio, rel=1e-9)
+        assert float(found["steer_gain"][k]) == pytest.approx(ratio, rel=1e-9)
         if rig.model == "five-link":
             _, along = twin.virtual_axis(pose)
             assert float(found["caster"][k]) == pytest.approx(np.arctan2(-along[0], along[2]), abs=1e-10)

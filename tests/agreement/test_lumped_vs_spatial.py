@@ -124,7 +124,7 @@ def test_kart_and_its_lumped_prototype_can_be_compared():
     assert rows["motion ratio at rest"].spatial == pytest.approx(rows["motion ratio at rest"].lumped, rel=1e-4)
     assert rows["wheel rate"].lumped == pytest.approx(18362.0, abs=1.0)
     extra = rows["wheel rate"].spatial - rows["wheel rate"].lumped
-    assert extra == pytest.approx(found.lumping.spring_force * found.lumping.motion_ratio_rate, rel=0.02)
+    assert extra == pytest.approx(found.lumping.spring_force * found.lumping.motion_ratio_gradient, rel=0.02)
     assert 0.0 < extra / rows["wheel rate"].lumped < 0.02
     assert rows["unsprung mass"].spatial == pytest.approx(5.23, abs=0.01)
     assert rows["inertance between body and wheel"].spatial == pytest.approx(-0.2, abs=0.01)

@@ -142,5 +142,5 @@ def test_a_lumped_rig_is_refused(cli) -> None:
 def test_a_trailing_arm_has_no_steering_rows(cli) -> None:
     found = cli("kinematics", "semi-trailing-arm", *TRAVEL, "--json").json
     assert "camber" in found
-    assert not {"caster", "scrub_radius", "steering_ratio", "kingpin_inclination"} & set(found)
+    assert not {"caster", "scrub_radius", "steer_gain", "kingpin_inclination"} & set(found)
     assert cli("kinematics", "semi-trailing-arm", "--rack", "-1 mm:1 mm:1 mm").exit_code == 2

@@ -149,7 +149,7 @@ def test_tracks_of_a_full_car_differ(cli) -> None:
     metrics = cli("ride", "audi-a6-full-car", *SHORT, "--json").json["runs"][0]["metrics"]
     loads = metrics["dynamic_load_rms"]
     assert len(loads) == 4
-    assert np.isfinite(metrics["rms_rotation"]["body.roll_acceleration"])
+    assert np.isfinite(metrics["rms_angular_acceleration"]["body.roll_acceleration"])
     assert abs(loads["front_left"] / loads["front_right"] - 1.0) > 1e-3
 
 

@@ -222,14 +222,14 @@ def test_figures_follow_the_physics(study: ProvingGround):
     for damper in ("0 V", "0.88 V", OWN):
         for name in ("damper_power", "road_power", "tyre_power", "wheel_load_variation", "lift_off"):
             assert np.all(np.diff(figure(study, name, damper)) > 0.0), (name, damper)
-    for name in ("bump_travel_use", "rebound_travel_use", "wheel_load_variation", "lift_off"):
+    for name in ("bump_travel_utilisation", "rebound_travel_utilisation", "wheel_load_variation", "lift_off"):
         assert np.all(figure(study, name, "0.88 V") < figure(study, name, "0 V")), name
     assert np.all(figure(study, "damper_power", "0.88 V") > figure(study, "damper_power", "0 V"))
 
 
 def test_own_damper_keeps_the_vehicle_within_its_travel(study: ProvingGround):
     # what such a vehicle is made for: independent evidence that masses, rate and damping are of the right size
-    for name in ("bump_travel_use", "rebound_travel_use"):
+    for name in ("bump_travel_utilisation", "rebound_travel_utilisation"):
         use = figure(study, name, OWN)
         assert np.all((use > 0.3) & (use < 1.0))
     assert np.all(figure(study, "body_acceleration", OWN) > 0.8)

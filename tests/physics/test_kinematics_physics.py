@@ -38,18 +38,18 @@ def near(request: pytest.FixtureRequest):
     [
         ("camber_gain", "camber", 1.0),
         ("bump_steer", "steer", 1.0),
-        ("caster_change", "caster", 1.0),
-        ("half_track_gain", "half_track_change", 1.0),
+        ("caster_gain", "caster", 1.0),
+        ("half_track_gradient", "half_track_change", 1.0),
         ("motion_ratio", "spring_length", -1.0),
         ("damper_motion_ratio", "damper_length", -1.0),
-        ("motion_ratio_rate", "motion_ratio", 1.0),
+        ("motion_ratio_gradient", "motion_ratio", 1.0),
         ("wheel_centre_longitudinal_slope", "wheel_centre_x", 1.0),
         ("wheel_rate", "wheel_force", 1.0),
     ],
 )
 def test_slopes_are_derivatives_along_travel(near, slope: str, value: str, sign: float) -> None:
     rig, found = near
-    if rig.model == "trailing-arm" and slope == "caster_change":
+    if rig.model == "trailing-arm" and slope == "caster_gain":
         assert slope not in found  # no steering axis, so no row
         return
     scale = max(abs(float(found[slope][2])), 1e-3)
@@ -78,7 +78,7 @@ def test_contact_patch_moves_with_the_upright(near) -> None:
     rate = np.array([differences(column) for column in np.array(path).T])
     side = 1.0 if rig.side == "left" else -1.0
     assert float(found["jacking"][2]) == pytest.approx(side * rate[1] / rate[2], abs=2e-7)
-    assert float(found["contact_longitudinal_slope"][2]) == pytest.approx(rate[0] / rate[2], abs=2e-7)
+    assert float(found["contact_patch_recession"][2]) == pytest.approx(rate[0] / rate[2], abs=2e-7)
     height = patch[1] * rate[1] / rate[2]
     assert float(found["roll_centre_height"][2]) == pytest.approx(height, abs=5e-7)
 
@@ -86,7 +86,7 @@ def test_contact_patch_moves_with_the_upright(near) -> None:
 @pytest.mark.parametrize("name", [name for name in RIGS if name != "semi-trailing-arm"])
 def test_steering_ratio_is_the_derivative_along_the_rack(name: str) -> None:
     found = jn.sweep_rack(jn.load(name), 0.004 + STEP * np.arange(-2, 3), travel=-0.01)
-    assert differences(found["steer"].to_numpy()) == pytest.approx(float(found["steering_ratio"][2]), rel=1e-7)
+    assert differences(found["steer"].to_numpy()) == pytest.approx(float(found["steer_gain"][2]), rel=1e-7)
 
 
 @pytest.mark.parametrize("name", RIGS)
@@ -111,7 +111,7 @@ def test_joint_loads_balance_and_agree_with_virtual_work(name: str) -> None:
     pushed = (
         LOAD["vertical_force"]
         + LOAD["lateral_force"] * side * swept["jacking"]
-        + LOAD["longitudinal_force"] * swept["contact_longitudinal_slope"]
+        + LOAD["longitudinal_force"] * swept["contact_patch_recession"]
     )
     vertical = jn.pickup_loads(rig, jn.ContactLoad(**{**LOAD, "aligning_torque": 0.0}), travel)
     work = vertical["spring.force"] * swept["motion_ratio_contact"]
@@ -262,7 +262,7 @@ def test_rack_of_an_axle_turns_the_right_wheel_as_its_own_description_says() -> 
     rig = jn.load("polaris-front")
     axle = jn.sweep_steering(rig, [-0.01, 0.0, 0.01])
     right = jn.sweep_rack(rig.mirrored(), [-0.01, 0.0, 0.01])
-    for name in ("steer", "camber", "caster", "contact_point_y", "steering_ratio", "inclination"):
+    for name in ("steer", "camber", "caster", "contact_point_y", "steer_gain", "inclination"):
         assert axle[f"right.{name}"].to_numpy() == pytest.approx(right[name].to_numpy(), abs=1e-12)
 
 
@@ -295,7 +295,7 @@ def test_slopes_of_the_anti_roll_bar(with_bar) -> None:
     found = jn.sweep_travel(with_bar, 0.02 + STEP * np.arange(-2, 3))
     for slope, value in (
         ("anti_roll_bar_motion_ratio", "anti_roll_bar_angle"),
-        ("anti_roll_bar_motion_ratio_rate", "anti_roll_bar_motion_ratio"),
+        ("anti_roll_bar_motion_ratio_gradient", "anti_roll_bar_motion_ratio"),
     ):
         assert differences(found[value].to_numpy()) == pytest.approx(float(found[slope][2]), rel=1e-7)
 

@@ -31,13 +31,13 @@ AT_DESIGN = {
     "instant_centre_y": (MM, -1182.70, 0.5e-2),
     "instant_centre_z": (MM, 200.935, 0.5e-3),
     "contact_point_z": (MM, 0.0457, 0.5e-4),
-    "contact_longitudinal_slope": (1.0, -0.005843, 0.5e-6),
+    "contact_patch_recession": (1.0, -0.005843, 0.5e-6),
     "wheel_centre_longitudinal_slope": (1.0, -0.05928, 0.5e-5),
     "camber_gain": (DEG / MM, -0.0294928, 0.5e-7),
     "bump_steer": (DEG / MM, -0.0023553, 0.5e-7),
     "motion_ratio": (1.0, 0.698500, 0.5e-6),
     "motion_ratio_contact": (1.0, 0.696622, 0.5e-6),
-    "motion_ratio_contact_rate": (1.0 / MM, 3.4886e-4, 0.5e-8),
+    "motion_ratio_contact_gradient": (1.0 / MM, 3.4886e-4, 0.5e-8),
 }
 
 

@@ -28,11 +28,12 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from jounce.campaign.result import CampaignResult
 from jounce.campaign.validation import TrialComparison
 from jounce.core.errors import DescriptionError, FitError, SimulationError
+from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.identify.update.problem import FitTrial, Free, UpdateProblem
 from jounce.parts import Rig
@@ -44,7 +45,6 @@ from jounce.simulation.run import output_times
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 CHANNELS = ("sprung.az", "unsprung.az")
 PARAMETERS = ("strut.spring.rate", "strut.damper.coefficient", "tyre.stiffness")
 _WATCHED = {"sprung.z": "m", "sprung.az": "m/s^2", "unsprung.az": "m/s^2", "tyre.force": "N"}

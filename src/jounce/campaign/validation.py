@@ -5,15 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 from jounce.identify.comparison import compare
 from jounce.identify.rating import iso18571
 from jounce.identify.update.problem import FitTrial, readings
 from jounce.recordings import estimate_lag
 
-Array = NDArray[np.float64]
 HOLDS, PARTLY, FAILS = "holds", "holds partly", "does not hold"
 _GOOD, _FAIR = 0.80, 0.58  # ISO/TS 18571 grades
 _CLOSE, _LOOSE = 0.95, 0.75  # R2: a residual of 22 % and 50 % of the signal

@@ -6,16 +6,15 @@ import math
 from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import Discriminator, Tag, model_validator
 
 from jounce.control.corner import CornerModel
 from jounce.core.description import Description
+from jounce.core.types import Array
 from jounce.core.units import Frequency, NonNegativeDampingCoefficient, PositiveNumber, Unit
 from jounce.parts.elements import BoucWenDamper, TanhDamper
 from jounce.parts.parameters import parameters_of
 
-Array = NDArray[np.float64]
 SOFTEST, FIRMEST = 0.2, 8.0 / 3.0
 """Smallest and largest coefficient of a damper that says none, as shares of the corner's own damping coefficient."""
 _Lag = Annotated[float, Unit("s", at_least=0.0)]

@@ -6,11 +6,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.constants import GRAVITY
+from jounce.core.types import Array
 
-Array = NDArray[np.float64]
 _TYPICAL_RATIO = 0.3  # damping ratio of a body on a damper where the corner has none
 
 

@@ -11,13 +11,11 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.control.corner import CornerModel, corner_equations, corner_outputs
 from jounce.core.errors import SimulationError
 from jounce.core.optional import require
-
-Array = NDArray[np.float64]
+from jounce.core.types import Array
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,6 @@ from typing import Annotated, Any, ClassVar, Literal
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.control.actuators import ActiveActuator, Actuator
 from jounce.control.controller import Controller, Decision, given
@@ -23,9 +22,9 @@ from jounce.control.design import (
     observer,
     regulator_gains,
 )
+from jounce.core.types import Array
 from jounce.core.units import PositiveLength, Unit
 
-Array = NDArray[np.float64]
 _Weight = Annotated[float, Unit("1/s^4", at_least=0.0)]
 _ForceWeight = Annotated[float, Unit("1/kg^2", at_least=0.0)]
 _Disturbance = Annotated[float, Unit("m^2/s^3", at_least=0.0)]

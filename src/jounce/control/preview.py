@@ -7,7 +7,6 @@ from typing import Annotated, Any, ClassVar, Literal
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import Field
 
 from jounce.control.actuators import ActiveActuator, Actuator, AnyActuator, SemiActiveDamper
@@ -17,9 +16,9 @@ from jounce.control.corner import CornerModel, corner_equations, corner_outputs
 from jounce.control.design import sampled
 from jounce.control.regulator import CallbackController, Limits, Regulator, Setting
 from jounce.core.errors import SimulationError
+from jounce.core.types import Array
 from jounce.core.units import Frequency, PositiveLength, PositiveTime, Unit
 
-Array = NDArray[np.float64]
 _Weight = Annotated[float, Unit("1/s^4", at_least=0.0)]
 _ForceWeight = Annotated[float, Unit("1/kg^2", at_least=0.0)]
 _CHANNELS = ("strut.deflection", "sprung.vz", "tyre.deflection", "unsprung.vz", "strut.velocity")

@@ -8,14 +8,12 @@ from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.control.controller import Controller
 from jounce.control.conversion import Means, held_back
 from jounce.control.corner import CornerModel
+from jounce.core.types import Array
 from jounce.parts.parameters import structure_of
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -8,14 +8,12 @@ from dataclasses import dataclass
 from typing import Any, Literal, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.control.actuators import Actuator, SemiActiveDamper
 from jounce.control.controller import Controller
 from jounce.control.corner import CornerModel
 from jounce.core.errors import SimulationError, unknown
-
-Array = NDArray[np.float64]
+from jounce.core.types import Array
 
 
 class Regulator(Protocol):

@@ -11,13 +11,12 @@ from itertools import compress
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError, nearest
 from jounce.core.files import existing_file
+from jounce.core.types import Array
 from jounce.core.units import conversion_factor
 
-Array = NDArray[np.float64]
 _HEADER = re.compile(r"^\s*(.*?)\s*(?:\[\s*([^\]]*?)\s*\])?\s*$")
 _DECIMAL_COMMA = re.compile(r"^\s*[+-]?\d+,\d+(?:[eE][+-]?\d+)?\s*$")
 _SEPARATOR_NAMES = {",": "comma", ";": "semicolon", "\t": "tab"}

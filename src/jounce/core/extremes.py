@@ -5,11 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError
-
-Array = NDArray[np.float64]
+from jounce.core.types import Array
 
 
 @dataclass(frozen=True)

@@ -11,8 +11,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.types import Array
+
 POLYNOMIAL, SINE, CIRCLE = 0, 1, 2
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

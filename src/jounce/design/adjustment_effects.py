@@ -6,17 +6,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.design.adjustments import SETTINGS, Setting, Value, adjusted, adjustment_findings, read_settings, shown
 from jounce.kinematics import sweep_travel
 from jounce.parts import DoubleWishbone, Rig
 from jounce.simulation import equilibrium
 
-Array = NDArray[np.float64]
 QUANTITIES: Mapping[str, str] = {
     "camber": "rad",
     "toe": "rad",

@@ -13,10 +13,10 @@ from typing import cast
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import AssemblyError, DescriptionError, unknown
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.design.poses import moved_rig, rigid_motion
 from jounce.mechanics import Mechanism, Model, assemble
@@ -25,7 +25,6 @@ from jounce.parts.leverage import static_spring_force
 from jounce.parts.points import Triple, distance
 from jounce.parts.strut_angle import LARGEST, strut_angle, strut_angle_findings, with_strut_angle
 
-Array = NDArray[np.float64]
 Value = str | float
 PUBLISHED_ANGLES = (10.0, 16.0, 21.0, 26.0)
 """Strut angles of the prototype, degrees."""

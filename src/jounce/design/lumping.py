@@ -20,9 +20,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, SimulationError
+from jounce.core.types import Array
 from jounce.design.poses import rigs_along
 from jounce.kinematics import sweep_travel
 from jounce.parts import Corner, QuarterCar, Rig
@@ -32,7 +32,6 @@ from jounce.parts.strut_angle import LARGEST
 from jounce.parts.struts import MapDamper
 from jounce.simulation import Mode, equilibrium
 
-Array = NDArray[np.float64]
 _NUDGE = 1e-4
 """Travel in m to either side over which the curve of a centre of mass is measured."""
 
@@ -76,7 +75,7 @@ class Lumping:
         Wheel travel from design at rest, m.
     motion_ratio, damper_ratio : float
         Shortening of spring and damper over rise of the wheel centre [1].
-    motion_ratio_rate : float
+    motion_ratio_gradient : float
         Change of the spring's motion ratio with travel, 1/m.
     spring_deflection : float
         Shortening of the spring from its design length at rest, m.
@@ -100,7 +99,7 @@ class Lumping:
     travel: float
     motion_ratio: float
     damper_ratio: float
-    motion_ratio_rate: float
+    motion_ratio_gradient: float
     spring_deflection: float
     spring_force: float
     wheel_rate_spring: float
@@ -212,7 +211,7 @@ def lump(rig: Rig) -> Lumping:
         travel,
         values["motion_ratio"],
         values["damper_motion_ratio"],
-        values["motion_ratio_rate"],
+        values["motion_ratio_gradient"],
         corner.hardpoints.length("spring") - values["spring_length"],
         spring_force,
         values["wheel_rate_spring"],

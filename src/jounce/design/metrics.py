@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, FitError, SimulationError, nearest, unknown
+from jounce.core.types import Array
 from jounce.parts import Rig
 from jounce.recordings.schema import channels_of
 from jounce.ride.family import LinearFamily, Matrices
@@ -25,7 +26,6 @@ from jounce.ride.stationary import weighting_gain
 from jounce.ride.surface import Surface
 from jounce.roads import Trial
 
-Array = NDArray[np.float64]
 KINDS = ("rms", "weighted", "coefficient", "static")
 _MODE = {"frequency": "Hz", "damping_ratio": "1"}
 _EXAMPLES = "e.g. 'sprung.az', 'sprung.az weighted', 'worst tyre.force coefficient', 'mode 1 frequency'"

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError
 from jounce.core.serialise import to_plain
+from jounce.core.types import Array
 from jounce.design.lumping import Lumping, lump, lumped_from
 from jounce.kinematics import sweep_travel
 from jounce.parts import Corner, QuarterCar, Rig
@@ -20,7 +20,6 @@ from jounce.simulation import Mode, linearise, modes, simulate
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 R = TypeVar("R", bound=Rig)
 CHANNELS = ("sprung.az", "unsprung.az", "tyre.force")
 """Channels whose largest absolute values are compared."""
@@ -243,7 +242,7 @@ def _rows(spatial: Corner, found: Lumping, lumped: QuarterCar, rate: float, damp
         Difference(
             "change of the motion ratio with travel",
             "1/m",
-            found.motion_ratio_rate,
+            found.motion_ratio_gradient,
             0.0,
             "The arm turns and the strut with it; a lumped strut keeps its angle.",
         ),

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding
 from jounce.core.serialise import to_plain
+from jounce.core.types import Array
 from jounce.design.metrics import StationaryEvaluator
 from jounce.design.problem import DesignProblem, LimitGiven, Objective, design_problem
 from jounce.design.search import Search, is_optimal, least_violation, search
@@ -23,7 +23,6 @@ from jounce.ride.stationary import linear_findings
 from jounce.ride.surface import Density, Sides
 from jounce.roads import Trial
 
-Array = NDArray[np.float64]
 _AT_BOUND = 1e-6
 _KEPT = 1e-6
 _ONE_PERCENT = 0.01

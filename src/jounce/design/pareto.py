@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.findings import Finding
 from jounce.core.serialise import to_plain
+from jounce.core.types import Array
 from jounce.design.first_designs import COMFORT, HOLDING, TRAVEL, best_dampers
 from jounce.design.metrics import StationaryEvaluator, combined
 from jounce.design.optimise import check_kept, driven_over
@@ -23,7 +23,6 @@ from jounce.parts import Rig
 from jounce.parts.parameters import unit_of
 from jounce.ride.surface import Density
 
-Array = NDArray[np.float64]
 _SAME = 1e-6
 _PRECISION = 1e-9
 _FEWEST, _MOST = 3, 500

@@ -6,15 +6,14 @@ from collections.abc import Mapping, Sequence
 from typing import Any, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError
+from jounce.core.types import Array
 from jounce.kinematics import sweep_travel
 from jounce.parts import Corner
 from jounce.parts.advice import BODY_POINTS
 from jounce.parts.points import Triple, distance
 
-Array = NDArray[np.float64]
 C = TypeVar("C", bound=Corner)
 _STRAIGHT = 1e-6
 """Size of the second extent of a group of points, relative to the first, below which they lie on one line."""

@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.design.metrics import (
     Evaluator,
@@ -29,7 +29,6 @@ from jounce.ride.family import LinearFamily
 from jounce.ride.surface import Surface, surface
 from jounce.roads import Trial
 
-Array = NDArray[np.float64]
 Objective = str | Mapping[str, float]
 Bound = str | float | None
 LimitGiven = Bound | tuple[Bound, Bound] | list[Bound]

@@ -6,12 +6,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import FitError
+from jounce.core.types import Array
 from jounce.design.problem import DesignProblem
 
-Array = NDArray[np.float64]
 _ACTIVE = 1e-5
 _STATIONARY = 1e-4
 _EVEN = 1e-4

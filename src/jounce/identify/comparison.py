@@ -5,12 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from jounce.core.errors import FitError
+from jounce.core.types import Array
 from jounce.recordings.alignment import estimate_lag
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

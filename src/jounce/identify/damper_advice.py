@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.findings import Finding, Severity
 from jounce.identify.damper_laws import regularisation_velocity
@@ -14,7 +13,6 @@ from jounce.identify.damper_motion import DamperMotion
 if TYPE_CHECKING:
     from jounce.identify.damper_fit import DamperResult
 
-Array = NDArray[np.float64]
 _VELOCITY_LAWS = ("linear", "bilinear", "polynomial")
 
 

@@ -10,13 +10,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 from jounce.identify.damper_advice import damper_advice, hysteresis_share
 from jounce.identify.damper_laws import DamperLaw, damper_law, regularisation_velocity
 from jounce.identify.damper_motion import DamperMotion, VelocityFrom, read_motion
 from jounce.identify.estimate import Estimate
 from jounce.identify.regression import r_squared, uncertainty
 
-Array = NDArray[np.float64]
 LawName = Literal["linear", "bilinear", "polynomial", "tanh-hysteretic", "bouc-wen"]
 
 

@@ -7,12 +7,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import FitError, unknown
+from jounce.core.types import Array
 from jounce.identify.damper_motion import DamperMotion
 
-Array = NDArray[np.float64]
 LAWS = ("linear", "bilinear", "polynomial", "tanh-hysteretic", "bouc-wen")
 
 

@@ -6,13 +6,13 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 from jounce.identify.decay_peaks import zigzag
 
-Array = NDArray[np.float64]
 VelocityFrom = Literal["recorded", "displacement"]
 
 

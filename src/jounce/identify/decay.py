@@ -6,17 +6,16 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, Severity
+from jounce.core.types import Array
 from jounce.identify.decay_peaks import Peaks, find_peaks, find_release, noise_of, ratio_from_decrement
 from jounce.identify.decay_response import QUANTITIES, DecayParameters, Quantity, alternating
 from jounce.identify.decay_search import search_decay
 from jounce.identify.estimate import Estimate, at_least_zero
 from jounce.identify.regression import Uncertainty, linear_least_squares, r_squared
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

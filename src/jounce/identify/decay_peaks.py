@@ -6,12 +6,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import FitError
+from jounce.core.types import Array
 from jounce.identify.decay_response import alternating
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -9,11 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 from jounce.identify.decay_peaks import Peaks, ratio_from_decrement, regress_peaks
 from jounce.identify.decay_response import DecayParameters, Quantity, decay_response
 from jounce.identify.regression import Uncertainty, uncertainty
-
-Array = NDArray[np.float64]
 
 
 def _start(peaks: Peaks, quantity: Quantity, ratio: float, friction: float, centre: float) -> Array:

@@ -7,13 +7,13 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 from jounce.identify.regression import linear_least_squares
 
-Array = NDArray[np.float64]
 Branch = Literal["loading", "unloading", "both"]
 Zero = Literal["first-contact", "none"]
 

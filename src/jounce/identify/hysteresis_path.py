@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from jounce.core.types import Array
 from jounce.kernel.call import kept
-
-Array = NDArray[np.float64]
 
 
 @kept()

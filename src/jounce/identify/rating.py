@@ -7,15 +7,15 @@ from math import ceil, floor
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 from jounce.identify.warping import warping_path
 from jounce.recordings.alignment import correlation_coefficients
 from jounce.recordings.filters import resample
 
-Array = NDArray[np.float64]
 Grade = Literal["excellent", "good", "fair", "poor"]
 SAMPLE_RATE = 10_000.0
 INNER_CORRIDOR, OUTER_CORRIDOR, CORRIDOR_EXPONENT = 0.05, 0.5, 2

@@ -6,11 +6,9 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from jounce.core.types import Array
 from jounce.identify.estimate import Estimate, estimate
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

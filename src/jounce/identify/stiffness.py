@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 from jounce.identify.estimate import Estimate, mean_of_replicates
 from jounce.identify.force_deflection import (
     Branch,
@@ -24,7 +24,6 @@ from jounce.identify.force_deflection import (
 from jounce.identify.regression import linear_least_squares, r_squared
 from jounce.identify.stiffness_curves import LAWS, CurveFit, FittedCurve, Law, fit_curve
 
-Array = NDArray[np.float64]
 Intercept = Literal["drop", "shift", "keep"]
 
 

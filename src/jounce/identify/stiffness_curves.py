@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from jounce.core.errors import FitError
+from jounce.core.types import Array
 from jounce.identify.regression import Uncertainty, linear_least_squares, uncertainty
 
-Array = NDArray[np.float64]
 Law = Literal["linear", "polynomial", "power", "monotone-spline"]
 LAWS: tuple[Law, ...] = ("linear", "polynomial", "power", "monotone-spline")
 

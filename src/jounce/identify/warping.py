@@ -11,9 +11,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.types import Array
 from jounce.kernel.call import kept
 
-Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 _BLOCK = 256
 _COMPARED, _REFERENCE, _BOTH = 0, 1, 2

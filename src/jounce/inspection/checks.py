@@ -7,16 +7,15 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 from jounce.inspection.remarks import remark
 from jounce.inspection.signals.conditioning import WheelSignals
 
 if TYPE_CHECKING:
     from jounce.parts.testers import Tester
 
-Array = NDArray[np.float64]
 FORCE_UNITS = {0.22481: "pounds (lbf)", 0.10197: "kilograms (kgf)", 0.1: "daN", 0.001: "kN", 4.4482: "", 9.80665: ""}
 LENGTH_UNITS = {1.0 / 25.4: "inches", 0.001: "metres", 0.1: "centimetres", 1000.0: "micrometres"}
 _RIGID_BAND, _RIGID_SPREAD, _FEWEST_STROKES = (7.0, 24.0), 1.3, 12  # Hz, 1, 1

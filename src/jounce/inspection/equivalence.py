@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
 from jounce.core.serialise import to_plain
+from jounce.core.types import Array
 from jounce.inspection.evaluation import evaluate
 from jounce.inspection.verdicts.limits import Limits, load_limits
 from jounce.parts import QuarterCar
@@ -25,7 +26,6 @@ from jounce.testers.testing import simulate_test
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 Progress = Callable[[float], None]
 METHODS = {"eusama": "adhesion", "egea": "phase_angle_min_deg", "theta": "theta_road"}
 """Methods, and what each of them grades."""

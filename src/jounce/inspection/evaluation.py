@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.constants import GRAVITY
 from jounce.core.errors import RecordingError, unknown
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 from jounce.inspection import checks
 from jounce.inspection.methods.adhesion import find_adhesion
 from jounce.inspection.methods.boge import LOWEST_RESONANCE, find_boge, stroke_by_turn
@@ -37,7 +37,6 @@ if TYPE_CHECKING:
 
     from jounce.parts.testers import Tester
 
-Array = NDArray[np.float64]
 METHODS = ("eusama", "egea", "theta", "boge")
 _RIGID, _SPRUNG = ("eusama", "egea", "theta"), ("theta", "boge")
 _MARGIN = 0.5

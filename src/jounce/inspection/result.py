@@ -6,14 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from jounce.core.findings import Finding
 from jounce.core.serialise import to_plain
+from jounce.core.types import Array
 from jounce.inspection.signals.response import Corner
 
-Array = NDArray[np.float64]
 NOT_GRADED = "not graded"
 _KEYS = (
     "adhesion",

@@ -99,7 +99,7 @@ def simulate_inspection(
 
     Parameters
     ----------
-    rig : QuarterCar, Corner, FrontViewAxle, FullCar or HalfCar4
+    rig : QuarterCar, Corner, FrontViewAxle, FullCar or HalfCar4DOF
         Under test.
     tester : Tester
         Plates, programme and limits.
@@ -167,7 +167,7 @@ def simulate_axle(
 
     Parameters
     ----------
-    rig : FrontViewAxle, FullCar or HalfCar4
+    rig : FrontViewAxle, FullCar or HalfCar4DOF
         Under test.
     tester : Tester
         Plates, programme and limits.

@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.types import Array
 from jounce.kernel import dopri5
 from jounce.kernel.call import call_native, call_step, compiled, part
 from jounce.kernel.dop853 import DENSE_STAGES
@@ -35,7 +36,6 @@ from jounce.kernel.layout import (
 from jounce.kernel.sampling import Samples, finish_samples, place_samples
 from jounce.kernel.tracks import Tracks, advance, fill
 
-Array = NDArray[np.float64]
 _LAST_RATE, _LAST_PROBE = RATES + LAST_STAGE, len(PROBES)
 _HALVINGS = 16
 _VERTICES, _NEAR = 3, 0.3  # parabolas followed into a dip that comes within this share of the nearest probe

@@ -12,11 +12,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.types import Array
 from jounce.kernel.call import call_many, call_native, part
 from jounce.kernel.layout import STATE
 from jounce.kernel.tracks import fill
 
-Array = NDArray[np.float64]
 REGULATED, DIVERGED, NO_COMMAND = 0, 8, 9
 
 

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.types import Array
 from jounce.kernel import rodas5p
 from jounce.kernel.call import call_native, call_step, compiled, part
 from jounce.kernel.explicit import (
@@ -36,7 +37,6 @@ from jounce.kernel.rosenbrock_steps import STAGE_RATE
 from jounce.kernel.sampling import Samples, finish_samples, place_samples
 from jounce.kernel.tracks import advance, fill, fill_rates
 
-Array = NDArray[np.float64]
 _C = rodas5p.C
 _NODES = 6  # stages that see an input of their own: the last three all stand at the end of the step
 _ORDER = 5.0

@@ -24,7 +24,6 @@ from jounce.kernel.sampling import Samples
 from jounce.kernel.status import Status
 from jounce.kernel.tracks import advance, fill
 
-Array = NDArray[np.float64]
 _FIRST_BLOCK = 12
 """Steps in the block after an event."""
 _BAND = 1e-2  # share of the dead band of adaptive steps, whose errors are larger

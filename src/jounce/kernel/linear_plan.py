@@ -8,13 +8,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.types import Array
 from jounce.kernel.call import compiled
 from jounce.kernel.explicit import Control, Problem
 from jounce.kernel.linear_steps import WATCHED
 from jounce.kernel.propagators import Calls, Propagators, pace_of, propagators, read_slopes
 from jounce.kernel.tracks import Tracks
 
-Array = NDArray[np.float64]
 BLOCK = 192
 """Most steps in a block, whose scratch arrays should stay in the cache."""
 _MAX_WAVES, _MAX_PARTS, _MAX_STEPS = 8, 64, 20_000_000

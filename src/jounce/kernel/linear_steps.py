@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.types import Array
 from jounce.kernel.call import call_many, call_native, part, sine_and_cosine
 from jounce.kernel.explicit import Control, Problem
 from jounce.kernel.propagators import PROBES, TERMS, Propagators, expand, find, powers_of, spread_derivatives, terms_for
@@ -20,7 +21,6 @@ from jounce.kernel.sampling import Samples
 from jounce.kernel.status import Status
 from jounce.kernel.tracks import advance, fill
 
-Array = NDArray[np.float64]
 _CLOSE = 1e-19  # of a series' first terms, below which the rest counts for nothing
 _HALVINGS, _VERTICES, _NEAR = 16, 3, 0.3
 WATCHED = 0.5  # radians of the fastest motion between looks at the switches; the series converge well beyond

@@ -14,9 +14,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.types import Array
 from jounce.kernel.call import call_many, call_native, compiled, part
 
-Array = NDArray[np.float64]
 REACHED, END_OF_TRAVEL, NOT_TRIED = range(3)
 _STEPS = 8
 _CLOSED = 1e-8  # violation that one step brings down to rounding

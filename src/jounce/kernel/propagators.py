@@ -14,10 +14,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.types import Array
 from jounce.kernel.call import call_native, part
 from jounce.kernel.rows import RowLoops, add_rows, padded, row_loops
 
-Array = NDArray[np.float64]
 PROBES = (0.0, 0.5, 1.0)
 """Shares of a part of a step at which the switching functions are looked at."""
 TERMS = 24

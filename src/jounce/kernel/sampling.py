@@ -5,13 +5,12 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from jounce.core.types import Array
 from jounce.kernel.call import call_many, call_native, call_step, part
 from jounce.kernel.layout import TRIAL
 from jounce.kernel.tracks import fill
 
-Array = NDArray[np.float64]
 _NONE = np.zeros((0, 0))
 _BLOCK = 256
 """Samples whose outputs are computed at once."""

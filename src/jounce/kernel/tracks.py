@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.segments import Segments
+from jounce.core.types import Array
 from jounce.kernel.call import part, sine_and_cosine
-
-Array = NDArray[np.float64]
 
 
 class Tracks(NamedTuple):

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError
+from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.kernel.poses import REACHED
 from jounce.kinematics.catalogue import Quantity
@@ -24,7 +25,6 @@ from jounce.parts import Corner, Rig
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 _ITERATIONS, _LEVEL = 40, 1e-13  # m
 _STEEPEST = 1.2  # rad
 _ODD = {  # rows that change sign in a mirror across y
@@ -285,7 +285,7 @@ def _add_axle_rows(found: AxleVariables, left: Ground, right: Ground, gain: Arra
     if bar:
         angle, ratio, change = (
             [wheel.rows[f"anti_roll_bar_{name}"] for wheel in (left.wheel, right.wheel)]
-            for name in ("angle", "motion_ratio", "motion_ratio_rate")
+            for name in ("angle", "motion_ratio", "motion_ratio_gradient")
         )
         twist, speed = angle[1] - angle[0], (ratio[0] + ratio[1]) * gain
         moment = moment + bar * twist * speed

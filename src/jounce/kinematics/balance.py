@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from jounce.core.types import Array
+
 BODY = ""
 """What carries everything: the car's body with the rack on it. It is not one of the parts in balance."""
 

@@ -198,7 +198,7 @@ CATALOGUE: tuple[Quantity, ...] = (
         _HEAVY + "7.2.2 (both wheels)",
     ),
     Quantity(
-        "half_track_gain",
+        "half_track_gradient",
         "1",
         "change of the half track with travel",
         lambda v: v.slope(v.contact[1]),
@@ -222,7 +222,7 @@ CATALOGUE: tuple[Quantity, ...] = (
         _HEAVY + "7.2.9",
     ),
     Quantity(
-        "caster_change",
+        "caster_gain",
         "rad/m",
         "change of caster with travel",
         lambda v: v.slope(v.caster),
@@ -259,14 +259,14 @@ CATALOGUE: tuple[Quantity, ...] = (
         "positive: above z = 0",
     ),
     Quantity(
-        "front_swing_arm_length",
+        "front_view_swing_arm_length",
         "m",
         "swing arm in the front view",
         lambda v: ca.fabs(v.patch[2] / v.spin[0]),
         "never negative: distance of the instant centre along y",
     ),
     Quantity(
-        "side_swing_arm_length",
+        "side_view_swing_arm_length",
         "m",
         "swing arm in the side view",
         lambda v: ca.fabs(v.patch[2] / v.spin[1]),
@@ -287,7 +287,7 @@ CATALOGUE: tuple[Quantity, ...] = (
         "positive: a force outward pushes the wheel into bump",
     ),
     Quantity(
-        "contact_longitudinal_slope",
+        "contact_patch_recession",
         "1",
         "contact patch, dx/dz with the wheel locked",
         lambda v: v.patch[0] / v.patch[2],
@@ -324,14 +324,14 @@ CATALOGUE: tuple[Quantity, ...] = (
         "positive: bump compresses the spring",
     ),
     Quantity(
-        "motion_ratio_rate",
+        "motion_ratio_gradient",
         "1/m",
         "change of the motion ratio with travel",
         lambda v: v.slope(v.motion_ratio),
         "positive: the ratio grows in bump",
     ),
     Quantity(
-        "motion_ratio_contact_rate",
+        "motion_ratio_contact_gradient",
         "1/m",
         "change of the contact patch's motion ratio with its rise",
         _contact_ratio_rate,
@@ -415,7 +415,7 @@ CATALOGUE: tuple[Quantity, ...] = (
         needs="bar",
     ),
     Quantity(
-        "anti_roll_bar_motion_ratio_rate",
+        "anti_roll_bar_motion_ratio_gradient",
         "rad/m^2",
         "change of the bar's motion ratio with travel",
         lambda v: v.slope(v.slope(v.bar_angle)),
@@ -431,7 +431,7 @@ CATALOGUE: tuple[Quantity, ...] = (
         needs="bar",
     ),
     Quantity(
-        "steering_ratio",
+        "steer_gain",
         "rad/m",
         "change of steer with rack travel",
         lambda v: v.by_rack(v.side * v.toe_out),

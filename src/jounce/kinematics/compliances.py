@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, SimulationError
+from jounce.core.types import Array
 from jounce.kinematics.grids import Values, sweep_values
 from jounce.kinematics.loads import ContactLoad
 from jounce.kinematics.model import check_corner, has_rack
@@ -30,7 +30,6 @@ from jounce.parts.parameters import structure_of
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 _ITERATIONS = 40
 _SETTLED = 1e-12  # m, rad
 _FREE = 1e-13  # smallest singular value of the scaled equations, relative to the largest

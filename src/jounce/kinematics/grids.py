@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError
+from jounce.core.types import Array
 from jounce.core.units import to_si
 
-Array = NDArray[np.float64]
 Values = float | str | Sequence[float] | Array
 """Values to sweep over: numbers in SI, or text such as "-80 mm:80 mm:4 mm" (first, last, step)."""
 _MOST = 1_000_000

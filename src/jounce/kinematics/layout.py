@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-import numpy as np
-from numpy.typing import NDArray
-
 from jounce.core.description import Description
+from jounce.core.types import Array
 from jounce.core.units import PositiveLength, Unit
 
-Array = NDArray[np.float64]
 _Share = Annotated[float, Unit("1", at_least=0.0, at_most=1.0)]
 
 

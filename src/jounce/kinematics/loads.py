@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.description import Description
+from jounce.core.types import Array
 from jounce.core.units import Force, Unit
 from jounce.kinematics.balance import BODY, Balance
 from jounce.kinematics.grids import Values
@@ -27,7 +27,6 @@ from jounce.parts import Corner, Rig
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 _Torque = Annotated[float, Unit("N*m")]
 
 

@@ -13,9 +13,9 @@ from functools import cached_property
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import AssemblyError, DescriptionError
+from jounce.core.types import Array
 from jounce.kernel.native import Native, compile_functions
 from jounce.kinematics.catalogue import Quantity, quantities
 from jounce.kinematics.view import CornerView, Quasistatic
@@ -25,7 +25,6 @@ from jounce.models.corner import suspension
 from jounce.parts import Corner, FullCar3D, Rig
 from jounce.parts.parameters import structure_of
 
-Array = NDArray[np.float64]
 _TRAVEL, _RACK = "travel", "rack"
 
 

@@ -6,14 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
+from jounce.core.types import Array
 from jounce.kernel.poses import END_OF_TRAVEL, Found, Walk, space_for, walk_poses
 from jounce.kinematics.grids import Grid
 from jounce.kinematics.model import KinematicModel
 
-Array = NDArray[np.float64]
 _TOLD = 4  # ends that are told one by one
 _JUST_BEFORE = 0.999  # share of the last way: where the joints are asked
 _HOLDS = 0.25  # share of the largest constraint force from which a joint is named

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError
 from jounce.core.units import to_si
@@ -19,7 +18,6 @@ from jounce.parts import Rig
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 _STRAIGHT = 1e-6  # rad: turns below it share nothing
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError
+from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.kernel.poses import REACHED, Found, Walk, Work, space_for, walk_poses
 from jounce.kinematics import layout as around
@@ -22,7 +23,6 @@ from jounce.parts import Corner, Rig
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 _DIMENSIONS = ("wheel_travel", "rack_travel")
 
 
@@ -250,7 +250,7 @@ def _swept(
     for row, value in zip(sweep.model.rows, values, strict=True):
         result.add(row.name, value[np.ix_(*keep)], row.unit, row.long_name, row.sign, row.clause)
     if vehicle is not None:
-        slopes = (result.values["contact_longitudinal_slope"], result.values["wheel_centre_longitudinal_slope"])
+        slopes = (result.values["contact_patch_recession"], result.values["wheel_centre_longitudinal_slope"])
         for name, share in around.shares(vehicle, *slopes).items():
             result.add(name, share, "1", around.ROWS[name], around.SIGN)
     if points:

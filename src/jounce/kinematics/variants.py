@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, nearest
+from jounce.core.types import Array
 from jounce.kernel.poses import walk_variants
 from jounce.kinematics.grids import Values
 from jounce.kinematics.model import KinematicModel
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
 
     import xarray as xr
 
-Array = NDArray[np.float64]
 _MOST = 200_000_000  # numbers in one result
 
 

@@ -11,14 +11,13 @@ from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import AssemblyError, unknown
+from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.mechanics.model import Model
 from jounce.mechanics.reactions import joint_of
 
-Array = NDArray[np.float64]
 _ITERATIONS = 100
 _CLOSED = 1e-12  # m or rad
 _HELD = (0.0, 1e-3)  # how much a given coordinate gives way against the others: not at all, else little

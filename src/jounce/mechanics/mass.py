@@ -9,14 +9,14 @@ from types import ModuleType
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from jounce.core.errors import AssemblyError
 from jounce.core.files import existing_file
 from jounce.core.optional import require
+from jounce.core.types import Array
 from jounce.core.units import to_si
 
-Array = NDArray[np.float64]
 Number = float | str
 """A number in SI, or text with a unit."""
 _TRIANGLE = 1e-6  # share of the largest moment that rounding may cost the triangle inequality

@@ -6,10 +6,10 @@ from collections.abc import Callable, Mapping
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.constants import GRAVITY
 from jounce.core.errors import AssemblyError, unknown
+from jounce.core.types import Array
 from jounce.mechanics.assembly import removable
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.loads import Loaded
@@ -18,7 +18,6 @@ from jounce.mechanics.reactions import Reaction, kinetic_energy, tree_reaction, 
 from jounce.mechanics.rotations import normals
 from jounce.mechanics.tree import Number, Vector
 
-Array = NDArray[np.float64]
 BALANCE = "energy.balance"
 """Work of all forces as a state; kinetic energy less that as an output, in mechanisms with loops."""
 _NONE = ca.SX(3, 1)

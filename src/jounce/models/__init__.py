@@ -15,12 +15,12 @@ from jounce.models.half_car_4dof import half_car_4dof
 from jounce.models.quarter_car import quarter_car
 from jounce.parts import QuarterCar, Rig
 from jounce.parts.parameters import structure_of
-from jounce.parts.vehicles import FullCar, FullCar3D, HalfCar, HalfCar4
+from jounce.parts.vehicles import FullCar, FullCar3D, HalfCar, HalfCar4DOF
 
 _BUILDERS: dict[type[Rig], Callable[..., Model]] = {
     QuarterCar: quarter_car,
     HalfCar: half_car,
-    HalfCar4: half_car_4dof,
+    HalfCar4DOF: half_car_4dof,
     FullCar: full_car,
     FullCar3D: full_car_3d,
     **dict.fromkeys(TEMPLATES, corner),

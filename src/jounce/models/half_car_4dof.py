@@ -6,10 +6,10 @@ from jounce.control.actuators import AnyActuator
 from jounce.mechanics import Model, System
 from jounce.models.vehicle import add_body
 from jounce.models.wheels import add_wheel
-from jounce.parts.vehicles import HalfCar4
+from jounce.parts.vehicles import HalfCar4DOF
 
 
-def half_car_4dof(vehicle: HalfCar4, *, actuator: AnyActuator | None = None) -> Model:
+def half_car_4dof(vehicle: HalfCar4DOF, *, actuator: AnyActuator | None = None) -> Model:
     """Write the equations of a half car with unsprung masses; only the structure of ``vehicle`` matters."""
     system = System()
     body, gravity = add_body(system, vehicle), system.parameter("gravity")

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import unknown
 from jounce.core.extremes import Window, extremes_within
@@ -25,7 +24,6 @@ from jounce.simulation import Mode, equilibrium, modes, simulate
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 Progress = Callable[[str], None]
 CaseName = Literal["case-a", "case-b"]
 VEHICLE = "audi-a6-half-car"

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding
 from jounce.core.serialise import to_plain
+from jounce.core.types import Array
 from jounce.mechanics.motions import steady
 from jounce.papers.audi_a6_paper import (
     FREE_LENGTH,
@@ -34,7 +34,6 @@ from jounce.simulation.statics import Rest, find_rest
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 Progress = Callable[[str], None]
 RIG = "audi-a6-quarter-car"
 AMPLITUDE, PLATE_MASS = 0.003, 20.0

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.serialise import to_plain
+from jounce.core.types import Array
 from jounce.parts import QuarterCar, load
 from jounce.parts.vehicles import HalfCar
 from jounce.recordings.schema import recording
@@ -19,7 +20,6 @@ from jounce.simulation import equilibrium, simulate
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 POWER, FREQUENCY, LOAD = 2200.0, 5.0, 4512.6
 """Of the drive (W), of the excenter (Hz), and on the quarter car (N): Table 1."""
 FREE_LENGTH, READ_LENGTH, CALCULATED = 0.341, 0.3288, 0.130

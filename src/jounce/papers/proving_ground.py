@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.findings import Finding
 from jounce.core.serialise import to_plain
+from jounce.core.types import Array
 from jounce.papers.proving_ground_corner import Derived, LumpedCorner, lumped_corner
 from jounce.papers.proving_ground_damper import (
     MeasuredDamper,
@@ -28,7 +28,6 @@ from jounce.simulation import modes, simulate
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 Progress = Callable[[str], None]
 COURSE = "detrended_rms_course_1in"
 BEGIN, END = 100.0, 404.8
@@ -42,8 +41,8 @@ TYRE_RADIUS = 0.4699
 _GRID = 0.025
 FIGURES: dict[str, tuple[str, str]] = {
     "body_acceleration": ("m/s^2", "body r.m.s."),
-    "bump_travel_use": ("1", "bump travel use"),
-    "rebound_travel_use": ("1", "rebound travel use"),
+    "bump_travel_utilisation": ("1", "bump travel use"),
+    "rebound_travel_utilisation": ("1", "rebound travel use"),
     "wheel_load_variation": ("1", "wheel load r.m.s."),
     "lift_off": ("1", "time lifted off"),
     "damper_power": ("W", "damper power"),
@@ -340,8 +339,8 @@ def ride_figures(run: xr.Dataset, rig: QuarterCar, corner: LumpedCorner, fastest
     stored = float(np.diff(_energy(rig, signal)[[0, -1]])[0]) / span
     return {
         "body_acceleration": float(np.sqrt(mean(signal["sprung.az"] ** 2))),
-        "bump_travel_use": float(deflection.max()) / corner.bump_travel,
-        "rebound_travel_use": -float(deflection.min()) / corner.rebound_travel,
+        "bump_travel_utilisation": float(deflection.max()) / corner.bump_travel,
+        "rebound_travel_utilisation": -float(deflection.min()) / corner.rebound_travel,
         "wheel_load_variation": float(np.sqrt(mean((contact - static) ** 2))) / static,
         "lift_off": mean((contact == 0.0).astype(float)),
         "damper_power": damper,
@@ -386,7 +385,7 @@ def _dataset(rows: dict[str, list[dict[str, float]]], speeds: tuple[float, ...])
 def _advice(rows: dict[str, list[dict[str, float]]], speeds: tuple[float, ...]) -> list[Finding]:
     findings = []
     for name, lines in rows.items():
-        for key, kind in (("bump_travel_use", "bump"), ("rebound_travel_use", "rebound")):
+        for key, kind in (("bump_travel_utilisation", "bump"), ("rebound_travel_utilisation", "rebound")):
             over = [3.6 * speed for row, speed in zip(lines, speeds, strict=True) if row[key] > 1.0]
             if over:
                 worst = max(row[key] for row in lines)

@@ -5,13 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.constants import GRAVITY
+from jounce.core.types import Array
 from jounce.parts import QuarterCar
 from jounce.parts.importers import ChronoCorner, RigidPart
 
-Array = NDArray[np.float64]
 WHEEL_MASS, TYRE_MASS, TYRE_STIFFNESS, TYRE_DAMPING = 18.8, 37.6, 326332.0, 500.0
 """Of the same vehicle in the same repository as its hardpoints; see SOURCE.md beside them. kg, kg, N/m, N s/m."""
 _STEP = 1e-4  # rad, of the lower arm

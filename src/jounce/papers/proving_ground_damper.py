@@ -9,14 +9,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 from jounce.identify.damper_fit import DamperCurve, DamperResult, LawName, damper_curve, fit_damper
 from jounce.recordings import read_columns
 
-Array = NDArray[np.float64]
 RECORDS = {"0 V": "shaking_table_0v.csv", "0.88 V": "shaking_table_088v.csv"}
 LAWS: tuple[LawName, ...] = ("linear", "tanh-hysteretic", "bouc-wen")
 _COLUMNS = {"time": "s", "displacement": "m", "velocity": "m/s", "force": "N"}

@@ -13,9 +13,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.serialise import write_files
+from jounce.core.types import Array
 from jounce.papers.table2 import Table2Row, table2
 from jounce.papers.virtual_rig import (
     CONTACT_LENGTH,
@@ -44,7 +44,6 @@ from jounce.recordings import Sensor, apply_sensors
 from jounce.roads import HalfSine, Road, Train, Trial
 from jounce.simulation import linearise, simulate
 
-Array = NDArray[np.float64]
 Progress = Callable[[str], None]
 
 SENSORS: Mapping[str, Sensor] = {

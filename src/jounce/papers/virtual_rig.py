@@ -17,13 +17,11 @@ from types import MappingProxyType
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from jounce.core.types import Array
 from jounce.parts import DoubleWishbone, load
 from jounce.parts.strut_angle import with_strut_angle
 from jounce.roads import Excitation, Road, Train
-
-Array = NDArray[np.float64]
 
 SYNTHETIC = "Synthetic: made by jounce's virtual bench from a richer model (truth.toml); not a laboratory record."
 RIG = "kart-double-wishbone"

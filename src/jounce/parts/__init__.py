@@ -3,7 +3,7 @@
 from jounce.parts.advice import rig_findings
 from jounce.parts.loading import changed_text, library, load, rig_from_table, rig_path
 from jounce.parts.rigs import Corner, DoubleWishbone, FiveLink, McPherson, QuarterCar, Rig, TrailingArm
-from jounce.parts.vehicles import FullCar, FullCar3D, HalfCar, HalfCar4, Vehicle
+from jounce.parts.vehicles import FullCar, FullCar3D, HalfCar, HalfCar4DOF, Vehicle
 
 __all__ = [
     "Corner",
@@ -12,7 +12,7 @@ __all__ = [
     "FullCar",
     "FullCar3D",
     "HalfCar",
-    "HalfCar4",
+    "HalfCar4DOF",
     "McPherson",
     "QuarterCar",
     "Rig",

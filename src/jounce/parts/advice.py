@@ -7,11 +7,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from jounce.core.findings import Finding, Severity
+from jounce.core.types import Array
 from jounce.parts.corner import Corner
 from jounce.parts.curves import VelocityTable
 from jounce.parts.hardpoints import LARGE
 from jounce.parts.leverage import motion_ratio, spring_force, static_spring_force, static_tyre_deflection
-from jounce.parts.points import Array
 from jounce.parts.rig import Rig
 from jounce.parts.struts import MapDamper
 from jounce.parts.vehicle_advice import AnyVehicle, vehicle_findings

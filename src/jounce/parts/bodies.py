@@ -8,8 +8,9 @@ import numpy as np
 from pydantic import model_validator
 
 from jounce.core.description import Description
+from jounce.core.types import Array
 from jounce.core.units import Mass, MomentOfInertia, ProductOfInertia
-from jounce.parts.points import Array, Point
+from jounce.parts.points import Point
 
 TRIANGLE_TOLERANCE = 1e-3
 """Share of the largest principal moment by which it may exceed the sum of the others: rounding in a data sheet."""

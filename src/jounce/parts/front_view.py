@@ -12,7 +12,7 @@ from jounce.core.errors import DescriptionError, unknown
 from jounce.core.units import Acceleration, Mass, MomentOfInertia, NonNegativeStiffness, PositiveLength
 from jounce.parts.rig import Rig
 from jounce.parts.rigs import QuarterCar
-from jounce.parts.vehicles import FullAxle, FullCar, HalfCar4, Vehicle, WheeledAxle
+from jounce.parts.vehicles import FullAxle, FullCar, HalfCar4DOF, Vehicle, WheeledAxle
 
 _DYNAMIC_INDEX = 0.7
 """Roll inertia over that of masses standing over the wheels, where none is given: cars have 0.6 to 0.8 (estimated)."""
@@ -60,7 +60,7 @@ def axle_of(
 
     Parameters
     ----------
-    vehicle : FullCar or HalfCar4
+    vehicle : FullCar or HalfCar4DOF
         A vehicle whose wheels have tyres.
     axle : {"front", "rear"}
         Which one.
@@ -88,7 +88,7 @@ def axle_of(
     """
     if axle not in ("front", "rear"):
         raise unknown(axle, ("front", "rear"), what="axle", where="axle")
-    if not isinstance(vehicle, (FullCar, HalfCar4)):
+    if not isinstance(vehicle, (FullCar, HalfCar4DOF)):
         raise DescriptionError(
             "an axle on a tester needs wheels on tyres, and lumped",
             where="vehicle",

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Annotated, Any
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import BeforeValidator
 
+from jounce.core.types import Array
 from jounce.core.units import (
     Length,
     NonNegativeDampingCoefficient,
@@ -15,7 +15,6 @@ from jounce.core.units import (
     NonNegativeStiffness,
 )
 
-Array = NDArray[np.float64]
 Triple = tuple[float, float, float]
 
 

@@ -8,9 +8,9 @@ import numpy as np
 
 from jounce.core.findings import Finding
 from jounce.parts.curves import VelocityTable
-from jounce.parts.vehicles import Axle, FullAxle, FullCar, FullCar3D, HalfCar, HalfCar4, WheeledAxle
+from jounce.parts.vehicles import Axle, FullAxle, FullCar, FullCar3D, HalfCar, HalfCar4DOF, WheeledAxle
 
-AnyVehicle = HalfCar | HalfCar4 | FullCar | FullCar3D
+AnyVehicle = HalfCar | HalfCar4DOF | FullCar | FullCar3D
 
 LONGEST = 6.0
 """m; no axle lies that far from the centre of gravity, nothing of a car is that wide or high."""

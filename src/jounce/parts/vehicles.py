@@ -175,7 +175,7 @@ class HalfCar(Vehicle):
         return found if self.compat == "physical" else {corner: Place(0.0, 0) for corner in found}
 
 
-class HalfCar4(Vehicle):
+class HalfCar4DOF(Vehicle):
     """Half car with unsprung masses: bounce and pitch of the body, two wheel heights (4 degrees of freedom)."""
 
     model: Literal["half-car-4dof"] = "half-car-4dof"
@@ -242,7 +242,7 @@ class FullCar3D(Vehicle):
 
 VEHICLES: dict[str, type[Vehicle]] = {
     "half-car": HalfCar,
-    "half-car-4dof": HalfCar4,
+    "half-car-4dof": HalfCar4DOF,
     "full-car": FullCar,
     "full-car-3d": FullCar3D,
 }

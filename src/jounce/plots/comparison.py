@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import FitError
+from jounce.core.types import Array
 from jounce.plots.display import DisplayUnit, display_unit, number, words_of
 from jounce.plots.style import AFTER, BEFORE, INK, MEASURED, WIDTH, new_figure, styled
 from jounce.recordings.schema import QUANTITIES, quantity_of
@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     from jounce.campaign.result import TrialResult
     from jounce.campaign.validation import ChannelComparison, Signals
 
-Array = NDArray[np.float64]
 _LIVELY = 0.15  # of the largest excursion: what the zoom must show
 
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from jounce.core.types import Array
 from jounce.identify.decay_response import QUANTITIES, alternating, decay_response, turning_points
 from jounce.plots.display import display_unit, quantity
 from jounce.plots.style import AFTER, MEASURED, MUTED, PALETTE, legend_above, new_figure, styled
@@ -17,7 +18,6 @@ if TYPE_CHECKING:
 
     from jounce.identify.decay import DecayResult
 
-Array = NDArray[np.float64]
 _UNITS = dict(zip(QUANTITIES, ("m", "m/s", "m/s^2"), strict=True))
 
 

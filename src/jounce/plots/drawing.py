@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from jounce.core.types import Array
 from jounce.plots.scenes import Pose, Scene
 from jounce.plots.shapes import View, circle, coil, outline, tyre
 from jounce.plots.style import INK, MUTED
@@ -15,7 +15,6 @@ from jounce.plots.style import INK, MUTED
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Array = NDArray[np.float64]
 MM = 1e3
 RUBBER, ROAD = "#5b636b", "#7d7468"
 _RIM, _SHOULDER = 0.56, 0.9

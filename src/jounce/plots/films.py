@@ -11,10 +11,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import OutputError
 from jounce.core.optional import MissingPackageError
+from jounce.core.types import Array
 from jounce.plots.drawing import MM, draw_ground, draw_pose, draw_steering_axis
 from jounce.plots.poses import Poses
 from jounce.plots.roadways import REACH, Roadway
@@ -28,7 +28,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from PIL import Image as Pictures
 
-Array = NDArray[np.float64]
 Say = Callable[[str], None]
 _SIZE, _DOTS = (8.8, 4.6), 100  # inches, per inch
 _HEAD = 0.55

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError, nearest
+from jounce.core.types import Array
 from jounce.plots.display import display_unit, words_of
 from jounce.plots.style import MUTED, PALETTE, limits, new_figure, styled
 
@@ -17,7 +18,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 _PREFERRED = ("road.z", "sprung.az", "unsprung.az", "strut.deflection", "tyre.force")
 _MOST_BY_DEFAULT = 6
 _NO_CONTACT = "#f2c6b5"

@@ -6,8 +6,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from jounce.core.types import Array
 from jounce.inspection.signals.run_down import run_down
 from jounce.plots.style import MUTED, PALETTE, new_figure, styled
 
@@ -18,7 +18,6 @@ if TYPE_CHECKING:
 
     from jounce.inspection.result import Inspection, WheelCurves, WheelResult
 
-Array = NDArray[np.float64]
 _LOOKS = {"left": (PALETTE[0], "-"), "right": (PALETTE[1], (0, (4, 1.5)))}
 _BAND = (6.0, 18.0)
 _ENVELOPE = 400  # bins of a force over time; finer than the paper shows

@@ -8,10 +8,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError, nearest
 from jounce.core.serialise import write_files
+from jounce.core.types import Array
 from jounce.plots.display import display_unit
 from jounce.plots.style import MUTED, PALETTE, new_figure, style, styled
 
@@ -20,10 +20,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 SHEETS: dict[str, tuple[str, ...]] = {
     "wheel": ("camber", "toe", "camber_to_ground", "inclination", "steer", "half_track_change"),
-    "gradients": ("camber_gain", "bump_steer", "caster_change", "half_track_gain", "roll_steer", "roll_camber"),
+    "gradients": ("camber_gain", "bump_steer", "caster_gain", "half_track_gradient", "roll_steer", "roll_camber"),
     "steering": (
         "caster",
         "kingpin_inclination",
@@ -31,7 +30,7 @@ SHEETS: dict[str, tuple[str, ...]] = {
         "scrub_radius",
         "spindle_offset",
         "wheel_centre_caster_offset",
-        "steering_ratio",
+        "steer_gain",
         "ackermann",
     ),
     "centres": (
@@ -42,9 +41,9 @@ SHEETS: dict[str, tuple[str, ...]] = {
         "instant_centre_z",
         "side_instant_centre_x",
         "side_instant_centre_z",
-        "front_swing_arm_length",
-        "side_swing_arm_length",
-        "contact_longitudinal_slope",
+        "front_view_swing_arm_length",
+        "side_view_swing_arm_length",
+        "contact_patch_recession",
         "wheel_centre_longitudinal_slope",
         "anti_dive",
         "anti_lift",
@@ -53,7 +52,7 @@ SHEETS: dict[str, tuple[str, ...]] = {
     "springs": (
         "spring_length",
         "motion_ratio",
-        "motion_ratio_rate",
+        "motion_ratio_gradient",
         "damper_motion_ratio",
         "spring_force",
         "stop_force",

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.types import Array
 from jounce.plots.style import INK, MUTED
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Array = NDArray[np.float64]
 SIZE = 7.5  # points of paper
 _GAP = 2.5  # points of paper, around discs and names
 _REACH = np.array(

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, RecordingError
+from jounce.core.types import Array
 from jounce.plots.display import DisplayUnit, display_unit, number
 from jounce.plots.scenes import BAR, Pose, Scene, contact_points, spin_axes
 
@@ -17,8 +18,6 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from jounce.parts.corners import Corner
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError
+from jounce.core.types import Array
 from jounce.plots.roads import sampled
 
 if TYPE_CHECKING:
     from jounce.roads import Trial
 
-Array = NDArray[np.float64]
 REACH = 3.2
 """How much of the road is shown behind and ahead of the wheel, in its radii."""
 _VISIBLE = 2e-5  # m

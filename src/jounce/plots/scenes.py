@@ -8,15 +8,14 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError
+from jounce.core.types import Array
 from jounce.plots.style import INK, PALETTE
 
 if TYPE_CHECKING:
     from jounce.parts.corners import Corner
 
-Array = NDArray[np.float64]
 
 COLOURS = {
     "lower_arm": PALETTE[0],

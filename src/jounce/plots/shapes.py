@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from jounce.core.types import Array
+
 _AROUND = 72
 _TYRE = ((-0.5, 0.9), (-0.42, 0.975), (-0.25, 1.0), (0.25, 1.0), (0.42, 0.975), (0.5, 0.9))
 COILS = 8.0

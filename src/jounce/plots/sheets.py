@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from jounce.core.types import Array
 from jounce.plots.drawing import MM, ROAD, RUBBER, Look, ground_corners
 from jounce.plots.labels import column_width
 from jounce.plots.scenes import Pose, Scene
@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
 
-Array = NDArray[np.float64]
 _SIZE = (11.0, 8.8)  # inches; all below too
 _LEFT, _RIGHT, _BETWEEN = 0.62, 0.15, 0.72
 _BOTTOM, _TOP, _ABOVE = 0.98, 0.72, 0.72

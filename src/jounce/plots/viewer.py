@@ -10,8 +10,8 @@ from importlib import resources
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from jounce.core.types import Array
 from jounce.plots.display import display_unit
 from jounce.plots.drawing import DAMPER_BODY
 from jounce.plots.poses import Poses
@@ -19,7 +19,6 @@ from jounce.plots.roadways import Roadway
 from jounce.plots.scenes import Scene
 from jounce.plots.shapes import COILS
 
-Array = NDArray[np.float64]
 _MM = 1e3
 _REACTIONS = tuple(f".{kind}{axis}" for kind in "ft" for axis in "xyz")
 _FIRST = ("tyre.force", "camber")

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from jounce.core.errors import RecordingError
+from jounce.core.types import Array
 
-Array = NDArray[np.float64]
 _CONSTANT = 1e-9  # share of a signal's variance below which a part of it counts as constant
 
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from jounce.core.errors import RecordingError
+from jounce.core.types import Array
 
-Array = NDArray[np.float64]
 _TWO_PASSES = math.sqrt(2.0) - 1.0  # (w/w_d)^(2 n) at which the squared gain of two passes is 1/sqrt(2)
 _ANTI_ALIAS_ORDER = 8
 _ANTI_ALIAS_SHARE = 0.4

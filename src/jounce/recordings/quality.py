@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 from jounce.recordings.schema import quantity_of
 
-Array = NDArray[np.float64]
 LARGEST_JITTER = 0.01
 ROUNDING = 1e-6
 FEWEST_SAMPLES = 8

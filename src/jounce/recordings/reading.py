@@ -7,12 +7,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.columns import Column, ColumnTable, name_and_unit
 from jounce.core.errors import RecordingError, nearest
 from jounce.core.files import existing_file
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 from jounce.core.units import conversion_factor, to_si
 from jounce.recordings.quality import FEWEST_SAMPLES, check_channels, check_time
 from jounce.recordings.readers import READERS, Reader, ReaderOptions, SignalTable
@@ -21,7 +21,6 @@ from jounce.recordings.schema import channel_unit, quantity_of, recording
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 Columns = Mapping[str, str] | str | None
 
 

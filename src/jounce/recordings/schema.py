@@ -6,14 +6,13 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from jounce.core.errors import RecordingError, nearest
 
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 QUANTITIES: dict[str, tuple[str, str]] = {
     "x": ("m", "longitudinal position"),
     "y": ("m", "lateral position"),

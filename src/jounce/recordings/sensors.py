@@ -10,19 +10,19 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Literal, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from pydantic import model_validator
 from pydantic_core import PydanticCustomError
 
 from jounce.core.description import Description
 from jounce.core.errors import unknown
+from jounce.core.types import Array
 from jounce.core.units import Frequency, Number, Unit, to_si
 from jounce.recordings.filters import check_frequency
 
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 Initial = Literal["steady", "zero"]
 _LEADING_NUMBER = re.compile(r"\s*[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?(?![\d.])")
 

@@ -137,8 +137,8 @@ def _course(study: ProvingGround) -> Section:
 def _ride(study: ProvingGround) -> Section:
     names = (
         "body_acceleration",
-        "bump_travel_use",
-        "rebound_travel_use",
+        "bump_travel_utilisation",
+        "rebound_travel_utilisation",
         "wheel_load_variation",
         "lift_off",
         "damper_power",

@@ -9,9 +9,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.types import Array
 from jounce.ride.covariance import Relative, Source
 
-Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 _PANELS = 12  # a decade
 _POINTS = 8  # of Gauss and Legendre in each panel

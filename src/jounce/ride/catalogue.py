@@ -99,7 +99,7 @@ CATALOGUE: tuple[Metric, ...] = (
         "not weighted, and one sample decides",
     ),
     Metric(
-        "rms_rotation",
+        "rms_angular_acceleration",
         "rad/s^2",
         "r.m.s. of the angular acceleration about its mean",
         lambda v: holding.deviation(v.signal),
@@ -109,7 +109,7 @@ CATALOGUE: tuple[Metric, ...] = (
         "not weighted",
     ),
     Metric(
-        "weighted_rms_rotation",
+        "weighted_rms_angular_acceleration",
         "rad/s^2",
         "weighted r.m.s. angular acceleration, We",
         lambda v: comfort.rms(v.weighted(), v.rate),
@@ -239,7 +239,7 @@ CATALOGUE: tuple[Metric, ...] = (
         "along the strut; grows with the length of the record",
     ),
     Metric(
-        "travel_use",
+        "travel_utilisation",
         "1",
         "largest share used of the bump or the rebound travel, from the mean deflection",
         _use,
@@ -249,7 +249,7 @@ CATALOGUE: tuple[Metric, ...] = (
         "1 means that a stop is reached; above 1 it is compressed",
     ),
     Metric(
-        "travel_use_rms",
+        "travel_utilisation_rms",
         "1",
         "r.m.s. deflection over the whole travel available",
         lambda v: holding.deviation(v[_STRUT]) / sum(v.travel),

@@ -10,13 +10,13 @@ from collections.abc import Mapping
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from jounce.core.errors import RecordingError, unknown
 from jounce.core.findings import Finding
 from jounce.core.recursion import first_order
+from jounce.core.types import Array
 
-Array = NDArray[np.float64]
 Averaging = Literal["linear", "exponential"]
 TIME_CONSTANT = 1.0
 LARGEST_CREST_FACTOR, LARGEST_MTVV_RATIO, LARGEST_VDV_RATIO = 9.0, 1.5, 1.75

@@ -16,12 +16,11 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
+from jounce.core.types import Array
 from jounce.ride.family import Matrices
 
-Array = NDArray[np.float64]
 _NOTHING = 1e-9
 """What is left of a sum of terms is nothing below this share of their sizes."""
 _DEFECTIVE = 1e5  # condition of the eigenvectors beyond which they are not used

@@ -10,11 +10,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from jounce.core.types import Array
 from jounce.ride.family import Matrices
 
-Array = NDArray[np.float64]
 _NEUTRAL = 1e-6  # of the largest eigenvalue: rounding of a double eigenvalue at zero
 _UNREACHED = 1e-7
 

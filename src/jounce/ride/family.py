@@ -8,9 +8,9 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import JounceError, SimulationError
+from jounce.core.types import Array
 from jounce.mechanics.model import ROAD, is_road
 from jounce.parts import Rig
 from jounce.parts.parameters import structure_of, unknown_path
@@ -18,7 +18,6 @@ from jounce.parts.vehicles import Place, Vehicle
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.statics import Rest, find_rest
 
-Array = NDArray[np.float64]
 _EDGE = 1e-12  # a switch this near to its edge at rest is on it: the mean of both sides counts
 _STEP = 1e-3  # relative, of differences for mechanisms
 

@@ -6,9 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError
+from jounce.core.types import Array
 from jounce.ride.comfort import duration_of, integral
-
-Array = NDArray[np.float64]
 
 
 def mean(values: Array) -> float:

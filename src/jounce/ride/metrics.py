@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, RecordingError, nearest, unknown
 from jounce.core.findings import Finding
@@ -25,7 +24,6 @@ from jounce.ride.weighting import STARTS, Start, weighting
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 _AXES = {"ax": "x", "ay": "y", "az": "z"}
 _TURNS = {"roll_acceleration": "roll", "pitch_acceleration": "pitch", "yaw_acceleration": "yaw"}
 _PARTS = ("strut.deflection", "strut.velocity", "strut.force", "strut.damper_force", "tyre.force", "tyre.deflection")

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from jounce.core.types import Array
 from jounce.ride.band import Band, BandVariance, frequencies, longest_delay
 from jounce.ride.covariance import (
     Covariance,
@@ -24,7 +24,6 @@ from jounce.ride.deflation import without_unreached
 from jounce.ride.family import LinearFamily, Matrices
 from jounce.ride.surface import Surface
 
-Array = NDArray[np.float64]
 Gain = Callable[[Array], Array]
 """Magnitude (1) of a weighting at frequencies (Hz)."""
 _TRACK_STEP = 1e-4  # relative, of the difference that gives the slope of a coherence

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import RecordingError, nearest, unknown
+from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.recordings.quality import check_time
 from jounce.ride.weighting import weighting_response
@@ -19,7 +20,6 @@ from jounce.simulation.linearise import LinearModel
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 WINDOWS = {"hann": 1.5, "boxcar": 1.0}
 """Windows, with their noise bandwidth (1) in steps of the frequency."""
 _USUAL_PARTS = 8

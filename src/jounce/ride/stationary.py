@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import unknown
 from jounce.core.findings import Finding
@@ -20,7 +19,6 @@ from jounce.ride.family import LinearFamily
 from jounce.ride.moments import Analysis, Gain, Moments, Signal
 from jounce.ride.surface import Density, Sides, Surface, surface
 
-Array = NDArray[np.float64]
 _ABSENT = {
     WANDERS: f'{WANDERS}; give band="iso" or a cut_off',
     KICKED: f'{KICKED}; give band="iso"',

@@ -8,13 +8,12 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, unknown
+from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.roads.roughness import BAND, REFERENCE, as_roughness, track_coherence
 
-Array = NDArray[np.float64]
 Density = Callable[[Array], Array]
 Sides = Literal["uncorrelated", "same", "isotropic", "exponential"]
 SIDES: tuple[Sides, ...] = ("uncorrelated", "same", "isotropic", "exponential")

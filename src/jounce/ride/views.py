@@ -5,15 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-import numpy as np
-from numpy.typing import NDArray
-
 from jounce.core.errors import RecordingError
+from jounce.core.types import Array
 from jounce.ride.comfort import duration_of
 from jounce.ride.holding import mean
 from jounce.ride.weighting import Start, weighted, weighting
 
-Array = NDArray[np.float64]
 Pair = tuple[float | None, float | None]
 USUAL_WEIGHTING = {"x": "Wd", "y": "Wd", "z": "Wk", "roll": "We", "pitch": "We", "yaw": "We"}
 _NO_PASSENGER = {"unsprung", "wheel", "tyre", "road", "platform", "knuckle", "upright", "axle", "strut"}

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import RecordingError, unknown
+from jounce.core.types import Array
 
-Array = NDArray[np.float64]
 Start = Literal["rest", "first", "mean"]
 STARTS: tuple[Start, ...] = ("rest", "first", "mean")
 _Q = 1.0 / math.sqrt(2.0)  # of both band limits

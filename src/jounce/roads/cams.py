@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError
 from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE, Segments
+from jounce.core.types import Array
 from jounce.roads.profile import hermite_pieces
 
-Array = NDArray[np.float64]
 Numbers = NDArray[np.int64]
 _SHARES = (0.2928932188134524, 0.7071067811865476)  # where in a cubic that is looked at: no waves can hide from both
 SHORTEST = 1e-9  # m; borders nearer to each other are one

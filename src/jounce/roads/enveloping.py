@@ -9,11 +9,12 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Literal, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from pydantic import model_validator
 
 from jounce.core.errors import DescriptionError
 from jounce.core.segments import Segments
+from jounce.core.types import Array
 from jounce.core.units import Length, PositiveLength, PositiveNumber
 from jounce.roads.cams import Cam, averaged, combined, rolled
 from jounce.roads.profile import Profile, laid_out
@@ -22,7 +23,6 @@ from jounce.roads.road import Road
 if TYPE_CHECKING:
     from jounce.roads.train import AnyRoad
 
-Array = NDArray[np.float64]
 _NEEDED = {
     "moving-average": ("contact_length",),
     "rigid-circle": ("radius",),

@@ -12,12 +12,12 @@ from pydantic import BeforeValidator, Field
 
 from jounce.core.errors import DescriptionError
 from jounce.core.segments import Segments
+from jounce.core.types import Array
 from jounce.core.units import Length, NonNegativeLength, PositiveLength, PositiveNumber, Unit
 from jounce.roads.profile import Profile, hermite_profile, laid_out, linear_profile, periodic_places
 from jounce.roads.road import Road
 from jounce.roads.roughness import BAND, REFERENCE, RoadClass, class_roughness, height_variance, track_coherence
 
-Array = NDArray[np.float64]
 SpatialFrequency = Annotated[float, Unit("1/m", above=0.0)]
 Roughness = Annotated[float, Unit("m^3", above=0.0)]
 Waviness = Annotated[float, Unit("1", above=0.0, at_most=5.0)]

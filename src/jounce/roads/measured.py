@@ -8,19 +8,18 @@ from pathlib import Path
 from typing import Annotated, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import BeforeValidator
 
 from jounce.core.columns import read_columns_csv
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.files import existing_file
 from jounce.core.segments import Segments
+from jounce.core.types import Array
 from jounce.core.units import Length, Unit
 from jounce.roads.opencrg import Course, read_course
 from jounce.roads.profile import Profile, cubic_profile, laid_out, linear_profile, periodic_places
 from jounce.roads.road import Road
 
-Array = NDArray[np.float64]
 Interpolation = Literal["linear", "cubic"]
 FEWEST = {"linear": 2, "cubic": 4}
 _JUMP, _STEEP = 1.0, 10.0  # m and 1; a step from one row to the next that is higher and steeper is padding, no road

@@ -11,13 +11,12 @@ from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError
 from jounce.core.files import existing_file
+from jounce.core.types import Array
 from jounce.roads.profile import Profile, linear_profile
 
-Array = NDArray[np.float64]
 Beyond = Literal["keep", "nothing", "repeat", "reflect", "closed"]
 _HARMLESS = re.compile(r"^unknown (keyword|data channel)|white space byte|header values used$")
 HIGHEST = 1e4  # m; no road lies above

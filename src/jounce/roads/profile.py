@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE, Segments
+from jounce.core.types import Array
 
-Array = NDArray[np.float64]
 Piece = tuple[float, int, tuple[float, float, float, float]]
 SHORTEST = 1e-12  # pieces below this length (relative to 1 m, or to the coordinate) are rounding
 

@@ -7,16 +7,16 @@ from dataclasses import replace
 from typing import Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from pydantic import model_validator
 
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError
 from jounce.core.segments import Segments
+from jounce.core.types import Array
 from jounce.core.units import NonNegativeLength, PositiveLength
 from jounce.roads.profile import Profile, laid_out, passes
 
-Array = NDArray[np.float64]
 LEVEL = 1e-6  # m; a belt loop whose ends differ by more is not closed
 
 

@@ -6,11 +6,11 @@ import math
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from jounce.core.errors import DescriptionError, unknown
+from jounce.core.types import Array
 
-Array = NDArray[np.float64]
 RoadClass = Literal["A", "B", "C", "D", "E", "F", "G", "H"]
 CLASSES: tuple[RoadClass, ...] = ("A", "B", "C", "D", "E", "F", "G", "H")
 REFERENCE = 0.1  # 1/m: n0, where the degree of roughness is stated

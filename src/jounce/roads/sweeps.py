@@ -7,10 +7,10 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError
 from jounce.core.segments import SINE
+from jounce.core.types import Array
 from jounce.core.units import Angle, Length, PositiveLength, positive_si, to_si
 from jounce.roads.profile import Profile, hermite_profile
 from jounce.roads.road import Road
@@ -18,7 +18,6 @@ from jounce.roads.road import Road
 if TYPE_CHECKING:
     from jounce.roads.trial import Excitation
 
-Array = NDArray[np.float64]
 Law = Literal["linear", "logarithmic"]
 PER_WAVE = 64  # points on one wave; cubics between them are within 3e-7 of the amplitude
 MOST_WAVES = 20_000

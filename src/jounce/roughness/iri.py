@@ -11,9 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
 from jounce.core.recursion import first_order
+from jounce.core.types import Array
 from jounce.core.units import to_si
 
-Array = NDArray[np.float64]
 SPEED = 80.0 / 3.6
 TYRE, SPRING, DAMPER, MASS_RATIO = 653.0, 63.3, 6.0, 0.15  # per sprung mass: 1/s^2, 1/s^2, 1/s; unsprung over sprung
 BASE = 0.25

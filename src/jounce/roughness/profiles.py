@@ -6,15 +6,14 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 from jounce.recordings.reading import read_columns
 from jounce.roads.loading import road_library
 from jounce.roads.opencrg import read_crg_profile
 
-Array = NDArray[np.float64]
 _TEXT = (".csv", ".txt", ".tsv")
 
 

@@ -6,12 +6,12 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from jounce.core.errors import RecordingError
+from jounce.core.types import Array
 from jounce.roads.roughness import BAND, REFERENCE, RoadClass, roughness_class
 
-Array = NDArray[np.float64]
 _UNEVEN = 1e-3  # of the spacing
 _PER_OCTAVE = 3  # bands that the line is fitted through
 

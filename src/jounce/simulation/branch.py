@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from jounce.core.types import Array
+
 _TURNED = 0.6  # rad: camber or steer that moves so far in a run belongs to another way of assembling the linkage
 _STEERED = 1.0  # rad: steer at rest that no rack makes
 _APART = 10.0  # m: no strut is that long

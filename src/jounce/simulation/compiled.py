@@ -9,10 +9,10 @@ from functools import cache, cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.control.actuators import AnyActuator
 from jounce.core.sources import digest_of
+from jounce.core.types import Array
 from jounce.kernel.explicit import Engine
 from jounce.kernel.native import Native, Source, compile_functions, kept_code
 from jounce.kernel.steps import SHORT_NAMES, STEP_NAMES
@@ -24,7 +24,6 @@ from jounce.simulation.programs import SLOPES, Program, plain_program, sensitive
 if TYPE_CHECKING:
     import casadi as ca
 
-Array = NDArray[np.float64]
 _PACKAGES = ("core", "parts", "control", "mechanics", "models", "kernel", "simulation")
 """Packages whose sources say what a rig compiles to."""
 

@@ -20,6 +20,7 @@ from jounce.control.program import program, sensor_noise, values
 from jounce.control.regulator import CallbackController, Setting
 from jounce.core.errors import JounceError, SimulationError
 from jounce.core.segments import Segments, flat
+from jounce.core.types import Array
 from jounce.kernel.callbacks import Callback
 from jounce.kernel.feedback import Feedback, feedback
 from jounce.kernel.native import Native, compile_functions
@@ -28,7 +29,6 @@ from jounce.simulation.compiled import Compiled
 from jounce.simulation.corner_models import corner_models
 from jounce.simulation.run import MAX_STEPS, Prepared
 
-Array = NDArray[np.float64]
 AnyControl = Controller | str | Path | Callable[..., Any]
 _FAR, _AT_LEAST = 1e3, 10.0  # sizes of the usual motion, and m or rad, beyond which a closed loop counts as diverging
 _COMMAND = "command"

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.control.corner import CornerModel
 from jounce.core.errors import SimulationError
+from jounce.core.types import Array
 from jounce.parts import Rig
 from jounce.parts.vehicles import Vehicle
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.statics import Rest, find_rest
 
-Array = NDArray[np.float64]
 _TYPICAL_VELOCITY = 0.3  # m/s at which a damper is taken for a constant coefficient
 
 

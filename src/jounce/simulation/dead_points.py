@@ -11,14 +11,13 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.segments import Segments
+from jounce.core.types import Array
 from jounce.kernel.status import Status
 from jounce.mechanics.mechanism import BALANCE
 from jounce.simulation.run import Prepared, Solution
 
-Array = NDArray[np.float64]
 _LOST = 1e-3  # share of the largest kinetic energy that no error may make come or go in the loops
 _STILL = 1e-12  # J: less than that is nothing
 _KINK = 1e-9  # change of a rate that counts as one

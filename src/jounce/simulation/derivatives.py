@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError, unknown
+from jounce.core.types import Array
 from jounce.kernel.status import Status
 from jounce.parts import Rig
 from jounce.parts.parameters import unit_of, unknown_path
@@ -21,8 +21,6 @@ from jounce.simulation.run import Solution, check_settings, output_times, solve
 
 if TYPE_CHECKING:
     import xarray as xr
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

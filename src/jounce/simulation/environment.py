@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 from jounce.control.actuators import AnyActuator, SemiActiveDamper
 from jounce.core.errors import SimulationError, unknown
 from jounce.core.optional import require
+from jounce.core.types import Array
 from jounce.kernel.status import Status
 from jounce.parts import Rig
 from jounce.roads import Trial
 from jounce.simulation.stepping import Stepper
 
-Array = NDArray[np.float64]
 OBSERVED = ("sprung.az", "sprung.vz", "unsprung.vz", "strut.deflection", "strut.velocity")
 """What is observed of each corner by default, where the model has it."""
 COST = {"sprung.az": 1.0, "strut.deflection": 4e3, "tyre.deflection": 4e4}

@@ -7,11 +7,11 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import AssemblyError, SimulationError, unknown
 from jounce.core.findings import Finding
 from jounce.core.segments import Segments
+from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.kernel.explicit import Control, Problem
 from jounce.kernel.tracks import flatten
@@ -38,7 +38,6 @@ from jounce.simulation.stiff import Method, check_method, longest_step_of
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 _SMALLEST = 1e-3  # m, rad, m/s or rad/s: motions below that need not be resolved relative to themselves
 _LONGEST = 1.2  # radians of the fastest motion at the start in one step
 _SHARE = 0.02  # of the duration, the longest step

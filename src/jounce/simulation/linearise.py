@@ -8,13 +8,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import SimulationError, unknown
+from jounce.core.types import Array
 from jounce.mechanics.model import Facts, moved_by
 from jounce.parts import Rig
 from jounce.simulation.branch import flipped_at
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.statics import Rest, find_rest
 
-Array = NDArray[np.float64]
 _NOTHING_HOLDS = 1e-7  # share of the fastest eigenvalue below which one is zero but for rounding
 
 

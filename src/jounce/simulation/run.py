@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError, nearest
 from jounce.core.segments import SINE, Segments
+from jounce.core.types import Array
 from jounce.kernel import implicit, linear, linear_plan
 from jounce.kernel.explicit import Control, Problem, integrate
 from jounce.kernel.feedback import NO_FEEDBACK, Feedback
@@ -36,7 +37,6 @@ if TYPE_CHECKING:
 
     from jounce.simulation.controlled import AnyControl
 
-Array = NDArray[np.float64]
 MAX_STEPS, _MAX_SAMPLES = 5_000_000, 20_000_000
 _STABLE = 0.4  # share of the fastest decay at rest that the method must resolve: friction holding a rig, sensitivities
 _LONGEST = 1.2  # radians of the fastest oscillation in one step, at a tolerance of 1e-5

@@ -10,12 +10,12 @@ from jounce.control.actuators import ActiveActuator
 from jounce.control.program import Program, program, values
 from jounce.control.regulator import CallbackController
 from jounce.core.errors import SimulationError
+from jounce.core.types import Array
 from jounce.parts import Rig
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.controlled import AnyControl, Loop, close_loop, command_names
 from jounce.simulation.statics import Rest, find_rest
 
-Array = NDArray[np.float64]
 _GROWING = 1e-3  # 1/s below which a pole counts as rounding
 
 

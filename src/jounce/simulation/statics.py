@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
+from jounce.core.types import Array
 from jounce.mechanics.model import is_road
 from jounce.roads.loads import LOADS
 from jounce.simulation.compiled import Compiled
 
-Array = NDArray[np.float64]
 _ITERATIONS = 60
 _SAGS = (0.0, 1e-4, 1e-3, 1e-2, 1e-1)  # m
 _FAR = 1e3  # m: a step that long means that nothing holds the weight

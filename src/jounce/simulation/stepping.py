@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.control.actuators import AnyActuator
 from jounce.control.laws import Passive
 from jounce.core.errors import SimulationError
+from jounce.core.types import Array
 from jounce.kernel.explicit import integrate
 from jounce.kernel.status import Status
 from jounce.parts import Rig
@@ -16,8 +16,6 @@ from jounce.simulation.compiled import compile_rig
 from jounce.simulation.controlled import close_loop, command_names
 from jounce.simulation.excitation import excitation
 from jounce.simulation.run import prepare, room
-
-Array = NDArray[np.float64]
 
 
 class Stepper:

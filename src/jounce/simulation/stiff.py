@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
+from jounce.core.types import Array
 from jounce.kernel.implicit import Slopes
 from jounce.kernel.native import Native, Source, compile_functions, kept_code
 from jounce.kernel.rosenbrock_steps import RosenbrockStep
@@ -18,7 +18,6 @@ from jounce.simulation.compiled import Compiled
 from jounce.simulation.newton_matrix import linear_functions
 from jounce.simulation.statics import Rest
 
-Array = NDArray[np.float64]
 Method = Literal["auto", "explicit", "implicit"]
 METHODS: tuple[str, ...] = get_args(Method)
 STEP_SHARE = 0.12  # of the tolerance for one step of the implicit method

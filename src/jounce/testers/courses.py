@@ -8,10 +8,10 @@ from functools import partial
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import unknown
 from jounce.core.segments import Segments
+from jounce.core.types import Array
 from jounce.mechanics.model import Output
 from jounce.mechanics.motions import held
 from jounce.parts.front_view import FrontViewAxle
@@ -22,7 +22,6 @@ from jounce.testers.model import ANGLE
 from jounce.testers.stand import Stand, channel, stand
 from jounce.testers.turning import Turning, angle_of, turning
 
-Array = NDArray[np.float64]
 Wheel = Literal["left", "right", "both"]
 Other = Literal["still", "excited"]
 

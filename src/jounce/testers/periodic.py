@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
+from jounce.core.types import Array
 from jounce.mechanics.motions import steady
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Tester
@@ -17,7 +17,6 @@ from jounce.testers.plate_response import LinearStand, linear_stand, place_of
 from jounce.testers.plates import wrapped
 from jounce.testers.stand import Stand, channel, stand
 
-Array = NDArray[np.float64]
 _BLOCK = 1.5  # s between two looks at whether the motion repeats
 _BLOCKS = 40
 _REPEATS = 1e-5  # of the amplitude: what may still change until the motion is periodic

@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import SimulationError, unknown
+from jounce.core.types import Array
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Tester
 from jounce.testers.plates import SteadyResponse, least, least_adhesion
 from jounce.testers.stand import Stand, channel, stand
 
-Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 _ALIKE = 1.3  # ratio of frequencies below which two wheel modes of an axle count as a pair
 

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-Array = NDArray[np.float64]
+from jounce.core.types import Array
+
 Complex = NDArray[np.complex128]
 _COARSE, _FINE = 0.1, 0.01  # Hz
 RIGIDITY = 0.571, 46e3

@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
 from jounce.core.segments import Segments, flat
+from jounce.core.types import Array
 from jounce.kernel.tracks import flatten
 from jounce.mechanics.motions import held
 from jounce.parts.corner import Corner
@@ -24,7 +24,6 @@ from jounce.simulation.run import Prepared, Solution, prepare, room, samples_rea
 from jounce.simulation.statics import Rest, state_scale
 from jounce.testers.model import ANGLE, MOTOR, PlateForm, tester_model
 
-Array = NDArray[np.float64]
 _LONGEST = 0.8  # radians of the excenter in one step at a tolerance of 1e-5
 
 

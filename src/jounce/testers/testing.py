@@ -9,15 +9,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
 from jounce.core.findings import Finding
 from jounce.core.serialise import write_atomically
+from jounce.core.types import Array
 from jounce.parts.front_view import FrontViewAxle, axle_of
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Tester
-from jounce.parts.vehicles import FullCar, HalfCar4
+from jounce.parts.vehicles import FullCar, HalfCar4DOF
 from jounce.recordings.schema import recording
 from jounce.recordings.writing import write_recording
 from jounce.testers.courses import Course, Other, Wheel, run_course
@@ -25,8 +25,6 @@ from jounce.testers.stand import channel, stand
 
 if TYPE_CHECKING:
     import xarray as xr
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -76,7 +74,7 @@ def simulate_test(
 
     Parameters
     ----------
-    rig : QuarterCar, Corner, FrontViewAxle, FullCar or HalfCar4
+    rig : QuarterCar, Corner, FrontViewAxle, FullCar or HalfCar4DOF
         What stands on the plates; of a vehicle it is the axle that ``about`` names, the front one otherwise.
     tester : Tester
         Plates, programme, sampling.
@@ -120,7 +118,7 @@ def simulate_test(
     """
     _refuse_below_zero("noise", noise, "of the static load")
     facts = {"axle": "front", **(about or {})}
-    if isinstance(rig, (FullCar, HalfCar4)):
+    if isinstance(rig, (FullCar, HalfCar4DOF)):
         rig = axle_of(rig, facts["axle"])  # type: ignore[arg-type]  # it refuses other names
     run = run_course(rig, tester, wheel=wheel, other=other)
     sides = {"left": "left", "right": "right"} if isinstance(rig, FrontViewAxle) else {_side(wheel): ""}

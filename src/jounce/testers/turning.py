@@ -5,12 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.segments import Segments
+from jounce.core.types import Array
 from jounce.parts.testers import Programme
 
-Array = NDArray[np.float64]
 _RUN_OUT = 10.0  # Hz/s: how fast an excenter is stopped that has not reached rest at the end of its sweep
 
 

@@ -65,7 +65,8 @@ def test_accelerations_are_found_by_their_names() -> None:
     total = np.hypot(found.value("weighted_rms", "body.az"), found.value("weighted_rms", "body.ax"))
     assert found.value("vibration_total_value", "body") == pytest.approx(total)
     assert found.comfort == {"body": comfort.comfort_words(total)}
-    assert found.value("weighted_rms_rotation") == pytest.approx(0.2 * np.sqrt(0.5), rel=0.05)  # We falls as 1/f
+    # We falls as 1/f
+    assert found.value("weighted_rms_angular_acceleration") == pytest.approx(0.2 * np.sqrt(0.5), rel=0.05)
     assert found.duration == pytest.approx(30.0)
 
 
@@ -126,8 +127,8 @@ def test_corners_are_found_by_their_names() -> None:
     assert found.value("road_stress_factor", here) == pytest.approx(1.0 + 3.0 * 0.25**2 + 0.375 * 0.25**4, rel=1e-9)
     assert found.value("travel_rms", here) == pytest.approx(0.02 * np.sqrt(0.5), rel=1e-9)
     assert found.value("travel_peak_to_peak", here) == pytest.approx(0.04)
-    assert found.value("travel_use", here) == pytest.approx(0.5)
-    assert found.value("travel_use_rms", here) == pytest.approx(0.2 * np.sqrt(0.5), rel=1e-9)
+    assert found.value("travel_utilisation", here) == pytest.approx(0.5)
+    assert found.value("travel_utilisation_rms", here) == pytest.approx(0.2 * np.sqrt(0.5), rel=1e-9)
     assert found.value("travel_use_peak_to_peak", here) == pytest.approx(0.4)
     assert found.value("bump_stop_hits", here) == 200.0
     share = (np.pi - 2.0 * np.arcsin(0.75)) / (2.0 * np.pi)
@@ -143,7 +144,7 @@ def test_corners_are_found_by_their_names() -> None:
 
 def test_travel_up_to_the_stops() -> None:
     found = ride_metrics(corner_run(), stop_gap=(0.01, 0.09))
-    assert found.value("travel_use", "front_left") == pytest.approx(0.5)  # 20 mm of 90 - 50 mm
+    assert found.value("travel_utilisation", "front_left") == pytest.approx(0.5)  # 20 mm of 90 - 50 mm
     assert found.value("travel_use_peak_to_peak", "front_left") == pytest.approx(0.4)
 
 
@@ -173,7 +174,7 @@ def test_what_is_absent_says_why() -> None:
     assert reasons["weighted_rms", ""] == "no channel ax or ay or az"
     assert reasons["dissipated_power", "front"] == "no channel front.strut.force"
     assert reasons["bump_stop_hits", "front"] == "no bump stop's gap is given"
-    assert "nor both stops' gaps" in reasons["travel_use", "front"]
+    assert "nor both stops' gaps" in reasons["travel_utilisation", "front"]
     assert found.value("travel_rms") == pytest.approx(0.02 * np.sqrt(0.5), rel=1e-9)
     with pytest.raises(jn.RecordingError, match="no channel ax or ay or az"):
         found.value("mtvv")
@@ -277,7 +278,7 @@ def test_bad_recordings() -> None:
 
 def test_negative_travel_is_a_reason() -> None:
     found = ride_metrics(corner_run(), stop_gap=(0.0, 0.02))
-    reasons = {item.reason for item in found.absent if item.metric == "travel_use"}
+    reasons = {item.reason for item in found.absent if item.metric == "travel_utilisation"}
     assert len(reasons) == 1
     assert "the available travel is not positive; found '0.05 m in rebound, -0.03 m in bump'" in reasons.pop()
 

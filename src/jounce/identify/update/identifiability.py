@@ -5,11 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 
-Array = NDArray[np.float64]
 _WEAK, _ALIKE = 1e-6, 0.98
 
 

@@ -5,12 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import FitError
+from jounce.core.types import Array
 from jounce.identify.update.problem import UpdateProblem
 
-Array = NDArray[np.float64]
 METHODS = ("bfgs", "least-squares")
 _BOUND = 1.0 - 1e-6
 _SMALL_GAIN, _PERFECT = 1e-6, 1e-12

@@ -11,9 +11,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 
 from jounce.core.errors import FitError, SimulationError, unknown
+from jounce.core.types import Array
 from jounce.kernel.status import Status
 from jounce.parts import Rig
 from jounce.recordings.alignment import shift_with_derivative
@@ -22,8 +22,6 @@ from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.excitation import excitation
 from jounce.simulation.run import Solution, solve
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

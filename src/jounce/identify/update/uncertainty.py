@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from jounce.core.types import Array
+
 _SHARE = 20  # the level of the residuals is taken over this share of a record
 _LEAST = 1e-12  # of the largest level: what is smaller is rounding, where nothing moves
 _FEWEST = 25  # samples, at least

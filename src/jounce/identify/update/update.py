@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding
@@ -15,8 +14,6 @@ from jounce.identify.update.identifiability import Identifiability, correlation_
 from jounce.identify.update.optimise import Optimum, check_method, minimise_from_many
 from jounce.identify.update.problem import FitTrial, UpdateProblem
 from jounce.identify.update.uncertainty import robust_covariance
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -14,12 +14,12 @@ from numpy.typing import NDArray
 from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
 from jounce.core.serialise import to_json
+from jounce.core.types import Array
 from jounce.inspection.remarks import of_plain
 
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 _FORMAT = "signals/1"
 _FACTORS = (1.0, 1e-3, 1e3)  # from the unit of the column to SI: none, mm or ms, kN
 _DECIMALS = range(7)

@@ -6,13 +6,11 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.constants import NORMAL_95
 from jounce.inspection.signals.analysis import UNDERFLOW, Analysis
 from jounce.inspection.signals.smoothing import corrected_course
 
-Array = NDArray[np.float64]
 _LENGTH = 1.2
 _NEAR = 4.0  # Hz
 

@@ -5,13 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.constants import NORMAL_95
+from jounce.core.types import Array
 from jounce.inspection.signals.conditioning import WheelSignals
 from jounce.inspection.signals.turns import Turns
 
-Array = NDArray[np.float64]
 LOWEST_RESONANCE = 2.0  # Hz; below it is the body's
 
 

@@ -6,15 +6,14 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.constants import NORMAL_95
+from jounce.core.types import Array
 from jounce.inspection.signals.analysis import Analysis
 from jounce.inspection.signals.response import force_response
 from jounce.inspection.signals.smoothing import corrected_course
 from jounce.testers.plates import phase_angle
 
-Array = NDArray[np.float64]
 _LENGTH = 2.0
 _END, _BESIDE = 0.05, 2.0  # Hz
 

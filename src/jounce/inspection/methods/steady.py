@@ -9,10 +9,10 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from jounce.core.types import Array
 from jounce.inspection.signals.response import Corner, force_response
 from jounce.testers.plates import SteadyResponse, least, least_adhesion, tyre_rigidity
 
-Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Response = Callable[[ArrayLike], Complex]
 _AT_END = 0.005  # Hz

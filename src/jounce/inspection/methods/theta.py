@@ -10,13 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.constants import NORMAL_95
+from jounce.core.types import Array
 from jounce.inspection.signals.response import Corner, force_response, rig_poles, road_poles, wheel_damping
 from jounce.inspection.signals.response_fit import ResponseFit
 
 if TYPE_CHECKING:
     from jounce.parts.testers import Tester
 
-Array = NDArray[np.float64]
 _LOWEST, _HIGHEST, _POINTS = 1.5, 15.0, 541
 _FEWEST_EXTREMES = 4
 _EVEN = 0.2

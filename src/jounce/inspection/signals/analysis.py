@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 from jounce.inspection.checks import problem, warning
 from jounce.inspection.signals.conditioning import WheelSignals, plate_acceleration
 from jounce.inspection.signals.course import Course
 from jounce.inspection.signals.period_filter import force_in_periods
 from jounce.inspection.signals.response_fit import ResponseFit, Stretch, fit_response, predicted_force, stretch_of
 
-Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 LOWEST_FIT, HIGHEST_FIT, LOWEST_TURN = 0.7, 40.0, 3.5  # Hz
 UNDERFLOW = 0.01

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 from jounce.inspection.record import FORCE, HEIGHT, SIDES, TACHO
 from jounce.recordings.quality import check_time
 
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
 
     from jounce.parts.testers import Tester
 
-Array = NDArray[np.float64]
 _ACCELERATION_TIME = 0.021
 _ACCELERATION_ORDER = 7
 _BLOCK_TIME = 0.1

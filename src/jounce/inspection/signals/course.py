@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 from jounce.inspection.checks import problem, warning
 from jounce.inspection.signals.conditioning import WheelSignals
 from jounce.inspection.signals.turns import FEWEST_TURNS, Turns, find_turns
@@ -16,7 +16,6 @@ from jounce.inspection.signals.turns import FEWEST_TURNS, Turns, find_turns
 if TYPE_CHECKING:
     from jounce.parts.testers import Tester
 
-Array = NDArray[np.float64]
 HIGHEST_SHARE = 0.985
 _WAIT, _SLOW_TIME = 1.0, 0.25  # s
 _PASSES = 2

@@ -7,9 +7,9 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.types import Array
 from jounce.kernel.call import kept, part
 
-Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 TRANSIENT = 5
 _FREE = 6

@@ -6,11 +6,10 @@ import math
 from functools import cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from jounce.core.types import Array
 from jounce.kernel.call import kept, part
 
-Array = NDArray[np.float64]
 PASS, STOP, RIPPLE = 2.0, 4.0, 0.01
 _POINTS = 1025
 _PER_TURN = 40.0  # samples of a turn that are worked out, at least

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.constants import GRAVITY
+from jounce.core.types import Array
 
-Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 

@@ -17,10 +17,10 @@ from numpy.typing import NDArray
 
 from jounce.core.constants import GRAVITY
 from jounce.core.errors import FitError
+from jounce.core.types import Array
 from jounce.inspection.signals.normal_equations import TRANSIENT, normal_equations
 from jounce.inspection.signals.response import Corner, responses
 
-Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 _FREE = 6
 _TIED = np.eye(_FREE, 5)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from jounce.core.types import Array
+
 _ONE_TURN, _BESIDE, _BACK = 0.25, 0.15, 1.02
 _FEWEST_TURNS = 5
 

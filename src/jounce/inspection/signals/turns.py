@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from jounce.core.types import Array
+
 _HYSTERESIS = 0.3
 FEWEST_TURNS = 8
 

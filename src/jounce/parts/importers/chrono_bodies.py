@@ -8,8 +8,9 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 from jounce.parts.bodies import TRIANGLE_TOLERANCE
-from jounce.parts.importers.chrono_file import Array, ChronoFile, RigidPart
+from jounce.parts.importers.chrono_file import ChronoFile, RigidPart
 
 DESIGN = np.eye(3)
 

@@ -11,7 +11,8 @@ from pathlib import Path
 import numpy as np
 
 from jounce.core.errors import DescriptionError
-from jounce.parts.importers.chrono_file import Array, ChronoFile, RigidPart, ascending
+from jounce.core.types import Array
+from jounce.parts.importers.chrono_file import ChronoFile, RigidPart, ascending
 
 HARDPOINTS = {
     "lower_arm_front": ("Lower Control Arm", "Location Chassis Front"),

@@ -12,8 +12,9 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 from jounce.parts.importers.chrono_corner import damper_map
-from jounce.parts.importers.chrono_file import Array, ChronoFile, ascending
+from jounce.parts.importers.chrono_file import ChronoFile, ascending
 
 STOP_RATE, STOP_PROGRESSION = 1.0e5, 6.0e7
 """Stop in N/m and N/m^3 within 8 % of the points that Chrono uses for every vehicle, from 2 mm to 50 mm of depth."""

@@ -10,12 +10,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, nearest
 from jounce.core.files import existing_file
+from jounce.core.types import Array
 
-Array = NDArray[np.float64]
 _COMMENT = re.compile(r'("(?:\\.|[^"\\])*")|//[^\n]*|/\*.*?\*/', re.DOTALL)
 
 

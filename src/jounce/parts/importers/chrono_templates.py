@@ -9,9 +9,10 @@ from typing import Any
 import numpy as np
 
 from jounce.core.findings import Finding
+from jounce.core.types import Array
 from jounce.parts.importers.chrono_bodies import DESIGN, about_axis, arm_frame, body_table, joined, rod_frame
 from jounce.parts.importers.chrono_corner import HARDPOINTS
-from jounce.parts.importers.chrono_file import Array, ChronoFile
+from jounce.parts.importers.chrono_file import ChronoFile
 from jounce.parts.points import distance_to_line
 
 _MACPHERSON = {

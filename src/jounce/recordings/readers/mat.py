@@ -6,13 +6,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.columns import Column, ColumnTable, parse_header
 from jounce.core.errors import RecordingError, nearest
+from jounce.core.types import Array
 from jounce.recordings.readers.table import Reader, ReaderOptions, SignalTable
 
-Array = NDArray[np.float64]
 _WIDEST = 64
 
 

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-from numpy.typing import NDArray
-
 from jounce.campaign.characterise import files_of, read_force_deflection
 from jounce.core.errors import JounceError
+from jounce.core.types import Array
 from jounce.identify.force_deflection import ForceDeflectionTrial
 from jounce.recordings import read_recording
 from jounce.roads import Road, Trial, read_roads
@@ -16,8 +14,6 @@ from jounce.roads import Road, Trial, read_roads
 if TYPE_CHECKING:
     from jounce.campaign.description import DecayBench, StiffnessBench
     from jounce.campaign.result import CampaignResult, TrialResult
-
-Array = NDArray[np.float64]
 
 
 def force_deflection(result: CampaignResult, table: StiffnessBench | None) -> list[ForceDeflectionTrial]:
