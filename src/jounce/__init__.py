@@ -78,7 +78,7 @@ if TYPE_CHECKING:  # what type checkers and editors see; a test keeps it equal t
     from jounce.kinematics import sweep_variants as sweep_variants
     from jounce.kinematics import write_sweep as write_sweep
     from jounce.papers.audi_a6 import run_audi_a6 as run_audi_a6
-    from jounce.papers.audi_a6_excenter import run_excenter as run_excenter
+    from jounce.papers.audi_a6_exciter import run_eccentric_exciter as run_eccentric_exciter
     from jounce.parts import FullCar as FullCar
     from jounce.parts import FullCar3D as FullCar3D
     from jounce.parts import HalfCar as HalfCar
@@ -271,7 +271,7 @@ _PUBLIC = {  # public name -> module that defines it; a module itself is its own
     "road_trial": "jounce.ride.trials",
     "run_audi_a6": "jounce.papers.audi_a6",
     "run_campaign": "jounce.campaign",
-    "run_excenter": "jounce.papers.audi_a6_excenter",
+    "run_eccentric_exciter": "jounce.papers.audi_a6_exciter",
     "sensitivities": "jounce.simulation",
     "simulate": "jounce.simulation",
     "simulate_axle": "jounce.inspection.simulated",

@@ -62,7 +62,7 @@ def test_a_case_into_a_folder(cli, tmp_path: Path):
     assert cli("study", "audi-a6-case-b", "--out", "b", "--force").exit_code == 0
 
 
-def test_excenter(cli, tmp_path: Path):
+def test_exciter(cli, tmp_path: Path):
     found = cli("study", "audi-a6-excenter", "--json")
     assert found.exit_code == 0
     assert [run["variant"] for run in found.json["runs"]] == ["summed", "series", "two-mass"]
@@ -80,7 +80,7 @@ def test_excenter(cli, tmp_path: Path):
     "words",
     [("--amplitude", "0 mm"), ("--amplitude", "3 m"), ("--amplitude", "3 kg"), ("--plate-mass", "-1 kg")],
 )
-def test_wrong_inputs_of_the_excenter(cli, words: tuple[str, ...]):
+def test_wrong_inputs_of_the_exciter(cli, words: tuple[str, ...]):
     found = cli("study", "audi-a6-excenter", *words)
     assert found.exit_code == 2
     assert words[0].strip("-").replace("-", "_") in found.err.replace("-", "_")

@@ -101,7 +101,7 @@ def test_a_free_run_down_passes_the_resonance():
     assert height.max() > 2.0 * height[:1000].max()
 
 
-def test_a_motor_brings_the_excenter_up_from_rest():
+def test_a_motor_brings_the_exciter_up_from_rest():
     drive = BOGE.drive.model_copy(update={"motor": Motor(stall_torque=40.0, no_load_frequency=20.0)})
     programme = BOGE.programme.model_copy(update={"hold_time": 8.0, "duration": 2.0})
     tester = BOGE.model_copy(update={"drive": drive, "programme": programme})

@@ -220,24 +220,24 @@ def test_wheels_that_would_leave_the_road_are_reported():
 
 
 def test_the_paper_beside_what_is_correct():
-    slips = {slip.place: slip for slip in study("case-b").slips}
-    torque = slips["eq. (5)"]
+    errata = {erratum.place: erratum for erratum in study("case-b").errata}
+    torque = errata["eq. (5)"]
     assert (torque.printed_value, torque.correct_value) == (
         pytest.approx(4201.7, abs=0.051), pytest.approx(70.03, abs=0.0051)
     )  # fmt: skip
-    stiffness = slips["section 4, spring constant"]
+    stiffness = errata["section 4, spring constant"]
     assert (stiffness.printed_value, stiffness.correct_value) == (338e3, pytest.approx(33728.0, abs=0.51))
-    result = slips["section 4, result"]
+    result = errata["section 4, result"]
     assert result.printed_value == pytest.approx(0.0122, abs=1e-9)
     assert "factor of 10.7" in result.why
-    rate = slips["section 5, front spring rate"]
+    rate = errata["section 5, front spring rate"]
     assert (rate.printed_value, rate.correct_value) == (38.0, 38e3)
-    load = slips["table 1, load F"]
+    load = errata["table 1, load F"]
     assert (load.printed_value, load.correct_value) == (4512.6, pytest.approx(4467.0, abs=0.51))
-    start = slips["demo, initial height"]
+    start = errata["demo, initial height"]
     assert "43.9 mm" in start.why
     assert "−0.120122 m" in start.printed
-    assert "exactly the defaults" in slips["table 2, K_f and K_r"].why
+    assert "exactly the defaults" in errata["table 2, K_f and K_r"].why
 
 
 def test_unknown_case():

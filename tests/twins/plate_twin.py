@@ -49,7 +49,7 @@ class Car:
         )
 
     def rig_matrix(self, mp: float, kp: float, cp: float = 0.0) -> np.ndarray:
-        """Of the state zs, zs', zu, zu', zp, zp' with the excenter at rest."""
+        """Of the state zs, zs', zu, zu', zp, zp' with the exciter at rest."""
         a = np.zeros((6, 6))
         a[:4, :4] = self.matrix()
         a[3, 4:] = self.kt / self.mu, self.ct / self.mu
@@ -87,7 +87,7 @@ class Programme:
         return self.before + self.hold + abs(self.start - self.end) / self.rate + self.rest
 
     def angle(self, t: np.ndarray) -> np.ndarray:
-        """Excenter angle, rad."""
+        """Exciter angle, rad."""
         sign = math.copysign(1.0, self.end - self.start)
         length = abs(self.start - self.end) / self.rate
         held = np.clip(t - self.before, 0.0, self.hold)
@@ -174,10 +174,10 @@ def stepped(car: Car, t: np.ndarray, z: np.ndarray) -> np.ndarray:
 def sprung_record(car: Car, programme: Programme, *, e=3.25e-3, mp=20.0, kp=50e3, sample_rate=1000.0, fine=8):
     """Time, plate height, measured force, contact force of a run on the sprung plate (linear)."""
     t = grid(programme.duration, sample_rate * fine)
-    excenter = e * np.sin(programme.angle(t))
+    exciter = e * np.sin(programme.angle(t))
     b = np.zeros(6)
     b[5] = kp / mp
-    x = linear_motion(car.rig_matrix(mp, kp), b, excenter - excenter[0], t[1])
+    x = linear_motion(car.rig_matrix(mp, kp), b, exciter - exciter[0], t[1])
     f = car.static_load + car.kt * (x[4] - x[2]) + car.ct * (x[5] - x[3])
     inertia = mp * np.gradient(np.gradient(x[4], t[1], edge_order=2), t[1], edge_order=2)
     return t[::fine], x[4][::fine], (f + inertia)[::fine], f[::fine]

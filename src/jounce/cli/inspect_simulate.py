@@ -45,7 +45,7 @@ def simulate(
         str | None, typer.Option(help="A tester file, or the name of a shipped one; by default that of the method.")
     ] = None,
     steady: Annotated[bool, typer.Option("--steady", help="Steady states in place of a run-down.")] = False,
-    stroke: Annotated[str | None, typer.Option(help='Stroke of the excenter, peak to peak: "6 mm".')] = None,
+    stroke: Annotated[str | None, typer.Option(help='Stroke of the exciter, peak to peak: "6 mm".')] = None,
     sweep_rate: Annotated[str | None, typer.Option(help='How fast the run-down is: "2.5 Hz/s".')] = None,
     wear: Annotated[
         str | None, typer.Option(help="Share of the damping that is lost: one number, or FIRST:LAST:STEP.")

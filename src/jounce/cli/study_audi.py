@@ -1,4 +1,4 @@
-"""``jounce study audi-a6-...``: paper 2's half car on obstacle and pothole, and its front corner on an excenter."""
+"""``jounce study audi-a6-...``: half car of paper 2 on obstacle and pothole, front corner on an eccentric exciter."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from jounce.core.findings import Finding
-    from jounce.papers.audi_a6_paper import Slip
+    from jounce.papers.audi_a6_paper import Erratum
 
 Out = Annotated[Path | None, typer.Option(help="Folder for report, figures, curves (CSV, netCDF) and results.json.")]
 
@@ -26,7 +26,7 @@ def register(app: typer.Typer) -> None:
     """Add the commands to ``jounce study``."""
     app.command("audi-a6-case-a")(case_a)
     app.command("audi-a6-case-b")(case_b)
-    app.command("audi-a6-excenter")(excenter)
+    app.command("audi-a6-excenter")(exciter)
 
 
 def case_a(out: Out = None, force: Force = False, as_json: AsJson = False) -> Reply:
@@ -45,8 +45,8 @@ def case_b(out: Out = None, force: Force = False, as_json: AsJson = False) -> Re
     return _case("case-b", out, force, as_json)
 
 
-def excenter(
-    amplitude: Annotated[str, typer.Option(help="Of the excenter: half the stroke. Estimated.")] = "3 mm",
+def exciter(
+    amplitude: Annotated[str, typer.Option(help="Of the exciter: half the stroke. Estimated.")] = "3 mm",
     plate_mass: Annotated[str, typer.Option(help="Mass of the plate. Estimated.")] = "20 kg",
     out: Out = None,
     force: Force = False,
@@ -60,19 +60,19 @@ def excenter(
     mass = quantity(plate_mass, "kg", "--plate-mass")
     check_outputs(folder=out, force=force)
     with progress() as say:
-        from jounce.papers.audi_a6_excenter import run_excenter
+        from jounce.papers.audi_a6_exciter import run_eccentric_exciter
 
-        study = run_excenter(size, mass, progress=say)
+        study = run_eccentric_exciter(size, mass, progress=say)
         if out is not None:
             from jounce.report import write_page
-            from jounce.report.audi_a6_excenter import excenter_page
+            from jounce.report.audi_a6_exciter import exciter_page
 
-            write_page(excenter_page(study), out, force=force, progress=say)
+            write_page(exciter_page(study), out, force=force, progress=say)
     plain = {**study.to_dict(), "out": None if out is None else str(out)}
 
     def draw(console: Console) -> None:
-        _draw_excenter(console, plain)
-        _end(console, study.slips, study.findings, out)
+        _draw_exciter(console, plain)
+        _end(console, study.errata, study.findings, out)
 
     return Reply(plain, draw, as_json)
 
@@ -92,7 +92,7 @@ def _case(name: str, out: Path | None, force: bool, as_json: bool) -> Reply:
 
     def draw(console: Console) -> None:
         _draw_case(console, plain, study.case.title)
-        _end(console, study.slips, study.findings, out)
+        _end(console, study.errata, study.findings, out)
 
     return Reply(plain, draw, as_json)
 
@@ -132,7 +132,7 @@ def _draw_modes(console: Console, modes: list[dict[str, Any]]) -> None:
     console.print(table("Modes", ("natural frequency Hz", "damped Hz", "damping ratio"), rows, text=()))
 
 
-def _draw_excenter(console: Console, plain: dict[str, Any]) -> None:
+def _draw_exciter(console: Console, plain: dict[str, Any]) -> None:
     rows = [
         (
             run["variant"],
@@ -169,8 +169,8 @@ def _draw_excenter(console: Console, plain: dict[str, Any]) -> None:
         console.print(f"EUSAMA, {damping}: {100.0 * one['adhesion']:.1f} % at {one['frequency_hz']:.1f} Hz")
 
 
-def _end(console: Console, slips: Iterable[Slip], findings: Iterable[Finding], out: Path | None) -> None:
-    rows = [(slip.place, slip.printed, slip.correct) for slip in slips]
+def _end(console: Console, errata: Iterable[Erratum], findings: Iterable[Finding], out: Path | None) -> None:
+    rows = [(erratum.place, erratum.printed, erratum.correct) for erratum in errata]
     console.print(table("The paper beside what is correct", ("where", "the paper", "correct"), rows, text=(0, 1, 2)))
     show_findings(console, findings)
     console.print(

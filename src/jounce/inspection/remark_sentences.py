@@ -85,7 +85,7 @@ SENTENCES: dict[str, dict[Language, str]] = {
         "de": "Die Platte bewegt sich nie: kein Auslauf.",
     },
     "stroke_unit": {
-        "en": "the plate moves {stroke:.4g} mm on an excenter of {expected:.4g} mm: check its unit.",
+        "en": "the plate moves {stroke:.4g} mm on an eccentric exciter of {expected:.4g} mm: check its unit.",
         "de": "Die Platte bewegt sich um {stroke:.4g} mm bei einem Exzenterhub von {expected:.4g} mm: Einheit prüfen.",
     },
     "height_unit": {

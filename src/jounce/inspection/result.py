@@ -25,7 +25,7 @@ _KEYS = (
 
 @dataclass(frozen=True)
 class WheelCurves:
-    """Course of a test over the frequency, by turns of the excenter in the order of time.
+    """Course of a test over the frequency, by turns of the exciter in the order of time.
 
     Attributes
     ----------

@@ -12,7 +12,7 @@ from jounce.core.errors import unknown
 from jounce.core.extremes import Window, extremes_within
 from jounce.core.findings import Finding
 from jounce.core.serialise import to_plain
-from jounce.papers.audi_a6_paper import PrintedSign, Slip, StartUp, paper_slips, printed_sign, start_up
+from jounce.papers.audi_a6_paper import Erratum, PrintedSign, StartUp, paper_errata, printed_sign, start_up
 from jounce.parts import load
 from jounce.parts.vehicles import Compat, HalfCar
 from jounce.recordings.schema import recording
@@ -142,7 +142,7 @@ class AudiCase:
         What the printed sign of eq. (9) would make of the vehicle.
     start_up : StartUp
         What the demo's initial height would make of it.
-    slips : tuple of Slip
+    errata : tuple of Erratum
         The paper's numbers beside the correct ones.
     findings : tuple of Finding
         What the reader must know.
@@ -154,7 +154,7 @@ class AudiCase:
     modes: tuple[Mode, ...]
     printed: PrintedSign
     start_up: StartUp
-    slips: tuple[Slip, ...]
+    errata: tuple[Erratum, ...]
     findings: tuple[Finding, ...]
 
     def to_dict(self) -> dict[str, Any]:
@@ -168,7 +168,7 @@ class AudiCase:
                 "modes": self.modes,
                 "printed_sign_of_eq_9": self.printed,
                 "start_up_of_the_demo": self.start_up.to_dict(),
-                "paper": self.slips,
+                "paper": self.errata,
                 "findings": self.findings,
             }
         )
@@ -214,7 +214,7 @@ def run_audi_a6(name: str, *, progress: Progress = lambda _: None) -> AudiCase:
             progress(f"simulate: {moment:g} N m, {variant}")
             runs.append(case_run(vehicle, case, moment, variant))
     progress("compare with the paper")
-    found = printed_sign(vehicle), start_up(vehicle), paper_slips()
+    found = printed_sign(vehicle), start_up(vehicle), paper_errata()
     return AudiCase(case, vehicle, tuple(runs), modes(vehicle), *found, _findings(case, runs))
 
 

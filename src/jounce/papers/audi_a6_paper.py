@@ -1,4 +1,4 @@
-"""Paper 2 as printed beside what is correct: slips of the pen, missing terms, values that contradict each other."""
+"""Paper 2 as printed beside what is correct: errata, missing terms, values that contradict each other."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 POWER, FREQUENCY, LOAD = 2200.0, 5.0, 4512.6
-"""Of the drive (W), of the excenter (Hz), and on the quarter car (N): Table 1."""
+"""Of the drive (W), of the exciter (Hz), and on the quarter car (N): Table 1."""
 FREE_LENGTH, READ_LENGTH, CALCULATED = 0.341, 0.3288, 0.130
 """Spring before and in the paper's simulation, and the compression its manual calculation took, m."""
 DEMO_HEIGHT, DEMO_PITCH = -0.12, 0.0
@@ -32,7 +32,7 @@ _START_UP = 3.0
 
 
 @dataclass(frozen=True)
-class Slip:
+class Erratum:
     """One place where the paper is to be read with care.
 
     Attributes
@@ -173,12 +173,12 @@ def start_up(vehicle: HalfCar) -> StartUp:
     return StartUp(DEMO_HEIGHT, rest["body.z"], offset["body.z"], float(height.min()), signals)
 
 
-def excenter_torque(power: float, frequency: float) -> float:
+def exciter_torque(power: float, frequency: float) -> float:
     """Torque in N m of a drive of a power in W that turns at a frequency in Hz: eq. (5) in the right units.
 
     Examples
     --------
-    >>> round(excenter_torque(2200.0, 5.0), 2)
+    >>> round(exciter_torque(2200.0, 5.0), 2)
     70.03
     """
     return float(power / (2.0 * np.pi * frequency))
@@ -208,7 +208,7 @@ def _damping(rig: QuarterCar) -> float:
     return float(rig.strut.damper.coefficient)  # type: ignore[union-attr]
 
 
-def paper_slips() -> tuple[Slip, ...]:
+def paper_errata() -> tuple[Erratum, ...]:
     """Put the paper's numbers and equations beside the correct ones; every number is computed from its tables."""
     car, demo, corner = (load(name) for name in ("audi-a6-half-car", "sldemo-half-car", "audi-a6-quarter-car"))
     assert isinstance(car, HalfCar)
@@ -217,14 +217,14 @@ def paper_slips() -> tuple[Slip, ...]:
     return (*_stand(corner), *_stand_results(corner), *_loads(car, corner), *_equations(car), *_demo(car, demo))
 
 
-def _stand(corner: QuarterCar) -> tuple[Slip, ...]:
-    """Section 4: the Inventor model on its excenter."""
+def _stand(corner: QuarterCar) -> tuple[Erratum, ...]:
+    """Section 4: the Inventor model on its exciter."""
     spring, tyre = corner.strut.spring.rate or np.nan, corner.tyre.stiffness or np.nan
     damper, pneumatic = _damping(corner), corner.tyre.damping_coefficient
-    torque, both = excenter_torque(POWER, FREQUENCY), series(spring, tyre)
+    torque, both = exciter_torque(POWER, FREQUENCY), series(spring, tyre)
     at_frequency = series_at(corner, FREQUENCY)[1]
     return (
-        Slip(
+        Erratum(
             "eq. (5)",
             f"M = 60 P / (2π f) = {60.0 * torque:.1f} N m with f = {FREQUENCY:g} Hz",
             f"M = P / (2π f) = {torque:.2f} N m",
@@ -234,7 +234,7 @@ def _stand(corner: QuarterCar) -> tuple[Slip, ...]:
             torque,
             "N*m",
         ),
-        Slip(
+        Erratum(
             "section 4, spring constant",
             f"sum of tyre and spring: {1e-3 * (spring + tyre):.0f} N/mm",
             f"in series: {1e-3 * both:.3f} N/mm",
@@ -243,7 +243,7 @@ def _stand(corner: QuarterCar) -> tuple[Slip, ...]:
             both,
             "N/m",
         ),
-        Slip(
+        Erratum(
             "section 4, damping constant",
             f"sum: {damper + pneumatic:.0f} N s/m",
             f"in series: {at_frequency:.0f} N s/m at {FREQUENCY:g} Hz",
@@ -253,7 +253,7 @@ def _stand(corner: QuarterCar) -> tuple[Slip, ...]:
             at_frequency,
             "N*s/m",
         ),
-        Slip(
+        Erratum(
             "table 1, c_pneu",
             f"{pneumatic:.0f} N s/m",
             "50 to 100 N s/m",
@@ -262,23 +262,23 @@ def _stand(corner: QuarterCar) -> tuple[Slip, ...]:
             None,
             "N*s/m",
         ),
-        Slip(
+        Erratum(
             "section 4, principle",
             f"EUSAMA principle at {FREQUENCY:g} Hz, stroke not given",
             "EUSAMA runs down from 25 Hz with a stroke of 6 mm",
-            "power and frequency are those of a THETA tester; the excenter's amplitude is an input here (3 mm, "
+            "power and frequency are those of a THETA tester; the exciter's amplitude is an input here (3 mm, "
             "estimated)",
         ),
     )
 
 
-def _stand_results(corner: QuarterCar) -> tuple[Slip, ...]:
+def _stand_results(corner: QuarterCar) -> tuple[Erratum, ...]:
     """Section 4: how far the spring is compressed."""
     spring, tyre = corner.strut.spring.rate or np.nan, corner.tyre.stiffness or np.nan
     both = series(spring, tyre)
     merged, chain, alone = LOAD / (spring + tyre), LOAD / both, LOAD / spring
     read = FREE_LENGTH - READ_LENGTH
-    metre = partial(Slip, unit="m")
+    metre = partial(Erratum, unit="m")
     return (
         metre(
             "section 4, static compression",
@@ -304,13 +304,13 @@ def _signed(value: float) -> str:
     return f"{value:+.3f}".replace("-", "−")
 
 
-def _loads(car: HalfCar, corner: QuarterCar) -> tuple[Slip, ...]:
+def _loads(car: HalfCar, corner: QuarterCar) -> tuple[Erratum, ...]:
     """Masses and rates that contradict each other."""
     wheel = equilibrium(car)["front.strut.force"]
     quarter = 0.25 * car.body.mass * car.gravity
     rate = PRINTED_RATE
     return (
-        Slip(
+        Erratum(
             "table 1, load F",
             f"{LOAD:g} N = {LOAD / corner.gravity:.1f} kg × {corner.gravity:g} m/s²",
             f"{wheel:.0f} N",
@@ -320,7 +320,7 @@ def _loads(car: HalfCar, corner: QuarterCar) -> tuple[Slip, ...]:
             wheel,
             "N",
         ),
-        Slip(
+        Erratum(
             "section 5, front spring rate",
             "'modified from 38 N/m to 28 N/m'",
             "38 N/mm to 28 N/mm",
@@ -332,30 +332,30 @@ def _loads(car: HalfCar, corner: QuarterCar) -> tuple[Slip, ...]:
     )
 
 
-def _equations(car: HalfCar) -> tuple[Slip, ...]:
+def _equations(car: HalfCar) -> tuple[Erratum, ...]:
     """Section 5: the half car's equations."""
     printed = printed_sign(car)
     slowest = max(real for real, _ in printed.correct_eigenvalues)
     return (
-        Slip(
+        Erratum(
             "section 3",
             "'the dynamic model of car damping has six degrees of freedom'",
             "two: the quarter car of eqs. (1) to (4); and two for the half car: bounce and pitch",
             "the equations that follow have no more",
         ),
-        Slip(
+        Erratum(
             "eqs. (6) and (8)",
             "no road height",
             "F_front = 2 K_f (h + L_f θ − z) + ..., F_rear = 2 K_r (h − L_r θ − z) + ...",
             "without h no obstacle could be felt; the text describes it as an input",
         ),
-        Slip(
+        Erratum(
             "eq. (7), text",
             "'determines pitch angle at the front axle'",
             "pitch moment due to the front axle",
             "it is a force times a lever",
         ),
-        Slip(
+        Erratum(
             "eq. (9)",
             "M_rear = −L_r F_rear",
             "M_rear = +L_r F_rear",
@@ -369,20 +369,20 @@ def _equations(car: HalfCar) -> tuple[Slip, ...]:
     )
 
 
-def _demo(car: HalfCar, demo: HalfCar) -> tuple[Slip, ...]:
+def _demo(car: HalfCar, demo: HalfCar) -> tuple[Erratum, ...]:
     """What the demo brought along."""
     rest, own = equilibrium(car)["body.z"], equilibrium(demo)["body.z"]
     rates = f"{car.front.spring_rate:.0f} and {car.rear.spring_rate:.0f} N/m"
     same = (car.front.spring_rate, car.rear.spring_rate) == (demo.front.spring_rate, demo.rear.spring_rate)
     return (
-        Slip(
+        Erratum(
             "section 5, road in the demo",
             "F = 2 K (... − (z + h)): an obstacle lowers the body",
             "F = 2 K (... − (z − h))",
             "variant sign-corrected; the road also meets both axles at once and is not felt by the dampers, which only "
             "the variant physical mends",
         ),
-        Slip(
+        Erratum(
             "table 2, K_f and K_r",
             rates,
             "not known",
@@ -390,7 +390,7 @@ def _demo(car: HalfCar, demo: HalfCar) -> tuple[Slip, ...]:
             if same
             else "not the defaults of the demo",
         ),
-        Slip(
+        Erratum(
             "demo, initial height",
             f"z = −{-DEMO_HEIGHT:g} m, the balance of the demo's own car (−{-own:.6f} m)",
             f"z = −{-rest:.6f} m",
@@ -399,7 +399,7 @@ def _demo(car: HalfCar, demo: HalfCar) -> tuple[Slip, ...]:
             rest,
             "m",
         ),
-        Slip(
+        Erratum(
             "section 5, M_y",
             "never given",
             "m_b a h: mass × deceleration × height of the centre of gravity",

@@ -1,4 +1,4 @@
-"""A quarter car on a plate that an excenter drives, in the three forms that paper 2's section 4 can be read in."""
+"""A quarter car on a plate that an eccentric exciter drives, in the three readings of section 4 of paper 2."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from jounce.mechanics.system import Track
 from jounce.parts import QuarterCar
 
 ANGLE = "excenter.angle"
-"""Track of the models: angle of the excenter, rad; the plate is at its mean height at 0 and rises from there."""
+"""Track of the models: angle of the exciter, rad; the plate is at its mean height at 0 and rises from there."""
 
 
 @dataclass(frozen=True)
@@ -148,11 +148,11 @@ def _show(system: System, plate: ca.SX, body: ca.SX, chain: Chain) -> None:
 
 
 def _drive(system: System, angle: Track, plate: ca.SX, chain: Chain) -> None:
-    """What the drive has to give: the plate is guided without friction, the excenter works on it as a Scotch yoke."""
+    """What the drive has to give: the plate is guided without friction, the exciter works on it as a Scotch yoke."""
     weight = system.parameter("plate.mass") * (system.parameter("gravity") + system.acceleration_of(plate))
     force = chain.contact + weight
     torque = force * ca.jacobian(plate, angle.value)
     system.output("plate.z", plate, "m", "plate, height")
-    system.output("plate.force", force, "N", "excenter on plate, up")
-    system.output("excenter.torque", torque, "N*m", "torque of the drive on the excenter")
+    system.output("plate.force", force, "N", "exciter on plate, up")
+    system.output("excenter.torque", torque, "N*m", "torque of the drive on the exciter")
     system.output("excenter.power", torque * angle.rate, "W", "power of the drive")

@@ -78,5 +78,5 @@ def _programme(tester: Tester) -> Iterator[_Found]:
         yield "programme.sweep_rate", "warning", f"{text}{limits.sweep_rate_max:g} Hz/s."
     low, high = sorted((programme.start_frequency, programme.end_frequency))
     if tester.method == "egea" and not low <= limits.frequency_min < limits.frequency_max <= high:
-        text = f"the excenter goes from {high:g} to {low:g} Hz, the least phase angle is searched for"
+        text = f"the exciter goes from {high:g} to {low:g} Hz, the least phase angle is searched for"
         yield "programme", "warning", f"{text} between {limits.frequency_min:g} and {limits.frequency_max:g} Hz."

@@ -35,7 +35,7 @@ _Viscous = Annotated[float, Unit("N*m*s/rad", at_least=0.0)]
 
 
 class Programme(Description):
-    """What the excenter does over one test of one wheel.
+    """What the exciter does over one test of one wheel.
 
     Attributes
     ----------
@@ -48,7 +48,7 @@ class Programme(Description):
     run_down : {"controlled", "free"}
         Whether the drive follows the programme, or is switched off after the hold and runs down by itself.
     duration : float
-        s; length of a free run-down, which stops earlier only if the excenter does.
+        s; length of a free run-down, which stops earlier only if the exciter does.
     pause : float
         s between the wheels of an axle.
     """
@@ -80,7 +80,7 @@ class Motor(Description):
 
 
 class Drive(Description):
-    """What turns the excenter: ``inertia`` (kg m^2), ``friction_torque`` (N m), ``viscous_friction`` (N m s/rad)."""
+    """What turns the exciter: ``inertia`` (kg m^2), ``friction_torque`` (N m), ``viscous_friction`` (N m s/rad)."""
 
     inertia: _Inertia
     friction_torque: _Friction = 0.0
@@ -139,23 +139,23 @@ class Tester(Description):
     Attributes
     ----------
     kind : {"rigid-plate", "sprung-plate"}
-        Whether the excenter moves the plate itself, or the foot of a spring under it.
+        Whether the exciter moves the plate itself, or the foot of a spring under it.
     method : {"eusama", "egea", "theta", "boge"}
         How its records are commonly evaluated.
     stroke : float
-        Of the excenter, peak to peak, m: twice its eccentricity.
+        Of the exciter, peak to peak, m: twice its eccentricity.
     plate_mass : float
         kg, of one plate.
     plate_spring_rate, plate_damping_coefficient : float or None
-        N/m and N s/m, between excenter and plate; for sprung plates only.
+        N/m and N s/m, between exciter and plate; for sprung plates only.
     force_cell : {"under-plate", "contact"}
         Whether the measured force has the plate's inertia in it.
     sampling_frequency : float
         Of its records, Hz.
     programme : Programme
-        Speed of the excenter.
+        Speed of the exciter.
     drive : Drive or None
-        Needed where the excenter runs down freely.
+        Needed where the exciter runs down freely.
     limits : TesterLimits
         What a test must keep to.
     columns : dict
@@ -187,7 +187,7 @@ class Tester(Description):
 
     @property
     def amplitude(self) -> float:
-        """Eccentricity of the excenter, m: half the stroke."""
+        """Eccentricity of the exciter, m: half the stroke."""
         return 0.5 * self.stroke
 
     @model_validator(mode="after")

@@ -1,4 +1,4 @@
-"""Curves of paper 2: half car over obstacle and pothole (figures 12 to 16), corner on its excenter (figure 8)."""
+"""Curves of paper 2: half car over obstacle and pothole (figures 12 to 16), corner on its exciter (figure 8)."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from jounce.papers.audi_a6 import AudiCase, CaseRun
-    from jounce.papers.audi_a6_excenter import Excenter
+    from jounce.papers.audi_a6_exciter import EccentricExciter
 
 _QUANTITIES = {
     "bounce.displacement": ("bounce", "mm", 1e3),
@@ -145,13 +145,13 @@ def start_up_transient(study: AudiCase) -> Figure:
 
 
 @styled
-def excenter_spring(study: Excenter, duration: float = 3.0) -> Figure:
-    """Draw length and force of the spring over time for all models of the corner on its excenter.
+def exciter_spring(study: EccentricExciter, duration: float = 3.0) -> Figure:
+    """Draw length and force of the spring over time for all models of the corner on its exciter.
 
     Parameters
     ----------
-    study : Excenter
-        As :func:`jounce.papers.audi_a6_excenter.run_excenter` gives it.
+    study : EccentricExciter
+        As :func:`jounce.papers.audi_a6_exciter.run_eccentric_exciter` gives it.
     duration : float
         How long, s.
 
@@ -187,18 +187,18 @@ def excenter_spring(study: Excenter, duration: float = 3.0) -> Figure:
 
 
 @styled
-def excenter_torque_curve(study: Excenter) -> Figure:
-    """Draw the torque that the excenter asks for over two turns of steady motion, beside what eq. (5) gives.
+def exciter_torque_curve(study: EccentricExciter) -> Figure:
+    """Draw the torque that the exciter asks for over two turns of steady motion, beside what eq. (5) gives.
 
     Parameters
     ----------
-    study : Excenter
-        As :func:`jounce.papers.audi_a6_excenter.run_excenter` gives it.
+    study : EccentricExciter
+        As :func:`jounce.papers.audi_a6_exciter.run_eccentric_exciter` gives it.
 
     Returns
     -------
     matplotlib.figure.Figure
-        Torque (N m) and force of the excenter on the plate (kN) against time (s).
+        Torque (N m) and force of the exciter on the plate (kN) against time (s).
     """
     figure = new_figure(4.6)
     rows = figure.subplots(2, 1, sharex=True)
@@ -214,7 +214,7 @@ def excenter_torque_curve(study: Excenter) -> Figure:
         xycoords=("axes fraction", "data"), textcoords="offset points", ha="right", color=MUTED, fontsize=8.5,
     )  # fmt: skip
     rows[0].set_ylabel("torque of the drive\n[N·m]")
-    rows[1].set(xlabel="time [s]", ylabel="excenter on plate\n[kN]")
+    rows[1].set(xlabel="time [s]", ylabel="exciter on plate\n[kN]")
     rows[1].margins(x=0.0)
     legend_above(rows[0])
     figure.align_ylabels(rows)

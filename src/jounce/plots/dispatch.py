@@ -186,7 +186,7 @@ def _register_studies(draw: Any) -> None:
     from jounce.inspection.result import Inspection
     from jounce.inspection.verdicts.grading import GradedInspection
     from jounce.papers.audi_a6 import AudiCase
-    from jounce.papers.audi_a6_excenter import Excenter
+    from jounce.papers.audi_a6_exciter import EccentricExciter
     from jounce.ride.comparison import Ride, RideStudy
 
     draw.register(StrategyResult, lambda result, **options: updating.update(result.update, **options))
@@ -197,7 +197,7 @@ def _register_studies(draw: Any) -> None:
     draw.register(RideStudy, ride.trade_off)
     draw.register(Ride, lambda result, **options: ride.ride_spectra([result], **options))
     draw.register(AudiCase, lambda result, **options: audi_a6.case_overview(result, result.runs[0].moment, **options))
-    draw.register(Excenter, audi_a6.excenter_spring)
+    draw.register(EccentricExciter, audi_a6.exciter_spring)
     draw.register(Equivalence, equivalence.equivalence)
     draw.register(Inspection, inspection.inspection_curves)
     draw.register(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from jounce.core.extremes import Window
 from jounce.core.serialise import to_json
 from jounce.papers.audi_a6 import RAMP, SPEED, AudiCase, CaseRun
-from jounce.papers.audi_a6_paper import Slip
+from jounce.papers.audi_a6_paper import Erratum
 from jounce.plots.audi_a6 import case_curve, case_overview, start_up_transient
 from jounce.plots.display import number, quantity
 from jounce.report.curves import curve_files
@@ -37,7 +37,7 @@ def audi_case_page(study: AudiCase) -> Page:
             _curves(study),
             _statics(study),
             _demo(study),
-            Section("The paper beside what is correct", (slips_table(study.slips),)),
+            Section("The paper beside what is correct", (errata_table(study.errata),)),
             Section("Findings", (Findings(study.findings),)),
         ),
         subtitle="Half car of the suspension-system paper, section 5",
@@ -45,9 +45,9 @@ def audi_case_page(study: AudiCase) -> Page:
     )
 
 
-def slips_table(slips: tuple[Slip, ...]) -> Table:
+def errata_table(errata: tuple[Erratum, ...]) -> Table:
     """Table of what the paper prints, what is correct, and how one can tell."""
-    rows = tuple((slip.place, slip.printed, slip.correct, slip.why) for slip in slips)
+    rows = tuple((erratum.place, erratum.printed, erratum.correct, erratum.why) for erratum in errata)
     note = "Every number is computed from the paper's tables; results.json holds them in SI."
     return Table("What is to be read with care.", ("where", "the paper", "correct", "why"), rows, "llll", note)
 

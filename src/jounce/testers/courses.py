@@ -145,7 +145,7 @@ def _turned(place: str, rate: float, begin: float, state: Mapping[str, float]) -
 
 
 def _state(on: Stand, tracks: Mapping[str, Segments], x: Array, at: Array) -> dict[str, float]:
-    """States at the end of a part by name, the angles of driven excenters among them."""
+    """States at the end of a part by name, the angles of driven exciters among them."""
     found = dict(zip(on.compiled.facts.states, map(float, x), strict=True))
     for place, segments in tracks.items():
         name = channel(place, ANGLE)

@@ -1,6 +1,6 @@
-"""What stands on a tester of shock absorbers: quarter car, axle or 3-D corner on plates that excenters move.
+"""What stands on a tester of shock absorbers: quarter car, axle or 3-D corner on plates that exciters move.
 
-Each plate is rigid on its excenter or stands on a spring over it. The excenter's angle is a track (whatever the drive
+Each plate is rigid on its exciter or stands on a spring over it. The exciter's angle is a track (whatever the drive
 wants) or, where the drive runs freely, a coordinate with the drive's inertia. At angle 0 the plate is at its mean
 height and rises.
 """
@@ -28,10 +28,10 @@ from jounce.parts.rig import Rig
 from jounce.parts.rigs import QuarterCar
 
 ANGLE, MOTOR = "excenter.angle", "motor.on"
-"""Last words of the tracks: angle of the excenter (rad), and share of the motor's torque that is switched on."""
+"""Last words of the tracks: angle of the exciter (rad), and share of the motor's torque that is switched on."""
 SIDES = {"left": 1.0, "right": -1.0}
 _CREEP = 0.5  # rad/s below which the drive's dry friction fades
-_BOTTOM = -0.5 * ca.pi  # where a free excenter rests
+_BOTTOM = -0.5 * ca.pi  # where a free exciter rests
 _LIFTED = 0.02  # m: the search for equilibrium begins with the plate against the tyre
 
 
@@ -42,9 +42,9 @@ class PlateForm:
     Attributes
     ----------
     sprung : bool
-        Whether a spring stands between excenter and plate.
+        Whether a spring stands between exciter and plate.
     free : tuple of str
-        Places of the wheels (``""``, ``"left"``, ``"right"``) whose excenter the drive's inertia moves; else tracks.
+        Places of the wheels (``""``, ``"left"``, ``"right"``) whose exciter the drive's inertia moves; else tracks.
     """
 
     sprung: bool = False
@@ -53,13 +53,13 @@ class PlateForm:
 
 @dataclass(frozen=True)
 class Plate:
-    """A plate under a wheel: heights of plate and excenter (m), the excenter's angle (rad), beginning of its channels.
+    """A plate under a wheel: heights of plate and exciter (m), the exciter's angle (rad), beginning of its channels.
 
     ``pushed`` is the force of the spring on the plate (N, up), None on a rigid plate.
     """
 
     height: ca.SX
-    excenter: ca.SX
+    exciter: ca.SX
     angle: ca.SX
     begin: str
     pushed: ca.SX | None
@@ -167,7 +167,7 @@ def _add_wheel(system: System, side: Side, height: ca.SX, plate: Plate, gravity:
 
 
 def _add_plate(system: System, form: PlateForm, place: str) -> Plate:
-    """Excenter and plate of one wheel, with all forces but the tyre's."""
+    """Exciter and plate of one wheel, with all forces but the tyre's."""
     begin = f"{place}." if place else ""
     free = place in form.free
     if free:
@@ -175,8 +175,8 @@ def _add_plate(system: System, form: PlateForm, place: str) -> Plate:
         _add_drive(system, angle, begin)
     else:
         angle = system.track(begin + ANGLE).value
-    excenter = system.parameter("tester.amplitude") * ca.sin(angle)
-    height = excenter
+    exciter = system.parameter("tester.amplitude") * ca.sin(angle)
+    height = exciter
     if form.sprung:
         height = system.coordinates([f"{begin}plate.z"], [f"{begin}plate.vz"], [_LIFTED])[0][0]
     if form.sprung or free:
@@ -185,11 +185,11 @@ def _add_plate(system: System, form: PlateForm, place: str) -> Plate:
         system.force(height, -mass * system.parameter("gravity"))
     pushed = None
     if form.sprung:
-        lift = excenter - height
+        lift = exciter - height
         pushed = system.parameter("tester.plate_spring_rate") * lift
         pushed += system.parameter("tester.plate_damping_coefficient") * system.rate_of(lift)
         system.force(-lift, pushed)
-    return Plate(height, excenter, angle, begin, pushed)
+    return Plate(height, exciter, angle, begin, pushed)
 
 
 def _add_drive(system: System, angle: ca.SX, begin: str) -> None:
@@ -207,20 +207,20 @@ def _add_drive(system: System, angle: ca.SX, begin: str) -> None:
 
 
 def _show_plate(system: System, plate: Plate, contact: ca.SX) -> None:
-    """Plate, excenter, force under the plate, and what the excenter takes: the plate is guided without friction."""
+    """Plate, exciter, force under the plate, and what the exciter takes: the plate is guided without friction."""
     begin, mass = plate.begin, system.parameter("tester.plate_mass")
     acceleration, speed = system.acceleration_of(plate.height), system.rate_of(plate.angle)
     under = contact + mass * acceleration
     pushed = plate.pushed if plate.pushed is not None else under + mass * system.parameter("gravity")
-    torque = pushed * ca.jacobian(plate.excenter, plate.angle)
+    torque = pushed * ca.jacobian(plate.exciter, plate.angle)
     for name, value, unit, text in (
         ("plate.z", plate.height, "m", "plate, height"),
         ("plate.vz", system.rate_of(plate.height), "m/s", "plate, vertical velocity"),
         ("plate.az", acceleration, "m/s^2", "plate, vertical acceleration"),
         ("plate.force", under, "N", "force of a cell under the plate: contact force and plate inertia"),
-        ("excenter.z", plate.excenter, "m", "excenter, height"),
-        ("excenter.frequency", speed / (2.0 * ca.pi), "Hz", "excenter, turns per second"),
-        ("excenter.torque", torque, "N*m", "torque that the excenter takes from its drive"),
-        ("excenter.power", torque * speed, "W", "power that the excenter takes from its drive"),
+        ("excenter.z", plate.exciter, "m", "eccentric exciter, height"),
+        ("excenter.frequency", speed / (2.0 * ca.pi), "Hz", "exciter, turns per second"),
+        ("excenter.torque", torque, "N*m", "torque that the exciter takes from its drive"),
+        ("excenter.power", torque * speed, "W", "power that the exciter takes from its drive"),
     ):
         system.output(begin + name, value, unit, text)

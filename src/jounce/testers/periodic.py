@@ -41,7 +41,7 @@ class Periodic:
         Of the contact force, N.
     phase_angle : float
         EGEA phase angle, rad: from the plate's top to the middle of the turn's low-force half; where the motion does
-        not repeat, from the parts of plate and force that turn with the excenter.
+        not repeat, from the parts of plate and force that turn with the exciter.
     values : dict
         Outputs over one turn (512 samples), SI; the plate's mean height comes first.
     state : dict
@@ -70,7 +70,7 @@ def periodic(
     Parameters
     ----------
     on : Stand
-        Rig on a tester with driven excenters.
+        Rig on a tester with driven exciters.
     frequency : float
         Hz, above 0.
     wheel : {"left", "right"}
@@ -155,7 +155,7 @@ def _phase_angle(force: Array, static: float) -> float:
 
 
 def _greatest_at(signal: Array, turns: int) -> float:
-    """Angle (rad) at which the part that turns with the excenter is greatest."""
+    """Angle (rad) at which the part that turns with the exciter is greatest."""
     return float(-np.angle(np.fft.rfft(signal)[turns]))
 
 

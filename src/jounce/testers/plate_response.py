@@ -20,7 +20,7 @@ _ALIKE = 1.3  # ratio of frequencies below which two wheel modes of an axle coun
 
 @dataclass(frozen=True)
 class LinearStand:
-    """Small motions about rest: ``dx/dt = A x + B u``, outputs ``C x + D u``; ``u`` is the excenters' angles and rates.
+    """Small motions about rest: ``dx/dt = A x + B u``, outputs ``C x + D u``; ``u`` is the exciters' angles and rates.
 
     Attributes
     ----------
@@ -37,7 +37,7 @@ class LinearStand:
     D: Array
 
     def transfer(self, frequency: ArrayLike, output: str, place: str = "") -> Complex:
-        """Complex amplitude of an output (SI) for 1 rad of an excenter's angle, at frequencies in Hz."""
+        """Complex amplitude of an output (SI) for 1 rad of an eccentric exciter's angle, at frequencies in Hz."""
         row, (first, last) = self._row(output), self._inputs(place)
         s = 2j * np.pi * np.atleast_1d(np.asarray(frequency, dtype=float))
         drive = s[:, None] ** np.arange(last - first)
@@ -48,7 +48,7 @@ class LinearStand:
         return np.asarray(states[:, :, 0] @ self.C[row] + drive @ self.D[row, first:last])
 
     def states(self, frequency: float, place: str = "") -> Complex:
-        """Complex amplitudes of all states for 1 rad of an excenter's angle."""
+        """Complex amplitudes of all states for 1 rad of an eccentric exciter's angle."""
         first, last = self._inputs(place)
         s = 2j * np.pi * frequency
         found = np.linalg.solve(s * np.eye(len(self.A)) - self.A, self.B[:, first:last] @ s ** np.arange(last - first))
@@ -67,7 +67,7 @@ class LinearStand:
 
 
 def linear_stand(on: Stand) -> LinearStand:
-    """Linearise a stand with driven excenters about rest."""
+    """Linearise a stand with driven exciters about rest."""
     compiled, rest = on.compiled, on.rest
     where = rest.x, on.prepared.still, on.prepared.problem.p, rest.modes
     along = compiled.slopes("u", *where)

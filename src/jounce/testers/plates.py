@@ -28,11 +28,11 @@ class SteadyResponse:
     force_response : ndarray of complex, shape (n,)
         Contact force for motion of the plate, N/m.
     plate_response : ndarray of complex, shape (n,)
-        Motion of the plate for motion of the excenter; 1 on a rigid plate.
+        Motion of the plate for motion of the exciter; 1 on a rigid plate.
     static_load : float
         N.
     amplitude : float
-        Of the excenter, m.
+        Of the exciter, m.
     """
 
     frequency: Array

@@ -1,4 +1,4 @@
-"""A rig standing on a tester: native code, static equilibrium, runs with given excenter angles, linear response."""
+"""A rig standing on a tester: native code, static equilibrium, runs with given exciter angles, linear response."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from jounce.simulation.run import Prepared, Solution, prepare, room, samples_rea
 from jounce.simulation.statics import Rest, state_scale
 from jounce.testers.model import ANGLE, MOTOR, PlateForm, tester_model
 
-_LONGEST = 0.8  # radians of the excenter in one step at a tolerance of 1e-5
+_LONGEST = 0.8  # radians of the exciter in one step at a tolerance of 1e-5
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ class Stand:
     prepared : Prepared
         A run laid out; only its numbers are used.
     rest : Rest
-        Static equilibrium with excenters at angle 0.
+        Static equilibrium with exciters at angle 0.
     """
 
     rig: Rig
@@ -82,12 +82,12 @@ class Stand:
         fastest: float = 0.0,
         tolerance: float = 1e-5,
     ) -> Solution:
-        """Run with given excenter angles (rad against s; of free excenters the motor's share), from rest or ``start``.
+        """Run with given exciter angles (rad against s; of free exciters the motor's share), from rest or ``start``.
 
         Parameters
         ----------
         angles : mapping
-            Place of a wheel to its excenter's angle; excenters that are not named stand still at mean height.
+            Place of a wheel to its exciter's angle; exciters that are not named stand still at mean height.
         times : ndarray, shape (n,)
             Output times, s.
         start : mapping, optional
@@ -129,7 +129,7 @@ _TOLERANCE = 1e-5
 
 
 def stand(rig: Rig, tester: Tester, free: tuple[str, ...] = (), *, blocked: bool = False) -> Stand:
-    """Put a rig on a tester; the excenters of the wheels in ``free`` are moved by their drive's inertia.
+    """Put a rig on a tester; the exciters of the wheels in ``free`` are moved by their drive's inertia.
 
     Parameters
     ----------

@@ -40,7 +40,7 @@ class Sensors:
     force_limit : float or None
         Range of the force cells, N: what is beyond is clipped.
     tacho : bool
-        Whether the turns of the excenter are recorded, too (``<wheel>.plate.frequency``, Hz).
+        Whether the turns of the exciter are recorded, too (``<wheel>.plate.frequency``, Hz).
     """
 
     displacement_noise: float = 0.0
@@ -157,7 +157,7 @@ def _measured(
     }
     if sensors.tacho:
         turns = run.values[channel(place, "excenter.frequency")]
-        found[f"{side}.plate.frequency"] = turns, "Hz", f"{side} plate, turns of the excenter per second"
+        found[f"{side}.plate.frequency"] = turns, "Hz", f"{side} plate, turns of the exciter per second"
     return found
 
 

@@ -1,4 +1,4 @@
-"""How an excenter turns over a tester's programme: exact pieces of its angle."""
+"""How an eccentric exciter turns over a tester's programme: exact pieces of its angle."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.parts.testers import Programme
 
-_RUN_OUT = 10.0  # Hz/s: how fast an excenter is stopped that has not reached rest at the end of its sweep
+_RUN_OUT = 10.0  # Hz/s: how fast an eccentric exciter is stopped that has not reached rest at the end of its sweep
 
 
 @dataclass(frozen=True)
 class Turning:
-    """Angle of an excenter over one controlled test: held, swept, stopped.
+    """Angle of an eccentric exciter over one controlled test: held, swept, stopped.
 
     Attributes
     ----------
@@ -37,7 +37,7 @@ class Turning:
 
 
 def turning(programme: Programme, static_load: float, begin: float = 0.0, angle: float = 0.0) -> Turning:
-    """Give the excenter's angle over a programme, exact: a quadratic in time where the frequency changes.
+    """Give the exciter's angle over a programme, exact: a quadratic in time where the frequency changes.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ def turning(programme: Programme, static_load: float, begin: float = 0.0, angle:
 
 
 def angle_of(tests: list[Turning]) -> Segments:
-    """Join the tests of one excenter, which stands still before, between and after them."""
+    """Join the tests of one exciter, which stands still before, between and after them."""
     edges, rows = [-1.0], [[tests[0].coefficients[0, 0] if tests else 0.0, 0.0, 0.0]]
     for test in tests:
         edges += list(test.edges[:3])

@@ -7,12 +7,12 @@ import pytest
 
 from jounce.core.errors import RecordingError
 from jounce.papers.audi_a6 import AudiCase, run_audi_a6
-from jounce.papers.audi_a6_excenter import Excenter, run_excenter
+from jounce.papers.audi_a6_exciter import EccentricExciter, run_eccentric_exciter
 from jounce.plots.audi_a6 import (
     case_curve,
     case_overview,
-    excenter_spring,
-    excenter_torque_curve,
+    exciter_spring,
+    exciter_torque_curve,
     start_up_transient,
 )
 
@@ -23,8 +23,8 @@ def case() -> AudiCase:
 
 
 @pytest.fixture(scope="module")
-def excenter() -> Excenter:
-    return run_excenter()
+def exciter() -> EccentricExciter:
+    return run_eccentric_exciter()
 
 
 @pytest.mark.parametrize(("channel", "output"), [("bounce.displacement", "z"), ("pitch.angle", "theta")])
@@ -58,9 +58,9 @@ def test_start_up(case):
     assert line.get_ydata()[-1] == pytest.approx(-163.9, abs=0.1)
 
 
-def test_excenter(excenter):
-    plate, length, _ = excenter_spring(excenter, 2.0).axes
+def test_exciter(exciter):
+    plate, length, _ = exciter_spring(exciter, 2.0).axes
     assert max(plate.lines[0].get_ydata()) == pytest.approx(3.0, rel=1e-6)
     assert [line.get_ydata()[0] for line in length.lines[:3]] == pytest.approx([341.0] * 3, abs=1e-9)
-    torque = excenter_torque_curve(excenter).axes[0]
+    torque = exciter_torque_curve(exciter).axes[0]
     assert {line.get_label() for line in torque.lines[:3]} == {"summed", "series", "two-mass"}

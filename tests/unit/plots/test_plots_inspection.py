@@ -107,7 +107,7 @@ def test_results_are_drawn_by_the_one_verb() -> None:
 def test_sprung_plates_are_drawn_over_the_run_down_alone() -> None:
     frequency = np.concatenate([[1.3, 2.2, 1.4, 9.0], np.linspace(16.0, 2.0, 60)])
     time = np.concatenate([[0.0], np.cumsum(1.0 / frequency)[:-1]])
-    time[3:] += 0.4  # what swings before the test are no turns of the excenter
+    time[3:] += 0.4  # what swings before the test are no turns of the exciter
     nothing = np.full(frequency.size, np.nan)
     curves = WheelCurves(time, frequency, nothing, nothing, nothing, 1e-3 / frequency)
     figure = inspection_curves(Inspection((WheelResult("left", static_load=4e3, curves=curves),)))

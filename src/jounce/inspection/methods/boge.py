@@ -1,4 +1,4 @@
-"""BOGE: greatest movement of a sprung plate while the excenter runs down through the resonance of the wheel."""
+"""BOGE: greatest movement of a sprung plate while the exciter runs down through the resonance of the wheel."""
 
 from __future__ import annotations
 

@@ -90,14 +90,14 @@ def half_power(frequency: Array, amplitude: Array) -> float | None:
 
 
 def plate_gain(corner: Corner, tester: Tester, frequency: Array) -> Array:
-    """Height of a sprung plate over that of the excenter (1), frequencies (n,) in Hz."""
+    """Height of a sprung plate over that of the exciter (1), frequencies (n,) in Hz."""
     s = 2j * np.pi * np.asarray(frequency, dtype=float)
     spring = float(tester.plate_spring_rate or 0.0) + float(tester.plate_damping_coefficient or 0.0) * s
     return np.asarray(abs(spring / (tester.plate_mass * s * s + spring + force_response(corner, frequency))))
 
 
 def theta_by_amplification(gain: float, corner: Corner, tester: Tester) -> float | None:
-    """Damping ratio (1) of the rig whose plate is moved ``gain`` times (1) as much as the excenter at resonance.
+    """Damping ratio (1) of the rig whose plate is moved ``gain`` times (1) as much as the exciter at resonance.
 
     Of the corner everything but the damper counts. None where no damper gives this amplification.
     """
@@ -121,7 +121,7 @@ def theta_by_amplification(gain: float, corner: Corner, tester: Tester) -> float
 
 
 def theta_by_decay(height: Array, sample_rate: float) -> tuple[float, float] | None:
-    """Damping ratio (1) and frequency (Hz) of the free decay at the end of a record, after the excenter has stopped.
+    """Damping ratio (1) and frequency (Hz) of the free decay at the end of a record, after the exciter has stopped.
 
     Turning points of the height (n,) in m are followed backwards from the end as long as they come evenly and grow
     (rate in Hz). None where fewer than four do.

@@ -43,7 +43,7 @@ class WheelSignals:
     height : ndarray or None, shape (n,)
         Of the plate, m.
     tacho : ndarray or None, shape (n,)
-        Frequency of the excenter, Hz.
+        Frequency of the exciter, Hz.
     static_load : float or None
         From the header, N.
     plate_mass : float

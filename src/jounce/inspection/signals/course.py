@@ -1,4 +1,4 @@
-"""The course of a test: turns of the excenter, where the run-down is, and whether it is one that can be evaluated."""
+"""The course of a test: turns of the exciter, where the run-down is, and whether it is one that can be evaluated."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Course:
     Attributes
     ----------
     turns : Turns
-        Of the excenter.
+        Of the exciter.
     first, last : int
         Turns between which the frequency goes through the range; ``first`` is the last one of the hold.
     hold : slice
@@ -142,7 +142,7 @@ def _any_course(turns: Turns) -> Course:
 def turns_of(signals: WheelSignals, tester: Tester | None = None) -> Turns | None:
     """Turns from the plate's height; without it, from the tacho (then with an unknown beginning of the turn).
 
-    On the sprung plate of a ``tester`` the turns may be as small as an eighth of the excenter's or of the greatest, and
+    On the sprung plate of a ``tester`` the turns may be as small as an eighth of the exciter's or of the greatest, and
     stand on slow swings of the car.
     """
     if signals.height is not None:

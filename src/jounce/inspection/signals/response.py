@@ -97,7 +97,7 @@ def _road_polynomial(corner: Corner) -> Array:
 
 
 def rig_poles(corner: Corner, plate_mass: float, spring_rate: float, damping_coefficient: float = 0.0) -> Complex:
-    """Poles on a sprung plate (kg, N/m, N s/m) whose excenter is at rest, 1/s."""
+    """Poles on a sprung plate (kg, N/m, N s/m) whose exciter is at rest, 1/s."""
     ms, mu, k, c = corner.sprung_mass, corner.unsprung_mass, corner.spring_rate, corner.damping_coefficient
     tyre = np.array([corner.tyre_damping_coefficient, corner.tyre_stiffness])
     free = np.array([ms * mu, (ms + mu) * c, (ms + mu) * k, 0.0, 0.0])  # the car on a tyre without stiffness

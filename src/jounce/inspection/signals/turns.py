@@ -1,4 +1,4 @@
-"""Turns of the excenter read from a plate's height: when it is at the top, and how fast it turns."""
+"""Turns of the exciter read from a plate's height: when it is at the top, and how fast it turns."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def middle_crossings(time: Array, height: Array, middle: float, amplitude: float
 
 
 def find_turns(time: Array, height: Array, middle: float, amplitude: float) -> Turns | None:
-    """Read the turns of an excenter from the height of its plate.
+    """Read the turns of an eccentric exciter from the height of its plate.
 
     Parameters
     ----------

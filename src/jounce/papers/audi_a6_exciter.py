@@ -1,4 +1,4 @@
-"""Paper 2's simulation of a front corner on an excenter (section 4), rebuilt: summed springs, in series, in full."""
+"""Paper 2's front corner on an eccentric exciter (section 4), rebuilt: springs summed, in series, and in full."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ from jounce.papers.audi_a6_paper import (
     LOAD,
     POWER,
     READ_LENGTH,
-    Slip,
-    excenter_torque,
-    paper_slips,
+    Erratum,
+    exciter_torque,
+    paper_errata,
 )
 from jounce.papers.audi_a6_plate import CHAINS, plate_model
 from jounce.parts import QuarterCar, load
@@ -39,7 +39,7 @@ RIG = "audi-a6-quarter-car"
 AMPLITUDE, PLATE_MASS = 0.003, 20.0
 LARGEST = 0.095
 """Amplitude in m at which the spring of the summed model, 341 mm long, is compressed to nothing."""
-"""Of the excenter (m) and of the plate (kg); neither is in the paper, both are estimated."""
+"""Of the exciter (m) and of the plate (kg); neither is in the paper, both are estimated."""
 DURATION, STEADY = 12.0, 1.0
 """Length of a run, and of its last part that counts as steady, s."""
 TOP = 25.0
@@ -67,7 +67,7 @@ class Oscillation:
 
 @dataclass(frozen=True)
 class Drive:
-    """What the drive of the excenter has to give once the motion is steady.
+    """What the drive of the exciter has to give once the motion is steady.
 
     Attributes
     ----------
@@ -96,7 +96,7 @@ class PlateRun:
     modes : tuple of Oscillation
         By rising frequency.
     amplitudes : dict of str to float
-        At the excenter's frequency for one metre of the plate: ``body``, ``wheel``, ``spring`` (compression; m/m),
+        At the exciter's frequency for one metre of the plate: ``body``, ``wheel``, ``spring`` (compression; m/m),
         ``contact`` (force on the plate, N/m), from the simulation.
     closed_form : dict of str to float
         The same by the formulas of linear oscillations.
@@ -139,15 +139,15 @@ class Eusama:
 
 
 @dataclass(frozen=True)
-class Excenter:
-    """What the excenter study found.
+class EccentricExciter:
+    """What the exciter study found.
 
     Attributes
     ----------
     rig : QuarterCar
         The paper's Table 1.
     amplitude, plate_mass : float
-        Of the excenter (m) and the plate (kg); estimated.
+        Of the exciter (m) and the plate (kg); estimated.
     runs : tuple of PlateRun
         The three models.
     torque : float
@@ -158,7 +158,7 @@ class Excenter:
         Amplitude at which the summed spring's least compression would be the paper's 12.2 mm, m.
     eusama : tuple of Eusama
         With the printed tyre damping and without.
-    slips : tuple of Slip
+    errata : tuple of Erratum
         The paper's numbers beside the correct ones.
     findings : tuple of Finding
         What the reader must know.
@@ -172,7 +172,7 @@ class Excenter:
     printed_torque: float
     fitting_amplitude: float
     eusama: tuple[Eusama, ...]
-    slips: tuple[Slip, ...]
+    errata: tuple[Erratum, ...]
     findings: tuple[Finding, ...]
 
     def run(self, variant: str) -> PlateRun:
@@ -196,25 +196,25 @@ class Excenter:
                 "torque_of_eq_5_as_printed": self.printed_torque,
                 "amplitude_that_would_fit": self.fitting_amplitude,
                 "eusama": self.eusama,
-                "paper": self.slips,
+                "paper": self.errata,
                 "findings": self.findings,
             }
         )
         return plain
 
 
-def run_excenter(
+def run_eccentric_exciter(
     amplitude: float = AMPLITUDE, plate_mass: float = PLATE_MASS, *, progress: Progress = lambda _: None
-) -> Excenter:
+) -> EccentricExciter:
     """Drive the paper's quarter car on its plate at 5 Hz, in three models.
 
-    The spring is uncompressed (341 mm long) and the plate at its lowest when the excenter begins to turn steadily; the
+    The spring is uncompressed (341 mm long) and the plate at its lowest when the exciter begins to turn steadily; the
     load of 460 kg then compresses the spring.
 
     Parameters
     ----------
     amplitude : float
-        Of the excenter, m: half the plate's stroke.
+        Of the exciter, m: half the plate's stroke.
     plate_mass : float
         kg.
     progress : callable
@@ -222,7 +222,7 @@ def run_excenter(
 
     Returns
     -------
-    Excenter
+    EccentricExciter
         Statics, modes, steady response, spring length and force over time, torque of the drive.
 
     Raises
@@ -232,13 +232,13 @@ def run_excenter(
 
     Examples
     --------
-    >>> found = run_excenter()
+    >>> found = run_eccentric_exciter()
     >>> [round(1e3 * run.statics["compression"], 2) for run in found.runs]    # mm
     [13.35, 133.79, 135.27]
     """
     if not (np.isfinite(amplitude) and 0.0 < amplitude <= LARGEST):
         raise DescriptionError(
-            "not an amplitude of this excenter",
+            "not an amplitude of this exciter",
             where="amplitude",
             found=f"{amplitude:g} m",
             allowed=f"above 0 m, at most {LARGEST:g} m; more would compress the spring to nothing",
@@ -254,11 +254,11 @@ def run_excenter(
         runs.append(_plate_run(variant, rig, rig.parameters() | extra))
     summed = runs[0]
     fitting = (summed.statics["compression"] - (FREE_LENGTH - READ_LENGTH)) / summed.closed_form["spring"]
-    torque = excenter_torque(POWER, FREQUENCY)
+    torque = exciter_torque(POWER, FREQUENCY)
     testers = tuple(eusama(rig, amplitude, damping) for damping in (rig.tyre.damping_coefficient, 0.0))
     findings = _findings(runs, torque, amplitude, fitting)
-    return Excenter(
-        rig, amplitude, plate_mass, tuple(runs), torque, 60.0 * torque, fitting, testers, paper_slips(), findings
+    return EccentricExciter(
+        rig, amplitude, plate_mass, tuple(runs), torque, 60.0 * torque, fitting, testers, paper_errata(), findings
     )
 
 
@@ -324,7 +324,7 @@ def _oscillations(rest: Rest) -> tuple[Oscillation, ...]:
 
 
 def _amplitude(time: Array, values: Array) -> float:
-    """Amplitude of the motion at the excenter's frequency; the samples are whole turns."""
+    """Amplitude of the motion at the exciter's frequency; the samples are whole turns."""
     return float(abs(2.0 * np.mean(values * np.exp(-2j * np.pi * FREQUENCY * time))))
 
 
@@ -333,7 +333,7 @@ def _range(values: Array) -> Range:
 
 
 def closed_form(variant: str, values: dict[str, float]) -> dict[str, float]:
-    """Amplitudes at the excenter's frequency for one metre of the plate, by complex stiffnesses.
+    """Amplitudes at the exciter's frequency for one metre of the plate, by complex stiffnesses.
 
     Parameters
     ----------
@@ -393,7 +393,7 @@ def _findings(runs: list[PlateRun], torque: float, amplitude: float, fitting: fl
     ]
     found = [
         Finding(
-            "excenter",
+            "exciter",
             "warning",
             f"its amplitude ({1e3 * amplitude:g} mm) and the plate's mass are estimated; so is the unsprung mass.",
         ),
@@ -410,7 +410,7 @@ def _findings(runs: list[PlateRun], torque: float, amplitude: float, fitting: fl
             "drive",
             "note",
             f"the two-mass model takes up {power:.1f} W on average, {full.drive.torque.max:.1f} N m at most; the "
-            f"{torque:.2f} N m of eq. (5) would only speed the excenter up: a drive holds the speed, not the torque.",
+            f"{torque:.2f} N m of eq. (5) would only speed the exciter up: a drive holds the speed, not the torque.",
             power,
         ),
     ]

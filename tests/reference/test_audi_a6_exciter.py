@@ -1,7 +1,7 @@
-"""The rebuilt excenter of paper 2: Table 1's statics, modes and answers at 5 Hz, in printed digits.
+"""The rebuilt exciter of paper 2: Table 1's statics, modes and answers at 5 Hz, in printed digits.
 
 Source: computed from the stated equations with 460 kg on 45 kg (assumed), 38 N/mm and 2 N s/mm, tyre 300 N/mm and
-1 N s/mm, excenter amplitude 3 mm (assumed).
+1 N s/mm, exciter amplitude 3 mm (assumed).
 """
 
 from __future__ import annotations
@@ -11,12 +11,12 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import DescriptionError
-from jounce.papers.audi_a6_excenter import LARGEST, Excenter, run_excenter
+from jounce.papers.audi_a6_exciter import LARGEST, EccentricExciter, run_eccentric_exciter
 
 
 @pytest.fixture(scope="module")
-def study() -> Excenter:
-    return run_excenter()
+def study() -> EccentricExciter:
+    return run_eccentric_exciter()
 
 
 def test_static_compressions(study):
@@ -83,7 +83,7 @@ def test_the_drive_gives_what_the_dampers_take(study):
 
 
 def test_the_mean_torque_does_not_depend_on_the_plate():
-    light, heavy = (run_excenter(plate_mass=mass).run("two-mass").drive for mass in (0.0, 60.0))
+    light, heavy = (run_eccentric_exciter(plate_mass=mass).run("two-mass").drive for mass in (0.0, 60.0))
     assert light.torque.mean == pytest.approx(heavy.torque.mean, rel=1e-6)
     assert heavy.torque.max > light.torque.max + 0.5
 
@@ -101,19 +101,19 @@ def test_eusama_tester(study):
 
 
 def test_a_large_amplitude_lifts_the_wheel_off():
-    found = run_excenter(amplitude=0.08)
+    found = run_eccentric_exciter(amplitude=0.08)
     assert float(found.run("two-mass").signals["tyre.force"].min()) == 0.0
     assert any("leaves the plate" in finding.message for finding in found.findings)
 
 
 def test_the_largest_amplitude_leaves_the_spring_hardly_any_length():
-    shortest = run_excenter(amplitude=LARGEST).run("summed").shortest
+    shortest = run_eccentric_exciter(amplitude=LARGEST).run("summed").shortest
     assert 0.0 < shortest < 0.01  # m of 0.341
     with pytest.raises(DescriptionError, match=r"^amplitude: .*found '3 m'; allowed: above 0 m, at most 0.095 m"):
-        run_excenter(amplitude=3.0)
+        run_eccentric_exciter(amplitude=3.0)
 
 
 @pytest.mark.parametrize(("amplitude", "mass"), [(0.0, 20.0), (-0.003, 20.0), (np.nan, 20.0), (0.003, -1.0)])
 def test_senseless_inputs(amplitude, mass):
     with pytest.raises(DescriptionError, match="allowed"):
-        run_excenter(amplitude, mass)
+        run_eccentric_exciter(amplitude, mass)

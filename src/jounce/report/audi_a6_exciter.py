@@ -1,39 +1,39 @@
-"""Paper 2's corner on its excenter as a page: three models, spring length and force, drive, the paper beside them."""
+"""Paper 2's corner on its exciter as a page: three models, spring length and force, drive, the paper beside them."""
 
 from __future__ import annotations
 
 from jounce.core.serialise import to_json
-from jounce.papers.audi_a6_excenter import Excenter, Range
+from jounce.papers.audi_a6_exciter import EccentricExciter, Range
 from jounce.papers.audi_a6_paper import FREQUENCY, LOAD, POWER
-from jounce.plots.audi_a6 import excenter_spring, excenter_torque_curve
+from jounce.plots.audi_a6 import exciter_spring, exciter_torque_curve
 from jounce.plots.display import number, quantity
-from jounce.report.audi_a6 import slips_table
+from jounce.report.audi_a6 import errata_table
 from jounce.report.curves import curve_files
 from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table
 
 _ABOUT = (
-    "The paper simulated the front corner on a plate that an excenter moves (section 4). It merged tyre and spring "
-    "into one by adding their constants. Here the same stand is built three times: summed as in the paper, in series "
+    "The paper simulated the front corner on a plate that an eccentric exciter moves (section 4). It merged tyre and "
+    "spring into one by adding their constants. Here the same stand is built three times: summed as in the paper, in series "
     "(a massless wheel between spring and tyre), and with two masses (the quarter car, whose tyre may leave the plate)."
 )
 _RUN = (
-    "The excenter turns steadily at 5 Hz and moves the plate as a Scotch yoke does; the plate starts at its lowest "
+    "The exciter turns steadily at 5 Hz and moves the plate as a Scotch yoke does; the plate starts at its lowest "
     "place with an uncompressed spring of 341 mm, and the load then compresses it. Without friction in the guides the "
     "drive's mean power is what the dampers turn to heat."
 )
 
 
-def excenter_page(study: Excenter) -> Page:
+def exciter_page(study: EccentricExciter) -> Page:
     """Put the study's page together; nothing is computed here."""
     curves = (file for run in study.runs for file in curve_files(run.variant, run.signals))
     return Page(
-        "Audi A6, front corner on an excenter",
+        "Audi A6, front corner on an eccentric exciter",
         (
             _summary(study),
             Section("Spring", _spring(study)),
             Section("Statics, modes and response", _linear(study)),
             Section("Drive", _drive(study)),
-            Section("The paper beside what is correct", (slips_table(study.slips),)),
+            Section("The paper beside what is correct", (errata_table(study.errata),)),
             Section("Findings", (Findings(study.findings),)),
         ),
         subtitle="Quarter car of the suspension-system paper, section 4, rebuilt",
@@ -41,7 +41,7 @@ def excenter_page(study: Excenter) -> Page:
     )
 
 
-def _summary(study: Excenter) -> Section:
+def _summary(study: EccentricExciter) -> Section:
     facts = tuple(
         Fact(f"compression, {run.variant}", quantity(run.statics["compression"], "m", 5), "static, of all springs")
         for run in study.runs
@@ -56,7 +56,7 @@ def _summary(study: Excenter) -> Section:
     return Section("Summary", (Paragraph(_ABOUT), Facts((*facts, torque)), Paragraph(_RUN), Paragraph(inputs, "muted")))
 
 
-def _spring(study: Excenter) -> tuple[Block, ...]:
+def _spring(study: EccentricExciter) -> tuple[Block, ...]:
     words = "Plate, length of the spring and its force, from the uncompressed spring on (figure 8 of the paper)."
     rows = tuple(
         (
@@ -76,13 +76,13 @@ def _spring(study: Excenter) -> tuple[Block, ...]:
     )
     note = "For the summed model it is the merged spring, for the others the suspension's."
     return (
-        Picture(excenter_spring(study), "figure-8-spring", words, words),
+        Picture(exciter_spring(study), "figure-8-spring", words, words),
         Table("Spring of 341 mm under the load.", header, rows, "lrrrr", note),
         Paragraph(text),
     )
 
 
-def _linear(study: Excenter) -> tuple[Block, ...]:
+def _linear(study: EccentricExciter) -> tuple[Block, ...]:
     statics = tuple(
         (
             run.variant,
@@ -133,8 +133,8 @@ def _linear(study: Excenter) -> tuple[Block, ...]:
     )
 
 
-def _drive(study: Excenter) -> tuple[Block, ...]:
-    words = "Torque that the excenter asks for and force on the plate, two turns of steady motion."
+def _drive(study: EccentricExciter) -> tuple[Block, ...]:
+    words = "Torque that the exciter asks for and force on the plate, two turns of steady motion."
     rows = tuple(
         (
             run.variant,
@@ -147,12 +147,12 @@ def _drive(study: Excenter) -> tuple[Block, ...]:
     )
     text = (
         f"Eq. (5) in the right units gives {quantity(study.torque, 'N*m', 4)} from {POWER:g} W at {FREQUENCY:g} Hz; "
-        f"the paper's factor of 60 makes {study.printed_torque:.1f} N·m of it. As a constant torque on the excenter "
+        f"the paper's factor of 60 makes {study.printed_torque:.1f} N·m of it. As a constant torque on the exciter "
         "either would only speed it up, because the stand takes up far less: a drive holds the speed."
     )
     header = ("model", "mean torque", "torque", "mean power", "heat in dampers")
     return (
-        Picture(excenter_torque_curve(study), "torque", words, words),
+        Picture(exciter_torque_curve(study), "torque", words, words),
         Table("What the drive has to give in steady motion.", header, rows, "lrrrr"),
         Paragraph(text),
     )
