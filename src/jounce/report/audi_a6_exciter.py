@@ -13,8 +13,9 @@ from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Pi
 
 _ABOUT = (
     "The paper simulated the front corner on a plate that an eccentric exciter moves (section 4). It merged tyre and "
-    "spring into one by adding their constants. Here the same stand is built three times: summed as in the paper, in series "
-    "(a massless wheel between spring and tyre), and with two masses (the quarter car, whose tyre may leave the plate)."
+    "spring into one by adding their constants. Here the same stand is built three times: summed as in the paper, in "
+    "series (a massless wheel between spring and tyre), and with two masses (the quarter car, whose tyre may "
+    "leave the plate)."
 )
 _RUN = (
     "The exciter turns steadily at 5 Hz and moves the plate as a Scotch yoke does; the plate starts at its lowest "
