@@ -33,7 +33,7 @@ suppress_warnings = ["bibtex.missing_field", "ref.python"]  # attributes of one 
 def write_public_names(folder: Path) -> None:
     """Write one page with everything that ``import jounce`` offers."""
     lines = ["# Public names", "", "Everything here is an attribute of `jounce`.", ""]
-    for name in sorted(set(dir(jounce)) - {"__version__", "__doc__", "__name__"}, key=str.lower):
+    for name in sorted(jounce.__all__, key=str.lower):
         value = getattr(jounce, name)
         if isinstance(value, types.ModuleType):
             directive, target = "automodule", value.__name__
