@@ -7,22 +7,46 @@ import json
 import math
 import os
 import tempfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar, cast
 
 import numpy as np
 
 from jounce.core.errors import OutputError
 
 
+class Plain:
+    """Mix-in of results (dataclasses): ``to_dict`` gives their fields as plain data.
+
+    A class names the fields that stay out in ``left_out`` and the properties that are given beside the fields in
+    ``also``; what has another shape overrides ``to_dict`` (see `plain_table`).
+    """
+
+    left_out: ClassVar[tuple[str, ...]] = ()
+    also: ClassVar[tuple[str, ...]] = ()
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give plain values, SI."""
+        fields = (field.name for field in dataclasses.fields(cast("Any", self)))
+        names = [*(name for name in fields if name not in self.left_out), *self.also]
+        return plain_table({name: getattr(self, name) for name in names})
+
+
+def plain_table(values: Mapping[str, Any]) -> dict[str, Any]:
+    """Turn each of the values into plain data, as `to_plain` does."""
+    return {str(key): to_plain(item) for key, item in values.items()}
+
+
 def to_plain(value: Any) -> Any:
     """Turn a result into dicts, lists, text, finite numbers and None (for NaN and infinities)."""
+    if isinstance(value, Plain):
+        return value.to_dict()
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
         return {field.name: to_plain(getattr(value, field.name)) for field in dataclasses.fields(value)}
     if isinstance(value, Mapping):
-        return {str(key): to_plain(item) for key, item in value.items()}
+        return plain_table(value)
     if isinstance(value, np.ndarray):
         return to_plain(value.tolist())
     if isinstance(value, (list, tuple)):
@@ -58,6 +82,33 @@ def write_atomically(path: Path | str, content: bytes | str, *, force: bool = Fa
     with replacing(file) as temporary:
         temporary.write_bytes(content.encode() if isinstance(content, str) else content)
     return file
+
+
+@dataclasses.dataclass(frozen=True)
+class Formats:
+    """File formats that one kind of result can be written in.
+
+    Attributes
+    ----------
+    what : str
+        The kind of result, as messages name it, e.g. ``"recordings"``.
+    writers : mapping of str to callable
+        By suffix in small letters: takes the result and the path of a file to fill.
+    """
+
+    what: str
+    writers: Mapping[str, Callable[[Any, Path], object]]
+
+    def check(self, path: Path | str, *, force: bool = False) -> Path:
+        """Refuse, before the work, a file that could not be written after it; give the path."""
+        return check_writable(path, what=self.what, suffixes=tuple(self.writers), force=force)
+
+    def write(self, result: Any, path: Path | str, *, force: bool = False) -> Path:
+        """Write a result in the format that the suffix names; give the path."""
+        file = self.check(path, force=force)
+        with replacing(file) as temporary:
+            self.writers[file.suffix.lower()](result, temporary)
+        return file
 
 
 @contextmanager

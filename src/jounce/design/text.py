@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from jounce.ride.printing import aligned
+from jounce.core.text import aligned
 
 if TYPE_CHECKING:
     from jounce.design.first_designs import SpringDesign

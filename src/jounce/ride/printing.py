@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
+from jounce.core.text import aligned
 from jounce.ride.catalogue import CATALOGUE
 
 if TYPE_CHECKING:
@@ -35,17 +36,6 @@ def _table(values: Sequence[MetricValue]) -> list[str]:
     rows = [["", "", *places]] if any(places) else []
     rows += [[name, unit, *(cells.get((name, place), "–") for place in places)] for name, unit in names.items()]
     return aligned(rows, left=2)
-
-
-def aligned(rows: Sequence[Sequence[str]], left: int = 1) -> list[str]:
-    """Lines of a table whose columns stand below each other, the first ones to the left."""
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    return [
-        "  ".join(
-            cell.rjust(w) if i >= left else cell.ljust(w) for i, (cell, w) in enumerate(zip(row, widths, strict=True))
-        )
-        for row in rows
-    ]
 
 
 def _absences(absent: Iterable[AbsentMetric]) -> list[str]:
