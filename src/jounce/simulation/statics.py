@@ -21,6 +21,8 @@ _HEAVE = "sprung.distance"  # the coordinate that lowers a whole rig onto its ty
 _STRIDE = 0.05  # m or rad
 _PROJECTIONS = 3
 _UNBALANCED = 1e-6  # m/s^2
+_ROUNDINGS = 8.0  # how many times the rounding of one product a balance of many may be off
+_PLACES = 1.0  # m, typical size of a hardpoint's coordinates
 _INDEPENDENT = 1e-9  # smallest singular value of the constraints, relative to the largest
 
 
@@ -236,7 +238,11 @@ def _balance(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> 
 
 def _rest(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> Rest | None:
     now = _balance(compiled, x, u, p, modes)
-    if np.max(np.abs(now.residual)) > _UNBALANCED:
+    # Behind very stiff bushings the last bit of a place is worth more than the absolute limit. Coordinates of mechanisms
+    # count from the design pose, so what is rounded there is not they but places about a metre from the origin.
+    size = np.maximum(np.abs(x), _PLACES) if compiled.facts.projects else np.abs(x)
+    rounding = np.finfo(float).eps * float(np.max(np.abs(now.slope[now.rows]) @ size, initial=0.0))
+    if np.max(np.abs(now.residual)) > _UNBALANCED + _ROUNDINGS * rounding:
         return None
     lift, pick = _lift(now.slope, *compiled.facts.counts, now.free, now.motions)
     reduced = pick @ now.slope @ lift
