@@ -103,13 +103,13 @@ def stiff_rows() -> list[Row]:
     ]
 
 
-def violation_rows() -> list[Row]:
+def residual_rows() -> list[Row]:
     """How far the loops open, over both tyres and all speeds; runs with all hardpoints, reactions and energies."""
     worst, slowest = 0.0, 0.0
     for tyre in TYRES:
         rig = _rig(tyre)
         compiled = compile_rig(rig, detail=True)
-        p, row = compiled.parameter_values(rig.parameters()), compiled.output_names.index("constraint.violation")
+        p, row = compiled.parameter_values(rig.parameters()), compiled.output_names.index("constraint.residual")
         for speed in SPEEDS:
             run = prepare(compiled, p, _road(Case(tyre, speed)), TIMES)
             worst = max(worst, float(np.max(run.run().outputs[row])))
@@ -135,4 +135,4 @@ def _apart(found: np.ndarray, exact: np.ndarray) -> float:
 
 
 if __name__ == "__main__":
-    print(markdown([*gradient_rows(), *stiff_rows(), *violation_rows()]))
+    print(markdown([*gradient_rows(), *stiff_rows(), *residual_rows()]))

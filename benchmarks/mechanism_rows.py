@@ -14,7 +14,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-from gradient_rows import gradient_rows, stiff_rows, violation_rows
+from gradient_rows import gradient_rows, residual_rows, stiff_rows
 from mechanism_peers import PEERS, TARGETS, cheapest
 from mechanism_problem import DURATION, SPEEDS, TIMES, TYRES, Case
 from peer_kinematics import TRAVELS, sweeps
@@ -127,7 +127,7 @@ def start_rows() -> list[Row]:
 def mechanism_rows(*, quick: bool = False) -> list[Row]:
     """All of them."""
     parts: list[Callable[[], list[Row]]] = [lambda: double_wishbone_rows(quick=quick), sweep_rows]
-    parts += [gradient_rows, stiff_rows, violation_rows, start_rows]
+    parts += [gradient_rows, stiff_rows, residual_rows, start_rows]
     return [row for part in parts for row in part()]
 
 

@@ -1,4 +1,4 @@
-"""A suspension thrown over its dead point: the run stops there, with time and pose; a rack beyond reach is refused."""
+"""A suspension thrown over a singular configuration: the run stops there, with time and pose; a rack out of reach."""
 
 from __future__ import annotations
 

@@ -37,7 +37,7 @@ def test_energy_balance(detailed):
 
 def test_loops_stay_closed(detailed):
     _, run = detailed
-    assert float(run["constraint.violation"].max()) < 1e-13
+    assert float(run["constraint.residual"].max()) < 1e-13
 
 
 def test_reactions_at_rest_carry_the_weight(detailed):

@@ -168,7 +168,7 @@ def limited() -> jn.mechanics.Mechanism:
 
 def test_driven_chain_stops_at_the_end_of_its_travel():
     """Crank and ground reach 1.1 m at most (0.6 + 0.5) when coupler and rocker stretch."""
-    drive = {"angle": jn.mechanics.steady(1.0)}
+    drive = {"angle": jn.mechanics.constant_rate(1.0)}
     start = np.arccos(0.6)
     end = np.arccos((0.5**2 + 1.2**2 - 1.1**2) / (2.0 * 0.5 * 1.2)) - start
     mechanism = limited()

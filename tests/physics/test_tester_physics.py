@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from jounce.core.segments import Segments
-from jounce.mechanics.motions import held, steady
+from jounce.mechanics.motions import constant, constant_rate
 from jounce.parts import QuarterCar, load
 from jounce.parts.front_view import axle_from, axle_of
 from jounce.parts.testers import Motor, load_tester
@@ -64,11 +64,11 @@ def test_energy_of_a_free_run_down(kind):
     on = stand(rig, tester, ("",))
     # angle 0 at mean height: where a driven test would be after its hold
     driven = stand(rig, tester)
-    begin = driven.run({"": steady(2.0 * np.pi * 16.0)}, np.linspace(0.0, 1.0, 3), fastest=100.0, tolerance=1e-8)
+    begin = driven.run({"": constant_rate(2.0 * np.pi * 16.0)}, np.linspace(0.0, 1.0, 3), fastest=100.0, tolerance=1e-8)
     start = dict(zip(driven.compiled.facts.states, begin.states[:, -1], strict=True))
     start |= {"excenter.angle": 0.0, "excenter.angle rate": 2.0 * np.pi * 16.0}
     times = np.arange(0.0, 6.0, 2e-4)
-    run = on.run({"": held(0.0)}, times, start=start, fastest=110.0, tolerance=1e-9)
+    run = on.run({"": constant(0.0)}, times, start=start, fastest=110.0, tolerance=1e-9)
     v = dict(zip(on.compiled.output_names, run.outputs, strict=True))
     x = dict(zip(on.compiled.facts.states, run.states, strict=True))
     inertia, g, amplitude = tester.drive.inertia, 9.81, tester.amplitude

@@ -175,7 +175,7 @@ def built(case: Recorded):
             slide = made.prismatic("joint", ground, bob, axis=axis, at=case.place)
             track = made.track("drive")
             made.output("actuator", made.motion("actuator", slide, track), "N", "force of the drive")
-            motions = {"drive": jn.mechanics.steady(case.case["speed_m_s"])}
+            motions = {"drive": jn.mechanics.constant_rate(case.case["speed_m_s"])}
     if case.name == "RotSpring":
         law = {"stiffness": 200.0, "damping": 10.0}
         if "|angle|" in case.case["law"]:

@@ -14,7 +14,7 @@ from jounce.mechanics.bodies import Body
 from jounce.mechanics.frames import Moving
 from jounce.models.attachments import add_tyre, undeformed_radius
 from jounce.models.channels import show_height
-from jounce.models.corner import add_strut, hung, show_wheel
+from jounce.models.corner import add_strut, build_linkage, show_wheel
 from jounce.models.linkage import Linkage
 from jounce.parts.vehicles import FullCar3D, SpatialAxle
 
@@ -78,7 +78,7 @@ def _corner(mechanism: Mechanism, body: Body, name: str, axle: SpatialAxle, end:
     distance = mechanism.parameter(f"{name}.distance")
     with mechanism.within(f"{name}_{side}", f"{name}.corner"):
         ahead = end * distance - mechanism.parameter("hardpoints.wheel_centre[0]")
-        linkage = hung(axle.corner, mechanism, body, ahead=ahead, turned=_SIDES[side])
+        linkage = build_linkage(axle.corner, mechanism, body, ahead=ahead, turned=_SIDES[side])
         road = mechanism.track("road.z")
         mechanism.output("road.z", road.value, "m", "road height under the wheel")
         add_strut(linkage)

@@ -17,10 +17,14 @@ class Status(Enum):
     )
     CHATTER = (4, "contact switches on and off without time passing: add tyre damping or soften the law")
     LOOP_OPENED = (5, "the loops of the mechanism cannot be closed any more: it has reached the end of its travel")
-    LOCKED_UP = (6, "the mechanism is at a dead point: its joints do not say how it goes on (lock-up or branch flip)")
+    LOCKED_UP = (
+        6,
+        "the mechanism is in a singular configuration: its joints do not determine how it moves on (lock-up or flip)",
+    )
     FLIPPED = (
         7,
-        "the suspension went over a dead point and the wheel flipped over: an obstacle is too high, stops are too soft",
+        "the suspension passed a singular configuration and the wheel flipped over: an obstacle is too high, "
+        "stops are too soft",
     )
     DIVERGED = (
         8,

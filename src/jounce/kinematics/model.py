@@ -186,19 +186,19 @@ class Driven:
         return self.along(0)(self.mechanism.with_accelerations(expression, accelerations))
 
     def pose(self) -> ca.SX:
-        """Coordinates after a Newton step, violation before it, slopes of the coordinates along each track.
+        """Coordinates after a Newton step, residual before it, slopes of the coordinates along each track.
 
-        The step starts from quaternions of length one: extrapolated ones are not, and would hide a violation.
+        The step starts from quaternions of length one: extrapolated ones are not, and would hide a residual.
         """
         statics = self.statics
         moved = statics.moved(-self._solve(statics.constraint))
-        violation = ca.sqrt(ca.dot(statics.constraint, statics.constraint))
+        residual = ca.sqrt(ca.dot(statics.constraint, statics.constraint))
         slopes = [self.along(which)(statics.rates) for which in range(len(self.tracks))]
         start = ca.SX(statics.q)
         for first in (i for i, name in enumerate(self.mechanism.coordinate_names()) if name.endswith(".e0")):
             e = statics.q[first : first + 4]
             start[first : first + 4] = e / ca.sqrt(ca.dot(e, e))
-        return ca.substitute(ca.vertcat(moved, violation, *slopes), statics.q, start)
+        return ca.substitute(ca.vertcat(moved, residual, *slopes), statics.q, start)
 
     def _solve(self, right: ca.SX) -> ca.SX:
         """Speeds (or small displacements) that make this rate of the loop equations."""

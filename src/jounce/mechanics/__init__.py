@@ -1,6 +1,6 @@
 """Symbolic authoring of mechanical systems: bodies, joints, loops, force elements -> equations of motion."""
 
-from jounce.mechanics.assembly import Assembly, Moved, assemble, orientation
+from jounce.mechanics.assembly import Assembly, Displacement, assemble, orientation
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.bushings import add_bushing, add_elastic_rod
 from jounce.mechanics.elements import (
@@ -15,17 +15,17 @@ from jounce.mechanics.elements import (
 from jounce.mechanics.mass import box, combined, cylinder, mesh, sphere, tube
 from jounce.mechanics.mechanism import Mechanism
 from jounce.mechanics.model import Facts, Model, Output
-from jounce.mechanics.motions import harmonic, held, steady, step, through
+from jounce.mechanics.motions import constant, constant_rate, harmonic, interpolated, step
 from jounce.mechanics.reactions import Reaction
 from jounce.mechanics.system import System, Track
 
 __all__ = [
     "Assembly",
     "Body",
+    "Displacement",
     "Facts",
     "Mechanism",
     "Model",
-    "Moved",
     "Output",
     "Reaction",
     "System",
@@ -36,20 +36,20 @@ __all__ = [
     "box",
     "bump_stop_force",
     "combined",
+    "constant",
+    "constant_rate",
     "curve_force",
     "cylinder",
     "damper_force",
     "damper_map_force",
     "friction_force",
     "harmonic",
-    "held",
+    "interpolated",
     "mesh",
     "orientation",
     "sphere",
     "spring_force",
-    "steady",
     "step",
-    "through",
     "tube",
     "tyre_force",
 ]

@@ -31,7 +31,7 @@ _KEPT = 1e-10  # what the loops may still open by a second, relative to the spee
 
 
 @dataclass(frozen=True)
-class Moved:
+class Displacement:
     """A coordinate that assembly changed.
 
     Attributes
@@ -55,7 +55,7 @@ class Assembly:
     ----------
     x : ndarray, shape (n,)
         States, SI: coordinates, speeds, internal states.
-    moved : tuple of Moved
+    displacements : tuple of Displacement
         Coordinates that are not where they were given or designed.
     redundant : tuple of tuple of str
         Groups of loop equations that repeat each other.
@@ -64,7 +64,7 @@ class Assembly:
     """
 
     x: Array
-    moved: tuple[Moved, ...]
+    displacements: tuple[Displacement, ...]
     redundant: tuple[tuple[str, ...], ...]
     freedom: int
 
@@ -87,7 +87,7 @@ class _Evaluator:
         self._functions = ca.Function("loops", inputs, [model.constraint, slope @ kinematics, kinematics, drift])
 
     def at(self, x: Array) -> tuple[Array, Array, Array, Array]:
-        """Violation, its slope by the speeds, coordinates' rates by the speeds, and what the inputs' rates make."""
+        """Residual, its slope by the speeds, coordinates' rates by the speeds, and what the inputs' rates make."""
         value, slope, kinematics, drift = (part.full() for part in self._functions(x, self._u, self._p))
         return value[:, 0], slope, kinematics, drift[:, 0]
 
@@ -147,7 +147,9 @@ def assemble(
     if groups and redundant == "refuse":
         _explain(evaluator, pose, groups)
     pose = _with_speeds(evaluator, pose, slope, drift, weights)
-    return Assembly(pose, _moved(model, first, pose), groups, slope.shape[1] - int(np.linalg.matrix_rank(slope)))
+    return Assembly(
+        pose, _displacements(model, first, pose), groups, slope.shape[1] - int(np.linalg.matrix_rank(slope))
+    )
 
 
 def _given(model: Model, start: Mapping[str, float | str]) -> dict[str, float]:
@@ -240,7 +242,7 @@ def removable(
     Raises
     ------
     AssemblyError
-        When the loops cannot be closed, or at a dead point, where it cannot be told.
+        When the loops cannot be closed, or in a singular configuration, where it cannot be told.
     """
     from scipy.linalg import qr
 
@@ -256,7 +258,7 @@ def removable(
         if np.sum(kept) + len(groups) == len(kept) and np.linalg.svd(scaled[kept])[1][-1] > _FIRM:
             return dropped
     if _is_singular_here_only(evaluator, x, len(groups)):
-        raise _dead_point(groups)
+        raise _singular(groups)
     _, triangle, order = qr(scaled.T, pivoting=True, mode="economic")
     rank = int(np.sum(np.abs(np.diag(triangle)) > _DEPENDENT * abs(triangle[0, 0])))
     return frozenset(model.constraints[i] for i in order[rank:])
@@ -372,7 +374,7 @@ def _dependences(slope: Array, names: tuple[str, ...]) -> tuple[tuple[str, ...],
 def _explain(evaluator: _Evaluator, pose: Array, groups: tuple[tuple[str, ...], ...]) -> None:
     """Refuse a singular pose and equations that repeat each other."""
     if _is_singular_here_only(evaluator, pose, len(groups)):
-        raise _dead_point(groups)
+        raise _singular(groups)
     loops, joints = evaluator.model.loops, _joints_of(groups)
     around = dict.fromkeys(other for group in groups for name in group for other in loops.get(joint_of(name), ()))
     place = f" in the loop of {', '.join(around)}" if around else ""
@@ -385,9 +387,9 @@ def _explain(evaluator: _Evaluator, pose: Array, groups: tuple[tuple[str, ...], 
     )
 
 
-def _dead_point(groups: tuple[tuple[str, ...], ...]) -> AssemblyError:
+def _singular(groups: tuple[tuple[str, ...], ...]) -> AssemblyError:
     return AssemblyError(
-        "the mechanism is at a dead point: its loops do not say how it goes on from here",
+        "the mechanism is in a singular configuration: its loops do not determine how it moves on from here",
         where="; ".join(_joints_of(groups)),
         found=f"{_count(groups, 'equation')} that repeat others in this pose only",
         hint="Start it away from the pose in which its links lie on one line.",
@@ -435,6 +437,6 @@ def _with_speeds(evaluator: _Evaluator, pose: Array, slope: Array, drift: Array,
     return found
 
 
-def _moved(model: Model, before: Array, after: Array) -> tuple[Moved, ...]:
+def _displacements(model: Model, before: Array, after: Array) -> tuple[Displacement, ...]:
     pairs = zip(model.coordinates, before, after, strict=False)
-    return tuple(Moved(name, float(a), float(b)) for name, a, b in pairs if abs(a - b) > _MOVED)
+    return tuple(Displacement(name, float(a), float(b)) for name, a, b in pairs if abs(a - b) > _MOVED)

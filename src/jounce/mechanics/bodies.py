@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import casadi as ca
 
 from jounce.core.errors import AssemblyError
-from jounce.mechanics.carrier import STILL, Carrier
+from jounce.mechanics.carrier import GROUND_AXES, Carrier
 from jounce.mechanics.frames import Frame, Moving
 from jounce.mechanics.rotations import skew
 
@@ -41,7 +41,7 @@ class Body:
     name: str
     mass_properties: MassProperties | None = None
     frame: Frame | None = None
-    carrier: Carrier = STILL
+    carrier: Carrier = GROUND_AXES
 
     def point(self, design: ca.SX | Sequence[float]) -> Moving:
         """Follow the point of the body that lies at ``design`` (m) in the design pose."""

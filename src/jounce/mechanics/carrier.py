@@ -166,4 +166,4 @@ class CarriedMasses:
         return tensor @ rate + ca.cross(spin, tensor @ spin)
 
 
-STILL = Carrier()
+GROUND_AXES = Carrier()

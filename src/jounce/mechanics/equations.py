@@ -60,7 +60,7 @@ class Solved:
     The functions use the same factors, for derivatives that do not differentiate them: ``residual`` (force balance,
     then second rates of the constraints) of given accelerations and multipliers, ``answer`` the change of both that
     takes back a change of the residual, ``correction`` the displacement (or change of the speeds) that takes back a
-    violation (or its rate).
+    residual (or its rate).
     """
 
     acceleration: ca.SX
@@ -114,8 +114,8 @@ def solve(
     gradient = ca.jacobian(constraint.rate, v)
     loops = _Loops(matrix, gradient) if not shared else _SharedLoops(matrix, gradient, shared)
 
-    def correction(violation: ca.SX) -> ca.SX:
-        return loops.displaced(violation)
+    def correction(residual: ca.SX) -> ca.SX:
+        return loops.displaced(residual)
 
     return Solved(
         *loops.balance(force, constraint.bias),
@@ -159,9 +159,9 @@ class _Loops:
         multipliers = self._reduced.solve(-bias - self._scaled.T @ half)
         return self._mass.backward(self._mass.scale(half + self._rows @ multipliers)), multipliers
 
-    def displaced(self, violation: ca.SX) -> ca.SX:
+    def displaced(self, residual: ca.SX) -> ca.SX:
         """Shortest displacement, in terms of the mass matrix, that makes a change of the constraints."""
-        return self._mass.backward(self._scaled @ self._reduced.solve(violation))
+        return self._mass.backward(self._scaled @ self._reduced.solve(residual))
 
     def conditioning(self) -> ca.SX:
         """How far from singular the constraints are: 1 independent, 0 singular."""
@@ -241,11 +241,11 @@ class _SharedLoops:
             multipliers[block.rows] = reaction + block.react @ carrier
         return accelerations, multipliers
 
-    def displaced(self, violation: ca.SX) -> ca.SX:
+    def displaced(self, residual: ca.SX) -> ca.SX:
         """Shortest displacement, in terms of the mass matrix, with the shared speeds held."""
         found = ca.SX(self._size, 1)
         for block in self._blocks:
-            found[block.speeds] = block.loops.displaced(violation[block.rows])
+            found[block.speeds] = block.loops.displaced(residual[block.rows])
         return found
 
     def conditioning(self) -> ca.SX:

@@ -57,7 +57,7 @@ class Orientation:
         return Moving(self.rotate(vector), self.rotate(swept), self.rotate(bias))
 
 
-class Still(Orientation):
+class FixedOrientation(Orientation):
     """The orientation of the ground, and of everything that only slides on it."""
 
     def __init__(self) -> None:
@@ -80,7 +80,7 @@ class Still(Orientation):
         return Moving(vector, _ZERO, _ZERO)
 
 
-class Turned(Orientation):
+class AxisRotation(Orientation):
     """A turn about an axis that is fixed in the ground: all but one sine, one cosine and their squares is constant."""
 
     def __init__(self, axis: ca.SX, angle: ca.SX, speed: ca.SX) -> None:
@@ -160,7 +160,7 @@ class Frame:
         """The same frame with its origin elsewhere."""
         return Frame(design, self.point(design), self.orientation)
 
-    def slid(self, axis: ca.SX, distance: ca.SX, speed: ca.SX, acceleration: ca.SX | float = 0.0) -> Frame:
+    def translated(self, axis: ca.SX, distance: ca.SX, speed: ca.SX, acceleration: ca.SX | float = 0.0) -> Frame:
         """A frame that slides along an axis of this one; ``acceleration`` is a prescribed one."""
         along = self.orientation.moving(axis)
         origin = Moving(
@@ -173,9 +173,9 @@ class Frame:
     def turned(self, axis: ca.SX, angle: ca.SX, speed: ca.SX) -> Frame:
         """A frame that turns about an axis of this one through its origin."""
         parent = self.orientation
-        if isinstance(parent, Still):
-            return Frame(self.design, self.origin, Turned(axis, angle, speed))
-        turn = Turned(axis, angle, speed)
+        if isinstance(parent, FixedOrientation):
+            return Frame(self.design, self.origin, AxisRotation(axis, angle, speed))
+        turn = AxisRotation(axis, angle, speed)
         carried = turn.unrotate(parent.spin)
         spin = carried + axis * speed
         bias = turn.unrotate(parent.spin_bias) + ca.cross(carried, axis * speed)
@@ -186,4 +186,4 @@ class Frame:
         return Frame(self.design, self.origin, orientation)
 
 
-GROUND = Frame(_ZERO, Moving(_ZERO, _ZERO, _ZERO), Still())
+GROUND = Frame(_ZERO, Moving(_ZERO, _ZERO, _ZERO), FixedOrientation())

@@ -167,14 +167,14 @@ class Mechanism(Loaded):
         ``energy.kinetic``, ``energy.weight`` and, where there are such, ``energy.elastic`` of springs and stops,
         ``energy.dissipated`` by dampers, stops and friction and ``energy.supplied`` by motions since the start. Forces
         by laws of your own and bushings are not among them. ``energy.balance``, where there are loops, is the kinetic
-        energy less the work of all forces: constant but for errors. ``constraint.violation`` is in m and rad.
+        energy less the work of all forces: constant but for errors. ``constraint.residual`` is in m and rad.
         """
         self._watched["energy"] = self._show_energy
 
     def _show_energy(self) -> None:
         self.output("energy.kinetic", self.kinetic_energy(), "J", "kinetic energy")
         self.output("energy.weight", self.weight_energy(), "J", "potential energy of the weights")
-        self.output("constraint.violation", self.violation(), "m", "what is left open of the loops")
+        self.output("constraint.residual", self.residual(), "m", "what is left open of the loops")
         if self._stored:
             self.output("energy.elastic", _total(self._stored), "J", "energy of the springs")
         for name, powers, text in (
@@ -194,7 +194,7 @@ class Mechanism(Loaded):
         """Potential energy of the weights, J, zero in the design pose."""
         return weight_energy(self._bodies.values(), self.gravity)
 
-    def violation(self) -> ca.SX:
+    def residual(self) -> ca.SX:
         """Size of what is left open of all loops (m and rad)."""
         values = ca.vertcat(*(constraint.value for constraint in self._constraints))
         return ca.sqrt(ca.dot(values, values)) if values.numel() else ca.SX(0.0)

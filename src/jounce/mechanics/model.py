@@ -123,7 +123,7 @@ class Balance:
     moved : callable
         Coordinates after a small displacement in terms of the speeds.
     correction : callable
-        Displacement (or change of the speeds) that takes back a violation of the constraints (or its rate).
+        Displacement (or change of the speeds) that takes back a residual of the constraints (or its rate).
     constraint_rate : casadi.SX
         Rate of the loop equations.
     """
@@ -176,7 +176,7 @@ class Model:
     constraint : casadi.SX
         Loop equations, zero where the loops are closed.
     projection : casadi.SX
-        States moved onto the constraints, then the violation before it (norm) and the conditioning of the constraints
+        States moved onto the constraints, then the residual before it (norm) and the conditioning of the constraints
         (1: independent, 0: singular); empty where nothing can drift.
     balance : Balance
         Where accelerations and multipliers come from.

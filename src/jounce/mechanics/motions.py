@@ -11,7 +11,7 @@ from jounce.core.errors import AssemblyError
 from jounce.core.segments import SINE, Segments, piecewise_linear
 
 
-def steady(rate: float, start: float = 0.0) -> Segments:
+def constant_rate(rate: float, start: float = 0.0) -> Segments:
     """Give a motion with a constant rate.
 
     Parameters
@@ -87,8 +87,8 @@ def step(start: float, end: float, begin: float, stop: float) -> Segments:
     return Segments(edges, np.zeros(3, dtype=np.int64), pieces)
 
 
-def through(time: ArrayLike, value: ArrayLike, *, smooth: bool = True) -> Segments:
-    """Give a motion through points: a cubic spline, or straight lines; held at its end values beyond the points.
+def interpolated(time: ArrayLike, value: ArrayLike, *, smooth: bool = True) -> Segments:
+    """Give a motion through points: a cubic spline, or straight lines; constant at its end values beyond the points.
 
     Parameters
     ----------
@@ -124,9 +124,9 @@ def through(time: ArrayLike, value: ArrayLike, *, smooth: bool = True) -> Segmen
     return Segments(edges, np.zeros(len(t) + 1, dtype=np.int64), np.vstack([ends[:1], pieces, ends[1:]]))
 
 
-def held(value: float) -> Segments:
+def constant(value: float) -> Segments:
     """Give a track that stays at ``value`` (m or rad)."""
-    return steady(0.0, value)
+    return constant_rate(0.0, value)
 
 
-__all__: Sequence[str] = ("harmonic", "held", "steady", "step", "through")
+__all__: Sequence[str] = ("constant", "constant_rate", "harmonic", "interpolated", "step")

@@ -317,11 +317,11 @@ class System:
         return moved
 
     def _projection(self, solved: Solved, internal: ca.SX, constraint: Constraint) -> ca.SX:
-        """Projected states, size of the violation before, conditioning; nothing where nothing can drift."""
+        """Projected states, size of the residual before, conditioning; nothing where nothing can drift."""
         if not constraint.names and not self._quaternions:
             return ca.SX(0, 1)
-        violation = ca.sqrt(ca.dot(constraint.value, constraint.value)) if constraint.names else ca.SX(0.0)
-        return ca.vertcat(solved.coordinates, solved.speeds, internal, violation, solved.conditioning)
+        residual = ca.sqrt(ca.dot(constraint.value, constraint.value)) if constraint.names else ca.SX(0.0)
+        return ca.vertcat(solved.coordinates, solved.speeds, internal, residual, solved.conditioning)
 
     def _track_order(self, expression: ca.SX) -> int:
         accelerations = ca.vertcat(*(track.acceleration for track in self._tracks.values()))

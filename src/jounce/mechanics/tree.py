@@ -125,7 +125,7 @@ class Tree(System):
         self._bodies[body.name] = body
         return body
 
-    def seat(self, body: Body, field: ca.SX) -> Body:
+    def moving_frame(self, body: Body, field: ca.SX) -> Body:
         """Give moving axes on a body, for a mechanism that hangs on it: cheaper than joints to the body itself.
 
         Parameters
@@ -140,7 +140,7 @@ class Tree(System):
         Body
             It moves with the body; joints to it and between what hangs on it do not see that motion.
         """
-        self._held("seat", body)
+        self._held("moving frame", body)
         name = f"{body.name} axes"
         self._refuse_twice(name, self._bodies)
         self._bodies[name] = Body(name, frame=GROUND, carrier=MovingCarrier(self._frame_of(body), field))
@@ -181,7 +181,7 @@ class Tree(System):
             return self._closures.prismatic(name, parent, child, place, along)
         parent, child, sign = self._signed(name, parent, child)
         q, v = self.coordinates([f"{name}.distance"], [f"{name}.distance rate"])
-        frame = self._frame_of(parent).at(place).slid(sign * along, q, v)
+        frame = self._frame_of(parent).at(place).translated(sign * along, q, v)
         self._hang(name, "prismatic", parent, child, frame, sign * along, sign)
         return q
 
@@ -204,7 +204,7 @@ class Tree(System):
         parent, child, sign = self._signed(name, parent, child)
         names = [f"{name}.distance", f"{name}.angle"]
         q, v = self.coordinates(names, [f"{text} rate" for text in names])
-        frame = self._frame_of(parent).at(place).slid(sign * along, q[0], v[0]).turned(sign * along, q[1], v[1])
+        frame = self._frame_of(parent).at(place).translated(sign * along, q[0], v[0]).turned(sign * along, q[1], v[1])
         self._hang(name, "cylindrical", parent, child, frame, sign * along, sign)
         return q
 
@@ -236,8 +236,8 @@ class Tree(System):
         self._hang(name, "spherical", parent, child, frame, sign=sign)
         return e
 
-    def free(self, name: str, child: Body, at: Vector | None = None, seat: Body | None = None) -> ca.SX:
-        """Let a body fly: place (m, ground axes, from the design pose) and quaternion, against the ground or a seat."""
+    def free(self, name: str, child: Body, at: Vector | None = None, moving_frame: Body | None = None) -> ca.SX:
+        """Let a body fly: place (m, from the design pose) and quaternion, against the ground or a moving frame."""
         self._check(name, child)
         if child.mass_properties is None and at is None:
             raise AssemblyError("a free body without mass", where=child.name, hint="Give mass and centre_of_mass.")
@@ -247,7 +247,7 @@ class Tree(System):
         r, v = self.coordinates(names, [f"{text} rate" for text in names])
         e, w = self.quaternion(name)
         frame = Frame(place, Moving(place + r, v, ca.SX(3, 1)), by_quaternion(e, w))
-        self._hang(name, "free", self.ground if seat is None else seat, child, frame)
+        self._hang(name, "free", self.ground if moving_frame is None else moving_frame, child, frame)
         return ca.vertcat(r, e)
 
     def driven(self, name: str, parent: Body, child: Body, axis: Vector, travel: Track | Number) -> None:
@@ -258,7 +258,7 @@ class Tree(System):
         along = self.direction(f"{name}.axis", axis)
         still = travel if isinstance(travel, Track) else self.number(f"{name}.travel", travel, "m")
         track = still if isinstance(still, Track) else Track(still, ca.SX(0.0), ca.SX(0.0))
-        frame = self._frame_of(parent).slid(along, track.value, track.rate, track.acceleration)
+        frame = self._frame_of(parent).translated(along, track.value, track.rate, track.acceleration)
         self._hang(name, "driven", parent, child, frame)
 
     def coincident(self, name: str, first: Body, second: Body, at: Vector, second_at: Vector | None = None) -> ca.SX:
@@ -357,14 +357,17 @@ class Tree(System):
         """Refuse bodies whose places are in different axes."""
         carriers = {body.name: body.carrier for body in bodies if body.frame is not None}
         if len(set(map(id, carriers.values()))) > 1:
-            found, hint = ", ".join(carriers), "Join what hangs on a seat to the seat, not to its body or the ground."
-            raise AssemblyError("the bodies hang on different seats", where=name, found=found, hint=hint)
+            found, hint = (
+                ", ".join(carriers),
+                "Join what hangs in a moving frame to that frame, not to its body or the ground.",
+            )
+            raise AssemblyError("the bodies hang in different moving frames", where=name, found=found, hint=hint)
 
     def _refuse_carried(self, name: str, *bodies: Body) -> None:
         """Refuse what is for places in ground axes only."""
         for body in bodies:
             if body.carrier.moves:
-                raise AssemblyError("not for what hangs on a seat", where=name, found=body.name)
+                raise AssemblyError("not for what hangs in a moving frame", where=name, found=body.name)
 
     def _closes(self, name: str, first: Body, second: Body) -> bool:
         self._check(name, first, second)

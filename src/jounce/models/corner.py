@@ -63,10 +63,10 @@ def suspension(
     Linkage
         The bodies, and what the template says of them.
     """
-    return hung(rig, mechanism, guided(mechanism, guide or rig.guide), rack=rack)
+    return build_linkage(rig, mechanism, guided(mechanism, guide or rig.guide), rack=rack)
 
 
-def hung(
+def build_linkage(
     rig: Corner,
     mechanism: Mechanism,
     chassis: Body,

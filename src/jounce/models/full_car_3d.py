@@ -16,7 +16,7 @@ from jounce.mechanics.bodies import Body
 from jounce.mechanics.frames import Moving
 from jounce.models.attachments import add_tyre, undeformed_radius
 from jounce.models.channels import show_height, show_turn, show_tyre
-from jounce.models.corner import add_strut, hung, show_wheel
+from jounce.models.corner import add_strut, build_linkage, show_wheel
 from jounce.models.linkage import Linkage
 from jounce.parts.parameters import structure_of
 from jounce.parts.vehicles import FullCar3D, SpatialAxle
@@ -43,9 +43,9 @@ def full_car_3d(vehicle: FullCar3D, *, actuator: AnyActuator | None = None) -> M
     mechanism.gravity = mechanism.parameter("gravity")
     body = _body(mechanism, vehicle)
     drive = _driving(mechanism, body)
-    seat = mechanism.seat(body, drive - mechanism.gravity * _UP)
+    frame = mechanism.moving_frame(body, drive - mechanism.gravity * _UP)
     axles = {name: getattr(vehicle, name) for name in _ENDS}
-    wheels = [_corner(mechanism, seat, name, axles[name], side, actuator) for name in axles for side in _SIDES]
+    wheels = [_corner(mechanism, frame, name, axles[name], side, actuator) for name in axles for side in _SIDES]
     for pair, name in zip((wheels[:2], wheels[2:]), axles, strict=True):
         _anti_roll_bar(mechanism, pair, mechanism.parameter(f"{name}.anti_roll_bar_rate"))
     _grip(mechanism, drive, wheels)
@@ -90,14 +90,14 @@ def _show_body(mechanism: Mechanism, height: ca.SX, pitch: ca.SX, roll: ca.SX) -
 
 
 def _corner(
-    mechanism: Mechanism, seat: Body, name: str, axle: SpatialAxle, side: str, actuator: AnyActuator | None
+    mechanism: Mechanism, frame: Body, name: str, axle: SpatialAxle, side: str, actuator: AnyActuator | None
 ) -> _Wheel:
     """Hang one corner into the axes of the body and stand it on its road."""
     distance = mechanism.parameter(f"{name}.distance")
     with mechanism.within(f"{name}_{side}", f"{name}.corner"):
         end, turned = mechanism.constant("end", _ENDS[name]), mechanism.constant("side", _SIDES[side])
         ahead = end * distance - mechanism.parameter("hardpoints.wheel_centre[0]")
-        linkage = hung(axle.corner, mechanism, seat, ahead=ahead, turned=turned)
+        linkage = build_linkage(axle.corner, mechanism, frame, ahead=ahead, turned=turned)
         road = mechanism.track("road.z")
         mechanism.output("road.z", road.value, "m", "road height under the wheel")
         add_strut(linkage, actuator)

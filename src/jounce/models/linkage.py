@@ -115,7 +115,7 @@ class Linkage:
         elif ideal:
             self.mechanism.spherical(name, self.chassis, arm, at=ideal[0])
         else:
-            self.mechanism.free(name, arm, seat=self.seat)
+            self.mechanism.free(name, arm, moving_frame=self.moving_frame)
         for end in soft:
             self.cushion(end, self.chassis, arm)
 
@@ -163,8 +163,8 @@ class Linkage:
         self.mechanism.coincident(f"{name}_outer", link, carrier, end)
 
     @property
-    def seat(self) -> Body | None:
-        """The moving axes that the suspension hangs in; None on the ground."""
+    def moving_frame(self) -> Body | None:
+        """The moving frame that the suspension hangs in; None on the ground."""
         return self.chassis if self.carrier.moves else None
 
     @property

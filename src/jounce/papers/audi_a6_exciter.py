@@ -12,7 +12,7 @@ from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding
 from jounce.core.serialise import to_plain
 from jounce.core.types import Array
-from jounce.mechanics.motions import steady
+from jounce.mechanics.motions import constant_rate
 from jounce.papers.audi_a6_paper import (
     FREE_LENGTH,
     FREQUENCY,
@@ -292,7 +292,7 @@ def _plate_run(variant: str, rig: QuarterCar, values: dict[str, float]) -> Plate
 
 def _simulated(compiled: Compiled, p: Array, amplitude: float) -> xr.Dataset:
     """Run from uncompressed springs, the plate at its lowest."""
-    turn = steady(2.0 * np.pi * FREQUENCY, _BOTTOM)
+    turn = constant_rate(2.0 * np.pi * FREQUENCY, _BOTTOM)
     times = output_times(DURATION, 1e-3)
     still = np.zeros(compiled.facts.track_order)
     still[0] = _BOTTOM

@@ -136,7 +136,7 @@ def _signals(poses: Poses) -> list[dict[str, Any]]:
     """What else is known of each pose; forces in joints are left to the recording."""
     found = []
     for name, values in poses.signals.items():
-        if name.endswith(_REACTIONS) or name == "constraint.violation" or not np.isfinite(values).any():
+        if name.endswith(_REACTIONS) or name == "constraint.residual" or not np.isfinite(values).any():
             continue
         known = values[np.isfinite(values)]
         unit = display_unit(poses.signal_units[name], float(np.abs(known).max()))

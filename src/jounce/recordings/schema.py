@@ -59,7 +59,7 @@ QUANTITIES: dict[str, tuple[str, str]] = {
     "torque": ("N*m", "torque"),
     "travel": ("m", "travel"),
     "velocity": ("m/s", "velocity"),
-    "violation": ("1", "constraint violation"),
+    "residual": ("1", "constraint residual"),
     "voltage": ("V", "voltage"),
     "yaw": ("rad", "yaw angle"),
     "yaw_rate": ("rad/s", "yaw rate"),

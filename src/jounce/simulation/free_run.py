@@ -15,13 +15,12 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.kernel.explicit import Control, Problem
 from jounce.kernel.tracks import flatten
-from jounce.mechanics import Mechanism, Model, assemble, held
+from jounce.mechanics import Mechanism, Model, assemble, constant
 from jounce.mechanics.assembly import Assembly
 from jounce.mechanics.mass import check_inertia
 from jounce.mechanics.mechanism import BALANCE
 from jounce.recordings.schema import recording
 from jounce.simulation.compiled import Compiled, compile_model
-from jounce.simulation.dead_points import run_through
 from jounce.simulation.run import (
     MAX_STEPS,
     STEP_SHARE,
@@ -31,6 +30,7 @@ from jounce.simulation.run import (
     room,
     samples_reached,
 )
+from jounce.simulation.singular_configurations import run_through
 from jounce.simulation.statics import find_rest
 from jounce.simulation.stiff import STEP_SHARE as IMPLICIT_SHARE
 from jounce.simulation.stiff import Method, check_method, longest_step_of
@@ -93,8 +93,8 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     Returns
     -------
     xarray.Dataset
-        The outputs on ``time`` (s), SI. ``attrs["findings"]`` says what assembly moved, and where a dead point was
-        passed only by other steps.
+        The outputs on ``time`` (s), SI. ``attrs["findings"]`` says what assembly moved, and where a singular
+        configuration was passed only with other steps.
 
     Raises
     ------
@@ -175,7 +175,7 @@ def _motions(mechanism: Mechanism, motions: Mapping[str, Segments]) -> dict[str,
         if name not in mechanism.tracks:
             raise unknown(name, mechanism.tracks, what="track", where="motions")
         if not isinstance(motion, Segments):
-            hint = "Take held(), steady(), harmonic(), step() or through() of jounce.mechanics."
+            hint = "Take constant(), constant_rate(), harmonic(), step() or interpolated() of jounce.mechanics."
             raise SimulationError("not a motion", where=f"motions: {name}", found=str(motion), hint=hint)
         if not (np.all(np.isfinite(motion.coefficients)) and np.all(np.isfinite(motion.edges))):
             raise SimulationError("not a motion", where=f"motions: {name}", found="not a finite number")
@@ -239,7 +239,7 @@ def _prepare(
     longest = min(_LONGEST / fastest, _SHARE * duration)
     scale = np.full(len(x), _SMALLEST)
     control = Control(STEP_SHARE * tolerance, scale, np.full(len(modes), 1e-13), MAX_STEPS, longest)
-    flat = flatten(tracks or [held(0.0)])
+    flat = flatten(tracks or [constant(0.0)])
     first = flat.first[: len(tracks)].copy()
     problem = Problem(compiled.engine, flat, first, compiled.extended(p), modes.copy(), x, len(u))
     prepared = Prepared(compiled, problem, control, room(compiled, times), None, modes, None, u)
@@ -254,7 +254,9 @@ def _prepare(
 def _findings(pose: Assembly, crossings: tuple[float, ...]) -> list[str]:
     moved = [
         Finding(move.coordinate, "note", f"assembly moved it from {move.before:.6g} to {move.after:.6g}")
-        for move in pose.moved
+        for move in pose.displacements
     ]
-    passed = [Finding(f"{time:.6g} s", "note", "a dead point, passed with other steps") for time in crossings]
+    passed = [
+        Finding(f"{time:.6g} s", "note", "a singular configuration, passed with other steps") for time in crossings
+    ]
     return [str(finding) for finding in (*moved, *passed)]

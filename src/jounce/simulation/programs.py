@@ -55,7 +55,7 @@ def plain_program(model: Model) -> Program:
     along = tangent(model, dx, du, ca.SX(model.p.shape[0], 1))
     parts = {"rate": model.rate, "output": model.output, "switch": model.switch, "constraint": model.constraint}
     if model.projection.shape[0]:
-        parts["project_many"] = _violation_first(model)
+        parts["project_many"] = _residual_first(model)
     slopes = ca.vertcat(*(getattr(along, name) for name in SLOPES))
     hoisted = _Hoisted({**parts, "slopes": slopes}, model.p, ca.SX(0, 1), generic)
     functions: dict[str, AnyFunction] = {name: hoisted.function(name, model) for name in parts}
@@ -96,7 +96,7 @@ def sensitive_program(model: Model, free: tuple[str, ...]) -> Program:
     parts["output_s"] = ca.vertcat(model.output, along.output)
     parts["switch_slope"] = ca.vertcat(ca.vec(_switch_slope(model).T), along.switch)
     if model.projection.shape[0]:
-        parts["project_many"] = _violation_first(model)
+        parts["project_many"] = _residual_first(model)
         parts["project_s"] = ca.vertcat(parts["project_many"], along.projection)
     parts["constraint_s"] = along.constraint
     hoisted = _Hoisted(parts, model.p, chosen, generic)
@@ -136,8 +136,8 @@ def _side_by_side(functions: Mapping[str, AnyFunction], hoisted: _Hoisted, model
     return found
 
 
-def _violation_first(model: Model) -> ca.SX:
-    """Violation, conditioning, then the projected states."""
+def _residual_first(model: Model) -> ca.SX:
+    """Residual, conditioning, then the projected states."""
     n = model.x.shape[0]
     return ca.vertcat(model.projection[n:], model.projection[:n])
 

@@ -41,7 +41,7 @@ MAX_STEPS, _MAX_SAMPLES = 5_000_000, 20_000_000
 _STABLE = 0.4  # share of the fastest decay at rest that the method must resolve: friction holding a rig, sensitivities
 _LONGEST = 1.2  # radians of the fastest oscillation in one step, at a tolerance of 1e-5
 _LONG_RUN = 5000.0  # radians of the fastest motion, beyond which it is worth asking whether the implicit method pays
-_DEAD_POINT = 0.05  # share of the loops' conditioning at the start that is left where a mechanism counts as locked up
+_SINGULAR = 0.05  # share of the loops' conditioning at the start that is left where a mechanism counts as locked up
 _SHORT_SHARE = 0.03  # the same for the pair of lower order, which errs less in all for what it allows in a step
 _SHORT = 0.4  # radians of the fastest oscillation in a step of the pair of lower order, at a tolerance of 1e-5
 _STAGES, _SHORT_STAGES = 16.0, 7.0  # rates that a step of either pair evaluates, with its interpolant
@@ -127,11 +127,11 @@ class Prepared:
         return Solution(*found, steps, rejected, events, slopes[0], slopes[1], method)
 
     def _ended(self, status: Status) -> Status:
-        """How the run ended; what explodes while its loops come to a dead point has locked up."""
+        """How the run ended; what explodes while its loops come to a singular configuration has locked up."""
         if status in (Status.COMPLETED, Status.LOOP_OPENED) or not self.compiled.facts.constraints:
             return status
         conditioning = self.out.projected[1, np.isfinite(self.out.states[0])]
-        lost = len(conditioning) > 1 and conditioning[-1] < _DEAD_POINT * conditioning[0]
+        lost = len(conditioning) > 1 and conditioning[-1] < _SINGULAR * conditioning[0]
         return Status.LOCKED_UP if lost else status
 
     def _start(self) -> None:

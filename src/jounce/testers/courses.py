@@ -13,7 +13,7 @@ from jounce.core.errors import unknown
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.mechanics.model import Output
-from jounce.mechanics.motions import held
+from jounce.mechanics.motions import constant
 from jounce.parts.front_view import FrontViewAxle
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Programme, Tester
@@ -128,15 +128,15 @@ def _phases(
 
 
 def _motor_on(_begin: float, _state: Mapping[str, float]) -> Segments:
-    return held(1.0)
+    return constant(1.0)
 
 
 def _motor_off(_begin: float, _state: Mapping[str, float]) -> Segments:
-    return held(0.0)
+    return constant(0.0)
 
 
 def _still(place: str, _begin: float, state: Mapping[str, float]) -> Segments:
-    return held(state.get(channel(place, ANGLE), 0.0))
+    return constant(state.get(channel(place, ANGLE), 0.0))
 
 
 def _turned(place: str, rate: float, begin: float, state: Mapping[str, float]) -> Segments:

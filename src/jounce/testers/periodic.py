@@ -9,7 +9,7 @@ import numpy as np
 
 from jounce.core.errors import SimulationError
 from jounce.core.types import Array
-from jounce.mechanics.motions import steady
+from jounce.mechanics.motions import constant_rate
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Tester
 from jounce.simulation.run import samples_reached
@@ -97,7 +97,7 @@ def periodic(
         raise SimulationError("not a frequency", where="frequency", found=frequency, allowed="above 0 Hz")
     place, rate = place_of(on, wheel), 2.0 * np.pi * frequency
     turns = max(3, int(np.ceil(_BLOCK * frequency)))
-    times, angles = np.arange(turns + 1) / frequency, {place: steady(rate)}
+    times, angles = np.arange(turns + 1) / frequency, {place: constant_rate(rate)}
     state = dict(start) if start is not None else _linear_start(linear_stand(on), frequency, place)
     settled = False
     for _ in range(_BLOCKS):

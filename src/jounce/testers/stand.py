@@ -12,7 +12,7 @@ from jounce.core.errors import SimulationError
 from jounce.core.segments import Segments, flat
 from jounce.core.types import Array
 from jounce.kernel.tracks import flatten
-from jounce.mechanics.motions import held
+from jounce.mechanics.motions import constant
 from jounce.parts.corner import Corner
 from jounce.parts.front_view import FrontViewAxle
 from jounce.parts.parameters import structure_of
@@ -103,7 +103,7 @@ class Stand:
             Arrays of the run.
         """
         prepared, facts = self.prepared, self.compiled.facts
-        signals = [angles.get(_place_of(track), held(0.0)) for track in facts.tracks]
+        signals = [angles.get(_place_of(track), constant(0.0)) for track in facts.tracks]
         pieces = flatten(signals)
         problem = prepared.problem
         x, modes = self.rest.x.copy(), self.rest.modes

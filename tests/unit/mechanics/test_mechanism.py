@@ -97,7 +97,7 @@ def test_refused_redundancy_can_be_removed_afterwards():
         jn.simulate_mechanism(mechanism, 0.2)
     assert "in the loop of right.C, right.D, left.A, left.B" in str(caught.value)
     run = jn.simulate_mechanism(mechanism, 0.2, redundant="remove")
-    assert float(run["constraint.violation"].max()) < 1e-12
+    assert float(run["constraint.residual"].max()) < 1e-12
     with pytest.raises(jn.AssemblyError, match="redundant joints"):
         jn.simulate_mechanism(mechanism, 0.2)
 
@@ -126,13 +126,13 @@ def test_removed_equations_are_chosen_anew_where_others_are_superfluous():
     for name in first.data_vars:
         np.testing.assert_allclose(turned[name], first[name], rtol=0.0, atol=1e-6, err_msg=name)
         np.testing.assert_array_equal(again[name], first[name])
-    assert float(turned["constraint.violation"].max()) < 1e-12
+    assert float(turned["constraint.residual"].max()) < 1e-12
 
 
 def test_motions_decide_where_a_run_starts():
     mechanism = chain()
     mechanism.motion("drive", mechanism.coordinate_named("left.A.angle"), mechanism.track("turn"))
-    motions = {"turn": jn.mechanics.steady(2.0, start=0.5)}
+    motions = {"turn": jn.mechanics.constant_rate(2.0, start=0.5)}
     run = jn.simulate_mechanism(mechanism, 0.2, motions=motions, redundant="remove", output_step=0.05)
     np.testing.assert_allclose(run["left.A.angle"], 0.5 + 2.0 * run["time"], rtol=0.0, atol=1e-12)
     assert set(run.data_vars) >= {"energy.supplied", "left.A.angle acceleration"}
@@ -182,12 +182,12 @@ def test_motions_are_what_they_say():
     value, rate = jn.mechanics.harmonic(2.0, 1.0, phase=0.5, mean=1.0).evaluate(time)
     np.testing.assert_allclose(value, 1.0 + 2.0 * np.sin(2.0 * np.pi * time + 0.5), rtol=1e-12)
     np.testing.assert_allclose(rate, 4.0 * np.pi * np.cos(2.0 * np.pi * time + 0.5), rtol=1e-12)
-    assert jn.mechanics.held(3.0).evaluate(time)[0].tolist() == [3.0] * 5
-    spline = jn.mechanics.through([0.0, 0.5, 1.0], [0.0, 1.0, 0.0])
+    assert jn.mechanics.constant(3.0).evaluate(time)[0].tolist() == [3.0] * 5
+    spline = jn.mechanics.interpolated([0.0, 0.5, 1.0], [0.0, 1.0, 0.0])
     value, rate = spline.evaluate(time)
     np.testing.assert_allclose(value, [0.0, 0.0, 0.6875, 0.0, 0.0], rtol=0.0, atol=1e-15)  # natural ends; held beyond
     np.testing.assert_allclose(rate, [0.0, 3.0, 2.25, 0.0, 0.0], rtol=0.0, atol=1e-14)
-    lines = jn.mechanics.through([0.0, 0.5, 1.0], [0.0, 1.0, 0.0], smooth=False)
+    lines = jn.mechanics.interpolated([0.0, 0.5, 1.0], [0.0, 1.0, 0.0], smooth=False)
     assert lines.evaluate(np.array([0.25, 0.75]))[1].tolist() == [2.0, -2.0]
 
 

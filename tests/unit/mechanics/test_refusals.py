@@ -69,7 +69,7 @@ def test_masses(changed, text):
         ({"values": {"bob.mass": -2.0}}, "bob: not a mass; found '-2 kg'"),
         ({"values": {"gravity": NAN}}, "values: gravity: not a finite number"),
         ({"values": {"pivot.axis[1]": 0.0}}, "its mass matrix is not finite"),
-        ({"motions": {"go": jn.mechanics.held(0.0)}}, "motions: unknown track 'go'"),
+        ({"motions": {"go": jn.mechanics.constant(0.0)}}, "motions: unknown track 'go'"),
         ({"duration": 0.0}, "duration: not a duration; found '0 s'"),
         ({"duration": -1.0}, "duration: not a duration"),
         ({"duration": "3 kg"}, "duration: wrong unit"),
@@ -170,11 +170,11 @@ def test_motions_that_are_none():
     with refused("motions: go: not a motion; found '0.1'"):
         jn.simulate_mechanism(mechanism, 0.1, motions={"go": 0.1})
     with refused("motions: go: not a motion; found 'not a finite number'"):
-        jn.simulate_mechanism(mechanism, 0.1, motions={"go": jn.mechanics.steady(NAN)})
+        jn.simulate_mechanism(mechanism, 0.1, motions={"go": jn.mechanics.constant_rate(NAN)})
     with refused("two finite points or more, ascending in time"):
-        jn.mechanics.through([0.0, 1.0, 0.5], [0.0, 1.0, 2.0])
+        jn.mechanics.interpolated([0.0, 1.0, 0.5], [0.0, 1.0, 2.0])
     with refused("two finite points or more, ascending in time"):
-        jn.mechanics.through([0.0, 1.0], [0.0, NAN])
+        jn.mechanics.interpolated([0.0, 1.0], [0.0, NAN])
     with refused("not a motion; found 'from 1 s to 1 s'"):
         jn.mechanics.step(0.0, 1.0, 1.0, 1.0)
 
@@ -241,8 +241,8 @@ def test_loops_that_cannot_close_are_named():
 
 
 @pytest.mark.parametrize("redundant", ["refuse", "remove"])
-def test_dead_points_are_no_place_to_start(redundant):
-    with refused("C: the mechanism is at a dead point"):
+def test_singular_configurations_are_no_place_to_start(redundant):
+    with refused("C: the mechanism is in a singular configuration"):
         jn.simulate_mechanism(chain(FLAT, closing="point"), 0.1, redundant=redundant)
 
 
@@ -257,6 +257,6 @@ def test_two_motions_of_one_coordinate_are_named():
     place = mechanism.prismatic("slide", mechanism.ground, body, axis=Y)
     mechanism.motion("one", place, mechanism.track("a"))
     mechanism.motion("two", place, mechanism.track("b"))
-    still = jn.mechanics.held(0.0)
+    still = jn.mechanics.constant(0.0)
     with refused("one, two: redundant joints: they repeat each other; found '1 superfluous equation (one, two)'"):
         jn.simulate_mechanism(mechanism, 0.1, motions={"a": still, "b": still})

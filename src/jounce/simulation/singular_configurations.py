@@ -51,7 +51,7 @@ Begin = Callable[[Array, Array, float], Prepared]
 def run_through(
     begin: Begin, x: Array, times: Array, tolerance: float, tracks: list[Segments]
 ) -> tuple[Solution, tuple[float, ...]]:
-    """Run a mechanism with loops, through dead points where it gets through.
+    """Run a mechanism with loops, through singular configurations where it gets through.
 
     Parameters
     ----------
@@ -69,7 +69,7 @@ def run_through(
     Returns
     -------
     tuple
-        The run, and the times (s) about which it was taken through a dead point by other steps.
+        The run, and the times (s) about which it was taken through a singular configuration by other steps.
     """
     strict = not any(_has_kinks(track) for track in tracks)
     first = _judged(begin(x, times, tolerance), tolerance, strict=strict)
