@@ -22,7 +22,7 @@ from vehicle_rows import vehicle_rows
 
 import jounce as jn
 from jounce.core.segments import Segments, piecewise_linear
-from jounce.identify.update import FitTrial
+from jounce.identify.fit_problem import FitTrial
 from jounce.models import build
 from jounce.simulation.compiled import compile_model
 from jounce.simulation.run import prepare

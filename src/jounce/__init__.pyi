@@ -40,11 +40,11 @@ from .design.lumping import lumped_from as lumped_from
 from .design.model_comparison import compare_models as compare_models
 from .design.optimise import optimise as optimise
 from .design.pareto import pareto as pareto
-from .identify.damper_fit import fit_damper as fit_damper
+from .identify.damper import fit_damper as fit_damper
 from .identify.decay import fit_decay as fit_decay
+from .identify.fit_problem import FitTrial as FitTrial
 from .identify.force_deflection import ForceDeflectionTrial as ForceDeflectionTrial
 from .identify.stiffness import fit_stiffness as fit_stiffness
-from .identify.update import FitTrial as FitTrial
 from .identify.update import UpdatedParameter as UpdatedParameter
 from .identify.update import UpdateResult as UpdateResult
 from .identify.update import update_model as update_model

@@ -5,9 +5,7 @@ from importlib.resources import files
 import numpy as np
 import pytest
 
-from jounce.identify.damper_fit import damper_curve, fit_damper
-from jounce.identify.damper_laws import damper_law
-from jounce.identify.damper_motion import read_motion
+from jounce.identify.damper import damper_curve, damper_law, fit_damper, read_motion
 from jounce.identify.hysteresis_path import bouc_wen_path
 
 RECORDS = ("shaking_table_0v", "shaking_table_088v", "drive_a1")

@@ -9,8 +9,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from jounce.core.units import conversion_factor
-from jounce.identify.comparison import compare
-from jounce.identify.rating import iso18571
+from jounce.identify.comparison import compare, iso18571
 from jounce.recordings import (
     Sensor,
     band_limit,

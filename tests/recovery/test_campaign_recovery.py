@@ -5,9 +5,8 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import DescriptionError, FitError
-from jounce.identify.update.free import free_parameters
-from jounce.identify.update.optimise import minimise
-from jounce.identify.update.problem import UpdateProblem
+from jounce.identify.fit_problem import UpdateProblem, free_parameters
+from jounce.identify.update import minimise
 from jounce.recordings import Sensor, apply_sensors
 from jounce.roads import HalfSine
 

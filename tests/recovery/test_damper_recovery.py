@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from jounce.identify.damper_fit import fit_damper
+from jounce.identify.damper import fit_damper
 from jounce.identify.hysteresis_path import bouc_wen_path
 
 TIME = np.arange(0.0, 6.0, 0.01)

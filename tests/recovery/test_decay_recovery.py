@@ -5,8 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from jounce.identify.decay import fit_decay
-from jounce.identify.decay_response import DecayParameters, decay_response
+from jounce.identify.decay import DecayParameters, decay_response, fit_decay
 
 MASS, STIFFNESS = 16.0, 18362.0
 FREQUENCY = math.sqrt(STIFFNESS / MASS) / (2 * math.pi)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from jounce.identify.rating import iso18571
+from jounce.identify.comparison import iso18571
 
 T = np.arange(1200) / 10e3
 DECAY = np.exp(-20.0 * T) * np.sin(2.0 * np.pi * 60.0 * T)

@@ -14,11 +14,9 @@ from jounce.core.errors import JounceError, RecordingError
 from jounce.core.findings import Finding
 from jounce.core.units import to_si
 from jounce.design.lumping import lump
-from jounce.identify.combination import CombinedDecay, combine_decays
-from jounce.identify.decay import DecayResult, fit_decay
+from jounce.identify.decay import CombinedDecay, DecayResult, combine_decays, fit_decay
 from jounce.identify.force_deflection import ForceDeflectionTrial
-from jounce.identify.stiffness import StiffnessResult, fit_stiffness
-from jounce.identify.tyre_pressure import PressureStiffness, stiffness_against_pressure
+from jounce.identify.stiffness import PressureStiffness, StiffnessResult, fit_stiffness, stiffness_against_pressure
 from jounce.parts import Corner, Rig
 from jounce.parts.leverage import static_spring_force
 from jounce.recordings import channel_unit, read_columns, read_recording

@@ -18,7 +18,8 @@ from jounce.core.errors import DescriptionError, FitError, JounceError, unknown
 from jounce.core.findings import Finding
 from jounce.design.lumping import lumped_from
 from jounce.design.model_comparison import ModelComparison, PeakDifference, compare_models, compare_peaks
-from jounce.identify.update import FitTrial, check_free, update_model
+from jounce.identify.fit_problem import FitTrial, check_free
+from jounce.identify.update import update_model
 from jounce.parts import Corner, Rig, load, rig_findings, rig_path
 from jounce.parts.strut_angle import strut_angle_findings, with_strut_angle
 from jounce.recordings import read_recording

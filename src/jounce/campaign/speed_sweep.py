@@ -35,7 +35,7 @@ from jounce.campaign.validation import TrialComparison
 from jounce.core.errors import DescriptionError, FitError, SimulationError
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.identify.update.problem import FitTrial, Free, UpdateProblem
+from jounce.identify.fit_problem import FitTrial, Free, UpdateProblem
 from jounce.parts import Rig
 from jounce.parts.parameters import unknown_path
 from jounce.recordings.schema import recording

@@ -8,9 +8,8 @@ import numpy as np
 
 from jounce.core.findings import Finding
 from jounce.core.types import Array
-from jounce.identify.comparison import compare
-from jounce.identify.rating import iso18571
-from jounce.identify.update.problem import FitTrial, readings
+from jounce.identify.comparison import compare, iso18571
+from jounce.identify.fit_problem import FitTrial, readings
 from jounce.recordings import estimate_lag
 
 HOLDS, PARTLY, FAILS = "holds", "holds partly", "does not hold"

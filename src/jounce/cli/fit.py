@@ -26,8 +26,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from jounce.core.findings import Finding
-    from jounce.identify.combination import CombinedDecay
-    from jounce.identify.decay import DecayResult
+    from jounce.identify.decay import CombinedDecay, DecayResult
     from jounce.identify.stiffness import StiffnessResult
 
 app = typer.Typer(no_args_is_help=True, help="Find stiffness, damping and damper laws from measurements.")
@@ -104,8 +103,7 @@ def decay(
 
     Example: jounce fit decay decay_1.csv --channel sprung.z --mass "16 kg"
     """
-    from jounce.identify.combination import combine_decays
-    from jounce.identify.decay import fit_decay
+    from jounce.identify.decay import combine_decays, fit_decay
     from jounce.recordings import read_recording
 
     moving = positive_quantity(mass, "kg", "--mass")

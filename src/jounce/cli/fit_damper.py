@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from jounce.core.findings import Finding
-    from jounce.identify.damper_fit import DamperResult
+    from jounce.identify.damper import DamperResult
 
 
 def damper(
@@ -41,7 +41,7 @@ def damper(
     Example: jounce fit damper record.csv --law bouc-wen
     """
     from jounce.core.serialise import to_plain
-    from jounce.identify.damper_fit import fit_damper
+    from jounce.identify.damper import fit_damper
     from jounce.recordings import read_recording
 
     data, notes = read_recording(record, columns=columns(columns_), sample_time=sample_time, variable=variable)

@@ -15,7 +15,7 @@ from jounce.core.units import to_si
 from jounce.design.problem import DesignProblem, design_problem
 from jounce.design.search import search
 from jounce.design.text import springs_text
-from jounce.identify.update.free import Bounds
+from jounce.identify.fit_problem import Bounds
 from jounce.parts import QuarterCar, Rig
 from jounce.parts.elements import LinearDamper
 from jounce.parts.vehicles import FullCar3D, HalfCar, Vehicle

@@ -16,7 +16,7 @@ from jounce.design.metrics import StationaryEvaluator
 from jounce.design.problem import DesignProblem, LimitGiven, Objective, design_problem
 from jounce.design.search import Search, is_optimal, least_violation, search
 from jounce.design.text import optimisation_text
-from jounce.identify.update.free import Bounds
+from jounce.identify.fit_problem import Bounds
 from jounce.parts import Rig
 from jounce.parts.parameters import unit_of
 from jounce.ride.stationary import linear_findings

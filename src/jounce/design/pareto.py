@@ -18,7 +18,7 @@ from jounce.design.optimise import check_kept, driven_over
 from jounce.design.problem import DesignProblem, Limit, LimitGiven, design_problem
 from jounce.design.search import is_optimal, search
 from jounce.design.text import front_text
-from jounce.identify.update.free import Bounds
+from jounce.identify.fit_problem import Bounds
 from jounce.parts import Rig
 from jounce.parts.parameters import unit_of
 from jounce.ride.surface import Density

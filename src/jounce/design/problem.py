@@ -22,8 +22,7 @@ from jounce.design.metrics import (
     read_metric,
     units_of,
 )
-from jounce.identify.update.free import Bounds, free_parameters
-from jounce.identify.update.problem import Free
+from jounce.identify.fit_problem import Bounds, Free, free_parameters
 from jounce.parts import Rig
 from jounce.ride.family import LinearFamily
 from jounce.ride.surface import Surface, surface

@@ -1,15 +1,20 @@
-"""Two signals on the same instants in a handful of numbers: how far apart, how big, how late."""
+"""Two signals on the same instants compared: in a handful of numbers, and rated by ISO/TS 18571."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import ceil, floor
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.errors import FitError
+from jounce.core.findings import Finding
 from jounce.core.types import Array
-from jounce.recordings.alignment import estimate_lag
+from jounce.identify.warping import warping_path
+from jounce.recordings.alignment import correlation_coefficients, estimate_lag
+from jounce.recordings.filters import resample
 
 
 @dataclass(frozen=True)
@@ -140,3 +145,229 @@ def _sprague_geers(reference: Array, compared: Array) -> tuple[float, float]:
         return -1.0, float("nan")
     cosine = float(reference @ compared) / float(np.sqrt(mm) * np.sqrt(cc))
     return float(np.sqrt(cc / mm)) - 1.0, float(np.arccos(np.clip(cosine, -1.0, 1.0)) / np.pi)
+
+
+Grade = Literal["excellent", "good", "fair", "poor"]
+SAMPLE_RATE = 10_000.0
+INNER_CORRIDOR, OUTER_CORRIDOR, CORRIDOR_EXPONENT = 0.05, 0.5, 2
+LARGEST_SHIFT = 0.2
+WARPING_WINDOW, LARGEST_MAGNITUDE_ERROR, LARGEST_SLOPE_ERROR = 0.1, 0.5, 2.0
+WEIGHTS = (0.4, 0.2, 0.2, 0.2)
+SHORTEST = 12
+GRADES: tuple[tuple[float, Grade], ...] = ((0.94, "excellent"), (0.80, "good"), (0.58, "fair"))
+_TIE = 1e-12
+_NEARLY, _VALLEY = 0.01, 0.05
+
+
+@dataclass(frozen=True)
+class Rating:
+    """How well one signal reproduces another by ISO/TS 18571, each score from 0 (no match) to 1 (perfect).
+
+    Attributes
+    ----------
+    corridor : float
+        Share of agreement within corridors of 5 % and 50 % of the reference's largest absolute value.
+    phase : float
+        1 without a shift, 0 when the best shift reaches 20 % of the record.
+    magnitude : float
+        From the difference that is left after shift and time warping; 0 from an error of 50 %.
+    slope : float
+        From the difference of the smoothed slopes after the shift; 0 from an error of 200 %.
+    rating : float
+        0.4 corridor + 0.2 phase + 0.2 magnitude + 0.2 slope.
+    grade : {"excellent", "good", "fair", "poor"}
+        By ``rating``: above 0.94, above 0.80, above 0.58, or less.
+    shift : float
+        Best shift in s, positive when the compared signal comes later.
+    findings : tuple of Finding
+        What limits the rating, e.g. a sample rate below the 10 kHz of the standard.
+    """
+
+    corridor: float
+    phase: float
+    magnitude: float
+    slope: float
+    rating: float
+    grade: Grade
+    shift: float
+    findings: tuple[Finding, ...] = ()
+
+
+def iso18571(reference: ArrayLike, compared: ArrayLike, sample_rate: float, *, place: str = "rating") -> Rating:
+    """Rate a signal against a reference by ISO/TS 18571.
+
+    Parameters
+    ----------
+    reference : array_like, shape (n,)
+        The measured signal, any unit, at least 12 samples, not constant.
+    compared : array_like, shape (n,)
+        The simulated signal on the same instants, same unit.
+    sample_rate : float
+        Samples per second in Hz. The standard works at 10 kHz: other rates are resampled (cubic spline, band-limited
+        before a reduction), with a finding when they are lower.
+    place : str
+        Channel or trial named in findings and errors.
+
+    Returns
+    -------
+    Rating
+        Four scores, their weighted sum and its grade.
+
+    Raises
+    ------
+    FitError
+        For signals of different lengths, too few samples, values that are not finite, or a constant reference, for
+        which the standard defines no rating.
+
+    Notes
+    -----
+    Source: ISO/TS 18571:2014 with its default parameters. The rating is not symmetric: it is relative to the size of
+    ``reference``. A constant compared signal gets phase score 1, as no shift correlates better than none.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> t = np.arange(0.0, 0.5, 1e-4)
+    >>> bump = np.exp(-(((t - 0.2) / 0.03) ** 2))
+    >>> iso18571(bump, bump, 10e3).rating, iso18571(bump, 1.1 * bump, 10e3).grade
+    (1.0, 'excellent')
+    """
+    t, c = np.asarray(reference, dtype=float), np.asarray(compared, dtype=float)
+    _check_rated(t, c, sample_rate, place)
+    findings: tuple[Finding, ...] = ()
+    if abs(sample_rate - SAMPLE_RATE) > 1e-6 * SAMPLE_RATE:
+        findings = _rate_findings(sample_rate, place)
+        both = resample(np.arange(t.size) / sample_rate, np.stack((t, c), axis=1), SAMPLE_RATE)[1]
+        t, c = np.ascontiguousarray(both[:, 0]), np.ascontiguousarray(both[:, 1])
+    shift, rival = best_shift(t, c)
+    if rival is not None:
+        findings += (_ambiguity(shift, rival, place),)
+    shifted_t = t[: t.size - shift] if shift >= 0 else t[-shift:]
+    shifted_c = c[shift:] if shift >= 0 else c[:shift]
+    scores = (
+        corridor_score(t, c),
+        max(0.0, 1.0 - abs(shift) / (LARGEST_SHIFT * t.size)),
+        magnitude_score(shifted_t, shifted_c),
+        slope_score(shifted_t, shifted_c),
+    )
+    rating = float(sum(w * score for w, score in zip(WEIGHTS, scores, strict=True)))
+    return Rating(*scores, rating, grade_of(rating), shift / SAMPLE_RATE, findings)
+
+
+def _check_rated(reference: Array, compared: Array, sample_rate: float, place: str) -> None:
+    if reference.shape != compared.shape or reference.ndim != 1 or reference.size < SHORTEST:
+        raise FitError(
+            "the signals cannot be rated",
+            where=place,
+            found=f"shapes {reference.shape} and {compared.shape}",
+            allowed=f"two signals of the same length, at least {SHORTEST} samples",
+        )
+    if not (np.isfinite(reference).all() and np.isfinite(compared).all()):
+        raise FitError("a signal to be rated holds values that are not finite", where=place)
+    if not sample_rate > 0.0:
+        raise FitError("the sample rate is not positive", where=place, found=f"{sample_rate:g} Hz")
+    if np.ptp(reference) == 0.0:
+        raise FitError(
+            "the reference is constant, ISO/TS 18571 defines no rating for it", where=place, found=float(reference[0])
+        )
+
+
+def _rate_findings(sample_rate: float, place: str) -> tuple[Finding, ...]:
+    if sample_rate > SAMPLE_RATE:
+        return ()
+    text = f"recorded at {sample_rate:g} Hz, below the 10 kHz of ISO/TS 18571; resampled, so the rating is indicative"
+    return (Finding(place, "note", text, sample_rate),)
+
+
+def grade_of(rating: float) -> Grade:
+    """Give the grade of an overall rating (0 to 1) by the sliding scale of ISO/TS 18571."""
+    return next((grade for limit, grade in GRADES if rating > limit), "poor")
+
+
+def corridor_score(reference: Array, compared: Array) -> float:
+    """Give the corridor score: the mean over the samples of 1 inside, 0 outside, quadratic in between."""
+    size = float(np.abs(reference).max())
+    inner, outer = INNER_CORRIDOR * size, OUTER_CORRIDOR * size
+    share = np.clip((outer - np.abs(reference - compared)) / (outer - inner), 0.0, 1.0)
+    return float(np.mean(share**CORRIDOR_EXPONENT))
+
+
+def best_shift(reference: Array, compared: Array) -> tuple[int, int | None]:
+    """Find the shift in samples, at most 20 % either way, with the largest correlation coefficient.
+
+    Positive when ``compared`` comes later. Among equal correlations the smallest shift counts, then the positive one.
+    The coefficients of all shifts come from one Fourier transform; those near the largest are computed again directly.
+    The second number is a smaller shift that correlates almost as well, as in periodic signals, where there is one.
+    """
+    most = floor(reference.size * LARGEST_SHIFT)
+    roughly = correlation_coefficients(reference, compared, most)
+    near = np.flatnonzero(roughly >= roughly.max() - 1e-9) - most
+    order = near[np.lexsort((near < 0, np.abs(near)))]
+    best, largest = 0, _correlation(reference, compared, 0)
+    for shift in order.tolist():
+        value = _correlation(reference, compared, shift)
+        if value > largest + _TIE:
+            best, largest = shift, value
+    return best, _rival(roughly, best + most, most)
+
+
+def _rival(correlations: Array, best: int, middle: int) -> int | None:
+    """Smallest shift at a separate maximum that is nearly as high as the one at index ``best``."""
+    reach = abs(best - middle)
+    inner = correlations[middle - reach : middle + reach + 1]
+    if reach < 2:
+        return None
+    top = correlations[best]
+    peaks = np.flatnonzero((inner[1:-1] >= inner[:-2]) & (inner[1:-1] >= inner[2:]) & (inner[1:-1] > top - _NEARLY)) + 1
+    peaks += middle - reach
+    for index in peaks[np.argsort(np.abs(peaks - middle))].tolist():
+        between = correlations[min(index, best) : max(index, best) + 1]
+        if between.min() < top - _VALLEY:
+            return int(index - middle)
+    return None
+
+
+def _ambiguity(shift: int, rival: int, place: str) -> Finding:
+    text = (
+        f"the signals repeat: a shift of {rival / SAMPLE_RATE:g} s correlates nearly as well as the best one of "
+        f"{shift / SAMPLE_RATE:g} s; ISO/TS 18571 is for signals that do not, its phase score may be too low"
+    )
+    return Finding(place, "warning", text, rival / SAMPLE_RATE)
+
+
+def _correlation(reference: Array, compared: Array, shift: int) -> float:
+    t = reference[: reference.size - shift] if shift >= 0 else reference[-shift:]
+    c = compared[shift:] if shift >= 0 else compared[:shift]
+    t, c = t - t.mean(), c - c.mean()
+    size = float(np.sqrt((t @ t) * (c @ c)))
+    return float(t @ c) / size if size > 0.0 else -1.0
+
+
+def magnitude_score(reference: Array, compared: Array) -> float:
+    """Give the magnitude score of shifted signals: what differs after warping them onto each other in time."""
+    i, j = warping_path(compared, reference, ceil(WARPING_WINDOW * reference.size) - 1)
+    return _linear_score(compared[i] - reference[j], reference[j], LARGEST_MAGNITUDE_ERROR)
+
+
+def slope_score(reference: Array, compared: Array) -> float:
+    """Give the slope score of shifted signals: what differs between their derivatives, smoothed over 9 samples."""
+    slope_t, slope_c = _smooth_slope(reference), _smooth_slope(compared)
+    return _linear_score(slope_c - slope_t, slope_t, LARGEST_SLOPE_ERROR)
+
+
+def _linear_score(difference: Array, reference: Array, largest: float) -> float:
+    size, error = float(np.abs(reference).sum()), float(np.abs(difference).sum())
+    if error == 0.0:
+        return 1.0
+    return max(0.0, 1.0 - error / size / largest) if size > 0.0 else 0.0
+
+
+def _smooth_slope(values: Array) -> Array:
+    """Difference per sample, averaged over 9 neighbours; 7, 5, 3 and 1 towards both ends."""
+    slope = np.gradient(values)
+    smooth = np.empty_like(slope)
+    smooth[4:-4] = np.convolve(slope, np.full(9, 1.0 / 9.0), mode="valid")
+    for index in range(4):
+        smooth[index] = slope[: 2 * index + 1].mean()
+        smooth[-1 - index] = slope[-1 - 2 * index :].mean()
+    return smooth

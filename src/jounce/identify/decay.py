@@ -3,19 +3,569 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, Severity
 from jounce.core.types import Array
-from jounce.identify.decay_peaks import Peaks, find_peaks, find_release, noise_of, ratio_from_decrement
-from jounce.identify.decay_response import QUANTITIES, DecayParameters, Quantity, alternating
-from jounce.identify.decay_search import search_decay
-from jounce.identify.estimate import Estimate, at_least_zero
-from jounce.identify.regression import Uncertainty, linear_least_squares, r_squared
+from jounce.identify.estimate import (
+    Estimate,
+    Uncertainty,
+    at_least_zero,
+    combine,
+    linear_least_squares,
+    r_squared,
+    uncertainty,
+)
+
+Quantity = Literal["displacement", "velocity", "acceleration"]
+QUANTITIES: tuple[Quantity, ...] = ("displacement", "velocity", "acceleration")
+
+_MOST_HALF_CYCLES = 5000
+
+
+@dataclass(frozen=True)
+class DecayParameters:
+    """What a free decay of m x'' + c x' + F_c sign(x') + k (x - x_eq) = 0 depends on.
+
+    Attributes
+    ----------
+    angular_frequency : float
+        Undamped natural angular frequency sqrt(k/m) [rad/s].
+    damping_ratio : float
+        c / (2 sqrt(k m)) [1], below 1.
+    friction_deflection : float
+        x_k = F_c / k [m]: at rest within +-x_k of the equilibrium the mass stays where it is.
+    offset : float
+        Equilibrium x_eq of a displacement [m]; zero offset of a velocity [m/s] or acceleration [m/s^2] record.
+    release_time : float
+        Time of the turning point from which the decay is counted [s]; it may lie before the record.
+    release_deflection : float
+        Displacement from equilibrium at that turning point [m], signed.
+    """
+
+    angular_frequency: float
+    damping_ratio: float
+    friction_deflection: float
+    offset: float
+    release_time: float
+    release_deflection: float
+
+    @property
+    def half_cycle_ratio(self) -> float:
+        """What viscous damping alone leaves of an amplitude after half a cycle [1]."""
+        return math.exp(-math.pi * self.damping_ratio / math.sqrt(1.0 - self.damping_ratio**2))
+
+
+def turning_points(parameters: DecayParameters, count: int) -> Array:
+    """Give the displacement from equilibrium at successive turning points.
+
+    Parameters
+    ----------
+    parameters : DecayParameters
+        The system and its release.
+    count : int
+        Largest number of half cycles followed.
+
+    Returns
+    -------
+    array (n,)
+        Signed values [m], the release first; it ends where the mass sticks or after ``count`` half cycles.
+
+    Examples
+    --------
+    >>> k, m, c, friction = 18362.0, 16.0, 120.0, 15.0
+    >>> system = DecayParameters((k / m) ** 0.5, c / (2 * (k * m) ** 0.5), friction / k, 0.0, 0.0, 0.020)
+    >>> (1e3 * turning_points(system, 20)).round(4).tolist()
+    [20.0, -12.7024, 7.5594, -3.9349, 1.3805, 0.4197]
+    """
+    q = parameters.half_cycle_ratio
+    points = [parameters.release_deflection]
+    while len(points) <= count and abs(points[-1]) > parameters.friction_deflection and points[-1] != 0.0:
+        shifted = parameters.friction_deflection * math.copysign(1.0, points[-1])
+        points.append(shifted - q * (points[-1] - shifted))
+    return np.array(points)
+
+
+def alternating(away: Array) -> Array:
+    """Amplitudes of turning points given from equilibrium, up to the first that is not on its own side.
+
+    >>> alternating(np.array([-20.0, 12.0, -7.0, -1.0])).tolist()
+    [20.0, 12.0, 7.0]
+    """
+    turned = away * np.sign(away[0]) * (-1.0) ** np.arange(len(away))
+    wrong = np.flatnonzero(turned <= 0.0)
+    kept: Array = turned[: int(wrong[0]) if len(wrong) else len(turned)]
+    return kept
+
+
+def decay_response(time: Array, parameters: DecayParameters, quantity: Quantity) -> Array:
+    """Give the decay at given times.
+
+    Parameters
+    ----------
+    time : array (n,)
+        Times [s]. Before ``release_time`` the mass is held at the release.
+    parameters : DecayParameters
+        The system and its release.
+    quantity : {"displacement", "velocity", "acceleration"}
+        What is returned: m (absolute, offset included), m/s or m/s^2.
+
+    Returns
+    -------
+    array (n,)
+        The response; constant displacement and zero motion once the mass sticks.
+    """
+    omega, ratio = parameters.angular_frequency, parameters.damping_ratio
+    root = math.sqrt(1.0 - ratio * ratio)
+    damped = omega * root
+    since = time - parameters.release_time
+    halves = int(min(max(float(since.max()) * damped / math.pi, 0.0) + 2.0, _MOST_HALF_CYCLES))
+    points = turning_points(parameters, halves)
+    last = len(points) - 1
+    which = np.clip(np.floor(since * damped / math.pi), 0.0, last).astype(int)
+    start = points[which]
+    shifted = parameters.friction_deflection * np.sign(start)
+    moving = (since >= 0.0) & ((which < last) | (abs(points[last]) > parameters.friction_deflection))
+    local = np.where(moving, since - which * (math.pi / damped), 0.0)
+    fall = np.exp(-ratio * omega * local)
+    cosine, sine = np.cos(damped * local), np.sin(damped * local)
+    if quantity == "displacement":
+        position: Array = np.where(moving, shifted + (start - shifted) * fall * (cosine + ratio / root * sine), start)
+        return position + parameters.offset
+    if quantity == "velocity":
+        return np.where(moving, -(start - shifted) * fall * omega / root * sine, 0.0) + parameters.offset
+    shape = -(omega**2) * fall * (cosine - ratio / root * sine)
+    response: Array = np.where(moving, (start - shifted) * shape, 0.0) + parameters.offset
+    return response
+
+
+@dataclass(frozen=True)
+class Peaks:
+    """Successive turning points of a signal.
+
+    Attributes
+    ----------
+    time : array (n,)
+        When they occur [s], the first being the largest excursion.
+    value : array (n,)
+        Signal there, maxima and minima alternating, unit of the signal.
+    """
+
+    time: Array
+    value: Array
+
+    def half_period(self) -> float:
+        """Give the time from one turning point to the next [s]; the release is not one of them."""
+        gaps = np.diff(self.time)[1:]
+        return float(np.average(gaps, weights=np.abs(np.diff(self.value))[1:]))
+
+
+def noise_of(signal: Array) -> float:
+    """Give the standard deviation of the white noise in a smooth signal, unit of the signal.
+
+    Third differences remove the motion; their median absolute value is not disturbed by single jumps.
+
+    Examples
+    --------
+    >>> noise_of(np.sin(np.linspace(0.0, 6.0, 2000))) < 1e-6
+    True
+    """
+    return float(np.median(np.abs(np.diff(signal, 3))) / (0.6745 * math.sqrt(20.0)))
+
+
+def find_release(signal: Array, noise: float) -> int:
+    """Give the index at which the largest excursion is left: the end of a hold, or just past the first peak.
+
+    Parameters
+    ----------
+    signal : array (n,)
+        The record, any unit.
+    noise : float
+        Standard deviation of its noise, same unit.
+
+    Returns
+    -------
+    int
+        Index of the last sample within 2 % of the largest excursion from the final value (more when the noise is
+        larger) before the signal falls below 70 % of it.
+    """
+    tail = float(np.median(signal[-max(5, len(signal) // 10) :]))
+    away = np.abs(_smooth(signal, noise) - tail)
+    top = int(np.argmax(away))
+    fallen = np.flatnonzero(away[top:] < 0.7 * away[top])
+    end = top + (int(fallen[0]) if len(fallen) else len(signal) - top)
+    limit = float(away[top]) - max(0.02 * float(away[top]), 3.0 * noise)
+    return int(top + np.flatnonzero(away[top:end] >= limit)[-1])
+
+
+def _smooth(signal: Array, noise: float) -> Array:
+    """Average over a few samples when the noise exceeds 1 % of the range."""
+    share = noise / max(float(np.ptp(signal)), 1e-300)
+    width = int(np.clip(1 + 2 * round(100.0 * share), 1, max(1, len(signal) // 50)))
+    return _averaged(signal, width)
+
+
+def _averaged(signal: Array, width: int) -> Array:
+    """Moving average over an odd number of samples."""
+    if width < 3:
+        return signal
+    padded = np.pad(signal, width // 2, mode="edge")
+    return np.convolve(padded, np.ones(width) / width, mode="same")[width // 2 : width // 2 + len(signal)]
+
+
+def find_peaks(time: Array, signal: Array, noise: float) -> Peaks:
+    """Find the turning points of a decaying oscillation, both polarities, refined between samples by a parabola.
+
+    Parameters
+    ----------
+    time : array (n,)
+        Times from the release on [s].
+    signal : array (n,)
+        The record from the release on, any unit.
+    noise : float
+        Standard deviation of its noise, same unit. Reversals within the noise are not counted.
+
+    Returns
+    -------
+    Peaks
+        The release (first sample) and every following turning point.
+
+    Raises
+    ------
+    FitError
+        When the signal does not turn after the release: no oscillation to work on.
+    """
+    reach = float(np.ptp(signal))
+    coarse = zigzag(_smooth(signal, noise), max(12.0 * noise, 0.03 * reach))
+    half = _half_period(time, coarse)
+    width = max(1, round(half / 12.0 / float(np.median(np.diff(time)))))
+    smooth = _averaged(signal, width | 1)
+    turns = zigzag(smooth, max(8.0 * noise / math.sqrt(width), 2e-4 * reach))
+    turns = [0, *(turn for turn in turns[1:] if turn >= coarse[1] - width)]
+    refined = [(float(time[turns[0]]), float(smooth[turns[0]]))]
+    refined += [_parabola(time, signal, smooth, index, half) for index in turns[1:]]
+    if len(refined) == 2:  # the mass rests after its first swing back
+        refined.append((refined[1][0] + half, float(np.median(signal[-max(5, len(signal) // 4) :]))))
+    moments, values = np.array(refined).T
+    return Peaks(moments, values)
+
+
+def _half_period(time: Array, turns: list[int]) -> float:
+    """Half period [s] from coarse turning points; a refusal when there is no swing."""
+    if len(turns) < 2:
+        raise FitError(
+            "no oscillation to work on",
+            found="no turning point after the release",
+            allowed="at least 1",
+            hint="Damping near critical, friction that stops the first swing, or not a free decay.",
+        )
+    gaps = np.diff(time[turns])
+    return float(np.median(gaps[1:] if len(gaps) > 1 else gaps))
+
+
+def zigzag(signal: Array, threshold: float) -> list[int]:
+    """Give the indices of the first sample and of turning points.
+
+    Parameters
+    ----------
+    signal : array (n,)
+        Any unit.
+    threshold : float
+        A turning point counts when the signal comes back from it by more than this, unit of the signal.
+
+    Examples
+    --------
+    >>> zigzag(np.array([0.0, 3.0, 2.9, 3.1, 0.0, 1.0]), 0.5)
+    [0, 3, 4]
+    """
+    turns, extreme, direction = [0], 0, 0
+    for index in range(1, len(signal)):
+        step = signal[index] - signal[extreme]
+        if direction == 0:
+            if abs(step) > threshold:
+                direction, extreme = (1 if step > 0 else -1), index
+        elif step * direction > 0.0:
+            extreme = index
+        elif -step * direction > threshold:
+            turns.append(extreme)
+            direction, extreme = -direction, index
+    return turns
+
+
+def _parabola(time: Array, signal: Array, smooth: Array, index: int, half: float) -> tuple[float, float]:
+    near = np.abs(time - time[index]) <= half / 10.0
+    near[max(index - 1, 0) : index + 2] = True
+    local = time[near] - time[index]
+    if len(local) < 3:
+        return float(time[index]), float(smooth[index])
+    square, slope, level = np.polyfit(local, signal[near], 2)
+    shift = -slope / (2.0 * square) if square != 0.0 else 0.0
+    if abs(shift) > half / 8.0:
+        return float(time[index]), float(smooth[index])
+    return float(time[index] + shift), float(level + 0.5 * slope * shift)
+
+
+@dataclass(frozen=True)
+class PeakRegression:
+    """Viscous and dry damping from turning points.
+
+    Attributes
+    ----------
+    damping_ratio : float
+        [1].
+    friction_deflection : float
+        F_c / k, unit of the signal; negative when the peaks fall more slowly than any friction would allow.
+    equilibrium : float
+        Where the oscillation is centred, unit of the signal.
+    """
+
+    damping_ratio: float
+    friction_deflection: float
+    equilibrium: float
+
+
+def ratio_from_decrement(decrement: float) -> float:
+    """Give the damping ratio [1] that belongs to a logarithmic decrement per full cycle [1].
+
+    Examples
+    --------
+    >>> round(ratio_from_decrement(0.631484), 6)
+    0.1
+    """
+    return decrement / math.hypot(2.0 * math.pi, decrement)
+
+
+def regress_peaks(peaks: Peaks) -> PeakRegression:
+    """Separate viscous from dry damping by the recursion of turning points.
+
+    The swings D_i between neighbouring turning points obey |D_(i+1)| = q |D_i| - 2 x_k (1 + q) whatever the equilibrium
+    is; this gives q and the equilibrium. The amplitudes X_i about it then obey X_(i+1) = q X_i - x_k (1 + q), which is
+    fitted using only turning points on alternating sides (a mass about to stick turns twice on the same side).
+
+    Parameters
+    ----------
+    peaks : Peaks
+        At least three turning points.
+
+    Returns
+    -------
+    PeakRegression
+        From three turning points alone the friction is taken as zero.
+
+    Examples
+    --------
+    >>> x = np.array([20.0, -12.702389, 7.559395, -3.934868, 1.380481, 0.419723])
+    >>> found = regress_peaks(Peaks(np.arange(6.0), x + 5.0))
+    >>> [round(value, 4) for value in (found.damping_ratio, found.friction_deflection, found.equilibrium)]
+    [0.1107, 0.8169, 5.0]
+    """
+    swing = np.abs(np.diff(peaks.value))
+    if len(swing) < 3:
+        q = float(np.clip(swing[1] / swing[0], 1e-4, 0.9999))
+        return PeakRegression(_ratio_of(q), 0.0, _equilibrium(peaks, swing, q, 0.0))
+    q, intercept = np.polyfit(swing[:-1], swing[1:], 1, w=swing[:-1])
+    q = float(np.clip(q, 1e-4, 0.9999))
+    friction = -float(intercept) / (2.0 * (1.0 + q))
+    centre = _equilibrium(peaks, swing, q, friction)
+    positive = alternating(peaks.value - centre)
+    if len(positive) >= 4:
+        slope, level = np.polyfit(positive[:-1], positive[1:], 1)
+        if 0.0 < slope < 1.0:
+            q, friction = float(slope), -float(level) / (1.0 + float(slope))
+    return PeakRegression(_ratio_of(q), friction, centre)
+
+
+def _ratio_of(q: float) -> float:
+    """Damping ratio from the ratio of neighbouring amplitudes."""
+    return ratio_from_decrement(-2.0 * math.log(q))
+
+
+def _equilibrium(peaks: Peaks, swing: Array, q: float, friction: float) -> float:
+    side = np.sign(-np.diff(peaks.value))  # +1 where the swing starts above
+    amplitude = side * (friction + swing / (1.0 + q))
+    return float(np.average(peaks.value[:-1] - amplitude, weights=swing))
+
+
+def _start(peaks: Peaks, quantity: Quantity, ratio: float, friction: float, centre: float) -> Array:
+    """Parameters as a vector, from damping ratio and friction (unit of the record) of the turning points."""
+    ratio = float(np.clip(ratio, 0.002, 0.9))
+    damped = math.pi / peaks.half_period()
+    omega = damped / math.sqrt(1.0 - ratio**2)
+    top = float(peaks.value[0]) - centre
+    if quantity == "displacement":
+        return np.array([omega, ratio, friction, centre, float(peaks.time[0]) - 0.1 / omega, top])
+    if quantity == "velocity":
+        late = math.acos(ratio) / damped
+        factor = math.exp(-ratio * omega * late) * omega
+        deflection, begin = -top / factor, float(peaks.time[0]) - late
+    else:
+        factor, begin = omega**2, float(peaks.time[0]) - 0.1 / omega
+        deflection = -top / factor
+    shifted = friction / factor
+    return np.array([omega, ratio, shifted, centre, begin, deflection + shifted * math.copysign(1.0, deflection)])
+
+
+def _starts(peaks: Peaks, quantity: Quantity) -> list[Array]:
+    """Start vectors: the regression of the turning points, then all mixtures of viscous damping and dry friction."""
+    guess = regress_peaks(peaks)
+    swing = np.abs(np.diff(peaks.value))
+    naive = ratio_from_decrement(max(1e-3, 2.0 * math.log(swing[0] / swing[1])))
+    dry = float(swing[0] - swing[1]) / 4.0
+    centre = guess.equilibrium if quantity == "displacement" else 0.0
+    pairs = [(guess.damping_ratio, guess.friction_deflection)]
+    pairs += [((1.0 - share) * naive, share * dry) for share in (0.0, 0.25, 0.5, 0.75, 1.0)]
+    starts = [_start(peaks, quantity, ratio, friction, centre) for ratio, friction in pairs]
+    if quantity == "acceleration":  # its largest value may be just before a turning point: count from the one before
+        starts += [_one_half_earlier(start) for start in starts]
+    return starts
+
+
+def _early_end(peaks: Peaks) -> float:
+    """Time until which the swings are still above a fifth of the first, at least three half cycles [s]."""
+    swing = np.abs(np.diff(peaks.value))
+    small = np.flatnonzero(swing < 0.2 * swing[0])
+    index = max(3, int(small[0]) if len(small) else len(swing))
+    return float(peaks.time[min(index, len(swing))])
+
+
+def _along_the_valley(start: Array, share: float) -> Array:
+    """Exchange dry friction for viscous damping so that the mean loss of amplitude stays."""
+    change = share * max(abs(start[2]), 0.01 * abs(start[5]))
+    moved = start.copy()
+    moved[2] += change
+    moved[1] = np.clip(moved[1] - 4.0 * change / (math.pi * abs(start[5])), -0.15, 0.95)
+    return moved
+
+
+def _one_half_earlier(start: Array) -> Array:
+    omega, ratio, friction, offset, begin, deflection = start
+    root = math.sqrt(1.0 - ratio**2)
+    side = math.copysign(1.0, deflection)
+    before = -(deflection + side * friction) * math.exp(math.pi * ratio / root) - side * friction
+    return np.array([omega, ratio, friction, offset, begin - math.pi / (omega * root), before])
+
+
+def _unpack(values: Array) -> DecayParameters:
+    return DecayParameters(*(float(value) for value in values))
+
+
+def _fit(t: Array, signal: Array, starts: list[Array], quantity: Quantity) -> tuple[Array, Uncertainty, Array]:
+    """Nonlinear least squares from several starts; the best one's parameters, uncertainty and residual."""
+    reach = float(np.ptp(signal))
+    best = None
+    for start in starts:
+        found = _descend(t, signal / reach, start, quantity, reach)
+        if best is None or found[0].cost < best[0].cost * (1.0 - 1e-9):
+            best = found
+    assert best is not None
+    solution, scale = best
+    residual, jacobian = -reach * solution.fun, reach * solution.jac / scale
+    if quantity == "acceleration":
+        jacobian = jacobian * _off_jumps(t, _unpack(solution.x * scale))[:, None]
+    return solution.x * scale, uncertainty(jacobian, residual), residual
+
+
+def _off_jumps(t: Array, parameters: DecayParameters) -> Array:
+    """0 at samples next to a turning point, where friction makes the acceleration jump, 1 elsewhere."""
+    damped = parameters.angular_frequency * math.sqrt(1.0 - parameters.damping_ratio**2)
+    phase = (t - parameters.release_time) * damped / math.pi
+    return (np.abs(phase - np.round(phase)) > 0.6 * float(np.median(np.diff(phase)))).astype(float)
+
+
+def _descend(t: Array, target: Array, start: Array, quantity: Quantity, reach: float) -> tuple[Any, Array]:
+    """One descent in scaled parameters; SciPy's solution and the scales."""
+    from scipy.optimize import least_squares
+
+    size = abs(start[5])
+    scale = np.array([start[0], 0.1, 0.02 * size, reach, 1.0 / start[0], size])
+    low = np.array([0.3 * start[0], -0.2, -size, -np.inf, t[0] - 6.0 / start[0], -np.inf]) / scale
+    high = np.array([3.0 * start[0], 0.97, size, np.inf, t[0] + 3.0 / start[0], np.inf]) / scale
+
+    def misfit(scaled: Array) -> Array:
+        return decay_response(t, _unpack(scaled * scale), quantity) / reach - target
+
+    begin = np.clip(start / scale, low + 1e-9, high - 1e-9)
+    solution = least_squares(
+        misfit, begin, bounds=(low, high), jac="3-point", xtol=1e-11, ftol=1e-11, gtol=1e-11, max_nfev=60
+    )
+    return solution, scale
+
+
+def search_decay(
+    t: Array, signal: Array, peaks: Peaks, quantity: Quantity, name: str, findings: list[Finding]
+) -> tuple[DecayParameters, Uncertainty, Array]:
+    """Fit the response; leave the rest out when the mass does not rest where sliding friction would have stopped it.
+
+    Parameters
+    ----------
+    t, signal : array (n,)
+        Times [s] from the release on, and the record, unit of ``quantity``.
+    peaks : Peaks
+        Its turning points.
+    quantity : {"displacement", "velocity", "acceleration"}
+        What the record holds.
+    name : str
+        Place of findings.
+    findings : list of Finding
+        Extended when the rest was left out.
+
+    Returns
+    -------
+    parameters : DecayParameters
+        The best fit.
+    spread : Uncertainty
+        In the order of ``DecayParameters``.
+    residual : array (n,)
+        Measured minus fitted; NaN where the record was left out.
+    """
+    early = t <= _early_end(peaks)  # far from sticking the misfit has one minimum; each way of sticking has its own
+    starts = [_fit(t[early], signal[early], _starts(peaks, quantity), quantity)[0]]
+    starts += [_along_the_valley(starts[0], share) for share in (-0.15, -0.05, 0.05, 0.15)]
+    values, spread, residual = _fit(t, signal, starts, quantity)
+    rest = _at_rest(t, signal, peaks)
+    if quantity != "displacement" or np.count_nonzero(rest) < 10:
+        return _unpack(values), spread, residual
+    moving, (alone, alone_spread, alone_residual) = ~rest, _fit(t[~rest], signal[~rest], [starts[0], values], quantity)
+    gap, doubt = _rest_gap(t[rest], signal[rest], alone, alone_spread)
+    if abs(gap) < max(4.0 * doubt, 3.0 * float(alone_residual.std()), 0.05 * abs(alone[2])):
+        return _unpack(values), spread, residual
+    text = (
+        f"the mass comes to rest {1e3 * gap:.3g} mm from where sliding friction would have stopped it: the friction at "
+        "rest is another one; the rest was left out of the fit."
+    )
+    findings.append(Finding(name, "note", text, gap))
+    return _unpack(alone), alone_spread, np.where(moving, signal - decay_response(t, _unpack(alone), quantity), np.nan)
+
+
+def _at_rest(t: Array, signal: Array, peaks: Peaks) -> NDArray[np.bool_]:
+    """Mark the samples at the end during which nothing moves."""
+    tail = signal[-max(5, len(signal) // 20) :]
+    still = max(4.0 * float(tail.std()), 1e-3 * float(np.ptp(signal)))
+    left = np.flatnonzero(np.abs(signal - np.median(tail)) > still)
+    begin = int(left[-1]) + 1 if len(left) else 0
+    marks = np.arange(len(t)) >= begin
+    long_enough = t[-1] - t[min(begin, len(t) - 1)] > peaks.half_period()
+    return marks if long_enough else np.zeros(len(t), bool)
+
+
+def _rest_gap(t: Array, signal: Array, values: Array, spread: Uncertainty) -> tuple[float, float]:
+    """Mean distance of the rest from where the response ends, and the standard error of that end."""
+
+    def end(point: Array) -> float:
+        return float(decay_response(t, _unpack(point), "displacement").mean())
+
+    gradient = np.zeros(len(values))
+    for index, value in enumerate(values):
+        step = np.zeros(len(values))
+        step[index] = 1e-6 * max(abs(value), 1e-3 * abs(values[5]))
+        gradient[index] = (end(values + step) - end(values - step)) / (2.0 * step[index])
+    return float(signal.mean()) - end(values), spread.derived(0.0, gradient).standard_error or 0.0
 
 
 @dataclass(frozen=True)
@@ -130,7 +680,7 @@ def fit_decay(
 
     Examples
     --------
-    >>> from jounce.identify.decay_response import decay_response
+    >>> from jounce.identify.decay import decay_response
     >>> truth = DecayParameters(33.9, 0.11, 0.8e-3, 0.0, 0.2, 0.020)
     >>> t = np.arange(0.0, 2.0, 1e-3)
     >>> result = fit_decay(t, decay_response(t, truth, "displacement"), mass=16.0)
@@ -281,3 +831,89 @@ def _advice(result: DecayResult, spread: Uncertainty, step: float, stiffness: fl
         )
         add("warning", text, share)
     return findings
+
+
+@dataclass(frozen=True)
+class CombinedDecay:
+    """Damping from several decays of the same system.
+
+    Attributes
+    ----------
+    damping_ratio, damping_coefficient, coulomb_force, natural_frequency_hz, stiffness, logarithmic_decrement : Estimate
+        As in :class:`DecayResult`, over all runs; the intervals honour the scatter between runs.
+    equilibrium : Estimate or None
+        [m]; None when a run has none.
+    cycles : float
+        Sum over the runs [1].
+    runs : int
+        Number of decays.
+    findings : tuple of Finding
+        Those of the runs, and runs that contradict each other.
+    """
+
+    damping_ratio: Estimate
+    damping_coefficient: Estimate
+    coulomb_force: Estimate
+    natural_frequency_hz: Estimate
+    equilibrium: Estimate | None
+    stiffness: Estimate
+    logarithmic_decrement: Estimate
+    cycles: float
+    runs: int
+    findings: tuple[Finding, ...]
+
+
+def combine_decays(results: Sequence[DecayResult]) -> CombinedDecay:
+    """Combine several decays of the same system into one estimate per quantity.
+
+    Runs are weighted by their own variance plus the variance between runs (DerSimonian and Laird); the interval is that
+    of Hartung and Knapp with (runs - 1) degrees of freedom, never narrower than the runs' own errors allow.
+
+    Parameters
+    ----------
+    results : sequence of DecayResult
+        At least one.
+
+    Returns
+    -------
+    CombinedDecay
+        One run is passed on unchanged.
+
+    Raises
+    ------
+    FitError
+        For no results.
+    """
+    if not results:
+        raise FitError("no decays to combine", allowed="at least one")
+    names = (
+        "damping_ratio",
+        "damping_coefficient",
+        "coulomb_force",
+        "natural_frequency_hz",
+        "stiffness",
+        "logarithmic_decrement",
+    )
+    combined = {name: combine([getattr(result, name) for result in results]) for name in names}
+    for name in ("damping_ratio", "damping_coefficient", "coulomb_force"):
+        combined[name] = at_least_zero(combined[name])
+    centres = [result.equilibrium for result in results if result.equilibrium is not None]
+    findings = [finding for result in results for finding in result.findings]
+    frequencies = [result.natural_frequency_hz.value for result in results]
+    if np.ptp(frequencies) > 0.05 * float(np.mean(frequencies)):
+        findings.append(
+            Finding(
+                "decays",
+                "warning",
+                f"the natural frequencies of the runs differ from {min(frequencies):.4g} to "
+                f"{max(frequencies):.4g} Hz: was something changed between them?",
+                float(np.ptp(frequencies)),
+            )
+        )
+    return CombinedDecay(
+        **combined,
+        equilibrium=combine(centres) if len(centres) == len(results) else None,
+        cycles=float(sum(result.cycles for result in results)),
+        runs=len(results),
+        findings=tuple(findings),
+    )

@@ -1,9 +1,14 @@
-"""An estimated number with its uncertainty."""
+"""Estimated numbers with their uncertainty: least squares, replicates, independent estimates combined."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+
+import numpy as np
+
+from jounce.core.types import Array
 
 
 @dataclass(frozen=True)
@@ -122,3 +127,192 @@ def mean_of_replicates(values: list[float], *, value: float | None = None) -> Es
         return Estimate(mean if value is None else value)
     variance = sum((item - mean) ** 2 for item in values) / (count - 1)
     return estimate(mean if value is None else value, math.sqrt(variance / count), count - 1)
+
+
+def combine(estimates: Sequence[Estimate]) -> Estimate:
+    """Combine independent estimates of one quantity (random effects).
+
+    Parameters
+    ----------
+    estimates : sequence of Estimate
+        All in the same unit.
+
+    Returns
+    -------
+    Estimate
+        Weighted mean; without a standard error on every entry the plain mean and the scatter between entries.
+
+    Examples
+    --------
+    >>> combine([Estimate(1.0, 0.1), Estimate(3.0, 0.1)]).value
+    2.0
+    """
+    if len(estimates) == 1:
+        return estimates[0]
+    values = np.array([one.value for one in estimates])
+    errors = np.array([one.standard_error or 0.0 for one in estimates])
+    freedom = len(values) - 1
+    if np.any(errors <= 0.0):
+        return estimate(float(values.mean()), float(values.std(ddof=1)) / math.sqrt(len(values)), freedom)
+    weight = errors**-2.0
+    mean = float(np.average(values, weights=weight))
+    excess = float(weight @ (values - mean) ** 2) - freedom
+    between = max(0.0, excess / float(weight.sum() - (weight**2).sum() / weight.sum()))
+    weight = 1.0 / (errors**2 + between)
+    mean = float(np.average(values, weights=weight))
+    scatter = float(weight @ (values - mean) ** 2) / freedom
+    return estimate(mean, math.sqrt(max(scatter, 1.0) / float(weight.sum())), freedom)
+
+
+@dataclass(frozen=True)
+class Uncertainty:
+    """How well a least-squares fit knows its parameters.
+
+    Attributes
+    ----------
+    covariance : array (p, p)
+        Covariance of the parameters, products of their units.
+    degrees_of_freedom : float
+        Effective number of independent residuals less the number of parameters, at least 1 [1].
+    correlation_time : float
+        Samples that carry the information of one independent sample [1]; 1 for white residuals.
+    """
+
+    covariance: Array
+    degrees_of_freedom: float
+    correlation_time: float
+
+    def estimates(self, values: Array) -> tuple[Estimate, ...]:
+        """Give one estimate per parameter."""
+        errors = np.sqrt(np.maximum(np.diag(self.covariance), 0.0))
+        return tuple(estimate(float(v), float(e), self.degrees_of_freedom) for v, e in zip(values, errors, strict=True))
+
+    def derived(self, value: float, gradient: Array) -> Estimate:
+        """Give the estimate of a quantity computed from the parameters (first-order propagation)."""
+        if not np.all(np.isfinite(self.covariance)):
+            return Estimate(value)
+        variance = float(gradient @ self.covariance @ gradient)
+        return estimate(value, math.sqrt(max(variance, 0.0)), self.degrees_of_freedom)
+
+
+def correlation_time(residual: Array) -> float:
+    """Give the number of samples per independent residual (integrated autocorrelation, initial positive sequence).
+
+    Parameters
+    ----------
+    residual : array (n,)
+        Residuals in the order they were measured, any unit.
+
+    Returns
+    -------
+    float
+        1 for white residuals, larger for correlated ones [1].
+    """
+    count = len(residual)
+    centred = residual - residual.mean()
+    variance = float(centred @ centred)
+    if count < 8 or variance <= 0.0:
+        return 1.0
+    spectrum = np.abs(np.fft.rfft(centred, 2 * count)) ** 2
+    correlation = np.fft.irfft(spectrum)[:count] / variance
+    pairs = (
+        correlation[1 : count // 2 : 2][: (count // 2 - 1) // 2]
+        + correlation[2 : count // 2 : 2][: (count // 2 - 1) // 2]
+    )
+    negative = np.flatnonzero(pairs <= 2.0 / math.sqrt(count))
+    stop = int(negative[0]) if len(negative) else len(pairs)
+    return float(max(1.0, 1.0 + 2.0 * pairs[:stop].sum()))
+
+
+def uncertainty(jacobian: Array, residual: Array) -> Uncertainty:
+    """Give the parameter covariance of a least-squares fit, allowing for autocorrelated residuals.
+
+    White residuals give the classical covariance. Otherwise a Newey-West estimate on prewhitened scores is
+    used, never below the classical one parameter by parameter.
+
+    Parameters
+    ----------
+    jacobian : array (n, p)
+        Derivative of the model with respect to the parameters at the solution, model unit / parameter unit.
+    residual : array (n,)
+        Measured minus model, in the order of measurement, model unit.
+
+    Returns
+    -------
+    Uncertainty
+        Infinite variances where the data do not determine a parameter.
+
+    References
+    ----------
+    Newey and West (1987), Econometrica 55, 703-708; Andrews and Monahan (1992), Econometrica 60, 953-966.
+    """
+    count, parameters = jacobian.shape
+    scale = np.linalg.norm(jacobian, axis=0)
+    if count <= parameters or np.any(scale == 0.0):
+        return Uncertainty(np.full((parameters, parameters), np.inf), 1.0, 1.0)
+    scaled = jacobian / scale
+    inverse = np.linalg.pinv(scaled.T @ scaled, rcond=1e-14)
+    classical = inverse * float(residual @ residual) / (count - parameters)
+    time = correlation_time(residual)
+    covariance = classical
+    if time > 1.0:
+        covariance = _not_below(inverse @ _long_run(scaled * residual[:, None], time) @ inverse, classical)
+        covariance = covariance * count / max(count - parameters * time, 1.0)
+    freedom = max(count / time - parameters, 1.0)
+    return Uncertainty(covariance / np.outer(scale, scale), freedom, time)
+
+
+def _long_run(scores: Array, time: float) -> Array:
+    """Long-run sum of squares of the scores: Newey-West on scores prewhitened one by one, then recoloured."""
+    count = len(scores)
+    before, after = scores[:-1], scores[1:]
+    share = (before * after).sum(axis=0) / np.maximum((before**2).sum(axis=0), 1e-300)
+    share = np.clip(share + (1.0 + 3.0 * share) / count, 0.0, 0.97)
+    white = after - share * before
+    width = min(int(time) + 1, count // 2)
+    total: Array = white.T @ white
+    for lag in range(1, width + 1):
+        cross = white[lag:].T @ white[:-lag]
+        total = total + (1.0 - lag / (width + 1.0)) * (cross + cross.T)
+    return total * count / (count - 1) / np.outer(1.0 - share, 1.0 - share)
+
+
+def _not_below(covariance: Array, floor: Array) -> Array:
+    """Raise variances of ``covariance`` to those of ``floor``, keeping its correlations."""
+    variance = np.maximum(np.diag(covariance), 1e-300)
+    factor = np.sqrt(np.maximum(np.diag(floor) / variance, 1.0))
+    raised: Array = covariance * np.outer(factor, factor)
+    return raised
+
+
+def linear_least_squares(regressors: Array, target: Array) -> tuple[Array, Array, Uncertainty]:
+    """Fit ``target = regressors @ coefficients``.
+
+    Parameters
+    ----------
+    regressors : array (n, p)
+        One column per coefficient.
+    target : array (n,)
+        Measured values.
+
+    Returns
+    -------
+    coefficients : array (p,)
+        Target unit / regressor unit.
+    residual : array (n,)
+        Measured minus fitted.
+    uncertainty : Uncertainty
+        See :func:`uncertainty`.
+    """
+    scale = np.linalg.norm(regressors, axis=0)
+    scale = np.where(scale > 0.0, scale, 1.0)
+    coefficients = np.linalg.lstsq(regressors / scale, target, rcond=None)[0] / scale
+    residual = target - regressors @ coefficients
+    return coefficients, residual, uncertainty(regressors, residual)
+
+
+def r_squared(measured: Array, residual: Array) -> float:
+    """Give the share of the variance explained [1]; 0 when the measured values do not vary."""
+    spread = measured - measured.mean()
+    total = float(spread @ spread)
+    return 1.0 - float(residual @ residual) / total if total > 0.0 else 0.0

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
-from jounce.identify.regression import linear_least_squares
+from jounce.identify.estimate import linear_least_squares
 
 Branch = Literal["loading", "unloading", "both"]
 Zero = Literal["first-contact", "none"]

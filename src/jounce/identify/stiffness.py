@@ -1,17 +1,26 @@
-"""Stiffness from several force-deflection trials, with its uncertainty and its limits."""
+"""Stiffness from several force-deflection trials, with its uncertainty and its limits; tyres at several pressures."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding
 from jounce.core.types import Array
-from jounce.identify.estimate import Estimate, mean_of_replicates
+from jounce.identify.estimate import (
+    Estimate,
+    Uncertainty,
+    linear_least_squares,
+    mean_of_replicates,
+    r_squared,
+    uncertainty,
+)
 from jounce.identify.force_deflection import (
     Branch,
     ForceDeflectionTrial,
@@ -21,8 +30,206 @@ from jounce.identify.force_deflection import (
     renamed,
     seat,
 )
-from jounce.identify.regression import linear_least_squares, r_squared
-from jounce.identify.stiffness_curves import LAWS, CurveFit, FittedCurve, Law, fit_curve
+
+Law = Literal["linear", "polynomial", "power", "monotone-spline"]
+LAWS: tuple[Law, ...] = ("linear", "polynomial", "power", "monotone-spline")
+
+
+@dataclass(frozen=True)
+class FittedCurve:
+    """A force-deflection law as plain numbers that can be evaluated.
+
+    Attributes
+    ----------
+    kind : {"polynomial", "power", "table"}
+        ``polynomial``: F = preload + sum of coefficients[i] * x^(i+1); ``power``: F = a x^b with coefficients (a, b);
+        ``table``: monotone cubic (PCHIP) through ``deflection`` and ``force``.
+    coefficients : tuple of float
+        N/m, N/m^2, ...; or (a [N/m^b], b [1]); empty for a table.
+    deflection, force : tuple of float
+        Knots of a table [m], [N]; empty otherwise.
+    preload : float
+        Force at x = 0 [N]; only with ``intercept="keep"``.
+    origin : float
+        Deflection of the trials at which x = 0 [m]; not zero only with ``intercept="shift"``.
+    """
+
+    kind: Literal["polynomial", "power", "table"]
+    coefficients: tuple[float, ...] = ()
+    deflection: tuple[float, ...] = ()
+    force: tuple[float, ...] = ()
+    preload: float = 0.0
+    origin: float = 0.0
+
+    def __call__(self, deflection: ArrayLike) -> Array:
+        """Give the force [N] at deflections of the trials [m], same shape."""
+        x = np.asarray(deflection, float) - self.origin
+        if self.kind == "polynomial":
+            return np.asarray(self.preload + x * np.polynomial.polynomial.polyval(x, self.coefficients))
+        if self.kind == "power":
+            a, b = self.coefficients
+            return np.asarray(a * np.maximum(x, 0.0) ** b)
+        return np.asarray(self._spline()(x))
+
+    def tangent(self, deflection: ArrayLike) -> Array:
+        """Give dF/dx [N/m] at deflections of the trials [m], same shape."""
+        x = np.asarray(deflection, float) - self.origin
+        if self.kind == "polynomial":
+            powers = np.arange(1, len(self.coefficients) + 1)
+            return np.asarray(np.polynomial.polynomial.polyval(x, np.array(self.coefficients) * powers))
+        if self.kind == "power":
+            a, b = self.coefficients
+            return np.asarray(a * b * np.maximum(x, 1e-12) ** (b - 1.0))
+        return np.asarray(self._spline().derivative()(x))
+
+    def _spline(self) -> Any:
+        from scipy.interpolate import PchipInterpolator
+
+        return PchipInterpolator(self.deflection, self.force, extrapolate=True)
+
+    def deflection_at(self, force: float, limit: float) -> float | None:
+        """Find the deflection [m] in 0...``limit`` at which the curve reaches ``force`` [N]; None when it does not."""
+        grid = np.linspace(self.origin, max(limit, self.origin + 1e-9), 2001)
+        values = self(grid)
+        above = np.flatnonzero(values >= force)
+        if not len(above):
+            return None
+        index = int(above[0])
+        if index == 0:
+            return float(grid[0])
+        return float(np.interp(force, values[index - 1 : index + 1], grid[index - 1 : index + 1]))
+
+    def to_table(self, limit: float) -> dict[str, Any]:
+        """Give the curve as it is written in a rig file.
+
+        Parameters
+        ----------
+        limit : float
+            Largest deflection that a table made from a power law reaches [m].
+
+        Returns
+        -------
+        dict
+            ``{"kind": "polynomial", "coefficients": [...]}`` or ``{"kind": "table", "deflection": [...],
+            "force": [...]}`` in SI, from x = 0 on. A preload is not part of it: it has its own key in the rig.
+        """
+        if self.kind == "polynomial":
+            return {"kind": "polynomial", "coefficients": list(self.coefficients)}
+        if self.kind == "table":
+            return {"kind": "table", "deflection": list(self.deflection), "force": list(self.force)}
+        deflection = limit * np.linspace(0.0, 1.0, 41) ** 2
+        return {"kind": "table", "deflection": deflection.tolist(), "force": self(deflection).tolist()}
+
+
+@dataclass(frozen=True)
+class CurveFit:
+    """One fit of a law to points: parameters in the law's order, with the intercept last where there is one."""
+
+    curve: FittedCurve
+    parameters: Array
+    residual: Array
+    uncertainty: Uncertainty | None
+
+
+def fit_curve(deflection: Array, force: Array, *, law: Law, degree: int, intercept: str, where: str) -> CurveFit:
+    """Fit one law to one set of points (deflection [m], force [N], both (n,)); ``where`` names it in errors."""
+    needed = {"linear": 2, "polynomial": degree, "power": 2, "monotone-spline": 4}[law]
+    if len(np.unique(deflection)) <= needed:
+        raise FitError(
+            "fewer points than the law needs",
+            where=where,
+            found=f"{len(np.unique(deflection))} different deflections",
+            allowed=f"more than {needed} for law {law!r}",
+            hint="Discard less, lower the degree or take a simpler law.",
+        )
+    if law == "linear":
+        return _linear(deflection, force, intercept, where)
+    if law == "polynomial":
+        powers = np.arange(1, degree + 1)
+        found, residual, spread = linear_least_squares(deflection[:, None] ** powers, force)
+        return CurveFit(FittedCurve("polynomial", tuple(map(float, found))), found, residual, spread)
+    return _power(deflection, force, where) if law == "power" else _monotone(deflection, force)
+
+
+def _linear(deflection: Array, force: Array, intercept: str, where: str) -> CurveFit:
+    regressors = np.column_stack([deflection, np.ones_like(deflection)])
+    found, residual, spread = linear_least_squares(regressors, force)
+    slope, level = map(float, found)
+    if slope <= 0.0:
+        raise FitError(
+            "the force does not grow with the deflection",
+            where=where,
+            found=f"{slope:g} N/m",
+            hint="Check the columns and their signs.",
+        )
+    preload = level if intercept == "keep" else 0.0
+    origin = -level / slope if intercept == "shift" else 0.0
+    return CurveFit(FittedCurve("polynomial", (slope,), preload=preload, origin=origin), found, residual, spread)
+
+
+def _power(deflection: Array, force: Array, where: str) -> CurveFit:
+    from scipy.optimize import least_squares
+
+    use = (deflection > 0.0) & (force > 0.0)
+    if np.count_nonzero(use) < 3:
+        raise FitError("a power law needs at least three points with positive deflection and force", where=where)
+    reach, top = float(deflection[use].max()), float(force[use].max())
+    x, y = np.maximum(deflection, 0.0) / reach, force / top
+    exponent, level = np.polyfit(np.log(x[use]), np.log(y[use]), 1)
+    found = least_squares(
+        lambda p: p[0] * x ** p[1] - y, [np.exp(level), max(exponent, 0.05)], bounds=([0.0, 0.02], [np.inf, 20.0])
+    )
+    exponent = float(found.x[1])
+    scale = top / reach**exponent
+    a = float(found.x[0]) * scale
+    # d(a, b)/d(scaled a, b): a = scaled * top / reach^b
+    transform = np.array([[1.0 / scale, 0.0], [0.0, 1.0]])
+    jacobian = top * found.jac @ np.array([[1.0, found.x[0] * np.log(reach)], [0.0, 1.0]]) @ transform
+    residual = -top * found.fun
+    return CurveFit(
+        FittedCurve("power", (a, exponent)), np.array([a, exponent]), residual, uncertainty(jacobian, residual)
+    )
+
+
+def _monotone(deflection: Array, force: Array) -> CurveFit:
+    bins = int(np.clip(len(deflection) // 8, 3, 24))
+    edges = np.linspace(0.0, float(deflection.max()), bins + 1)
+    place = np.clip(np.digitize(deflection, edges) - 1, 0, bins - 1)
+    keep = [index for index in range(bins) if np.any(place == index)]
+    x = np.array([deflection[place == index].mean() for index in keep])
+    y = np.array([force[place == index].mean() for index in keep])
+    weight = np.array([np.count_nonzero(place == index) for index in keep], float)
+    end = np.array([float(deflection.max()), _end_force(deflection, force)])
+    x, y, weight = np.append(x, end[0]), np.append(y, end[1]), np.append(weight, 1.0)
+    positive = x > 1e-9 * end[0]
+    x, first = np.unique(x[positive], return_index=True)
+    y, weight = y[positive][first], weight[positive][first]
+    y = np.maximum(_increasing(y, weight), 0.0)
+    x, y = np.concatenate([[0.0], x]), np.concatenate([[0.0], y])
+    curve = FittedCurve("table", deflection=tuple(map(float, x)), force=tuple(map(float, y)))
+    return CurveFit(curve, y[1:], force - curve(deflection), None)
+
+
+def _end_force(deflection: Array, force: Array) -> float:
+    """Force at the largest deflection, from a line through the last tenth of the range."""
+    near = deflection >= 0.9 * deflection.max()
+    if np.ptp(deflection[near]) == 0.0:
+        return float(force[near].mean())
+    return float(np.polyval(np.polyfit(deflection[near], force[near], 1), deflection.max()))
+
+
+def _increasing(values: Array, weights: Array) -> Array:
+    """Nearest non-decreasing sequence in weighted least squares (pool adjacent violators)."""
+    blocks: list[list[float]] = []
+    for value, weight in zip(values, weights, strict=True):
+        blocks.append([float(value), float(weight), 1.0])
+        while len(blocks) > 1 and blocks[-2][0] > blocks[-1][0]:
+            value_b, weight_b, count_b = blocks.pop()
+            value_a, weight_a, count_a = blocks.pop()
+            total = weight_a + weight_b
+            blocks.append([(value_a * weight_a + value_b * weight_b) / total, total, count_a + count_b])
+    return np.concatenate([np.full(int(count), value) for value, _, count in blocks])
+
 
 Intercept = Literal["drop", "shift", "keep"]
 
@@ -444,4 +651,135 @@ def _coefficients(pooled: CurveFit, alone: list[CurveFit]) -> tuple[Estimate, ..
     return tuple(
         mean_of_replicates([float(fit.parameters[i]) for fit in alone], value=float(pooled.parameters[i]))
         for i in range(count)
+    )
+
+
+@dataclass(frozen=True)
+class PressureStiffness:
+    """Radial stiffness of a tyre measured at several pressures.
+
+    Attributes
+    ----------
+    pressures : tuple of float
+        Increasing inflation pressures [Pa].
+    stiffnesses : tuple of Estimate
+        Radial stiffness at each [N/m].
+    slope : float or None
+        dk/dp of the line through all points [N/m/Pa]; None for one pressure.
+    at_zero_pressure : float or None
+        Stiffness that line gives at no pressure: the carcass [N/m].
+    exponent : float or None
+        n of the power law k ~ p^n through all points [1]. Not 1: stiffness is not proportional to pressure.
+    findings : tuple of Finding
+        E.g. a stiffness that falls with the pressure.
+    """
+
+    pressures: tuple[float, ...]
+    stiffnesses: tuple[Estimate, ...]
+    slope: float | None
+    at_zero_pressure: float | None
+    exponent: float | None
+    findings: tuple[Finding, ...]
+
+    def at(self, pressure: float) -> tuple[Estimate, list[Finding]]:
+        """Interpolate the stiffness linearly between measured pressures.
+
+        Parameters
+        ----------
+        pressure : float
+            Inflation pressure [Pa], above 0.
+
+        Returns
+        -------
+        stiffness : Estimate
+            Radial stiffness [N/m]; its interval combines those of the two neighbouring pressures.
+        findings : list of Finding
+            A warning outside the measured pressures, where the nearest two are extended; with a single measured
+            pressure its stiffness is returned unchanged.
+
+        Raises
+        ------
+        FitError
+            For a pressure that is not a positive number.
+        """
+        if not (math.isfinite(pressure) and pressure > 0.0):
+            raise FitError("not an inflation pressure", found=f"{pressure} Pa", allowed="above 0 Pa")
+        p = np.array(self.pressures)
+        findings = [] if p[0] <= pressure <= p[-1] else [self._outside(pressure)]
+        if len(p) == 1:
+            return self.stiffnesses[0], findings
+        right = int(np.clip(np.searchsorted(p, pressure), 1, len(p) - 1))
+        share = float((pressure - p[right - 1]) / (p[right] - p[right - 1]))
+        return _blend(self.stiffnesses[right - 1], self.stiffnesses[right], share), findings
+
+    def _outside(self, pressure: float) -> Finding:
+        return Finding(
+            "tyre pressure",
+            "warning",
+            f"{pressure / 1e6:.3g} MPa lies outside the measured pressures ({self.pressures[0] / 1e6:.3g} to "
+            f"{self.pressures[-1] / 1e6:.3g} MPa): the stiffness is extrapolated; measure there.",
+            pressure,
+        )
+
+
+def _blend(low: Estimate, high: Estimate, share: float) -> Estimate:
+    value = (1.0 - share) * low.value + share * high.value
+    if low.standard_error is None or high.standard_error is None or low.interval is None or high.interval is None:
+        return Estimate(value)
+
+    def combined(a: float, b: float) -> float:
+        return math.hypot((1.0 - share) * a, share * b)
+
+    half = combined(low.value - low.interval[0], high.value - high.interval[0])
+    return Estimate(value, combined(low.standard_error, high.standard_error), (value - half, value + half))
+
+
+def stiffness_against_pressure(points: Sequence[tuple[float, Estimate]]) -> PressureStiffness:
+    """Collect the stiffnesses of one tyre at several pressures.
+
+    Parameters
+    ----------
+    points : sequence of (float, Estimate)
+        Inflation pressure [Pa] and radial stiffness [N/m], in any order, each pressure once.
+
+    Returns
+    -------
+    PressureStiffness
+        With the line and the power law through the points.
+
+    Raises
+    ------
+    FitError
+        No points, a pressure that is not positive or given twice, a stiffness that is not positive.
+
+    Examples
+    --------
+    >>> tyre = stiffness_against_pressure([(0.25e6, Estimate(125800.0)), (0.31e6, Estimate(138468.0))])
+    >>> round(tyre.slope, 5), round(tyre.exponent, 3), round(tyre.at(0.28e6)[0].value)
+    (0.21113, 0.446, 132134)
+    """
+    if not points:
+        raise FitError("no stiffness at any pressure", allowed="at least one pressure")
+    ordered = sorted(points, key=lambda point: point[0])
+    p, k = np.array([point[0] for point in ordered]), np.array([point[1].value for point in ordered])
+    if not (np.all(np.isfinite(p)) and p[0] > 0.0):
+        raise FitError("not an inflation pressure", found=f"{p[0]} Pa", allowed="above 0 Pa")
+    if np.any(np.diff(p) == 0.0):
+        raise FitError(
+            "a pressure is given twice", found=f"{p[np.argmin(np.diff(p))]:g} Pa", hint="Fit its trials together."
+        )
+    if not (np.all(np.isfinite(k)) and np.all(k > 0.0)):
+        raise FitError("a stiffness is not positive", found=f"{k.min():g} N/m", allowed="above 0 N/m")
+    line = np.polyfit(p, k, 1) if len(p) > 1 else None
+    exponent = float(np.polyfit(np.log(p), np.log(k), 1)[0]) if len(p) > 1 else None
+    findings: list[Finding] = []
+    if np.any(np.diff(k) < 0.0):
+        findings.append(Finding("tyre pressure", "warning", "the stiffness falls with rising pressure: files swapped?"))
+    return PressureStiffness(
+        tuple(map(float, p)),
+        tuple(point[1] for point in ordered),
+        float(line[0]) if line is not None else None,
+        float(line[1]) if line is not None else None,
+        exponent,
+        tuple(findings),
     )

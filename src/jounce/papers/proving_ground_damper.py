@@ -13,7 +13,7 @@ import numpy as np
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
-from jounce.identify.damper_fit import DamperCurve, DamperResult, LawName, damper_curve, fit_damper
+from jounce.identify.damper import DamperCurve, DamperResult, LawName, damper_curve, fit_damper
 from jounce.recordings import read_columns
 
 RECORDS = {"0 V": "shaking_table_0v.csv", "0.88 V": "shaking_table_088v.csv"}

@@ -16,8 +16,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from jounce.identify.force_deflection import Zero
-    from jounce.identify.stiffness import StiffnessResult
-    from jounce.identify.tyre_pressure import PressureStiffness
+    from jounce.identify.stiffness import PressureStiffness, StiffnessResult
 
 _MM = display_unit("m")
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.types import Array
-from jounce.identify.decay_response import QUANTITIES, alternating, decay_response, turning_points
+from jounce.identify.decay import QUANTITIES, alternating, decay_response, turning_points
 from jounce.plots.display import display_unit, quantity
 from jounce.plots.style import AFTER, MEASURED, MUTED, PALETTE, legend_above, new_figure, styled
 

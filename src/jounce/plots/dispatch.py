@@ -160,10 +160,9 @@ def _registered() -> Callable[..., Figure]:
 
 def _register_fits(draw: Any) -> None:
     """Estimates from measurements."""
-    from jounce.identify.damper_fit import DamperCurve
+    from jounce.identify.damper import DamperCurve
     from jounce.identify.decay import DecayResult
-    from jounce.identify.stiffness import StiffnessResult
-    from jounce.identify.tyre_pressure import PressureStiffness
+    from jounce.identify.stiffness import PressureStiffness, StiffnessResult
     from jounce.identify.update import UpdateResult
 
     def of_damper(result: DamperCurve, law: str = "fitted", **options: Any) -> Figure:

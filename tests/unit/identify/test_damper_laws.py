@@ -8,9 +8,7 @@ import pytest
 
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.serialise import to_json
-from jounce.identify.damper_fit import damper_curve, fit_damper
-from jounce.identify.damper_laws import damper_law
-from jounce.identify.damper_motion import read_motion
+from jounce.identify.damper import damper_curve, damper_law, fit_damper, read_motion
 from jounce.identify.hysteresis_path import bouc_wen_path
 
 TIME = np.arange(0.0, 6.0, 0.005)

@@ -7,10 +7,8 @@ import pytest
 
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.serialise import to_json
-from jounce.identify.combination import combine, combine_decays
-from jounce.identify.decay import fit_decay
-from jounce.identify.decay_response import DecayParameters, decay_response
-from jounce.identify.estimate import Estimate
+from jounce.identify.decay import DecayParameters, combine_decays, decay_response, fit_decay
+from jounce.identify.estimate import Estimate, combine
 
 MASS, STIFFNESS = 16.0, 18362.0
 TIME = np.arange(0.0, 2.0, 1e-3)

@@ -5,8 +5,16 @@ import math
 import numpy as np
 import pytest
 
-from jounce.identify.decay_peaks import Peaks, find_peaks, noise_of, ratio_from_decrement, regress_peaks
-from jounce.identify.decay_response import DecayParameters, decay_response, turning_points
+from jounce.identify.decay import (
+    DecayParameters,
+    Peaks,
+    decay_response,
+    find_peaks,
+    noise_of,
+    ratio_from_decrement,
+    regress_peaks,
+    turning_points,
+)
 
 MASS, STIFFNESS, DAMPING, FRICTION = 16.0, 18362.0, 120.0, 15.0
 # domain A6, verified there by integration; the last value is on the side of the one before it

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from jounce.core.errors import FitError
-from jounce.identify.rating import corridor_score, grade_of, iso18571, slope_score
+from jounce.identify.comparison import corridor_score, grade_of, iso18571, slope_score
 
 RATE = 10e3
 TIME = np.arange(3000) / RATE

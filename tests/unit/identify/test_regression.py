@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from jounce.identify.regression import correlation_time, linear_least_squares, r_squared
+from jounce.identify.estimate import correlation_time, linear_least_squares, r_squared
 
 
 def autoregressive(rng, count, share):

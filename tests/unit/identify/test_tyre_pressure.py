@@ -4,7 +4,7 @@ import pytest
 
 from jounce.core.errors import FitError
 from jounce.identify.estimate import Estimate
-from jounce.identify.tyre_pressure import stiffness_against_pressure
+from jounce.identify.stiffness import stiffness_against_pressure
 
 KART = [
     (0.31e6, Estimate(138468.0, 300.0, (137868.0, 139068.0))),

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.identify.update.problem import _from_rest
+from jounce.identify.fit_problem import _from_rest
 
 RIG = jn.load("kart-quarter-car")
 TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm", start="0.6 m"), speed="1.95 m/s", duration="1.5 s")

@@ -8,8 +8,7 @@ import pytest
 from jounce.campaign.description import TrialEntry
 from jounce.campaign.result import TrialResult
 from jounce.campaign.validation import ChannelComparison, Signals, TrialComparison
-from jounce.identify.update import UpdatedParameter, UpdateResult
-from jounce.identify.update.identifiability import Identifiability
+from jounce.identify.update import Identifiability, UpdatedParameter, UpdateResult
 
 
 def comparison(rating: float, grade: str, verdict: str, nrmse: float = 0.2) -> TrialComparison:

@@ -9,11 +9,248 @@ import numpy as np
 
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding
-from jounce.identify.update.free import free_parameters
-from jounce.identify.update.identifiability import Identifiability, correlation_of, identifiability
-from jounce.identify.update.optimise import Optimum, check_method, minimise_from_many
-from jounce.identify.update.problem import FitTrial, UpdateProblem
-from jounce.identify.update.uncertainty import robust_covariance
+from jounce.core.types import Array
+from jounce.identify.fit_problem import FitTrial, UpdateProblem, free_parameters
+
+_WEAK, _ALIKE = 1e-6, 0.98
+
+
+@dataclass(frozen=True)
+class Identifiability:
+    """Sensitivity of the data to each unknown, at the start values.
+
+    Attributes
+    ----------
+    parameters : tuple of str
+        Unknowns, in the order of the arrays.
+    sensitivity : tuple of float
+        Root mean square change of the weighted residuals for one scaled unit of each unknown.
+    singular_values : tuple of float
+        Of the scaled sensitivity matrix, descending.
+    rank : int
+        Number of directions the data can tell apart.
+    condition : float
+        Largest over smallest singular value.
+    correlation : tuple of tuple of float
+        Correlation of the estimates that the data allow.
+    findings : tuple of Finding
+        Parameters without influence and pairs that act alike.
+    """
+
+    parameters: tuple[str, ...]
+    sensitivity: tuple[float, ...]
+    singular_values: tuple[float, ...]
+    rank: int
+    condition: float
+    correlation: tuple[tuple[float, ...], ...]
+    findings: tuple[Finding, ...]
+
+
+def identifiability(jacobian: Array, names: tuple[str, ...]) -> Identifiability:
+    """Judge a sensitivity matrix.
+
+    Parameters
+    ----------
+    jacobian : ndarray, shape (n_samples, n_unknowns)
+        Derivatives of the residuals with respect to the scaled unknowns.
+    names : tuple of str
+        Unknowns.
+    """
+    norms = np.linalg.norm(jacobian, axis=0)
+    singular = np.linalg.svd(jacobian, compute_uv=False)
+    rank = int(np.sum(singular > _WEAK * singular[0])) if singular[0] > 0.0 else 0
+    correlation = correlation_of(np.asarray(np.linalg.pinv(jacobian.T @ jacobian, hermitian=True), dtype=float))
+    findings = [
+        Finding(name, "warning", "the data do not react to this parameter; fix it or measure something else", 0.0)
+        for name, norm in zip(names, norms, strict=True)
+        if norm <= _WEAK * norms.max()
+    ]
+    for i in range(len(names)):
+        for j in range(i):
+            if abs(correlation[i, j]) > _ALIKE:
+                text = f"cannot be told apart from {names[j]} with these data (correlation {correlation[i, j]:+.3f})"
+                findings.append(Finding(names[i], "warning", text, float(correlation[i, j])))
+    condition = float(singular[0] / singular[-1]) if singular[-1] > 0.0 else float("inf")
+    return Identifiability(
+        names,
+        tuple(float(norm) / np.sqrt(len(jacobian)) for norm in norms),
+        tuple(float(value) for value in singular),
+        rank,
+        condition,
+        tuple(tuple(float(value) for value in row) for row in correlation),
+        tuple(findings),
+    )
+
+
+def correlation_of(covariance: Array) -> Array:
+    """Correlation matrix of a covariance; rows without variance become zero."""
+    deviation = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        correlation = covariance / np.outer(deviation, deviation)
+    return np.asarray(np.nan_to_num(correlation, nan=0.0, posinf=0.0, neginf=0.0), dtype=float)
+
+
+METHODS = ("bfgs", "least-squares")
+_BOUND = 1.0 - 1e-6
+_SMALL_GAIN, _PERFECT = 1e-6, 1e-12
+
+
+@dataclass(frozen=True)
+class Optimum:
+    """Where an optimiser ended."""
+
+    scaled: Array
+    objective: float
+    iterations: int
+    evaluations: int
+    converged: bool
+
+
+def minimise(problem: UpdateProblem, start: Array, method: str) -> Optimum:
+    """Run one optimisation from ``start`` (scaled) within -1..+1."""
+    before = problem.evaluations
+    x, iterations = _METHODS[method](problem, start)
+    x = np.clip(x, -1.0, 1.0)
+    objective, _ = problem.objective(x)
+    return Optimum(x, objective, iterations, problem.evaluations - before, is_stationary(problem, x))
+
+
+def is_stationary(problem: UpdateProblem, x: Array) -> bool:
+    """Tell whether a Gauss-Newton step within the bounds would lower the objective by less than 1e-6 of it."""
+    residuals = problem.residuals(x)
+    gradient = residuals.jacobian.T @ residuals.vector
+    held = (np.abs(x) > 1.0 - 1e-5) & (gradient * x < 0.0)
+    if held.all():
+        return True
+    curvature = residuals.jacobian[:, ~held].T @ residuals.jacobian[:, ~held]
+    gain = gradient[~held] @ np.linalg.pinv(curvature, hermitian=True) @ gradient[~held]
+    objective = float(residuals.vector @ residuals.vector)
+    return bool(gain <= _SMALL_GAIN * objective or objective <= _PERFECT * problem.data_energy)
+
+
+def minimise_from_many(problem: UpdateProblem, start: Array, method: str, starts: int, seed: int) -> list[Optimum]:
+    """Run from ``start`` and from ``starts - 1`` Latin-hypercube points; best first."""
+    points = [start]
+    if starts > 1:
+        from scipy.stats import qmc
+
+        points += list(2.0 * qmc.LatinHypercube(problem.size, seed=seed).random(starts - 1) - 1.0)
+    return sorted((minimise(problem, point, method) for point in points), key=lambda optimum: optimum.objective)
+
+
+def _bfgs(problem: UpdateProblem, start: Array) -> tuple[Array, int]:
+    """L-BFGS-B: the paper's BFGS, with the bounds inside the method."""
+    from scipy.optimize import minimize
+
+    scale = max(problem.objective(start)[0], 1e-300)
+
+    def scaled_objective(x: Array) -> tuple[float, Array]:
+        value, gradient = problem.objective(x)
+        return value / scale, gradient / scale
+
+    result = minimize(
+        scaled_objective,
+        start,
+        jac=True,
+        method="L-BFGS-B",
+        bounds=[(-1.0, 1.0)] * problem.size,
+        options={"ftol": 1e-13, "gtol": 1e-12, "maxiter": 200, "maxcor": 20},
+    )
+    return result.x, int(result.nit)
+
+
+def _least_squares(problem: UpdateProblem, start: Array) -> tuple[Array, int]:
+    from scipy.optimize import least_squares
+
+    inside = np.clip(np.where(np.abs(start) < 1e-6, 0.0, start), -_BOUND, _BOUND)  # SciPy's first radius is |start|
+    result = least_squares(
+        lambda x: problem.residuals(x).vector,
+        inside,
+        jac=lambda x: problem.residuals(x).jacobian,
+        bounds=(-1.0, 1.0),
+        method="trf",
+        xtol=1e-12,
+        ftol=1e-12,
+        gtol=1e-12,
+        max_nfev=200,
+    )
+    return result.x, int(result.njev)
+
+
+_METHODS = {"bfgs": _bfgs, "least-squares": _least_squares}
+
+
+def check_method(method: str) -> None:
+    """Refuse an unknown method."""
+    if method not in METHODS:
+        raise FitError("unknown method", found=method, allowed=", ".join(METHODS))
+
+
+_SHARE = 20  # the level of the residuals is taken over this share of a record
+_LEAST = 1e-12  # of the largest level: what is smaller is rounding, where nothing moves
+_FEWEST = 25  # samples, at least
+_REACH = 3  # times the lag at which the residuals stop resembling each other
+
+
+def robust_covariance(vector: Array, jacobian: Array, blocks: tuple[slice, ...]) -> Array:
+    """Covariance of least-squares estimates under autocorrelated noise of changing level.
+
+    Sandwich ``(J'J)^-1 (J' G J) (J'J)^-1``: ``G`` is the covariance of the residuals, from their level (moving r.m.s.)
+    and their autocorrelation as far as it is significant, tapered by Bartlett weights [newey1987]. For white
+    residuals of constant level this is the classical covariance. The autocorrelation is that of the residuals, not of
+    the scores ``J r``: those sum to zero at the optimum, which makes intervals from them too short.
+
+    Parameters
+    ----------
+    vector : ndarray, shape (n,)
+        Residuals at the optimum.
+    jacobian : ndarray, shape (n, k)
+        Their derivatives.
+    blocks : tuple of slice
+        Rows of each channel of each trial; residuals of different blocks are taken as independent.
+
+    Returns
+    -------
+    ndarray, shape (k, k)
+        Covariance of the unknowns.
+    """
+    count, unknowns = jacobian.shape
+    bread = np.linalg.pinv(jacobian.T @ jacobian, hermitian=True)
+    meat = np.zeros((unknowns, unknowns))
+    for block in blocks:
+        level = _level(vector[block])
+        rows = jacobian[block] * level[:, None]
+        meat += rows.T @ rows
+        least = max(_LEAST * float(np.max(level, initial=0.0)), np.finfo(float).tiny)
+        correlation = _correlation(vector[block] / np.maximum(level, least))
+        for lag, weighted in enumerate(correlation, 1):
+            cross = rows[lag:].T @ rows[:-lag]
+            meat += weighted * (cross + cross.T)
+    return np.asarray(bread @ meat @ bread * (count / max(count - unknowns, 1)))
+
+
+def _level(residuals: Array) -> Array:
+    """Root mean square of the residuals around each sample."""
+    width = min(max(_FEWEST, len(residuals) // _SHARE), len(residuals))
+    summed = np.concatenate([[0.0], np.cumsum(residuals**2)])
+    first = np.clip(np.arange(len(residuals)) - width // 2, 0, len(residuals) - width)
+    return np.asarray(np.sqrt(np.maximum(summed[first + width] - summed[first], 0.0) / width))
+
+
+def _correlation(residuals: Array) -> Array:
+    """Tapered autocorrelation from lag 1 on; empty where the residuals are white."""
+    count = len(residuals)
+    energy = float(residuals @ residuals)
+    longest = count // 4
+    values = (
+        np.array([residuals[lag:] @ residuals[:-lag] / energy for lag in range(1, longest)])
+        if energy > 0.0
+        else np.zeros(0)
+    )
+    quiet = np.flatnonzero(np.abs(values) < 2.0 / np.sqrt(count))
+    end = int(quiet[0]) if len(quiet) else len(values)
+    reach = min(_REACH * end, len(values))
+    return np.asarray(values[:reach] * (1.0 - np.arange(1, reach + 1) / (reach + 1.0)))
 
 
 @dataclass(frozen=True)

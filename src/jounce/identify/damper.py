@@ -1,0 +1,794 @@
+"""Damper laws fitted to measured displacement, velocity and force."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from jounce.core.errors import FitError, unknown
+from jounce.core.findings import Finding, Severity
+from jounce.core.types import Array
+from jounce.identify.decay import zigzag
+from jounce.identify.estimate import Estimate, r_squared, uncertainty
+
+VelocityFrom = Literal["recorded", "displacement"]
+
+
+@dataclass(frozen=True)
+class DamperMotion:
+    """Displacement, velocity and force of a damper while it moves.
+
+    Attributes
+    ----------
+    time : array (n,)
+        [s].
+    displacement : array (n,)
+        From the middle of the stroke, compression positive [m].
+    velocity : array (n,)
+        Rate of the displacement [m/s].
+    force : array (n,)
+        Positive where it resists compression [N].
+    centre : float
+        Middle of the stroke in the record [m].
+    cycles : float
+        Number of cycles [1].
+    velocity_resolution : float
+        Smallest difference between two recorded velocities [m/s]; 0 when it is not quantised.
+    """
+
+    time: Array
+    displacement: Array
+    velocity: Array
+    force: Array
+    centre: float
+    cycles: float
+    velocity_resolution: float
+
+    @property
+    def stroke(self) -> float:
+        """Largest minus smallest displacement [m]."""
+        return float(np.ptp(self.displacement))
+
+    @property
+    def peak_velocity(self) -> float:
+        """Largest speed [m/s]."""
+        return float(np.abs(self.velocity).max())
+
+
+def read_motion(
+    displacement: ArrayLike,
+    velocity: ArrayLike | None,
+    force: ArrayLike,
+    time: ArrayLike,
+    *,
+    velocity_from: VelocityFrom = "recorded",
+    name: str = "damper",
+) -> tuple[DamperMotion, list[Finding]]:
+    """Check a damper record and cut off the rest at both ends.
+
+    Parameters
+    ----------
+    displacement, force, time : array (n,)
+        [m], [N], [s]; compression positive. A force that feeds energy in is turned round, with a finding.
+    velocity : array (n,) or None
+        [m/s]; None: the derivative of the displacement is used.
+    velocity_from : {"recorded", "displacement"}
+        ``"displacement"``: use the central difference of the displacement though a velocity was recorded.
+    name : str
+        File or channel, used in messages.
+
+    Returns
+    -------
+    DamperMotion
+        The moving part.
+    findings : list of Finding
+        Doubts about the record.
+
+    Raises
+    ------
+    FitError
+        Unequal lengths, fewer than 50 samples, NaN, time that does not increase, no motion, less than one cycle.
+    """
+    if velocity_from not in ("recorded", "displacement"):
+        raise unknown(str(velocity_from), ("recorded", "displacement"), what="velocity_from", where=name)
+    columns = {"displacement": displacement, "velocity": velocity, "force": force, "time": time}
+    arrays = {key: np.asarray(value, float) for key, value in columns.items() if value is not None}
+    _check(arrays, name)
+    findings: list[Finding] = []
+    x, f, t = arrays["displacement"], arrays["force"], arrays["time"]
+    derivative = np.asarray(np.gradient(x, t))
+    resolution = 0.0
+    if "velocity" in arrays:
+        resolution = _check_velocity(arrays["velocity"], derivative, t, velocity_from, name, findings)
+    else:
+        findings.append(Finding(name, "note", "no velocity was given: the derivative of the displacement is used."))
+    v = arrays["velocity"] if "velocity" in arrays and velocity_from == "recorded" else derivative
+    first, last = _moving_part(x, name, findings)
+    x, v, f, t = x[first:last], v[first:last], f[first:last], t[first:last]
+    cycles = _cycles(x)
+    if cycles < 0.95:
+        raise FitError("less than one cycle of motion", where=name, found=f"{cycles:g} cycles", allowed="at least 1")
+    if float(np.trapezoid(f * v, t)) < 0.0:
+        f = -f
+        text = "the force feeds energy into the motion: it was recorded with the other sign and was turned."
+        findings.append(Finding(name, "warning", text))
+    centre = 0.5 * float(x.max() + x.min())
+    return DamperMotion(t, x - centre, v, f, centre, cycles, resolution), findings
+
+
+def _check(arrays: dict[str, Array], name: str) -> None:
+    lengths = {key: value.shape for key, value in arrays.items()}
+    if len(set(lengths.values())) > 1 or any(value.ndim != 1 for value in arrays.values()):
+        raise FitError("the columns are not of the same length", where=name, found=str(lengths))
+    if len(arrays["time"]) < 50:
+        raise FitError("too few samples", where=name, found=len(arrays["time"]), allowed="at least 50")
+    for key, value in arrays.items():
+        bad = np.flatnonzero(~np.isfinite(value))
+        if len(bad):
+            raise FitError("a value is missing or not finite", where=name, found=f"{key}, sample {bad[0] + 1}")
+    if np.any(np.diff(arrays["time"]) <= 0.0):
+        place = int(np.argmax(np.diff(arrays["time"]) <= 0.0)) + 2
+        raise FitError("the time does not increase", where=name, found=f"sample {place}")
+    if np.ptp(arrays["displacement"]) == 0.0 or np.ptp(arrays["force"]) == 0.0:
+        raise FitError("displacement or force never changes", where=name, hint="Are these the right columns?")
+
+
+def _check_velocity(
+    velocity: Array, derivative: Array, time: Array, source: str, name: str, findings: list[Finding]
+) -> float:
+    """Compare the recorded velocity with the derivative of the displacement; give its resolution [m/s]."""
+    power = float(derivative @ derivative)
+    gain = float(velocity @ derivative) / power
+    slope = np.gradient(derivative, time)
+    delay = -float((velocity - derivative) @ slope) / float(slope @ slope)
+    step = float(np.median(np.diff(time)))
+    if abs(gain - 1.0) > 0.05:
+        text = f"the recorded velocity is {gain:.3g} times the derivative of the displacement: check units and signs."
+        findings.append(Finding(name, "problem", text, gain))
+    elif abs(delay) > 0.2 * step and source == "recorded":
+        text = (
+            f"the recorded velocity is {1e3 * delay:.3g} ms ({delay / step:.2f} samples) behind the displacement, "
+            "as a backward difference is; compare with velocity_from='displacement', a central difference."
+        )
+        findings.append(Finding(name, "warning", text, delay))
+    values = np.unique(np.round(velocity, 9))
+    gaps = np.diff(values)
+    gaps = gaps[gaps > 1e-9 * max(float(np.abs(values).max()), 1e-12)]
+    resolution = float(np.median(gaps)) if len(gaps) and len(values) < 0.5 * len(velocity) else 0.0
+    if resolution > 1e-3 * float(np.abs(values).max()):
+        text = (
+            f"the velocity is recorded in steps of {1e3 * resolution:.3g} mm/s: what happens below a few of them is "
+            "not resolved."
+        )
+        findings.append(Finding(name, "note", text, resolution))
+    return resolution
+
+
+def _moving_part(displacement: Array, name: str, findings: list[Finding]) -> tuple[int, int]:
+    """First and last sample of the motion; short rests at the ends are kept."""
+    still = 2e-3 * float(np.ptp(displacement))
+    away = np.flatnonzero(np.abs(displacement - displacement[0]) > still)
+    back = np.flatnonzero(np.abs(displacement - displacement[-1]) > still)
+    first, last = max(int(away[0]) - 1, 0), min(int(back[-1]) + 2, len(displacement))
+    first = first if first > 5 else 0
+    last = last if len(displacement) - last > 5 else len(displacement)
+    left_out = first + len(displacement) - last
+    if left_out:
+        text = f"{left_out} samples at rest at the ends were left out: a force at rest belongs to no velocity."
+        findings.append(Finding(name, "note", text, float(left_out)))
+    return first, last
+
+
+def _cycles(displacement: Array) -> float:
+    """Number of cycles: half the crossings of the middle, or the way over twice the stroke where that is more."""
+    stroke = float(np.ptp(displacement))
+    side = displacement - 0.5 * float(displacement.max() + displacement.min())
+    clear = np.sign(side[np.abs(side) > 0.1 * stroke])
+    turns = displacement[[*zigzag(displacement, 0.05 * stroke), len(displacement) - 1]]
+    way = float(np.abs(np.diff(turns)).sum())
+    return max(0.5 * float(np.count_nonzero(np.diff(clear))), way / (2.0 * stroke))
+
+
+LAWS = ("linear", "bilinear", "polynomial", "tanh-hysteretic", "bouc-wen")
+
+
+@dataclass(frozen=True)
+class DamperLaw:
+    """A force law F = sum of weights * columns(displacement, velocity, shapes).
+
+    Attributes
+    ----------
+    name : str
+        One of :data:`LAWS`.
+    weights : tuple of (str, str)
+        Names and units of the factors of the columns.
+    shapes : tuple of (str, str)
+        Names and units of the parameters that change the columns; all but ``displacement_coupling`` are searched
+        logarithmically.
+    columns : callable
+        ``(displacement (n,) [m], velocity (n,) [m/s], shapes (s,)) -> (n, w)``.
+    starts : array (m, s)
+        Shapes to start the search from.
+    bounds : (array (s,), array (s,))
+        Smallest and largest shapes.
+    not_negative : tuple of str
+        Weights that cannot be negative.
+    remembers : bool
+        Whether the force depends on the way before, so that the first swing only sets the state.
+    table : callable
+        Parameters by name -> damper table as written in a rig file.
+    """
+
+    name: str
+    weights: tuple[tuple[str, str], ...]
+    shapes: tuple[tuple[str, str], ...]
+    columns: Callable[[Array, Array, Array], Array]
+    starts: Array
+    bounds: tuple[Array, Array]
+    not_negative: tuple[str, ...]
+    remembers: bool
+    table: Callable[[Mapping[str, float]], dict[str, Any]]
+
+
+_NONE = np.zeros((1, 0))
+_UNBOUND = (np.zeros(0), np.zeros(0))
+
+
+def damper_law(
+    name: str, motion: DamperMotion, *, degree: int = 3, odd: bool = False, friction: bool = False
+) -> DamperLaw:
+    """Make a law ready for a motion.
+
+    Parameters
+    ----------
+    name : {"linear", "bilinear", "polynomial", "tanh-hysteretic", "bouc-wen"}
+        Which law.
+    motion : DamperMotion
+        Sets scales: start values, range of the table, velocity at which dry friction is regularised.
+    degree : int
+        Degree of the polynomial [1], 1 to 9.
+    odd : bool
+        Polynomial with odd powers only.
+    friction : bool
+        Linear, bilinear and polynomial laws: add dry friction F_c tanh(v / v_r).
+
+    Returns
+    -------
+    DamperLaw
+        Parameters in SI.
+
+    Raises
+    ------
+    DescriptionError
+        An unknown law.
+    FitError
+        A degree out of range, or friction asked of a law that has it already.
+    """
+    if name not in LAWS:
+        raise unknown(str(name), LAWS, what="damper law")
+    if name in ("tanh-hysteretic", "bouc-wen"):
+        if friction:
+            raise FitError(f"the law {name!r} contains dry friction already", allowed="friction only with F(v) laws")
+        return _tanh(motion) if name == "tanh-hysteretic" else _bouc_wen(motion)
+    if name == "polynomial" and not 1 <= degree <= 9:
+        raise FitError("unusable degree of the polynomial", found=degree, allowed="1 to 9")
+    return _velocity_law(name, motion, degree, odd, friction)
+
+
+def regularisation_velocity(motion: DamperMotion) -> float:
+    """Speed below which dry friction is smoothed [m/s]: 1 % of the peak, or two steps of the record if larger."""
+    return max(0.01 * motion.peak_velocity, 2.0 * motion.velocity_resolution)
+
+
+def _velocity_law(name: str, motion: DamperMotion, degree: int, odd: bool, friction: bool) -> DamperLaw:
+    powers = [1] if name == "linear" else [p for p in range(1, degree + 1) if p % 2 or not odd]
+    slow = regularisation_velocity(motion)
+    extra = (("friction_force", "N"),) if friction else ()
+    names: tuple[tuple[str, str], ...]
+    if name == "bilinear":
+        names = (("bump_coefficient", "N*s/m"), ("rebound_coefficient", "N*s/m"))
+    elif name == "linear":
+        names = (("coefficient", "N*s/m"),)
+    else:
+        names = tuple((f"a{p}", f"N*(s/m)^{p}") for p in powers)
+
+    def columns(_x: Array, v: Array, _shapes: Array) -> Array:
+        parts = [np.maximum(v, 0.0), np.minimum(v, 0.0)] if name == "bilinear" else [v**p for p in powers]
+        parts += [np.tanh(v / slow)] if friction else []
+        return np.column_stack([*parts, np.ones_like(v)])
+
+    def table(values: Mapping[str, float]) -> dict[str, Any]:
+        if name == "linear":
+            return {"coefficient": values["coefficient"]}
+        if name == "bilinear":
+            return {key: values[key] for key in ("bump_coefficient", "rebound_coefficient")}
+        speed = np.linspace(float(motion.velocity.min()), float(motion.velocity.max()), 41)
+        speed = np.unique(np.append(speed, 0.0))
+        force = sum(values[f"a{p}"] * speed**p for p in powers)
+        return {"velocity": speed.tolist(), "force": np.asarray(force).tolist()}
+
+    flags = ("friction_force",) if friction else ()
+    return DamperLaw(name, (*names, *extra, ("offset", "N")), (), columns, _NONE, _UNBOUND, flags, False, table)
+
+
+def _tanh(motion: DamperMotion) -> DamperLaw:
+    def columns(x: Array, v: Array, shapes: Array) -> Array:
+        slope, coupling = shapes
+        return np.column_stack([v, x, np.tanh(slope * (v + coupling * x)), np.ones_like(v)])
+
+    def table(values: Mapping[str, float]) -> dict[str, Any]:
+        keys = ("coefficient", "stiffness", "force", "slope", "displacement_coupling", "offset")
+        return {"kind": "tanh", **{key: values[key] for key in keys}}
+
+    speed, reach = motion.peak_velocity, 0.5 * motion.stroke
+    couplings = np.array([-0.3, -0.1, 0.0, 0.1, 0.3]) * speed / reach
+    starts = np.array([[slope / speed, coupling] for slope in (1.5, 5.0, 15.0, 50.0) for coupling in couplings])
+    limit = 10.0 * speed / reach
+    finest = 0.5 / max(motion.velocity_resolution, 1e-3 * speed)
+    return DamperLaw(
+        "tanh-hysteretic",
+        (("coefficient", "N*s/m"), ("stiffness", "N/m"), ("force", "N"), ("offset", "N")),
+        (("slope", "s/m"), ("displacement_coupling", "1/s")),
+        columns,
+        starts,
+        (np.array([0.2 / speed, -limit]), np.array([max(finest, 100.0 / speed), limit])),
+        ("coefficient", "force"),
+        False,
+        table,
+    )
+
+
+def _bouc_wen(motion: DamperMotion) -> DamperLaw:
+    from jounce.identify.hysteresis_path import bouc_wen_path
+
+    def columns(x: Array, v: Array, shapes: Array) -> Array:
+        rate, sigma, exponent = (float(shape) for shape in shapes)
+        side = np.sign(x[np.argmax(np.abs(x - x[0]) > 0.05 * np.ptp(x))] - x[0])
+        state = bouc_wen_path(np.ascontiguousarray(x), rate, sigma, exponent, -float(side))
+        return np.column_stack([v, x, state, np.ones_like(v)])
+
+    def table(values: Mapping[str, float]) -> dict[str, Any]:
+        keys = ("coefficient", "stiffness", "hysteretic_force", "rate", "sigma", "exponent", "offset")
+        return {"kind": "bouc-wen", **{key: values[key] for key in keys}}
+
+    rates = np.array([4.0, 20.0, 100.0, 500.0]) / motion.stroke
+    starts = np.array([[r, sigma, n] for r in rates for sigma in (0.6, 2.0, 20.0) for n in (1.1, 2.0)])
+    return DamperLaw(
+        "bouc-wen",
+        (("coefficient", "N*s/m"), ("stiffness", "N/m"), ("hysteretic_force", "N"), ("offset", "N")),
+        (("rate", "1/m"), ("sigma", "1"), ("exponent", "1")),
+        columns,
+        starts,
+        (np.array([0.3 / motion.stroke, 0.5, 1.0]), np.array([1e4 / motion.stroke, 1e3, 10.0])),
+        ("coefficient", "hysteretic_force"),
+        True,
+        table,
+    )
+
+
+LawName = Literal["linear", "bilinear", "polynomial", "tanh-hysteretic", "bouc-wen"]
+
+
+@dataclass(frozen=True)
+class DamperResult:
+    """A damper law found from a record.
+
+    Attributes
+    ----------
+    law : str
+        Name of the law.
+    parameters : dict of str to Estimate
+        By name, SI; the standard errors allow for autocorrelated residuals. Without interval: at a bound.
+    units : dict of str to str
+        Unit of each parameter.
+    nrmse : float
+        Root mean square of measured minus fitted force, over the range (largest minus smallest) of the force [1].
+    r2 : float
+        Share of the variance of the force explained [1].
+    rms_residual : float
+        [N].
+    energy_per_cycle, fitted_energy_per_cycle : float
+        Work done on the damper per cycle, measured and by the law [J].
+    cycles : float
+        Cycles fitted [1].
+    samples : int
+        Samples fitted [1].
+    displacement_centre : float
+        Middle of the stroke in the record [m]: displacement in the law is counted from there.
+    damper : dict
+        Table to write under ``strut.damper`` in a rig, SI, bump positive. F(v) laws leave the offset out: it is a
+        static force and belongs to the preload.
+    friction : dict or None
+        Table to write under ``strut.friction``; None when the law has none.
+    findings : tuple of Finding
+        Doubts about record and law.
+    """
+
+    law: str
+    parameters: dict[str, Estimate]
+    units: dict[str, str]
+    nrmse: float
+    r2: float
+    rms_residual: float
+    energy_per_cycle: float
+    fitted_energy_per_cycle: float
+    cycles: float
+    samples: int
+    displacement_centre: float
+    damper: dict[str, Any]
+    friction: dict[str, float] | None
+    findings: tuple[Finding, ...]
+
+
+@dataclass(frozen=True)
+class DamperCurve:
+    """Measured and fitted force side by side, for drawing.
+
+    Attributes
+    ----------
+    time, displacement, velocity, measured, fitted : array (n,)
+        [s], [m] from the middle of the stroke, [m/s], [N], [N].
+    """
+
+    time: Array
+    displacement: Array
+    velocity: Array
+    measured: Array
+    fitted: Array
+
+
+def fit_damper(
+    displacement: ArrayLike,
+    velocity: ArrayLike | None,
+    force: ArrayLike,
+    time: ArrayLike,
+    *,
+    law: LawName = "linear",
+    degree: int = 3,
+    odd: bool = False,
+    friction: bool = False,
+    velocity_from: VelocityFrom = "recorded",
+    name: str = "damper",
+) -> DamperResult:
+    """Fit a damper law to a record of imposed motion and force.
+
+    ``linear``: F = c v + F0. ``bilinear``: c_bump for v > 0, c_rebound for v < 0. ``polynomial``: F = F0 + sum a_i v^i.
+    ``tanh-hysteretic``: F = c v + k x + f tanh(slope (v + coupling x)) + F0. ``bouc-wen``: F = c v + k x + f z + F0,
+    ``z' = rate (v - sigma |v| |z|^(n-1) z + (sigma - 1) v |z|^n)``, the normalised form, whose parameters are unique.
+    Shape parameters are searched from many starts; the factors are solved for exactly at each step.
+
+    Parameters
+    ----------
+    displacement : array (n,)
+        [m], compression positive, any zero.
+    velocity : array (n,) or None
+        [m/s]; None: the derivative of the displacement.
+    force : array (n,)
+        [N], positive where it resists compression.
+    time : array (n,)
+        [s], increasing.
+    law : {"linear", "bilinear", "polynomial", "tanh-hysteretic", "bouc-wen"}
+        See above.
+    degree : int
+        Of the polynomial [1].
+    odd : bool
+        Polynomial with odd powers only.
+    friction : bool
+        Add dry friction to an F(v) law.
+    velocity_from : {"recorded", "displacement"}
+        Which velocity the law sees.
+    name : str
+        File or channel, used in messages.
+
+    Returns
+    -------
+    DamperResult
+        Parameters in SI with standard errors.
+
+    Raises
+    ------
+    FitError
+        A record that cannot be used; see :func:`jounce.identify.damper.read_motion`.
+    DescriptionError
+        An unknown law.
+
+    References
+    ----------
+    Kwok et al. (2006), Sensors and Actuators A 132, 441-451; Ikhouane and Rodellar (2007), Systems with Hysteresis.
+
+    Examples
+    --------
+    >>> t = np.arange(0.0, 4.0, 0.01)
+    >>> x, v = 0.02 * np.sin(6.0 * t), 0.12 * np.cos(6.0 * t)
+    >>> result = fit_damper(x, v, np.where(v > 0.0, 300.0, 900.0) * v, t, law="bilinear")
+    >>> [round(estimate.value) for estimate in result.parameters.values()]
+    [300, 900, 0]
+    """
+    motion, findings = read_motion(displacement, velocity, force, time, velocity_from=velocity_from, name=name)
+    chosen = damper_law(law, motion, degree=degree, odd=odd, friction=friction)
+    used = _fitted_part(motion) if chosen.remembers else slice(None)
+    weights, shapes, free, at_bound = _search(chosen, motion, used)
+    names = [*chosen.weights, *chosen.shapes]
+    values = np.concatenate([weights, shapes])
+    fitted = chosen.columns(motion.displacement, motion.velocity, shapes) @ weights
+    residual = (motion.force - fitted)[used]
+    estimates = _estimates(chosen, motion, used, values, residual, free)
+    parameters = {key: one for (key, _), one in zip(names, estimates, strict=True)}
+    plain = {key: one.value for key, one in parameters.items()}
+    measured, x = motion.force[used], motion.displacement[used]
+    cycles = motion.cycles - (0.5 if chosen.remembers else 0.0)
+    rms = float(np.sqrt(np.mean(residual**2)))
+    result = DamperResult(
+        law=law,
+        parameters=parameters,
+        units=dict(names),
+        nrmse=rms / float(np.ptp(measured)),
+        r2=r_squared(measured, residual),
+        rms_residual=rms,
+        energy_per_cycle=float(np.trapezoid(measured, x)) / cycles,
+        fitted_energy_per_cycle=float(np.trapezoid(fitted[used], x)) / cycles,
+        cycles=cycles,
+        samples=len(residual),
+        displacement_centre=motion.centre,
+        damper=chosen.table(plain),
+        friction=_friction_table(plain, motion) if friction else None,
+        findings=(),
+    )
+    findings += damper_advice(result, motion, hysteresis_share(motion), at_bound, name)
+    return DamperResult(**{**vars(result), "findings": tuple(findings)})
+
+
+def damper_curve(
+    result: DamperResult,
+    displacement: ArrayLike,
+    velocity: ArrayLike | None,
+    force: ArrayLike,
+    time: ArrayLike,
+    *,
+    velocity_from: VelocityFrom = "recorded",
+) -> DamperCurve:
+    """Evaluate a fitted law on a record, the one it was fitted to or another one (a hold-out).
+
+    Parameters
+    ----------
+    result : DamperResult
+        The fitted law.
+    displacement, velocity, force, time : array (n,)
+        A record as for :func:`fit_damper`; displacement is counted from the middle of its own stroke.
+    velocity_from : {"recorded", "displacement"}
+        Which velocity the law sees.
+
+    Returns
+    -------
+    DamperCurve
+        The moving part of the record with the law's force.
+    """
+    motion, _ = read_motion(displacement, velocity, force, time, velocity_from=velocity_from)
+    powers = [int(key[1:]) for key in result.parameters if key[0] == "a" and key[1:].isdigit()]
+    law = damper_law(
+        result.law,
+        motion,
+        degree=max(powers, default=1),
+        odd=all(power % 2 for power in powers),
+        friction=result.friction is not None,
+    )
+    values = {key: one.value for key, one in result.parameters.items()}
+    shapes = np.array([values[key] for key, _ in law.shapes])
+    weights = np.array([values[key] for key, _ in law.weights])
+    fitted = law.columns(motion.displacement, motion.velocity, shapes) @ weights
+    return DamperCurve(motion.time, motion.displacement, motion.velocity, motion.force, fitted)
+
+
+def _fitted_part(motion: DamperMotion) -> slice:
+    """Leave out the first swing, which only brings a law with a memory into its state."""
+    from jounce.identify.decay import zigzag
+
+    turns = zigzag(motion.displacement, 0.1 * motion.stroke)
+    return slice(turns[1] if len(turns) > 2 else 0, None)
+
+
+def _weights(law: DamperLaw, columns: Array, force: Array) -> tuple[Array, NDArray[np.bool_]]:
+    """Best factors of the columns, those that cannot be negative cut at zero; and which of them are free."""
+    free = np.ones(columns.shape[1], bool)
+    scale = np.maximum(np.linalg.norm(columns, axis=0), 1e-300)
+    found = np.zeros(columns.shape[1])
+    for _ in range(3):
+        found = np.zeros(columns.shape[1])
+        found[free] = np.linalg.lstsq(columns[:, free] / scale[free], force, rcond=None)[0] / scale[free]
+        wrong = [i for i, (key, _) in enumerate(law.weights) if key in law.not_negative and found[i] < 0.0]
+        if not wrong:
+            break
+        free[wrong] = False
+        found[wrong] = 0.0
+    return found, free
+
+
+def _coded(law: DamperLaw, shapes: Array) -> Array:
+    """Shape parameters as the search sees them: logarithms, but for the coupling, which has a sign."""
+    return np.array(
+        [
+            value / bound if key == "displacement_coupling" else math.log(value)
+            for (key, _), value, bound in zip(law.shapes, shapes, law.bounds[1], strict=True)
+        ]
+    )
+
+
+def _decoded(law: DamperLaw, coded: Array) -> Array:
+    return np.array(
+        [
+            value * bound if key == "displacement_coupling" else math.exp(value)
+            for (key, _), value, bound in zip(law.shapes, coded, law.bounds[1], strict=True)
+        ]
+    )
+
+
+def _search(
+    law: DamperLaw, motion: DamperMotion, used: slice
+) -> tuple[Array, Array, NDArray[np.bool_], tuple[str, ...]]:
+    """Weights, shapes, which parameters are free, and the names of those at a bound."""
+    from scipy.optimize import least_squares
+
+    size = float(motion.force.std())
+
+    def misfit(coded: Array) -> Array:
+        columns = law.columns(motion.displacement, motion.velocity, _decoded(law, coded))[used]
+        return np.asarray((columns @ _weights(law, columns, motion.force[used])[0] - motion.force[used]) / size)
+
+    shapes, inside = law.starts[0], np.zeros(0, bool)
+    if law.shapes:
+        low, high = _coded(law, law.bounds[0]), _coded(law, law.bounds[1])
+        starts = [np.clip(_coded(law, start), low + 1e-6, high - 1e-6) for start in law.starts]
+        starts.sort(key=lambda start: float((misfit(start) ** 2).sum()))
+        found = [
+            least_squares(misfit, start, bounds=(low, high), diff_step=1e-4, xtol=1e-8, ftol=1e-9, max_nfev=60)
+            for start in starts[:4]
+        ]
+        best = min(found, key=lambda one: float(one.cost))
+        shapes = _decoded(law, best.x)
+        inside = (best.x > low + 1e-3) & (best.x < high - 1e-3)
+    columns = law.columns(motion.displacement, motion.velocity, shapes)[used]
+    weights, free = _weights(law, columns, motion.force[used])
+    every = np.concatenate([free, inside])
+    names = [key for key, _ in (*law.weights, *law.shapes)]
+    return weights, shapes, every, tuple(key for key, is_free in zip(names, every, strict=True) if not is_free)
+
+
+def _estimates(
+    law: DamperLaw, motion: DamperMotion, used: slice, values: Array, residual: Array, free: NDArray[np.bool_]
+) -> list[Estimate]:
+    count = len(law.weights)
+
+    def force(point: Array) -> Array:
+        columns = law.columns(motion.displacement, motion.velocity, point[count:])
+        return np.asarray((columns @ point[:count])[used])
+
+    jacobian = np.empty((len(residual), len(values)))
+    jacobian[:, :count] = law.columns(motion.displacement, motion.velocity, values[count:])[used]
+    for index in range(count, len(values)):
+        step = np.zeros(len(values))
+        reach = float(law.bounds[1][index - count]) if law.shapes[index - count][0] == "displacement_coupling" else 0.0
+        step[index] = 1e-3 * max(abs(float(values[index])), 1e-2 * reach)
+        jacobian[:, index] = (force(values + step) - force(values - step)) / (2.0 * step[index])
+    known = uncertainty(jacobian[:, free], residual).estimates(values[free])
+    remaining = iter(known)
+    return [next(remaining) if is_free else Estimate(float(v)) for v, is_free in zip(values, free, strict=True)]
+
+
+def _friction_table(values: dict[str, float], motion: DamperMotion) -> dict[str, float]:
+    return {
+        "force": max(values["friction_force"], 0.0),
+        "regularisation_velocity": regularisation_velocity(motion),
+    }
+
+
+_VELOCITY_LAWS = ("linear", "bilinear", "polynomial")
+
+
+def hysteresis_share(motion: DamperMotion) -> float:
+    """Tell how far the force at one velocity depends on whether the speed is rising or falling.
+
+    Parameters
+    ----------
+    motion : DamperMotion
+        The record.
+
+    Returns
+    -------
+    float
+        Root mean square of the difference between rising and falling velocity over bins, by the range of the force [1];
+        0 for any F(v).
+    """
+    rising = np.gradient(motion.velocity, motion.time) > 0.0
+    edges = np.linspace(-0.9, 0.9, 22) * motion.peak_velocity
+    place = np.digitize(motion.velocity, edges)
+    gaps = []
+    for index in range(1, len(edges)):
+        up, down = motion.force[(place == index) & rising], motion.force[(place == index) & ~rising]
+        if len(up) >= 2 and len(down) >= 2:
+            noise = up.var(ddof=1) / len(up) + down.var(ddof=1) / len(down)
+            gaps.append(max(float((up.mean() - down.mean()) ** 2 - noise), 0.0))
+    return float(np.sqrt(np.mean(gaps))) / float(np.ptp(motion.force)) if gaps else 0.0
+
+
+def damper_advice(
+    result: DamperResult, motion: DamperMotion, hysteresis: float, at_bound: tuple[str, ...], name: str
+) -> list[Finding]:
+    """Collect the findings about a fitted law; ``hysteresis`` is :func:`hysteresis_share`."""
+    findings: list[Finding] = []
+
+    def add(severity: Severity, text: str, value: float | None = None) -> None:
+        findings.append(Finding(name, severity, text, value))
+
+    if result.law in _VELOCITY_LAWS:
+        _advise_velocity_law(result, motion, hysteresis, name, findings)
+    for key in at_bound:
+        text = (
+            f"{key} ended at the limit of its range ({result.parameters[key].value:.4g} {result.units[key]}): the "
+            "record does not determine it."
+        )
+        add("warning", text, result.parameters[key].value)
+    for key, one in result.parameters.items():
+        vague = one.standard_error is not None and one.standard_error > 0.5 * abs(one.value)
+        if vague and key in ("sigma", "rate", "exponent", "slope"):
+            text = (
+                f"{key} = {one.value:.3g} +- {one.standard_error:.2g} {result.units[key]} is hardly determined: the "
+                "record has too few samples where the force changes over."
+            )
+            add("note", text, one.standard_error)
+    if result.cycles < 3.0:
+        text = f"only {result.cycles:.1f} cycles: the standard errors rest on few repetitions."
+        add("note", text, result.cycles)
+    if result.r2 < 0.9:
+        text = (
+            f"the law explains only {100.0 * result.r2:.0f} % of the force; take another one and look at both curves."
+        )
+        add("warning", text, result.r2)
+    return findings
+
+
+def _advise_velocity_law(
+    result: DamperResult, motion: DamperMotion, hysteresis: float, name: str, findings: list[Finding]
+) -> None:
+    if hysteresis > 0.04:
+        text = (
+            f"the force differs by {100.0 * hysteresis:.0f} % of its range between rising and falling velocity: "
+            "hysteresis, which no F(v) law can follow; try 'tanh-hysteretic' or 'bouc-wen'."
+        )
+        findings.append(Finding(name, "warning", text, hysteresis))
+    offset = result.parameters["offset"]
+    if offset.interval and not offset.interval[0] <= 0.0 <= offset.interval[1]:
+        text = (
+            f"the force has an offset of {offset.value:.3g} N (gas pressure, spring, load-cell zero), not part "
+            "of the damper table: put it into the preload."
+        )
+        findings.append(Finding(name, "note", text, offset.value))
+    for key in ("coefficient", "bump_coefficient", "rebound_coefficient"):
+        if key in result.parameters and result.parameters[key].value < 0.0:
+            text = f"{key} is negative: the law would feed energy into the motion."
+            findings.append(Finding(name, "problem", text, result.parameters[key].value))
+    if result.friction is None:
+        _advise_friction(motion, name, findings)
+    if "force" in result.damper and np.any(np.diff(result.damper["force"]) < 0.0):
+        text = "the fitted curve falls with rising velocity somewhere; lower the degree."
+        findings.append(Finding(name, "warning", text))
+
+
+def _advise_friction(motion: DamperMotion, name: str, findings: list[Finding]) -> None:
+    """Compare smooth velocity curves with and without a step at zero velocity."""
+    v = motion.velocity / motion.peak_velocity
+    smooth = np.column_stack([np.ones_like(v), np.maximum(v, 0.0), np.minimum(v, 0.0)])
+    stepped = np.column_stack([smooth, np.tanh(motion.velocity / regularisation_velocity(motion))])
+    found = np.linalg.lstsq(stepped, motion.force, rcond=None)[0]
+    without = motion.force - smooth @ np.linalg.lstsq(smooth, motion.force, rcond=None)[0]
+    left = float(without.std()), float((motion.force - stepped @ found).std())
+    if found[-1] > 0.02 * float(np.ptp(motion.force)) and left[1] < 0.8 * left[0]:
+        text = (
+            f"the force jumps by about +-{found[-1]:.3g} N where the velocity changes sign: dry friction; fit with "
+            "friction=True or a hysteretic law."
+        )
+        findings.append(Finding(name, "warning", text, float(found[-1])))
