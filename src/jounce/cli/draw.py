@@ -47,13 +47,13 @@ def draw(
 
     Example: jounce draw kart-double-wishbone --travel "-20 mm:20 mm:20 mm" --out kart.png
     """
-    from jounce.plots.writing import check_figure, write_figure
+    from jounce.plots.style import check_figure, write_figure
 
     file = check_figure(f"{Path(rig).stem}.png" if out is None else out, force=force)
     with progress() as say:
         say("loading")
         chosen, wanted = _rig(rig, set_)
-        from jounce.plots.mechanisms import mechanism
+        from jounce.plots.mechanisms.drawing import mechanism
 
         title = Path(rig).stem
         if travel is None and rack is None:
@@ -92,8 +92,8 @@ def animate(
 
     Example: jounce animate kart-double-wishbone --travel "-20 mm:20 mm:1 mm" --out motion.html
     """
-    from jounce.plots.animation import animate as write_animation
-    from jounce.plots.animation import check_animation
+    from jounce.plots.mechanisms.animation import animate as write_animation
+    from jounce.plots.mechanisms.animation import check_animation
 
     check_animation(out, force=force)
     slower = positive_quantity(slow, "1", "--slow")
@@ -131,7 +131,7 @@ def animate(
 def _rig(name: str, set_: list[str] | None) -> tuple[Corner, dict[str, Any]]:
     """Load a rig that can be drawn."""
     from jounce.parts import load
-    from jounce.plots.scenes import require_corner
+    from jounce.plots.mechanisms.scene import require_corner
 
     wanted = changes(set_)
     chosen = load(name)

@@ -193,8 +193,8 @@ def history(
         )
     trends = trends_of(visits)
     if figure is not None:
-        from jounce.plots.history import vehicle_history
-        from jounce.plots.writing import write_figure
+        from jounce.plots.inspection import vehicle_history
+        from jounce.plots.style import write_figure
 
         write_figure(vehicle_history(visits), figure, force=force)
     plain = {

@@ -32,7 +32,7 @@ def check_outputs(
 
         check_folder(folder, force=force)
     if figure is not None:
-        from jounce.plots.writing import check_figure
+        from jounce.plots.style import check_figure
 
         check_figure(figure, force=force)
 
@@ -41,6 +41,6 @@ def write_picture(result: object, figure: Path | None, *, force: bool) -> None:
     """Draw a result into the file, if one is asked for."""
     if figure is not None:
         from jounce.plots import figure_of
-        from jounce.plots.writing import write_figure
+        from jounce.plots.style import write_figure
 
         write_figure(figure_of(result), figure, force=force)

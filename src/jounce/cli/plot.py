@@ -31,10 +31,10 @@ def plot(
     Example: jounce plot run.nc sprung.az unsprung.az --out accelerations.png
     """
     from jounce.core.serialise import to_plain
-    from jounce.plots.writing import check_figure, write_figure
+    from jounce.plots.style import check_figure, write_figure
 
     check_figure(out, force=force)
-    from jounce.plots.histories import time_history
+    from jounce.plots.signals import time_history
     from jounce.recordings import read_recording
 
     data, findings = read_recording(run, columns=columns(columns_))

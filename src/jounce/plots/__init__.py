@@ -6,23 +6,15 @@
 
 from __future__ import annotations
 
-from jounce.plots.animation import animate
-from jounce.plots.bench import stiffness_fit, tyre_pressure
-from jounce.plots.comparison import measured_against_simulated
-from jounce.plots.dampers import damper_loops
-from jounce.plots.decays import decay_fit
+from jounce.plots.campaign import measured_against_simulated, residual_against_speed_and_pitch, trial_matrix
 from jounce.plots.dispatch import figure_of, show
 from jounce.plots.display import DisplayUnit, display_unit, number, quantity
-from jounce.plots.histories import time_history
+from jounce.plots.fits import damper_loops, decay_fit, objectives, stiffness_fit, tyre_pressure, update
 from jounce.plots.kinematics import kinematic_curves, write_kinematics
-from jounce.plots.linear import frequency_response, modes
-from jounce.plots.mechanisms import mechanism
-from jounce.plots.roads import road_profile
-from jounce.plots.style import add_note, new_figure, style, styled
-from jounce.plots.sweeps import sweep
-from jounce.plots.trials import residual_against_speed_and_pitch, trial_matrix
-from jounce.plots.updating import objectives, update
-from jounce.plots.writing import rendered, write_figure
+from jounce.plots.mechanisms.animation import animate
+from jounce.plots.mechanisms.drawing import mechanism
+from jounce.plots.signals import frequency_response, modes, road_profile, sweep, time_history
+from jounce.plots.style import add_note, new_figure, rendered, style, styled, write_figure
 
 __all__ = [
     "DisplayUnit",

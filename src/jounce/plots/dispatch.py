@@ -11,26 +11,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import JounceError
-from jounce.plots import (
-    audi_a6,
-    bench,
-    comparison,
-    dampers,
-    decays,
-    design,
-    equivalence,
-    histories,
-    inspection,
-    kinematics,
-    linear,
-    mechanisms,
-    ride,
-    roads,
-    sweeps,
-    trials,
-    updating,
-)
-from jounce.plots.writing import write_figure
+from jounce.plots import audi_a6, campaign, design, fits, inspection, kinematics, signals
+from jounce.plots.mechanisms import mechanism
+from jounce.plots.style import write_figure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -113,10 +96,20 @@ _dispatcher: Callable[..., Figure] | None = None
 def _registered() -> Callable[..., Figure]:
     import xarray as xr
 
-    from jounce.campaign.result import TrialResult
+    from jounce.campaign.result import CampaignResult, StrategyResult, TrialResult
+    from jounce.design.optimise import Optimisation
+    from jounce.design.pareto import ParetoFront
+    from jounce.identify.damper import DamperCurve
+    from jounce.identify.decay import DecayResult
+    from jounce.identify.stiffness import PressureStiffness, StiffnessResult
     from jounce.identify.update import UpdateResult
+    from jounce.inspection.equivalence import Equivalence
+    from jounce.inspection.result import Inspection
+    from jounce.inspection.verdicts.grading import GradedInspection
+    from jounce.papers.audi_a6 import AudiCase
+    from jounce.papers.audi_a6_exciter import EccentricExciter
     from jounce.parts.corners import Corner
-    from jounce.ride.comparison import Ride
+    from jounce.ride.comparison import Ride, RideStudy
     from jounce.roads.road import Road
     from jounce.simulation import LinearModel, Mode
 
@@ -127,78 +120,52 @@ def _registered() -> Callable[..., Figure]:
 
     def of_dataset(result: xr.Dataset, **options: Any) -> Figure:
         if "time" in result.dims:
-            return histories.time_history(result, **options)
+            return signals.time_history(result, **options)
         swept = {"wheel_travel", "rack_travel", "roll_angle"} & set(map(str, result.dims))
-        return (kinematics.kinematic_curves if swept else sweeps.sweep)(result, **options)
+        return (kinematics.kinematic_curves if swept else signals.sweep)(result, **options)
 
     def of_mapping(result: Mapping[str, Any], **options: Any) -> Figure:
         if result and all(isinstance(item, Road) for item in result.values()):
-            return roads.road_profile(result, **options)
+            return signals.road_profile(result, **options)
         return draw(object(), **options)
 
     def of_sequence(result: Sequence[Any], **options: Any) -> Figure:
         drawings = {
-            TrialResult: trials.trial_matrix, UpdateResult: updating.objectives, Mode: linear.modes,
-            Ride: ride.ride_spectra,
+            TrialResult: campaign.trial_matrix, UpdateResult: fits.objectives, Mode: signals.modes,
+            Ride: design.ride_spectra,
         }  # fmt: skip
         for kind, function in drawings.items():
             if result and all(isinstance(item, kind) for item in result):
                 return function(result, **options)  # type: ignore[operator,no-any-return]
         return draw(object(), **options)
 
+    def of_damper(result: DamperCurve, law: str = "fitted", **options: Any) -> Figure:
+        return fits.damper_loops(result.displacement, result.velocity, result.measured, {law: result.fitted}, **options)
+
     draw.register(xr.Dataset, of_dataset)
-    draw.register(Road, roads.road_profile)
-    draw.register(Corner, mechanisms.mechanism)
     draw.register(dict, of_mapping)
     draw.register(list, of_sequence)
     draw.register(tuple, of_sequence)
-    draw.register(LinearModel, linear.frequency_response)
-    _register_fits(draw)
-    _register_studies(draw)
-    return draw
-
-
-def _register_fits(draw: Any) -> None:
-    """Estimates from measurements."""
-    from jounce.identify.damper import DamperCurve
-    from jounce.identify.decay import DecayResult
-    from jounce.identify.stiffness import PressureStiffness, StiffnessResult
-    from jounce.identify.update import UpdateResult
-
-    def of_damper(result: DamperCurve, law: str = "fitted", **options: Any) -> Figure:
-        fits = {law: result.fitted}
-        return dampers.damper_loops(result.displacement, result.velocity, result.measured, fits, **options)
-
-    draw.register(StiffnessResult, bench.stiffness_fit)
-    draw.register(PressureStiffness, bench.tyre_pressure)
-    draw.register(DecayResult, decays.decay_fit)
-    draw.register(UpdateResult, updating.update)
+    draw.register(Road, signals.road_profile)
+    draw.register(LinearModel, signals.frequency_response)
+    draw.register(Corner, mechanism)
+    draw.register(StiffnessResult, fits.stiffness_fit)
+    draw.register(PressureStiffness, fits.tyre_pressure)
+    draw.register(DecayResult, fits.decay_fit)
     draw.register(DamperCurve, of_damper)
-
-
-def _register_studies(draw: Any) -> None:
-    """Results of whole jobs."""
-    from jounce.campaign.result import CampaignResult, StrategyResult, TrialResult
-    from jounce.design.optimise import Optimisation
-    from jounce.design.pareto import ParetoFront
-    from jounce.inspection.equivalence import Equivalence
-    from jounce.inspection.result import Inspection
-    from jounce.inspection.verdicts.grading import GradedInspection
-    from jounce.papers.audi_a6 import AudiCase
-    from jounce.papers.audi_a6_exciter import EccentricExciter
-    from jounce.ride.comparison import Ride, RideStudy
-
-    draw.register(StrategyResult, lambda result, **options: updating.update(result.update, **options))
-    draw.register(TrialResult, comparison.measured_against_simulated)
-    draw.register(CampaignResult, lambda result, **options: trials.trial_matrix(result.trials, **options))
+    draw.register(UpdateResult, fits.update)
+    draw.register(StrategyResult, lambda result, **options: fits.update(result.update, **options))
+    draw.register(TrialResult, campaign.measured_against_simulated)
+    draw.register(CampaignResult, lambda result, **options: campaign.trial_matrix(result.trials, **options))
     draw.register(Optimisation, design.optimisation)
     draw.register(ParetoFront, design.pareto_front)
-    draw.register(RideStudy, ride.trade_off)
-    draw.register(Ride, lambda result, **options: ride.ride_spectra([result], **options))
+    draw.register(RideStudy, design.trade_off)
+    draw.register(Ride, lambda result, **options: design.ride_spectra([result], **options))
     draw.register(AudiCase, lambda result, **options: audi_a6.case_overview(result, result.runs[0].moment, **options))
     draw.register(EccentricExciter, audi_a6.exciter_spring)
-    draw.register(Equivalence, equivalence.equivalence)
+    draw.register(Equivalence, inspection.equivalence)
     draw.register(Inspection, inspection.inspection_curves)
     draw.register(
         GradedInspection, lambda result, **options: inspection.inspection_curves(result.inspection, **options)
     )
+    return draw

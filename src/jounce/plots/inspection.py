@@ -1,22 +1,26 @@
-"""Curves of an inspection: force amplitude and phase angle over frequency, plate force over time."""
+"""Inspections: curves of a test, one vehicle over the years, three tests of the same car."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from datetime import date
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from jounce.core.types import Array
 from jounce.inspection.signals.run_down import run_down
-from jounce.plots.style import MUTED, PALETTE, new_figure, styled
+from jounce.plots.style import MUTED, PALETTE, legend_above, new_figure, styled
 
 if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from jounce.inspection.archive.history import WheelVisit
+    from jounce.inspection.equivalence import Equivalence, Factor
     from jounce.inspection.result import Inspection, WheelCurves, WheelResult
+
 
 _LOOKS = {"left": (PALETTE[0], "-"), "right": (PALETTE[1], (0, (4, 1.5)))}
 _BAND = (6.0, 18.0)
@@ -85,7 +89,7 @@ def inspection_curves(
     rows = figure.subplots(1, max(len(drawings), 1), squeeze=False)[0]
     for axes, draw in zip(rows, drawings, strict=False):
         draw(axes)
-        _finish(axes, language)
+        _decimal_commas(axes, language)
     if not drawings:
         rows[0].set_axis_off()
         rows[0].text(0.5, 0.5, words["nothing"], ha="center", color=MUTED, transform=rows[0].transAxes)
@@ -232,10 +236,117 @@ def envelope(time: Array, values: Array, bins: int = _ENVELOPE) -> tuple[Array, 
     return centre, np.minimum.reduceat(values, starts), np.maximum.reduceat(values, starts)
 
 
-def _finish(axes: Axes, language: str) -> None:
+def _decimal_commas(axes: Axes, language: str) -> None:
     from matplotlib.ticker import FuncFormatter
 
     if language != "de":
         return
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}".replace(".", ",").replace("-", "−")))
+
+
+_TITLES = {
+    "adhesion": ("Adhesion [%]", 100.0),
+    "phase_angle_min_deg": ("Least phase angle [°]", 1.0),
+    "theta_road": ("Damping ratio on the road", 1.0),
+}
+_MARKS = {"left": ("o", "-"), "right": ("s", (0, (4, 1.5)))}
+
+
+@styled
+def vehicle_history(visits: Sequence[WheelVisit], *, height: float = 5.4) -> Figure:
+    """Draw adhesion, phase angle and damping ratio of every wheel against the date.
+
+    Parameters
+    ----------
+    visits : sequence of WheelVisit
+        As ``jounce.inspection.archive.history.history_of`` gives them; those without a date are left out.
+    height : float
+        Inches.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        One panel for each value (%, degrees, dimensionless), one line for each wheel.
+
+    Examples
+    --------
+    >>> from jounce.inspection.archive.history import WheelVisit
+    >>> visit = WheelVisit(1, "2026-11-21", "B-AB 123", "rear", "left", {"adhesion": 0.6}, "pass", "")
+    >>> [axes.get_title("left") for axes in vehicle_history([visit]).axes]
+    ['Adhesion [%]', 'Least phase angle [°]', 'Damping ratio on the road']
+    """
+    from jounce.inspection.archive.history import day_number
+
+    dated = [(date.fromordinal(day), one) for one in visits if (day := day_number(one.date)) is not None]
+    wheels = list(dict.fromkeys((one.axle, one.wheel) for _, one in dated))
+    axles = list(dict.fromkeys(axle for axle, _ in wheels))
+    figure = new_figure(height)
+    panels = figure.subplots(len(_TITLES), 1, sharex=True)
+    for axes, (name, (title, scale)) in zip(panels, _TITLES.items(), strict=True):
+        for axle, wheel in wheels:
+            points = [(day, one.values.get(name)) for day, one in dated if (one.axle, one.wheel) == (axle, wheel)]
+            known = [(day, scale * value) for day, value in points if value is not None]
+            mark, line = _MARKS.get(wheel, ("o", "-"))
+            colour = PALETTE[axles.index(axle) % len(PALETTE)]
+            days, values = [day for day, _ in known], [value for _, value in known]
+            axes.plot(days, values, marker=mark, ls=line, color=colour, label=f"{axle} {wheel}".strip())
+        axes.set_title(title)
+        shown = [scale * value for _, one in dated if (value := one.values.get(name)) is not None] or [1.0]
+        axes.set_ylim(1.15 * min(0.0, *shown), 1.15 * max(0.0, *shown) or 1.0)
+    if wheels:
+        legend_above(panels[0])
+    figure.autofmt_xdate(rotation=0, ha="center")
+    return figure
+
+
+_NAMES = {"eusama": "EUSAMA adhesion", "egea": "EGEA phase angle", "theta": "THETA"}
+_NEVER = "dots at the top: never rejects"
+_SOUND, _WORN = "#dceedd", "#f6ddd4"
+
+
+@styled
+def equivalence(study: Equivalence) -> Figure:
+    """Draw for each factor the damper wear from which each method rejects.
+
+    Parameters
+    ----------
+    study : Equivalence
+        Of :func:`jounce.inspection.equivalence.compare_tests`.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        One set of axes a factor: wear (%) over the factor; above its line a method rejects, where it has dots at the
+        top it never does. Sound dampers are shaded green, worn ones red.
+    """
+    from matplotlib.lines import Line2D
+
+    figure = new_figure(4.0)
+    row = figure.subplots(1, len(study.factors), sharey=True, squeeze=False)[0]
+    for factor, axes in zip(study.factors, row, strict=True):
+        _panel(study, factor, axes)
+    row[0].set_ylabel("damping lost [%]")
+    handles = [line for line in row[0].lines if line.get_label() in _NAMES.values()]
+    if any(line.get_linestyle() == "None" for axes in row for line in axes.lines):
+        handles += [Line2D([], [], color=MUTED, marker=".", linestyle="None", markersize=2.5, label=_NEVER)]
+    figure.legend(handles=handles, loc="outside upper left", ncols=len(handles), fontsize=8.5, frameon=False)
+    return figure
+
+
+def _panel(study: Equivalence, factor: Factor, axes: Axes) -> None:
+    from jounce.inspection.equivalence import SOUND, WORN
+
+    values = factor.scale * study.planes[factor.name][factor.name].to_numpy()
+    axes.axhspan(0.0, 100.0 * SOUND, color=_SOUND, zorder=0)
+    axes.axhspan(100.0 * WORN, 100.0, color=_WORN, zorder=0)
+    for i, (method, name) in enumerate(_NAMES.items()):
+        edge = study.rejecting_wear(factor.name, method)
+        axes.plot(values, 100.0 * edge, color=PALETTE[i], label=name)
+        never = values[np.isnan(edge)]
+        if len(never):
+            axes.plot(never, np.full(len(never), 98.5 - 2.2 * i), ".", color=PALETTE[i], markersize=2.5)
+    middle = 0.5 * (values[0] + values[-1])
+    for height, text in ((50.0 * SOUND, "sound"), (50.0 * (1.0 + WORN), "worn")):
+        axes.text(middle, height, text, ha="center", va="center", fontsize=8, color=MUTED)
+    axes.set(xlabel=factor.label, xlim=(values[0], values[-1]), ylim=(0.0, 100.0))

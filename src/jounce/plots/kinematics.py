@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,7 +12,7 @@ from jounce.core.errors import RecordingError, nearest
 from jounce.core.serialise import write_files
 from jounce.core.types import Array
 from jounce.plots.display import display_unit
-from jounce.plots.style import MUTED, PALETTE, new_figure, style, styled
+from jounce.plots.style import MUTED, PALETTE, new_figure, rendered, styled
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -150,16 +149,11 @@ def write_kinematics(sweep: xr.Dataset, folder: Path | str, *, force: bool = Fal
     drawn = {name for names in sheets.values() for name in names}
     sheets[_OTHERS] = [name for name in known if name not in drawn]
     contents: dict[str, bytes | str] = {
-        f"{sheet}.png": _png(kinematic_curves(sweep, names)) for sheet, names in sheets.items() if names
+        f"{sheet}.png": rendered(kinematic_curves(sweep, names), [".png"])[".png"]
+        for sheet, names in sheets.items()
+        if names
     }
     return write_files(folder, contents, force=force)
-
-
-def _png(figure: Figure) -> bytes:
-    stream = io.BytesIO()
-    with style():
-        figure.savefig(stream, format="png", dpi=130)
-    return stream.getvalue()
 
 
 def _quantities(sweep: xr.Dataset) -> list[str]:

@@ -1,25 +1,28 @@
-"""Names beside a drawing: in two columns at its edges, evenly spread, with thin lines that do not cross."""
+"""Names beside points: in two columns at the edges of a drawing, or near points that may lie close together."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from jounce.core.types import Array
-from jounce.plots.style import INK
+from jounce.plots.style import INK, MUTED
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-SIZE = 7.0  # points
+
+COLUMN_SIZE = 7.0  # points
 _LEADER = "#8b939b"
 
 
 def column_width(names: Mapping[str, object]) -> float:
     """Width in inches that a column of these names needs, with the start of its lines."""
-    return 0.22 + max(map(len, names)) * 0.6 * SIZE / 72.0
+    return 0.22 + max(map(len, names)) * 0.6 * COLUMN_SIZE / 72.0
 
 
 def write_names(axes: Axes, places: Mapping[str, Array], scale: float, floor: float = 0.0) -> None:
@@ -37,7 +40,7 @@ def write_names(axes: Axes, places: Mapping[str, Array], scale: float, floor: fl
         Height above the lower edge that stays free, inches.
     """
     (left, right), (low, high) = sorted(axes.get_xlim()), sorted(axes.get_ylim())
-    gap, width = 1.35 * SIZE / 72.0 * scale, column_width(places) * scale
+    gap, width = 1.35 * COLUMN_SIZE / 72.0 * scale, column_width(places) * scale
     low += max(gap, floor * scale)
     for names, inner, side in zip(_columns(places), (left + width, right - width), ("right", "left"), strict=True):
         if not names:
@@ -51,7 +54,7 @@ def write_names(axes: Axes, places: Mapping[str, Array], scale: float, floor: fl
                 start,
                 height,
                 name,
-                fontsize=SIZE,
+                fontsize=COLUMN_SIZE,
                 color=INK,
                 ha=side,
                 va="center_baseline",
@@ -102,7 +105,7 @@ def _untangled(points: Array, start: float, heights: Array) -> Array:
             (i, j)
             for i in range(len(heights))
             for j in range(i + 1, len(heights))
-            if _cross(start, heights[i], points[i], heights[j], points[j])
+            if _leaders_cross(start, heights[i], points[i], heights[j], points[j])
         ]
         if not crossed:
             break
@@ -111,10 +114,154 @@ def _untangled(points: Array, start: float, heights: Array) -> Array:
     return heights
 
 
-def _cross(start: float, first: float, a: Array, second: float, b: Array) -> bool:
+def _leaders_cross(start: float, first: float, a: Array, second: float, b: Array) -> bool:
     """Whether two lines that begin at the same abscissa cross."""
     reach = min(abs(a[0] - start), abs(b[0] - start))
     if reach <= 0.0:
         return False
     ends = [h + (p[1] - h) * reach / abs(p[0] - start) for h, p in ((first, a), (second, b))]
     return bool((first - second) * (ends[0] - ends[1]) < -1e-9)
+
+
+_SIZE = 7.5  # points of paper
+_GAP = 2.5  # points of paper, around discs and names
+_REACH = np.array(
+    [0.0, 5.0, 11.0, 17.0, 24.0, 33.0, 43.0, 55.0, 70.0, 90.0, 115.0, 145.0]
+)  # points of paper, further away
+_DIRECTIONS = np.radians(np.arange(0.0, 360.0, 11.25))
+_ROUNDS = 20
+_SAMPLES = np.linspace(0.0, 1.0, 9)[:, None]
+_OUTSIDE, _COVERED, _HIDDEN, _CROSSED, _THROUGH = 200.0, 2000.0, 800.0, 300.0, 40.0
+"""Costs, in points of distance: a point outside; a name covered; a disc hidden; lines over names; lines over discs."""
+
+
+def name_points(axes: Axes, names: Sequence[str], places: Array, radii: Array) -> None:
+    """Write a name beside each point, as near as there is room; a thin line leads to those further away.
+
+    Parameters
+    ----------
+    axes : Axes
+        With everything else drawn and its limits set.
+    names : sequence of str
+        One for each point.
+    places : ndarray, shape (n, 2)
+        Where the points lie, in the units of the axes.
+    radii : ndarray, shape (n,)
+        How large they are drawn, points of paper.
+    """
+    from matplotlib.patheffects import withStroke
+
+    figure = axes.get_figure(root=True)
+    assert figure is not None
+    trial = [axes.annotate(name, place, fontsize=_SIZE) for name, place in zip(names, places, strict=True)]
+    figure.draw_without_rendering()
+    boxes = [text.get_window_extent() for text in trial]
+    for text in trial:
+        text.remove()
+    scale = 72.0 / figure.dpi
+    points = scale * axes.transData.transform(places)
+    frame = scale * np.asarray(axes.bbox.extents)
+    sizes = scale * np.array([[box.width, box.height] for box in boxes]).reshape(-1, 2)
+    layout = Layout(points, np.asarray(radii, dtype=float), sizes, frame[:2], frame[2:])
+    for i, centre in enumerate(layout.placed()):
+        is_away = float(np.hypot(*(layout.edge(i, centre[None])[0] - points[i]))) > radii[i] + 2.0 * _GAP
+        line = {"arrowstyle": "-", "color": MUTED, "linewidth": 0.5, "shrinkA": 0.5, "shrinkB": float(radii[i])}
+        axes.annotate(
+            names[i], tuple(places[i]), tuple(centre - points[i]), textcoords="offset points", fontsize=_SIZE,
+            color=INK, ha="center", va="center", zorder=6, arrowprops=line if is_away else None,
+            path_effects=[withStroke(linewidth=2.0, foreground="white")],
+        )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Discs to be named within a frame; everything in one unit, points of paper.
+
+    Attributes
+    ----------
+    points : ndarray, shape (n, 2)
+        Centres of the discs.
+    radii : ndarray, shape (n,)
+        Of the discs.
+    sizes : ndarray, shape (n, 2)
+        Width and height of the names.
+    low, high : ndarray, shape (2,)
+        Lower left and upper right corner of where names may stand.
+    """
+
+    points: Array
+    radii: Array
+    sizes: Array
+    low: Array
+    high: Array
+
+    def placed(self) -> Array:
+        """Centres of the names, shape (n, 2): each in turn goes where it costs least, until none wants to move.
+
+        Examples
+        --------
+        >>> one = Layout(np.zeros((1, 2)), np.ones(1), np.array([[20.0, 8.0]]), np.full(2, -50.0), np.full(2, 50.0))
+        >>> one.placed().tolist()   # to the right of its point
+        [[13.5, 0.0]]
+        """
+        options = [self._options(i) for i in range(len(self.points))]
+        distances = np.sort(np.linalg.norm(self.points[:, None] - self.points[None], axis=2), axis=1)
+        crowded_first = np.argsort(distances[:, :5].sum(axis=1), kind="stable")
+        chosen: dict[int, Array] = {}
+        for _ in range(_ROUNDS):
+            before = dict(chosen)
+            for i in map(int, crowded_first):
+                others = {j: centre for j, centre in chosen.items() if j != i}
+                centres, liking = options[i]
+                chosen[i] = centres[int(np.argmin(liking + self._costs(i, centres, others)))]
+            if before and all(np.array_equal(chosen[i], before[i]) for i in before):
+                break
+        return np.array([chosen[i] for i in range(len(self.points))]).reshape(-1, 2)
+
+    def edge(self, i: int, centres: Array) -> Array:
+        """Nearest places to point ``i`` on its name, shape (m, 2), were its centre at each of ``centres``."""
+        return np.asarray(np.clip(self.points[i], centres - 0.5 * self.sizes[i], centres + 0.5 * self.sizes[i]))
+
+    def _options(self, i: int) -> tuple[Array, Array]:
+        """Where a name may stand, shape (m, 2), and how much less each place is liked, shape (m,)."""
+        reach, angle = (grid.ravel() for grid in np.meshgrid(_REACH, _DIRECTIONS, indexing="ij"))
+        towards = np.column_stack([np.cos(angle), np.sin(angle)])
+        tips = self.points[i] + towards * (self.radii[i] + _GAP + reach)[:, None]
+        centres = tips + np.clip(1.6 * towards, -1.0, 1.0) * 0.5 * self.sizes[i]
+        sideways = np.abs(np.sin(angle))
+        return centres, reach + 4.0 * sideways + np.where(np.cos(angle) < -1e-9, 2.0, 0.0)
+
+    def _costs(self, i: int, centres: Array, others: dict[int, Array]) -> Array:
+        """What each place of a name costs, shape (m,), while the others stand where they do."""
+        half = 0.5 * self.sizes[i] + 0.5 * _GAP
+        beyond = np.maximum(self.low - (centres - half), 0.0) + np.maximum(centres + half - self.high, 0.0)
+        cost = _OUTSIDE * beyond.sum(axis=1)
+        away = np.maximum(np.abs(self.points[None] - centres[:, None]) - half, 0.0)
+        cost += _HIDDEN * (np.hypot(away[..., 0], away[..., 1]) < self.radii).sum(axis=1)
+        line = self._lines(i, centres)
+        gaps = np.linalg.norm(line[:, :, None] - self.points, axis=3).min(axis=1) < self.radii
+        cost += _THROUGH * np.delete(gaps, i, axis=1).sum(axis=1)
+        for j, centre in others.items():
+            size = 0.5 * self.sizes[j] + 0.5 * _GAP
+            cost += _COVERED * (np.abs(centres - centre) < half + size).all(axis=1)
+            cost += _CROSSED * (np.abs(line - centre) < size).all(axis=2).any(axis=1)
+            theirs = self._lines(j, centre[None])[0]
+            cost += _CROSSED * (np.abs(theirs[None] - centres[:, None]) < half).all(axis=2).any(axis=1)
+            cost += _CROSSED * _cross(line, theirs)
+        return np.asarray(cost)
+
+    def _lines(self, i: int, centres: Array) -> Array:
+        """Points of the line to each place of a name, shape (m, samples, 2)."""
+        start = self.points[i]
+        return np.asarray(start + _SAMPLES * (self.edge(i, centres) - start)[:, None])
+
+
+def _cross(lines: Array, other: Array) -> NDArray[np.bool_]:
+    """Which of the straight lines, shape (m, samples, 2), cross the other one, shape (samples, 2)."""
+
+    def side(a: Array, b: Array, c: Array) -> Array:
+        along, to = b - a, c - a
+        return np.asarray(along[..., 0] * to[..., 1] - along[..., 1] * to[..., 0])
+
+    a, b, c, d = lines[:, 0], lines[:, -1], other[0], other[-1]
+    return np.asarray((side(a, b, c) * side(a, b, d) < 0.0) & (side(c, d, a) * side(c, d, b) < 0.0))

@@ -7,7 +7,7 @@ physical number.
 
 from __future__ import annotations
 
-from jounce.plots.writing import write_figure
+from jounce.plots.style import write_figure
 from jounce.report.campaign import campaign_page, write_campaign
 from jounce.report.folder import write_folder
 from jounce.report.page import (

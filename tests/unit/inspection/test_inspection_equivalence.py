@@ -38,7 +38,7 @@ def test_every_quantity_falls_with_wear(study: Equivalence) -> None:
 
 
 def test_plain_values_and_picture(study: Equivalence) -> None:
-    from jounce.plots.equivalence import equivalence
+    from jounce.plots.inspection import equivalence
 
     plain = study.to_dict()
     assert plain["tests"] == 27

@@ -81,7 +81,7 @@ def test_parquet_without_its_package_says_what_to_install(tmp_path: Path, monkey
 
 
 def test_history_is_drawn(store, tmp_path: Path) -> None:
-    from jounce.plots.history import vehicle_history
+    from jounce.plots.inspection import vehicle_history
 
     figure = vehicle_history(history_of(store, "B-AB 1"))
     adhesion = figure.axes[0].lines[0]
@@ -91,7 +91,7 @@ def test_history_is_drawn(store, tmp_path: Path) -> None:
 
 
 def test_values_below_zero_are_within_the_picture() -> None:
-    from jounce.plots.history import vehicle_history
+    from jounce.plots.inspection import vehicle_history
 
     values = {"adhesion": 0.0, "phase_angle_min_deg": -9.0, "theta_road": 0.05}
     figure = vehicle_history([WheelVisit(1, "2026-11-21", "B-AB 1", "front", "left", values, "fail", "")])

@@ -17,10 +17,9 @@ from PIL import Image
 import jounce as jn
 from jounce.core.errors import DescriptionError, OutputError, RecordingError
 from jounce.core.optional import MissingPackageError
-from jounce.plots import animate, films
-from jounce.plots.poses import poses_of
-from jounce.plots.roadways import roadway_of
-from jounce.plots.scenes import scene_of
+from jounce.plots import animate
+from jounce.plots.mechanisms import animation as films
+from jounce.plots.mechanisms.scene import poses_of, roadway_of, scene_of
 
 TRIAL = {"speed": "1.95 m/s", "duration": "0.4 s"}
 

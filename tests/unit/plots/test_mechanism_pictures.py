@@ -14,9 +14,8 @@ from jounce.core.errors import DescriptionError, JounceError, RecordingError
 from jounce.parts.rigs import RIGS
 from jounce.plots import figure_of, mechanism, rendered
 from jounce.plots.labels import spread
-from jounce.plots.poses import poses_of
-from jounce.plots.scenes import scene_of, spin_axes
-from jounce.plots.shapes import coil, outline, tyre
+from jounce.plots.mechanisms.drawing import coil, outline, tyre
+from jounce.plots.mechanisms.scene import poses_of, scene_of, spin_axes
 
 INERTIA = {"xx": 0.1, "yy": 0.1, "zz": 0.1}
 STRUT = {"spring": {"rate": 30e3, "preload": 3000.0}, "damper": {"coefficient": 2000.0}}

@@ -14,7 +14,7 @@ from jounce.plots import (
     show,
     trial_matrix,
 )
-from jounce.plots.roads import sampled
+from jounce.plots.signals import sampled
 
 
 def test_matrix_says_everything_in_words(trials) -> None:

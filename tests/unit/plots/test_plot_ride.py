@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.plots.point_names import Layout
+from jounce.plots.labels import Layout
 from jounce.ride.comparison import RideStudy
 
 

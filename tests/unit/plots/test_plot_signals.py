@@ -7,7 +7,7 @@ import xarray as xr
 import jounce as jn
 from jounce.core.errors import FitError, RecordingError
 from jounce.plots import measured_against_simulated, sweep, time_history
-from jounce.plots.comparison import lively_window
+from jounce.plots.campaign import lively_window
 from jounce.recordings import recording
 
 

@@ -1,0 +1,461 @@
+"""What was fitted to measurements: springs and tyres, dampers, free decays, and the parameters of a model."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from jounce.core.errors import FitError
+from jounce.core.types import Array
+from jounce.identify.decay import QUANTITIES, alternating, decay_response, turning_points
+from jounce.identify.force_deflection import ForceDeflectionTrial, renamed, seat
+from jounce.plots.display import digits_for, display_unit, number, quantity
+from jounce.plots.style import AFTER, BEFORE, INK, MEASURED, MUTED, PALETTE, legend_above, new_figure, styled
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from jounce.identify.decay import DecayResult
+    from jounce.identify.force_deflection import Zero
+    from jounce.identify.stiffness import PressureStiffness, StiffnessResult
+    from jounce.identify.update import UpdatedParameter, UpdateResult
+
+
+_MM = display_unit("m")
+
+
+@styled
+def stiffness_fit(result: StiffnessResult, trials: Sequence[ForceDeflectionTrial] = (), title: str = "") -> Figure:
+    """Draw a fitted force law over the measured points, and the stiffness of each trial by itself.
+
+    Parameters
+    ----------
+    result : StiffnessResult
+        What was fitted.
+    trials : sequence of ForceDeflectionTrial, optional
+        The trials it was fitted to; with them the measured points are drawn as the fit saw them.
+    title : str
+        What was measured, e.g. ``"spring"``.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Force against deflection (mm, N), and the stiffness of each trial with its 95 % interval (N/mm).
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import jounce as jn
+    >>> x = np.linspace(0.0, 0.015, 31)
+    >>> trials = [ForceDeflectionTrial(x, k * x, f"spring {k}") for k in (22700.0, 22760.0)]
+    >>> [axes.get_xlabel() for axes in stiffness_fit(jn.fit_stiffness(trials), trials).axes]
+    ['deflection [mm]', 'stiffness [N/mm]']
+    """
+    figure = new_figure(3.7)
+    left, right = figure.subplots(1, 2, gridspec_kw={"width_ratios": [1.5, 1.0]})
+    reach = _draw_points(left, trials, result.zero) or result.fitted_range[1]
+    _draw_law(left, result, reach)
+    left.set(xlabel="deflection [mm]", ylabel="force [N]", title=title)
+    _draw_trials(right, result)
+    figure.legend(*left.get_legend_handles_labels(), loc="outside lower left", ncols=3, columnspacing=1.4)
+    return figure
+
+
+def _draw_points(axes: Axes, trials: Sequence[ForceDeflectionTrial], zero: Zero) -> float:
+    """Draw all points from where the fit counts them; give the largest deflection in m."""
+    reach = 0.0
+    for k, trial in enumerate(renamed(list(trials))):
+        seated, _ = seat(trial, zero=zero)
+        label = ("measured" if len(trials) == 1 else f"measured, {len(trials)} trials") if k == 0 else None
+        axes.plot(
+            seated.deflection * _MM.factor,
+            seated.force,
+            color=MEASURED,
+            alpha=0.75,
+            linewidth=0.6,
+            marker=".",
+            markersize=3.0,
+            markeredgewidth=0.0,
+            label=label,
+        )
+        reach = max(reach, float(seated.deflection.max()))
+    return reach
+
+
+def _draw_law(axes: Axes, result: StiffnessResult, reach: float) -> None:
+    low, high = result.fitted_range
+    inside, whole = np.linspace(low, high, 200), np.linspace(0.0, max(high, reach), 200)
+    dropped = 0.0  # force that the fit has and the law for the model has not
+    if result.law == "linear" and result.intercept_choice == "drop" and result.intercept is not None:
+        dropped = result.intercept.value
+    axes.plot(
+        inside * _MM.factor, result.curve(inside) + dropped, color=AFTER, linewidth=1.8, label=f"fit, {result.law}"
+    )
+    label = "for the model, without intercept" if dropped else "beyond the fitted range"
+    axes.plot(whole * _MM.factor, result.curve(whole), color=AFTER, linewidth=1.0, linestyle=(0, (4, 2)), label=label)
+    if low > 0.02 * high:
+        axes.axvspan(0.0, low * _MM.factor, color="#e4e8eb", linewidth=0.0, zorder=0, label="not fitted")
+    if result.operating_deflection is not None:
+        at = result.operating_deflection * _MM.factor
+        axes.axvline(at, color=PALETTE[1], linewidth=1.2, linestyle=(0, (1, 1.5)), label="static operating point")
+
+
+def _draw_trials(axes: Axes, result: StiffnessResult) -> None:
+    unit = display_unit("N/m")
+    pooled = result.stiffness
+    if pooled.interval is not None:
+        axes.axvspan(*(end * unit.factor for end in pooled.interval), color=AFTER, alpha=0.15, linewidth=0.0)
+    axes.axvline(pooled.value * unit.factor, color=AFTER, linewidth=1.4)
+    for row, trial in enumerate(result.trials):
+        value, interval = trial.stiffness.value * unit.factor, trial.stiffness.interval
+        if interval is not None:
+            axes.plot([end * unit.factor for end in interval], [row, row], color=MUTED, linewidth=1.2)
+        axes.plot(value, row, "o", color=MEASURED, markersize=4.5)
+    axes.set_yticks(range(len(result.trials)), [_short(trial.name) for trial in result.trials])
+    axes.set_ylim(len(result.trials) - 0.4, -0.6)
+    axes.grid(axis="y", visible=False)
+    axes.set(xlabel=unit.label("stiffness"))
+    axes.locator_params(axis="x", nbins=5)
+    axes.set_title(f"all: {quantity(pooled.value, 'N/m')} (band: 95 %)", fontweight="normal", fontsize=9)
+
+
+def _short(name: str) -> str:
+    bare = name.rpartition("/")[2].removesuffix(".csv")
+    return bare if len(bare) <= 18 else f"…{bare[-17:]}"
+
+
+@styled
+def tyre_pressure(result: PressureStiffness) -> Figure:
+    """Draw tyre stiffness against inflation pressure.
+
+    Parameters
+    ----------
+    result : PressureStiffness
+        Stiffness at each measured pressure.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Stiffness (N/mm) with 95 % intervals against pressure (MPa), joined as values between are interpolated.
+    """
+    figure = new_figure(2.9, 4.6)
+    axes = figure.subplots()
+    stiffness, pressure = display_unit("N/m"), display_unit("Pa")
+    x = [value * pressure.factor for value in result.pressures]
+    y = [one.value * stiffness.factor for one in result.stiffnesses]
+    axes.plot(x, y, color=AFTER, label="interpolated")
+    for place, one in zip(x, result.stiffnesses, strict=True):
+        if one.interval is not None:
+            axes.plot([place, place], [end * stiffness.factor for end in one.interval], color=MUTED, linewidth=1.4)
+    axes.plot(x, y, "o", color=MEASURED, markersize=5, label="fitted, with 95 % interval")
+    axes.set(xlabel=pressure.label("inflation pressure"), ylabel=stiffness.label("tyre stiffness"))
+    axes.margins(x=0.12, y=0.2)
+    if result.exponent is not None:
+        text = f"proportional to pressure to the power {number(result.exponent, 2)}"
+        axes.text(0.98, 0.05, text, transform=axes.transAxes, ha="right", color=INK, fontsize=8.5)
+    legend_above(axes, 2)
+    return figure
+
+
+@styled
+def damper_loops(
+    displacement: ArrayLike, velocity: ArrayLike, force: ArrayLike, fits: Mapping[str, ArrayLike], title: str = ""
+) -> Figure:
+    """Draw force against velocity and against displacement, measured and fitted.
+
+    Parameters
+    ----------
+    displacement : array (n,)
+        Piston displacement [m]; empty: only the velocity panel is drawn.
+    velocity : array (n,)
+        Piston velocity [m/s].
+    force : array (n,)
+        Measured force [N].
+    fits : mapping of str to array (n,)
+        Name of each law and its force at the same instants [N].
+    title : str
+        Name of the record.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Force-velocity and force-displacement loops.
+
+    Raises
+    ------
+    FitError
+        For arrays of different lengths.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> t = np.linspace(0.0, 1.0, 200)
+    >>> x, v = 0.01 * np.sin(2 * np.pi * t), 0.02 * np.pi * np.cos(2 * np.pi * t)
+    >>> [axes.get_xlabel() for axes in damper_loops(x, v, 900.0 * v, {"linear": 900.0 * v}).axes]
+    ['velocity [m/s]', 'displacement [mm]']
+    """
+    x, v, measured = (np.asarray(values, float) for values in (displacement, velocity, force))
+    shapes = {v.shape, measured.shape, *(np.shape(values) for values in fits.values()), *([x.shape] if x.size else [])}
+    if len(shapes) != 1:
+        raise FitError("the columns of the damper record have different lengths", found=", ".join(map(str, shapes)))
+    panels = [("velocity", v, display_unit("m/s"))]
+    if x.size:
+        panels.append(("displacement", x, display_unit("m")))
+    unit = display_unit("N", float(np.abs(measured).max(initial=0.0)))
+    figure = new_figure(3.4)
+    row = figure.subplots(1, len(panels), sharey=True, squeeze=False)[0]
+    for (words, values, shown), axes in zip(panels, row, strict=True):
+        axes.plot(
+            values * shown.factor, measured * unit.factor, color=MEASURED, linewidth=0.9, alpha=0.8, label="measured"
+        )
+        for k, (name, fitted) in enumerate(fits.items()):
+            axes.plot(
+                values * shown.factor,
+                np.asarray(fitted) * unit.factor,
+                color=PALETTE[k % len(PALETTE)],
+                linewidth=1.2,
+                label=name,
+            )
+        axes.set_xlabel(shown.label(words))
+        axes.locator_params(axis="x", nbins=6)
+    row[0].set_ylabel(unit.label("force"))
+    row[0].set_title(title)
+    handles, labels = row[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside upper right", ncols=min(5, len(labels)))
+    return figure
+
+
+_UNITS = dict(zip(QUANTITIES, ("m", "m/s", "m/s^2"), strict=True))
+
+
+@styled
+def decay_fit(result: DecayResult, time: ArrayLike = (), signal: ArrayLike = (), title: str = "") -> Figure:
+    """Draw a free decay, the fitted response, and each turning point against the one before.
+
+    With viscous damping alone the turning points lie on a line through the origin; dry friction shifts the line down.
+    The damping ratios that single logarithmic decrements would give then grow as the amplitude falls.
+
+    Parameters
+    ----------
+    result : DecayResult
+        What was fitted.
+    time : array (n,), optional
+        Times of the record [s].
+    signal : array (n,), optional
+        The record itself in SI; without it only what was fitted is drawn.
+    title : str
+        Name of the record.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Decay over time; turning points (displacements only); damping ratios of single decrements.
+    """
+    figure = new_figure(5.2)
+    parts = figure.subplot_mosaic([["decay", "decay"], ["peaks", "ratios"]], height_ratios=[1.25, 1.0])
+    t, record = np.asarray(time, float), np.asarray(signal, float)
+    _draw_decay(parts["decay"], result, t, record)
+    parts["decay"].set_title(title)
+    _draw_peaks(parts["peaks"], result)
+    _draw_ratios(parts["ratios"], result)
+    return figure
+
+
+def _draw_decay(axes: Axes, result: DecayResult, time: Array, record: Array) -> None:
+    unit = display_unit(_UNITS[result.quantity])
+    begin, end = result.window
+    if len(record):
+        axes.plot(time, record * unit.factor, color=MEASURED, linewidth=1.6, label="measured")
+    dense = np.linspace(begin, end, 1500)
+    response = decay_response(dense, result.parameters, result.quantity)
+    axes.plot(
+        dense, response * unit.factor, color=AFTER, linewidth=1.1, label="fitted: viscous damping and dry friction"
+    )
+    turns = np.concatenate([[0], np.flatnonzero(np.diff(np.sign(np.diff(response))) != 0) + 1])
+    offset = result.parameters.offset
+    envelope = np.abs(response[turns] - offset)
+    for sign in (1.0, -1.0):
+        label = "envelope" if sign > 0 else None
+        axes.plot(
+            dense[turns],
+            (offset + sign * envelope) * unit.factor,
+            color=PALETTE[1],
+            linewidth=0.9,
+            linestyle=(0, (4, 2)),
+            label=label,
+        )
+    axes.axhline(offset * unit.factor, color=MUTED, linewidth=0.8, linestyle=(0, (1, 2)))
+    span = end - begin
+    axes.set_xlim(begin - 0.15 * span, end + 0.02 * span)
+    axes.set(xlabel="time [s]", ylabel=unit.label(result.quantity))
+    legend_above(axes, 3)
+
+
+def _draw_peaks(axes: Axes, result: DecayResult) -> None:
+    if result.quantity != "displacement":
+        axes.set_axis_off()
+        axes.text(0.5, 0.5, "turning points are drawn\nfor displacements only", ha="center", va="center", color=MUTED)
+        return
+    unit = display_unit("m")
+    measured = np.array(result.amplitudes) * unit.factor
+    axes.plot(measured[:-1], measured[1:], "o", color=MEASURED, markersize=4.5, label="measured")
+    turns = alternating(turning_points(result.parameters, 40)) * unit.factor
+    if len(turns) > 2:
+        axes.plot(turns[:-1], turns[1:], color=AFTER, label="fitted")
+        axes.plot(
+            [0.0, turns[0]],
+            [0.0, result.parameters.half_cycle_ratio * turns[0]],
+            color=MUTED,
+            linewidth=1.0,
+            linestyle=(0, (1, 2)),
+            label="the same without friction",
+        )
+    axes.set_xlim(left=0.0)
+    axes.set_ylim(bottom=0.0)
+    axes.set(xlabel="turning point from equilibrium [mm]", ylabel="next turning point [mm]")
+    axes.set_title("each turning point against the one before", fontweight="normal", fontsize=9)
+    axes.legend(loc="upper left")
+
+
+def _draw_ratios(axes: Axes, result: DecayResult) -> None:
+    count = len(result.naive_damping_ratios)
+    cycles = 0.5 * np.arange(count)
+    axes.plot(cycles, result.naive_damping_ratios, "s", color=PALETTE[1], markersize=4.5, label="single decrements")
+    combined = result.damping_ratio
+    if combined.interval is not None:
+        axes.axhspan(*combined.interval, color=AFTER, alpha=0.15, linewidth=0.0)
+    axes.axhline(combined.value, color=AFTER, label="viscous part, with 95 %")
+    top = max([value for value in (*result.naive_damping_ratios, combined.value) if np.isfinite(value)], default=0.0)
+    axes.set_ylim(0.0, 1.6 * top if top > 0.0 else 1.0)  # room for the legend; a wide band may leave the axes
+    axes.set_xlim(-0.25, max(0.5 * count - 0.25, 1.0))
+    axes.set(xlabel="cycle", ylabel="damping ratio [–]")
+    friction = quantity(result.coulomb_force.value, "N", 3)
+    axes.set_title(f"damping ratio (dry friction: {friction})", fontweight="normal", fontsize=9)
+    axes.legend(loc="upper left")
+
+
+@styled
+def update(result: UpdateResult, units: Mapping[str, str] | None = None) -> Figure:
+    """Draw where the parameters of one update ended within their bounds, and how their estimates are correlated.
+
+    Parameters
+    ----------
+    result : UpdateResult
+        One update.
+    units : mapping, optional
+        SI unit of each parameter by path, for the values written beside them.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Parameters from lower (-100 %) to upper bound (+100 %) with 95 % intervals; correlation matrix
+        of the parameters (lags left out).
+    """
+    count = len(result.parameters)
+    figure = new_figure(1.15 + 0.42 * max(count, 2))
+    if count == 1:
+        figure.set_figwidth(5.4)
+        _draw_parameters(figure.subplots(), result.parameters, units or {})
+        return figure
+    left, right = figure.subplots(1, 2, gridspec_kw={"width_ratios": [1.0, 0.3 + 0.11 * min(count, 8)]})
+    _draw_parameters(left, result.parameters, units or {})
+    _draw_correlation(right, result.correlation, count)
+    return figure
+
+
+def _draw_parameters(axes: Axes, parameters: Mapping[str, UpdatedParameter], units: Mapping[str, str]) -> None:
+    for row, (path, p) in enumerate(parameters.items()):
+        middle, half = 0.5 * (p.lower + p.upper), 0.5 * (p.upper - p.lower)
+        ends = [] if p.interval is None else [100.0 * (end - middle) / half for end in p.interval]
+        if ends:
+            axes.plot(np.clip(ends, -108.0, 108.0), [row, row], color=AFTER, linewidth=1.6, alpha=0.6)
+        colour = PALETTE[1] if p.at_bound else AFTER
+        axes.plot(100.0 * (p.initial - middle) / half, row, "o", markersize=7, color="white", markeredgecolor=MUTED)
+        axes.plot(100.0 * (p.value - middle) / half, row, "s" if p.at_bound else "o", markersize=6, color=colour)
+        axes.text(
+            1.02,
+            row,
+            _value_text(p, units.get(path, "1")),
+            transform=axes.get_yaxis_transform(),
+            va="center",
+            fontsize=8.5,
+            color=colour if p.at_bound else INK,
+        )
+    axes.axvline(-100.0, color=MUTED, linewidth=1.0)
+    axes.axvline(100.0, color=MUTED, linewidth=1.0)
+    axes.set_xlim(-112.0, 112.0)
+    axes.set_ylim(len(parameters) - 0.4, -0.6)
+    numbered = [f"{path}  {row}" if len(parameters) > 1 else path for row, path in enumerate(parameters, 1)]
+    axes.set_yticks(range(len(parameters)), numbered)
+    axes.set_xticks([-100, -50, 0, 50, 100])
+    axes.grid(axis="y", visible=False)
+    axes.set_xlabel("place between lower and upper bound [%]")
+    axes.set_title("start ○, fitted ●, at a bound ■", fontweight="normal", fontsize=9)
+
+
+def _value_text(p: UpdatedParameter, si: str) -> str:
+    unit = display_unit(si, p.value)
+    text = number(p.value * unit.factor, digits_for(p.value, p.standard_error))
+    if p.standard_error is not None:
+        text += f" ± {number(p.standard_error * unit.factor, 2)}"
+    return f"{text} {unit.name}".rstrip() + (" (at bound)" if p.at_bound else "")
+
+
+def _draw_correlation(axes: Axes, correlation: Sequence[Sequence[float]], count: int) -> None:
+    values = np.array(correlation)[:count, :count]
+    axes.imshow(values, cmap="RdBu_r", vmin=-1.0, vmax=1.0, aspect="auto")
+    axes.grid(visible=False)
+    for row in range(len(values)):
+        for column in range(len(values)):
+            known = values[row, row] > 0.0 and values[column, column] > 0.0
+            text = ("1" if row == column else f"{values[row, column]:+.2f}".replace("-", "−")) if known else "–"
+            shade = "white" if abs(values[row, column]) > 0.6 else INK
+            axes.text(column, row, text, ha="center", va="center", fontsize=8, color=shade)
+    axes.set_xticks(range(count), [str(k) for k in range(1, count + 1)])
+    axes.set_yticks(range(count), [str(k) for k in range(1, count + 1)])
+    axes.set_xlabel("number of the parameter")
+    axes.spines[:].set_visible(False)
+    axes.tick_params(length=0)
+    axes.set_title("correlation", fontweight="normal", fontsize=9)
+
+
+def _change(percent: float) -> str:
+    text = f"{percent:+.1f} %"
+    return "no change" if text in ("+0.0 %", "-0.0 %") else text.replace("-", "−")
+
+
+@styled
+def objectives(results: Sequence[UpdateResult]) -> Figure:
+    """Draw the objective of several updates before and after, each relative to its own start.
+
+    Parameters
+    ----------
+    results : sequence of UpdateResult
+        The updates in order.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Two bars for each update, with the objectives themselves beside them.
+    """
+    figure = new_figure(0.9 + 0.55 * len(results))
+    axes = figure.subplots()
+    for row, result in enumerate(results):
+        remaining = 100.0 - result.reduction_percent
+        axes.barh(row - 0.19, 100.0, 0.34, color=BEFORE, alpha=0.55, label="before" if row == 0 else None)
+        axes.barh(row + 0.19, remaining, 0.34, color=AFTER, label="after" if row == 0 else None)
+        axes.text(101.0, row - 0.19, number(result.objective_before), va="center", fontsize=8.5)
+        text = f"{number(result.objective_after)} ({_change(-result.reduction_percent)})"
+        axes.text(max(remaining, 0.0) + 1.0, row + 0.19, text, va="center", fontsize=8.5)
+    axes.set_yticks(range(len(results)), [result.name for result in results])
+    axes.set_ylim(len(results) - 0.45, -0.55)
+    axes.set_xlim(0.0, 118.0)
+    axes.set_xticks([0, 25, 50, 75, 100])
+    axes.grid(axis="y", visible=False)
+    axes.set_xlabel("objective relative to its start [%]")
+    legend_above(axes, 2)
+    return figure

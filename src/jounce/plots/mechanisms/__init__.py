@@ -1,0 +1,8 @@
+"""Suspensions as drawings and in motion: positions come from the description, a sweep or a run."""
+
+from __future__ import annotations
+
+from jounce.plots.mechanisms.animation import animate
+from jounce.plots.mechanisms.drawing import mechanism
+
+__all__ = ["animate", "mechanism"]

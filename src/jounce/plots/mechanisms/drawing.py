@@ -1,0 +1,581 @@
+"""Mechanisms on paper: views, shapes, one pose in any view, and the sheet of three views and one in space."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from jounce.core.types import Array
+from jounce.plots.labels import column_width, write_names
+from jounce.plots.mechanisms.scene import Pose, Poses, Scene, poses_of, scene_of
+from jounce.plots.style import INK, MUTED, styled
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from matplotlib.lines import Line2D
+
+    from jounce.parts.corners import Corner
+
+
+_AROUND = 72
+_TYRE = ((-0.5, 0.9), (-0.42, 0.975), (-0.25, 1.0), (0.25, 1.0), (0.42, 0.975), (0.5, 0.9))
+COILS = 8.0
+
+
+@dataclass(frozen=True)
+class View:
+    """A direction to look in, without perspective.
+
+    Attributes
+    ----------
+    name : str
+        What the picture is called.
+    right, up : ndarray, shape (3,)
+        Unit vectors of ground axes that point to the right and up on paper.
+    """
+
+    name: str
+    right: Array
+    up: Array
+
+    @property
+    def back(self) -> Array:
+        """Unit vector towards the one who looks, shape (3,)."""
+        return np.cross(self.right, self.up)
+
+    def flat(self, points: Array) -> Array:
+        """Places on paper, shape (..., 2), of points in space, shape (..., 3), in their unit."""
+        return np.stack([points @ self.right, points @ self.up], axis=-1)
+
+
+def axis_view(name: str, right: tuple[float, float, float], up: tuple[float, float, float]) -> View:
+    """Look along a ground axis."""
+    return View(name, np.array(right), np.array(up))
+
+
+def oblique_view(name: str, azimuth: float, elevation: float) -> View:
+    """Look from a place ``azimuth`` (rad, from straight ahead of the car towards its left) and ``elevation`` (rad)."""
+    right = np.array([-np.sin(azimuth), np.cos(azimuth), 0.0])
+    back = np.array([np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)])
+    return View(name, right, np.cross(back, right))
+
+
+def _across(axis: Array) -> tuple[Array, Array]:
+    """Two unit vectors across an axis and each other; the second is as upright as can be."""
+    level = np.cross(axis, [0.0, 0.0, 1.0])
+    size = np.linalg.norm(level)
+    level = level / size if size > 1e-9 else np.array([1.0, 0.0, 0.0])
+    return level, np.cross(level, axis)
+
+
+def circle(centre: Array, axis: Array, radius: float) -> Array:
+    """Points on a closed circle in space, shape (n, 3)."""
+    first, second = _across(axis)
+    angle = np.linspace(0.0, 2.0 * np.pi, _AROUND + 1)[:, None]
+    return np.asarray(centre + radius * (np.cos(angle) * first + np.sin(angle) * second))
+
+
+def tyre(centre: Array, axis: Array, radius: float, width: float, ground: float | None = None) -> Array:
+    """Rings of a tyre's surface, shape (rings, n, 3); what would stand below ``ground`` (m) is pressed flat."""
+    rings = np.stack([circle(centre + share * width * axis, axis, size * radius) for share, size in _TYRE])
+    if ground is not None:
+        rings[..., 2] = np.maximum(rings[..., 2], ground)
+    return rings
+
+
+def outline(points: Array) -> Array:
+    """Corners of the convex outline of points on paper, shape (n, 2) to (m, 2), counter-clockwise.
+
+    Examples
+    --------
+    >>> outline(np.array([[0.0, 0.0], [1.0, 0.0], [0.5, 0.2], [1.0, 1.0], [0.0, 1.0]])).tolist()
+    [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
+    """
+    ordered = [tuple(point) for point in np.unique(points.reshape(-1, 2), axis=0)]
+    if len(ordered) < 3:
+        return np.array(ordered)
+    halves = []
+    for run in (ordered, ordered[::-1]):
+        half: list[tuple[float, float]] = []
+        for x, y in run:
+            while len(half) > 1 and _turn(half[-2], half[-1], (x, y)) <= 0.0:
+                half.pop()
+            half.append((x, y))
+        halves.append(half[:-1])
+    return np.array(halves[0] + halves[1])
+
+
+def _turn(a: tuple[float, float], b: tuple[float, float], c: tuple[float, float]) -> float:
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def coil(bottom: Array, top: Array, radius: float) -> Array:
+    """Helix between two points, shape (n, 3), with straight ends."""
+    axis = (top - bottom) / np.linalg.norm(top - bottom)
+    first, second = _across(axis)
+    share = np.linspace(0.0, 1.0, int(24 * COILS) + 1)
+    reach = np.clip(np.minimum(share, 1.0 - share) * 3.0 * COILS, 0.0, 1.0)[:, None]
+    angle = 2.0 * np.pi * COILS * share[:, None]
+    turned = np.cos(angle) * first + np.sin(angle) * second
+    turns = bottom + (0.08 + 0.84 * share[:, None]) * (top - bottom) + radius * reach * turned
+    return np.vstack([bottom, turns, top])
+
+
+MM = 1e3
+RUBBER, ROAD = "#5b636b", "#7d7468"
+_RIM, _SHOULDER = 0.56, 0.9
+DAMPER_BODY = 0.5  # of its design length
+
+
+@dataclass(frozen=True)
+class Look:
+    """How a pose is drawn.
+
+    Attributes
+    ----------
+    colour : str, optional
+        One colour for everything instead of each part's own.
+    ghost : bool
+        Drawn thinly behind another pose, without surfaces and points, the strut as a line.
+    """
+
+    colour: str | None = None
+    ghost: bool = False
+
+    @property
+    def strength(self) -> float:
+        """Share of opacity and of line widths [1]."""
+        return 0.65 if self.ghost else 1.0
+
+
+def draw_pose(
+    axes: Axes, view: View, scene: Scene, pose: Pose, look: Look | None = None, *, pressed: bool = False
+) -> None:
+    """Draw everything that moves.
+
+    Parameters
+    ----------
+    axes : Axes
+        Where; one unit is a millimetre.
+    view : View
+        Where it is looked from.
+    scene, pose : Scene, Pose
+        What is drawn.
+    look : Look, optional
+        Its own colours by default.
+    pressed : bool
+        Draw the unloaded tyre, pressed flat by the road, instead of the wheel at its design radius.
+    """
+    look = look or Look()
+    _draw_wheel(axes, view, scene, pose, look, pressed=pressed)
+    for order, part in enumerate(scene.parts):
+        if not all(name in pose.points for name in part.points):
+            continue
+        colour = look.colour or part.colour
+        flat = MM * view.flat(np.array([pose.points[name] for name in part.points]))
+        if part.plate:
+            corners = outline(flat) if part.name == "upright" else flat
+            if not look.ghost:
+                axes.fill(corners[:, 0], corners[:, 1], color=colour, alpha=0.13, linewidth=0.0, zorder=2.0)
+            flat = np.vstack([corners, corners[:1]])
+        _line(axes, flat, colour, 2.2 * look.strength, 3.0 + 0.01 * order, look)
+    for bracket in scene.brackets:
+        first, second = pose.points[bracket.first], pose.points[bracket.second]
+        ends = np.array([pose.points[bracket.point], first + bracket.share * (second - first)])
+        _line(axes, MM * view.flat(ends), look.colour or bracket.colour, 1.0 * look.strength, 2.9, look)
+    _draw_strut(axes, view, scene, pose, look)
+    if not look.ghost:
+        _draw_points(axes, view, scene, pose)
+
+
+def _line(axes: Axes, flat: Array, colour: str, width: float, zorder: float, look: Look, **options: Any) -> None:
+    axes.plot(
+        flat[:, 0],
+        flat[:, 1],
+        color=colour,
+        linewidth=width,
+        alpha=look.strength,
+        zorder=zorder - (1.5 if look.ghost else 0.0),
+        solid_joinstyle="round",
+        **options,
+    )
+
+
+def _draw_wheel(axes: Axes, view: View, scene: Scene, pose: Pose, look: Look, *, pressed: bool) -> None:
+    centre = pose.points["wheel_centre"]
+    radius = scene.undeformed_radius if pressed else scene.radius
+    ground = pose.ground if pressed and pose.touches else None
+    surface = MM * view.flat(tyre(centre, pose.spin_axis, radius, scene.width, ground))
+    edge = outline(surface)
+    colour = look.colour or RUBBER
+    if not look.ghost:
+        axes.fill(edge[:, 0], edge[:, 1], color=RUBBER, alpha=0.12, linewidth=0.0, zorder=1.0)
+    edge = np.vstack([edge, edge[:1]])
+    _line(axes, edge, colour, 1.1 * look.strength, 1.8, look)
+    if not look.ghost:
+        facing = pose.spin_axis if view.back @ pose.spin_axis > 0.0 else -pose.spin_axis
+        for share in (_SHOULDER, _RIM):
+            ring = circle(centre + 0.5 * scene.width * facing, facing, share * radius)
+            _line(axes, MM * view.flat(ring), colour, 0.7, 1.7, look)
+
+
+def _draw_strut(axes: Axes, view: View, scene: Scene, pose: Pose, look: Look) -> None:
+    colour = look.colour or scene.strut_colour
+    bottom, top = (pose.points[name] for name in scene.damper)
+    along = (top - bottom) / np.linalg.norm(top - bottom)
+    tube = np.array([bottom, bottom + DAMPER_BODY * scene.damper_length * along])
+    _line(axes, MM * view.flat(np.array([bottom, top])), colour, 1.3 * look.strength, 3.3, look)
+    if look.ghost:
+        return
+    _line(axes, MM * view.flat(tube), colour, 3.6 * look.strength, 3.3, look, solid_capstyle="butt")
+    turns = coil(pose.points[scene.spring[0]], pose.points[scene.spring[1]], scene.coil_radius)
+    _line(axes, MM * view.flat(turns), colour, 1.2 * look.strength, 3.4, look)
+
+
+def _draw_points(axes: Axes, view: View, scene: Scene, pose: Pose) -> None:
+    for on_body, marker in ((True, "s"), (False, "o")):
+        names = [name for name in pose.points if (name in scene.on_body) is on_body and name != "wheel_centre"]
+        flat = MM * view.flat(np.array([pose.points[name] for name in names]))
+        axes.plot(*flat.T, marker, color="white", markeredgecolor=INK, markeredgewidth=0.9, markersize=4.2, zorder=5.0)
+    centre, contact = (MM * view.flat(place) for place in (pose.points["wheel_centre"], pose.contact))
+    axes.plot(*centre, "+", color=INK, markersize=8.0, markeredgewidth=1.2, zorder=5.0)
+    axes.plot(
+        *contact,
+        "^" if pose.touches else "v",
+        color=ROAD if pose.touches else "white",
+        markeredgecolor=ROAD,
+        markersize=6.0,
+        zorder=5.0,
+    )
+
+
+def draw_steering_axis(axes: Axes, view: View, scene: Scene, pose: Pose) -> None:
+    """Draw the axis the wheel steers about, from the ground to a little above its upper point."""
+    if scene.steering_axis is None:
+        return
+    lower, upper = (pose.points[name] for name in scene.steering_axis)
+    along = upper - lower
+    if abs(along[2]) < 1e-6 * float(np.linalg.norm(along)):
+        return
+    start = lower + along * (pose.ground - lower[2]) / along[2]
+    ends = MM * view.flat(np.array([start, upper + 0.15 * along]))
+    axes.plot(*ends.T, color=MUTED, linewidth=1.0, linestyle=(0, (5, 2, 1, 2)), zorder=4.0)
+
+
+def draw_ground(axes: Axes, view: View, scene: Scene, pose: Pose, line: Array | None = None) -> None:
+    """Draw the road below the wheel as a strip with some depth.
+
+    Parameters
+    ----------
+    axes : Axes
+        Where; one unit is a millimetre.
+    view : View
+        Where it is looked from.
+    scene, pose : Scene, Pose
+        Where the wheel is.
+    line : ndarray, shape (n, 2), optional
+        x and z of the road in m; level by default.
+    """
+    corners = ground_corners(scene, pose)
+    if line is None:
+        line = corners[:2, [0, 2]]
+    sides = [np.column_stack([line[:, 0], np.full(len(line), y), line[:, 1]]) for y in corners[[0, 2], 1]]
+    base = float(line[:, 1].min()) - 0.06 * scene.radius
+    for side in sides:
+        below = np.column_stack([side[::-1, :2], np.full(len(line), base)])
+        axes.fill(*(MM * view.flat(np.vstack([side, below]))).T, facecolor=ROAD, alpha=0.14, linewidth=0.0, zorder=0.4)
+        axes.plot(*(MM * view.flat(side)).T, color=ROAD, linewidth=0.9, zorder=0.6)
+    top = np.vstack([sides[0], sides[1][::-1]])
+    axes.fill(*(MM * view.flat(top)).T, facecolor=ROAD, alpha=0.14, linewidth=0.0, zorder=0.5)
+    for k in (0, -1):
+        end = np.array([sides[0][k], sides[1][k]])
+        face = np.vstack([end, [[*end[1, :2], base], [*end[0, :2], base]]])
+        axes.fill(*(MM * view.flat(face)).T, facecolor=ROAD, alpha=0.14, linewidth=0.0, zorder=0.4)
+        axes.plot(*(MM * view.flat(end)).T, color=ROAD, linewidth=0.9, zorder=0.6)
+
+
+def ground_corners(scene: Scene, pose: Pose) -> Array:
+    """Corners of the piece of level ground that is drawn under a wheel, shape (4, 3), m."""
+    x, y = pose.points["wheel_centre"][:2]
+    reach, across = 1.1 * scene.undeformed_radius, 0.95 * scene.width
+    return np.array([(x + i * reach, y + j * across, pose.ground) for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
+
+
+_PAPER = (11.0, 8.8)  # inches; all below too
+_LEFT, _RIGHT, _BETWEEN = 0.62, 0.15, 0.72
+_BOTTOM, _TOP, _ABOVE = 0.98, 0.72, 0.72
+ARROWS = 0.85
+"""Height in inches kept free in the last view for the directions of the axes."""
+DASHED: Any = (0, (3, 1.2))
+AZIMUTH, ELEVATION = np.radians(38.0), np.radians(20.0)
+
+
+def views_of(scene: Scene) -> tuple[View, View, View, View]:
+    """Front, side (from outside), top (front down, below the front view) and space (from ahead, inboard and above)."""
+    ahead = -scene.side
+    outside = "left" if scene.side > 0.0 else "right"
+    return (
+        axis_view("front view", (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)),
+        axis_view(f"side view, from the {outside}", (ahead, 0.0, 0.0), (0.0, 0.0, 1.0)),
+        axis_view("top view", (0.0, 1.0, 0.0), (-1.0, 0.0, 0.0)),
+        oblique_view("from ahead, inboard and above", -scene.side * AZIMUTH, ELEVATION),
+    )
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """Scale and middle of each view; the three views along the axes share one scale and stand in line.
+
+    Attributes
+    ----------
+    views : tuple of View
+        Front, side, top, and in space.
+    middles : tuple of ndarray, shape (2,)
+        What stands in the middle of each, mm.
+    scale, oblique_scale : float
+        mm per inch of the first three and of the last.
+    """
+
+    views: tuple[View, View, View, View]
+    middles: tuple[Array, ...]
+    scale: float
+    oblique_scale: float
+
+    @classmethod
+    def for_poses(cls, scene: Scene, poses: Sequence[Pose], *, names: bool) -> Sheet:
+        """Find scales with which all poses fit, beside the names of the hardpoints."""
+        views = views_of(scene)
+        cloud = np.vstack([everything(scene, pose) for pose in poses])
+        width, height = _panel()
+        margin = 2.0 * column_width({**scene.design.points, "contact point": None}) if names else 0.1
+        room = np.array([width - margin - 0.3, height - 0.3])
+        spans, middles = [], []
+        for view in views:
+            flat = MM * view.flat(cloud)
+            low, high = flat.min(axis=0), flat.max(axis=0)
+            spans.append((high - low) / room)
+            middles.append(0.5 * (low + high))
+        return cls(views, tuple(middles), float(np.max(spans[:3])), float(np.max(spans[3])))
+
+    def scale_of(self, view: View) -> float:
+        """Millimetres per inch."""
+        return self.oblique_scale if view is self.views[3] else self.scale
+
+    def panels(self, figure: Figure) -> list[Axes]:
+        """Add the axes, two by two."""
+        width, height = _panel()
+        size = np.array(_PAPER)
+        labels = (("y [mm]", "z [mm]"), ("x [mm]", "z [mm]"), ("y [mm]", "x [mm]"), ("", ""))
+        found = []
+        for k, view in enumerate(self.views):
+            corner = (_LEFT + (k % 2) * (width + _BETWEEN), _BOTTOM + (1 - k // 2) * (height + _ABOVE))
+            box = (*(np.array(corner) / size), *(np.array([width, height]) / size))
+            axes = figure.add_axes(box, label=("front", "side", "top", "space")[k])
+            half = 0.5 * np.array([width, height]) * self.scale_of(view)
+            low, high = self.middles[k] - half, self.middles[k] + half
+            axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), xlabel=labels[k][0], ylabel=labels[k][1])
+            axes.set_title(view.name)
+            _ticks(axes, view)
+            found.append(axes)
+        return found
+
+
+def _panel() -> tuple[float, float]:
+    return (
+        (_PAPER[0] - _LEFT - _RIGHT - _BETWEEN) / 2.0,
+        (_PAPER[1] - _BOTTOM - _TOP - _ABOVE) / 2.0,
+    )
+
+
+def _ticks(axes: Axes, view: View) -> None:
+    """Show places along ground axes, also where these point to the left or down; none in space."""
+    from matplotlib.ticker import FuncFormatter
+
+    if view.name.startswith("from"):
+        axes.set(xticks=[], yticks=[])
+        axes.grid(visible=False)
+        axes.spines[:].set_visible(False)
+        return
+    for axis, direction in ((axes.xaxis, view.right), (axes.yaxis, view.up)):
+        if direction.sum() < 0.0:
+            axis.set_major_formatter(FuncFormatter(lambda value, _: f"{0.0 - value:g}".replace("-", "−")))
+    axes.tick_params(length=2.5)
+
+
+def new_sheet(title: str, scene: Scene) -> Figure:
+    """Give an empty sheet with its title."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=_PAPER)
+    words = scene.title[0].upper() + scene.title[1:]
+    figure.suptitle(
+        f"{title}: {scene.title}" if title else words,
+        x=_LEFT / _PAPER[0],
+        y=1.0 - 0.14 / _PAPER[1],
+        ha="left",
+        va="top",
+        fontsize=11.5,
+        fontweight="bold",
+    )
+    return figure
+
+
+def everything(scene: Scene, pose: Pose) -> Array:
+    """All points that must be on the paper, shape (n, 3), m."""
+    surface = tyre(pose.points["wheel_centre"], pose.spin_axis, scene.radius, scene.width).reshape(-1, 3)
+    return np.vstack([*pose.points.values(), surface, ground_corners(scene, pose)])
+
+
+def draw_directions(axes: Axes, view: View) -> None:
+    """Draw the ground axes as three short arrows in the corner."""
+    (left, right), (low, _) = axes.get_xlim(), axes.get_ylim()
+    length = 0.07 * (right - left)
+    x, y = left + 1.3 * length, low + 0.7 * length
+    style = {"arrowstyle": "-|>", "color": MUTED, "linewidth": 0.9, "shrinkA": 0, "shrinkB": 0}
+    for name, axis in zip("xyz", np.eye(3), strict=True):
+        dx, dy = (float(part) for part in length * view.flat(axis))
+        axes.annotate("", (x + dx, y + dy), (x, y), arrowprops=style)
+        axes.text(x + 1.25 * dx, y + 1.25 * dy, name, fontsize=8, color=MUTED, ha="center", va="center")
+
+
+def handles_of(scene: Scene) -> list[Line2D]:
+    """Legend of a rig: its parts, and what the marks mean."""
+    found = [_handle(part.words, part.colour, linewidth=2.2) for part in scene.parts]
+    found += [_handle("spring and damper", scene.strut_colour, linewidth=2.2), _handle("wheel", RUBBER, linewidth=1.1)]
+    return found + _marks(scene)
+
+
+def pose_handles(scene: Scene, shown: Sequence[Pose], looks: Sequence[Look]) -> list[Line2D]:
+    """Legend of several poses."""
+    found = [_handle(scene.design.label, INK, linewidth=2.2)]
+    found += [_handle(pose.label, str(look.colour), linewidth=1.8) for pose, look in zip(shown, looks, strict=True)]
+    found.append(_handle("path of the wheel centre", INK, linewidth=0.9))
+    found.append(_handle("path of the contact point", INK, linewidth=0.9, linestyle=DASHED))
+    return found + _marks(scene)
+
+
+def _marks(scene: Scene) -> list[Line2D]:
+    plain = {"linestyle": "none", "markerfacecolor": "white", "markeredgecolor": INK, "markersize": 4.5}
+    axis = [_handle("steering axis", MUTED, linewidth=1.0, linestyle=(0, (5, 2, 1, 2)))] if scene.steering_axis else []
+    return [
+        *axis,
+        _handle("on the body", INK, marker="s", **plain),
+        _handle("moves", INK, marker="o", **plain),
+        _handle("contact point", ROAD, marker="^", linestyle="none", markersize=6.0),
+    ]
+
+
+def _handle(label: str, colour: str, **options: Any) -> Line2D:
+    from matplotlib.lines import Line2D
+
+    return Line2D([], [], color=colour, label=label, **options)
+
+
+_LOW, _MIDDLE, _HIGH = "#0067a8", "#a9b0b7", "#d55e00"
+
+
+@styled
+def mechanism(
+    rig: Corner,
+    poses: xr.Dataset | None = None,
+    at: Sequence[float | str] | None = None,
+    *,
+    names: bool = True,
+    title: str = "",
+) -> Figure:
+    """Draw a 3-D rig at design: front, side and top view to one scale, and a view in space.
+
+    Parameters
+    ----------
+    rig : Corner
+        Double wishbone, McPherson strut, five-link or trailing arm.
+    poses : xarray.Dataset, optional
+        A sweep or a run with hardpoints: further poses are drawn over the first, with the paths of wheel centre and
+        contact point.
+    at : sequence of float or str, optional
+        Which poses: travel (m) or time (s), or text with a unit; the nearest ones are drawn. By default the first and
+        the last of a sweep, the lowest and the highest wheel of a run.
+    names : bool
+        Write the names of the hardpoints.
+    title : str
+        Put before the kind of suspension.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Axes ``front``, ``side``, ``top`` and ``space``, all in mm.
+
+    Raises
+    ------
+    DescriptionError
+        For a rig without hardpoints, or a pose that ``poses`` does not reach.
+    RecordingError
+        For ``poses`` without hardpoints.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> figure = mechanism(jn.load("reference-double-wishbone"))
+    >>> [axes.get_label() for axes in figure.axes]
+    ['front', 'side', 'top', 'space']
+    """
+    scene = scene_of(rig)
+    tracks = None if poses is None else poses_of(rig, scene, poses)
+    chosen = [] if tracks is None else _chosen(tracks, at)
+    shown = [] if tracks is None else [tracks.pose(k) for k in chosen]
+    looks = [Look(colour, ghost=True) for colour in _colours(tracks, chosen)]
+    handles = handles_of(scene) if tracks is None else pose_handles(scene, shown, looks)
+    sheet = Sheet.for_poses(scene, [scene.design, *shown], names=names)
+    figure = new_sheet(title, scene)
+    for axes, view in zip(sheet.panels(figure), sheet.views, strict=True):
+        draw_ground(axes, view, scene, scene.design)
+        for pose, look in zip(shown, looks, strict=True):
+            draw_pose(axes, view, scene, pose, look)
+        if tracks is not None:
+            _draw_ways(axes, view, tracks)
+        draw_pose(axes, view, scene, scene.design, Look() if tracks is None else Look(INK))
+        draw_steering_axis(axes, view, scene, scene.design)
+        if names:
+            places = {**scene.design.points, "contact point": scene.design.contact}
+            floor = ARROWS if view is sheet.views[3] else 0.0
+            flat = {name: MM * view.flat(place) for name, place in places.items()}
+            write_names(axes, flat, sheet.scale_of(view), floor)
+    draw_directions(figure.axes[3], sheet.views[3])
+    columns = -(-len(handles) // 2)
+    figure.legend(handles=handles, loc="lower center", ncols=columns, columnspacing=1.6, bbox_to_anchor=(0.5, 0.01))
+    return figure
+
+
+def _chosen(poses: Poses, at: Sequence[float | str] | None) -> list[int]:
+    from jounce.core.units import to_si
+
+    if at is None:
+        height = poses.points["wheel_centre"][:, 2]
+        ends = [int(height.argmin()), int(height.argmax())] if poses.in_time else [0, len(poses) - 1]
+        return sorted(set(ends))
+    values = [to_si(value, poses.unit, where="at") for value in at]
+    return list(dict.fromkeys(poses.nearest(value, "at") for value in values))
+
+
+def _colours(poses: Poses | None, chosen: Sequence[int]) -> list[str]:
+    """One colour for each pose, from blue for the lowest value to orange for the highest."""
+    if poses is None or not chosen:
+        return []
+    from matplotlib.colors import LinearSegmentedColormap, to_hex
+
+    values = poses.over[list(chosen)]
+    span = max(abs(values.min()), abs(values.max())) if not poses.in_time and values.min() < 0.0 else np.ptp(values)
+    first = -span if not poses.in_time and values.min() < 0.0 else values.min()
+    length = (values.max() - first if values.min() >= 0.0 else 2.0 * span) or 1.0
+    colours = LinearSegmentedColormap.from_list("travel", [_LOW, _MIDDLE, _HIGH])
+    return [to_hex(colours(float((value - first) / length))) for value in values]
+
+
+def _draw_ways(axes: Axes, view: View, poses: Poses) -> None:
+    for track, style in ((poses.points["wheel_centre"], "-"), (poses.contact, DASHED)):
+        axes.plot(*(MM * view.flat(track)).T, color=INK, linewidth=0.9, linestyle=style, zorder=4.2)

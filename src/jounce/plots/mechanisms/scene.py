@@ -1,0 +1,600 @@
+"""What there is to draw of a 3-D rig: its parts, its poses in a sweep or a run, the road under its wheel."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import DescriptionError, RecordingError
+from jounce.core.types import Array
+from jounce.plots.display import DisplayUnit, display_unit, number
+from jounce.plots.signals import sampled
+from jounce.plots.style import INK, PALETTE
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from jounce.parts.corners import Corner
+    from jounce.roads import Trial
+
+
+COLOURS = {
+    "lower_arm": PALETTE[0],
+    "upper_arm": PALETTE[2],
+    "arm": PALETTE[0],
+    "link_1": PALETTE[0],
+    "link_2": PALETTE[5],
+    "link_3": PALETTE[2],
+    "link_4": "#7a9a1e",
+    "link_5": PALETTE[1],
+    "tie_rod": PALETTE[1],
+    "upright": INK,
+    "strut": PALETTE[3],
+    "pushrod": PALETTE[4],
+    "rocker": "#7b5ea7",
+    "anti_roll_bar": "#8c6d5a",
+}
+"""Colour of each part, the same in every picture."""
+_STEERING_AXES = {
+    "double-wishbone": ("lower_ball_joint", "upper_ball_joint"),
+    "mcpherson": ("lower_ball_joint", "strut_top"),
+}
+_WORDS = {
+    "double-wishbone": "double wishbone",
+    "mcpherson": "McPherson strut",
+    "five-link": "five-link suspension",
+    "trailing-arm": "trailing arm",
+    "anti_roll_bar": "anti-roll bar",
+    "pushrod": "push rod",
+}
+BAR = ("arb_pivot", "arb_arm_end", "arb_link_end")
+_USUAL_WIDTH = 0.6  # of the radius
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part as a line along hardpoints, or as a plate with corners at three or more of them.
+
+    Attributes
+    ----------
+    name : str
+        As descriptions call it.
+    points : tuple of str
+        Hardpoints along it.
+    colour : str
+        As ``#rrggbb``.
+    """
+
+    name: str
+    points: tuple[str, ...]
+    colour: str
+
+    @property
+    def words(self) -> str:
+        """The name as people write it."""
+        return _WORDS.get(self.name) or self.name.replace("_", " ")
+
+    @property
+    def plate(self) -> bool:
+        """Whether it is drawn as a surface."""
+        return len(self.points) > 2 and self.name != "anti_roll_bar"
+
+
+@dataclass(frozen=True)
+class Bracket:
+    """A thin line from a hardpoint to the nearest place on the part that carries it.
+
+    Attributes
+    ----------
+    point : str
+        The hardpoint.
+    first, second : str
+        The place lies between these two.
+    share : float
+        How far from the first to the second [1].
+    colour : str
+        As ``#rrggbb``.
+    """
+
+    point: str
+    first: str
+    second: str
+    share: float
+    colour: str
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What does not change from pose to pose.
+
+    Attributes
+    ----------
+    title : str
+        Model and side.
+    side : float
+        1 on the left, -1 on the right.
+    parts : tuple of Part
+        Links, arms, upright, in the order of drawing; not the strut.
+    brackets : tuple of Bracket
+        How points that lie beside their part are held.
+    on_body : frozenset of str
+        Hardpoints that stand on the car's body.
+    spring, damper : tuple of str
+        Hardpoints at its bottom and its top.
+    steering_axis : tuple of str, or None
+        Lower and upper hardpoint; None where no two points mark the axis.
+    radius, undeformed_radius, width : float
+        Of the wheel at design, of the unloaded tyre, and across, m.
+    design : Pose
+        The pose that the description gives.
+    """
+
+    title: str
+    side: float
+    parts: tuple[Part, ...]
+    brackets: tuple[Bracket, ...]
+    on_body: frozenset[str]
+    spring: tuple[str, str]
+    damper: tuple[str, str]
+    steering_axis: tuple[str, str] | None
+    radius: float
+    undeformed_radius: float
+    width: float
+    design: Pose
+
+    @property
+    def damper_length(self) -> float:
+        """Design length of the damper in m."""
+        bottom, top = (self.design.points[name] for name in self.damper)
+        return float(np.linalg.norm(top - bottom))
+
+    @property
+    def coil_radius(self) -> float:
+        """Radius in m with which the spring is drawn."""
+        bottom, top = (self.design.points[name] for name in self.spring)
+        return min(0.1 * float(np.linalg.norm(top - bottom)), 0.3 * self.radius)
+
+    @property
+    def strut_colour(self) -> str:
+        """Colour of spring and damper."""
+        return COLOURS["strut"]
+
+
+@dataclass(frozen=True)
+class Pose:
+    """Where everything is at one moment.
+
+    Attributes
+    ----------
+    points : mapping of str to ndarray, shape (3,)
+        Hardpoints, m.
+    spin_axis : ndarray, shape (3,)
+        Unit vector along the wheel's axis, outboard.
+    contact : ndarray, shape (3,)
+        Where the wheel meets the road or, in flight, would meet it, m.
+    ground : float
+        Height of the road there, m.
+    touches : bool
+        Whether the tyre carries anything.
+    label : str
+        What pose this is, e.g. ``"wheel travel 20 mm"``.
+    """
+
+    points: Mapping[str, Array]
+    spin_axis: Array
+    contact: Array
+    ground: float
+    touches: bool = True
+    label: str = ""
+
+
+def require_corner(rig: object) -> Corner:
+    """Give a rig that has hardpoints; refuse all others."""
+    from jounce.parts.corners import Corner
+
+    if not isinstance(rig, Corner):
+        raise DescriptionError(
+            "only a 3-D rig of one corner can be drawn as a mechanism; this one has no hardpoints",
+            found=getattr(rig, "model", type(rig).__name__),
+            allowed="double-wishbone, mcpherson, five-link, trailing-arm",
+        )
+    return rig
+
+
+def scene_of(rig: Corner) -> Scene:
+    """Say what there is to draw of a 3-D rig.
+
+    Parameters
+    ----------
+    rig : Corner
+        Its description.
+
+    Returns
+    -------
+    Scene
+        Parts and wheel; which points stand on the body comes from the equations.
+
+    Raises
+    ------
+    DescriptionError
+        For a rig without hardpoints.
+    """
+    require_corner(rig)
+    from jounce.mechanics import Mechanism
+    from jounce.models.corner import suspension
+
+    linkage = suspension(rig, Mechanism())
+    lines = {name: points for name, points in linkage.lines.items() if name != "strut"}
+    names = rig.hardpoints.given()
+    if "arb_pivot" in names:
+        lines.setdefault("anti_roll_bar", BAR)
+    parts = tuple(Part(name, points, COLOURS.get(name, PALETTE[4])) for name, points in lines.items())
+    holders = {linkage.chassis.name, linkage.rack.name}
+    owners = {name: owner.name for name, owner in linkage.owners.items()}
+    on_body = {name for name, owner in owners.items() if owner in holders} | ({"arb_pivot"} & set(names))
+    model = str(getattr(rig, "model"))  # noqa: B009 - every subclass has it
+    return Scene(
+        f"{_WORDS.get(model, model)}, {rig.side} side",
+        rig.sign,
+        parts,
+        _brackets(parts, owners, names),
+        frozenset(on_body),
+        _ends(names, "spring"),
+        _ends(names, "damper"),
+        _STEERING_AXES.get(model),
+        rig.wheel.radius,
+        rig.undeformed_radius,
+        rig.wheel.width or _USUAL_WIDTH * rig.wheel.radius,
+        _design(rig),
+    )
+
+
+def _brackets(
+    parts: tuple[Part, ...], owners: Mapping[str, str], names: Mapping[str, tuple[float, float, float]]
+) -> tuple[Bracket, ...]:
+    """Hold every point that its part's line does not reach; the rocker's axis is shown in the same way."""
+    by_name = {part.name: part for part in parts}
+    found = []
+    for name, owner in owners.items():
+        part = by_name.get(owner)
+        if part is None or name in part.points:
+            continue
+        edges = list(pairwise(part.points)) + ([(part.points[-1], part.points[0])] if part.plate else [])
+        found.append(min((_held(names, name, *edge, part.colour) for edge in edges), key=lambda held: held[0])[1])
+    if "rocker_axis" in names:
+        found.append(Bracket("rocker_axis", "rocker_pivot", "rocker_pivot", 0.0, COLOURS["rocker"]))
+    return tuple(found)
+
+
+def _held(
+    names: Mapping[str, tuple[float, float, float]], name: str, first: str, second: str, colour: str
+) -> tuple[float, Bracket]:
+    """Distance in m of a point from the line between two others, and the bracket between."""
+    point, start, end = (np.array(names[one]) for one in (name, first, second))
+    along = end - start
+    square = float(along @ along)
+    share = float(np.clip((point - start) @ along / square, 0.0, 1.0)) if square > 0.0 else 0.0
+    return float(np.linalg.norm(start + share * along - point)), Bracket(name, first, second, share, colour)
+
+
+def _ends(names: Mapping[str, Any], element: str) -> tuple[str, str]:
+    bottom, top = (own if (own := f"{element}_{end}") in names else f"strut_{end}" for end in ("bottom", "top"))
+    return bottom, top
+
+
+def _design(rig: Corner) -> Pose:
+    points = {name: np.array(place) for name, place in rig.hardpoints.given().items()}
+    axis = spin_axes(np.array(rig.wheel.camber), np.array(-rig.sign * rig.wheel.toe), rig.sign)
+    contact = contact_points(points["wheel_centre"], axis, rig.wheel.radius)
+    return Pose(points, axis, contact, float(contact[2]), label="design position")
+
+
+def spin_axes(camber: Array, steer: Array, side: float) -> Array:
+    """Unit vectors along the wheel's axis, outboard, shape (..., 3), of camber and steer (rad) on a side (1 left)."""
+    level = np.cos(camber)
+    return np.stack([-side * np.sin(steer) * level, side * np.cos(steer) * level, -np.sin(camber)], axis=-1)
+
+
+def contact_points(centre: Array, axis: Array, radius: float) -> Array:
+    """Lowest points of wheels, shape (..., 3), m, of centre and axis of that shape and radius in m."""
+    down = axis * axis[..., 2:] - np.array([0.0, 0.0, 1.0])
+    return np.asarray(centre + radius * down / np.linalg.norm(down, axis=-1, keepdims=True))
+
+
+@dataclass(frozen=True)
+class Poses:
+    """Many poses, over travel or over time.
+
+    Attributes
+    ----------
+    points : mapping of str to ndarray, shape (n, 3)
+        Hardpoints, m.
+    spin_axis, contact : ndarray, shape (n, 3)
+        As in :class:`Pose`.
+    ground : ndarray, shape (n,)
+        Height of the road under the wheel, m.
+    touches : ndarray of bool, shape (n,)
+        Whether the tyre carries anything.
+    over : ndarray, shape (n,)
+        What the poses are counted by, SI.
+    words, unit : str
+        What ``over`` is, and its SI unit.
+    in_time : bool
+        A run over time rather than a sweep.
+    signals : mapping of str to ndarray, shape (n,)
+        Everything else known of each pose, by name, SI.
+    signal_units, signal_words : mapping of str to str
+        SI unit and long name of each.
+    """
+
+    points: Mapping[str, Array]
+    spin_axis: Array
+    contact: Array
+    ground: Array
+    touches: NDArray[np.bool_]
+    over: Array
+    words: str
+    unit: str
+    in_time: bool
+    signals: Mapping[str, Array] = field(default_factory=dict)
+    signal_units: Mapping[str, str] = field(default_factory=dict)
+    signal_words: Mapping[str, str] = field(default_factory=dict)
+
+    def __len__(self) -> int:
+        return len(self.over)
+
+    @property
+    def display(self) -> DisplayUnit:
+        """Unit in which ``over`` is shown."""
+        return DisplayUnit("s", 1.0) if self.in_time else display_unit(self.unit)
+
+    def label(self, k: int) -> str:
+        """What pose ``k`` is, e.g. ``"wheel travel 20 mm"``."""
+        value = self.over[k] * self.display.factor
+        text = f"{value:.3f}" if self.in_time else f"{round(value, 2):+g}".replace("+0", "0")
+        return f"{self.words} {text.replace('-', '−')} {self.display.name}"
+
+    def pose(self, k: int) -> Pose:
+        """Give one of them."""
+        points = {name: place[k] for name, place in self.points.items()}
+        return Pose(
+            points, self.spin_axis[k], self.contact[k], float(self.ground[k]), bool(self.touches[k]), self.label(k)
+        )
+
+    def taken(self, index: Any) -> Poses:
+        """Only some of them, as numpy indexes."""
+        return replace(
+            self,
+            points={name: place[index] for name, place in self.points.items()},
+            spin_axis=self.spin_axis[index],
+            contact=self.contact[index],
+            ground=self.ground[index],
+            touches=self.touches[index],
+            over=self.over[index],
+            signals={name: values[index] for name, values in self.signals.items()},
+        )
+
+    def nearest(self, value: float, where: str) -> int:
+        """Index of the pose nearest to a value of ``over`` in its SI unit; values outside are refused."""
+        low, high = float(self.over.min()), float(self.over.max())
+        if not low - 1e-9 <= value <= high + 1e-9:
+            show = self.display
+            ends = [f"{number(end * show.factor)} {show.name}" for end in (low, high)]
+            raise DescriptionError(
+                f"there is no pose at this {self.words}",
+                where=where,
+                found=f"{number(value * show.factor)} {show.name}",
+                allowed=" to ".join(ends),
+            )
+        return int(np.abs(self.over - value).argmin())
+
+
+def poses_of(rig: Corner, scene: Scene, data: xr.Dataset) -> Poses:
+    """Read poses from a sweep or a run.
+
+    Parameters
+    ----------
+    rig : Corner
+        What moves.
+    scene : Scene
+        Of that rig.
+    data : xarray.Dataset
+        Variables ``<hardpoint>.x``, ``.y`` and ``.z`` (m, ground axes) and the wheel's camber and steer (rad), over one
+        dimension.
+
+    Returns
+    -------
+    Poses
+        All poses in which everything is known.
+
+    Raises
+    ------
+    RecordingError
+        Without hardpoints, or with more than one dimension.
+    """
+    dimension = _dimension(data)
+    in_time = dimension == "time"
+    points = _tracks(rig, scene, data, dimension, in_time=in_time)
+    one = {str(name): v.to_numpy().astype(float) for name, v in data.variables.items() if v.dims == (dimension,)}
+    axis = spin_axes(_first(one, ("camber", "wheel.camber")), _first(one, ("steer", "wheel.steer")), scene.side)
+    radius = scene.undeformed_radius if in_time else scene.radius
+    contact = contact_points(points["wheel_centre"], axis, radius)
+    for kind in ("contact_point.{}", "contact_point_{}"):
+        names = [kind.format(letter) for letter in "xyz"]
+        for i, name in enumerate(names):
+            contact[:, i] = one.get(name, contact[:, i])
+    if in_time and "road.z" in one:
+        ground = one["road.z"]
+        contact[:, 2] = np.maximum(contact[:, 2], ground)  # the tyre is pressed flat
+    else:
+        ground = contact[:, 2].copy()
+    force = one.get("tyre.force")
+    touches = np.ones(len(ground), dtype=bool) if force is None else force > 0.0
+    over = dimension if dimension in one else _counted_by(one, dimension)
+    places = {f"{name}.{letter}" for name in points for letter in "xyz"}
+    signals = {name: v for name, v in one.items() if name not in places and name not in (over, "pose")}
+    poses = Poses(
+        points,
+        axis,
+        contact,
+        ground,
+        touches,
+        one[over],
+        over.replace("_", " "),
+        str(data[over].attrs.get("units", "s" if in_time else "m")),
+        in_time,
+        signals,
+        {name: str(data[name].attrs.get("units", "1")) for name in signals},
+        {name: str(data[name].attrs.get("long_name", name)) for name in signals},
+    )
+    known = np.isfinite(axis).all(axis=1) & np.isfinite(points["wheel_centre"]).all(axis=1)
+    if not known.any():
+        raise RecordingError("no pose is known; every one has gaps", where="poses")
+    return poses if known.all() else poses.taken(known)
+
+
+def _dimension(data: xr.Dataset) -> str:
+    if "wheel_centre.z" not in data:
+        raise RecordingError(
+            "these poses hold no hardpoints, only " + (", ".join(map(str, list(data.data_vars)[:6])) or "nothing"),
+            where="poses",
+            hint="Ask for them: jn.sweep_travel(..., points=True), jn.simulate(..., detail=True).",
+        )
+    dimensions = data["wheel_centre.z"].dims
+    if len(dimensions) != 1:
+        raise RecordingError(
+            "poses over one dimension are needed",
+            where="poses",
+            found=" x ".join(map(str, dimensions)),
+            hint="Choose one value of the others, e.g. poses.isel(rack_travel=0).",
+        )
+    return str(dimensions[0])
+
+
+def _tracks(rig: Corner, scene: Scene, data: xr.Dataset, dimension: str, *, in_time: bool) -> dict[str, Array]:
+    """Places of every hardpoint, shape (n, 3); on a body that stands still, those not in the data are at design."""
+    count = data.sizes[dimension]
+    found, missing = {}, []
+    for name, design in rig.hardpoints.given().items():
+        names = [f"{name}.{letter}" for letter in "xyz"]
+        if all(one in data for one in names):
+            found[name] = np.stack([np.broadcast_to(data[one].to_numpy(), count) for one in names], axis=1)
+        elif name in scene.on_body and (not in_time or rig.guide == "fixed"):
+            found[name] = np.broadcast_to(np.array(design), (count, 3))
+        elif name not in BAR:
+            missing.append(name)
+    if missing:
+        raise RecordingError(
+            "the poses do not say where these hardpoints are; are they of another rig?",
+            where="poses",
+            found=", ".join(missing),
+        )
+    return found
+
+
+def _first(one: Mapping[str, Array], names: tuple[str, ...]) -> Array:
+    for name in names:
+        if name in one:
+            return one[name]
+    raise RecordingError(
+        "the poses do not say how the wheel stands", where="poses", allowed=f"a variable {' or '.join(names)}"
+    )
+
+
+def _counted_by(one: Mapping[str, Array], dimension: str) -> str:
+    """Name of what a dimension without values of its own is counted by."""
+    for name in ("wheel_travel", "rack_travel", "roll_angle"):
+        if name in one:
+            return name
+    raise RecordingError("the poses are not counted by anything", where="poses", found=f"dimension {dimension}")
+
+
+REACH = 3.2
+"""How much of the road is shown behind and ahead of the wheel, in its radii."""
+_VISIBLE = 2e-5  # m
+
+
+@dataclass(frozen=True)
+class Roadway:
+    """Height of a road over distance, and where on it the wheel is in each pose.
+
+    Attributes
+    ----------
+    distance, height : ndarray, shape (m,)
+        Corners of the line, m, ascending in distance; jumps stand upright.
+    way : ndarray, shape (n,)
+        Distance driven at each pose, m.
+    """
+
+    distance: Array
+    height: Array
+    way: Array
+
+    def line(self, k: int, reach: float, x: float) -> Array:
+        """Give x and z (m), shape (m, 2), of the road within ``reach`` (m) of a wheel at ``x`` (m) in pose ``k``."""
+        first, last = self.way[k] - reach, self.way[k] + reach
+        inside = (self.distance > first) & (self.distance < last)
+        ends = np.interp([first, last], self.distance, self.height)
+        distance = np.concatenate([[first], self.distance[inside], [last]])
+        height = np.concatenate([ends[:1], self.height[inside], ends[1:]])
+        return np.column_stack([distance - self.way[k] + x, height])
+
+
+def roadway_of(trial: Trial, time: Array, radius: float) -> Roadway | None:
+    """Lay the road of a trial under a wheel.
+
+    Parameters
+    ----------
+    trial : Trial
+        What was driven.
+    time : ndarray, shape (n,)
+        Of the poses, s.
+    radius : float
+        Of the wheel, m: how much road is needed around it.
+
+    Returns
+    -------
+    Roadway or None
+        None for an excitation: its plate only goes up and down.
+
+    Raises
+    ------
+    DescriptionError
+        When the poses go on after the trial has ended.
+    """
+    if trial.road is None or trial.speed is None:
+        return None
+    if time[-1] > trial.duration * (1.0 + 1e-9):
+        raise DescriptionError(
+            "the poses are not of this trial; they go on after its end",
+            where="trial",
+            found=f"{time[-1]:g} s",
+            allowed=f"up to {trial.duration:g} s",
+        )
+    way = trial.speed * time
+    distance, height = sampled(trial.road.segments(float(way[-1]) + REACH * radius))
+    kept = _bends(distance, height)
+    return Roadway(distance[kept], height[kept], way)
+
+
+def _bends(distance: Array, height: Array) -> NDArray[np.bool_]:
+    """Which points of a line are needed to see it; those on the straight between their neighbours are not."""
+    kept = np.ones(len(distance), dtype=bool)
+    while True:
+        at = np.flatnonzero(kept)
+        if len(at) < 3:
+            return kept
+        before, here, after = at[:-2:2], at[1:-1:2], at[2::2]
+        count = min(len(before), len(here), len(after))
+        before, here, after = before[:count], here[:count], after[:count]
+        share = (distance[here] - distance[before]) / np.maximum(distance[after] - distance[before], 1e-12)
+        off = np.abs(height[before] + share * (height[after] - height[before]) - height[here])
+        straight = here[off < 0.1 * _VISIBLE]
+        if not len(straight):
+            return kept
+        kept[straight] = False

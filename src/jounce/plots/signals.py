@@ -1,0 +1,362 @@
+"""Signals over time, studies over one variable, roads over distance, responses over frequency, and modes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from jounce.core.errors import RecordingError, SimulationError, nearest
+from jounce.core.types import Array
+from jounce.plots.display import display_unit, number, words_of
+from jounce.plots.style import AFTER, MUTED, PALETTE, legend_above, limits, new_figure, styled
+from jounce.recordings.schema import QUANTITIES, quantity_of
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from jounce.core.segments import Segments
+    from jounce.roads import Road
+    from jounce.simulation import LinearModel, Mode
+
+
+_PREFERRED = ("road.z", "sprung.az", "unsprung.az", "strut.deflection", "tyre.force")
+_MOST_BY_DEFAULT = 6
+_NO_CONTACT = "#f2c6b5"
+
+
+@styled
+def time_history(run: xr.Dataset, channels: Sequence[str] | None = None) -> Figure:
+    r"""Draw channels of a recording, measured or simulated, one above the other over the same time.
+
+    Instants at which a tyre has no contact (its channel ``tyre.force`` is 0) are shaded.
+
+    Parameters
+    ----------
+    run : xarray.Dataset
+        A recording: channels over ``time`` in s, with ``units`` in SI. They are shown in usual units (mm, °, kN).
+    channels : sequence of str, optional
+        What to draw, from top to bottom; by default road, accelerations, strut deflection and tyre force where they
+        exist, otherwise the first six channels.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        One set of axes per channel.
+
+    Raises
+    ------
+    RecordingError
+        For a channel that the recording does not hold, or no channel at all.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="0.5 s")
+    >>> figure = time_history(jn.simulate(jn.load("kart-quarter-car"), trial), ["sprung.az", "tyre.force"])
+    >>> [axes.get_ylabel() for axes in figure.axes]
+    ['acceleration\n[m/s²]', 'force\n[N]']
+    """
+    names = _chosen(run, channels)
+    figure = new_figure(0.55 + 1.2 * len(names) if len(names) > 1 else 2.8)
+    rows = figure.subplots(len(names), 1, sharex=True, squeeze=False)[:, 0]
+    time = run["time"].to_numpy()
+    shaded = False
+    for name, axes in zip(names, rows, strict=True):
+        values = run[name].to_numpy()
+        unit = display_unit(str(run[name].attrs.get("units", "1")), float(np.abs(values).max(initial=0.0)))
+        axes.plot(time, values * unit.factor, color=PALETTE[0], linewidth=1.1)
+        axes.set_ylabel(unit.label(f"{words_of(name)}\n").replace("\n ", "\n"))
+        axes.set_title(name)
+        shaded |= _shade_lost_contact(axes, run, name, time, labelled=not shaded)
+    limits(rows[0], float(time[0]), float(time[-1]))
+    rows[-1].set_xlabel("time [s]")
+    if shaded:
+        first = next(axes for axes in rows if axes.get_legend_handles_labels()[0])
+        handles = first.get_legend_handles_labels()[0]
+        rows[0].legend(handles=handles, loc="lower right", bbox_to_anchor=(1.0, 1.0), labelcolor=MUTED)
+    figure.align_ylabels(rows)
+    return figure
+
+
+def _chosen(run: xr.Dataset, channels: Sequence[str] | None) -> list[str]:
+    present = [str(name) for name in run.data_vars if run[name].dims == ("time",)]
+    if channels is None:
+        channels = [name for name in _PREFERRED if name in present] or present[:_MOST_BY_DEFAULT]
+    if not channels:
+        raise RecordingError("no channel over time to draw", found=", ".join(map(str, run.data_vars)) or "nothing")
+    for name in channels:
+        if name not in present:
+            raise RecordingError(
+                f"no channel {name!r}", where="plot", allowed=", ".join(present), hint=nearest(name, present)
+            )
+    return list(channels)
+
+
+def _shade_lost_contact(axes: Axes, run: xr.Dataset, name: str, time: Array, *, labelled: bool) -> bool:
+    """Shade where the channel's own tyre (or, for channels without a corner, any tyre) carries nothing."""
+    corner = name.partition(".")[0]
+    tyres = [str(other) for other in run.data_vars if str(other).endswith("tyre.force")]
+    own = [other for other in tyres if other.startswith(f"{corner}.")] if corner != "tyre" else []
+    lost = np.zeros(len(time), dtype=bool)
+    for other in own or tyres:
+        lost |= run[other].to_numpy() == 0.0
+    for k, (begin, end) in enumerate(stretches(lost)):
+        label = "no contact" if labelled and k == 0 else None
+        axes.axvspan(time[begin], time[end], color=_NO_CONTACT, linewidth=0.0, alpha=0.7, zorder=0, label=label)
+    return bool(lost.any())
+
+
+def stretches(condition: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """First and last index of each stretch in which a condition, shape (n,), holds.
+
+    Examples
+    --------
+    >>> stretches(np.array([False, True, True, False, True]))
+    [(1, 2), (4, 4)]
+    """
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], condition.astype(np.int8), [0]])))
+    return [(int(begin), int(end) - 1) for begin, end in zip(edges[::2], edges[1::2], strict=True)]
+
+
+@styled
+def sweep(results: xr.Dataset, variables: Sequence[str] | None = None, along: str = "speed") -> Figure:
+    r"""Draw the variables of a study against what was varied.
+
+    Parameters
+    ----------
+    results : xarray.Dataset
+        Variables over the coordinate ``along``; a second dimension (e.g. obstacle pitch) becomes one line per value.
+        Units in SI are taken from ``units``, names from ``long_name``.
+    variables : sequence of str, optional
+        What to draw, one set of axes each; by default the first six.
+    along : str
+        Name of the coordinate that was varied.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        One set of axes per variable over the same coordinate.
+
+    Raises
+    ------
+    RecordingError
+        For a missing coordinate or an unknown variable.
+
+    Examples
+    --------
+    >>> import xarray as xr
+    >>> speed = ("speed", [1.0, 2.0], {"units": "m/s"})
+    >>> peak = ("speed", [0.004, 0.006], {"units": "m", "long_name": "largest displacement"})
+    >>> sweep(xr.Dataset({"peak": peak}, coords={"speed": speed})).axes[0].get_ylabel()
+    'largest displacement\n[mm]'
+    """
+    if along not in results.coords:
+        raise RecordingError(f"no coordinate {along!r}", found=", ".join(map(str, results.coords)) or "none")
+    present = [str(name) for name in results.data_vars if along in results[name].dims and results[name].ndim <= 2]
+    for name in variables or ():
+        if name not in present:
+            raise RecordingError(f"no variable {name!r}", allowed=", ".join(present), hint=nearest(name, present))
+    names = list(variables or present[:_MOST_BY_DEFAULT])
+    if not names:
+        raise RecordingError(f"no variable over {along!r} to draw", found=", ".join(map(str, results.data_vars)))
+    figure = new_figure(0.7 + 1.6 * len(names) if len(names) > 1 else 3.0)
+    rows = figure.subplots(len(names), 1, sharex=True, squeeze=False)[:, 0]
+    for name, axes in zip(names, rows, strict=True):
+        _draw_variable(axes, results[name], along)
+    if rows[0].get_legend_handles_labels()[0]:
+        legend_above(rows[0], 5)
+    rows[-1].set_xlabel(_label(results[along], along))
+    figure.align_ylabels(rows)
+    return figure
+
+
+def _draw_variable(axes: Axes, variable: xr.DataArray, along: str) -> None:
+    across = [dimension for dimension in variable.dims if dimension != along]
+    unit = display_unit(_unit(variable), float(np.nanmax(np.abs(variable.to_numpy()), initial=0.0)))
+    x = variable[along].to_numpy() * display_unit(_unit(variable[along])).factor
+    mark = "." if len(x) < 60 else None
+    if not across:
+        axes.plot(x, variable.to_numpy() * unit.factor, color=PALETTE[0], marker=mark)
+    else:
+        lines = variable.transpose(along, across[0])
+        for k, value in enumerate(lines[across[0]].to_numpy()):
+            axes.plot(
+                x,
+                lines[:, k].to_numpy() * unit.factor,
+                color=PALETTE[k % len(PALETTE)],
+                marker=mark,
+                label=_value(lines[across[0]], value),
+            )
+    axes.set_ylabel(unit.label(f"{variable.attrs.get('long_name', variable.name)}\n").replace("\n ", "\n"))
+
+
+def _unit(variable: xr.DataArray) -> str:
+    return str(variable.attrs.get("units", "1"))
+
+
+def _label(variable: xr.DataArray, name: str) -> str:
+    return display_unit(_unit(variable)).label(str(variable.attrs.get("long_name", name)).replace("_", " "))
+
+
+def _value(coordinate: xr.DataArray, value: Any) -> str:
+    if isinstance(value, str):
+        return value
+    unit = display_unit(_unit(coordinate))
+    words = str(coordinate.attrs.get("long_name", coordinate.name)).replace("_", " ")
+    return f"{words} {number(float(value) * unit.factor, 3)} {unit.name}".strip()
+
+
+_POINTS = 6000
+
+
+@styled
+def road_profile(roads: Road | Mapping[str, Road], distance: float | None = None) -> Figure:
+    """Draw the height of one or several roads against distance.
+
+    Parameters
+    ----------
+    roads : Road or mapping of str to Road
+        One road, or several by name; several are drawn one above the other over the same distance.
+    distance : float, optional
+        How far, in m; by default a little beyond the end of the longest.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Height (mm) against distance (m).
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> road_profile(jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m")).axes[0].get_xlabel()
+    'distance [m]'
+    """
+    named = dict(roads) if isinstance(roads, Mapping) else {"": roads}
+    figure = new_figure(2.4 if len(named) == 1 else 0.5 + 0.95 * len(named))
+    rows = figure.subplots(len(named), 1, sharex=True, sharey=True, squeeze=False)[:, 0]
+    ends = {name: road.end() for name, road in named.items()}
+    reach = distance if distance is not None else 1.08 * max(*ends.values(), 1e-3)
+    for (name, road), axes in zip(named.items(), rows, strict=True):
+        x, height = sampled(road.segments(reach))
+        if height.min() >= 0.0:
+            axes.fill_between(x, 1e3 * height, 0.0, color="#cfd6dc", linewidth=0.0)
+        axes.plot(x, 1e3 * height, color=PALETTE[0], linewidth=1.1)
+        axes.set_title(name)
+        axes.set_ylabel("height [mm]" if len(named) == 1 else "height\n[mm]")
+        axes.margins(y=0.15)
+    begin = min(road.start for road in named.values()) if distance is None else 0.0
+    rows[0].set_xlim(max(0.0, begin - 0.08 * (reach - begin)), reach)
+    rows[-1].set_xlabel("distance [m]")
+    figure.align_ylabels(rows)
+    return figure
+
+
+def sampled(segments: Segments) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Coordinate (m or s) and height (m) along closed-form pieces, shape (n,); jumps are drawn upright."""
+    count = max(2, min(60, _POINTS // len(segments.kind)))
+    share = np.linspace(0.0, 1.0, count)
+    share[-1] = 1.0 - 1e-9  # still on this piece: at an edge the next one counts
+    x = (segments.edges[:-1, None] + np.diff(segments.edges)[:, None] * share).ravel()
+    return x, segments.evaluate(x)[0]
+
+
+@styled
+def frequency_response(
+    model: LinearModel,
+    outputs: Sequence[str] = ("sprung.az", "tyre.force"),
+    frequency: ArrayLike | None = None,
+    track: str = "road.z",
+) -> Figure:
+    r"""Draw magnitude and phase of outputs for a harmonic road.
+
+    Parameters
+    ----------
+    model : LinearModel
+        Rig linearised about static equilibrium.
+    outputs : sequence of str
+        Channels.
+    frequency : array (n,), optional
+        Hz; by default 0.1 to 100 Hz.
+    track : str
+        The input.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Per output: magnitude per mm of input and phase (°) against frequency (Hz).
+
+    Raises
+    ------
+    SimulationError
+        For an output that the model does not have.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> figure = frequency_response(jn.linearise(jn.load("kart-quarter-car")), ["sprung.z"])
+    >>> [axes.get_ylabel() for axes in figure.axes]
+    ['position\nper road.z [mm/mm]', 'phase [°]']
+    """
+    for name in outputs:
+        if name not in model.outputs:
+            raise SimulationError(
+                f"no output {name!r}", allowed=", ".join(model.outputs), hint=nearest(name, model.outputs)
+            )
+    f = np.geomspace(0.1, 100.0, 1200) if frequency is None else np.asarray(frequency, float)
+    figure = new_figure(3.6, 3.9 * max(1, len(outputs)) if len(outputs) < 3 else 3.0 * len(outputs))
+    grid = figure.subplots(2, len(outputs), sharex=True, squeeze=False, gridspec_kw={"height_ratios": [2.2, 1.0]})
+    for column, name in enumerate(outputs):
+        response = model.frequency_response(f, name, track)
+        known = quantity_of(name)
+        unit = display_unit(QUANTITIES[known][0] if known else "1")
+        top, bottom = grid[:, column]
+        top.loglog(f, np.abs(response) * unit.factor * 1e-3, color=PALETTE[0])
+        bottom.semilogx(f, np.degrees(np.unwrap(np.angle(response))), color=PALETTE[0])
+        top.set(ylabel=f"{words_of(name)}\nper {track} [{_per_mm(unit.name)}]", title=name)
+        bottom.set(xlabel="frequency [Hz]", ylabel="phase [°]", xlim=(float(f[0]), float(f[-1])))
+    return figure
+
+
+def _per_mm(unit: str) -> str:
+    return f"({unit})/mm" if "/" in unit else f"{unit or '1'}/mm"
+
+
+@styled
+def modes(found: Sequence[Mode]) -> Figure:
+    """Draw the shapes of the modes of a rig as bars: real part of each coordinate, the largest being 1.
+
+    Parameters
+    ----------
+    found : sequence of Mode
+        Modes by rising frequency.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        One set of axes per mode, with frequency (Hz) and damping ratio.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> len(modes(jn.modes(jn.load("kart-quarter-car"))).axes)
+    2
+    """
+    if not found:
+        raise SimulationError("no oscillating mode to draw")
+    figure = new_figure(2.2 + 0.18 * len(found[0].shape), min(2.6 * len(found) + 1.2, 10.0))
+    row = figure.subplots(1, len(found), sharey=True, squeeze=False)[0]
+    for mode, axes in zip(found, row, strict=True):
+        names = list(mode.shape)
+        axes.barh(range(len(names)), [mode.shape[name][0] for name in names], 0.5, color=AFTER)
+        axes.axvline(0.0, color="#9aa1a9", linewidth=0.8)
+        axes.set_yticks(range(len(names)), names)
+        axes.set_xlim(-1.15, 1.15)
+        axes.grid(axis="y", visible=False)
+        axes.set(xlabel="relative motion [–]")
+        axes.set_title(f"{number(mode.frequency_hz, 3)} Hz, damping ratio {number(mode.damping_ratio, 2)}", fontsize=9)
+    return figure
