@@ -18,9 +18,8 @@ from jounce.control import CONTROLS
 from jounce.inspection.record import NUMBERS, SIDES, TEXTS
 from jounce.inspection.verdicts.limits import METHODS, Limits
 from jounce.inspection.verdicts.quantities import QUANTITIES
-from jounce.parts.rigs import RIGS
+from jounce.parts.files import RIGS, VEHICLES
 from jounce.parts.testers import Tester
-from jounce.parts.vehicles import VEHICLES
 from jounce.roads.loading import SCHEMA
 from jounce.roads.train import ROADS, AnyRoad
 

@@ -75,12 +75,12 @@ from .parts import QuarterCar as QuarterCar
 from .parts import Rig as Rig
 from .parts import Vehicle as Vehicle
 from .parts import load as load
-from .parts.front_view import axle_of as axle_of
 from .parts.importers import read_tir as read_tir
 from .parts.importers import tyre_from_tir as tyre_from_tir
-from .parts.strut_angle import with_strut_angle as with_strut_angle
 from .parts.testers import Tester as Tester
 from .parts.testers import load_tester as load_tester
+from .parts.variants import with_strut_angle as with_strut_angle
+from .parts.vehicles import axle_of as axle_of
 from .recordings import Sensor as Sensor
 from .recordings import apply_sensors as apply_sensors
 from .recordings import read_recording as read_recording

@@ -13,7 +13,7 @@ import jounce as jn
 from jounce.core.errors import DescriptionError
 from jounce.design.lumping import lump, lumped_from
 from jounce.design.model_comparison import compare_models
-from jounce.parts.strut_angle import with_strut_angle
+from jounce.parts.variants import with_strut_angle
 
 KART = jn.load("kart-double-wishbone")
 BUMP = jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m")

@@ -21,9 +21,17 @@ from jounce.control import (
     Skyhook,
     controller,
 )
-from jounce.control.corner import corner_equations, corner_outputs
-from jounce.control.design import Targets, Weights, cost_matrices, h_infinity, observer, regulator_gains
-from jounce.control.linear_laws import LQG_CHANNELS
+from jounce.control.design import (
+    Targets,
+    Weights,
+    corner_equations,
+    corner_outputs,
+    cost_matrices,
+    h_infinity,
+    observer,
+    regulator_gains,
+)
+from jounce.control.laws import LQG_CHANNELS
 from jounce.simulation.corner_models import corner_models
 from jounce.simulation.stability import closed_loop_poles
 

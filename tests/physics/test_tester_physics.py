@@ -8,8 +8,8 @@ import pytest
 from jounce.core.segments import Segments
 from jounce.mechanics.motions import constant, constant_rate
 from jounce.parts import QuarterCar, load
-from jounce.parts.front_view import axle_from, axle_of
 from jounce.parts.testers import Motor, load_tester
+from jounce.parts.vehicles import axle_from, axle_of
 from jounce.testers.courses import run_course
 from jounce.testers.periodic import periodic, steady_sweep
 from jounce.testers.plate_response import closed_form_adhesion, steady_response, wheel_mode

@@ -19,7 +19,7 @@ from jounce.papers.template import campaign_texts
 from jounce.papers.virtual_bench import BenchPlan, measurement_texts, true_pass
 from jounce.papers.virtual_rig import GUIDE_FRICTION, SPRING_RATE, STRUT_FRICTION
 from jounce.parts import rig_from_table
-from jounce.parts.strut_angle import strut_angle, with_strut_angle
+from jounce.parts.variants import strut_angle, with_strut_angle
 from jounce.recordings import write_recording
 from jounce.report.campaign.lumped import lumped as lumped_section
 from jounce.report.page import Table

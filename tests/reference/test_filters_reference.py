@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from jounce.recordings.filters import cfc_coefficients
+from jounce.recordings.signals import cfc_coefficients
 
 
 def test_cfc_60_at_10_khz() -> None:

@@ -6,7 +6,7 @@ import tomllib
 from typing import Any
 
 from jounce.parts import Rig, changed_text, rig_from_table
-from jounce.parts.parameters import parameters_of
+from jounce.parts.rig import parameters_of
 
 
 def updated_text(text: str, rig: Rig) -> str:

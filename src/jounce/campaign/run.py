@@ -21,7 +21,7 @@ from jounce.design.model_comparison import ModelComparison, PeakDifference, comp
 from jounce.identify.fit_problem import FitTrial, check_free
 from jounce.identify.update import update_model
 from jounce.parts import Corner, Rig, load, rig_findings, rig_path
-from jounce.parts.strut_angle import strut_angle_findings, with_strut_angle
+from jounce.parts.variants import strut_angle_findings, with_strut_angle
 from jounce.recordings import read_recording
 from jounce.roads import Road, Train, Trial, read_roads
 from jounce.simulation.compiled import compile_rig

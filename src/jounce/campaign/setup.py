@@ -8,7 +8,7 @@ from typing import Any
 
 from jounce.identify.update import UpdatedParameter
 from jounce.parts import Rig
-from jounce.parts.strut_angle import with_strut_angle
+from jounce.parts.variants import with_strut_angle
 
 TyreTable = dict[str, Any]
 _TYRE_PATHS = ("tyre.stiffness", "tyre.curve")
@@ -36,7 +36,7 @@ class Knowledge:
     def rig_for(self, strut_angle: float | None, pressure: float | None, changes: Mapping[str, Any]) -> Rig:
         """Rig as set up for one trial: strut angle (rad), pressure (Pa) and further changes by path.
 
-        A 3-D rig's strut is turned about its lower end, see :func:`jounce.parts.strut_angle.with_strut_angle`.
+        A 3-D rig's strut is turned about its lower end, see :func:`jounce.parts.variants.with_strut_angle`.
         """
         rig = with_tyre(self.rig, self.tyre_at(pressure))
         rig = rig if strut_angle is None else with_strut_angle(rig, strut_angle)

@@ -37,7 +37,7 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.identify.fit_problem import FitTrial, Free, UpdateProblem
 from jounce.parts import Rig
-from jounce.parts.parameters import unknown_path
+from jounce.parts.rig import unknown_path
 from jounce.recordings.schema import recording
 from jounce.roads import Road, Train, Trial
 from jounce.simulation.run import output_times

@@ -82,7 +82,7 @@ def _rig(checked: Checked) -> None:
 
 def _parameters(description: Any) -> dict[str, dict[str, float | str]]:
     """Every number of a description by its path, SI, with its unit."""
-    from jounce.parts.parameters import parameters_of, unit_of
+    from jounce.parts.rig import parameters_of, unit_of
 
     found = parameters_of(description)
     return {path: {"value": value, "unit": unit_of(description, path)} for path, value in found.items()}
@@ -104,8 +104,7 @@ def _control(checked: Checked) -> None:
 
 
 def _tester(checked: Checked) -> None:
-    from jounce.parts.tester_advice import findings_of_tester
-    from jounce.parts.testers import load_tester
+    from jounce.parts.testers import findings_of_tester, load_tester
 
     tester = load_tester(checked.file)
     checked.what = f"{tester.name}: {tester.kind}, evaluated by {tester.method}"

@@ -81,7 +81,7 @@ def simulate(
     chosen_tester = _tester(method, tester, stroke, sweep_rate, of_tester)
     from jounce.inspection.simulated import simulate_axle, simulate_inspection, sweep_wear
     from jounce.parts import load
-    from jounce.parts.wear import worn
+    from jounce.parts.variants import worn
 
     chosen = load(rig).with_changes(of_rig) if of_rig else load(rig)
     warn_of(chosen, rig)

@@ -24,7 +24,7 @@ def check_outputs(
     if rig is not None:
         check_writable(rig, what="rigs", suffixes=(".toml",), force=force)
     if recording is not None:
-        from jounce.recordings.writing import check_recording_file
+        from jounce.recordings.files import check_recording_file
 
         check_recording_file(recording, force=force)
     if folder is not None:

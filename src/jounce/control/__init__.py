@@ -2,22 +2,23 @@
 
 from jounce.control.actuators import ActiveActuator, MagnetorheologicalDamper, SemiActiveDamper
 from jounce.control.catalogue import CONTROLS, as_controller, controller
-from jounce.control.controller import Controller
-from jounce.control.corner import CornerModel
+from jounce.control.controller import Controller, PythonControl
+from jounce.control.design import CornerModel
 from jounce.control.laws import (
     ADD,
+    LQG,
+    LQR,
     PID,
     SHADD,
     Groundhook,
+    HInfinity,
     Hybrid,
     Passive,
     Skyhook,
     TwoStateGroundhook,
     TwoStateSkyhook,
 )
-from jounce.control.linear_laws import LQG, LQR, HInfinity
 from jounce.control.preview import PreviewMPC
-from jounce.control.regulator import PythonControl
 
 __all__ = [
     "ADD",

@@ -8,21 +8,22 @@ from pathlib import Path
 from typing import Any
 
 from jounce.control.actuators import ActiveActuator, SemiActiveDamper
-from jounce.control.controller import Controller
+from jounce.control.controller import Controller, PythonControl
 from jounce.control.laws import (
     ADD,
+    LQG,
+    LQR,
     PID,
     SHADD,
     Groundhook,
+    HInfinity,
     Hybrid,
     Passive,
     Skyhook,
     TwoStateGroundhook,
     TwoStateSkyhook,
 )
-from jounce.control.linear_laws import LQG, LQR, HInfinity
 from jounce.control.preview import PreviewMPC
-from jounce.control.regulator import PythonControl
 from jounce.core.description import check_schema, read_toml
 from jounce.core.errors import DescriptionError, unknown
 

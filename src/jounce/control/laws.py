@@ -1,20 +1,32 @@
-"""Laws that are formulas: skyhook, groundhook, hybrid, acceleration driven damping, PID."""
+"""Control laws: formulas (skyhook, groundhook, ADD, PID) and gains from the corner model (LQR, LQG, H-infinity)."""
 
 from __future__ import annotations
 
 import math
-from typing import Annotated, Literal
+from collections.abc import Sequence
+from typing import Annotated, Any, ClassVar, Literal
 
 import casadi as ca
+import numpy as np
 
-from jounce.control.actuators import FIRMEST, ActiveActuator, Actuator
+from jounce.control.actuators import FIRMEST, ActiveActuator, Actuator, Lookup, Means
 from jounce.control.controller import Controller, DamperLaw, Decision, ForceLaw, extension_rate, given, step
-from jounce.control.conversion import Lookup, Means
-from jounce.control.corner import CornerModel
+from jounce.control.design import (
+    H_INFINITY_CHANNELS,
+    H_INFINITY_ORDER,
+    CornerModel,
+    Targets,
+    Weights,
+    h_infinity,
+    observer,
+    regulator_gains,
+)
+from jounce.core.types import Array
 from jounce.core.units import (
     DampingCoefficient,
     Frequency,
     NonNegativeDampingCoefficient,
+    PositiveLength,
     Stiffness,
     Unit,
 )
@@ -246,3 +258,217 @@ class PID(Controller):
             "tracking": min(period / self.tracking_time, 1.0),
             "motion_ratio": r,
         }
+
+
+_Weight = Annotated[float, Unit("1/s^4", at_least=0.0)]
+_ForceWeight = Annotated[float, Unit("1/kg^2", at_least=0.0)]
+_Disturbance = Annotated[float, Unit("m^2/s^3", at_least=0.0)]
+_Roughness = Annotated[float, Unit("m^2/s", above=0.0)]
+_Acceleration = Annotated[float, Unit("m/s^2", above=0.0)]
+_Force = Annotated[float, Unit("N", above=0.0)]
+_ACCELERATION_NOISE, _DEFLECTION_NOISE = 0.05, 5e-4  # m/s^2, m: of sensors that say none
+
+
+class _Quadratic(Controller):
+    """Cost of the regulator: integral of ``az^2 + deflection_weight x1^2 + tyre_weight x3^2 + force_weight u^2``."""
+
+    deflection_weight: _Weight | None = None
+    tyre_weight: _Weight | None = None
+    force_weight: _ForceWeight = 0.0
+    actuator: Actuator = ActiveActuator()
+    needs_wheel: ClassVar[bool] = True
+
+    @property
+    def _base(self) -> float | None:
+        """Damping that the force comes on top of: the corner's own (None) with an actuator beside it, else none."""
+        return None if isinstance(self.actuator, ActiveActuator) else 0.0
+
+    def gains(self, corner: CornerModel) -> Array:
+        """Give the gains of deflection, body velocity, tyre, wheel velocity: N/m, N s/m, N/m, N s/m."""
+        square = (corner.spring_rate / corner.sprung_mass) ** 2
+        weights = Weights(
+            given(self.deflection_weight, lambda: square),
+            given(self.tyre_weight, lambda: 10.0 * square),
+            self.force_weight,
+        )
+        return regulator_gains(corner, weights, self._base)
+
+
+class LQR(_Quadratic):
+    """Linear quadratic regulator with all states measured; with a damper it is clipped-optimal [butsuen1989].
+
+    Attributes
+    ----------
+    deflection_weight, tyre_weight : float or None
+        Of suspension and tyre deflection against body acceleration, 1/s^4; left out: 1 and 10 times the fourth power of
+        the body's natural angular frequency.
+    force_weight : float
+        Of the force, 1/kg^2.
+
+    Examples
+    --------
+    >>> from jounce.control import CornerModel
+    >>> corner = CornerModel(400.0, 40.0, 25000.0, 200000.0, 1500.0)
+    >>> round(float(LQR().gains(corner)[1]), 1)   # force for each m/s of the body, N s/m
+    3002.6
+    """
+
+    law: Literal["lqr"] = "lqr"
+
+    def decide(self, seen: Lookup, memory: list[ca.SX], number: Lookup, means: Means) -> Decision:  # noqa: ARG002
+        """Write the law of one corner."""
+        r = number("motion_ratio")
+        parting, tyre = -seen("strut.deflection") / r, -seen("tyre.deflection")
+        states = ca.vertcat(parting, seen("sprung.vz"), tyre, seen("unsprung.vz"))
+        return Decision(means.command_for_force(-ca.dot(_vector(number, "gain", 4), states) / r))
+
+    def numbers(self, corner: CornerModel) -> dict[str, float]:
+        """Give gains and motion ratio."""
+        return {**_named("gain", self.gains(corner)), "motion_ratio": corner.motion_ratio}
+
+
+LQG_CHANNELS = ("sprung.az", "unsprung.az", "strut.deflection")
+
+
+class LQG(_Quadratic):
+    """The regulator on what a Kalman filter makes of two accelerometers and the stroke; clipped with a damper.
+
+    Attributes
+    ----------
+    deflection_weight, tyre_weight, force_weight : float
+        As for :class:`LQR`.
+    roughness : float
+        Intensity of the road's velocity that the filter expects, m^2/s; class C at 20 m/s: 1.01e-3.
+    disturbance : float
+        Intensity of accelerations that the corner model does not explain, m^2/s^3. It lets the filter forget: without,
+        it takes half a minute, and the difference between a 3-D corner and its model is enough to make it drift.
+    """
+
+    law: Literal["lqg"] = "lqg"
+    roughness: _Roughness = 1.0106e-3
+    disturbance: _Disturbance = 1e-3
+
+    @property
+    def memory_size(self) -> int:
+        """Estimated states, and the command that has arrived behind the actuator's lag."""
+        return 5
+
+    def decide(self, seen: Lookup, memory: list[ca.SX], number: Lookup, means: Means) -> Decision:
+        """Write the law of one corner."""
+        r = number("motion_ratio")
+        missing = memory[4] - means.last
+        arrived, mean = means.last + number("late") * missing, means.last + number("mean_late") * missing
+        force = means.force_of(arrived) * r
+        before = (
+            _matrix(number, "F", 4, 4) @ ca.vertcat(*memory[:4]) + _vector(number, "H", 4) * means.force_of(mean) * r
+        )
+        measured = ca.vertcat(*(seen(channel) for channel in LQG_CHANNELS))
+        expected = _matrix(number, "C", 3, 4) @ before + _vector(number, "D", 3) * force
+        states = before + _matrix(number, "L", 4, 3) @ (measured - expected)
+        command = means.command_for_force(-ca.dot(_vector(number, "gain", 4), states) / r)
+        return Decision(command, [*ca.vertsplit(states), arrived])
+
+    def numbers(self, corner: CornerModel) -> dict[str, float]:
+        """Give gains and filter, SI."""
+        periods = 1.0 / (self.rate * _lag(self.actuator)) if _lag(self.actuator) > 0.0 else math.inf
+        late = {"late": math.exp(-periods), "mean_late": -math.expm1(-periods) / periods}
+        filter_ = observer(
+            corner, LQG_CHANNELS, self._deviations(), self.roughness, self.disturbance, 1.0 / self.rate, self._base
+        )
+        parts = {name: getattr(filter_, name) for name in "FHLCD"}
+        found = {key: value for name, part in parts.items() for key, value in _named(name, part).items()}
+        return {**found, **late, **_named("gain", self.gains(corner)), "motion_ratio": corner.motion_ratio}
+
+    def _deviations(self) -> Array:
+        """Standard deviations that the filter expects of its sensors."""
+        usual = {"strut.deflection": _DEFLECTION_NOISE}
+        return np.array([self.noise.get(name) or usual.get(name, _ACCELERATION_NOISE) for name in LQG_CHANNELS])
+
+
+class HInfinity(Controller):
+    """H-infinity output feedback from stroke and body acceleration, synthesised by SLICOT (extra ``control``).
+
+    The force comes on top of the corner's own damping; with a damper the sum is clipped to what it can do.
+
+    Attributes
+    ----------
+    road : float
+        Height of the road's disturbance, m.
+    acceleration : float or None
+        Body acceleration, m/s^2, that this road may cause; left out: 2.56 wheel rate / sprung mass times ``road``.
+    deflection : float or None
+        Suspension deflection, m, that counts as much; left out: 0.8 ``road``.
+    force : float or None
+        Force, N, that counts as much; left out: the static load.
+    """
+
+    law: Literal["h-infinity"] = "h-infinity"
+    road: PositiveLength = 0.05
+    acceleration: _Acceleration | None = None
+    deflection: PositiveLength | None = None
+    force: _Force | None = None
+    actuator: Actuator = ActiveActuator()
+    needs_wheel: ClassVar[bool] = True
+
+    @property
+    def memory_size(self) -> int:
+        """States of the controller."""
+        return H_INFINITY_ORDER
+
+    def decide(self, seen: Lookup, memory: list[ca.SX], number: Lookup, means: Means) -> Decision:
+        """Write the law of one corner."""
+        n, channels, states = H_INFINITY_ORDER, H_INFINITY_CHANNELS, ca.vertcat(*memory)
+        measured, r = ca.vertcat(*(seen(channel) for channel in channels)), number("motion_ratio")
+        force = ca.dot(_vector(number, "C", n), states) + ca.dot(_vector(number, "D", len(channels)), measured)
+        if not isinstance(self.actuator, ActiveActuator):
+            force += number("damping_coefficient") * seen("strut.velocity") / r
+        following = _matrix(number, "A", n, n) @ states + _matrix(number, "B", n, len(channels)) @ measured
+        return Decision(means.command_for_force(force / r), ca.vertsplit(following))
+
+    def numbers(self, corner: CornerModel) -> dict[str, float]:
+        """Give the controller's matrices, SI."""
+        r = corner.motion_ratio
+        usual = 2.56 * corner.spring_rate / corner.sprung_mass * self.road
+        acceleration = given(self.acceleration, lambda: usual)
+        targets = Targets(
+            self.road,
+            acceleration,
+            given(self.deflection, lambda: 0.8 * self.road),
+            given(self.force, lambda: corner.sprung_mass * corner.gravity),
+            (0.2 * self.road, acceleration / 16.0),
+        )
+        damping = corner.reference_damping * r**2
+        made, _ = h_infinity(corner, targets, _quickness(self.actuator), 1.0 / self.rate, damping)
+        parts = {"A": made.A, "B": made.B, "C": made.C[0], "D": made.D[0]}
+        found = {key: value for name, part in parts.items() for key, value in _named(name, part).items()}
+        return {**found, "motion_ratio": r, "damping_coefficient": damping}
+
+
+_QUICKEST = 300.0  # rad/s
+
+
+def _quickness(actuator: Any) -> float:
+    """Corner of an actuator's lag, rad/s."""
+    lag = _lag(actuator)
+    return min(1.0 / lag, _QUICKEST) if lag > 0.0 else _QUICKEST
+
+
+def _lag(actuator: Any) -> float:
+    """Time constant of an actuator, s; of one of second order that of its slow motion."""
+    if getattr(actuator, "bandwidth", None) is not None:
+        return float(actuator.damping_ratio / (math.pi * actuator.bandwidth))
+    return float(actuator.lag)
+
+
+def _named(name: str, values: Array | Sequence[float]) -> dict[str, float]:
+    """Numbers of an array by path: ``gain[0]``, ``F[1][2]``."""
+    array = np.asarray(values, dtype=np.float64)
+    return {name + "".join(f"[{i}]" for i in index): float(value) for index, value in np.ndenumerate(array)}
+
+
+def _vector(number: Lookup, name: str, size: int) -> ca.SX:
+    return ca.vertcat(*(number(f"{name}[{i}]") for i in range(size)))
+
+
+def _matrix(number: Lookup, name: str, rows: int, columns: int) -> ca.SX:
+    return ca.vertcat(*(ca.horzcat(*(number(f"{name}[{i}][{j}]") for j in range(columns))) for i in range(rows)))

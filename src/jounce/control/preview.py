@@ -9,12 +9,9 @@ import casadi as ca
 import numpy as np
 from pydantic import Field
 
-from jounce.control.actuators import ActiveActuator, Actuator, AnyActuator, SemiActiveDamper
-from jounce.control.controller import given
-from jounce.control.conversion import Means
-from jounce.control.corner import CornerModel, corner_equations, corner_outputs
-from jounce.control.design import sampled
-from jounce.control.regulator import CallbackController, Limits, Regulator, Setting
+from jounce.control.actuators import ActiveActuator, Actuator, AnyActuator, Means, SemiActiveDamper
+from jounce.control.controller import CallbackController, Limits, Regulator, Setting, given
+from jounce.control.design import CornerModel, corner_equations, corner_outputs, sampled
 from jounce.core.errors import SimulationError
 from jounce.core.types import Array
 from jounce.core.units import Frequency, PositiveLength, PositiveTime, Unit

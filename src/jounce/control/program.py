@@ -9,11 +9,11 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
+from jounce.control.actuators import Means, held_back
 from jounce.control.controller import Controller
-from jounce.control.conversion import Means, held_back
-from jounce.control.corner import CornerModel
+from jounce.control.design import CornerModel
 from jounce.core.types import Array
-from jounce.parts.parameters import structure_of
+from jounce.parts.rig import structure_of
 
 
 @dataclass(frozen=True)

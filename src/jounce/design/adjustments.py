@@ -21,9 +21,9 @@ from jounce.core.units import to_si
 from jounce.design.poses import moved_rig, rigid_motion
 from jounce.mechanics import Mechanism, Model, assemble
 from jounce.parts import DoubleWishbone, Rig
+from jounce.parts.bodies import Triple, distance
 from jounce.parts.leverage import static_spring_force
-from jounce.parts.points import Triple, distance
-from jounce.parts.strut_angle import LARGEST, strut_angle, strut_angle_findings, with_strut_angle
+from jounce.parts.variants import LARGEST, strut_angle, strut_angle_findings, with_strut_angle
 
 Value = str | float
 PUBLISHED_ANGLES = (10.0, 16.0, 21.0, 26.0)

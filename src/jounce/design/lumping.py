@@ -26,10 +26,9 @@ from jounce.core.types import Array
 from jounce.design.poses import rigs_along
 from jounce.kinematics import sweep_travel
 from jounce.parts import Corner, QuarterCar, Rig
-from jounce.parts.curves import VelocityTable
+from jounce.parts.elements import MapDamper, VelocityTable
 from jounce.parts.leverage import body_motion, force_at
-from jounce.parts.strut_angle import LARGEST
-from jounce.parts.struts import MapDamper
+from jounce.parts.variants import LARGEST
 from jounce.simulation import Mode, equilibrium
 
 _NUDGE = 1e-4

@@ -18,7 +18,7 @@ from jounce.design.search import Search, is_optimal, least_violation, search
 from jounce.design.text import optimisation_text
 from jounce.identify.fit_problem import Bounds
 from jounce.parts import Rig
-from jounce.parts.parameters import unit_of
+from jounce.parts.rig import unit_of
 from jounce.ride.stationary import linear_findings
 from jounce.ride.surface import Density, Sides
 from jounce.roads import Trial

@@ -20,7 +20,7 @@ from jounce.design.search import is_optimal, search
 from jounce.design.text import front_text
 from jounce.identify.fit_problem import Bounds
 from jounce.parts import Rig
-from jounce.parts.parameters import unit_of
+from jounce.parts.rig import unit_of
 from jounce.ride.surface import Density
 
 _SAME = 1e-6

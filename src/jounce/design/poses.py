@@ -12,7 +12,7 @@ from jounce.core.types import Array
 from jounce.kinematics import sweep_travel
 from jounce.parts import Corner
 from jounce.parts.advice import BODY_POINTS
-from jounce.parts.points import Triple, distance
+from jounce.parts.bodies import Triple, distance
 
 C = TypeVar("C", bound=Corner)
 _STRAIGHT = 1e-6

@@ -13,8 +13,7 @@ from jounce.core.errors import FitError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.identify.warping import warping_path
-from jounce.recordings.alignment import correlation_coefficients, estimate_lag
-from jounce.recordings.filters import resample
+from jounce.recordings.signals import correlation_coefficients, estimate_lag, resample
 
 
 @dataclass(frozen=True)

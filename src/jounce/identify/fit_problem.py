@@ -17,9 +17,9 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.kernel.status import Status
 from jounce.parts import Rig
-from jounce.parts.parameters import unit_of, unknown_path
-from jounce.recordings.alignment import shift_with_derivative
+from jounce.parts.rig import unit_of, unknown_path
 from jounce.recordings.sensors import Sensor, bias_of, filter_signals
+from jounce.recordings.signals import shift_with_derivative
 from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.excitation import excitation

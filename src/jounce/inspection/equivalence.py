@@ -19,7 +19,7 @@ from jounce.inspection.evaluation import evaluate
 from jounce.inspection.verdicts.limits import Limits, load_limits
 from jounce.parts import QuarterCar
 from jounce.parts.testers import load_tester
-from jounce.parts.wear import worn
+from jounce.parts.variants import worn
 from jounce.testers.plate_response import wheel_mode
 from jounce.testers.testing import simulate_test
 

@@ -66,7 +66,7 @@ def read_record(path: Path | str, tester: Tester | None = None) -> tuple[xr.Data
     >>> record.attrs["left.static_load"], list(record), findings
     (4300.0, ['left.plate.z', 'left.plate.force'], [])
     """
-    from jounce.recordings.reading import read_recording
+    from jounce.recordings.files import read_recording
 
     file = Path(path)
     columns = dict(tester.columns) if tester is not None else {}

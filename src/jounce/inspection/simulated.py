@@ -14,9 +14,8 @@ from jounce.inspection.result import Inspection, WheelResult
 from jounce.inspection.verdicts.grading import GradedInspection, grade
 from jounce.parts import QuarterCar, Rig
 from jounce.parts.elements import LinearDamper
-from jounce.parts.front_view import FrontViewAxle, axle_of
 from jounce.parts.testers import Tester, load_tester
-from jounce.parts.vehicles import Vehicle
+from jounce.parts.vehicles import FrontViewAxle, Vehicle, axle_of
 from jounce.testers.periodic import steady_sweep
 from jounce.testers.plate_response import (
     closed_form_adhesion,

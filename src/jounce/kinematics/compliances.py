@@ -25,7 +25,7 @@ from jounce.mechanics.system import Track
 from jounce.models.attachments import push
 from jounce.models.corner import suspension
 from jounce.parts import Corner, Rig
-from jounce.parts.parameters import structure_of
+from jounce.parts.rig import structure_of
 
 if TYPE_CHECKING:
     import xarray as xr

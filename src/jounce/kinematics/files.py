@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from jounce.core.serialise import check_writable, replacing, write_atomically
-from jounce.recordings.writing import SUFFIXES, storable
+from jounce.recordings.files import SUFFIXES, storable
 
 if TYPE_CHECKING:
     import xarray as xr

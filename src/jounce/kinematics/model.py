@@ -23,7 +23,7 @@ from jounce.mechanics.linear_algebra import Ldl
 from jounce.mechanics.system import Track
 from jounce.models.corner import suspension
 from jounce.parts import Corner, FullCar3D, Rig
-from jounce.parts.parameters import structure_of
+from jounce.parts.rig import structure_of
 
 _TRAVEL, _RACK = "travel", "rack"
 

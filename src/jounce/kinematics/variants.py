@@ -15,7 +15,7 @@ from jounce.kinematics.grids import Values
 from jounce.kinematics.model import KinematicModel
 from jounce.kinematics.sweeps import prepare_sweep
 from jounce.parts import Rig
-from jounce.parts.parameters import unit_of, unknown_path
+from jounce.parts.rig import unit_of, unknown_path
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

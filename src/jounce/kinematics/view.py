@@ -20,7 +20,7 @@ from jounce.mechanics.rotations import unit
 from jounce.mechanics.system import Track
 from jounce.models.attachments import Line, line_of, spring_law, stop_law, undeformed_radius
 from jounce.models.linkage import Linkage
-from jounce.parts.struts import MapDamper
+from jounce.parts.elements import MapDamper
 
 _UP = ca.SX([0.0, 0.0, 1.0])
 _TINY = 1e-12  # m/s: on either side of rest

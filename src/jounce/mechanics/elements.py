@@ -11,19 +11,22 @@ from collections.abc import Callable
 import casadi as ca
 
 from jounce.mechanics.system import System
-from jounce.parts.curves import Curve, PolynomialCurve, PowerCurve, TableCurve
 from jounce.parts.elements import (
     BilinearDamper,
     BoucWenDamper,
     BumpStop,
+    Curve,
     Damper,
     Friction,
     LinearDamper,
+    MapDamper,
+    PolynomialCurve,
+    PowerCurve,
     Spring,
+    TableCurve,
     TanhDamper,
     Tyre,
 )
-from jounce.parts.struts import MapDamper
 
 _SLIDING = 3.0  # regularisation velocities; tanh(3) = 0.995
 

@@ -14,7 +14,7 @@ from jounce.models.half_car import half_car
 from jounce.models.half_car_4dof import half_car_4dof
 from jounce.models.quarter_car import quarter_car
 from jounce.parts import QuarterCar, Rig
-from jounce.parts.parameters import structure_of
+from jounce.parts.rig import structure_of
 from jounce.parts.vehicles import FullCar, FullCar3D, HalfCar, HalfCar4DOF
 
 _BUILDERS: dict[type[Rig], Callable[..., Model]] = {

@@ -18,7 +18,7 @@ from jounce.mechanics.frames import Moving
 from jounce.mechanics.rotations import unit
 from jounce.mechanics.system import Track
 from jounce.models.linkage import Linkage
-from jounce.parts.struts import MapDamper
+from jounce.parts.elements import MapDamper
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ from jounce.models.attachments import add_tyre, undeformed_radius
 from jounce.models.channels import show_height, show_turn, show_tyre
 from jounce.models.corner import add_strut, build_linkage, show_wheel
 from jounce.models.linkage import Linkage
-from jounce.parts.parameters import structure_of
+from jounce.parts.rig import structure_of
 from jounce.parts.vehicles import FullCar3D, SpatialAxle
 
 _SIDES, _ENDS = {"left": 1.0, "right": -1.0}, {"front": 1.0, "rear": -1.0}

@@ -20,7 +20,7 @@ import numpy as np
 
 from jounce.core.types import Array
 from jounce.parts import DoubleWishbone, load
-from jounce.parts.strut_angle import with_strut_angle
+from jounce.parts.variants import with_strut_angle
 from jounce.roads import Excitation, Road, Train
 
 SYNTHETIC = "Synthetic: made by jounce's virtual bench from a richer model (truth.toml); not a laboratory record."

@@ -1,9 +1,10 @@
 """Frozen, validated descriptions of what a suspension is made of, and the files they come from."""
 
 from jounce.parts.advice import rig_findings
-from jounce.parts.loading import changed_text, library, load, rig_from_table, rig_path
-from jounce.parts.rigs import Corner, DoubleWishbone, FiveLink, McPherson, QuarterCar, Rig, TrailingArm
-from jounce.parts.vehicles import FullCar, FullCar3D, HalfCar, HalfCar4DOF, Vehicle
+from jounce.parts.corners import Corner, DoubleWishbone, FiveLink, McPherson, TrailingArm
+from jounce.parts.files import changed_text, library, load, rig_from_table, rig_path
+from jounce.parts.rig import Rig
+from jounce.parts.vehicles import FullCar, FullCar3D, HalfCar, HalfCar4DOF, QuarterCar, Vehicle
 
 __all__ = [
     "Corner",

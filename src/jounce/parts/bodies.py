@@ -1,16 +1,64 @@
-"""Rigid bodies: mass, centre of mass and an inertia that a body can have."""
+"""Points and rigid bodies: positions, mass, centre of mass and an inertia that a body can have."""
 
 from __future__ import annotations
 
-from typing import Self
+from typing import Annotated, Any, Self
 
 import numpy as np
-from pydantic import model_validator
+from pydantic import BeforeValidator, model_validator
 
 from jounce.core.description import Description
 from jounce.core.types import Array
-from jounce.core.units import Mass, MomentOfInertia, ProductOfInertia
-from jounce.parts.points import Point
+from jounce.core.units import (
+    Length,
+    Mass,
+    MomentOfInertia,
+    NonNegativeDampingCoefficient,
+    NonNegativeRotationalStiffness,
+    NonNegativeStiffness,
+    ProductOfInertia,
+)
+
+Triple = tuple[float, float, float]
+
+
+def _three(value: Any) -> Any:
+    if isinstance(value, np.ndarray):
+        value = value.tolist()
+    if not isinstance(value, (list, tuple)):
+        raise ValueError(
+            f'three values along x, y and z are needed, as in ["150 mm", "400 mm", "155 mm"]; found {value!r}'
+        )
+    if len(value) != 3:
+        raise ValueError(f"three values along x, y and z are needed; found {len(value)}: {list(value)}")
+    return value
+
+
+Point = Annotated[tuple[Length, Length, Length], BeforeValidator(_three)]
+"""Position in m: x forward, y left, z up."""
+StiffnessTriple = Annotated[
+    tuple[NonNegativeStiffness, NonNegativeStiffness, NonNegativeStiffness], BeforeValidator(_three)
+]
+RotationalStiffnessTriple = Annotated[
+    tuple[NonNegativeRotationalStiffness, NonNegativeRotationalStiffness, NonNegativeRotationalStiffness],
+    BeforeValidator(_three),
+]
+DampingTriple = Annotated[
+    tuple[NonNegativeDampingCoefficient, NonNegativeDampingCoefficient, NonNegativeDampingCoefficient],
+    BeforeValidator(_three),
+]
+
+
+def distance(one: Triple | Array, other: Triple | Array) -> float:
+    """Distance between two points in m."""
+    return float(np.linalg.norm(np.subtract(one, other)))
+
+
+def distance_to_line(point: Triple | Array, one: Triple | Array, other: Triple | Array) -> float:
+    """Distance in m of a point from the line through two others that differ."""
+    along = np.subtract(other, one)
+    return float(np.linalg.norm(np.cross(along, np.subtract(point, one))) / np.linalg.norm(along))
+
 
 TRIANGLE_TOLERANCE = 1e-3
 """Share of the largest principal moment by which it may exceed the sum of the others: rounding in a data sheet."""

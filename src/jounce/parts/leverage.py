@@ -11,11 +11,9 @@ from typing import cast
 import numpy as np
 
 from jounce.core.types import Array
-from jounce.parts.corner import Corner
-from jounce.parts.curves import Curve, PolynomialCurve, PowerCurve
-from jounce.parts.elements import BumpStop
-from jounce.parts.hardpoints import FiveLinkHardpoints, Hardpoints, McPhersonHardpoints, TrailingArmHardpoints
-from jounce.parts.points import Triple
+from jounce.parts.bodies import Triple
+from jounce.parts.corners import Corner, FiveLinkHardpoints, Hardpoints, McPhersonHardpoints, TrailingArmHardpoints
+from jounce.parts.elements import BumpStop, Curve, PolynomialCurve, PowerCurve
 
 Twist = tuple[Array, Array]
 """Velocity of the body's point at the origin, and angular velocity, each shape (3,)."""

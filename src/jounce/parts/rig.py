@@ -1,18 +1,163 @@
-"""What all rigs share: where their values come from, and how to vary them."""
+"""What all rigs share: where their values come from, their numbers by path, and how to vary them."""
 
 from __future__ import annotations
 
-from typing import Any, Self
+import difflib
+import re
+from collections.abc import Iterable
+from typing import Any, ClassVar, Self
+
+from pydantic import BaseModel
 
 from jounce.core.description import Description
-from jounce.parts.parameters import change_table, parameters_of
+from jounce.core.errors import DescriptionError
+from jounce.core.units import Unit
+
+_FEW = 10
+"""How many paths a message may list."""
+
+
+def parameters_of(description: BaseModel, prefix: str = "") -> dict[str, float]:
+    """Give every float of a description by its path, e.g. ``{"tyre.curve.coefficients[1]": 3.0e6}``, SI."""
+    found: dict[str, float] = {}
+    for name in type(description).model_fields:
+        _collect(getattr(description, name), f"{prefix}{name}", found)
+    return found
+
+
+def _collect(value: Any, path: str, found: dict[str, float]) -> None:
+    if isinstance(value, BaseModel):
+        found.update(parameters_of(value, f"{path}."))
+    elif isinstance(value, tuple):
+        for i, item in enumerate(value):
+            _collect(item, f"{path}[{i}]", found)
+    elif isinstance(value, float):
+        found[path] = value
+
+
+def structure_of(description: BaseModel) -> str:
+    """Text that is equal for descriptions that differ in numbers only, so that one compiled model serves them."""
+    return re.sub(
+        r"-?\d+(\.\d+)?([eE][+-]?\d+)?(?=[,\]}])", "#", description.model_dump_json(exclude={"source", "estimated"})
+    )
+
+
+def split_path(path: str) -> list[str | int]:
+    """Split ``tyre.curve.coefficients[1]`` into its keys and indices."""
+    parts: list[str | int] = []
+    for piece in path.split("."):
+        match = re.fullmatch(r"([\w-]+)((?:\[\d+\])*)", piece)
+        if match is None:
+            raise DescriptionError("not a path", where=path, allowed="names joined by dots, e.g. strut.spring.rate")
+        parts.append(match[1])
+        parts.extend(int(index) for index in re.findall(r"\[(\d+)\]", match[2]))
+    return parts
+
+
+def change_table(description: BaseModel, changes: dict[str, Any]) -> dict[str, Any]:
+    """Give the description as a table with the values at some paths replaced."""
+    table: dict[str, Any] = description.model_dump(by_alias=True, exclude_none=True)
+    known = parameters_of(description)
+    for path, value in changes.items():
+        _set(table, split_path(path), value, path, known)
+    return table
+
+
+def _set(table: Any, parts: list[str | int], value: Any, path: str, known: dict[str, float]) -> None:
+    *parents, last = parts
+    here = table
+    for i, part in enumerate(parents):
+        try:
+            if isinstance(here, dict) and part not in here and isinstance(parts[i + 1], str):
+                here[part] = {}
+            elif isinstance(here[part], tuple):
+                here[part] = list(here[part])
+            here = here[part]
+        except (KeyError, IndexError, TypeError):
+            raise unknown_path(path, known) from None
+    if isinstance(here, list) and not (isinstance(last, int) and last < len(here)):
+        raise unknown_path(path, known)
+    if not isinstance(here, (dict, list)):
+        raise unknown_path(path, known)
+    here[last] = value  # type: ignore[index]
+
+
+def unknown_path(where: str, known: Iterable[str], *, name: str = "") -> DescriptionError:
+    """Build the error for a path that the description does not have; ``name`` is the path when ``where`` says more."""
+    paths = sorted(known)
+    near = nearest_paths(name or where, paths)
+    every = f"All {len(paths)}: jounce check FILE --parameters." if len(paths) > _FEW else ""
+    if near:
+        names = " or ".join(filter(None, (", ".join(map(repr, near[:-1])), repr(near[-1]))))
+        hint = f"Did you mean {names}? {every}".rstrip()
+        return DescriptionError("no such parameter", where=where, hint=hint)
+    begins = dict.fromkeys(re.split(r"[.[]", path)[0] for path in paths)
+    allowed = f"paths that begin with {', '.join(begins)}" if every else ", ".join(paths)
+    return DescriptionError("no such parameter", where=where, allowed=allowed, hint=every)
+
+
+def nearest_paths(name: str, known: Iterable[str]) -> list[str]:
+    """Give the paths that may have been meant, at most three, the likeliest first.
+
+    Examples
+    --------
+    >>> nearest_paths("spring.rate", ["strut.spring.rate", "strut.damper.coefficient", "tyre.stiffness"])
+    ['strut.spring.rate']
+    >>> nearest_paths("upper_ball_joint", [f"hardpoints.upper_ball_joint[{i}]" for i in range(3)])
+    ['hardpoints.upper_ball_joint[0]', 'hardpoints.upper_ball_joint[1]', 'hardpoints.upper_ball_joint[2]']
+    """
+    paths = sorted(known)
+    inside = re.compile(rf"(?:^|\.){re.escape(name)}(?:$|[.[])")
+    return [path for path in paths if inside.search(path)][:3] or difflib.get_close_matches(
+        name, paths, n=3, cutoff=0.7
+    )
+
+
+def unit_of(kind: BaseModel, path: str) -> str:
+    """SI unit of the number at ``path``, e.g. ``N/m``; ``1`` where it has none or it depends on the order."""
+    here: Any = kind
+    unit = "1"
+    for part in split_path(path):
+        if isinstance(part, int):
+            here = here[part]
+            continue
+        unit = _field_unit(type(here), part)
+        here = getattr(here, part)
+    return unit
+
+
+def _field_unit(kind: type[BaseModel], name: str) -> str:
+    field = kind.model_fields[name]
+    units = [item for item in field.metadata if isinstance(item, Unit)] or _units_in(field.annotation)
+    return units[0].si if units else "1"
+
+
+def _units_in(annotation: Any) -> list[Unit]:
+    own = [item for item in getattr(annotation, "__metadata__", ()) if isinstance(item, Unit)]
+    return own or [unit for part in getattr(annotation, "__args__", ()) for unit in _units_in(part)]
+
+
+MODELS: dict[str, dict[str, type[Rig]]] = {"jounce.rig/1": {}, "jounce.vehicle/1": {}}
+"""Models by their name in a file, for each kind of file."""
 
 
 class Rig(Description):
-    """Description of what is tested, a rig or a whole vehicle; its subclasses are the models."""
+    """Description of what is tested, a rig or a whole vehicle; its subclasses are the models.
+
+    A subclass with fields ``schema_`` and ``model`` can be read from files as soon as it is defined.
+    """
 
     source: str = ""
     estimated: tuple[str, ...] = ()
+
+    has_file: ClassVar[bool] = True
+    """Whether files describe it."""
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **_: Any) -> None:
+        if cls.has_file and {"schema_", "model"} <= cls.model_fields.keys():
+            schema, model = (cls.model_fields[name].default for name in ("schema_", "model"))
+            MODELS.setdefault(schema, {})[model] = cls
 
     def parameters(self) -> dict[str, float]:
         """Give every number of the rig by its path, SI: ``{"strut.spring.rate": 22730.0, ...}``."""

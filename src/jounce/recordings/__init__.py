@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-from jounce.recordings.alignment import estimate_lag, shift_signals, shift_with_derivative
-from jounce.recordings.filters import band_limit, cfc_filter, derivative, resample
+from jounce.recordings.files import read_columns, read_recording, write_recording
 from jounce.recordings.quality import check_channels, check_time
 from jounce.recordings.readers import READERS, Reader
-from jounce.recordings.reading import read_columns, read_recording
 from jounce.recordings.schema import channel_unit, check_recording, recording
 from jounce.recordings.sensors import Sensor, apply_sensors, filter_signals
-from jounce.recordings.writing import write_recording
+from jounce.recordings.signals import (
+    band_limit,
+    cfc_filter,
+    derivative,
+    estimate_lag,
+    resample,
+    shift_signals,
+    shift_with_derivative,
+)
 
 __all__ = [
     "READERS",

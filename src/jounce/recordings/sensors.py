@@ -18,7 +18,7 @@ from jounce.core.description import Description
 from jounce.core.errors import unknown
 from jounce.core.types import Array
 from jounce.core.units import Frequency, Number, Unit, to_si
-from jounce.recordings.filters import check_frequency
+from jounce.recordings.signals import check_frequency
 
 if TYPE_CHECKING:
     import xarray as xr

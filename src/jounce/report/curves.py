@@ -6,7 +6,7 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from jounce.recordings.writing import write_recording
+from jounce.recordings.files import write_recording
 
 if TYPE_CHECKING:
     import xarray as xr

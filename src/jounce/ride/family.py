@@ -13,7 +13,7 @@ from jounce.core.errors import JounceError, SimulationError
 from jounce.core.types import Array
 from jounce.mechanics.model import ROAD, is_road
 from jounce.parts import Rig
-from jounce.parts.parameters import structure_of, unknown_path
+from jounce.parts.rig import structure_of, unknown_path
 from jounce.parts.vehicles import Place, Vehicle
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.statics import Rest, find_rest

@@ -10,7 +10,7 @@ import numpy as np
 from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
-from jounce.recordings.reading import read_columns
+from jounce.recordings.files import read_columns
 from jounce.roads.loading import road_library
 from jounce.roads.opencrg import read_crg_profile
 

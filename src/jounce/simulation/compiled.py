@@ -18,7 +18,7 @@ from jounce.kernel.native import Native, Source, compile_functions, kept_code
 from jounce.kernel.steps import SHORT_NAMES, STEP_NAMES
 from jounce.mechanics.model import Facts, Model, Output, is_road
 from jounce.parts import Rig
-from jounce.parts.parameters import structure_of
+from jounce.parts.rig import structure_of
 from jounce.simulation.programs import SLOPES, Program, plain_program, sensitive_program
 
 if TYPE_CHECKING:

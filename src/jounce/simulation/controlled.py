@@ -13,11 +13,10 @@ from numpy.typing import NDArray
 
 from jounce.control.actuators import AnyActuator
 from jounce.control.catalogue import as_controller
-from jounce.control.controller import Controller
-from jounce.control.corner import CornerModel
+from jounce.control.controller import CallbackController, Controller, Setting
+from jounce.control.design import CornerModel
 from jounce.control.laws import Passive
 from jounce.control.program import program, sensor_noise, values
-from jounce.control.regulator import CallbackController, Setting
 from jounce.core.errors import JounceError, SimulationError
 from jounce.core.segments import Segments, flat
 from jounce.core.types import Array

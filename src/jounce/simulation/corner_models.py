@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from jounce.control.corner import CornerModel
+from jounce.control.design import CornerModel
 from jounce.core.errors import SimulationError
 from jounce.core.types import Array
 from jounce.parts import Rig

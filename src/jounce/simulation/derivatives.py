@@ -12,7 +12,7 @@ from jounce.core.errors import SimulationError, unknown
 from jounce.core.types import Array
 from jounce.kernel.status import Status
 from jounce.parts import Rig
-from jounce.parts.parameters import unit_of, unknown_path
+from jounce.parts.rig import unit_of, unknown_path
 from jounce.recordings.schema import place_of
 from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig

@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.control.actuators import ActiveActuator
+from jounce.control.controller import CallbackController
 from jounce.control.program import Program, program, values
-from jounce.control.regulator import CallbackController
 from jounce.core.errors import SimulationError
 from jounce.core.types import Array
 from jounce.parts import Rig

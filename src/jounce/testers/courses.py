@@ -14,9 +14,9 @@ from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.mechanics.model import Output
 from jounce.mechanics.motions import constant
-from jounce.parts.front_view import FrontViewAxle
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Programme, Tester
+from jounce.parts.vehicles import FrontViewAxle
 from jounce.simulation.run import samples_reached
 from jounce.testers.model import ANGLE
 from jounce.testers.stand import Stand, channel, stand

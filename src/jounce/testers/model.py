@@ -22,10 +22,9 @@ from jounce.models.corner import TEMPLATES, add_strut, show_wheel, suspension
 from jounce.models.linkage import Linkage
 from jounce.models.quarter_car import add_quarter_car
 from jounce.models.wheels import add_wheel
-from jounce.parts.corner import Corner
-from jounce.parts.front_view import FrontViewAxle, Side
+from jounce.parts.corners import Corner
 from jounce.parts.rig import Rig
-from jounce.parts.rigs import QuarterCar
+from jounce.parts.vehicles import FrontViewAxle, QuarterCar, Side
 
 ANGLE, MOTOR = "excenter.angle", "motor.on"
 """Last words of the tracks: angle of the exciter (rad), and share of the motor's torque that is switched on."""

@@ -13,12 +13,10 @@ from jounce.core.segments import Segments, flat
 from jounce.core.types import Array
 from jounce.kernel.tracks import flatten
 from jounce.mechanics.motions import constant
-from jounce.parts.corner import Corner
-from jounce.parts.front_view import FrontViewAxle
-from jounce.parts.parameters import structure_of
-from jounce.parts.rig import Rig
-from jounce.parts.rigs import QuarterCar
+from jounce.parts.corners import Corner
+from jounce.parts.rig import Rig, structure_of
 from jounce.parts.testers import Tester
+from jounce.parts.vehicles import FrontViewAxle, QuarterCar
 from jounce.simulation.compiled import Compiled, compile_described
 from jounce.simulation.run import Prepared, Solution, prepare, room, samples_reached
 from jounce.simulation.statics import Rest, state_scale

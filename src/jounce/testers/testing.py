@@ -14,12 +14,11 @@ from jounce.core.errors import SimulationError
 from jounce.core.findings import Finding
 from jounce.core.serialise import write_atomically
 from jounce.core.types import Array
-from jounce.parts.front_view import FrontViewAxle, axle_of
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Tester
-from jounce.parts.vehicles import FullCar, HalfCar4DOF
+from jounce.parts.vehicles import FrontViewAxle, FullCar, HalfCar4DOF, axle_of
+from jounce.recordings.files import write_recording
 from jounce.recordings.schema import recording
-from jounce.recordings.writing import write_recording
 from jounce.testers.courses import Course, Other, Wheel, run_course
 from jounce.testers.stand import channel, stand
 

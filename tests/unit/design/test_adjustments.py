@@ -9,8 +9,8 @@ import jounce as jn
 from jounce.core.errors import AssemblyError, DescriptionError
 from jounce.design.adjustment_effects import QUANTITIES, adjust_report, lengths_for, wheel_state
 from jounce.design.adjustments import BLOCK_MASS, SETTINGS, adjusted, adjustment_findings, arm_length
+from jounce.parts.bodies import distance
 from jounce.parts.leverage import spring_force
-from jounce.parts.points import distance
 
 KART = jn.load("kart-double-wishbone")
 REFERENCE = jn.load("reference-double-wishbone")

@@ -19,7 +19,7 @@ from jounce.inspection.remarks import Remark, remark, said
 from jounce.inspection.verdicts.grading import grade, grade_vehicle
 from jounce.parts import load
 from jounce.parts.testers import load_tester
-from jounce.parts.wear import worn
+from jounce.parts.variants import worn
 from jounce.report.protocol import protocol_html
 from jounce.testers.testing import simulate_test
 

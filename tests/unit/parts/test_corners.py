@@ -12,7 +12,7 @@ import pytest
 from jounce import parts
 from jounce.core.errors import DescriptionError
 from jounce.parts import changed_text, load, rig_from_table
-from jounce.parts.parameters import structure_of, unit_of, unknown_path
+from jounce.parts.rig import structure_of, unit_of, unknown_path
 
 TEXT = parts.library()["reference-double-wishbone"].read_text(encoding="utf-8")
 REFERENCE = load("reference-double-wishbone")

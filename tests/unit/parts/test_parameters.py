@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from jounce import parts
 from jounce.core.errors import DescriptionError
-from jounce.parts.parameters import split_path, structure_of, unit_of
+from jounce.parts.rig import split_path, structure_of, unit_of
 
 KART = parts.load("kart-quarter-car")
 TABLE_TYRE = KART.with_changes(

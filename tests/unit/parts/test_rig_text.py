@@ -7,8 +7,8 @@ import tomllib
 import pytest
 
 from jounce.parts import Rig, library, load, rig_from_table
-from jounce.parts.parameters import structure_of
-from jounce.parts.writing import rig_text
+from jounce.parts.files import rig_text
+from jounce.parts.rig import structure_of
 
 KART = load("kart-quarter-car")
 CORNER = load("reference-double-wishbone")

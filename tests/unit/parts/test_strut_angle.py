@@ -7,7 +7,7 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import DescriptionError
-from jounce.parts.strut_angle import strut_angle, strut_angle_findings, with_strut_angle
+from jounce.parts.variants import strut_angle, strut_angle_findings, with_strut_angle
 
 KART = jn.load("kart-double-wishbone")
 

@@ -6,8 +6,8 @@ import pytest
 
 from jounce.core.errors import DescriptionError
 from jounce.parts import load
-from jounce.parts.front_view import axle_from, axle_of
 from jounce.parts.testers import Tester, library, load_tester
+from jounce.parts.vehicles import axle_from, axle_of
 
 GOOD = """schema = "jounce.tester/1"
 kind = "sprung-plate"

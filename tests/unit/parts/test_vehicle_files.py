@@ -6,9 +6,8 @@ import pytest
 
 import jounce as jn
 from jounce import parts
-from jounce.parts.parameters import unit_of
-from jounce.parts.vehicles import VEHICLES
-from jounce.parts.writing import rig_text
+from jounce.parts.files import VEHICLES, rig_text
+from jounce.parts.rig import unit_of
 
 HALF = """
 schema = "jounce.vehicle/1"

@@ -11,7 +11,7 @@ import xarray as xr
 
 import jounce as jn
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
-from jounce.parts.rigs import RIGS
+from jounce.parts.files import RIGS
 from jounce.plots import figure_of, mechanism, rendered
 from jounce.plots.labels import spread
 from jounce.plots.mechanisms.drawing import coil, outline, tyre

@@ -5,7 +5,7 @@ import pytest
 
 from jounce.core.errors import RecordingError
 from jounce.recordings import estimate_lag, shift_signals, shift_with_derivative
-from jounce.recordings.alignment import correlation_coefficients
+from jounce.recordings.signals import correlation_coefficients
 
 RATE = 1000.0
 TIME = np.arange(1500) / RATE

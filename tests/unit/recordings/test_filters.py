@@ -5,7 +5,7 @@ import pytest
 
 from jounce.core.errors import RecordingError
 from jounce.recordings import band_limit, cfc_filter, derivative, resample
-from jounce.recordings.filters import cfc_coefficients
+from jounce.recordings.signals import cfc_coefficients
 
 RATE = 10_000.0
 TIME = np.arange(20_000) / RATE

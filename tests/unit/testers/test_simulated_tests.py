@@ -7,9 +7,9 @@ import pytest
 
 from jounce.core.errors import DescriptionError, JounceError, OutputError, SimulationError
 from jounce.parts import load
-from jounce.parts.front_view import axle_of
 from jounce.parts.testers import Programme, load_tester
-from jounce.parts.wear import worn
+from jounce.parts.variants import worn
+from jounce.parts.vehicles import axle_of
 from jounce.recordings.schema import check_recording
 from jounce.testers.plate_response import closed_form_adhesion, steady_response, wheel_mode
 from jounce.testers.testing import Sensors, findings_of_test, simulate_test, write_test

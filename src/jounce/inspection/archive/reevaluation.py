@@ -233,7 +233,7 @@ def _signals(
 
 
 def _vehicle(entry: RecordEntry) -> Any:
-    from jounce.parts.loading import rig_from_table
+    from jounce.parts.files import rig_from_table
 
     return None if entry.vehicle_table is None else rig_from_table(dict(entry.vehicle_table), where=entry.vehicle)
 

@@ -1,8 +1,7 @@
 """Descriptions of other programs, read into jounce's names, units and signs."""
 
 from jounce.parts.importers.chrono import import_chrono
-from jounce.parts.importers.chrono_corner import ChronoCorner, DamperMap, read_chrono_corner, shipped_corner
-from jounce.parts.importers.chrono_file import RigidPart
+from jounce.parts.importers.chrono_file import ChronoCorner, DamperMap, RigidPart, read_chrono_corner, shipped_corner
 from jounce.parts.importers.tir import TyreProperties, read_tir, tyre_from_tir
 
 __all__ = [

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, cast
 
@@ -10,20 +12,341 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding
-from jounce.parts.corner import Corner
-from jounce.parts.importers.chrono_bodies import DESIGN, joined, wheel_tensor
-from jounce.parts.importers.chrono_elements import (
-    STOP_ESTIMATE,
-    damper_table,
-    element_findings,
-    spring_table,
-    stop_tables,
-)
-from jounce.parts.importers.chrono_file import ChronoFile
-from jounce.parts.importers.chrono_templates import TEMPLATES, Reading
+from jounce.core.types import Array
+from jounce.parts.bodies import TRIANGLE_TOLERANCE, distance_to_line
+from jounce.parts.corners import Corner
+from jounce.parts.files import rig_from_table, rig_text
+from jounce.parts.importers.chrono_file import HARDPOINTS, ChronoFile, RigidPart, ascending, damper_map
 from jounce.parts.leverage import motion_ratio, spring_force, static_spring_force, static_tyre_deflection
-from jounce.parts.loading import rig_from_table
-from jounce.parts.writing import rig_text
+
+DESIGN = np.eye(3)
+
+
+def arm_frame(front: Array, rear: Array, outer: Array, where: str) -> Array:
+    """Axes of Chrono's A-arms as columns: x along the axis to the front, z normal to the arm."""
+    normal = _unit(np.cross(rear - outer, front - outer), where)
+    along = _unit(front - rear, where)
+    return np.column_stack([along, np.cross(normal, along), normal])
+
+
+def rod_frame(start: Array, end: Array, across: Array, where: str) -> Array:
+    """Axes of Chrono's links as columns: z from ``start`` to ``end``, y along ``across`` made perpendicular to it."""
+    along = _unit(end - start, where)
+    side = _unit(across - along * (along @ across), where)
+    return np.column_stack([np.cross(side, along), side, along])
+
+
+def body_table(
+    file: ChronoFile, section: str, frame: Array, centre: Array | None = None
+) -> tuple[dict[str, Any], list[Finding]]:
+    """Table of one body and what was assumed; ``frame`` holds the axes of the file's inertia as columns."""
+    part = file.part(section, centre=centre)
+    tensor, found = _possible(part, file.at(section))
+    if file.table.get("Vehicle-Frame Inertia") is not True:
+        tensor = frame @ tensor @ frame.T
+    return as_table(part.mass, part.centre, tensor), found
+
+
+def as_table(mass: float, centre: Array, tensor: Array) -> dict[str, Any]:
+    """Table of a body in the names of rig files."""
+    names = {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
+    size = float(np.abs(tensor).max())
+    inertia = {name: float(tensor[at]) for name, at in names.items() if abs(tensor[at]) > 1e-9 * size}
+    return {"mass": mass, "centre_of_mass": centre, "inertia": inertia}
+
+
+def joined(one: dict[str, Any], mass: float, centre: Array, tensor: Array) -> dict[str, Any]:
+    """Table of a body and another one that is fixed to it (kg, m, kg m^2)."""
+    masses, centres = (one["mass"], mass), (np.array(one["centre_of_mass"]), centre)
+    whole = masses[0] + masses[1]
+    middle = (masses[0] * centres[0] + masses[1] * centres[1]) / whole
+    total = tensor_of(one) + tensor
+    for part, place in zip(masses, centres, strict=True):
+        away = place - middle
+        total = total + part * ((away @ away) * np.eye(3) - np.outer(away, away))
+    return as_table(whole, middle, total)
+
+
+def tensor_of(table: dict[str, Any]) -> Array:
+    """Inertia tensor of a body's table, shape (3, 3), kg m^2."""
+    xx, yy, zz, xy, xz, yz = (table["inertia"].get(name, 0.0) for name in ("xx", "yy", "zz", "xy", "xz", "yz"))
+    return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+
+
+def about_axis(table: dict[str, Any], one: Array, other: Array) -> float:
+    """Moment of inertia of a body's table about the line through two points in kg m^2."""
+    axis = (other - one) / np.linalg.norm(other - one)
+    away = np.linalg.norm(np.cross(axis, np.array(table["centre_of_mass"]) - one))
+    return float(axis @ tensor_of(table) @ axis + table["mass"] * away**2)
+
+
+def wheel_tensor(mass: float, radius: float) -> Array:
+    """Inertia of rim and tyre, estimated: 0.6 m r^2 about the axle, 0.35 m r^2 across it."""
+    return np.asarray(mass * radius**2 * np.diag([0.35, 0.6, 0.35]))
+
+
+def _possible(part: RigidPart, where: str) -> tuple[Array, list[Finding]]:
+    """Tensor in the file's frame; a largest moment over the sum of the others, which no body has, is cut to it."""
+    xy, xz, yz = part.products
+    tensor = np.diag(part.moments) + np.array([[0.0, xy, xz], [xy, 0.0, yz], [xz, yz, 0.0]])
+    moments, axes = np.linalg.eigh(tensor)
+    if moments[0] <= 0.0:
+        raise DescriptionError(
+            "an inertia that no body has: a principal moment is not above 0",
+            where=where,
+            found=", ".join(f"{moment:.6g} kg m^2" for moment in moments),
+        )
+    if moments[2] <= (moments[0] + moments[1]) * (1.0 + TRIANGLE_TOLERANCE):
+        return tensor, []
+    cut = moments[0] + moments[1]
+    message = (
+        f"no body has the principal moments {moments[0]:.5g}, {moments[1]:.5g} and {moments[2]:.5g} kg m^2: the "
+        f"largest is cut to the sum of the others, {cut:.5g}."
+    )
+    moments = np.array([moments[0], moments[1], cut])
+    return axes @ np.diag(moments) @ axes.T, [Finding(where, "warning", message, float(cut))]
+
+
+def _unit(vector: Array, where: str) -> Array:
+    length = float(np.linalg.norm(vector))
+    if length < 1e-9:
+        raise DescriptionError("two points are the same, or three lie on one line", where=where, allowed="a triangle")
+    return vector / length
+
+
+STOP_RATE, STOP_PROGRESSION = 1.0e5, 6.0e7
+"""Stop in N/m and N/m^3 within 8 % of the points that Chrono uses for every vehicle, from 2 mm to 50 mm of depth."""
+STOP_ESTIMATE = ("strut.bump_stop.rate", "strut.bump_stop.progression")
+
+
+def spring_table(file: ChronoFile) -> dict[str, Any]:
+    """Table of ``strut.spring``: rate or curve, with its free length in m."""
+    free, preload = file.positive("Spring", "Free Length"), file.number("Spring", "Preload", 0.0)
+    if file.has("Spring", "Spring Coefficient"):
+        rate = file.positive("Spring", "Spring Coefficient")
+        return {"rate": rate, "free_length": free + preload / rate}
+    key = "Curve Data" if file.has("Spring", "Curve Data") else "Spring Curve Data"
+    lengthening, force = file.curve("Spring", key)
+    curve = {"kind": "table", "deflection": -lengthening[::-1], "force": preload - force[::-1]}
+    return {"curve": curve, "free_length": free}
+
+
+def damper_table(file: ChronoFile) -> dict[str, Any]:
+    """Table of ``strut.damper``: linear, through points of velocity, or a map over length and velocity."""
+    if file.has("Shock", "Map Data"):
+        found = damper_map(file)
+        return {
+            "kind": "map",
+            "length": found.length + file.number("Shock", "Free Length", 0.0),
+            "velocity": -found.velocity[::-1],
+            "force": -found.force.T[:, ::-1],
+        }
+    key = "Curve Data" if file.has("Shock", "Curve Data") else "Damping Curve Data"
+    if file.has("Shock", key):
+        lengthening, force = file.curve("Shock", key)
+        return {"kind": "table", "velocity": -lengthening[::-1], "force": -force[::-1]}
+    coefficient = file.positive("Shock", "Damping Coefficient")
+    if not file.has("Shock", "Degressivity Compression", "Degressivity Expansion"):
+        return {"coefficient": coefficient}
+    shares = [file.number("Shock", f"Degressivity {way}", 0.0) for way in ("Expansion", "Compression")]
+    return {"kind": "table", **_degressive(coefficient, shares[0], shares[1])}
+
+
+def stop_tables(file: ChronoFile, design_length: float) -> dict[str, Any]:
+    """Tables of ``strut.bump_stop`` and ``strut.rebound_stop``; ``design_length`` of the spring in m."""
+    if not file.has("Spring", "Minimum Length", "Maximum Length"):
+        return {}
+    shortest, longest = file.positive("Spring", "Minimum Length"), file.positive("Spring", "Maximum Length")
+    ascending(np.array([shortest, longest]), file.at("Spring", "Minimum Length"))
+    law = {"rate": STOP_RATE, "progression": STOP_PROGRESSION}
+    return {
+        "bump_stop": {"gap": design_length - shortest, **law},
+        "rebound_stop": {"gap": longest - design_length, **law},
+    }
+
+
+def element_findings(file: ChronoFile, tables: dict[str, Any]) -> list[Finding]:
+    """What the reader must know about the elements that were read."""
+    found = []
+    if "bump_stop" in tables:
+        found.append(
+            Finding(
+                file.at("Spring", "Minimum Length"),
+                "note",
+                "stops work from the spring's shortest and longest length on, with the law that Chrono gives every "
+                "vehicle: 100 N/mm and rising.",
+            )
+        )
+    if file.has("Shock", "Degressivity Compression"):
+        found.append(
+            Finding(file.at("Shock"), "note", "the degressive damper is read as a table that follows it to 3 m/s.")
+        )
+    return found
+
+
+def _degressive(coefficient: float, expansion: float, compression: float) -> dict[str, Array]:
+    """Damper ``c v / (1 + share |v|)`` at points of velocity, bump positive."""
+    if min(expansion, compression) < 0.0:
+        raise DescriptionError("a degressivity below 0", found=[expansion, compression], allowed="at least 0")
+    speeds = np.array([0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0])
+    bump = coefficient * speeds / (1.0 + compression * speeds)
+    rebound = coefficient * speeds / (1.0 + expansion * speeds)
+    return {
+        "velocity": np.concatenate([-speeds[::-1], [0.0], speeds]),
+        "force": np.concatenate([-rebound[::-1], [0.0], bump]),
+    }
+
+
+_MACPHERSON = {
+    "lower_arm_front": ("Control Arm", "Location Chassis Front"),
+    "lower_arm_rear": ("Control Arm", "Location Chassis Back"),
+    "lower_ball_joint": ("Control Arm", "Location Upright"),
+    "tie_rod_inner": ("Tierod", "Location Chassis"),
+    "tie_rod_outer": ("Tierod", "Location Upright"),
+    "wheel_centre": ("Spindle", "COM"),
+    "spring_top": ("Spring", "Location Chassis"),
+    "spring_bottom": ("Spring", "Location Upright"),
+    "damper_top": ("Shock", "Location Chassis"),
+    "damper_bottom": ("Shock", "Location Upright"),
+}
+_MULTI_LINK = {
+    "link_1_inner": ("Upper Arm", "Location Chassis Front"),
+    "link_1_outer": ("Upper Arm", "Location Upright"),
+    "link_2_inner": ("Upper Arm", "Location Chassis Back"),
+    "link_2_outer": ("Upper Arm", "Location Upright"),
+    "link_3_inner": ("Lateral", "Location Chassis"),
+    "link_3_outer": ("Lateral", "Location Upright"),
+    "link_4_inner": ("Trailing Link", "Location Chassis"),
+    "link_4_outer": ("Trailing Link", "Location Upright"),
+    "link_5_inner": ("Tierod", "Location Chassis"),
+    "link_5_outer": ("Tierod", "Location Upright"),
+    "wheel_centre": ("Spindle", "COM"),
+    "spring_top": ("Spring", "Location Chassis"),
+    "spring_bottom": ("Spring", "Location Link"),
+    "damper_top": ("Shock", "Location Chassis"),
+    "damper_bottom": ("Shock", "Location Link"),
+}
+
+
+@dataclass
+class Reading:
+    """One file while it is read: its points as they stand there, and what was found out on the way."""
+
+    file: ChronoFile
+    points: dict[str, Array]
+    findings: list[Finding] = field(default_factory=list)
+    estimated: list[str] = field(default_factory=list)
+
+    def body(self, name: str, section: str, frame: Array, centre: Array | None = None) -> dict[str, Any]:
+        """Table of a body; an inertia that had to be changed is estimated."""
+        table, found = body_table(self.file, section, frame, centre)
+        self.findings += found
+        if found:
+            self.estimated.append(f"bodies.{name}.inertia")
+        return table
+
+    def arm(self, name: str, section: str, front: str, rear: str, outer: str) -> dict[str, Any]:
+        """Table of an A-arm in Chrono's frame of it."""
+        corners = self.points[front], self.points[rear], self.points[outer]
+        return self.body(name, section, arm_frame(*corners, self.file.at(section)))
+
+
+def _head(reading: Reading, model: str, bodies: dict[str, Any], on: str, **more: Any) -> dict[str, Any]:
+    """Table of a rig without its wheel; the strut's points are the spring's, other points of a damper stand beside."""
+    points = dict(reading.points)
+    points["strut_bottom"], points["strut_top"] = points.pop("spring_bottom"), points.pop("spring_top")
+    for end in ("bottom", "top"):
+        if np.array_equal(points[f"damper_{end}"], points[f"strut_{end}"]):
+            del points[f"damper_{end}"]
+    return {
+        "schema": "jounce.rig/1",
+        "model": model,
+        "source": f"{reading.file.name}, suspension file of Project Chrono, {reading.file.path.name}",
+        "estimated": [],
+        "side": "left",
+        "guide": "vertical",
+        "hardpoints": points,
+        "bodies": bodies,
+        "strut": {"on": on},
+        **more,
+    }
+
+
+def _double_wishbone(reading: Reading) -> dict[str, Any]:
+    arms = {
+        f"{side}_arm": reading.arm(
+            f"{side}_arm", f"{side.title()} Control Arm", f"{side}_arm_front", f"{side}_arm_rear", f"{side}_ball_joint"
+        )
+        for side in ("lower", "upper")
+    }
+    bodies = {**arms, "upright": reading.body("upright", "Upright", DESIGN)}
+    _add_tie_rod(reading, bodies)
+    return _head(reading, "double-wishbone", bodies, "lower_arm", steering={"rack_travel": 0.0})
+
+
+def _mcpherson(reading: Reading) -> dict[str, Any]:
+    bodies = {
+        "lower_arm": reading.arm("lower_arm", "Control Arm", "lower_arm_front", "lower_arm_rear", "lower_ball_joint"),
+        "upright": reading.body("upright", "Upright", DESIGN),
+    }
+    if reading.file.has("Strut", "Mass"):
+        middle = (reading.points["spring_top"] + reading.points["spring_bottom"]) / 2.0
+        bodies["strut"] = reading.body("strut", "Strut", DESIGN, middle)
+    _add_tie_rod(reading, bodies)
+    return _head(reading, "mcpherson", bodies, "upright", steering={"rack_travel": 0.0})
+
+
+def _five_link(reading: Reading) -> dict[str, Any]:
+    points, file = reading.points, reading.file
+    ways = {"link_3": ("Lateral", points["link_4_outer"]), "link_4": ("Trailing Link", points["spring_bottom"])}
+    links = {}
+    for name, (section, beside) in ways.items():
+        inner, outer = points[f"{name}_inner"], points[f"{name}_outer"]
+        frame = rod_frame(outer, inner, np.cross(outer - beside, inner - beside), file.at(section))
+        links[name] = reading.body(name, section, frame)
+    upright = reading.body("upright", "Upright", DESIGN)
+    arm = reading.arm("upright", "Upper Arm", "link_1_inner", "link_2_inner", "link_1_outer")
+    ends = points["link_1_inner"], points["link_2_inner"]
+    lever = distance_to_line(points["link_1_outer"], *ends)
+    share = about_axis(arm, *ends) / lever**2
+    reading.findings.append(
+        Finding(
+            file.at("Upper Arm"),
+            "note",
+            f"the upper arm becomes links 1 and 2 without mass; {share:.4g} kg of its {arm['mass']:.4g} kg (inertia "
+            "about its axis over its length squared) move with the upright at their common point.",
+            share,
+        )
+    )
+    bodies = {
+        "upright": joined(upright, share, points["link_1_outer"], np.zeros((3, 3))),
+        **links,
+    }
+    if file.has("Tierod", "Mass"):
+        bodies["link_5"] = _tie_rod(reading, "link_5", points["link_5_inner"], points["link_5_outer"])
+    return _head(reading, "five-link", bodies, "link_4")
+
+
+def _add_tie_rod(reading: Reading, bodies: dict[str, Any]) -> None:
+    if reading.file.has("Tierod", "Mass"):
+        bodies["tie_rod"] = _tie_rod(
+            reading, "tie_rod", reading.points["tie_rod_inner"], reading.points["tie_rod_outer"]
+        )
+
+
+def _tie_rod(reading: Reading, name: str, inner: Array, outer: Array) -> dict[str, Any]:
+    across = np.cross(outer - inner, [1.0, 0.0, 0.0])
+    return reading.body(
+        name, "Tierod", rod_frame(inner, outer, across, reading.file.at("Tierod")), (inner + outer) / 2.0
+    )
+
+
+TEMPLATES: dict[str, tuple[dict[str, tuple[str, str]], Callable[[Reading], dict[str, Any]]]] = {
+    "DoubleWishbone": (HARDPOINTS, _double_wishbone),
+    "MacPhersonStrut": (_MACPHERSON, _mcpherson),
+    "MultiLink": (_MULTI_LINK, _five_link),
+}
+
 
 WHEEL_RADIUS, WHEEL_MASS, TYRE_STIFFNESS, SPRUNG_MASS = 0.33, 20.0, 250e3, 350.0
 """Estimates for what suspension files do not hold: m, kg (rim and tyre), N/m, kg; those of a passenger car."""

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import DescriptionError
-from jounce.parts.parameters import unit_of
+from jounce.parts.rig import unit_of
 from jounce.plots import decay_fit, display_unit, number, quantity, stiffness_fit, tyre_pressure
 from jounce.report.campaign.sources import decay_records, force_deflection
 from jounce.report.numbers import estimate_cells, estimate_text

@@ -1,7 +1,9 @@
-"""The angle of the strut as a setting of the bench: a number of a lumped rig, the place of a 3-D rig's upper end."""
+"""The same rig with its strut at another angle, or with worn dampers."""
 
 from __future__ import annotations
 
+import math
+import re
 from typing import TypeVar, cast
 
 import numpy as np
@@ -10,10 +12,10 @@ from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding
 from jounce.core.units import to_si
 from jounce.parts.advice import STEEP_STRUT
-from jounce.parts.corner import Corner
-from jounce.parts.points import Triple
+from jounce.parts.bodies import Triple
+from jounce.parts.corners import Corner, McPherson
 from jounce.parts.rig import Rig
-from jounce.parts.rigs import McPherson, QuarterCar
+from jounce.parts.vehicles import QuarterCar
 
 R = TypeVar("R", bound=Rig)
 LARGEST = 1.2
@@ -143,3 +145,41 @@ def _ends(rig: Rig) -> tuple[Triple, Triple]:
             hint=hint.replace("strut_top", own[-1]),
         )
     return points.strut_bottom, points.strut_top
+
+
+_LAW = re.compile(
+    r"(^|\.)damper\.(\w*coefficient|force|hysteretic_force|force(\[\d+\])+)$"  # a damper's own table
+    r"|^(?!.*tyre\.).*(^|\.)damping_coefficient$"  # or one number of an axle
+)
+
+
+def worn(rig: R, wear: float) -> R:
+    """Give a rig whose dampers have lost a share of their force.
+
+    Parameters
+    ----------
+    rig : Rig
+        A rig or a vehicle; tyres, springs and friction stay as they are.
+    wear : float
+        Share that is lost: 0 new, 1 no damper at all.
+
+    Returns
+    -------
+    Rig
+        A copy.
+
+    Raises
+    ------
+    DescriptionError
+        For a wear outside of 0 to 1.
+
+    Examples
+    --------
+    >>> from jounce.parts import load
+    >>> worn(load("audi-a6-quarter-car"), 0.25).strut.damper.coefficient   # N s/m, of 2000
+    1500.0
+    """
+    if not (math.isfinite(wear) and 0.0 <= wear <= 1.0):
+        raise DescriptionError("not a wear", where="wear", found=wear, allowed="0 (new) to 1 (no damper at all)")
+    forces = {path: value for path, value in rig.parameters().items() if _LAW.search(path)}
+    return rig.with_changes({path: (1.0 - wear) * value for path, value in forces.items()})
