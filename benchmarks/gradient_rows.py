@@ -16,7 +16,8 @@ from timing import Row, markdown, median_time
 import jounce as jn
 from jounce.core.segments import Segments
 from jounce.simulation.compiled import Compiled, compile_rig
-from jounce.simulation.run import Solution, prepare, solve
+from jounce.simulation.prepare import prepare, solve
+from jounce.simulation.result import Solution
 
 RIG = Path(__file__).parent.parent / "tests" / "files" / "prototype-double-wishbone.toml"
 FREE = (

@@ -24,7 +24,7 @@ import jounce as jn
 from jounce.core.segments import Segments
 from jounce.kinematics.sweeps import prepare_sweep
 from jounce.simulation.compiled import compile_rig
-from jounce.simulation.run import prepare
+from jounce.simulation.prepare import prepare
 
 RIG = Path(__file__).parent.parent / "tests" / "files" / "prototype-double-wishbone.toml"
 ASKED = {

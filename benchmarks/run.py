@@ -25,7 +25,7 @@ from jounce.core.segments import Segments, piecewise_linear
 from jounce.identify.fit_problem import FitTrial
 from jounce.models import build
 from jounce.simulation.compiled import compile_model
-from jounce.simulation.run import prepare
+from jounce.simulation.prepare import prepare
 
 ERROR = 1e-6
 PAGE = Path(__file__).parent.parent / "docs" / "benchmarks.md"

@@ -23,9 +23,10 @@ import jounce as jn
 from jounce.core.segments import Segments
 from jounce.roads import Iso8608, Train, Trapezoid, Trial
 from jounce.simulation.compiled import Compiled, compile_rig
-from jounce.simulation.excitation import excitation
-from jounce.simulation.run import Prepared, output_times, prepare
-from jounce.simulation.statics import find_rest
+from jounce.simulation.prepare import Prepared, prepare
+from jounce.simulation.problem import excitation
+from jounce.simulation.settings import output_times
+from jounce.simulation.statics import find_equilibrium
 
 Array = NDArray[np.float64]
 Run = Callable[[], Array]
@@ -68,7 +69,7 @@ class Problem:
     def matrices(self) -> tuple[Array, Array, Array]:
         """Slopes of the rates along states and inputs at rest, and the state there."""
         still = self.inputs(self.times[:1])[:, 0]
-        rest = find_rest(self.compiled, self.p, still)
+        rest = find_equilibrium(self.compiled, self.p, still)
         a, b = (self.compiled.slopes(by, rest.x, still, self.p, rest.modes)["rate"] for by in "xu")
         return a, b, rest.x
 

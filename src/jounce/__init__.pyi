@@ -135,9 +135,9 @@ from .simulation import modes as modes
 from .simulation import sensitivities as sensitivities
 from .simulation import simulate as simulate
 from .simulation import simulate_mechanism as simulate_mechanism
+from .simulation.controlled import closed_loop_poles as closed_loop_poles
 from .simulation.corner_models import corner_models as corner_models
 from .simulation.environment import ride_environment as ride_environment
-from .simulation.stability import closed_loop_poles as closed_loop_poles
 from .testers.plate_response import steady_response as steady_response
 from .testers.testing import simulate_test as simulate_test
 

@@ -10,7 +10,8 @@ import pytest
 from jounce import parts
 from jounce.roads import HalfSine
 from jounce.simulation.compiled import compile_rig
-from jounce.simulation.run import output_times, solve
+from jounce.simulation.prepare import solve
+from jounce.simulation.settings import output_times
 
 PROTOTYPE = parts.load(Path(__file__).parent.parent / "files" / "prototype-double-wishbone.toml")
 ROAD = HalfSine(height=0.01, length=0.1, start=0.1).segments(2.0).in_time(1.95)

@@ -11,7 +11,8 @@ from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE, Segments, flat, piece
 from jounce.mechanics import Model, System
 from jounce.models import build
 from jounce.simulation.compiled import compile_model
-from jounce.simulation.run import output_times, solve
+from jounce.simulation.prepare import solve
+from jounce.simulation.settings import output_times
 
 KART = parts.load("kart-quarter-car")
 RIGS = {

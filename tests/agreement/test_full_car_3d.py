@@ -11,7 +11,7 @@ import jounce as jn
 from jounce.core.segments import flat
 from jounce.models import build
 from jounce.simulation.compiled import compile_rig
-from jounce.simulation.run import solve
+from jounce.simulation.prepare import solve
 
 AGREEMENT = 1e-9
 BODY = ("sprung.distance", "attitude.angle", "attitude.second_angle")

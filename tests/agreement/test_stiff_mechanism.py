@@ -13,9 +13,10 @@ from jounce.core.errors import SimulationError
 from jounce.models import build
 from jounce.roads import HalfSine, Trial
 from jounce.simulation.compiled import compile_model, compile_rig
-from jounce.simulation.newton_matrix import linear_functions
-from jounce.simulation.run import MAX_STEPS, output_times, prepare, solve
-from jounce.simulation.statics import find_rest
+from jounce.simulation.linear_systems import linear_functions
+from jounce.simulation.prepare import prepare, solve
+from jounce.simulation.settings import MAX_STEPS, output_times
+from jounce.simulation.statics import find_equilibrium
 
 RIGID = parts.load(Path(__file__).parents[1] / "files" / "prototype-double-wishbone.toml")
 ARMS = ("lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear")
@@ -88,7 +89,7 @@ def test_steps_follow_the_slow_motion():
     run = jn.simulate(rig, trial)
     compiled = compile_rig(rig)
     p = compiled.parameter_values(rig.parameters())
-    rest = find_rest(compiled, p, compiled.inputs())
+    rest = find_equilibrium(compiled, p, compiled.inputs())
     decay = np.max(np.abs(np.linalg.eigvals(rest.reduced)))
     assert run.attrs["steps"] < 0.01 * 3.0 * decay / 6.0  # the stability interval of the explicit method is about 6
     assert run.attrs["steps"] < 2000
@@ -150,7 +151,7 @@ def test_linear_systems_against_dense_ones(rig):
     model = build(rig)
     compiled, functions, random = compile_model(model), linear_functions(model), np.random.default_rng(5)
     p, u = compiled.parameter_values(rig.parameters()), compiled.inputs()
-    rest = find_rest(compiled, p, u)
+    rest = find_equilibrium(compiled, p, u)
     x, r = rest.x + 1e-4 * random.standard_normal(len(rest.x)), random.standard_normal(len(rest.x))
     looked, n = functions["look"](x, u, p, rest.modes), len(x)
     slopes, rate = looked[:-n], looked[-n:].full()[:, 0]

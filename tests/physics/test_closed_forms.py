@@ -14,7 +14,8 @@ from jounce.core.segments import SINE, Segments, flat, piecewise_linear
 from jounce.models import build
 from jounce.simulation import equilibrium, linearise, modes
 from jounce.simulation.compiled import compile_model
-from jounce.simulation.run import output_times, solve
+from jounce.simulation.prepare import solve
+from jounce.simulation.settings import output_times
 
 KART = parts.load("kart-quarter-car")
 LINEAR = KART.with_changes({"tyre.lift_off": False})

@@ -32,8 +32,8 @@ from jounce.control.design import (
     regulator_gains,
 )
 from jounce.control.laws import LQG_CHANNELS
+from jounce.simulation.controlled import closed_loop_poles
 from jounce.simulation.corner_models import corner_models
-from jounce.simulation.stability import closed_loop_poles
 
 CORNER = CornerModel(400.0, 40.0, 25e3, 200e3, 1500.0)
 FORMULAS = [

@@ -9,7 +9,8 @@ from jounce import parts
 from jounce.models import build
 from jounce.roads import HalfCylinder, HalfSine, Rectangle, Train
 from jounce.simulation.compiled import compile_model
-from jounce.simulation.run import output_times, solve
+from jounce.simulation.prepare import solve
+from jounce.simulation.settings import output_times
 
 KART = parts.load("kart-quarter-car")
 RIGS = {

@@ -10,7 +10,8 @@ from jounce.core.segments import flat
 from jounce.models import build
 from jounce.roads import HalfSine, Versine
 from jounce.simulation.compiled import compile_model
-from jounce.simulation.run import output_times, solve
+from jounce.simulation.prepare import solve
+from jounce.simulation.settings import output_times
 
 KART = parts.load("kart-quarter-car")
 UNDAMPED = KART.with_changes({"strut.damper.coefficient": 0.0})

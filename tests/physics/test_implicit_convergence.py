@@ -16,8 +16,9 @@ from jounce.mechanics import System
 from jounce.models import build
 from jounce.roads import HalfSine
 from jounce.simulation.compiled import compile_model
-from jounce.simulation.run import output_times, room, solve
-from jounce.simulation.stiff import slopes_of
+from jounce.simulation.linear_systems import slopes_of
+from jounce.simulation.prepare import room, solve
+from jounce.simulation.settings import output_times
 
 KART = parts.load("kart-quarter-car")
 LOOSE = 1e30  # a tolerance that every step meets: the step is then the longest one allowed

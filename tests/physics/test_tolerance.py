@@ -13,7 +13,8 @@ from jounce.core.segments import SINE, Segments
 from jounce.models import build
 from jounce.roads import HalfCylinder, HalfSine, Rectangle, Train, Trapezoid, Versine
 from jounce.simulation.compiled import compile_model
-from jounce.simulation.run import output_times, solve
+from jounce.simulation.prepare import solve
+from jounce.simulation.settings import output_times
 
 KART = parts.load("kart-quarter-car")
 AUDI = parts.load("audi-a6-quarter-car")

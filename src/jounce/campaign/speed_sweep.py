@@ -40,7 +40,7 @@ from jounce.parts import Rig
 from jounce.parts.rig import unknown_path
 from jounce.recordings.schema import recording
 from jounce.roads import Road, Train, Trial
-from jounce.simulation.run import output_times
+from jounce.simulation.settings import output_times
 
 if TYPE_CHECKING:
     import xarray as xr

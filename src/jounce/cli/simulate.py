@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
     from jounce.core.findings import Finding
     from jounce.roads import Trial
-    from jounce.simulation.stiff import Method
+    from jounce.simulation.settings import Method
 
 
 def simulate(

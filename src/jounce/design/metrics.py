@@ -276,8 +276,9 @@ class TrialEvaluator:
         """Give every metric by its text: values of its channels and their slopes, SI."""
         from jounce.kernel.status import Status
         from jounce.simulation.compiled import compile_rig
-        from jounce.simulation.excitation import excitation
-        from jounce.simulation.run import output_times, solve
+        from jounce.simulation.prepare import solve
+        from jounce.simulation.problem import excitation
+        from jounce.simulation.settings import output_times
 
         rig, paths = self.family.rig, self.family.paths
         compiled = compile_rig(rig, paths)

@@ -22,8 +22,9 @@ from jounce.recordings.sensors import Sensor, bias_of, filter_signals
 from jounce.recordings.signals import shift_with_derivative
 from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig
-from jounce.simulation.excitation import excitation
-from jounce.simulation.run import Solution, solve
+from jounce.simulation.prepare import solve
+from jounce.simulation.problem import excitation
+from jounce.simulation.result import Solution
 
 
 @dataclass(frozen=True)

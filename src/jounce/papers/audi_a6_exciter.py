@@ -28,8 +28,10 @@ from jounce.parts import QuarterCar, load
 from jounce.recordings.schema import recording
 from jounce.simulation import linearise
 from jounce.simulation.compiled import Compiled, compile_model
-from jounce.simulation.run import output_times, samples_reached, solve
-from jounce.simulation.statics import Rest, find_rest
+from jounce.simulation.prepare import solve
+from jounce.simulation.result import samples_reached
+from jounce.simulation.settings import output_times
+from jounce.simulation.statics import Equilibrium, find_equilibrium
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -266,7 +268,7 @@ def _plate_run(variant: str, rig: QuarterCar, values: dict[str, float]) -> Plate
     compiled = compile_model(plate_model(variant, rig))
     p = compiled.parameter_values(values)
     signals = _simulated(compiled, p, values["excenter.amplitude"])
-    rest = find_rest(compiled, p, np.zeros(compiled.facts.track_order))
+    rest = find_equilibrium(compiled, p, np.zeros(compiled.facts.track_order))
     part = signals.isel(time=slice(-1 - round(STEADY / 1e-3), -1))
     time = part["time"].to_numpy()
     steady_part = {str(name): part[name].to_numpy() for name in part.data_vars}
@@ -296,7 +298,7 @@ def _simulated(compiled: Compiled, p: Array, amplitude: float) -> xr.Dataset:
     times = output_times(DURATION, 1e-3)
     still = np.zeros(compiled.facts.track_order)
     still[0] = _BOTTOM
-    rest = find_rest(compiled, p, still)
+    rest = find_equilibrium(compiled, p, still)
     positions = {*compiled.facts.coordinates, *compiled.facts.internal}
     start = np.array([-amplitude if name in positions else 0.0 for name in compiled.facts.states])
     solution = solve(compiled, p, turn, times, tolerance=_TOLERANCE, offset=start - rest.x)
@@ -305,7 +307,7 @@ def _simulated(compiled: Compiled, p: Array, amplitude: float) -> xr.Dataset:
     return recording(times, {output.name: (row, output.unit, output.long_name) for output, row in outputs})
 
 
-def _statics(compiled: Compiled, p: Array, rest: Rest) -> dict[str, float]:
+def _statics(compiled: Compiled, p: Array, rest: Equilibrium) -> dict[str, float]:
     still = np.zeros(compiled.facts.track_order)
     found = compiled.evaluate("output", rest.x, still, p, rest.modes)
     values = dict(zip(compiled.output_names, map(float, found), strict=True))
@@ -317,7 +319,7 @@ def _statics(compiled: Compiled, p: Array, rest: Rest) -> dict[str, float]:
     }
 
 
-def _oscillations(rest: Rest) -> tuple[Oscillation, ...]:
+def _oscillations(rest: Equilibrium) -> tuple[Oscillation, ...]:
     values = [value for value in np.linalg.eigvals(rest.reduced) if value.imag > 1e-9 * abs(value)]
     found = [Oscillation(float(abs(value)) / (2.0 * np.pi), float(-value.real / abs(value))) for value in values]
     return tuple(sorted(found, key=lambda one: one.frequency_hz))

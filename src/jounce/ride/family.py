@@ -16,7 +16,7 @@ from jounce.parts import Rig
 from jounce.parts.rig import structure_of, unknown_path
 from jounce.parts.vehicles import Place, Vehicle
 from jounce.simulation.compiled import Compiled, compile_rig
-from jounce.simulation.statics import Rest, find_rest
+from jounce.simulation.statics import Equilibrium, find_equilibrium
 
 _EDGE = 1e-12  # a switch this near to its edge at rest is on it: the mean of both sides counts
 _STEP = 1e-3  # relative, of differences for mechanisms
@@ -246,9 +246,9 @@ def _road_columns(compiled: Compiled) -> list[int]:
     return [i * order + j for i, track in enumerate(facts.tracks) if is_road(track) for j in range(order)]
 
 
-def _at_rest(compiled: Compiled, p: Array, u: Array, pose: Array | None = None) -> tuple[Rest, Array]:
+def _at_rest(compiled: Compiled, p: Array, u: Array, pose: Array | None = None) -> tuple[Equilibrium, Array]:
     """State of rest and modes; what is on its edge there counts by the mean of both sides."""
-    rest = find_rest(compiled, p, u, pose)
+    rest = find_equilibrium(compiled, p, u, pose)
     if not np.all(np.isfinite(rest.x)):
         raise SimulationError("no static equilibrium was found", where="linear model")
     switch = compiled.evaluate("switch", rest.x, u, compiled.plain.extended(p), rest.modes)

@@ -10,7 +10,7 @@ from jounce.core.types import Array
 from jounce.parts import Rig
 from jounce.parts.vehicles import Vehicle
 from jounce.simulation.compiled import Compiled, compile_rig
-from jounce.simulation.statics import Rest, find_rest
+from jounce.simulation.statics import Equilibrium, find_equilibrium
 
 _TYPICAL_VELOCITY = 0.3  # m/s at which a damper is taken for a constant coefficient
 
@@ -56,7 +56,7 @@ def corner_models(rig: Rig) -> dict[str, CornerModel]:
     compiled = compile_rig(rig)
     p = compiled.parameter_values(values)
     still = compiled.inputs(0.0)
-    rest = find_rest(compiled, p, still)
+    rest = find_equilibrium(compiled, p, still)
     view = _View(compiled, p, rest, still)
     return {corner: _corner(view, f"{corner}." if corner else "", gravity) for corner in corners_of(rig)}
 
@@ -64,7 +64,7 @@ def corner_models(rig: Rig) -> dict[str, CornerModel]:
 class _View:
     """Outputs of a model at rest and their slopes along free displacements and speeds, by channel."""
 
-    def __init__(self, compiled: Compiled, p: Array, rest: Rest, still: Array) -> None:
+    def __init__(self, compiled: Compiled, p: Array, rest: Equilibrium, still: Array) -> None:
         self._compiled, self._p, self._rest, self._still = compiled, p, rest, still
         slopes = compiled.slopes("x", rest.x, still, p, rest.modes)["output"] @ rest.lift
         free = len(rest.free)

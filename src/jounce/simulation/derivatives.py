@@ -16,8 +16,10 @@ from jounce.parts.rig import unit_of, unknown_path
 from jounce.recordings.schema import place_of
 from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig
-from jounce.simulation.excitation import excitation
-from jounce.simulation.run import Solution, check_settings, output_times, solve
+from jounce.simulation.prepare import solve
+from jounce.simulation.problem import excitation
+from jounce.simulation.result import Solution
+from jounce.simulation.settings import RunSettings
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -57,10 +59,8 @@ def sensitivities(
         Road and speed, or a base motion, and the duration.
     parameters : sequence of str
         Paths, e.g. ``"hardpoints.tie_rod_outer[2]"``.
-    output_step : float
-        Distance of the output samples, s.
-    tolerance : float
-        Relative error of the displacements.
+    output_step, tolerance : float
+        As :class:`jounce.simulation.RunSettings` has them: s, 1.
 
     Returns
     -------
@@ -86,8 +86,7 @@ def sensitivities(
     """
     import xarray as xr
 
-    check_settings(trial.duration, output_step, tolerance)
-    times = output_times(trial.duration, output_step)
+    times = RunSettings(output_step, tolerance).times(trial.duration)
     compiled, solution = _run(rig, trial, parameters, times, tolerance)
     variables = {}
     for output, slopes in zip(compiled.facts.outputs, solution.output_slopes, strict=True):
@@ -127,10 +126,8 @@ def gradient(
         the weighted sum of the channels' mean squares over the trial.
     weights : mapping, optional
         For a recording: channel to the weight (1) of its sum; only these channels count. All channels with 1 otherwise.
-    output_step : float
-        Distance of the samples of a mean square, s; a recording brings its own times.
-    tolerance : float
-        Relative error of the displacements.
+    output_step, tolerance : float
+        As :class:`jounce.simulation.RunSettings` has them: s, 1. A recording brings its own times.
 
     Returns
     -------
@@ -158,13 +155,13 @@ def gradient(
     """
     import xarray as xr
 
-    check_settings(trial.duration, output_step, tolerance)
+    times = RunSettings(output_step, tolerance).times(trial.duration)
     measured: xr.Dataset | None = None
     if isinstance(objective, xr.Dataset):
         measured, times = objective, _times_of(objective, trial)
         wanted = dict(weights or dict.fromkeys(map(str, measured.data_vars), 1.0))
     else:
-        wanted, times = {name: objective[name] for name in objective}, output_times(trial.duration, output_step)
+        wanted = {name: objective[name] for name in objective}
     compiled, solution = _run(rig, trial, parameters, times, tolerance)
     names, shares, slopes = compiled.output_names, {}, np.zeros(len(parameters))
     for name, weight in wanted.items():

@@ -21,19 +21,11 @@ from jounce.mechanics.mass import check_inertia
 from jounce.mechanics.mechanism import BALANCE
 from jounce.recordings.schema import recording
 from jounce.simulation.compiled import Compiled, compile_model
-from jounce.simulation.run import (
-    MAX_STEPS,
-    STEP_SHARE,
-    Prepared,
-    check_settings,
-    output_times,
-    room,
-    samples_reached,
-)
+from jounce.simulation.prepare import IMPLICIT_SHARE, STEP_SHARE, Prepared, longest_step_of, room
+from jounce.simulation.result import samples_reached
+from jounce.simulation.settings import MAX_STEPS, Method, RunSettings
 from jounce.simulation.singular_configurations import run_through
-from jounce.simulation.statics import find_rest
-from jounce.simulation.stiff import STEP_SHARE as IMPLICIT_SHARE
-from jounce.simulation.stiff import Method, check_method, longest_step_of
+from jounce.simulation.statics import find_equilibrium
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -117,8 +109,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     seconds = to_si(duration, "s", where="duration")
     if not seconds > 0.0:
         raise SimulationError("not a duration", where="duration", found=f"{seconds:g} s", allowed="above 0 s")
-    check_settings(seconds, output_step, tolerance)
-    check_method(method)
+    times = RunSettings(output_step, tolerance, method).times(seconds)
     if redundant not in ("refuse", "remove"):
         raise unknown(redundant, ("refuse", "remove"), what="choice", where="redundant")
     every, given = _values(mechanism, values or {}), _motions(mechanism, motions or {})
@@ -129,8 +120,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     pose = assemble(model, p, u, start, redundant="refuse" if redundant == "refuse" else "keep")
     _check_masses(mechanism, model, pose.x, u, p)
     compiled = compile_model(model)
-    first = find_rest(compiled, p, u, pose.x[: len(model.coordinates)]).x if at_rest else pose.x
-    times = output_times(seconds, output_step)
+    first = find_equilibrium(compiled, p, u, pose.x[: len(model.coordinates)]).x if at_rest else pose.x
 
     def begin(x: Array, after: Array, error: float) -> Prepared:
         u = _inputs(model.facts.track_order, tracks, float(after[0]))

@@ -11,9 +11,9 @@ from jounce.core.errors import SimulationError, unknown
 from jounce.core.types import Array
 from jounce.mechanics.model import Facts, moved_by
 from jounce.parts import Rig
-from jounce.simulation.branch import flipped_at
 from jounce.simulation.compiled import Compiled, compile_rig
-from jounce.simulation.statics import Rest, find_rest
+from jounce.simulation.result import flipped_at
+from jounce.simulation.statics import Equilibrium, find_equilibrium
 
 _NOTHING_HOLDS = 1e-7  # share of the fastest eigenvalue below which one is zero but for rounding
 
@@ -137,7 +137,7 @@ def linearise(rig: Rig, road_height: float = 0.0) -> LinearModel:
     return LinearModel(states, inputs, compiled.output_names, rest.reduced, b, c @ rest.lift, d, equilibrium)
 
 
-def _reduced_states(facts: Facts, rest: Rest) -> tuple[str, ...]:
+def _reduced_states(facts: Facts, rest: Equilibrium) -> tuple[str, ...]:
     """Names of the free motions, their speeds, and the internal states."""
     speeds = [facts.speeds[i] for i in rest.free]
     return (*map(moved_by, speeds), *speeds, *facts.internal)
@@ -223,13 +223,13 @@ def equilibrium(rig: Rig, road_height: float = 0.0) -> dict[str, float]:
     }
 
 
-def _at_rest(rig: Rig, road_height: float) -> tuple[Compiled, Array, Rest, Array]:
+def _at_rest(rig: Rig, road_height: float) -> tuple[Compiled, Array, Equilibrium, Array]:
     if not np.isfinite(road_height):
         raise SimulationError("not a finite number", where="road_height", found=road_height, allowed="a height in m")
     compiled = compile_rig(rig)
     p = compiled.parameter_values(rig.parameters())
     u = compiled.inputs(road_height)
-    rest = find_rest(compiled, p, u)
+    rest = find_equilibrium(compiled, p, u)
     outputs = compiled.evaluate("output", rest.x, u, compiled.plain.extended(p), rest.modes)
     if flipped_at(compiled.output_names, outputs[:, None]) is not None:
         raise SimulationError(

@@ -16,7 +16,8 @@ from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.kernel.status import Status
 from jounce.mechanics.mechanism import BALANCE
-from jounce.simulation.run import Prepared, Solution
+from jounce.simulation.prepare import Prepared
+from jounce.simulation.result import Solution
 
 _LOST = 1e-3  # share of the largest kinetic energy that no error may make come or go in the loops
 _STILL = 1e-12  # J: less than that is nothing

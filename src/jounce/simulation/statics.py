@@ -27,7 +27,7 @@ _INDEPENDENT = 1e-9  # smallest singular value of the constraints, relative to t
 
 
 @dataclass(frozen=True)
-class Rest:
+class Equilibrium:
     """A state of rest and the linear map of small free motions about it.
 
     Attributes
@@ -65,7 +65,7 @@ class Rest:
     rows: NDArray[np.intp]
 
 
-def find_rest(compiled: Compiled, p: Array, u: Array, start: Array | None = None) -> Rest:
+def find_equilibrium(compiled: Compiled, p: Array, u: Array, start: Array | None = None) -> Equilibrium:
     """Solve the static equilibrium for given inputs (their rates taken as zero) by a semi-smooth Newton method.
 
     Parameters
@@ -140,7 +140,7 @@ def _starts(compiled: Compiled, u: Array, start: Array | None) -> list[Array]:
     return [first + heights * road - sag * depth for sag in _SAGS]
 
 
-def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Rest | None:
+def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Equilibrium | None:
     """Newton from ``x``; modes follow the sides of their switches; None when it does not settle on a true balance."""
     n_q, n_v = compiled.facts.counts
     modes = (compiled.evaluate("switch", x, u, p, np.ones(len(compiled.facts.switches))) > 0.0).astype(float)
@@ -236,7 +236,7 @@ def _balance(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> 
     return _Balance(slope, free, motions, moved, rows, matrix, residual)
 
 
-def _rest(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> Rest | None:
+def _rest(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> Equilibrium | None:
     now = _balance(compiled, x, u, p, modes)
     # Behind very stiff bushings the last bit of a place is worth more than the absolute limit. Coordinates of mechanisms
     # count from the design pose, so what is rounded there is not they but places about a metre from the origin.
@@ -246,7 +246,7 @@ def _rest(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> Res
         return None
     lift, pick = _lift(now.slope, *compiled.facts.counts, now.free, now.motions)
     reduced = pick @ now.slope @ lift
-    return Rest(x, modes, now.slope, now.free, lift, pick, reduced, now.matrix, now.moved, now.rows)
+    return Equilibrium(x, modes, now.slope, now.free, lift, pick, reduced, now.matrix, now.moved, now.rows)
 
 
 def free_motions(loops: Array | None, n_v: int) -> tuple[NDArray[np.intp], Array]:
@@ -294,7 +294,7 @@ def _lift(slope: Array, n_q: int, n_v: int, free: NDArray[np.intp], motions: Arr
     return lift, pick
 
 
-def state_scale(rest: Rest, n_q: int, n_v: int, size: float) -> Array:
+def state_scale(rest: Equilibrium, n_q: int, n_v: int, size: float) -> Array:
     """Typical size of each state for a motion of ``size`` metres: displacements, speeds, internal states."""
     scale = np.ones(len(rest.x))
     f = len(rest.free)

@@ -17,7 +17,7 @@ from jounce.mechanics.motions import constant
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Programme, Tester
 from jounce.parts.vehicles import FrontViewAxle
-from jounce.simulation.run import samples_reached
+from jounce.simulation.result import samples_reached
 from jounce.testers.model import ANGLE
 from jounce.testers.stand import Stand, channel, stand
 from jounce.testers.turning import Turning, angle_of, turning

@@ -12,7 +12,7 @@ from jounce.core.types import Array
 from jounce.mechanics.motions import constant_rate
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Tester
-from jounce.simulation.run import samples_reached
+from jounce.simulation.result import samples_reached
 from jounce.testers.plate_response import LinearStand, linear_stand, place_of
 from jounce.testers.plates import wrapped
 from jounce.testers.stand import Stand, channel, stand

@@ -18,8 +18,9 @@ from jounce.parts.rig import Rig, structure_of
 from jounce.parts.testers import Tester
 from jounce.parts.vehicles import FrontViewAxle, QuarterCar
 from jounce.simulation.compiled import Compiled, compile_described
-from jounce.simulation.run import Prepared, Solution, prepare, room, samples_reached
-from jounce.simulation.statics import Rest, state_scale
+from jounce.simulation.prepare import Prepared, prepare, room
+from jounce.simulation.result import Solution, samples_reached
+from jounce.simulation.statics import Equilibrium, state_scale
 from jounce.testers.model import ANGLE, MOTOR, PlateForm, tester_model
 
 _LONGEST = 0.8  # radians of the exciter in one step at a tolerance of 1e-5
@@ -39,7 +40,7 @@ class Stand:
         Native code.
     prepared : Prepared
         A run laid out; only its numbers are used.
-    rest : Rest
+    rest : Equilibrium
         Static equilibrium with exciters at angle 0.
     """
 
@@ -48,7 +49,7 @@ class Stand:
     form: PlateForm
     compiled: Compiled
     prepared: Prepared
-    rest: Rest
+    rest: Equilibrium
 
     @property
     def places(self) -> tuple[str, ...]:
@@ -158,8 +159,8 @@ def stand(rig: Rig, tester: Tester, free: tuple[str, ...] = (), *, blocked: bool
     p = compiled.parameter_values({**rig.parameters(), **tester_numbers(tester)})
     still = [flat(1.0) for _ in compiled.facts.tracks]
     prepared = prepare(compiled, p, still, np.array([0.0, 1.0]), tolerance=_TOLERANCE)
-    assert prepared.rest is not None  # runs from equilibrium have one
-    return Stand(rig, tester, form, compiled, prepared, prepared.rest)
+    assert prepared.equilibrium is not None  # runs from equilibrium have one
+    return Stand(rig, tester, form, compiled, prepared, prepared.equilibrium)
 
 
 def tester_numbers(tester: Tester) -> dict[str, float]:

@@ -14,8 +14,8 @@ from jounce.kernel.status import Status
 from jounce.kernel.tracks import fill, fill_rates, flatten
 from jounce.mechanics import System
 from jounce.simulation.compiled import compile_model
-from jounce.simulation.run import room
-from jounce.simulation.stiff import slopes_of
+from jounce.simulation.linear_systems import slopes_of
+from jounce.simulation.prepare import room
 
 
 def as_standard_form():

@@ -11,7 +11,8 @@ from jounce.core.segments import POLYNOMIAL, SINE, Segments
 from jounce.kernel.rows import padded
 from jounce.models import build
 from jounce.simulation.compiled import compile_model
-from jounce.simulation.run import output_times, prepare
+from jounce.simulation.prepare import prepare
+from jounce.simulation.settings import output_times
 
 RIG = parts.load("kart-quarter-car").with_changes({"tyre.lift_off": False, "tyre.damping_coefficient": 60.0})
 ROAD = Segments(

@@ -11,8 +11,9 @@ from jounce.kernel.dop853 import STAGES
 from jounce.kernel.layout import SHORT_NODES
 from jounce.roads import Iso8608, Trial
 from jounce.simulation.compiled import compile_rig
-from jounce.simulation.excitation import excitation
-from jounce.simulation.run import output_times, prepare
+from jounce.simulation.prepare import prepare
+from jounce.simulation.problem import excitation
+from jounce.simulation.settings import output_times
 
 ROWS = [0, *range(dopri5.FIRST, STAGES + 1)]
 A = np.array([np.zeros(7), *(dopri5.A[row][ROWS] for row in ROWS[1:])])

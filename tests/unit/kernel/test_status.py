@@ -11,9 +11,10 @@ import pytest
 from jounce.core.segments import flat
 from jounce.kernel.status import Status
 from jounce.mechanics import System
-from jounce.simulation import run as run_module
+from jounce.simulation import prepare as run_module
 from jounce.simulation.compiled import compile_model
-from jounce.simulation.run import output_times, solve
+from jounce.simulation.prepare import solve
+from jounce.simulation.settings import output_times
 
 
 class Body(NamedTuple):

@@ -9,7 +9,7 @@ from jounce import parts
 from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE, Segments
 from jounce.models import build
 from jounce.simulation.compiled import compile_model
-from jounce.simulation.run import solve
+from jounce.simulation.prepare import solve
 
 RIG = parts.load("kart-quarter-car").with_changes({"tyre.damping_coefficient": 100.0, "tyre.lift_off": False})
 RIGS = {"linear model": RIG, "nonlinear model": RIG.with_changes({"guide.friction": {"force": 1.0}})}

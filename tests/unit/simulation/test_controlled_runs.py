@@ -7,8 +7,8 @@ import pytest
 
 import jounce as jn
 from jounce.control import PID, ActiveActuator, Passive, PythonControl, SemiActiveDamper, Skyhook, controller
-from jounce.simulation.stability import closed_loop_poles
-from jounce.simulation.stepping import Stepper
+from jounce.simulation.controlled import closed_loop_poles
+from jounce.simulation.environment import Stepper
 
 TRIAL = jn.Trial(road=jn.HalfSine(height="30 mm", length="0.5 m", start="1 m"), speed="10 m/s", duration="0.6 s")
 CORNERS = ("front_left", "front_right", "rear_left", "rear_right")

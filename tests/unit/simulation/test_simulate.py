@@ -9,9 +9,9 @@ import jounce
 from jounce import parts
 from jounce.core.errors import SimulationError
 from jounce.models import build
-from jounce.simulation import run as run_module
+from jounce.simulation import prepare as run_module
 from jounce.simulation.compiled import compile_model
-from jounce.simulation.run import output_times
+from jounce.simulation.settings import output_times
 
 KART = parts.load("kart-quarter-car")
 TRIAL = jounce.Trial(

@@ -10,7 +10,7 @@ from jounce.core.errors import SimulationError
 from jounce.models import build
 from jounce.simulation import equilibrium, linearise, modes
 from jounce.simulation.compiled import compile_model
-from jounce.simulation.statics import find_rest
+from jounce.simulation.statics import find_equilibrium
 
 KART = parts.load("kart-quarter-car")
 POINTS = [0.0, 0.001, 0.002, 0.004, 0.01]
@@ -103,7 +103,7 @@ def test_hysteresis_is_not_wound_up_at_rest():
     }
     rig = KART.with_changes({"strut.damper": damper})
     compiled = compile_model(build(rig))
-    rest = find_rest(compiled, compiled.parameter_values(rig.parameters()), np.zeros(2))
+    rest = find_equilibrium(compiled, compiled.parameter_values(rig.parameters()), np.zeros(2))
     assert abs(rest.x[4]) < 1e-12
 
 

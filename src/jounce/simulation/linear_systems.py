@@ -10,12 +10,43 @@ reported.
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable
 from dataclasses import dataclass
 
 import casadi as ca
+import numpy as np
 
+from jounce.kernel.implicit import Slopes
+from jounce.kernel.native import Native, Source, compile_functions, kept_code
+from jounce.kernel.rosenbrock_steps import RosenbrockStep
 from jounce.mechanics import Model
+from jounce.simulation.compiled import Compiled
+
+_FUNCTIONS = ("look", "along_input", "factor", "interpolant")
+_made: dict[int, tuple[Compiled, Slopes, Native]] = {}
+
+
+def slopes_of(compiled: Compiled) -> Slopes:
+    """Give the native functions for the linear systems of a model; made once, kept on disk as all native code."""
+    plain = compiled.plain
+    if id(plain) not in _made:
+        if plain.identity:
+            native, notes = kept_code(f"implicit {plain.identity}", lambda: _source(plain.model))
+        else:
+            source = _source(plain.model)
+            native, notes = compile_functions(source.functions, source.step), source.notes
+        look, along_input, factor, interpolant = (native.address[name] for name in _FUNCTIONS)
+        stages = np.array([address for name, address in native.address.items() if name.startswith("stage_")])
+        size, room = json.loads(notes)
+        _made[id(plain)] = plain, Slopes(look, along_input, factor, stages, interpolant, size, room), native
+    return _made[id(plain)][1]
+
+
+def _source(model: Model) -> Source:
+    functions = linear_functions(model)
+    step = RosenbrockStep(model.x.shape[0])
+    return Source(functions, step, notes=json.dumps([functions[name].size1_out(0) for name in ("look", "factor")]))
 
 
 def linear_functions(model: Model) -> dict[str, ca.Function]:

@@ -1,0 +1,116 @@
+"""What a run gives: its arrays, how it ended, and whether what they show is still a suspension."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from jounce.core.errors import SimulationError
+from jounce.core.types import Array
+from jounce.kernel.status import Status
+from jounce.mechanics.model import Facts
+from jounce.simulation.compiled import Compiled
+
+_TURNED = 0.6  # rad: camber or steer that moves so far in a run belongs to another way of assembling the linkage
+_STEERED = 1.0  # rad: steer at rest that no rack makes
+_APART = 10.0  # m: no strut is that long
+_TURNS = ("body.pitch", "body.roll")  # rad: a car that has turned that far lies on its roof
+_ANGLES = ("wheel.camber", "wheel.steer")
+
+
+@dataclass(frozen=True)
+class Solution:
+    """Arrays of one run.
+
+    Attributes
+    ----------
+    time : ndarray, shape (n,)
+        Output times, s.
+    states, outputs : ndarray, shape (n_states, n), (n_outputs, n)
+        One row a signal, SI.
+    status : Status
+        How the run ended.
+    steps, rejected, events : int
+        Work done.
+    state_slopes, output_slopes : ndarray, shape (n_states, n_free, n), (n_outputs, n_free, n)
+        Sensitivities to the free parameters, SI.
+    method : {"exact", "explicit", "implicit"}
+        What computed them.
+    """
+
+    time: Array
+    states: Array
+    outputs: Array
+    status: Status
+    steps: int
+    rejected: int
+    events: int
+    state_slopes: Array
+    output_slopes: Array
+    method: str
+
+
+def samples_reached(solution: Solution, facts: Facts, *, check: bool) -> int:
+    """Number of samples that were computed; all of them, or an error with ``check``."""
+    if solution.status is Status.COMPLETED:
+        return len(solution.time)
+    reached = int(np.sum(np.isfinite(solution.states[0])))
+    if check:
+        at = max(reached - 1, 0)
+        last = f"it stopped after {solution.time[at]:.4g} s: {solution.status.help}{_pose(solution, facts, at)}"
+        raise SimulationError(f"the run did not reach its end; {last}")
+    return reached
+
+
+def _pose(solution: Solution, facts: Facts, at: int) -> str:
+    """Pose of a mechanism at a sample, where the mechanism is what stopped the run."""
+    if solution.status not in (Status.LOOP_OPENED, Status.LOCKED_UP, Status.FLIPPED):
+        return ""
+    values = zip(facts.coordinates, solution.states[:, at], strict=False)
+    return "; pose: " + ", ".join(f"{name} = {value:.5g}" for name, value in values)
+
+
+def held_to_its_branch(compiled: Compiled, solution: Solution) -> Solution:
+    """Give the run up to where a wheel flips over or a suspension runs away, with a status that says so."""
+    left, status = flipped_at(compiled.output_names, solution.outputs), Status.FLIPPED
+    if left is None and solution.status in (Status.COMPLETED, Status.NOT_FINITE):
+        left, status = ran_away_at(compiled.output_names, solution.outputs), Status.RUN_AWAY
+    if left is None:
+        return solution
+    solution.states[:, left + 1 :] = np.nan
+    return replace(solution, status=status)
+
+
+def flipped_at(names: tuple[str, ...], outputs: Array) -> int | None:
+    """Give the first sample at which the wheel has flipped over, None where it never does.
+
+    Parameters
+    ----------
+    names : tuple of str
+        Channels in the order of the rows.
+    outputs : ndarray, shape (n_outputs, n)
+        Samples, SI; the first one is the rest that the run starts from.
+    """
+    first: int | None = None
+    for row, name in enumerate(names):
+        if not name.endswith(_ANGLES):
+            continue
+        angle = outputs[row]
+        turned = np.abs(np.angle(np.exp(1j * (angle - angle[0])))) > _TURNED
+        if abs(angle[0]) > _STEERED:
+            turned[0] = True
+        if turned.any():
+            here = int(np.argmax(turned))
+            first = here if first is None else min(first, here)
+    return first
+
+
+def ran_away_at(names: tuple[str, ...], outputs: Array) -> int | None:
+    """Give the first sample at which a strut deflects by more than 10 m or the body turns by more than 1 rad, or None.
+
+    Arguments as above.
+    """
+    limits = [_APART if name.endswith("strut.deflection") else 1.0 if name in _TURNS else np.inf for name in names]
+    beyond = np.any(np.abs(outputs) > np.array(limits)[:, np.newaxis], axis=0)
+    return int(np.argmax(beyond)) if beyond.any() else None

@@ -1,0 +1,80 @@
+"""What steers a run: how finely it is sampled, how exact it is, by which method, within which limits."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+import numpy as np
+
+from jounce.core.errors import SimulationError
+from jounce.core.types import Array
+
+Method = Literal["auto", "explicit", "implicit"]
+METHODS: tuple[str, ...] = get_args(Method)
+MAX_STEPS = 5_000_000
+"""Steps, accepted and rejected, after which a run gives up: minutes of computing."""
+_MAX_SAMPLES = 20_000_000  # a dozen channels of so many samples fill the memory of a usual computer
+_FINEST, _COARSEST = 1e-13, 1e-1  # tolerances: rounding, and what is no longer an approximation
+
+
+@dataclass(frozen=True)
+class RunSettings:
+    """How a run is sampled and computed; what ``simulate`` and its kin take as keywords.
+
+    Attributes
+    ----------
+    output_step : float
+        Distance of the output samples, s. Samples are read from the solution between its steps, so a short one makes
+        a run longer to write, not more exact.
+    tolerance : float
+        Relative error of the displacements: their largest error over the range they sweep; 1e-13 to 0.1.
+    method : {"auto", "explicit", "implicit"}
+        How to integrate: explicitly, with steps as small as the fastest motion asks, or implicitly, where that motion
+        is stiff and matters little. ``"auto"`` takes what is likely to be faster, and propagates exactly what is linear
+        between its switches; ``attrs["method"]`` of a run says which ran.
+
+    Raises
+    ------
+    SimulationError
+        For settings that make no sense.
+
+    Examples
+    --------
+    >>> RunSettings(output_step=0.5).times(1.2).tolist()   # s
+    [0.0, 0.5, 1.0, 1.2]
+    """
+
+    output_step: float = 1e-3
+    tolerance: float = 1e-5
+    method: Method = "auto"
+
+    def __post_init__(self) -> None:
+        if not (np.isfinite(self.output_step) and self.output_step > 0.0):
+            raise SimulationError(
+                "not an output step", where="output_step", found=self.output_step, allowed="above 0 s"
+            )
+        if not _FINEST <= self.tolerance <= _COARSEST:
+            allowed = f"{_FINEST:g} to {_COARSEST:g}"
+            raise SimulationError("not a tolerance", where="tolerance", found=self.tolerance, allowed=allowed)
+        if self.method not in METHODS:
+            raise SimulationError("not a method", where="method", found=self.method, allowed=", ".join(METHODS))
+
+    def times(self, duration: float) -> Array:
+        """Output times of a run of ``duration`` (s); refuses more samples than memory holds."""
+        if duration / self.output_step > _MAX_SAMPLES:
+            raise SimulationError(
+                "too many samples",
+                where="duration, output_step",
+                found=f"{duration / self.output_step:.3g}",
+                allowed=f"at most {_MAX_SAMPLES}",
+                hint="Shorten the run or lengthen the output step.",
+            )
+        return output_times(duration, self.output_step)
+
+
+def output_times(duration: float, output_step: float) -> Array:
+    """Times from 0 to ``duration`` (s), both included; the last step may be shorter."""
+    count = int(np.floor(duration / output_step + 1e-9))  # 0.3 s of 0.1 s are three steps in spite of rounding
+    times = np.arange(count + 1, dtype=np.float64) * np.float64(output_step)
+    return times if duration - times[-1] < 1e-9 * duration else np.append(times, duration)
