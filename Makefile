@@ -3,7 +3,8 @@
 #   make demo      set up and run the shipped campaign        make lint    style, types, import contract
 #   make setup     only prepare .venv                         make bench   times against peers
 #   make test      set up and run the tests                   make docs    the documentation, as HTML
-#   make test-all  the slow tests too                         make clean   remove what was made here
+#   make quick     the tests that compile nothing             make clean   remove what was made here
+#   make test-all  the slow tests too                         make format  what `make lint` can mend by itself
 #   make pins      compile requirements/*.txt again (needs uv)
 #
 # Another interpreter or folder: make test PYTHON=python3.13 VENV=.venv-3.13
@@ -12,7 +13,7 @@ PYTHON ?= python3
 VENV ?= .venv
 UV ?= uv
 DEMO_ARGUMENTS ?=
-BIN := $(VENV)/bin
+BIN := $(VENV)/$(if $(filter Windows_NT,$(OS)),Scripts,bin)
 
 # The pins are complete, so pip resolves nothing; wheels only, so that no unpinned build tool is fetched.
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes --no-deps --only-binary :all:
@@ -20,7 +21,7 @@ PINS := runtime build test lint docs bench
 COMPILE := $(UV) pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header \
            --no-emit-index-url --no-emit-find-links
 
-.PHONY: help setup demo test test-all lint format bench docs pins clean
+.PHONY: help setup demo quick test test-all lint check-style check-imports format bench docs pins clean
 .DELETE_ON_ERROR:
 
 help:
@@ -31,16 +32,23 @@ setup: $(VENV)/.runtime
 demo: setup
 	$(BIN)/jounce demo $(DEMO_ARGUMENTS)
 
+quick: $(VENV)/.test
+	$(BIN)/python -m pytest -n auto --dist loadfile --quick
+
 test: $(VENV)/.test
 	$(BIN)/python -m pytest -n auto --dist loadfile
 
 test-all: $(VENV)/.test
 	$(BIN)/python -m pytest -n auto --dist loadfile -m "slow or not slow"
 
-lint: $(VENV)/.lint
+lint: check-style check-imports
+	$(BIN)/mypy
+
+check-style: $(VENV)/.lint
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
-	$(BIN)/mypy
+
+check-imports: $(VENV)/.lint
 	$(BIN)/lint-imports --no-logo
 
 format: $(VENV)/.lint

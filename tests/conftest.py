@@ -1,10 +1,11 @@
-"""What all tests share: reproducible random examples and a cache of compiled models that is thrown away."""
+"""What all tests share: reproducible random examples, a throw-away cache of compiled models, and ``--quick``."""
 
 from __future__ import annotations
 
 import os
 import shutil
 import tempfile
+from pathlib import Path
 
 import hypothesis
 import pytest
@@ -13,13 +14,40 @@ hypothesis.settings.register_profile("jounce", derandomize=True, deadline=None, 
 hypothesis.settings.load_profile("jounce")
 
 _CACHE = pytest.StashKey[str]()
+QUICK = ("unit", "properties", "architecture")  # the other kinds of test run models, which are compiled
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--quick", action="store_true", help="only what needs no compiler: `make quick`")
 
 
 def pytest_configure(config: pytest.Config) -> None:
     folder = tempfile.mkdtemp(prefix="jounce-tests-")
     config.stash[_CACHE] = folder
     os.environ["JOUNCE_CACHE_DIR"] = folder  # also for the processes that tests start
+    if config.getoption("--quick"):
+        _skip_where_something_is_compiled()
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:
     shutil.rmtree(config.stash[_CACHE], ignore_errors=True)
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    if not config.getoption("--quick"):
+        return None
+    below = collection_path.relative_to(Path(__file__).parent).parts if collection_path != config.rootpath else ()
+    return True if below and below[0] not in QUICK else None
+
+
+def _skip_where_something_is_compiled() -> None:
+    """Skip a test at the moment at which it would wait for LLVM, so that no list of such tests must be kept."""
+    from numba.core.dispatcher import Dispatcher
+
+    from jounce.kernel import native
+
+    def skip(*_: object, **__: object) -> None:
+        raise pytest.skip.Exception("compiles: left out of the quick tests", allow_module_level=True)
+
+    native._emit = skip
+    Dispatcher.compile = skip
