@@ -10,7 +10,7 @@ import numpy as np
 from timing import Row, median_time
 
 import jounce as jn
-from jounce.ride.trials import iso_trial
+from jounce.ride.study import iso_trial
 from jounce.ride.weighting import weighted, weighting_response
 from jounce.roads.iso8608 import Iso8608
 from jounce.roughness.iri import iri, state_transition

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from jounce.ride.comparison import MERITS, all_controls
+from jounce.ride.study import MERITS, all_controls
 
 CAR = "audi-a6-half-car-4dof"
 SHORT = ("--road", "iso:C", "--speed", "20 m/s", "--duration", "5 s")

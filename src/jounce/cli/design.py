@@ -197,7 +197,7 @@ def _driven(rig: Rig, road: str, speed: str, duration: str | None, band: str | N
         return {"road": road, "speed": velocity, "band": _band(band)}
     if band is not None:
         raise DescriptionError("a simulated road has its own waves", where="--band", hint="Leave out the band.")
-    from jounce.ride.trials import iso_trial, road_trial
+    from jounce.ride.study import iso_trial, road_trial
     from jounce.roads import load_road
     from jounce.roads.loading import class_and_seed, is_class
 

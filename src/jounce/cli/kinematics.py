@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
     from rich.console import Console
 
-    from jounce.kinematics.layout import AxleLayout
+    from jounce.kinematics.sweeps import AxleLayout
     from jounce.parts import Rig
 
 _SHOWN = 7
@@ -63,7 +63,7 @@ def kinematics(
 
     Example: jounce kinematics reference-double-wishbone --travel "-80 mm:80 mm:4 mm" --out sweep.nc
     """
-    from jounce.kinematics.files import check_sweep_file, write_sweep
+    from jounce.kinematics.sweeps import check_sweep_file, write_sweep
 
     if out is not None:
         check_sweep_file(out, force=force)
@@ -137,7 +137,7 @@ def _sweep_axle(
 
 def swept_range(text: str, unit: str, option: str) -> NDArray[np.float64]:
     """Read ``"first:last:step"`` or one value into SI."""
-    from jounce.kinematics.grids import text_range
+    from jounce.kinematics.sweeps import text_range
 
     return text_range(text, unit, option)
 
@@ -152,7 +152,7 @@ def _vehicle(texts: list[str] | None) -> AxleLayout | None:
     if not texts:
         return None
     from jounce.cli.options import bare_number
-    from jounce.kinematics.layout import AxleLayout
+    from jounce.kinematics.sweeps import AxleLayout
 
     given = pairs(texts, "--vehicle", 'wheelbase="2.7 m"')
     return AxleLayout.from_table({name: bare_number(value) for name, value in given.items()}, where="--vehicle")

@@ -18,8 +18,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from jounce.parts import Rig
-    from jounce.ride.comparison import Ride, RideStudy
-    from jounce.ride.trials import RideTrial
+    from jounce.ride.study import Ride, RideStudy, RideTrial
 
 _TO_THE_END = (
     "else until the rear axle reaches the road's end and the front axle is a wheelbase beyond it; until the front axle "
@@ -104,7 +103,7 @@ def compare(
 
 def _names(given: list[str]) -> list[str]:
     """Controllers in the order given, each once; ``all`` stands for every one."""
-    from jounce.ride.comparison import all_controls
+    from jounce.ride.study import all_controls
 
     texts = [part.strip() for text in given for part in text.split(",") if part.strip()]
     if not texts:
@@ -127,7 +126,7 @@ def _study(
     lasting = optional_positive(duration, "s", "--duration")
     with progress() as say:
         say("loading")
-        from jounce.ride.comparison import compare_rides
+        from jounce.ride.study import compare_rides
 
         rig = chosen_rig(vehicle, wanted)
         study = compare_rides(rig, _trial(rig, road, v, lasting, seed), names, progress=say)
@@ -145,7 +144,7 @@ def _seed(road: str, seed: int) -> int:
 
 
 def _trial(rig: Rig, road: str, speed: float, duration: float | None, seed: int) -> RideTrial:
-    from jounce.ride.trials import DEFAULT_DURATION, iso_trial, road_trial
+    from jounce.ride.study import DEFAULT_DURATION, iso_trial, road_trial
     from jounce.roads import load_road
     from jounce.roads.loading import class_and_seed, is_class
 
@@ -186,7 +185,7 @@ def _draw_stationary(console: Console, study: RideStudy, ride: Ride) -> None:
 
 
 def _draw_comparison(console: Console, plain: dict[str, Any], study: RideStudy) -> None:
-    from jounce.ride.comparison import MERITS
+    from jounce.ride.study import MERITS
 
     shown = [merit for merit in MERITS if any(merit.name in ride.merits for ride in study.rides)]
     rows = [(ride.control, *(ride.merits.get(merit.name) for merit in shown)) for ride in study.rides]

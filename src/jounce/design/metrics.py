@@ -20,8 +20,8 @@ from jounce.core.errors import DescriptionError, FitError, SimulationError, near
 from jounce.core.types import Array
 from jounce.parts import Rig
 from jounce.recordings.schema import channels_of
+from jounce.ride.covariance import Analysis, Signal
 from jounce.ride.family import LinearFamily, Matrices
-from jounce.ride.moments import Analysis, Signal
 from jounce.ride.stationary import weighting_gain
 from jounce.ride.surface import Surface
 from jounce.roads import Trial

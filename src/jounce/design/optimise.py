@@ -363,8 +363,8 @@ def _findings(problem: DesignProblem, numbers: tuple[DesignNumber, ...], *, conv
 
 def _linear(problem: DesignProblem, best: Rig) -> list[Finding]:
     """What the linear model does not know of the best design."""
+    from jounce.ride.covariance import Analysis, Signal
     from jounce.ride.family import LinearFamily
-    from jounce.ride.moments import Analysis, Signal
 
     assert problem.surface is not None
     family = LinearFamily(best)

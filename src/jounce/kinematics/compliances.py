@@ -15,11 +15,9 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError, SimulationError
 from jounce.core.types import Array
-from jounce.kinematics.grids import Values, sweep_values
 from jounce.kinematics.loads import ContactLoad
 from jounce.kinematics.model import check_corner, has_rack
-from jounce.kinematics.reach import no_pose
-from jounce.kinematics.sweeps import prepare_sweep
+from jounce.kinematics.sweeps import Values, no_pose, prepare_sweep, sweep_values
 from jounce.kinematics.view import CornerView, Quasistatic, Statics
 from jounce.mechanics.system import Track
 from jounce.models.attachments import push

@@ -1,27 +1,295 @@
-"""Sweeps of one corner: wheel travel, rack, or any pair of both."""
+"""Sweeps of one corner over wheel travel, rack, or both: the values, the walk over them, where it ends, files."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from jounce.core.errors import DescriptionError
+from jounce.core.description import Description
+from jounce.core.errors import DescriptionError, SimulationError, nearest
+from jounce.core.serialise import check_writable, replacing, write_atomically
 from jounce.core.types import Array
-from jounce.core.units import to_si
-from jounce.kernel.poses import REACHED, Found, Walk, Work, space_for, walk_poses
-from jounce.kinematics import layout as around
-from jounce.kinematics.grids import Grid, Values, grid, sweep_values
-from jounce.kinematics.layout import AxleLayout
+from jounce.core.units import PositiveLength, Unit, to_si
+from jounce.kernel.poses import END_OF_TRAVEL, REACHED, Found, Walk, Work, space_for, walk_poses, walk_variants
 from jounce.kinematics.model import KinematicModel, check_corner, has_rack, kinematic_model
-from jounce.kinematics.reach import End, ends_of_travel, no_pose, told
 from jounce.parts import Corner, Rig
+from jounce.parts.rig import unit_of, unknown_path
+from jounce.recordings.files import SUFFIXES, storable
 
 if TYPE_CHECKING:
     import xarray as xr
+
+
+Values = float | str | Sequence[float] | Array
+"""Values to sweep over: numbers in SI, or text such as "-80 mm:80 mm:4 mm" (first, last, step)."""
+_MOST_POSES = 1_000_000
+_WHOLE = 1e-9  # share of a step by which the end of a range may miss it
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Pairs of travel and rack travel in the order of the walk, which starts at the one nearest to design.
+
+    Attributes
+    ----------
+    shape : tuple of int
+        Numbers of travel and rack values.
+    place : ndarray of int, shape (n,)
+        Where in the flattened grid each target of the walk belongs.
+    targets : ndarray, shape (n, 2)
+        Travel and rack travel (m) of each target.
+    before : ndarray of int, shape (n,)
+        The target that each one continues from; -1 for the design pose.
+    """
+
+    shape: tuple[int, int]
+    place: NDArray[np.intp]
+    targets: Array
+    before: NDArray[np.int64]
+
+
+def text_range(text: str, unit: str, where: str) -> Array:
+    """Read ``"first:last:step"``, or one value, into SI; the last value is part of it when the steps meet it."""
+    parts = [part.strip() for part in text.split(":")]
+    if len(parts) not in (1, 3) or not all(parts):
+        raise DescriptionError("not a range", where=where, found=text, allowed='"first:last:step", or one value')
+    numbers = [_quantity(part, unit, where) for part in parts]
+    if len(numbers) == 1:
+        return np.array(numbers)
+    first, last, step = numbers
+    if step <= 0.0:
+        raise DescriptionError("not a step", where=where, found=text, allowed="a step above 0, the third part")
+    if last <= first:
+        raise DescriptionError(
+            "the range is empty" if last == first else "the range runs backwards",
+            where=where,
+            found=text,
+            allowed="a first value below the last one",
+            hint="Exchange them, or give one value.",
+        )
+    count = (last - first) / step + _WHOLE
+    if count > _MOST_POSES:
+        raise DescriptionError("too many values", where=where, found=f"{count:.3g}", allowed=f"at most {_MOST_POSES}")
+    return np.round(first + step * np.arange(int(count) + 1), 12)
+
+
+def _quantity(text: str, unit: str, where: str) -> float:
+    try:
+        return to_si(float(text), unit, where=where)
+    except ValueError:
+        return to_si(text, unit, where=where)
+
+
+def sweep_values(values: Values, name: str, unit: str = "m") -> Array:
+    """Check values to sweep over: finite, ascending, at least one; text is read as a range."""
+    if isinstance(values, str):
+        return text_range(values, unit, name)
+    try:
+        checked = np.atleast_1d(np.asarray(values, dtype=np.float64))
+    except (TypeError, ValueError):
+        raise DescriptionError("not numbers", where=name, found=values, allowed="numbers in SI") from None
+    if checked.ndim != 1 or not len(checked):
+        raise DescriptionError(
+            "not a list of values", where=name, found=f"shape {checked.shape}", allowed="(n,), n > 0"
+        )
+    if not np.all(np.isfinite(checked)):
+        raise DescriptionError("not a finite number", where=name, found=checked[~np.isfinite(checked)][0])
+    falls = np.flatnonzero(np.diff(checked) <= 0.0)
+    if len(falls):
+        i = int(falls[0])
+        raise DescriptionError(
+            "the values do not ascend",
+            where=f"{name}[{i + 1}]",
+            found=f"{checked[i + 1]:g} after {checked[i]:g}",
+            allowed="ascending values, each once",
+            hint="Sort them, or exchange the ends of the range.",
+        )
+    if len(checked) > _MOST_POSES:
+        raise DescriptionError("too many values", where=name, found=len(checked), allowed=f"at most {_MOST_POSES}")
+    return checked
+
+
+def grid(travel: Array, rack: Array) -> Grid:
+    """Lay out a walk: along the rack at the travel nearest to design, and from each of those along the travel."""
+    if len(travel) * len(rack) > _MOST_POSES:
+        raise DescriptionError(
+            "too many poses", where="travel, rack", found=len(travel) * len(rack), allowed=f"at most {_MOST_POSES}"
+        )
+    rows, parents = _chain(travel), _parents(travel)
+    columns, starts = _chain(rack), _parents(rack)
+    place = [rows[0] * len(rack) + column for column in columns]
+    before = list(starts)
+    for c, column in enumerate(columns):
+        first = len(place) - 1  # target k > 0 of this column lies at first + k
+        place += [row * len(rack) + column for row in rows[1:]]
+        before += [c if parent == 0 else first + parent for parent in parents[1:]]
+    pairs = np.array(np.meshgrid(travel, rack, indexing="ij")).reshape(2, -1).T
+    order = np.array(place, dtype=np.intp)
+    return Grid((len(travel), len(rack)), order, np.ascontiguousarray(pairs[order]), np.array(before, dtype=np.int64))
+
+
+def _chain(values: Array) -> list[int]:
+    """Indices from the value nearest to zero upwards, then downwards."""
+    middle = int(np.argmin(np.abs(values)))
+    return [middle, *range(middle + 1, len(values)), *range(middle - 1, -1, -1)]
+
+
+def _parents(values: Array) -> list[int]:
+    """Place in the chain that each place continues from."""
+    middle = int(np.argmin(np.abs(values)))
+    up, down = len(values) - 1 - middle, middle
+    return [-1, *range(up), *([0, *range(up + 1, up + down)] if down else [])]
+
+
+_Share = Annotated[float, Unit("1", at_least=0.0, at_most=1.0)]
+
+
+class AxleLayout(Description):
+    """The car around a corner, for shares of load transfer that the suspension's geometry carries.
+
+    ``axle`` says which one the corner belongs to; ``wheelbase`` (m), ``centre_of_mass_height`` (m, above the ground);
+    ``brake_share`` is this axle's share of the braking force (outboard brakes).
+
+    Examples
+    --------
+    >>> AxleLayout(axle="front", wheelbase="2.7 m", centre_of_mass_height="550 mm", brake_share=0.65).wheelbase
+    2.7
+    """
+
+    axle: Literal["front", "rear"]
+    wheelbase: PositiveLength
+    centre_of_mass_height: PositiveLength
+    brake_share: _Share
+
+
+_ANTI_EFFECTS = {
+    "anti_dive": "share of the braking dive that the front geometry takes",
+    "anti_lift": "share of the braking lift that the rear geometry takes",
+    "anti_squat": "share of the driving squat that the rear geometry takes, drive torque reacted by the body",
+}
+_ANTI_SIGN = "positive: against the body's motion; 1 is all of it"
+
+
+def shares(vehicle: AxleLayout, contact: Array, centre: Array) -> dict[str, Array]:
+    """Shares of the load transfer that the geometry carries (domain: brake and drive forces at the wheel).
+
+    Parameters
+    ----------
+    vehicle : AxleLayout
+        Dimensions (m) and brake share.
+    contact, centre : ndarray
+        dx/dz [1] of the contact patch with the wheel locked, and of the wheel centre.
+
+    Returns
+    -------
+    dict
+        ``anti_dive`` for a front axle, ``anti_lift`` and ``anti_squat`` for a rear one; 1 is all of it.
+    """
+    lever = vehicle.wheelbase / vehicle.centre_of_mass_height
+    if vehicle.axle == "front":
+        return {"anti_dive": vehicle.brake_share * lever * contact}
+    return {"anti_lift": -vehicle.brake_share * lever * contact, "anti_squat": -lever * centre}
+
+
+_TOLD = 4  # ends that are told one by one
+_JUST_BEFORE = 0.999  # share of the last way: where the joints are asked
+_HOLDS = 0.25  # share of the largest constraint force from which a joint is named
+
+
+@dataclass(frozen=True)
+class End:
+    """An end of travel.
+
+    Attributes
+    ----------
+    travel, rack : float
+        Last pose that can be reached, m.
+    wanted_travel, wanted_rack : float
+        Pose that was asked for, m.
+    joints : tuple of str
+        Joints whose forces grow without bounds there.
+    """
+
+    travel: float
+    rack: float
+    wanted_travel: float
+    wanted_rack: float
+    joints: tuple[str, ...]
+
+    def __str__(self) -> str:
+        at = f"at wheel travel {1e3 * self.travel:.4g} mm"
+        wanted = f"{1e3 * self.wanted_travel:.4g} mm"
+        if self.rack or self.wanted_rack:
+            at += f", rack travel {1e3 * self.rack:.4g} mm"
+            wanted += f", {1e3 * self.wanted_rack:.4g} mm"
+        held = (
+            f"; {' and '.join(self.joints)} {'are' if len(self.joints) > 1 else 'is'} stretched" if self.joints else ""
+        )
+        return f"the mechanism reaches the end of its travel {at}, on the way to {wanted}{held}"
+
+
+def told(ends: Sequence[End]) -> str:
+    """Say where a sweep had to stop; of many ends the first."""
+    more = f"; and {len(ends) - _TOLD} more ends of travel" if len(ends) > _TOLD else ""
+    return "; ".join(map(str, ends[:_TOLD])) + more
+
+
+def no_pose(ends: Sequence[End]) -> SimulationError:
+    """Build the error for a sweep without any pose."""
+    why = f": {ends[0]}" if ends else ""
+    return SimulationError(f"no pose of the sweep can be reached{why}", hint="Sweep a smaller range.")
+
+
+def ends_of_travel(model: KinematicModel, walk: Walk, layout: Grid, found: Found) -> list[End]:
+    """Give the places where a walk had to stop, the first of them with the joints that hold it."""
+    ends: list[End] = []
+    for i in np.flatnonzero(found.outcome == END_OF_TRAVEL):
+        j = int(layout.before[i])
+        start = layout.targets[j] if j >= 0 else np.zeros(2)
+        last = start + found.share[i] * (layout.targets[i] - start)
+        first = len(ends) < _TOLD
+        joints = _holding(model, walk, found, int(i), start + _JUST_BEFORE * (last - start)) if first else ()
+        wanted = layout.targets[i]
+        ends.append(End(float(last[0]), float(last[1]), float(wanted[0]), float(wanted[1]), joints))
+    return ends
+
+
+def _holding(model: KinematicModel, walk: Walk, found: Found, i: int, last: Array) -> tuple[str, ...]:
+    """Joints that take the largest forces just before the end of travel."""
+    j = int(walk.before[i])
+    tracks = walk.targets.shape[1]
+    near = _to_target(walk, found, j, last[:tracks])
+    again, work = space_for(near, len(model.rows))
+    walk_poses(near, again, work)
+    pose, at = again.poses[:, 0], near.targets[0]
+    if not np.all(np.isfinite(pose)):
+        pose, at = near.start, near.origin
+    matrix = model.functions["gradient"](pose, at, walk.p, 0.0).full()
+    shares = np.abs(np.linalg.svd(matrix)[0][:, -1])
+    names: dict[str, float] = {}
+    for name, share in zip(model.constraints, shares * np.linalg.norm(matrix, axis=1), strict=True):
+        joint = name.partition(".")[0]
+        if joint != "wheel_travel":
+            names[joint] = max(names.get(joint, 0.0), float(share))
+    largest = max(names.values(), default=0.0)
+    return tuple(name for name, share in names.items() if share >= _HOLDS * largest > 0.0)
+
+
+def _to_target(walk: Walk, found: Found, j: int, target: Array) -> Walk:
+    """Give the walk from target ``j`` of another one to a target of its own."""
+    start, origin = (found.poses[:, j], walk.targets[j]) if j >= 0 else (walk.start, walk.origin)
+    return walk._replace(
+        start=np.ascontiguousarray(start),
+        origin=np.ascontiguousarray(origin),
+        targets=np.array([target]),
+        before=np.array([-1], dtype=np.int64),
+    )
+
 
 _DIMENSIONS = ("wheel_travel", "rack_travel")
 
@@ -251,8 +519,8 @@ def _swept(
         result.add(row.name, value[np.ix_(*keep)], row.unit, row.long_name, row.sign, row.clause)
     if vehicle is not None:
         slopes = (result.values["contact_patch_recession"], result.values["wheel_centre_longitudinal_slope"])
-        for name, share in around.shares(vehicle, *slopes).items():
-            result.add(name, share, "1", around.ROWS[name], around.SIGN)
+        for name, share in shares(vehicle, *slopes).items():
+            result.add(name, share, "1", _ANTI_EFFECTS[name], _ANTI_SIGN)
     if points:
         for name, value in sweep.points().items():
             result.add(name, value[np.ix_(*keep)], "m", f"place of {name}", "ground axes")
@@ -303,3 +571,183 @@ class Result:
             "reached": [float(np.nanmin(travel)), float(np.nanmax(travel))],
             "stopped": told(ends),
         }
+
+
+def check_sweep_file(path: Path | str, *, force: bool = False) -> Path:
+    """Refuse, before the work, a file that could not be written after it; give the path."""
+    return check_writable(path, what="sweeps", suffixes=SUFFIXES, force=force)
+
+
+def write_sweep(sweep: xr.Dataset, path: Path | str, *, force: bool = False) -> Path:
+    """Write a sweep to a file.
+
+    Parameters
+    ----------
+    sweep : xarray.Dataset
+        As :func:`sweep_travel` and its relatives give it.
+    path : Path or str
+        ``.nc`` for netCDF-4 with all attributes; ``.csv`` for one row a pose with ``name [unit]`` headers, SI.
+    force : bool
+        Overwrite an existing file.
+
+    Returns
+    -------
+    Path
+        The file written.
+
+    Raises
+    ------
+    OutputError
+        For an existing file without ``force``, a missing folder, or another suffix.
+
+    Examples
+    --------
+    >>> import tempfile, pathlib
+    >>> import jounce as jn
+    >>> sweep = jn.sweep_travel(jn.load("reference-double-wishbone"), [-0.04, 0.0, 0.04])
+    >>> file = jn.write_sweep(sweep, pathlib.Path(tempfile.mkdtemp()) / "sweep.csv")
+    >>> file.read_text(encoding="utf-8").splitlines()[0].startswith("wheel_travel [m], rack_travel [m]")
+    True
+    """
+    file = check_sweep_file(path, force=force)
+    if file.suffix.lower() == ".csv":
+        return write_atomically(file, _csv_text(sweep), force=force)
+    with replacing(file) as temporary:
+        storable(_arrayed(sweep)).to_netcdf(temporary, engine="h5netcdf")
+    return file
+
+
+def _arrayed(sweep: xr.Dataset) -> xr.Dataset:
+    """The same sweep with attributes that list numbers as arrays, which a file can hold."""
+    listed = {str(key): value for key, value in sweep.attrs.items() if isinstance(value, (list, tuple))}
+    numbers = {key: np.array(value) for key, value in listed.items() if all(isinstance(x, float) for x in value)}
+    return sweep.assign_attrs(numbers)
+
+
+def _csv_text(sweep: xr.Dataset) -> str:
+    """One row a pose; values that do not exist (out of reach, at infinity) stay empty."""
+    names = [*map(str, sweep.coords), *map(str, sweep.data_vars)]
+    sizes = {str(name): size for name, size in sweep.sizes.items()}
+    columns = [_on_grid(sweep[name].variable, sizes) for name in names]
+    header = ", ".join(f"{name} [{sweep[name].attrs.get('units', '1')}]" for name in names)
+    rows = (",".join(map(_number, row)) for row in zip(*columns, strict=True))
+    return "\n".join([header, *rows]) + "\n"
+
+
+def _on_grid(variable: Any, sizes: dict[str, int]) -> list[float]:
+    return list(variable.set_dims(sizes).transpose(*sizes).values.ravel().tolist())
+
+
+def _number(value: float) -> str:
+    return repr(value) if np.isfinite(value) else ""
+
+
+_MOST_RESULTS = 200_000_000  # numbers in one result
+
+
+def sweep_variants(
+    rig: Rig,
+    changes: Mapping[str, Sequence[float] | Array],
+    travel: Values,
+    *,
+    rack: float | None = None,
+    quantities: Sequence[str] | None = None,
+) -> xr.Dataset:
+    """Sweep many variants of a corner over the same travel, all in one native loop.
+
+    Parameters
+    ----------
+    rig : Rig
+        The corner that all variants start from.
+    changes : mapping of str to array_like, shape (k,)
+        Path of a number of the description to its value in each variant, SI; all of one length.
+    travel : float, str or array_like, shape (n,)
+        Vertical travel of the wheel centre from design, m, bump positive, ascending.
+    rack : float, optional
+        Travel of the rack, m, positive to the left; the description's own by default.
+    quantities : sequence of str, optional
+        Which of the catalogue are kept; all by default.
+
+    Returns
+    -------
+    xarray.Dataset
+        Quantities on ``variant`` and ``wheel_travel`` (m); the changed numbers are coordinates along ``variant``. NaN
+        where a variant cannot reach a pose; ``reached`` tells how many poses each of them reached.
+
+    Raises
+    ------
+    DescriptionError
+        For a rig without hardpoints, unknown paths or names, values that are not finite or of different lengths.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> rig = jn.load("reference-double-wishbone")
+    >>> heights = {"hardpoints.tie_rod_inner[2]": [0.180, 0.185, 0.190]}
+    >>> sorted(jn.sweep_variants(rig, heights, [-0.04, 0.0, 0.04])["bump_steer"].sizes.items())
+    [('variant', 3), ('wheel_travel', 3)]
+    """
+    import xarray as xr
+
+    sweep = prepare_sweep(rig, travel, rack)
+    model = sweep.model
+    values = _changed(model, rig, changes)
+    chosen = _chosen(model, quantities)
+    count, poses = len(next(iter(values.values()))), len(sweep.layout.place)
+    if count * poses * len(chosen) > _MOST_RESULTS:
+        raise DescriptionError(
+            "too many results", where="changes, travel, quantities", found=count * poses * len(chosen)
+        )
+    parameters = np.tile(sweep.walk.p, (count, 1))
+    for path, column in values.items():
+        parameters[:, model.parameters.index(path)] = column
+    out = np.empty((len(chosen), count, poses))
+    place = sweep.layout.place.astype(np.int64)
+    walk_variants(sweep.walk, parameters, sweep.found, sweep.work, place, chosen, out)
+    variables = {}
+    for row, value in zip((model.rows[i] for i in chosen), out, strict=True):
+        if row.name not in ("wheel_travel", "rack_travel"):
+            attributes = {"units": row.unit, "long_name": row.long_name, "sign": row.sign}
+            variables[row.name] = xr.Variable(("variant", "wheel_travel"), value, attributes)
+    at = np.sort(sweep.layout.targets[:, 0])
+    coordinates = {
+        "wheel_travel": xr.Variable(("wheel_travel",), at, {"units": "m", "long_name": "wheel travel"}),
+        **{path: _variant_coordinate(xr, rig, path, column) for path, column in values.items()},
+    }
+    found = xr.Dataset(variables, coordinates, {"model": str(getattr(rig, "model", ""))})
+    return found.assign(reached=("variant", np.isfinite(out[0]).sum(axis=1), {"units": "1", "long_name": "poses"}))
+
+
+def _variant_coordinate(xr: object, rig: Rig, path: str, column: Array) -> object:
+    return xr.Variable(("variant",), column, {"units": unit_of(rig, path), "long_name": path})  # type: ignore[attr-defined]
+
+
+def _changed(model: KinematicModel, rig: Rig, changes: Mapping[str, Sequence[float] | Array]) -> dict[str, Array]:
+    if not changes:
+        raise DescriptionError("no variants", where="changes", allowed="path of a number to its values")
+    known = rig.parameters()
+    found: dict[str, Array] = {}
+    for path, given in changes.items():
+        if path not in known:
+            raise unknown_path(path, known)
+        if path not in model.parameters:
+            raise DescriptionError(
+                "does not enter the kinematics", where=path, hint=nearest(path, model.parameters) or "Leave it out."
+            )
+        column = np.atleast_1d(np.asarray(given, dtype=np.float64))
+        if column.ndim != 1 or not len(column) or not np.all(np.isfinite(column)):
+            raise DescriptionError("not a list of finite numbers", where=f"changes: {path}", found=str(given)[:60])
+        found[path] = column
+    lengths = {len(column) for column in found.values()}
+    if len(lengths) > 1:
+        raise DescriptionError("the changes have different lengths", where="changes", found=sorted(lengths))
+    return found
+
+
+def _chosen(model: KinematicModel, quantities: Sequence[str] | None) -> NDArray[np.int64]:
+    names = [row.name for row in model.rows]
+    for name in quantities or ():
+        if name not in names:
+            hint = nearest(name, names)
+            raise DescriptionError("no such quantity", where=name, allowed=", ".join(names), hint=hint)
+    return np.array([names.index(name) for name in quantities or names], dtype=np.int64)

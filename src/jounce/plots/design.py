@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from jounce.design.optimise import DesignConstraint, DesignNumber, Optimisation
     from jounce.design.pareto import ParetoFront, ParetoMark
-    from jounce.ride.comparison import Merit, Ride, RideStudy
+    from jounce.ride.study import Merit, Ride, RideStudy
 
 
 _MARKERS = {"present": ("D", BEFORE), "closed form": ("o", "white"), "searched": ("x", INK)}
@@ -296,7 +296,7 @@ def trade_off(study: RideStudy) -> Figure:
     matplotlib.figure.Figure
         One point for each controller; better is to the lower left. Lines mark the passive rig.
     """
-    from jounce.ride.comparison import MERITS
+    from jounce.ride.study import MERITS
 
     merits = {merit.name: merit for merit in MERITS}
     across = merits["comfort"]

@@ -109,7 +109,7 @@ def _registered() -> Callable[..., Figure]:
     from jounce.papers.audi_a6 import AudiCase
     from jounce.papers.audi_a6_exciter import EccentricExciter
     from jounce.parts.corners import Corner
-    from jounce.ride.comparison import Ride, RideStudy
+    from jounce.ride.study import Ride, RideStudy
     from jounce.roads.road import Road
     from jounce.simulation import LinearModel, Mode
 

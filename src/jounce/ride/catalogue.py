@@ -5,12 +5,217 @@ Integrals and means are over time from the end of the settling on. Deflections a
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from typing import Any, Literal
 
-from jounce.ride import comfort, holding
-from jounce.ride.views import Corner, Motion, Point
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import RecordingError
+from jounce.core.types import Array
+from jounce.ride import comfort
+from jounce.ride.comfort import duration_of, integral
+from jounce.ride.weighting import Start, weighted, weighting
+
+
+def mean(values: Array) -> float:
+    """Time mean in the unit of ``values``: trapezoids, so that both ends of a record count half."""
+    return integral(values, 1.0) / duration_of(values, 1.0)
+
+
+def deviation(values: Array) -> float:
+    """Standard deviation about the time mean, in the unit of ``values``."""
+    centred = values - mean(values)
+    return float(mean(centred * centred) ** 0.5)
+
+
+def peak_to_peak(values: Array) -> float:
+    """Largest minus smallest value, in the unit of ``values``."""
+    return float(values.max() - values.min())
+
+
+def peak_use(deflection: Array, rebound: float, bump: float) -> float:
+    """Largest share (1) of the bump or rebound travel (m from the mean deflection) that a deflection (m) takes."""
+    middle = mean(deflection)
+    return max((float(deflection.max()) - middle) / bump, (middle - float(deflection.min())) / rebound)
+
+
+def contacts(deflection: Array, gap: float) -> int:
+    """How often (1) a deflection (m) closes a stop's gap (m); closed at the start counts as well."""
+    closed = deflection > gap
+    return int(np.count_nonzero(closed[1:] & ~closed[:-1])) + int(closed[0])
+
+
+def share(condition: NDArray[np.bool_]) -> float:
+    """Share (1) of the time in which a condition holds."""
+    return mean(condition.astype(float))
+
+
+def load_coefficient(load: Array) -> float:
+    """Standard deviation over mean (1) of a wheel load (N)."""
+    return deviation(load) / _static(load)
+
+
+def adhesion(load: Array) -> float:
+    """Smallest over mean wheel load (1); loads in N."""
+    return smallest(load) / _static(load)
+
+
+def smallest(load: Array) -> float:
+    """Smallest wheel load (N)."""
+    return float(load.min()) + 0.0  # never -0
+
+
+def stress_factor(load: Array) -> float:
+    """Mean fourth power of the wheel load (N) over the fourth power of its mean (1)."""
+    relative = load / _static(load)
+    return mean(relative**4)
+
+
+def _static(load: Array) -> float:
+    found = mean(load)
+    if not found > 0.0:
+        raise RecordingError("the mean wheel load is not positive", found=f"{found:g} N", allowed="above 0 N")
+    return found
+
+
+Pair = tuple[float | None, float | None]
+USUAL_WEIGHTING = {"x": "Wd", "y": "Wd", "z": "Wk", "roll": "We", "pitch": "We", "yaw": "We"}
+_NO_PASSENGER = {"unsprung", "wheel", "tyre", "road", "platform", "knuckle", "upright", "axle", "strut"}
+
+
+@dataclass(frozen=True)
+class Choices:
+    """What the user of the metrics has decided, SI.
+
+    Attributes
+    ----------
+    settling : float
+        Time at the start that does not count, s.
+    weighting : mapping of str to str
+        Weighting by channel or axis where it is not the usual one.
+    start : {"rest", "first", "mean"}
+        What was before the record, for the weightings.
+    travel, stop_gap : mapping of str to pair of float
+        Rebound and bump travel from the mean deflection (m), rebound and bump stop's gaps (m), by corner.
+    exposure : float
+        Daily exposure, s.
+    lift_off_load : float
+        Wheel load up to which the tyre counts as lifted, N.
+    """
+
+    settling: float = 0.0
+    weighting: Mapping[str, str] = field(default_factory=dict)
+    start: Start = "rest"
+    travel: Mapping[str, Pair] = field(default_factory=dict)
+    stop_gap: Mapping[str, Pair] = field(default_factory=dict)
+    exposure: float = 8.0 * 3600.0
+    lift_off_load: float = 0.0
+
+
+@dataclass
+class Motion:
+    """One acceleration: ``values`` (m/s^2 or rad/s^2) at ``rate`` (Hz); what lies before ``first`` does not count."""
+
+    channel: str
+    axis: str
+    values: Array
+    rate: float
+    first: int
+    choices: Choices
+    _weighted: dict[str, Array] = field(default_factory=dict, repr=False)
+
+    @property
+    def signal(self) -> Array:
+        """The part that counts, unweighted."""
+        return self.values[self.first :]
+
+    @property
+    def usual(self) -> str:
+        """Name of its weighting."""
+        chosen = self.choices.weighting
+        return chosen.get(self.channel, chosen.get(self.axis, USUAL_WEIGHTING[self.axis]))
+
+    def weighted(self, name: str = "") -> Array:
+        """The part that counts, weighted over the whole record; refused when it is too short for the weighting."""
+        row = weighting(name or self.usual)
+        if row.name not in self._weighted:
+            total = duration_of(self.signal, self.rate)
+            if total < row.shortest * (1.0 - 1e-9):
+                raise RecordingError(
+                    f"the measurement is too short for {row.name}",
+                    where=self.channel,
+                    found=f"{total:g} s",
+                    allowed=f"{row.shortest:g} s or more, one period of its lower limit",
+                )
+            found = weighted(self.values, self.rate, row.name, start=self.choices.start)
+            self._weighted[row.name] = found[self.first :]
+        return self._weighted[row.name]
+
+
+@dataclass(frozen=True)
+class Point:
+    """Accelerations along the axes (x, y, z) at one place where people or goods are."""
+
+    place: str
+    motions: Mapping[str, Motion]
+
+
+@dataclass(frozen=True)
+class Corner:
+    """Signals of one strut and tyre by the end of their names at ``rate`` (Hz); ``name`` is empty for a quarter car."""
+
+    name: str
+    signals: Mapping[str, Array]
+    rate: float
+    choices: Choices
+
+    def __getitem__(self, suffix: str) -> Array:
+        if suffix not in self.signals:
+            raise RecordingError(f"no channel {self.name + '.' if self.name else ''}{suffix}")
+        return self.signals[suffix]
+
+    def has(self, suffix: str) -> bool:
+        """Tell whether the channel is there."""
+        return suffix in self.signals
+
+    @property
+    def stop_gaps(self) -> Pair:
+        """Gaps of rebound and bump stop in m, None where there is none."""
+        return self.choices.stop_gap.get(self.name, (None, None))
+
+    def stop_gap(self, which: str) -> float:
+        """Gap of the ``"bump"`` or ``"rebound"`` stop in m."""
+        gap = self.stop_gaps[which == "bump"]
+        if gap is None:
+            raise RecordingError(f"no {which} stop's gap is given", where=self.name)
+        return gap
+
+    @property
+    def travel(self) -> tuple[float, float]:
+        """Rebound and bump travel in m from the mean deflection: as given, or up to the stops."""
+        rebound, bump = self.choices.travel.get(self.name, (None, None))
+        if rebound is None or bump is None:
+            deflection = self.signals["strut.deflection"]
+            middle, (below, above) = mean(deflection), self.stop_gaps
+            if below is None or above is None:
+                raise RecordingError("no available travel is given, nor both stops' gaps", where=self.name)
+            rebound, bump = below + middle, above - middle
+        if not (rebound > 0.0 and bump > 0.0):
+            raise RecordingError(
+                "the available travel is not positive",
+                where=self.name,
+                found=f"{rebound:g} m in rebound, {bump:g} m in bump",
+                allowed="above 0 m from the mean deflection",
+            )
+        return rebound, bump
+
+
+def carries_passengers(place: str) -> bool:
+    """Tell whether a place lies on the sprung side, where comfort matters."""
+    return place.rpartition(".")[2] not in _NO_PASSENGER
+
 
 Scope = Literal["motion", "rotation", "comfort", "point", "corner"]
 LINEAR, VERTICAL, TURNING = ("ax", "ay", "az"), ("az",), ("roll_acceleration", "pitch_acceleration", "yaw_acceleration")
@@ -67,11 +272,11 @@ def _sickness(view: Motion) -> float:
 
 def _power(view: Corner) -> float:
     force = view["strut.damper_force"] if view.has("strut.damper_force") else view["strut.force"]
-    return holding.mean(force * view["strut.velocity"])
+    return mean(force * view["strut.velocity"])
 
 
 def _use(view: Corner) -> float:
-    return holding.peak_use(view[_STRUT], *view.travel)
+    return peak_use(view[_STRUT], *view.travel)
 
 
 _ISO, _DIRECTIVE, _PLAIN = "ISO 2631-1:1997, ", "2002/44/EC and ISO 2631-1:1997, 7.2", "statistics of the signal"
@@ -82,7 +287,7 @@ CATALOGUE: tuple[Metric, ...] = (
         "rms_acceleration",
         "m/s^2",
         "r.m.s. of the acceleration about its mean",
-        lambda v: holding.deviation(v.signal),
+        lambda v: deviation(v.signal),
         "motion",
         LINEAR,
         _PLAIN,
@@ -92,7 +297,7 @@ CATALOGUE: tuple[Metric, ...] = (
         "peak_acceleration",
         "m/s^2",
         "largest acceleration from its mean, either way",
-        lambda v: float(abs(v.signal - holding.mean(v.signal)).max()),
+        lambda v: float(abs(v.signal - mean(v.signal)).max()),
         "motion",
         LINEAR,
         _PLAIN,
@@ -102,7 +307,7 @@ CATALOGUE: tuple[Metric, ...] = (
         "rms_angular_acceleration",
         "rad/s^2",
         "r.m.s. of the angular acceleration about its mean",
-        lambda v: holding.deviation(v.signal),
+        lambda v: deviation(v.signal),
         "rotation",
         TURNING,
         _PLAIN,
@@ -222,7 +427,7 @@ CATALOGUE: tuple[Metric, ...] = (
         "travel_rms",
         "m",
         "r.m.s. deflection of the strut about its mean",
-        lambda v: holding.deviation(v[_STRUT]),
+        lambda v: deviation(v[_STRUT]),
         "corner",
         (_STRUT,),
         _PLAIN,
@@ -232,7 +437,7 @@ CATALOGUE: tuple[Metric, ...] = (
         "travel_peak_to_peak",
         "m",
         "largest minus smallest deflection of the strut",
-        lambda v: holding.peak_to_peak(v[_STRUT]),
+        lambda v: peak_to_peak(v[_STRUT]),
         "corner",
         (_STRUT,),
         _PLAIN,
@@ -252,7 +457,7 @@ CATALOGUE: tuple[Metric, ...] = (
         "travel_utilisation_rms",
         "1",
         "r.m.s. deflection over the whole travel available",
-        lambda v: holding.deviation(v[_STRUT]) / sum(v.travel),
+        lambda v: deviation(v[_STRUT]) / sum(v.travel),
         "corner",
         (_STRUT,),
         _OWN,
@@ -262,7 +467,7 @@ CATALOGUE: tuple[Metric, ...] = (
         "travel_use_peak_to_peak",
         "1",
         "peak to peak deflection over the whole travel available",
-        lambda v: holding.peak_to_peak(v[_STRUT]) / sum(v.travel),
+        lambda v: peak_to_peak(v[_STRUT]) / sum(v.travel),
         "corner",
         (_STRUT,),
         _OWN,
@@ -272,7 +477,7 @@ CATALOGUE: tuple[Metric, ...] = (
         "bump_stop_hits",
         "1",
         "how often the bump stop is met",
-        lambda v: holding.contacts(v[_STRUT], v.stop_gap("bump")),
+        lambda v: contacts(v[_STRUT], v.stop_gap("bump")),
         "corner",
         (_STRUT,),
         _OWN,
@@ -282,7 +487,7 @@ CATALOGUE: tuple[Metric, ...] = (
         "rebound_stop_hits",
         "1",
         "how often the rebound stop is met",
-        lambda v: holding.contacts(-v[_STRUT], v.stop_gap("rebound")),
+        lambda v: contacts(-v[_STRUT], v.stop_gap("rebound")),
         "corner",
         (_STRUT,),
         _OWN,
@@ -292,7 +497,7 @@ CATALOGUE: tuple[Metric, ...] = (
         "bump_stop_time",
         "1",
         "share of the time on the bump stop",
-        lambda v: holding.share(v[_STRUT] > v.stop_gap("bump")),
+        lambda v: share(v[_STRUT] > v.stop_gap("bump")),
         "corner",
         (_STRUT,),
         _OWN,
@@ -312,7 +517,7 @@ CATALOGUE: tuple[Metric, ...] = (
         "dynamic_load_rms",
         "N",
         "r.m.s. wheel load about its mean",
-        lambda v: holding.deviation(v[_TYRE]),
+        lambda v: deviation(v[_TYRE]),
         "corner",
         (_TYRE,),
         _PLAIN,
@@ -322,7 +527,7 @@ CATALOGUE: tuple[Metric, ...] = (
         "dynamic_load_coefficient",
         "1",
         "standard deviation over mean of the wheel load",
-        lambda v: holding.load_coefficient(v[_TYRE]),
+        lambda v: load_coefficient(v[_TYRE]),
         "corner",
         (_TYRE,),
         "Sweatman 1983",
@@ -332,7 +537,7 @@ CATALOGUE: tuple[Metric, ...] = (
         "minimum_wheel_load",
         "N",
         "smallest wheel load",
-        lambda v: holding.smallest(v[_TYRE]),
+        lambda v: smallest(v[_TYRE]),
         "corner",
         (_TYRE,),
         _PLAIN,
@@ -342,7 +547,7 @@ CATALOGUE: tuple[Metric, ...] = (
         "adhesion",
         "1",
         "smallest over mean wheel load",
-        lambda v: holding.adhesion(v[_TYRE]),
+        lambda v: adhesion(v[_TYRE]),
         "corner",
         (_TYRE,),
         "as the EUSAMA value, on the road",
@@ -352,7 +557,7 @@ CATALOGUE: tuple[Metric, ...] = (
         "lift_off_time",
         "1",
         "share of the time without wheel load",
-        lambda v: holding.share(v[_TYRE] <= v.choices.lift_off_load),
+        lambda v: share(v[_TYRE] <= v.choices.lift_off_load),
         "corner",
         (_TYRE,),
         _OWN,
@@ -362,7 +567,7 @@ CATALOGUE: tuple[Metric, ...] = (
         "road_stress_factor",
         "1",
         "mean fourth power of the wheel load over that of its mean",
-        lambda v: holding.stress_factor(v[_TYRE]),
+        lambda v: stress_factor(v[_TYRE]),
         "corner",
         (_TYRE,),
         "Eisenmann 1975",
@@ -372,7 +577,7 @@ CATALOGUE: tuple[Metric, ...] = (
         "tyre_deflection_rms",
         "m",
         "r.m.s. deflection of the tyre about its mean",
-        lambda v: holding.deviation(v["tyre.deflection"]),
+        lambda v: deviation(v["tyre.deflection"]),
         "corner",
         ("tyre.deflection",),
         _PLAIN,

@@ -9,7 +9,7 @@ that one noise drives. Wheel ``l`` follows wheel ``k`` by ``s``: their cross ter
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -18,8 +18,9 @@ from typing import Any
 import numpy as np
 
 from jounce.core.errors import SimulationError
-from jounce.core.types import Array
-from jounce.ride.family import Matrices
+from jounce.core.types import Array, Complex
+from jounce.ride.family import LinearFamily, Matrices, without_unreached
+from jounce.ride.surface import Surface
 
 _NOTHING = 1e-9
 """What is left of a sum of terms is nothing below this share of their sizes."""
@@ -373,3 +374,379 @@ def cut_off_slope(along: Matrices, rate: float) -> Matrices:
     found["B"] = found["B"].copy()
     found["B"][1, n:] = 0.0
     return Matrices(**found)
+
+
+_PANELS = 12  # a decade
+_POINTS = 8  # of Gauss and Legendre in each panel
+_NEAR = tuple(0.4 * 2.5**k for k in range(9))  # half widths of a resonance at which panels end
+_FAR = 0.3  # of its frequency, beyond which a resonance needs no panels of its own
+_PERIODS = 0.4  # of the waves between front and rear that a panel may hold
+_CHUNK = 80  # nodes summed at once: small products stay on one core, and several cores would only wait for each other
+_DEFECTIVE_BAND = 1e6  # condition of the eigenvectors beyond which they are not used
+
+
+def frequencies(low: float, high: float, a: Array, delay: float) -> tuple[Array, Array]:
+    """Nodes (Hz) and weights (Hz) of a quadrature that resolves the resonances of a model and its delays.
+
+    Parameters
+    ----------
+    low, high : float
+        Band, Hz.
+    a : ndarray, shape (n, n)
+        Matrix of the model's states, 1/s.
+    delay : float
+        Longest delay between wheels, s.
+    """
+    count = max(1, int(np.ceil(_PANELS * np.log10(high / low))))
+    edges = [*np.geomspace(low, high, count + 1)]
+    for value in np.linalg.eigvals(a):
+        middle, width = abs(value.imag) / (2.0 * np.pi), abs(value.real) / (2.0 * np.pi)
+        if value.imag > 0.0:
+            reach = [share * width for share in _NEAR if share * width < _FAR * middle]
+            edges += [middle + side * way for way in reach for side in (-1.0, 1.0)]
+    inside = np.unique([edge for edge in edges if low <= edge <= high])
+    if delay > 0.0:
+        parts = np.maximum(1, np.ceil(np.diff(inside) * delay / _PERIODS).astype(int))
+        first, width = np.repeat(inside[:-1], parts), np.repeat(np.diff(inside) / parts, parts)
+        place = np.arange(len(first)) - np.repeat(np.cumsum(parts) - parts, parts)
+        inside = np.append(first + place * width, inside[-1])
+    points, weights = np.polynomial.legendre.leggauss(_POINTS)
+    half, middle_of = 0.5 * np.diff(inside), 0.5 * (inside[1:] + inside[:-1])
+    nodes = (middle_of[:, None] + half[:, None] * points).ravel()
+    return nodes, (half[:, None] * weights).ravel()
+
+
+class Inverse:
+    """``(s - A)^-1`` at many frequencies (rad/s times i), by eigenvectors where they are independent."""
+
+    def __init__(self, a: Array, s: Complex) -> None:
+        self.a, self.s = a, s
+        values, self._vectors = np.linalg.eig(a)
+        self._are_independent = bool(np.linalg.cond(self._vectors) < _DEFECTIVE_BAND)
+        self._shares = 1.0 / (s[:, None] - values)
+        self._left = np.linalg.inv(self._vectors) if self._are_independent else self._vectors
+
+    def times(self, b: Array) -> Complex:
+        """Inverse times b, shape (n, m): shape (f, n, m)."""
+        if self._are_independent:
+            return np.asarray(self._vectors @ (self._shares[:, :, None] * (self._left @ b)))
+        return np.asarray(np.linalg.solve(self._shifted(), np.broadcast_to(b, (len(self.s), *b.shape))))
+
+    def before(self, c: Array) -> Complex:
+        """C, shape (m, n), times the inverse: shape (f, m, n)."""
+        if self._are_independent:
+            return np.asarray(((c @ self._vectors) * self._shares[:, None, :]) @ self._left)
+        turned = np.linalg.solve(np.swapaxes(self._shifted(), 1, 2), np.broadcast_to(c.T, (len(self.s), *c.T.shape)))
+        return np.asarray(np.swapaxes(turned, 1, 2))
+
+    def _shifted(self) -> Complex:
+        return np.asarray(self.s[:, None, None] * np.eye(len(self.a)) - self.a)
+
+
+@dataclass(frozen=True)
+class _Pull:
+    """Slopes of the variances along A (outputs, n, n; turned), b, C, d, f and the delays of one source."""
+
+    matrix: Array
+    drive: Array
+    state: Array
+    height: Array
+    rate: Array
+    delay: Array
+
+
+@dataclass(frozen=True)
+class Band:
+    """What arrives at the wheels at some frequencies.
+
+    Attributes
+    ----------
+    frequency : ndarray, shape (f,)
+        Nodes, Hz.
+    power : ndarray, shape (f,)
+        Density of the road's height times the weight of the node, m^2.
+    gain : ndarray, shape (outputs, f)
+        Squared magnitude by which each output is weighted (1).
+    coherence : ndarray, shape (f,), or None
+        Of left and right, its root (1), where they are two sources; None where sources know nothing of each other.
+    """
+
+    frequency: Array
+    power: Array
+    gain: Array
+    coherence: Array | None = None
+
+
+@dataclass(frozen=True)
+class BandVariance:
+    """Variances of the outputs of a relative model over a band.
+
+    Attributes
+    ----------
+    model : Relative
+        The model.
+    sources : tuple
+        What drives which wheel when.
+    band : Band
+        Spectrum of the road.
+    """
+
+    model: Relative
+    sources: tuple[Source, ...]
+    band: Band
+
+    @cached_property
+    def _s(self) -> Complex:
+        return np.asarray(2j * np.pi * self.band.frequency)
+
+    @cached_property
+    def _inverse(self) -> Inverse:
+        return Inverse(self.model.A, self._s)
+
+    def _summed(self, table: Array, source: Source) -> Array:
+        """One column for each group of wheels."""
+        return np.stack([table[:, list(group.wheels)].sum(axis=1) for group in source], axis=1)
+
+    @cached_property
+    def _waves(self) -> list[Complex]:
+        """Phase of each group, for each source: shape (f, groups)."""
+        delays = [np.array([group.delay for group in source]) for source in self.sources]
+        return [np.asarray(np.exp(-self._s[:, None] * delay)) for delay in delays]
+
+    @cached_property
+    def _moved(self) -> list[Complex]:
+        """States for unit rate of the road, for each source: shape (f, n, groups)."""
+        return [self._inverse.times(self._summed(self.model.b, source)) for source in self.sources]
+
+    @cached_property
+    def _by_group(self) -> list[Complex]:
+        """Response to unit height, each group at its time: shape (f, outputs, groups)."""
+        found = []
+        for source, moved, waves in zip(self.sources, self._moved, self._waves, strict=True):
+            whole = self.model.C @ moved + self._summed(self.model.f, source)
+            height = whole * self._s[:, None, None] + self._summed(self.model.d, source)
+            found.append(height * waves[:, None, :])
+        return found
+
+    @cached_property
+    def _responses(self) -> list[Complex]:
+        """Response of each output to each source, shape (outputs, f)."""
+        return [np.asarray(part.sum(axis=2).T) for part in self._by_group]
+
+    @cached_property
+    def _weights(self) -> Array:
+        """What a squared response counts, shape (outputs, f)."""
+        return self.band.power * self.band.gain
+
+    def variances(self) -> Array:
+        """Variance of each output, in the square of its SI unit."""
+        found = np.sum([np.abs(part) ** 2 for part in self._responses], axis=0)
+        if self.band.coherence is not None:
+            found = found + 2.0 * self.band.coherence * self._shared()
+        return np.asarray(np.sum(found * self._weights, axis=1))
+
+    def _shared(self) -> Array:
+        left, right = self._responses
+        return np.asarray((left * right.conj()).real)
+
+    @cached_property
+    def _pulls(self) -> list[_Pull]:
+        """How the variances follow the parts of the model, for each source: once for all slopes."""
+        seen = self._inverse.before(self.model.C)
+        return [self._pull(i, seen) for i in range(len(self.sources))]
+
+    def _pull(self, i: int, seen: Complex) -> _Pull:
+        answer = self._responses[i].conj()
+        if self.band.coherence is not None:
+            answer = answer + self.band.coherence * self._responses[1 - i].conj()
+        answer = 2.0 * answer * self._weights
+        waves = self._waves[i]
+        rates = waves * self._s[:, None]
+        state = np.einsum("fng,fg->fn", self._moved[i], rates)
+        return _Pull(
+            _summed_products(state, answer, seen),
+            np.swapaxes(_summed_products(rates, answer, seen), 1, 2),
+            np.einsum("rf,fn->rn", answer, state).real,  # without the cores of a matrix product, as above
+            np.einsum("rf,fg->rg", answer, waves).real,
+            np.einsum("rf,fg->rg", answer, rates).real,
+            np.einsum("rf,f,frg->rg", answer, self._s, self._by_group[i]).real,
+        )
+
+    def slopes(self, along: Relative, later: Array, coherence: Array | None = None) -> Array:
+        """Slope of the variances along a number.
+
+        Parameters
+        ----------
+        along : Relative
+            Slope of the model.
+        later : ndarray, shape (wheels,)
+            Slope of the delays, s.
+        coherence : ndarray, shape (f,), optional
+            Slope of the root of the coherence.
+        """
+        total = np.zeros(len(self.model.C))
+        for source, pull in zip(self.sources, self._pulls, strict=True):
+            late = np.array([later[group.wheels[0]] for group in source])
+            total += np.einsum("rij,ji->r", pull.matrix, along.A)
+            total += np.einsum("rjg,jg->r", pull.drive, self._summed(along.b, source))
+            total += np.sum(pull.state * along.C, axis=1) - pull.delay @ late
+            total += np.sum(pull.height * self._summed(along.d, source), axis=1)
+            total += np.sum(pull.rate * self._summed(along.f, source), axis=1)
+        if coherence is not None:
+            total += np.sum(2.0 * coherence * self._shared() * self._weights, axis=1)
+        return total
+
+
+def _summed_products(left: Complex, weights: Complex, right: Complex) -> Array:
+    """Real part of the sum over f of weights (r, f) times left (f, n) times right (f, r, m): shape (r, n, m)."""
+    total: Array = np.zeros((weights.shape[0], left.shape[1], right.shape[2]))
+    for first in range(0, len(left), _CHUNK):
+        part = slice(first, first + _CHUNK)
+        total += ((left[part].T * weights[:, None, part]) @ np.swapaxes(right[part], 0, 1)).real
+    return total
+
+
+def longest_delay(sources: Sequence[Source]) -> float:
+    """Longest delay (s) between wheels that one source drives."""
+    return max(source[-1].delay - source[0].delay for source in sources)
+
+
+Gain = Callable[[Array], Array]
+"""Magnitude (1) of a weighting at frequencies (Hz)."""
+_TRACK_STEP = 1e-4  # relative, of the difference that gives the slope of a coherence
+
+
+@dataclass(frozen=True)
+class Signal:
+    """A channel by its place among the outputs, and the weighting of its frequencies, if any."""
+
+    output: int
+    gain: Gain | None = None
+
+
+@dataclass(frozen=True)
+class Moments:
+    """Variances and static values of signals, SI, and their slopes.
+
+    Attributes
+    ----------
+    variances, rest : ndarray, shape (signals,)
+        Variance and static value.
+    variance_slopes, rest_slopes : ndarray, shape (numbers, signals)
+        Along each number of the family; none of them where no slopes were wanted.
+    absent : dict
+        Signals without a stationary variance, by place, with the reason.
+    model : Matrices
+        The linear model, all outputs.
+    slopes : tuple of Matrices
+        Its slopes.
+    """
+
+    variances: Array
+    rest: Array
+    variance_slopes: Array
+    rest_slopes: Array
+    absent: dict[int, str]
+    model: Matrices
+    slopes: tuple[Matrices, ...]
+
+
+@dataclass(frozen=True)
+class Analysis:
+    """Random vibration of one rig on one road.
+
+    Attributes
+    ----------
+    family : LinearFamily
+        The rig and the numbers that vary.
+    surface : Surface
+        Road and speed; a weighted signal needs one with a band.
+    signals : tuple of Signal
+        What is wanted.
+    """
+
+    family: LinearFamily
+    surface: Surface
+    signals: tuple[Signal, ...]
+
+    def at(self, values: Array | None = None, *, slopes: bool = True) -> Moments:
+        """Give variances at some values (SI) of the numbers, those of the rig by default."""
+        given = self.family.start if values is None else values
+        model, along = self.family.at(given, slopes=slopes)
+        rows = [signal.output for signal in self.signals]
+        chosen, moving = without_unreached(model.of_rows(rows), [part.of_rows(rows) for part in along])
+        if self.surface.band is None:
+            found = self._white(chosen, moving, given)
+        else:
+            found = self._banded(chosen, moving, given)
+        count = len(self.signals)
+        rest_slopes = np.array([part.rest for part in moving]).reshape(len(moving), count)
+        variance_slopes = np.array(found[1]).reshape(len(moving), count)
+        return Moments(found[0], chosen.rest, variance_slopes, rest_slopes, found[2], model, along)
+
+    def _sources(self, values: Array) -> tuple[Source, ...]:
+        delays = self.family.geometry_at(values)[:-1] / self.surface.speed
+        sides = [place.side for place in self.family.places]
+        return sources_of([float(delay) for delay in delays], sides, same=self.surface.sides == "same")
+
+    @cached_property
+    def _later(self) -> Array:
+        """Slopes of the delays, s, shape (numbers, wheels)."""
+        return np.asarray(self.family.geometry[1][:, :-1] / self.surface.speed)
+
+    def _white(
+        self, model: Matrices, along: Sequence[Matrices], values: Array
+    ) -> tuple[Array, list[Array], dict[int, str]]:
+        rate, intensity = self.surface.corner_rate, self.surface.intensity
+        whole = model if rate is None else with_cut_off(model, rate)
+        parts = along if rate is None else [cut_off_slope(part, rate) for part in along]
+        found = relative(whole)
+        covariance = Covariance(found, self._sources(values))
+        slopes = [
+            intensity * covariance.slopes(relative_slope(whole, found, part, size), later)
+            for part, later, size in zip(parts, self._later, _sizes(values), strict=True)
+        ]
+        return intensity * covariance.variances(), slopes, covariance.absent()
+
+    def _banded(
+        self, model: Matrices, along: Sequence[Matrices], values: Array
+    ) -> tuple[Array, list[Array], dict[int, str]]:
+        found, sources = relative(model), self._sources(values)
+        band = self._band(found, sources, float(self.family.geometry_at(values)[-1]))
+        variance = BandVariance(found, sources, band)
+        slopes = []
+        for i, part in enumerate(along):
+            wider = self._coherence_slope(band, i, values)
+            moving = relative_slope(model, found, part, _sizes(values)[i])
+            slopes.append(variance.slopes(moving, self._later[i], wider))
+        return variance.variances(), slopes, {}
+
+    def _band(self, model: Relative, sources: tuple[Source, ...], track: float) -> Band:
+        surface = self.surface
+        assert surface.band is not None
+        low, high = (n * surface.speed for n in surface.band)
+        frequency, weights = frequencies(low, high, model.A, longest_delay(sources))
+        n = frequency / surface.speed
+        gain = np.ones((len(self.signals), len(n)))
+        for row, signal in zip(gain, self.signals, strict=True):
+            if signal.gain is not None:
+                row[:] = np.abs(signal.gain(frequency)) ** 2
+        shared = surface.shared(n, track) if len(sources) == 2 else None
+        return Band(frequency, weights * surface.heights(n) / surface.speed, gain, shared)
+
+    def _coherence_slope(self, band: Band, number: int, values: Array) -> Array | None:
+        """Slope of the root of the coherence along a number that moves left and right apart."""
+        wider = float(self.family.geometry[1][number, -1])
+        if band.coherence is None or wider == 0.0:
+            return None
+        track = float(self.family.geometry_at(values)[-1])
+        n, step = band.frequency / self.surface.speed, _TRACK_STEP * track
+        sides = [self.surface.shared(n, track + sign * step) for sign in (1.0, -1.0)]
+        assert sides[0] is not None
+        assert sides[1] is not None
+        return np.asarray(wider * (sides[0] - sides[1]) / (2.0 * step))
+
+
+def _sizes(values: Array) -> list[float]:
+    """Size of each number, 1 (of its SI unit) for zero."""
+    return [abs(float(value)) or 1.0 for value in values]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -10,19 +10,79 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError, RecordingError, nearest, unknown
 from jounce.core.findings import Finding
+from jounce.core.text import aligned
 from jounce.core.units import to_si
 from jounce.parts import Rig
 from jounce.recordings.quality import check_time
 from jounce.recordings.schema import check_recording, is_channel
 from jounce.ride import comfort
-from jounce.ride.catalogue import CATALOGUE, Metric, Scope
-from jounce.ride.gaps import Given, by_corner, gaps_of
-from jounce.ride.printing import metrics_text
-from jounce.ride.views import USUAL_WEIGHTING, Choices, Corner, Motion, Point, carries_passengers
+from jounce.ride.catalogue import (
+    CATALOGUE,
+    USUAL_WEIGHTING,
+    Choices,
+    Corner,
+    Metric,
+    Motion,
+    Pair,
+    Point,
+    Scope,
+    carries_passengers,
+)
 from jounce.ride.weighting import STARTS, Start, weighting
 
 if TYPE_CHECKING:
     import xarray as xr
+
+
+Given = Any
+_STOPS = ("rebound_stop.gap", "bump_stop.gap")
+
+
+def by_corner(given: Given, corners: Sequence[str], where: str) -> dict[str, Pair]:
+    """Rebound and bump lengths (m) of every corner, from one value or pair for all, or a mapping by corner or axle."""
+    if given is None:
+        return {}
+    if not isinstance(given, Mapping):
+        pair = _pair(given, where)
+        return dict.fromkeys(corners, pair)
+    for key in given:
+        if not any(key in (corner, _axle(corner)) for corner in corners):
+            raise unknown(str(key), {*corners, *map(_axle, corners)} - {""}, what="corner", where=where)
+    found = {}
+    for corner in corners:
+        for key in (corner, _axle(corner)):
+            if key in given and corner not in found:
+                found[corner] = _pair(given[key], f"{where}: {key}")
+    return found
+
+
+def gaps_of(rig: Rig | None, corners: Sequence[str]) -> dict[str, Pair]:
+    """Gaps (m) of rebound and bump stop of every corner, as far as the rig or vehicle has stops."""
+    if rig is None:
+        return {}
+    numbers = rig.parameters()
+    return {corner: (_gap(numbers, corner, _STOPS[0]), _gap(numbers, corner, _STOPS[1])) for corner in corners}
+
+
+def _gap(numbers: Mapping[str, float], corner: str, stop: str) -> float | None:
+    paths = [path for path in numbers if path.endswith(stop)]
+    axle = _axle(corner)
+    own = [path for path in paths if not axle or path.startswith(f"{axle}.")]
+    return numbers[own[0]] if own else None
+
+
+def _axle(corner: str) -> str:
+    return corner.partition("_")[0]
+
+
+def _pair(given: Any, where: str) -> Pair:
+    if isinstance(given, (list, tuple)):
+        if len(given) != 2:
+            raise DescriptionError("not a pair", where=where, found=given, allowed="rebound and bump, e.g. 0.06, 0.08")
+        rebound, bump = (None if value is None else to_si(value, "m", where=where) for value in given)
+        return rebound, bump
+    return None, to_si(given, "m", where=where)
+
 
 _AXES = {"ax": "x", "ay": "y", "az": "z"}
 _TURNS = {"roll_acceleration": "roll", "pitch_acceleration": "pitch", "yaw_acceleration": "yaw"}
@@ -383,3 +443,46 @@ def _advice(place: str, motion: Motion) -> tuple[Finding, ...]:
         return comfort.advice(motion.weighted(), motion.rate, place=place)
     except RecordingError:
         return ()
+
+
+_KINDS = (("motion", "comfort"), ("rotation",), ("corner",))
+
+
+def metrics_text(found: RideMetrics) -> str:
+    """Tables of all values (SI) by place, totals in words, what is absent, findings."""
+    left_out = f" ({found.settling:g} s left out)" if found.settling else ""
+    lines = [f"Ride metrics of {found.duration:g} s at {found.sample_rate:g} Hz{left_out}"]
+    scope = {row.name: row.scope for row in CATALOGUE}
+    for kind in _KINDS:
+        lines += _table([item for item in found.values if scope[item.metric] in kind])
+    for item in found.values:
+        if scope[item.metric] == "point":
+            lines.append(f"{item.metric} {item.place}: {item.value:.4g} {item.unit}, {found.comfort[item.place]}")
+    lines += _absences(found.absent)
+    return "\n".join([*lines, *map(str, found.findings)])
+
+
+def _table(values: Sequence[MetricValue]) -> list[str]:
+    """Metrics below each other, places beside each other."""
+    places = list(dict.fromkeys(item.place for item in values))
+    cells = {(item.metric, item.place): f"{item.value:.4g}" for item in values}
+    names = {item.metric: item.unit for item in values}
+    rows = [["", "", *places]] if any(places) else []
+    rows += [[name, unit, *(cells.get((name, place), "–") for place in places)] for name, unit in names.items()]
+    return aligned(rows, left=2)
+
+
+def _absences(absent: Iterable[AbsentMetric]) -> list[str]:
+    """One line a reason, with all metrics that it concerns; where only some places lack them, those places."""
+    names: dict[tuple[str, tuple[str, ...]], list[str]] = {}
+    places: dict[tuple[str, str], list[str]] = {}
+    for item in absent:
+        reason = item.reason.replace(f"channel {item.place}.", "channel ") if item.place else item.reason
+        places.setdefault((item.metric, reason), []).append(item.place)
+    for (metric, reason), corners in places.items():
+        names.setdefault((reason, tuple(corners)), []).append(metric)
+    lines = []
+    for (reason, where), metrics in names.items():
+        there = f" ({', '.join(where)})" if any(where) else ""
+        lines.append(f"absent: {', '.join(metrics)}{there}: {reason}")
+    return lines

@@ -14,9 +14,8 @@ from jounce.core.findings import Finding
 from jounce.core.serialise import to_plain
 from jounce.parts import Rig
 from jounce.recordings.schema import channels_of, is_channel
-from jounce.ride.covariance import KICKED, WANDERS
+from jounce.ride.covariance import KICKED, WANDERS, Analysis, Gain, Moments, Signal
 from jounce.ride.family import LinearFamily
-from jounce.ride.moments import Analysis, Gain, Moments, Signal
 from jounce.ride.surface import Density, Sides, Surface, surface
 
 _ABSENT = {

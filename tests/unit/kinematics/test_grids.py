@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from jounce.core.errors import DescriptionError
-from jounce.kinematics.grids import grid, sweep_values
+from jounce.kinematics.sweeps import grid, sweep_values
 
 
 @pytest.mark.parametrize(

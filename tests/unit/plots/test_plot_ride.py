@@ -7,7 +7,7 @@ import pytest
 
 import jounce as jn
 from jounce.plots.labels import Layout
-from jounce.ride.comparison import RideStudy
+from jounce.ride.study import RideStudy
 
 
 @pytest.fixture(scope="module")

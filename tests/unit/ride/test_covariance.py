@@ -7,10 +7,8 @@ import pytest
 from scipy.linalg import expm, expm_frechet, solve_continuous_lyapunov
 
 from jounce.core.errors import SimulationError
-from jounce.ride.band import Inverse, frequencies
-from jounce.ride.covariance import Flow, Schur, check_stable, sources_of
-from jounce.ride.deflation import without_unreached
-from jounce.ride.family import Matrices
+from jounce.ride.covariance import Flow, Inverse, Schur, check_stable, frequencies, sources_of
+from jounce.ride.family import Matrices, without_unreached
 
 RNG = np.random.default_rng(5)
 STABLE = RNG.normal(size=(6, 6)) - 4.0 * np.eye(6)
