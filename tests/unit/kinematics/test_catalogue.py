@@ -66,6 +66,20 @@ def test_bushings_count_as_ideal_joints() -> None:
     assert found["steer"].to_numpy() == pytest.approx(rigid["steer"].to_numpy(), abs=1e-13)
 
 
+def test_swing_arms_reach_from_the_contact_point_to_the_instant_centres() -> None:
+    found = jn.sweep_travel(jn.load("reference-double-wishbone"), [-0.02, 0.0, 0.02])
+    inboard = found["contact_point_y"] - found["instant_centre_y"]
+    ahead = found["side_instant_centre_x"] - found["contact_point_x"]
+    assert found["front_view_swing_arm_length"].values == pytest.approx(inboard.values, rel=1e-12)
+    assert found["side_view_swing_arm_length"].values == pytest.approx(ahead.values, rel=1e-12)
+    assert (inboard > 0.0).all()
+
+
+def test_the_swing_arm_of_a_trailing_arm_is_positive() -> None:
+    arm = jn.sweep_travel(jn.load("semi-trailing-arm"), 0.0)  # its pivot lies ahead of the wheel
+    assert float(arm["side_view_swing_arm_length"][0]) > 0.0
+
+
 def test_the_documentation_lists_the_catalogue() -> None:
     """Name, unit, words, sign and clause of every row, in its order."""
     page = (Path(__file__).parents[3] / "docs" / "kinematics.md").read_text(encoding="utf-8")

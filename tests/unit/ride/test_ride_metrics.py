@@ -129,7 +129,7 @@ def test_corners_are_found_by_their_names() -> None:
     assert found.value("travel_peak_to_peak", here) == pytest.approx(0.04)
     assert found.value("travel_utilisation", here) == pytest.approx(0.5)
     assert found.value("travel_utilisation_rms", here) == pytest.approx(0.2 * np.sqrt(0.5), rel=1e-9)
-    assert found.value("travel_use_peak_to_peak", here) == pytest.approx(0.4)
+    assert found.value("travel_utilisation_peak_to_peak", here) == pytest.approx(0.4)
     assert found.value("bump_stop_hits", here) == 200.0
     share = (np.pi - 2.0 * np.arcsin(0.75)) / (2.0 * np.pi)
     assert found.value("bump_stop_time", here) == pytest.approx(share, abs=6e-3)  # 200 samples a period
@@ -145,7 +145,7 @@ def test_corners_are_found_by_their_names() -> None:
 def test_travel_up_to_the_stops() -> None:
     found = ride_metrics(corner_run(), stop_gap=(0.01, 0.09))
     assert found.value("travel_utilisation", "front_left") == pytest.approx(0.5)  # 20 mm of 90 - 50 mm
-    assert found.value("travel_use_peak_to_peak", "front_left") == pytest.approx(0.4)
+    assert found.value("travel_utilisation_peak_to_peak", "front_left") == pytest.approx(0.4)
 
 
 def test_a_damper_force_counts_before_that_of_the_strut() -> None:
