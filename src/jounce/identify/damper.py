@@ -21,24 +21,11 @@ VelocityFrom = Literal["recorded", "displacement"]
 
 @dataclass(frozen=True)
 class DamperMotion:
-    """Displacement, velocity and force of a damper while it moves.
+    """Displacement, velocity and force of a damper while it moves, compression positive.
 
-    Attributes
-    ----------
-    time : array (n,)
-        [s].
-    displacement : array (n,)
-        From the middle of the stroke, compression positive [m].
-    velocity : array (n,)
-        Rate of the displacement [m/s].
-    force : array (n,)
-        Positive where it resists compression [N].
-    centre : float
-        Middle of the stroke in the record [m].
-    cycles : float
-        Number of cycles [1].
-    velocity_resolution : float
-        Smallest difference between two recorded velocities [m/s]; 0 when it is not quantised.
+    ``displacement`` (m) counts from ``centre`` (m), the middle of the stroke in the record; ``force`` (N) is positive
+    where it resists compression. ``velocity_resolution`` is the smallest difference between two recorded velocities
+    (m/s), 0 where they are not quantised.
     """
 
     time: Array
@@ -69,25 +56,10 @@ def read_motion(
     velocity_from: VelocityFrom = "recorded",
     name: str = "damper",
 ) -> tuple[DamperMotion, list[Finding]]:
-    """Check a damper record and cut off the rest at both ends.
+    """Check a damper record (m, m/s, N, s; compression positive) and cut off the rest at both ends.
 
-    Parameters
-    ----------
-    displacement, force, time : array (n,)
-        [m], [N], [s]; compression positive. A force that feeds energy in is turned round, with a finding.
-    velocity : array (n,) or None
-        [m/s]; None: the derivative of the displacement is used.
-    velocity_from : {"recorded", "displacement"}
-        ``"displacement"``: use the central difference of the displacement though a velocity was recorded.
-    name : str
-        File or channel, used in messages.
-
-    Returns
-    -------
-    DamperMotion
-        The moving part.
-    findings : list of Finding
-        Doubts about the record.
+    Without a velocity, or with ``velocity_from="displacement"``, the central difference of the displacement is used. A
+    force that feeds energy into the motion is reversed, with a finding.
 
     Raises
     ------
@@ -201,27 +173,11 @@ LAWS = ("linear", "bilinear", "polynomial", "tanh-hysteretic", "bouc-wen")
 class DamperLaw:
     """A force law F = sum of weights * columns(displacement, velocity, shapes).
 
-    Attributes
-    ----------
-    name : str
-        One of :data:`LAWS`.
-    weights : tuple of (str, str)
-        Names and units of the factors of the columns.
-    shapes : tuple of (str, str)
-        Names and units of the parameters that change the columns; all but ``displacement_coupling`` are searched
-        logarithmically.
-    columns : callable
-        ``(displacement (n,) [m], velocity (n,) [m/s], shapes (s,)) -> (n, w)``.
-    starts : array (m, s)
-        Shapes to start the search from.
-    bounds : (array (s,), array (s,))
-        Smallest and largest shapes.
-    not_negative : tuple of str
-        Weights that cannot be negative.
-    remembers : bool
-        Whether the force depends on the way before, so that the first swing only sets the state.
-    table : callable
-        Parameters by name -> damper table as written in a rig file.
+    ``weights`` and ``shapes`` hold names and units of the factors of the columns and of the parameters that change the
+    columns; shapes other than ``displacement_coupling`` are searched logarithmically, from ``starts`` (one row each)
+    and within ``bounds``. Weights in ``not_negative`` cannot be negative. A law that ``remembers`` has a force that
+    depends on the path so far, so the first swing only sets its state. ``table`` makes the damper table of a rig file
+    from the parameters by name.
     """
 
     name: str
@@ -242,32 +198,16 @@ _UNBOUND = (np.zeros(0), np.zeros(0))
 def damper_law(
     name: str, motion: DamperMotion, *, degree: int = 3, odd: bool = False, friction: bool = False
 ) -> DamperLaw:
-    """Make a law ready for a motion.
+    """Make a law for a motion, which sets its scales: start values, range of the table, friction regularisation.
 
-    Parameters
-    ----------
-    name : {"linear", "bilinear", "polynomial", "tanh-hysteretic", "bouc-wen"}
-        Which law.
-    motion : DamperMotion
-        Sets scales: start values, range of the table, velocity at which dry friction is regularised.
-    degree : int
-        Degree of the polynomial [1], 1 to 9.
-    odd : bool
-        Polynomial with odd powers only.
-    friction : bool
-        Linear, bilinear and polynomial laws: add dry friction F_c tanh(v / v_r).
-
-    Returns
-    -------
-    DamperLaw
-        Parameters in SI.
+    ``friction`` adds dry friction F_c tanh(v / v_r) to linear, bilinear and polynomial laws.
 
     Raises
     ------
     DescriptionError
         An unknown law.
     FitError
-        A degree out of range, or friction asked of a law that has it already.
+        A degree out of range, or friction for a law that has it already.
     """
     if name not in LAWS:
         raise unknown(str(name), LAWS, what="damper law")
@@ -690,18 +630,9 @@ _VELOCITY_LAWS = ("linear", "bilinear", "polynomial")
 
 
 def hysteresis_share(motion: DamperMotion) -> float:
-    """Tell how far the force at one velocity depends on whether the speed is rising or falling.
+    """How far the force at one velocity depends on whether the velocity rises or falls.
 
-    Parameters
-    ----------
-    motion : DamperMotion
-        The record.
-
-    Returns
-    -------
-    float
-        Root mean square of the difference between rising and falling velocity over bins, by the range of the force [1];
-        0 for any F(v).
+    R.m.s. difference between both over velocity bins, relative to the range of the force [1]; 0 for any F(v).
     """
     rising = np.gradient(motion.velocity, motion.time) > 0.0
     edges = np.linspace(-0.9, 0.9, 22) * motion.peak_velocity

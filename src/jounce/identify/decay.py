@@ -63,22 +63,10 @@ class DecayParameters:
 
 
 def turning_points(parameters: DecayParameters, count: int) -> Array:
-    """Give the displacement from equilibrium at successive turning points.
+    """Displacement from equilibrium at successive turning points (m, signed), the release first.
 
-    Parameters
-    ----------
-    parameters : DecayParameters
-        The system and its release.
-    count : int
-        Largest number of half cycles followed.
+    It ends where the mass sticks, or after ``count`` half cycles.
 
-    Returns
-    -------
-    array (n,)
-        Signed values [m], the release first; it ends where the mass sticks or after ``count`` half cycles.
-
-    Examples
-    --------
     >>> k, m, c, friction = 18362.0, 16.0, 120.0, 15.0
     >>> system = DecayParameters((k / m) ** 0.5, c / (2 * (k * m) ** 0.5), friction / k, 0.0, 0.0, 0.020)
     >>> (1e3 * turning_points(system, 20)).round(4).tolist()
@@ -105,21 +93,9 @@ def alternating(away: Array) -> Array:
 
 
 def decay_response(time: Array, parameters: DecayParameters, quantity: Quantity) -> Array:
-    """Give the decay at given times.
+    """Decay at given times (s): displacement (m, offset included), velocity (m/s) or acceleration (m/s^2).
 
-    Parameters
-    ----------
-    time : array (n,)
-        Times [s]. Before ``release_time`` the mass is held at the release.
-    parameters : DecayParameters
-        The system and its release.
-    quantity : {"displacement", "velocity", "acceleration"}
-        What is returned: m (absolute, offset included), m/s or m/s^2.
-
-    Returns
-    -------
-    array (n,)
-        The response; constant displacement and zero motion once the mass sticks.
+    Before ``release_time`` the mass is held at the release; once it sticks, it stays where it is.
     """
     omega, ratio = parameters.angular_frequency, parameters.damping_ratio
     root = math.sqrt(1.0 - ratio * ratio)
@@ -147,32 +123,25 @@ def decay_response(time: Array, parameters: DecayParameters, quantity: Quantity)
 
 @dataclass(frozen=True)
 class Peaks:
-    """Successive turning points of a signal.
+    """Successive turning points: when (s) and the signal there, maxima and minima alternating.
 
-    Attributes
-    ----------
-    time : array (n,)
-        When they occur [s], the first being the largest excursion.
-    value : array (n,)
-        Signal there, maxima and minima alternating, unit of the signal.
+    The first one is the largest excursion, the release.
     """
 
     time: Array
     value: Array
 
     def half_period(self) -> float:
-        """Give the time from one turning point to the next [s]; the release is not one of them."""
+        """Time from one turning point to the next [s]; the release is not one of them."""
         gaps = np.diff(self.time)[1:]
         return float(np.average(gaps, weights=np.abs(np.diff(self.value))[1:]))
 
 
 def noise_of(signal: Array) -> float:
-    """Give the standard deviation of the white noise in a smooth signal, unit of the signal.
+    """Standard deviation of the white noise in a smooth signal, unit of the signal.
 
     Third differences remove the motion; their median absolute value is not disturbed by single jumps.
 
-    Examples
-    --------
     >>> noise_of(np.sin(np.linspace(0.0, 6.0, 2000))) < 1e-6
     True
     """
@@ -180,20 +149,10 @@ def noise_of(signal: Array) -> float:
 
 
 def find_release(signal: Array, noise: float) -> int:
-    """Give the index at which the largest excursion is left: the end of a hold, or just past the first peak.
+    """Index at which the largest excursion is left: the end of a hold, or just past the first peak.
 
-    Parameters
-    ----------
-    signal : array (n,)
-        The record, any unit.
-    noise : float
-        Standard deviation of its noise, same unit.
-
-    Returns
-    -------
-    int
-        Index of the last sample within 2 % of the largest excursion from the final value (more when the noise is
-        larger) before the signal falls below 70 % of it.
+    It is the last sample within 2 % of the largest excursion from the final value (more where the noise is larger)
+    before the signal falls below 70 % of it.
     """
     tail = float(np.median(signal[-max(5, len(signal) // 10) :]))
     away = np.abs(_smooth(signal, noise) - tail)
@@ -220,26 +179,9 @@ def _averaged(signal: Array, width: int) -> Array:
 
 
 def find_peaks(time: Array, signal: Array, noise: float) -> Peaks:
-    """Find the turning points of a decaying oscillation, both polarities, refined between samples by a parabola.
+    """Find the turning points of a decay from its release on, both polarities, refined between samples by a parabola.
 
-    Parameters
-    ----------
-    time : array (n,)
-        Times from the release on [s].
-    signal : array (n,)
-        The record from the release on, any unit.
-    noise : float
-        Standard deviation of its noise, same unit. Reversals within the noise are not counted.
-
-    Returns
-    -------
-    Peaks
-        The release (first sample) and every following turning point.
-
-    Raises
-    ------
-    FitError
-        When the signal does not turn after the release: no oscillation to work on.
+    Reversals within the noise do not count. A signal that does not turn after the release is refused.
     """
     reach = float(np.ptp(signal))
     coarse = zigzag(_smooth(signal, noise), max(12.0 * noise, 0.03 * reach))
@@ -270,17 +212,8 @@ def _half_period(time: Array, turns: list[int]) -> float:
 
 
 def zigzag(signal: Array, threshold: float) -> list[int]:
-    """Give the indices of the first sample and of turning points.
+    """Indices of the first sample and of the turning points that the signal leaves by more than ``threshold``.
 
-    Parameters
-    ----------
-    signal : array (n,)
-        Any unit.
-    threshold : float
-        A turning point counts when the signal comes back from it by more than this, unit of the signal.
-
-    Examples
-    --------
     >>> zigzag(np.array([0.0, 3.0, 2.9, 3.1, 0.0, 1.0]), 0.5)
     [0, 3, 4]
     """
@@ -313,16 +246,9 @@ def _parabola(time: Array, signal: Array, smooth: Array, index: int, half: float
 
 @dataclass(frozen=True)
 class PeakRegression:
-    """Viscous and dry damping from turning points.
+    """Damping ratio [1], friction deflection F_c / k and equilibrium (unit of the signal) from turning points.
 
-    Attributes
-    ----------
-    damping_ratio : float
-        [1].
-    friction_deflection : float
-        F_c / k, unit of the signal; negative when the peaks fall more slowly than any friction would allow.
-    equilibrium : float
-        Where the oscillation is centred, unit of the signal.
+    The friction is negative when the peaks fall more slowly than any friction would allow.
     """
 
     damping_ratio: float
@@ -331,10 +257,8 @@ class PeakRegression:
 
 
 def ratio_from_decrement(decrement: float) -> float:
-    """Give the damping ratio [1] that belongs to a logarithmic decrement per full cycle [1].
+    """Damping ratio [1] that belongs to a logarithmic decrement per full cycle [1].
 
-    Examples
-    --------
     >>> round(ratio_from_decrement(0.631484), 6)
     0.1
     """
@@ -346,20 +270,9 @@ def regress_peaks(peaks: Peaks) -> PeakRegression:
 
     The swings D_i between neighbouring turning points obey |D_(i+1)| = q |D_i| - 2 x_k (1 + q) whatever the equilibrium
     is; this gives q and the equilibrium. The amplitudes X_i about it then obey X_(i+1) = q X_i - x_k (1 + q), which is
-    fitted using only turning points on alternating sides (a mass about to stick turns twice on the same side).
+    fitted using only turning points on alternating sides (a mass about to stick turns twice on the same side). Three
+    turning points, the least there are, leave no room for friction.
 
-    Parameters
-    ----------
-    peaks : Peaks
-        At least three turning points.
-
-    Returns
-    -------
-    PeakRegression
-        From three turning points alone the friction is taken as zero.
-
-    Examples
-    --------
     >>> x = np.array([20.0, -12.702389, 7.559395, -3.934868, 1.380481, 0.419723])
     >>> found = regress_peaks(Peaks(np.arange(6.0), x + 5.0))
     >>> [round(value, 4) for value in (found.damping_ratio, found.friction_deflection, found.equilibrium)]
@@ -502,27 +415,7 @@ def search_decay(
 ) -> tuple[DecayParameters, Uncertainty, Array]:
     """Fit the response; leave the rest out when the mass does not rest where sliding friction would have stopped it.
 
-    Parameters
-    ----------
-    t, signal : array (n,)
-        Times [s] from the release on, and the record, unit of ``quantity``.
-    peaks : Peaks
-        Its turning points.
-    quantity : {"displacement", "velocity", "acceleration"}
-        What the record holds.
-    name : str
-        Place of findings.
-    findings : list of Finding
-        Extended when the rest was left out.
-
-    Returns
-    -------
-    parameters : DecayParameters
-        The best fit.
-    spread : Uncertainty
-        In the order of ``DecayParameters``.
-    residual : array (n,)
-        Measured minus fitted; NaN where the record was left out.
+    Gives the best parameters, their uncertainty, and measured minus fitted: NaN where the record was left out.
     """
     early = t <= _early_end(peaks)  # far from sticking the misfit has one minimum; each way of sticking has its own
     starts = [_fit(t[early], signal[early], _starts(peaks, quantity), quantity)[0]]
@@ -864,25 +757,10 @@ class CombinedDecay:
 
 
 def combine_decays(results: Sequence[DecayResult]) -> CombinedDecay:
-    """Combine several decays of the same system into one estimate per quantity.
+    """Combine several decays of the same system into one estimate per quantity; one run is passed on unchanged.
 
     Runs are weighted by their own variance plus the variance between runs (DerSimonian and Laird); the interval is that
     of Hartung and Knapp with (runs - 1) degrees of freedom, never narrower than the runs' own errors allow.
-
-    Parameters
-    ----------
-    results : sequence of DecayResult
-        At least one.
-
-    Returns
-    -------
-    CombinedDecay
-        One run is passed on unchanged.
-
-    Raises
-    ------
-    FitError
-        For no results.
     """
     if not results:
         raise FitError("no decays to combine", allowed="at least one")

@@ -35,22 +35,8 @@ class Estimate:
 
 
 def student_factor(degrees_of_freedom: float, *, level: float = 0.95) -> float:
-    """Give the two-sided Student t factor.
+    """Two-sided Student t factor: half width of an interval in standard errors [1].
 
-    Parameters
-    ----------
-    degrees_of_freedom : float
-        Number of independent residuals [1], at least 1; infinity gives the normal distribution.
-    level : float
-        Probability inside the interval [1].
-
-    Returns
-    -------
-    float
-        Half width of the interval in standard errors [1].
-
-    Examples
-    --------
     >>> round(student_factor(2), 3), round(student_factor(float("inf")), 3)
     (4.303, 1.96)
     """
@@ -61,24 +47,10 @@ def student_factor(degrees_of_freedom: float, *, level: float = 0.95) -> float:
 
 
 def estimate(value: float, standard_error: float | None, degrees_of_freedom: float = math.inf) -> Estimate:
-    """Make an estimate with its 95 % Student interval.
+    """Make an estimate with its 95 % Student interval, symmetric about ``value``.
 
-    Parameters
-    ----------
-    value : float
-        The estimate, SI.
-    standard_error : float or None
-        Its standard deviation, same unit. None, NaN or infinity: the result carries no interval.
-    degrees_of_freedom : float
-        Independent residuals behind the standard error [1]; below 1 the result carries no interval.
+    Without a finite standard error, or with less than one degree of freedom, it has no interval.
 
-    Returns
-    -------
-    Estimate
-        Symmetric about ``value``.
-
-    Examples
-    --------
     >>> tuple(round(end, 3) for end in estimate(10.0, 1.0, 2).interval)
     (5.697, 14.303)
     """
@@ -91,8 +63,6 @@ def estimate(value: float, standard_error: float | None, degrees_of_freedom: flo
 def at_least_zero(found: Estimate) -> Estimate:
     """Cut value and interval of a quantity that cannot be negative at zero; the standard error stays.
 
-    Examples
-    --------
     >>> at_least_zero(Estimate(-1.0, 1.0, (-3.0, 1.0)))
     Estimate(value=0.0, standard_error=1.0, interval=(0.0, 1.0))
     """
@@ -103,21 +73,9 @@ def at_least_zero(found: Estimate) -> Estimate:
 def mean_of_replicates(values: list[float], *, value: float | None = None) -> Estimate:
     """Estimate a quantity from repeated trials, the trials being the independent replicates.
 
-    Parameters
-    ----------
-    values : list of float
-        One value per trial, SI.
-    value : float or None
-        What to report instead of the mean, e.g. the value of a fit through all points together.
+    ``value`` replaces the mean where another one is to be reported, e.g. that of a fit through all points together. The
+    standard error is the standard deviation between trials over the root of their number; one trial gives no interval.
 
-    Returns
-    -------
-    Estimate
-        Standard error = standard deviation between trials / sqrt(number of trials), Student interval with
-        (number - 1) degrees of freedom; no interval for a single trial.
-
-    Examples
-    --------
     >>> round(mean_of_replicates([1.0, 2.0, 3.0]).standard_error, 4)
     0.5774
     """
@@ -132,18 +90,8 @@ def mean_of_replicates(values: list[float], *, value: float | None = None) -> Es
 def combine(estimates: Sequence[Estimate]) -> Estimate:
     """Combine independent estimates of one quantity (random effects).
 
-    Parameters
-    ----------
-    estimates : sequence of Estimate
-        All in the same unit.
+    Weighted mean; without a standard error on every entry the plain mean and the scatter between entries.
 
-    Returns
-    -------
-    Estimate
-        Weighted mean; without a standard error on every entry the plain mean and the scatter between entries.
-
-    Examples
-    --------
     >>> combine([Estimate(1.0, 0.1), Estimate(3.0, 0.1)]).value
     2.0
     """
@@ -168,14 +116,9 @@ def combine(estimates: Sequence[Estimate]) -> Estimate:
 class Uncertainty:
     """How well a least-squares fit knows its parameters.
 
-    Attributes
-    ----------
-    covariance : array (p, p)
-        Covariance of the parameters, products of their units.
-    degrees_of_freedom : float
-        Effective number of independent residuals less the number of parameters, at least 1 [1].
-    correlation_time : float
-        Samples that carry the information of one independent sample [1]; 1 for white residuals.
+    ``covariance`` is that of the parameters (products of their units), ``degrees_of_freedom`` the effective number of
+    independent residuals less the number of parameters, at least 1, and ``correlation_time`` the number of samples that
+    carry the information of one independent sample, 1 for white residuals.
     """
 
     covariance: Array
@@ -183,12 +126,12 @@ class Uncertainty:
     correlation_time: float
 
     def estimates(self, values: Array) -> tuple[Estimate, ...]:
-        """Give one estimate per parameter."""
+        """One estimate per parameter."""
         errors = np.sqrt(np.maximum(np.diag(self.covariance), 0.0))
         return tuple(estimate(float(v), float(e), self.degrees_of_freedom) for v, e in zip(values, errors, strict=True))
 
     def derived(self, value: float, gradient: Array) -> Estimate:
-        """Give the estimate of a quantity computed from the parameters (first-order propagation)."""
+        """Estimate of a quantity computed from the parameters (first-order propagation)."""
         if not np.all(np.isfinite(self.covariance)):
             return Estimate(value)
         variance = float(gradient @ self.covariance @ gradient)
@@ -196,18 +139,7 @@ class Uncertainty:
 
 
 def correlation_time(residual: Array) -> float:
-    """Give the number of samples per independent residual (integrated autocorrelation, initial positive sequence).
-
-    Parameters
-    ----------
-    residual : array (n,)
-        Residuals in the order they were measured, any unit.
-
-    Returns
-    -------
-    float
-        1 for white residuals, larger for correlated ones [1].
-    """
+    """Samples per independent residual [1] (integrated autocorrelation, initial positive sequence), 1 if white."""
     count = len(residual)
     centred = residual - residual.mean()
     variance = float(centred @ centred)
@@ -225,22 +157,10 @@ def correlation_time(residual: Array) -> float:
 
 
 def uncertainty(jacobian: Array, residual: Array) -> Uncertainty:
-    """Give the parameter covariance of a least-squares fit, allowing for autocorrelated residuals.
+    """Parameter covariance of a least-squares fit, allowing for autocorrelated residuals.
 
-    White residuals give the classical covariance. Otherwise a Newey-West estimate on prewhitened scores is
-    used, never below the classical one parameter by parameter.
-
-    Parameters
-    ----------
-    jacobian : array (n, p)
-        Derivative of the model with respect to the parameters at the solution, model unit / parameter unit.
-    residual : array (n,)
-        Measured minus model, in the order of measurement, model unit.
-
-    Returns
-    -------
-    Uncertainty
-        Infinite variances where the data do not determine a parameter.
+    White residuals give the classical covariance. Otherwise a Newey-West estimate on prewhitened scores is used, never
+    below the classical one parameter by parameter. Variances are infinite where the data do not determine a parameter.
 
     References
     ----------
@@ -286,24 +206,7 @@ def _not_below(covariance: Array, floor: Array) -> Array:
 
 
 def linear_least_squares(regressors: Array, target: Array) -> tuple[Array, Array, Uncertainty]:
-    """Fit ``target = regressors @ coefficients``.
-
-    Parameters
-    ----------
-    regressors : array (n, p)
-        One column per coefficient.
-    target : array (n,)
-        Measured values.
-
-    Returns
-    -------
-    coefficients : array (p,)
-        Target unit / regressor unit.
-    residual : array (n,)
-        Measured minus fitted.
-    uncertainty : Uncertainty
-        See :func:`uncertainty`.
-    """
+    """Fit ``target = regressors @ coefficients``; give the coefficients, measured minus fitted, and the uncertainty."""
     scale = np.linalg.norm(regressors, axis=0)
     scale = np.where(scale > 0.0, scale, 1.0)
     coefficients = np.linalg.lstsq(regressors / scale, target, rcond=None)[0] / scale
@@ -312,7 +215,7 @@ def linear_least_squares(regressors: Array, target: Array) -> tuple[Array, Array
 
 
 def r_squared(measured: Array, residual: Array) -> float:
-    """Give the share of the variance explained [1]; 0 when the measured values do not vary."""
+    """Share of the variance explained [1]; 0 when the measured values do not vary."""
     spread = measured - measured.mean()
     total = float(spread @ spread)
     return 1.0 - float(residual @ residual) / total if total > 0.0 else 0.0

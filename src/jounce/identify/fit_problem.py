@@ -214,19 +214,8 @@ class UpdateProblem:
 def readings(trial: FitTrial, *, lag: float = 0.0, tolerance: float = 1e-6) -> dict[str, tuple[Array, Array, Array]]:
     """Simulate a trial with its rig's own values and read it through its sensors.
 
-    Parameters
-    ----------
-    trial : FitTrial
-        The trial and its recording.
-    lag : float
-        Lag of the recording behind the simulation, s.
-    tolerance : float
-        Relative error of the simulated displacements.
-
-    Returns
-    -------
-    dict
-        Channel to (time in s, measured, simulated), in the channel's SI unit.
+    Gives channel to (time in s, measured, simulated), in the channel's SI unit; ``lag`` (s) is that of the recording
+    behind the simulation.
     """
     problem = UpdateProblem(
         [trial], (), channels=None, weights="printed", align=True, lag_bound=1.0, tolerance=tolerance
@@ -334,13 +323,7 @@ Bounds = str | float | Sequence[str | float]
 
 
 def free_parameters(rig: Rig, free: Mapping[str, Bounds], *, where: str = "") -> tuple[Free, ...]:
-    """Read the free parameters and their bounds against a rig's values, SI.
-
-    Raises
-    ------
-    DescriptionError, FitError
-        For an unknown path, bounds that cannot be understood, or bounds that exclude the start value.
-    """
+    """Read the free parameters and their bounds against a rig's values, SI; bounds must not exclude the start."""
     check_free(rig, free, where=where)
     values = rig.parameters()
     found = []

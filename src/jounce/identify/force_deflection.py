@@ -40,13 +40,7 @@ class ForceDeflectionTrial:
     name: str = "trial"
 
     def arrays(self) -> tuple[Array, Array]:
-        """Give deflection [m] and force [N] as float arrays of shape (n,) after checking them.
-
-        Raises
-        ------
-        FitError
-            For unequal lengths, fewer than three points, NaN, or a deflection that never changes.
-        """
+        """Deflection [m] and force [N] as float arrays of shape (n,), checked."""
         deflection, force = np.asarray(self.deflection, float), np.asarray(self.force, float)
         if deflection.ndim != 1 or deflection.shape != force.shape:
             raise FitError(
@@ -79,16 +73,8 @@ class ForceDeflectionTrial:
 class SeatedTrial:
     """A trial with compression positive and its zero at first contact.
 
-    Attributes
-    ----------
-    name : str
-        Name of the trial.
-    deflection, force : array (n,)
-        From first contact on [m], [N].
-    turn : int
-        Index of the largest deflection: the loading branch ends and the unloading branch begins there.
-    zero : tuple of float
-        What was subtracted: deflection [m] and force [N].
+    The loading branch ends and the unloading branch begins at index ``turn``, the largest deflection; ``zero`` is what
+    was subtracted from deflection [m] and force [N].
     """
 
     name: str
@@ -98,7 +84,7 @@ class SeatedTrial:
     zero: tuple[float, float]
 
     def branch(self, which: Branch) -> tuple[Array, Array]:
-        """Give deflection [m] and force [N] of the loading, the unloading or both branches, as measured in time."""
+        """Deflection [m] and force [N] of the loading, the unloading or both branches, as measured in time."""
         back = int(np.flatnonzero(self.deflection == self.deflection[self.turn])[-1])
         part = {"loading": slice(0, self.turn + 1), "unloading": slice(back, None), "both": slice(None)}[which]
         return self.deflection[part], self.force[part]
@@ -109,28 +95,14 @@ class SeatedTrial:
 
 
 def seat(trial: ForceDeflectionTrial, *, zero: Zero) -> tuple[SeatedTrial, list[Finding]]:
-    """Turn a trial to compression positive and put its zero at first contact.
+    """Make compression positive and put the zero of a trial at first contact, with findings that say what was changed.
 
-    A record whose deflection goes negative is turned round; so is a force that falls while the deflection grows.
-    With ``zero="first-contact"`` a leading stretch of free travel (at least eight points over more than 3 % of the
-    stroke, whose slope is surely below a tenth of the mean stiffness) is cut off: its mean force is the zero
-    of the force, and the zero of the deflection is where the line through the first points after it meets that force.
-    Without free travel the first deflection becomes zero if the trial starts there unloaded (force below 2 % of the
-    largest); a trial that starts already loaded is left as it is, with a finding.
-
-    Parameters
-    ----------
-    trial : ForceDeflectionTrial
-        Deflection [m] and force [N] as recorded.
-    zero : {"first-contact", "none"}
-        ``"none"`` takes deflection and force as they are (but for the sign).
-
-    Returns
-    -------
-    SeatedTrial
-        Compression positive.
-    findings : list of Finding
-        What was changed.
+    A record whose deflection goes negative is reversed; so is a force that falls while the deflection grows. With
+    ``zero="first-contact"`` a leading stretch of free travel (at least eight points over more than 3 % of the stroke,
+    whose slope is surely below a tenth of the mean stiffness) is cut off: its mean force is the zero of the force, and
+    the zero of the deflection is where the line through the first points after it meets that force. Without free travel
+    the first deflection becomes zero if the trial starts there unloaded (force below 2 % of the largest); a trial that
+    starts already loaded is left as it is. ``zero="none"`` only settles the signs.
     """
     deflection, force = trial.arrays()
     findings: list[Finding] = []
@@ -246,19 +218,10 @@ def _report_non_monotone(trial: SeatedTrial, findings: list[Finding]) -> None:
 
 
 def hysteresis(trial: SeatedTrial) -> tuple[float | None, float | None]:
-    """Give the energy lost in a load cycle and the loss factor.
+    """Energy lost in a load cycle [J] and loss factor [1]; None without an unloading branch.
 
-    Parameters
-    ----------
-    trial : SeatedTrial
-        A trial with both branches.
-
-    Returns
-    -------
-    energy : float or None
-        Area between loading and unloading branch over the deflections that both cover [J]; None without unloading.
-    loss_factor : float or None
-        ``energy / (2 pi W_max)``, W_max being the work of the loading branch over the same range [1].
+    The energy is the area between both branches over the deflections that both cover, the loss factor ``energy / (2 pi
+    W_max)`` with the work W_max of the loading branch over the same range.
     """
     if not trial.has_unloading():
         return None, None

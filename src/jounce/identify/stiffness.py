@@ -100,18 +100,9 @@ class FittedCurve:
         return float(np.interp(force, values[index - 1 : index + 1], grid[index - 1 : index + 1]))
 
     def to_table(self, limit: float) -> dict[str, Any]:
-        """Give the curve as it is written in a rig file.
+        """Give the curve as it is written in a rig file, SI, from x = 0 on; a power law as a table up to ``limit`` [m].
 
-        Parameters
-        ----------
-        limit : float
-            Largest deflection that a table made from a power law reaches [m].
-
-        Returns
-        -------
-        dict
-            ``{"kind": "polynomial", "coefficients": [...]}`` or ``{"kind": "table", "deflection": [...],
-            "force": [...]}`` in SI, from x = 0 on. A preload is not part of it: it has its own key in the rig.
+        A preload is not part of it: it has its own key in the rig.
         """
         if self.kind == "polynomial":
             return {"kind": "polynomial", "coefficients": list(self.coefficients)}
@@ -682,25 +673,10 @@ class PressureStiffness:
     findings: tuple[Finding, ...]
 
     def at(self, pressure: float) -> tuple[Estimate, list[Finding]]:
-        """Interpolate the stiffness linearly between measured pressures.
+        """Interpolate the stiffness [N/m] linearly between measured pressures [Pa].
 
-        Parameters
-        ----------
-        pressure : float
-            Inflation pressure [Pa], above 0.
-
-        Returns
-        -------
-        stiffness : Estimate
-            Radial stiffness [N/m]; its interval combines those of the two neighbouring pressures.
-        findings : list of Finding
-            A warning outside the measured pressures, where the nearest two are extended; with a single measured
-            pressure its stiffness is returned unchanged.
-
-        Raises
-        ------
-        FitError
-            For a pressure that is not a positive number.
+        The interval combines those of the two neighbouring pressures. Outside the measured pressures the nearest two
+        are extended, with a warning; a single one is returned unchanged. Pressures that are not positive are refused.
         """
         if not (math.isfinite(pressure) and pressure > 0.0):
             raise FitError("not an inflation pressure", found=f"{pressure} Pa", allowed="above 0 Pa")
@@ -735,25 +711,10 @@ def _blend(low: Estimate, high: Estimate, share: float) -> Estimate:
 
 
 def stiffness_against_pressure(points: Sequence[tuple[float, Estimate]]) -> PressureStiffness:
-    """Collect the stiffnesses of one tyre at several pressures.
+    """Collect the radial stiffnesses of one tyre at several pressures [Pa], in any order, each pressure once.
 
-    Parameters
-    ----------
-    points : sequence of (float, Estimate)
-        Inflation pressure [Pa] and radial stiffness [N/m], in any order, each pressure once.
+    Refused are no points, a pressure that is not positive or given twice, and a stiffness that is not positive.
 
-    Returns
-    -------
-    PressureStiffness
-        With the line and the power law through the points.
-
-    Raises
-    ------
-    FitError
-        No points, a pressure that is not positive or given twice, a stiffness that is not positive.
-
-    Examples
-    --------
     >>> tyre = stiffness_against_pressure([(0.25e6, Estimate(125800.0)), (0.31e6, Estimate(138468.0))])
     >>> round(tyre.slope, 5), round(tyre.exponent, 3), round(tyre.at(0.28e6)[0].value)
     (0.21113, 0.446, 132134)

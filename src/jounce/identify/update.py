@@ -47,15 +47,7 @@ class Identifiability:
 
 
 def identifiability(jacobian: Array, names: tuple[str, ...]) -> Identifiability:
-    """Judge a sensitivity matrix.
-
-    Parameters
-    ----------
-    jacobian : ndarray, shape (n_samples, n_unknowns)
-        Derivatives of the residuals with respect to the scaled unknowns.
-    names : tuple of str
-        Unknowns.
-    """
+    """Judge the derivatives of the residuals with respect to the scaled unknowns."""
     norms = np.linalg.norm(jacobian, axis=0)
     singular = np.linalg.svd(jacobian, compute_uv=False)
     rank = int(np.sum(singular > _WEAK * singular[0])) if singular[0] > 0.0 else 0
@@ -196,23 +188,10 @@ def robust_covariance(vector: Array, jacobian: Array, blocks: tuple[slice, ...])
     """Covariance of least-squares estimates under autocorrelated noise of changing level.
 
     Sandwich ``(J'J)^-1 (J' G J) (J'J)^-1``: ``G`` is the covariance of the residuals, from their level (moving r.m.s.)
-    and their autocorrelation as far as it is significant, tapered by Bartlett weights [newey1987]. For white
-    residuals of constant level this is the classical covariance. The autocorrelation is that of the residuals, not of
-    the scores ``J r``: those sum to zero at the optimum, which makes intervals from them too short.
-
-    Parameters
-    ----------
-    vector : ndarray, shape (n,)
-        Residuals at the optimum.
-    jacobian : ndarray, shape (n, k)
-        Their derivatives.
-    blocks : tuple of slice
-        Rows of each channel of each trial; residuals of different blocks are taken as independent.
-
-    Returns
-    -------
-    ndarray, shape (k, k)
-        Covariance of the unknowns.
+    and their autocorrelation as far as it is significant, tapered by Bartlett weights [newey1987]. For white residuals
+    of constant level this is the classical covariance. The autocorrelation is that of the residuals, not of the scores
+    ``J r``: those sum to zero at the optimum, which makes intervals from them too short. ``blocks`` are the rows of
+    each channel of each trial; residuals of different blocks are taken as independent.
     """
     count, unknowns = jacobian.shape
     bread = np.linalg.pinv(jacobian.T @ jacobian, hermitian=True)

@@ -20,25 +20,12 @@ _COMPARED, _REFERENCE, _BOTH = 0, 1, 2
 
 
 def warping_path(compared: Array, reference: Array, radius: int) -> tuple[Indices, Indices]:
-    """Find the cheapest alignment of two signals of the same length.
+    """Find the cheapest alignment of two signals of the same length: pairs of samples from (0, 0) to (n - 1, n - 1).
 
-    Parameters
-    ----------
-    compared, reference : ndarray, shape (n,)
-        Signals in the same unit.
-    radius : int
-        Half width of the Sakoe-Chiba band: pairs with ``|i - j| <= radius`` are allowed.
+    The sum of squared differences over the pairs is least; among equal paths the one that advances ``compared`` alone
+    wins, then the one that advances ``reference`` alone. Only pairs with ``|i - j| <= radius`` are allowed
+    (Sakoe-Chiba).
 
-    Returns
-    -------
-    i, j : ndarray of int, shape (m,)
-        Pairs of samples of ``compared`` and ``reference`` along the path, from (0, 0) to (n - 1, n - 1). The sum of
-        squared differences over the pairs is least; among equal ways the one that advances ``compared`` alone wins,
-        then the one that advances ``reference`` alone.
-
-    Examples
-    --------
-    >>> import numpy as np
     >>> i, j = warping_path(np.array([0.0, 0.0, 1.0, 2.0]), np.array([0.0, 1.0, 2.0, 2.0]), 2)
     >>> list(zip(i.tolist(), j.tolist(), strict=True))
     [(0, 0), (1, 0), (2, 1), (3, 2), (3, 3)]

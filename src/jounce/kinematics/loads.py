@@ -31,15 +31,7 @@ BODY = ""
 
 @dataclass
 class Balance:
-    """Parts in balance at n poses; an unknown is what the part nearer to the wheel does to the one nearer to the body.
-
-    Attributes
-    ----------
-    parts : tuple of str
-        Parts whose forces and torques must balance.
-    poses : int
-        Number of poses.
-    """
+    """Parts in balance at n poses; unknowns: what the part nearer to the wheel does to the one nearer to the body."""
 
     parts: tuple[str, ...]
     poses: int

@@ -32,25 +32,11 @@ _TRAVEL, _RACK = "travel", "rack"
 class KinematicModel:
     """Native functions of a corner's poses and quantities.
 
-    Attributes
-    ----------
-    rows : tuple of Quantity
-        The catalogue's rows that this corner has, in the order of the outputs.
-    tracks : tuple of str
-        What is driven: ``"travel"``, and ``"rack"`` where the wheel steers.
-    parameters : tuple of str
-        Paths of the numbers of the description that matter, in the order the functions take them.
-    constraints : tuple of str
-        Names of the loop equations, in the order of the rows of ``gradient``.
-    start : ndarray, shape (n_coordinates,)
-        Coordinates in the design pose.
-    functions : dict
-        ``pose`` and ``output`` (see ``kernel.poses``), ``points`` (x, y, z of each point) and ``gradient`` (of the loop
-        equations for the speeds), as CasADi evaluates them.
-    native : Native
-        The first two as machine code.
-    point_names : tuple of str
-        Points that ``points`` gives: all hardpoints and the contact point.
+    ``rows`` are the catalogue's rows that this corner has, in the order of the outputs; ``tracks`` what is driven:
+    ``"travel"``, and ``"rack"`` where the wheel steers. ``functions`` holds, as CasADi evaluates them, ``pose`` and
+    ``output`` (see ``kernel.poses``; ``native`` is their machine code), ``points`` (x, y, z of ``point_names``: all
+    hardpoints and the contact point) and ``gradient`` of the loop equations, named by ``constraints``, for the speeds.
+    They take the numbers of the description at the paths ``parameters``; ``start`` is the design pose.
     """
 
     rows: tuple[Quantity, ...]
@@ -77,13 +63,7 @@ _models: dict[str, KinematicModel] = {}
 
 
 def kinematic_model(rig: Rig) -> KinematicModel:
-    """Give the kinematic model of a corner; corners that differ in numbers only share one.
-
-    Raises
-    ------
-    DescriptionError
-        For a rig without hardpoints.
-    """
+    """Kinematic model of a corner with hardpoints; corners that differ in numbers only share one."""
     corner = check_corner(rig)
     structure = structure_of(corner)
     if structure not in _models:
@@ -157,15 +137,7 @@ def _build(rig: Corner) -> KinematicModel:
 
 
 class Driven:
-    """A mechanism whose every motion is driven: as many loop equations as speeds.
-
-    Parameters
-    ----------
-    mechanism : Quasistatic
-        The mechanism, complete but for outputs.
-    tracks : list of Track
-        What drives it.
-    """
+    """A mechanism, complete but for outputs, whose every motion is driven: as many loop equations as speeds."""
 
     def __init__(self, mechanism: Quasistatic, tracks: list[Track]) -> None:
         self.mechanism, self.tracks = mechanism, tracks

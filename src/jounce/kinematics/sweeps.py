@@ -35,16 +35,8 @@ _WHOLE = 1e-9  # share of a step by which the end of a range may miss it
 class Grid:
     """Pairs of travel and rack travel in the order of the walk, which starts at the one nearest to design.
 
-    Attributes
-    ----------
-    shape : tuple of int
-        Numbers of travel and rack values.
-    place : ndarray of int, shape (n,)
-        Where in the flattened grid each target of the walk belongs.
-    targets : ndarray, shape (n, 2)
-        Travel and rack travel (m) of each target.
-    before : ndarray of int, shape (n,)
-        The target that each one continues from; -1 for the design pose.
+    ``targets`` holds the pairs (m), ``place`` where each belongs in the flattened grid of ``shape``, and ``before`` the
+    target that each continues from, -1 for the design pose.
     """
 
     shape: tuple[int, int]
@@ -176,19 +168,9 @@ _ANTI_SIGN = "positive: against the body's motion; 1 is all of it"
 
 
 def shares(vehicle: AxleLayout, contact: Array, centre: Array) -> dict[str, Array]:
-    """Shares of the load transfer that the geometry carries (domain: brake and drive forces at the wheel).
+    """Shares of load transfer that the geometry carries, 1 being all of it (brake and drive forces at the wheel).
 
-    Parameters
-    ----------
-    vehicle : AxleLayout
-        Dimensions (m) and brake share.
-    contact, centre : ndarray
-        dx/dz [1] of the contact patch with the wheel locked, and of the wheel centre.
-
-    Returns
-    -------
-    dict
-        ``anti_dive`` for a front axle, ``anti_lift`` and ``anti_squat`` for a rear one; 1 is all of it.
+    ``contact`` and ``centre`` are dx/dz [1] of the contact patch with the wheel locked, and of the wheel centre.
     """
     lever = vehicle.wheelbase / vehicle.centre_of_mass_height
     if vehicle.axle == "front":
@@ -203,17 +185,7 @@ _HOLDS = 0.25  # share of the largest constraint force from which a joint is nam
 
 @dataclass(frozen=True)
 class End:
-    """An end of travel.
-
-    Attributes
-    ----------
-    travel, rack : float
-        Last pose that can be reached, m.
-    wanted_travel, wanted_rack : float
-        Pose that was asked for, m.
-    joints : tuple of str
-        Joints whose forces grow without bounds there.
-    """
+    """An end of travel: the last pose that can be reached, the one asked for (m), and the joints stretched there."""
 
     travel: float
     rack: float
@@ -296,19 +268,7 @@ _DIMENSIONS = ("wheel_travel", "rack_travel")
 
 @dataclass(frozen=True)
 class PreparedSweep:
-    """A sweep with everything laid out: ``run`` only computes, as often as wanted.
-
-    Attributes
-    ----------
-    rig : Corner
-        The corner.
-    model : KinematicModel
-        Its model.
-    layout : Grid
-        Order of the poses.
-    walk, found, work
-        Arrays of the walk (see ``kernel.poses``).
-    """
+    """A sweep of a corner with everything laid out: ``run`` only computes, as often as wanted."""
 
     rig: Corner
     model: KinematicModel
@@ -345,24 +305,10 @@ class PreparedSweep:
 
 
 def prepare_sweep(rig: Rig, travel: Values, rack: Values | None = None) -> PreparedSweep:
-    """Lay out a sweep of a corner.
+    """Lay out a sweep of a corner over travel (m, bump positive) and rack travel (m, positive to the left), ascending.
 
-    Parameters
-    ----------
-    rig : Rig
-        A corner with hardpoints.
-    travel : float or array_like, shape (n,)
-        Vertical travel of the wheel centre from design, m, bump positive, ascending.
-    rack : float or array_like, shape (m,), optional
-        Travel of the rack, m, positive to the left, ascending; the description's own by default.
+    The rack stands where the description says by default.
 
-    Raises
-    ------
-    DescriptionError
-        For a rig without hardpoints, a rack that moves nothing, or values that do not ascend.
-
-    Examples
-    --------
     >>> import jounce as jn
     >>> sweep = prepare_sweep(jn.load("reference-double-wishbone"), [-0.04, 0.0, 0.04])
     >>> sweep.run().shape[1:]

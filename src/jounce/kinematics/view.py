@@ -117,18 +117,8 @@ class Elastic:
 class CornerView:
     """Positions (m) and their rates for a unit rate of travel, in the axes of a left wheel.
 
-    Parameters
-    ----------
-    mechanism : Quasistatic
-        What the suspension is built in.
-    linkage : Linkage
-        The suspension, its body fixed.
-    travel : Track
-        Vertical travel of the wheel centre.
-    rack : Track or None
-        Travel of the rack; None where there is none.
-    steered : callable
-        Replaces the speeds in an expression by those of a unit rate of the rack.
+    The suspension's body is fixed. ``steered`` replaces the speeds in an expression by those of a unit rate of the
+    rack; it and the rack are None where there is none.
     """
 
     def __init__(

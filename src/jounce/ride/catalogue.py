@@ -89,20 +89,10 @@ _NO_PASSENGER = {"unsprung", "wheel", "tyre", "road", "platform", "knuckle", "up
 class Choices:
     """What the user of the metrics has decided, SI.
 
-    Attributes
-    ----------
-    settling : float
-        Time at the start that does not count, s.
-    weighting : mapping of str to str
-        Weighting by channel or axis where it is not the usual one.
-    start : {"rest", "first", "mean"}
-        What was before the record, for the weightings.
-    travel, stop_gap : mapping of str to pair of float
-        Rebound and bump travel from the mean deflection (m), rebound and bump stop's gaps (m), by corner.
-    exposure : float
-        Daily exposure, s.
-    lift_off_load : float
-        Wheel load up to which the tyre counts as lifted, N.
+    ``settling`` (s) does not count; ``weighting`` names one by channel or axis where it is not the usual; ``start``
+    says what was before the record. ``travel`` and ``stop_gap`` hold by corner the rebound and bump travel from the
+    mean deflection and the gaps of rebound and bump stop (m). ``exposure`` (s) lasts a day; up to ``lift_off_load`` (N)
+    a tyre counts as lifted.
     """
 
     settling: float = 0.0
@@ -177,7 +167,7 @@ class Corner:
         return self.signals[suffix]
 
     def has(self, suffix: str) -> bool:
-        """Tell whether the channel is there."""
+        """Whether the channel is there."""
         return suffix in self.signals
 
     @property

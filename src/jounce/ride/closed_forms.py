@@ -246,22 +246,8 @@ def static_deflection(sprung_mass: float, wheel_rate: float, gravity: float = GR
 
 
 def corner_masses(body_mass: float, front_distance: float, rear_distance: float) -> tuple[float, float]:
-    """Sprung mass (kg) over one front and one rear wheel, by the lever rule.
+    """Sprung mass (kg) on one front and one rear wheel, by the lever rule; distances (m) from the centre of gravity.
 
-    Parameters
-    ----------
-    body_mass : float
-        kg.
-    front_distance, rear_distance : float
-        Of the axles from the centre of gravity, m.
-
-    Returns
-    -------
-    tuple of float
-        Front and rear, kg, one wheel each.
-
-    Examples
-    --------
     >>> [round(mass, 2) for mass in corner_masses(1636.0, 1.29, 1.62)]
     [455.38, 362.62]
     """
@@ -378,26 +364,8 @@ def as_built(
 ) -> SpringAndDamper:
     """Frequency and damping ratio of a spring and damper that exist, the way back of :func:`spring_and_damper`.
 
-    Parameters
-    ----------
-    sprung_mass : float
-        kg.
-    spring_rate, damping_coefficient : float
-        At the strut, N/m and N*s/m.
-    tyre_stiffness : float, optional
-        N/m; None for a rigid tyre.
-    motion_ratio : float
-        Spring travel over wheel travel (1).
-    gravity : float
-        m/s^2.
+    Masses in kg, rates in N/m and coefficients in N*s/m at the strut; a rigid tyre is None.
 
-    Returns
-    -------
-    SpringAndDamper
-        SI.
-
-    Examples
-    --------
     >>> front = as_built(455.38, 28000.0, 3000.0)   # paper 2, table 2
     >>> round(front.frequency_hz, 3), round(front.damping_ratio, 2)
     (1.248, 0.42)

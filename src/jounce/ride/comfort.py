@@ -55,30 +55,10 @@ def rms(values: ArrayLike, sample_rate: float) -> float:
 def running_rms(
     values: ArrayLike, sample_rate: float, *, averaging: Averaging = "linear", time_constant: float = TIME_CONSTANT
 ) -> Array:
-    """Running root mean square of a weighted acceleration.
+    """Running root mean square of a weighted acceleration (m/s^2, rate in Hz); there was nothing before the record.
 
-    Parameters
-    ----------
-    values : array_like, shape (n,)
-        Weighted acceleration, m/s^2.
-    sample_rate : float
-        Samples per second, Hz.
-    averaging : {"linear", "exponential"}
-        Mean over the last ``time_constant`` seconds, or with a weight that decays with it.
-    time_constant : float
-        s; 1 s in the standard.
-
-    Returns
-    -------
-    ndarray, shape (n,)
-        At each sample, m/s^2; there was nothing before the first one.
-
-    Raises
-    ------
-    RecordingError
-        For a record shorter than ``time_constant``.
-    DescriptionError
-        For an unknown averaging.
+    ``"linear"`` is the mean over the last ``time_constant`` seconds (1 s in the standard), ``"exponential"`` has a
+    weight that decays with it. Records shorter than that are refused.
 
     Notes
     -----
@@ -151,8 +131,6 @@ def total_value(values: Mapping[str, float], factors: Mapping[str, float] = COMF
 def comfort_words(acceleration: float) -> str:
     """Likely reaction in public transport to a vibration total value in m/s^2; several where the scale overlaps.
 
-    Examples
-    --------
     >>> comfort_words(0.2), comfort_words(0.9)
     ('not uncomfortable', 'fairly uncomfortable to uncomfortable')
     """

@@ -34,20 +34,8 @@ KICKED = "feels the road's vertical velocity directly, whose variance is infinit
 class Relative:
     """Linear model with states relative to the quasi-static motion: ``dx/dt = A x + b v``, ``y = C x + d z + f v``.
 
-    ``z`` are the heights of the wheels' road (m), ``v`` their rates. Also used for the slopes of all that.
-
-    Attributes
-    ----------
-    A, C : ndarray, shape (n, n) and (outputs, n)
-        States and outputs.
-    b : ndarray, shape (n, wheels)
-        Drive by the rates.
-    d, f : ndarray, shape (outputs, wheels)
-        Direct part of heights and rates.
-    scale : ndarray, shape (outputs, wheels)
-        Size of the terms that ``d`` is a sum of.
-    E : ndarray, shape (n, wheels)
-        Quasi-static motion.
+    ``z`` are the heights of the wheels' road (m), ``v`` their rates; ``E`` is the quasi-static motion, shape (n,
+    wheels), and ``scale`` the size of the terms that ``d`` is a sum of. Also used for the slopes of all that.
     """
 
     A: Array
@@ -74,13 +62,7 @@ def check_stable(a: Array) -> None:
 
 
 def relative(model: Matrices) -> Relative:
-    """Take the states relative to the quasi-static motion.
-
-    Raises
-    ------
-    SimulationError
-        For a model that is not asymptotically stable, or that feels the road's acceleration.
-    """
+    """Take the states relative to the quasi-static motion, in which the road's acceleration must not matter."""
     check_stable(model.A)
     if np.any(model.B[2:]) or np.any(model.D[2:]):
         raise SimulationError(
@@ -116,17 +98,7 @@ Source = tuple[Group, ...]
 
 
 def sources_of(delays: Sequence[float], sides: Sequence[int], *, same: bool) -> tuple[Source, ...]:
-    """Sort wheels by what drives them: one noise for all (``same``), or one for each side.
-
-    Parameters
-    ----------
-    delays : sequence of float
-        Of each wheel, s.
-    sides : sequence of int
-        1 left, -1 right, 0 in the middle.
-    same : bool
-        Whether left and right feel the same road.
-    """
+    """Sort wheels by what drives them: one noise for all (``same``), or one for each side (1 left, -1 right)."""
     found = []
     for side in (0,) if same else sorted(set(sides), reverse=True):
         members = [i for i in range(len(delays)) if same or sides[i] == side]
@@ -201,15 +173,7 @@ class Flow:
 
 @dataclass(frozen=True)
 class Covariance:
-    """Variances of the outputs of a relative model under unit white noise, and their slopes.
-
-    Attributes
-    ----------
-    model : Relative
-        The model.
-    sources : tuple
-        What drives which wheel when.
-    """
+    """Variances of the outputs of a relative model under unit white noise, and their slopes."""
 
     model: Relative
     sources: tuple[Source, ...]
@@ -386,17 +350,7 @@ _DEFECTIVE_BAND = 1e6  # condition of the eigenvectors beyond which they are not
 
 
 def frequencies(low: float, high: float, a: Array, delay: float) -> tuple[Array, Array]:
-    """Nodes (Hz) and weights (Hz) of a quadrature that resolves the resonances of a model and its delays.
-
-    Parameters
-    ----------
-    low, high : float
-        Band, Hz.
-    a : ndarray, shape (n, n)
-        Matrix of the model's states, 1/s.
-    delay : float
-        Longest delay between wheels, s.
-    """
+    """Nodes and weights (Hz) of a quadrature over a band that resolves a model's resonances and longest delay (s)."""
     count = max(1, int(np.ceil(_PANELS * np.log10(high / low))))
     edges = [*np.geomspace(low, high, count + 1)]
     for value in np.linalg.eigvals(a):
@@ -459,16 +413,9 @@ class _Pull:
 class Band:
     """What arrives at the wheels at some frequencies.
 
-    Attributes
-    ----------
-    frequency : ndarray, shape (f,)
-        Nodes, Hz.
-    power : ndarray, shape (f,)
-        Density of the road's height times the weight of the node, m^2.
-    gain : ndarray, shape (outputs, f)
-        Squared magnitude by which each output is weighted (1).
-    coherence : ndarray, shape (f,), or None
-        Of left and right, its root (1), where they are two sources; None where sources know nothing of each other.
+    ``power`` is the density of the road's height times the weight of the node (m^2); ``gain`` the squared magnitude by
+    which each output is weighted, shape (outputs, f); ``coherence`` the root of that of left and right where they are
+    two sources, None where sources are independent.
     """
 
     frequency: Array
@@ -479,17 +426,7 @@ class Band:
 
 @dataclass(frozen=True)
 class BandVariance:
-    """Variances of the outputs of a relative model over a band.
-
-    Attributes
-    ----------
-    model : Relative
-        The model.
-    sources : tuple
-        What drives which wheel when.
-    band : Band
-        Spectrum of the road.
-    """
+    """Variances of the outputs of a relative model over a band, and their slopes."""
 
     model: Relative
     sources: tuple[Source, ...]
@@ -573,17 +510,7 @@ class BandVariance:
         )
 
     def slopes(self, along: Relative, later: Array, coherence: Array | None = None) -> Array:
-        """Slope of the variances along a number.
-
-        Parameters
-        ----------
-        along : Relative
-            Slope of the model.
-        later : ndarray, shape (wheels,)
-            Slope of the delays, s.
-        coherence : ndarray, shape (f,), optional
-            Slope of the root of the coherence.
-        """
+        """Slope of the variances along a number, from those of model, delays (``later``, s) and coherence."""
         total = np.zeros(len(self.model.C))
         for source, pull in zip(self.sources, self._pulls, strict=True):
             late = np.array([later[group.wheels[0]] for group in source])
@@ -626,20 +553,10 @@ class Signal:
 
 @dataclass(frozen=True)
 class Moments:
-    """Variances and static values of signals, SI, and their slopes.
+    """Variances and static values of signals, SI, shape (signals,), and their slopes, shape (numbers, signals).
 
-    Attributes
-    ----------
-    variances, rest : ndarray, shape (signals,)
-        Variance and static value.
-    variance_slopes, rest_slopes : ndarray, shape (numbers, signals)
-        Along each number of the family; none of them where no slopes were wanted.
-    absent : dict
-        Signals without a stationary variance, by place, with the reason.
-    model : Matrices
-        The linear model, all outputs.
-    slopes : tuple of Matrices
-        Its slopes.
+    ``absent`` gives the reason for signals without a stationary variance; ``model`` and ``slopes`` are the linear model
+    with all its outputs and its slopes, none where they were not wanted.
     """
 
     variances: Array
@@ -653,24 +570,14 @@ class Moments:
 
 @dataclass(frozen=True)
 class Analysis:
-    """Random vibration of one rig on one road.
-
-    Attributes
-    ----------
-    family : LinearFamily
-        The rig and the numbers that vary.
-    surface : Surface
-        Road and speed; a weighted signal needs one with a band.
-    signals : tuple of Signal
-        What is wanted.
-    """
+    """Random vibration of one rig on one road; a weighted signal needs a surface with a band."""
 
     family: LinearFamily
     surface: Surface
     signals: tuple[Signal, ...]
 
     def at(self, values: Array | None = None, *, slopes: bool = True) -> Moments:
-        """Give variances at some values (SI) of the numbers, those of the rig by default."""
+        """Variances at some values (SI) of the numbers, those of the rig by default."""
         given = self.family.start if values is None else values
         model, along = self.family.at(given, slopes=slopes)
         rows = [signal.output for signal in self.signals]

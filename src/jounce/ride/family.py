@@ -26,18 +26,9 @@ _STEP = 1e-3  # relative, of differences for mechanisms
 class Matrices:
     """Linear model, or its slope along one number: ``dx/dt = A x + sum_j B_j d^j z/dt^j``, ``y = C x + D z ...``, SI.
 
-    Attributes
-    ----------
-    A : ndarray, shape (n, n)
-        States.
-    B : ndarray, shape (order, n, wheels)
-        For the heights of the road under the wheels and their time derivatives.
-    C : ndarray, shape (outputs, n)
-        Outputs.
-    D : ndarray, shape (order, outputs, wheels)
-        As B.
-    rest : ndarray, shape (outputs,)
-        Static values.
+    ``A`` (n, n) and ``C`` (outputs, n) act on the states, ``B`` (order, n, wheels) and ``D`` (order, outputs, wheels)
+    on the heights of the road under the wheels and their time derivatives; ``rest`` holds the static values of the
+    outputs.
     """
 
     A: Array
@@ -47,22 +38,14 @@ class Matrices:
     rest: Array
 
     def of_rows(self, rows: Sequence[int]) -> Matrices:
-        """Give the model with some of its outputs only."""
+        """The model with some of its outputs only."""
         chosen = list(rows)
         return Matrices(self.A, self.B, self.C[chosen], self.D[:, chosen], self.rest[chosen])
 
 
 @dataclass(frozen=True)
 class LinearFamily:
-    """Linear models of one rig for any values of some of its numbers.
-
-    Attributes
-    ----------
-    rig : Rig
-        Gives all other numbers.
-    paths : tuple of str
-        The numbers that vary.
-    """
+    """Linear models of one rig for any values of some of its numbers, the ``paths``; the rig gives all others."""
 
     rig: Rig
     paths: tuple[str, ...] = ()
@@ -128,20 +111,7 @@ class LinearFamily:
         return np.asarray((_geometry(other, self.wheels) - first) / step)
 
     def at(self, values: Array | None = None, *, slopes: bool = True) -> tuple[Matrices, tuple[Matrices, ...]]:
-        """Give the model at some values of the numbers, and its slope along each of them.
-
-        Parameters
-        ----------
-        values : ndarray, shape (numbers,), optional
-            SI; those of the rig otherwise.
-        slopes : bool
-            Whether the slopes are wanted.
-
-        Raises
-        ------
-        SimulationError
-            Where there is no static equilibrium.
-        """
+        """Model at some values (SI) of the numbers, those of the rig by default, and its slope along each of them."""
         given = dict(zip(self.paths, self.start if values is None else values, strict=True))
         compiled = self.compiled
         p = compiled.parameter_values({**self.rig.parameters(), **{path: float(v) for path, v in given.items()}})
@@ -304,15 +274,7 @@ _UNREACHED = 1e-7
 
 
 def without_unreached(model: Matrices, slopes: Sequence[Matrices]) -> tuple[Matrices, list[Matrices]]:
-    """Give a model and its slopes without neutral motions that the road does not reach; as they are where it does.
-
-    Parameters
-    ----------
-    model : Matrices
-        Linear model, SI.
-    slopes : sequence of Matrices
-        Its slopes along some numbers.
-    """
+    """A model and its slopes without neutral motions, or as they are where the road reaches those."""
     values = np.linalg.eigvals(model.A)
     bound = -_NEUTRAL * float(np.max(np.abs(values), initial=0.0))
     if not len(values) or float(np.max(values.real)) < bound:

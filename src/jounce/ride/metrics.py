@@ -92,20 +92,9 @@ _OFFSET = 3.0  # standard deviations: a larger mean is an offset, not motion
 
 @dataclass(frozen=True)
 class MetricValue:
-    """Value of one metric at one place.
+    """Value of one metric at one place, in an SI unit.
 
-    Attributes
-    ----------
-    metric : str
-        Its name in the catalogue.
-    place : str
-        Channel (accelerations), place (totals) or corner (struts and tyres; empty for a quarter car).
-    value : float
-        In ``unit``.
-    unit : str
-        SI.
-    label : str
-        What it is.
+    The place is a channel (accelerations), a place (totals) or a corner (struts and tyres; empty for a quarter car).
     """
 
     metric: str
@@ -117,17 +106,7 @@ class MetricValue:
 
 @dataclass(frozen=True)
 class AbsentMetric:
-    """Metric that this recording does not give.
-
-    Attributes
-    ----------
-    metric : str
-        Its name in the catalogue.
-    place : str
-        Where; empty for everywhere.
-    reason : str
-        Why.
-    """
+    """Metric that this recording does not give, with the reason; an empty place means everywhere."""
 
     metric: str
     place: str

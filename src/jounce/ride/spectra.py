@@ -227,23 +227,10 @@ def transfer_function(
 def channel_transfer(
     run: xr.Dataset, output: str, given: str = "road.z", *, segment: float | str | None = None, settling: float = 0.0
 ) -> Transfer:
-    """Transfer function between two channels of a recording on uniform time, see `transfer_function`.
+    """Transfer function (SI) between two channels of a recording on uniform time, see `transfer_function`.
 
-    Parameters
-    ----------
-    run : xarray.Dataset
-        Recording.
-    output, given : str
-        Names of output and input channel.
-    segment : float or str, optional
-        Length of the pieces, s or text with a unit.
-    settling : float
-        Time at the start that does not count, s.
-
-    Returns
-    -------
-    Transfer
-        SI unit of the output over that of the input.
+    ``segment`` is the length of the pieces (s or text with a unit), ``settling`` the time at the start that does not
+    count (s).
     """
     names = [str(name) for name in run.data_vars]
     for name in (output, given):
