@@ -21,8 +21,8 @@ from jounce.inspection.archive.reevaluation import reevaluate
 from jounce.inspection.archive.store import Store
 from jounce.inspection.equivalence import compare_tests
 from jounce.inspection.evaluation import evaluate
+from jounce.inspection.limits import load_limits
 from jounce.inspection.record import read_record
-from jounce.inspection.verdicts.limits import load_limits
 from jounce.parts.testers import load_tester
 from jounce.testers.testing import simulate_test
 

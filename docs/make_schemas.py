@@ -15,9 +15,9 @@ from pydantic import TypeAdapter
 
 from jounce.campaign.description import Campaign
 from jounce.control import CONTROLS
+from jounce.inspection.limits import METHODS, Limits
+from jounce.inspection.quantities import QUANTITIES
 from jounce.inspection.record import NUMBERS, SIDES, TEXTS
-from jounce.inspection.verdicts.limits import METHODS, Limits
-from jounce.inspection.verdicts.quantities import QUANTITIES
 from jounce.parts.files import RIGS, VEHICLES
 from jounce.parts.testers import Tester
 from jounce.roads.loading import SCHEMA

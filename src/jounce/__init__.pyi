@@ -50,11 +50,11 @@ from .identify.update import UpdateResult as UpdateResult
 from .identify.update import update_model as update_model
 from .inspection.equivalence import compare_tests as compare_tests
 from .inspection.evaluation import evaluate as evaluate
+from .inspection.grading import grade as grade
+from .inspection.limits import load_limits as load_limits
 from .inspection.record import read_record as read_record
 from .inspection.simulated import simulate_axle as simulate_axle
 from .inspection.simulated import simulate_inspection as simulate_inspection
-from .inspection.verdicts.grading import grade as grade
-from .inspection.verdicts.limits import load_limits as load_limits
 from .kinematics import AxleLayout as AxleLayout
 from .kinematics import ContactLoad as ContactLoad
 from .kinematics import compliance as compliance

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from jounce.inspection.verdicts.limits import shipped_limits
+from jounce.inspection.limits import shipped_limits
 from jounce.parts.testers import library as shipped_testers
 
 

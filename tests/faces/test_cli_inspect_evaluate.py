@@ -9,11 +9,10 @@ import numpy as np
 import pytest
 
 from jounce.inspection import read_record
+from jounce.inspection.archive.entries import unpack
 from jounce.inspection.archive.store import Store
-from jounce.inspection.archive.stored_signals import unpack
-from jounce.inspection.methods.steady import steady_state
-from jounce.inspection.signals.response import Corner, force_response, road_poles, wheel_damping
-from jounce.inspection.verdicts.limits import shipped_limits
+from jounce.inspection.limits import shipped_limits
+from jounce.inspection.quarter_car import Corner, force_response, road_poles, steady_state, wheel_damping
 from jounce.parts.testers import load_tester
 
 RATE, HOLD, SLOPE, PLATE_MASS = 1000.0, 2.0, 2.5, 20.0

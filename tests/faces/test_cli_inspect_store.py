@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from jounce.inspection.archive.store import Store
-from jounce.inspection.verdicts.limits import shipped_limits
+from jounce.inspection.limits import shipped_limits
 
 CAR = """schema = "jounce.rig/1"
 model = "quarter-car"

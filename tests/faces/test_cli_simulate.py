@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import jounce as jn
-from jounce.inspection.verdicts.limits import load_limits
+from jounce.inspection.limits import load_limits
 from jounce.parts.testers import load_tester
 
 RIG = "kart-quarter-car"

@@ -10,10 +10,10 @@ from jounce.mechanics.motions import constant, constant_rate
 from jounce.parts import QuarterCar, load
 from jounce.parts.testers import Motor, load_tester
 from jounce.parts.vehicles import axle_from, axle_of
-from jounce.testers.courses import run_course
 from jounce.testers.periodic import periodic, steady_sweep
 from jounce.testers.plate_response import closed_form_adhesion, steady_response, wheel_mode
-from jounce.testers.stand import stand
+from jounce.testers.programme import run_programme
+from jounce.testers.rig import rig_on_tester
 from jounce.testers.testing import simulate_test
 
 EUSAMA, THETA, BOGE = (load_tester(name) for name in ("eusama", "theta-msd3000", "boge"))
@@ -40,7 +40,7 @@ FRICTION = {"strut.friction.force": 120.0, "strut.friction.regularisation_veloci
     [(car(), 7.0, False), (car(1000.0, **FRICTION), 12.0, False), (car(200.0), 12.0, True)],
 )
 def test_the_drive_gives_what_the_dampers_take(tester, rig, frequency, lifts):
-    on = stand(rig, tester)
+    on = rig_on_tester(rig, tester)
     found = periodic(on, frequency, tolerance=1e-8)
     values = found.values
     assert found.settled
@@ -61,9 +61,9 @@ def test_energy_of_a_free_run_down(kind):
     """What the drive's inertia loses is in the dampers, the drive's friction, and what still moves."""
     tester = BOGE if kind == "sprung" else EUSAMA.model_copy(update={"drive": BOGE.drive})
     rig = car(600.0)
-    on = stand(rig, tester, ("",))
+    on = rig_on_tester(rig, tester, ("",))
     # angle 0 at mean height: where a driven test would be after its hold
-    driven = stand(rig, tester)
+    driven = rig_on_tester(rig, tester)
     begin = driven.run({"": constant_rate(2.0 * np.pi * 16.0)}, np.linspace(0.0, 1.0, 3), fastest=100.0, tolerance=1e-8)
     start = dict(zip(driven.compiled.facts.states, begin.states[:, -1], strict=True))
     start |= {"excenter.angle": 0.0, "excenter.angle rate": 2.0 * np.pi * 16.0}
@@ -105,7 +105,7 @@ def test_a_motor_brings_the_exciter_up_from_rest():
     drive = BOGE.drive.model_copy(update={"motor": Motor(stall_torque=40.0, no_load_frequency=20.0)})
     programme = BOGE.programme.model_copy(update={"hold_time": 8.0, "duration": 2.0})
     tester = BOGE.model_copy(update={"drive": drive, "programme": programme})
-    run = run_course(car(1500.0), tester)
+    run = run_programme(car(1500.0), tester)
     turns = run.values["excenter.frequency"]
     assert abs(turns[0]) < 1e-9
     assert 15.0 < turns[8000] < 20.0  # friction keeps it below the no-load speed
@@ -125,7 +125,7 @@ def test_cell_under_the_plate_feels_its_inertia():
 
 def test_a_sprung_plate_stands_on_its_spring():
     """Spring force = contact force and what moves and weighs the plate."""
-    run = run_course(car(), THETA).values
+    run = run_programme(car(), THETA).values
     spring = THETA.plate_spring_rate * (run["excenter.z"] - run["plate.z"])
     assert np.allclose(spring, run["plate.force"] + 9.81 * THETA.plate_mass, atol=1e-6)
 
@@ -176,7 +176,7 @@ def test_lift_off_is_in_the_steady_states():
     found = steady_sweep(car(150.0), EUSAMA)
     assert (found.adhesion, found.lift_off) == (0.0, True)
     assert closed_form_adhesion(car(150.0), EUSAMA)[0] == pytest.approx(-0.2277, abs=0.005)
-    far = periodic(stand(car(150.0), EUSAMA), 22.0)
+    far = periodic(rig_on_tester(car(150.0), EUSAMA), 22.0)
     closed = steady_response(car(150.0), EUSAMA, [22.0])
     load_ = 440.0 * 9.81
     assert far.force_min / load_ == pytest.approx(float(closed.adhesion[0]), abs=1e-4)
@@ -190,12 +190,12 @@ def test_friction_makes_a_worn_damper_look_better():
 
 def test_bump_stops_are_hit():
     stop = {"strut.bump_stop.gap": 0.16, "strut.bump_stop.rate": 4e5}
-    found = periodic(stand(car(500.0, **stop), EUSAMA), 11.5)
+    found = periodic(rig_on_tester(car(500.0, **stop), EUSAMA), 11.5)
     deflection = found.values["strut.deflection"]
     stop_force = found.values["strut.force"] - 25e3 * deflection - 500.0 * found.values["strut.velocity"]
     assert np.allclose(stop_force, 4e5 * np.maximum(deflection - 0.16, 0.0), atol=1e-6)
     assert stop_force.max() > 100.0
-    assert abs(found.force_max - periodic(stand(car(500.0), EUSAMA), 11.5).force_max) > 50.0
+    assert abs(found.force_max - periodic(rig_on_tester(car(500.0), EUSAMA), 11.5).force_max) > 50.0
 
 
 def test_frequency_is_exactly_linear_in_time():
@@ -210,7 +210,7 @@ def test_frequency_is_exactly_linear_in_time():
 
 
 def test_results_do_not_depend_on_the_tolerance():
-    on = stand(car(150.0), EUSAMA)
+    on = rig_on_tester(car(150.0), EUSAMA)
     turns = Segments(np.array([0.0, 9.0]), np.zeros(1, np.int64), np.array([[0.0, 150.0, -7.0, 0.0]]))
     times = np.linspace(0.0, 9.0, 901)
     row = on.compiled.output_names.index("tyre.force")

@@ -12,8 +12,8 @@ import plate_twin
 import pytest
 
 from jounce.inspection import Corner, evaluate, force_response, steady_state
-from jounce.inspection.methods.theta import half_power, plate_gain, theta_by_amplification
-from jounce.inspection.signals.response import rig_poles, road_poles, wheel_damping
+from jounce.inspection.methods import half_power, plate_gain, theta_by_amplification
+from jounce.inspection.quarter_car import rig_poles, road_poles, wheel_damping
 from jounce.parts.testers import load_tester
 from jounce.recordings.schema import recording
 from jounce.testers.plate_response import road_damping_ratio

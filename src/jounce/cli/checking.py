@@ -113,7 +113,7 @@ def _tester(checked: Checked) -> None:
 
 
 def _limits(checked: Checked) -> None:
-    from jounce.inspection.verdicts.limits import load_limits
+    from jounce.inspection.limits import load_limits
 
     limits = load_limits(checked.file)
     further = [*limits.conditions, *(f"difference of {name}" for name in limits.differences)]

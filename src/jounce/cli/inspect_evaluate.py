@@ -19,10 +19,10 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from jounce.inspection.archive.lane import InspectedRecord
+    from jounce.inspection.grading import GradedInspection, VehicleGrade
+    from jounce.inspection.limits import Limits
+    from jounce.inspection.quantities import Language, Quantity
     from jounce.inspection.result import WheelResult
-    from jounce.inspection.verdicts.grading import GradedInspection, VehicleGrade
-    from jounce.inspection.verdicts.limits import Limits
-    from jounce.inspection.verdicts.quantities import Language, Quantity
     from jounce.parts.testers import Tester
 
 _MOST_RECORDS = 2
@@ -68,7 +68,7 @@ def evaluate(
     finally:
         if open_store is not None:
             open_store.close()
-    from jounce.inspection.verdicts.grading import grade_vehicle
+    from jounce.inspection.grading import grade_vehicle
 
     whole = grade_vehicle([one.graded for one, _ in inspected])
     written = _write(whole, [one for one, _ in inspected], wanted)
@@ -101,8 +101,8 @@ class _Wanted:
         force: bool,
     ) -> None:
         from jounce.inspection.evaluation import METHODS
-        from jounce.inspection.verdicts.limits import load_limits
-        from jounce.inspection.verdicts.quantities import LANGUAGES
+        from jounce.inspection.limits import load_limits
+        from jounce.inspection.quantities import LANGUAGES
         from jounce.parts.testers import load_tester
 
         if len(records) > _MOST_RECORDS:
@@ -150,8 +150,8 @@ def _open(location: str) -> Any:
 
 def _inspect(file: Path, wanted: _Wanted, store: Any, say: Any) -> tuple[InspectedRecord, int | None]:
     """Read, evaluate and grade one record and keep it; what cannot be read is kept, too, before it is refused."""
+    from jounce.inspection.archive.entries import pack
     from jounce.inspection.archive.lane import entry_of, grading_of, inspect_record, refusal_of
-    from jounce.inspection.archive.stored_signals import pack
     from jounce.inspection.record import read_record
 
     say(f"evaluating {file.name}")
@@ -260,7 +260,7 @@ def draw_axle(console: Console, graded: GradedInspection) -> None:
 
 def _rows(graded: GradedInspection) -> list[list[object]]:
     """Values with their uncertainties, grades and verdicts; one column for each wheel."""
-    from jounce.inspection.verdicts.quantities import QUANTITIES
+    from jounce.inspection.quantities import QUANTITIES
 
     wheels = graded.wheels
     rows: list[list[object]] = [

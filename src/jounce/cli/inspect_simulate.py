@@ -18,7 +18,7 @@ from jounce.core.errors import DescriptionError, OutputError
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from jounce.inspection.verdicts.grading import GradedInspection
+    from jounce.inspection.grading import GradedInspection
     from jounce.parts.testers import Tester
 
 _OF_TESTER = "tester."

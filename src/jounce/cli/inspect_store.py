@@ -61,7 +61,7 @@ def import_(
     from jounce.inspection.archive.lane import import_record
     from jounce.inspection.archive.store import Store
     from jounce.inspection.evaluation import METHODS
-    from jounce.inspection.verdicts.limits import load_limits
+    from jounce.inspection.limits import load_limits
 
     for file in files:
         existing_file(file, RecordingError)
@@ -106,7 +106,7 @@ def watch(
     """
     from jounce.inspection.archive.store import Store
     from jounce.inspection.archive.watching import FolderWatch
-    from jounce.inspection.verdicts.limits import load_limits
+    from jounce.inspection.limits import load_limits
 
     pause, settled = positive_quantity(interval, "s", "--interval"), quantity(settle, "s", "--settle")
     if settled < 0.0:
@@ -152,7 +152,7 @@ def reevaluate(
     """
     from jounce.inspection.archive.reevaluation import reevaluate as again
     from jounce.inspection.archive.store import Store
-    from jounce.inspection.verdicts.limits import load_limits
+    from jounce.inspection.limits import load_limits
 
     chosen, graded_by = _tester(tester), load_limits(limits)
     Store(store, read_only=True).close()  # where there is no store, none is made
@@ -303,8 +303,8 @@ def _conditions(
 ) -> dict[str, Any]:
     """Conditions of a search, checked."""
     from jounce.inspection.archive.history import day_number
+    from jounce.inspection.limits import VERDICTS
     from jounce.inspection.result import NOT_GRADED
-    from jounce.inspection.verdicts.limits import VERDICTS
 
     words = (*VERDICTS, *(() if NOT_GRADED in VERDICTS else (NOT_GRADED,)))
     if verdict is not None and verdict not in words:

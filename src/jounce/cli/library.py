@@ -25,7 +25,7 @@ def library(
 
     Example: jounce library kart-quarter-car > my-rig.toml
     """
-    from jounce.inspection.verdicts.limits import SHIPPED, shipped_limits
+    from jounce.inspection.limits import SHIPPED, shipped_limits
     from jounce.parts import library as rigs
     from jounce.parts.testers import library as testers
     from jounce.roads import road_library as roads
@@ -85,7 +85,7 @@ def _tester(name: str, file: Path) -> dict[str, Any]:
 
 
 def _limits(name: str, file: Path) -> dict[str, Any]:
-    from jounce.inspection.verdicts.limits import load_limits
+    from jounce.inspection.limits import load_limits
 
     limits = load_limits(file)
     what = f"limits {limits.version} of {', '.join(limits.methods)}"

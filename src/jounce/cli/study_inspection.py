@@ -43,7 +43,7 @@ def equivalence(
     with progress() as say:
         say("loading")
         from jounce.inspection.equivalence import compare_tests, usual_factors
-        from jounce.inspection.verdicts.limits import load_limits
+        from jounce.inspection.limits import load_limits
 
         study = compare_tests(
             chosen_rig(rig, wanted),  # type: ignore[arg-type]

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from jounce.inspection.evaluation import evaluate
-from jounce.inspection.methods.steady import SteadyState, steady_state
+from jounce.inspection.grading import GradedInspection, VehicleGrade, grade, grade_vehicle
+from jounce.inspection.limits import Limits, load_limits
+from jounce.inspection.quarter_car import Corner, SteadyState, force_response, steady_state
 from jounce.inspection.record import read_record
 from jounce.inspection.result import Inspection, WheelCurves, WheelResult
-from jounce.inspection.signals.conditioning import PlateCalibration, calibrate_plate
-from jounce.inspection.signals.response import Corner, force_response
-from jounce.inspection.verdicts.grading import GradedInspection, VehicleGrade, grade, grade_vehicle
-from jounce.inspection.verdicts.limits import Limits, load_limits
+from jounce.inspection.signals import PlateCalibration, calibrate_plate
 
 __all__ = [
     "Corner",

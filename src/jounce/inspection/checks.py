@@ -10,8 +10,8 @@ import numpy as np
 
 from jounce.core.findings import Finding
 from jounce.core.types import Array
-from jounce.inspection.remarks import remark
-from jounce.inspection.signals.conditioning import WheelSignals
+from jounce.inspection.findings import remark
+from jounce.inspection.signals import WheelSignals
 
 if TYPE_CHECKING:
     from jounce.parts.testers import Tester

@@ -16,7 +16,7 @@ from jounce.core.errors import SimulationError
 from jounce.core.serialise import to_plain
 from jounce.core.types import Array
 from jounce.inspection.evaluation import evaluate
-from jounce.inspection.verdicts.limits import Limits, load_limits
+from jounce.inspection.limits import Limits, load_limits
 from jounce.parts import QuarterCar
 from jounce.parts.testers import load_tester
 from jounce.parts.variants import worn

@@ -13,16 +13,23 @@ from jounce.core.errors import RecordingError, unknown
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.inspection import checks
-from jounce.inspection.methods.adhesion import find_adhesion
-from jounce.inspection.methods.boge import LOWEST_RESONANCE, find_boge, stroke_by_turn
-from jounce.inspection.methods.phase import find_phase_minimum
-from jounce.inspection.methods.rigidity import find_rigidity, rigidity_findings
-from jounce.inspection.methods.theta import half_power, theta_by_amplification, theta_by_decay, theta_by_fit
+from jounce.inspection.findings import of_reader, remark
+from jounce.inspection.methods import (
+    LOWEST_RESONANCE,
+    find_adhesion,
+    find_boge,
+    find_phase_minimum,
+    find_rigidity,
+    half_power,
+    rigidity_findings,
+    stroke_by_turn,
+    theta_by_amplification,
+    theta_by_decay,
+    theta_by_fit,
+)
 from jounce.inspection.record import FORCE, HEIGHT, SIDES, TACHO, read_facts, wheels_of
-from jounce.inspection.remarks import of_reader, remark
 from jounce.inspection.result import Inspection, WheelCurves, WheelResult
-from jounce.inspection.signals.analysis import analyse, fit_test, stretches_between
-from jounce.inspection.signals.conditioning import (
+from jounce.inspection.signals import (
     WheelSignals,
     mean_shaking,
     moving_part,
@@ -30,7 +37,8 @@ from jounce.inspection.signals.conditioning import (
     standstill_force,
     uniform_time,
 )
-from jounce.inspection.signals.course import Course, find_course
+from jounce.inspection.sweep import Sweep, find_sweep
+from jounce.inspection.turn_forces import analyse, fit_test, stretches_between
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -87,7 +95,7 @@ def evaluate(
 
     Examples
     --------
-    >>> from jounce.inspection.signals.response import Corner, force_response
+    >>> from jounce.inspection.quarter_car import Corner, force_response
     >>> from jounce.recordings.schema import recording
     >>> t = np.arange(12000) / 1000.0
     >>> f = np.clip(25.0 - 2.5 * (t - 1.5), 0.1, 25.0)  # slow enough to be steady at every instant
@@ -280,12 +288,12 @@ def _evaluate_wheel(
     findings += _vehicle_findings(load, task.vehicle_load, wheel)
     margin = round(_MARGIN * signals.sample_rate)
     cut = signals.part(max(span[0] - margin, 0), min(span[1] + margin, raw.size))
-    course, about = find_course(cut, tester, rigid=task.rigid)
+    sweep, about = find_sweep(cut, tester, rigid=task.rigid)
     findings += about
-    if _is_unfit(findings) or course is None:
+    if _is_unfit(findings) or sweep is None:
         return _unfit(wheel, findings, load)
     result = _on_rigid_plate if task.rigid else _on_sprung_plate
-    return result(cut, course, load, findings, task)
+    return result(cut, sweep, load, findings, task)
 
 
 def _is_unfit(findings: list[Finding]) -> bool:
@@ -299,13 +307,13 @@ def _vehicle_findings(load: float, expected: float | None, wheel: str) -> list[F
 
 
 def _on_rigid_plate(
-    signals: WheelSignals, course: Course, load: float, findings: list[Finding], task: _Task
+    signals: WheelSignals, sweep: Sweep, load: float, findings: list[Finding], task: _Task
 ) -> WheelResult:
     wheel, tester, methods = signals.wheel, task.tester, task.methods
     if signals.height is not None:
-        strokes = stroke_by_turn(signals.height, signals.time, course.turns)
-        findings += checks.check_rigid(strokes, course.turns.frequency, f"{wheel}.{HEIGHT}")
-    analysis, about = analyse(signals, course, load)
+        strokes = stroke_by_turn(signals.height, signals.time, sweep.turns)
+        findings += checks.check_rigid(strokes, sweep.turns.frequency, f"{wheel}.{HEIGHT}")
+    analysis, about = analyse(signals, sweep, load)
     findings += about
     steady = np.where(analysis.lifted, np.nan, analysis.measured[:, 5])
     findings += checks.check_wandering(steady, analysis.frequency, load, wheel)
@@ -313,7 +321,7 @@ def _on_rigid_plate(
         return _unfit(wheel, findings, load)
     values: dict[str, Any] = {"lift_off": bool(analysis.lifted.any())}
     halves: dict[str, float | None] = {}
-    adhesion = find_adhesion(analysis, course.highest)
+    adhesion = find_adhesion(analysis, sweep.highest)
     if adhesion is None:
         findings.append(checks.problem(f"{wheel}.{FORCE}", "no_turn"))
         return _unfit(wheel, findings, load)
@@ -329,7 +337,7 @@ def _on_rigid_plate(
         findings.append(checks.warning(f"{wheel}.{FORCE}", "lift_off", 0.0))
     angles = np.full(analysis.top.size, np.nan)
     if "egea" in methods:
-        angles = _egea(signals, course, analysis, load, findings, values, halves, tester)
+        angles = _egea(signals, sweep, analysis, load, findings, values, halves, tester)
     if "theta" in methods and analysis.fit is not None:
         theta = theta_by_fit(analysis.fit, tester)
         values |= {"theta_rig": theta.rig, "theta_road": theta.road, "theta_methods": {"fit": theta.rig}}
@@ -344,7 +352,7 @@ def _on_rigid_plate(
 
 def _egea(
     signals: WheelSignals,
-    course: Course,
+    sweep: Sweep,
     analysis: Any,
     load: float,
     findings: list[Finding],
@@ -355,7 +363,7 @@ def _egea(
     """Phase angle and rigidity into ``values``; gives the angles (degrees) of the turns."""
     wheel = signals.wheel
     band = (tester.limits.frequency_min, tester.limits.frequency_max) if tester is not None else (6.0, 18.0)
-    tyre, about = find_rigidity(signals, course, load)
+    tyre, about = find_rigidity(signals, sweep, load)
     findings += about
     if tyre is not None:
         values["tyre_rigidity"], halves["tyre_rigidity"] = tyre.rigidity, tyre.half_width
@@ -383,9 +391,9 @@ def _egea(
 
 
 def _on_sprung_plate(
-    signals: WheelSignals, course: Course, load: float, findings: list[Finding], task: _Task
+    signals: WheelSignals, sweep: Sweep, load: float, findings: list[Finding], task: _Task
 ) -> WheelResult:
-    from jounce.inspection.signals.analysis import find_lift_off
+    from jounce.inspection.turn_forces import find_lift_off
 
     wheel, tester = signals.wheel, task.tester
     height = signals.height
@@ -395,15 +403,15 @@ def _on_sprung_plate(
     rate = signals.sample_rate
     lifted = find_lift_off(signals.force, load, rate)
     model = np.full(height.size, np.nan)
-    highest = max(course.highest, tester.programme.start_frequency, tester.programme.end_frequency)
+    highest = max(sweep.highest, tester.programme.start_frequency, tester.programme.end_frequency)
     fit, about = fit_test(signals, stretches_between(lifted, 0, height.size, rate), load, 1.2 * highest, model)
     findings += about
     if _is_unfit(findings):
         return _unfit(wheel, findings, load)
-    strokes = stroke_by_turn(height, signals.time, course.turns)
+    strokes = stroke_by_turn(height, signals.time, sweep.turns)
     values: dict[str, Any] = {"lift_off": bool(lifted.any())}
     halves: dict[str, float | None] = {}
-    boge = find_boge(signals, course.turns)
+    boge = find_boge(signals, sweep.turns)
     if boge is not None:
         values["resonance_frequency_hz"] = boge.frequency_hz
         if "boge" in task.methods:
@@ -416,17 +424,17 @@ def _on_sprung_plate(
             values |= {"theta_rig": theta.rig, "theta_road": theta.road}
             halves |= {"theta_rig": theta.rig_half_width, "theta_road": theta.road_half_width}
             findings += _overdamped(theta.road, wheel)
-        values["theta_methods"] = _theta_methods(signals, course, strokes, fit, values.get("theta_rig"), tester)
+        values["theta_methods"] = _theta_methods(signals, sweep, strokes, fit, values.get("theta_rig"), tester)
         _theta_findings(tester, wheel, findings)
-    empty = np.full(course.turns.top.size, np.nan)
-    curves = WheelCurves(course.turns.top, course.turns.frequency, empty, empty, empty, 0.5 * strokes)
+    empty = np.full(sweep.turns.top.size, np.nan)
+    curves = WheelCurves(sweep.turns.top, sweep.turns.frequency, empty, empty, empty, 0.5 * strokes)
     return _result(signals, load, values, halves, findings, fit, curves)
 
 
 def _theta_methods(
-    signals: WheelSignals, course: Course, strokes: Array, fit: Any, by_fit: float | None, tester: Tester
+    signals: WheelSignals, sweep: Sweep, strokes: Array, fit: Any, by_fit: float | None, tester: Tester
 ) -> dict[str, float | None]:
-    frequency = course.turns.frequency
+    frequency = sweep.turns.frequency
     wheel = frequency > LOWEST_RESONANCE
     gain = float(strokes[wheel].max(initial=0.0)) / tester.stroke
     decay = theta_by_decay(signals.height, signals.sample_rate) if signals.height is not None else None

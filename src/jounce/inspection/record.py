@@ -13,7 +13,7 @@ from jounce.core.columns import read_comments_csv
 from jounce.core.errors import DescriptionError, RecordingError, nearest
 from jounce.core.findings import Finding
 from jounce.core.units import to_si
-from jounce.inspection.remarks import of_reader, remark
+from jounce.inspection.findings import of_reader, remark
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -9,7 +9,7 @@ from typing import Any
 from jounce.core.findings import Finding
 from jounce.core.serialise import to_plain
 from jounce.core.types import Array
-from jounce.inspection.signals.response import Corner
+from jounce.inspection.quarter_car import Corner
 
 NOT_GRADED = "not graded"
 _KEYS = (

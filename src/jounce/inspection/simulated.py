@@ -10,8 +10,8 @@ import numpy as np
 from jounce.core.errors import SimulationError, unknown
 from jounce.core.findings import Finding
 from jounce.inspection.evaluation import evaluate
+from jounce.inspection.grading import GradedInspection, grade
 from jounce.inspection.result import Inspection, WheelResult
-from jounce.inspection.verdicts.grading import GradedInspection, grade
 from jounce.parts import QuarterCar, Rig
 from jounce.parts.elements import LinearDamper
 from jounce.parts.testers import Tester, load_tester
@@ -24,7 +24,7 @@ from jounce.testers.plate_response import (
     wheel_mode,
 )
 from jounce.testers.plates import RIGIDITY_FREQUENCY, tyre_rigidity
-from jounce.testers.stand import check_rig
+from jounce.testers.rig import check_rig
 from jounce.testers.testing import findings_of_test, simulate_test
 
 if TYPE_CHECKING:

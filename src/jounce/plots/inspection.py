@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from jounce.core.types import Array
-from jounce.inspection.signals.run_down import run_down
+from jounce.inspection.sweep import run_down
 from jounce.plots.style import MUTED, PALETTE, legend_above, new_figure, styled
 
 if TYPE_CHECKING:

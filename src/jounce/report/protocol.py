@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import unknown
 from jounce.core.serialise import check_writable, to_json, to_plain, write_atomically
+from jounce.inspection.grading import GradedInspection, VehicleGrade, grade_vehicle
+from jounce.inspection.quantities import LANGUAGES, Language
 from jounce.inspection.record import day_of
-from jounce.inspection.verdicts.grading import GradedInspection, VehicleGrade, grade_vehicle
-from jounce.inspection.verdicts.quantities import LANGUAGES, Language
 from jounce.plots import rendered
 from jounce.plots.inspection import inspection_curves
 from jounce.report.inline import inline_svg
@@ -73,7 +73,7 @@ def write_protocol(
     --------
     >>> import tempfile
     >>> from jounce.inspection import Inspection, WheelResult
-    >>> from jounce.inspection.verdicts.grading import grade
+    >>> from jounce.inspection.grading import grade
     >>> wheels = [WheelResult(side, static_load=4e3, phase_angle_min_deg=51.0) for side in ("left", "right")]
     >>> graded = grade(Inspection(tuple(wheels), methods=("egea",)))
     >>> [file.name for file in write_protocol(graded, tempfile.mkdtemp() + "/car.html", about={"vehicle": "A6"})]

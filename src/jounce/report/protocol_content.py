@@ -6,13 +6,12 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from jounce.inspection.remarks import said
+from jounce.inspection.findings import said
+from jounce.inspection.grading import Difference, GradedInspection, VehicleGrade, WheelGrade
+from jounce.inspection.limits import Band, Criterion, Limits
+from jounce.inspection.quantities import QUANTITIES, Language, Quantity
+from jounce.inspection.reasons import METHOD_NAMES, Reason, verdict_words
 from jounce.inspection.result import NOT_GRADED, WheelResult
-from jounce.inspection.verdicts.differences import Difference
-from jounce.inspection.verdicts.grading import GradedInspection, VehicleGrade, WheelGrade
-from jounce.inspection.verdicts.limits import Band, Criterion, Limits
-from jounce.inspection.verdicts.quantities import QUANTITIES, Language, Quantity
-from jounce.inspection.verdicts.reasons import METHOD_NAMES, Reason, verdict_words
 from jounce.report.protocol_words import WORDS
 
 TONES = {"pass": "green", "advise": "yellow", "fail": "red", NOT_GRADED: "grey"}

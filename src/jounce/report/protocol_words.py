@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from jounce.inspection.verdicts.quantities import Language
+from jounce.inspection.quantities import Language
 
 _ENGLISH = {
     "title": "Shock-absorber test protocol",

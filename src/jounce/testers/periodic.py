@@ -13,9 +13,9 @@ from jounce.mechanics.motions import constant_rate
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Tester
 from jounce.simulation.result import samples_reached
-from jounce.testers.plate_response import LinearStand, linear_stand, place_of
+from jounce.testers.plate_response import LinearTesterRig, linear_rig_on_tester, place_of
 from jounce.testers.plates import wrapped
-from jounce.testers.stand import Stand, channel, stand
+from jounce.testers.rig import TesterRig, channel, rig_on_tester
 
 _BLOCK = 1.5  # s between two looks at whether the motion repeats
 _BLOCKS = 40
@@ -58,7 +58,7 @@ class Periodic:
 
 
 def periodic(
-    on: Stand,
+    on: TesterRig,
     frequency: float,
     *,
     wheel: str = "left",
@@ -69,7 +69,7 @@ def periodic(
 
     Parameters
     ----------
-    on : Stand
+    on : TesterRig
         Rig on a tester with driven exciters.
     frequency : float
         Hz, above 0.
@@ -89,7 +89,7 @@ def periodic(
     --------
     >>> from jounce.parts import load
     >>> from jounce.parts.testers import load_tester
-    >>> found = periodic(stand(load("audi-a6-quarter-car"), load_tester("eusama")), 16.6)
+    >>> found = periodic(rig_on_tester(load("audi-a6-quarter-car"), load_tester("eusama")), 16.6)
     >>> found.settled, round(found.force_min / 4954.05, 3)   # of the static load in N
     (True, 0.725)
     """
@@ -98,7 +98,7 @@ def periodic(
     place, rate = place_of(on, wheel), 2.0 * np.pi * frequency
     turns = max(3, int(np.ceil(_BLOCK * frequency)))
     times, angles = np.arange(turns + 1) / frequency, {place: constant_rate(rate)}
-    state = dict(start) if start is not None else _linear_start(linear_stand(on), frequency, place)
+    state = dict(start) if start is not None else _linear_start(linear_rig_on_tester(on), frequency, place)
     settled = False
     for _ in range(_BLOCKS):
         solution = on.run(angles, times, start=state, fastest=rate, tolerance=tolerance)
@@ -122,13 +122,13 @@ def periodic(
     return Periodic(frequency, settled, float(force.min()), float(force.max()), phase, values, state)
 
 
-def _linear_start(linear: LinearStand, frequency: float, place: str) -> dict[str, float]:
+def _linear_start(linear: LinearTesterRig, frequency: float, place: str) -> dict[str, float]:
     """State at angle 0 of the linear model's steady motion."""
     x = linear.on.rest.x + linear.states(frequency, place).imag
     return dict(zip(linear.on.compiled.facts.states, map(float, x), strict=True))
 
 
-def _carried(near: Periodic, linear: LinearStand, frequency: float, place: str) -> dict[str, float]:
+def _carried(near: Periodic, linear: LinearTesterRig, frequency: float, place: str) -> dict[str, float]:
     """State at a frequency nearby, changed by what the linear model changes on the way."""
     there, here = (_linear_start(linear, f, place) for f in (near.frequency, frequency))
     return {name: value + here[name] - there[name] for name, value in near.state.items()}
@@ -203,9 +203,9 @@ def steady_sweep(rig: Rig, tester: Tester, *, wheel: str = "left") -> SteadySwee
     SteadySweep
         Adhesion (1), phase angle (rad), refined to 0.01 Hz.
     """
-    on, limits = stand(rig, tester), tester.limits
+    on, limits = rig_on_tester(rig, tester), tester.limits
     highest = max(tester.programme.start_frequency, tester.programme.end_frequency)
-    linear, place = linear_stand(on), place_of(on, wheel)
+    linear, place = linear_rig_on_tester(on), place_of(on, wheel)
     known: dict[float, Periodic] = {}
 
     def at(frequency: float) -> Periodic:

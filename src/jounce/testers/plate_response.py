@@ -5,32 +5,31 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from jounce.core.errors import SimulationError, unknown
-from jounce.core.types import Array
+from jounce.core.types import Array, Complex
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Tester
 from jounce.testers.plates import SteadyResponse, least, least_adhesion
-from jounce.testers.stand import Stand, channel, stand
+from jounce.testers.rig import TesterRig, channel, rig_on_tester
 
-Complex = NDArray[np.complex128]
 _ALIKE = 1.3  # ratio of frequencies below which two wheel modes of an axle count as a pair
 
 
 @dataclass(frozen=True)
-class LinearStand:
+class LinearTesterRig:
     """Small motions about rest: ``dx/dt = A x + B u``, outputs ``C x + D u``; ``u`` is the exciters' angles and rates.
 
     Attributes
     ----------
-    on : Stand
+    on : TesterRig
         What it is of.
     A, B, C, D : ndarray
         Matrices; inputs are for each track its value and its first derivatives.
     """
 
-    on: Stand
+    on: TesterRig
     A: Array
     B: Array
     C: Array
@@ -66,13 +65,13 @@ class LinearStand:
         return first, first + order
 
 
-def linear_stand(on: Stand) -> LinearStand:
-    """Linearise a stand with driven exciters about rest."""
+def linear_rig_on_tester(on: TesterRig) -> LinearTesterRig:
+    """Linearise a rig with driven exciters about rest."""
     compiled, rest = on.compiled, on.rest
     where = rest.x, on.prepared.still, on.prepared.problem.p, rest.modes
     along = compiled.slopes("u", *where)
     c = compiled.slopes("x", *where)["output"] @ rest.lift
-    return LinearStand(on, rest.reduced, rest.pick @ along["rate"], c, along["output"])
+    return LinearTesterRig(on, rest.reduced, rest.pick @ along["rate"], c, along["output"])
 
 
 def steady_response(rig: Rig, tester: Tester, frequency: ArrayLike, *, wheel: str = "left") -> SteadyResponse:
@@ -109,10 +108,12 @@ def steady_response(rig: Rig, tester: Tester, frequency: ArrayLike, *, wheel: st
     >>> round(float(found.adhesion[0]), 3)   # 3 mm, tyre damping 1000 N s/m
     0.725
     """
-    return _steady(linear_stand(stand(rig, tester)), np.atleast_1d(np.asarray(frequency, dtype=float)), wheel)
+    return _steady(
+        linear_rig_on_tester(rig_on_tester(rig, tester)), np.atleast_1d(np.asarray(frequency, dtype=float)), wheel
+    )
 
 
-def _steady(linear: LinearStand, frequency: Array, wheel: str) -> SteadyResponse:
+def _steady(linear: LinearTesterRig, frequency: Array, wheel: str) -> SteadyResponse:
     if not np.all(np.isfinite(frequency)) or np.any(frequency <= 0.0):
         raise SimulationError("not frequencies", where="frequency", found=float(frequency.min()), allowed="above 0 Hz")
     place, amplitude = place_of(linear.on, wheel), linear.on.tester.amplitude
@@ -121,7 +122,7 @@ def _steady(linear: LinearStand, frequency: Array, wheel: str) -> SteadyResponse
     return SteadyResponse(frequency, force / plate, plate / amplitude, linear.on.static_load(place), amplitude)
 
 
-def place_of(on: Stand, wheel: str) -> str:
+def place_of(on: TesterRig, wheel: str) -> str:
     """Place of a wheel in the model: itself on an axle, nothing for a single one."""
     if wheel not in ("left", "right"):
         raise unknown(str(wheel), ("left", "right"), what="wheel", where="wheel")
@@ -153,14 +154,14 @@ def closed_form_adhesion(rig: Rig, tester: Tester, *, wheel: str = "left") -> tu
     >>> round(100 * adhesion, 1), round(frequency, 1)   # %, Hz
     (72.5, 16.6)
     """
-    linear = linear_stand(stand(rig, tester))
+    linear = linear_rig_on_tester(rig_on_tester(rig, tester))
     highest = max(tester.programme.start_frequency, tester.programme.end_frequency)
     return least_adhesion(lambda f: _steady(linear, f, wheel), highest)
 
 
 def least_phase_angle(rig: Rig, tester: Tester, *, wheel: str = "left") -> tuple[float, float]:
     """Least EGEA phase angle (rad) of steady states, and its frequency (Hz, to 0.01 Hz), in the tester's band."""
-    linear, limits = linear_stand(stand(rig, tester)), tester.limits
+    linear, limits = linear_rig_on_tester(rig_on_tester(rig, tester)), tester.limits
     return least(lambda f: _steady(linear, f, wheel).phase_angle, limits.frequency_min, limits.frequency_max)
 
 
@@ -201,7 +202,7 @@ def wheel_mode(rig: Rig, tester: Tester, *, wheel: str = "left", on: str = "road
     """
     if on not in ("road", "rig"):
         raise unknown(on, ("road", "rig"), what="place of the wheel", where="on")
-    linear = linear_stand(stand(rig, tester, blocked=on == "road"))
+    linear = linear_rig_on_tester(rig_on_tester(rig, tester, blocked=on == "road"))
     place = place_of(linear.on, wheel)
     values, vectors = np.linalg.eig(linear.A)
     unsprung, sprung, plate = (_shapes(linear, channel(place, name), vectors) for name in _HEIGHTS)
@@ -220,7 +221,7 @@ def wheel_mode(rig: Rig, tester: Tester, *, wheel: str = "left", on: str = "road
 _HEIGHTS = "unsprung.z", "sprung.z", "plate.z"
 
 
-def _shapes(linear: LinearStand, output: str, vectors: Complex) -> Complex:
+def _shapes(linear: LinearTesterRig, output: str, vectors: Complex) -> Complex:
     """Output in each mode; zero where there is no such output, as for a body that is held."""
     names = linear.on.compiled.output_names
     found = linear.C[names.index(output)] @ vectors if output in names else np.zeros(len(linear.A))

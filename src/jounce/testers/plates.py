@@ -6,11 +6,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from jounce.core.types import Array
+from jounce.core.types import Array, Complex
 
-Complex = NDArray[np.complex128]
 _COARSE, _FINE = 0.1, 0.01  # Hz
 RIGIDITY = 0.571, 46e3
 """EGEA: rigidity = 0.571 H25 / e_p + 46 N/mm."""

@@ -19,8 +19,8 @@ from jounce.parts.testers import Tester
 from jounce.parts.vehicles import FrontViewAxle, FullCar, HalfCar4DOF, axle_of
 from jounce.recordings.files import write_recording
 from jounce.recordings.schema import recording
-from jounce.testers.courses import Course, Other, Wheel, run_course
-from jounce.testers.stand import channel, stand
+from jounce.testers.programme import Other, ProgrammeRun, Wheel, run_programme
+from jounce.testers.rig import channel, rig_on_tester
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -119,7 +119,7 @@ def simulate_test(
     facts = {"axle": "front", **(about or {})}
     if isinstance(rig, (FullCar, HalfCar4DOF)):
         rig = axle_of(rig, facts["axle"])  # type: ignore[arg-type]  # it refuses other names
-    run = run_course(rig, tester, wheel=wheel, other=other)
+    run = run_programme(rig, tester, wheel=wheel, other=other)
     sides = {"left": "left", "right": "right"} if isinstance(rig, FrontViewAxle) else {_side(wheel): ""}
     generator = np.random.default_rng(seed)
     channels: dict[str, tuple[Array, str, str]] = {}
@@ -139,7 +139,7 @@ def simulate_test(
 
 
 def _measured(
-    run: Course, tester: Tester, side: str, place: str, sensors: Sensors, noise: tuple[np.random.Generator, float]
+    run: ProgrammeRun, tester: Tester, side: str, place: str, sensors: Sensors, noise: tuple[np.random.Generator, float]
 ) -> dict[str, tuple[Array, str, str]]:
     """What the tester of one side reads; ``noise`` is its source and its size in shares of the static load."""
     cell = "plate.force" if tester.force_cell == "under-plate" else "tyre.force"
@@ -164,7 +164,7 @@ def _noisy(values: Array, size: float, generator: np.random.Generator) -> Array:
     return values if size <= 0.0 else np.asarray(values + size * generator.standard_normal(len(values)))
 
 
-def _truth(run: Course, sides: Mapping[str, str]) -> dict[str, tuple[Array, str, str]]:
+def _truth(run: ProgrammeRun, sides: Mapping[str, str]) -> dict[str, tuple[Array, str, str]]:
     """Every output of the model, the wheel's side in its name."""
     single = dict.fromkeys([place for place in sides.values() if not place], next(iter(sides)))
     return {
@@ -244,7 +244,7 @@ def findings_of_test(rig: Rig, tester: Tester) -> list[Finding]:
     list of Finding
         Wheel loads (N) out of range, sweeps that are too fast or short, samples that are too rare.
     """
-    on, limits, programme = stand(rig, tester), tester.limits, tester.programme
+    on, limits, programme = rig_on_tester(rig, tester), tester.limits, tester.programme
     found = []
     for place in on.places:
         load = on.static_load(place)

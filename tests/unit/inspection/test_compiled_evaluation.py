@@ -7,8 +7,8 @@ import numpy as np
 import period_filter_twin
 import pytest
 
-from jounce.inspection.signals.normal_equations import normal_equations
-from jounce.inspection.signals.period_filter import force_in_periods, prototype
+from jounce.inspection.quarter_car import normal_equations
+from jounce.inspection.turn_forces import force_in_periods, prototype
 
 BASE = np.array([40.0, 25e3, 900.0, 200e3, 60.0, 400.0])
 

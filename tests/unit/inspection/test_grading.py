@@ -11,13 +11,11 @@ import pytest
 
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.findings import Finding
-from jounce.inspection.methods.steady import steady_state
+from jounce.inspection.grading import difference_of, grade, grade_vehicle, worst
+from jounce.inspection.limits import Limits, load_limits
+from jounce.inspection.quantities import QUANTITIES
+from jounce.inspection.quarter_car import Corner, steady_state
 from jounce.inspection.result import Inspection, WheelCurves, WheelResult
-from jounce.inspection.signals.response import Corner
-from jounce.inspection.verdicts.differences import difference_of
-from jounce.inspection.verdicts.grading import grade, grade_vehicle, worst
-from jounce.inspection.verdicts.limits import Limits, load_limits
-from jounce.inspection.verdicts.quantities import QUANTITIES
 
 SOUND = {
     "static_load": 4316.0,
@@ -237,7 +235,7 @@ def test_the_vehicle_takes_the_worst_axle_and_compares_front_and_rear() -> None:
 
 
 def test_front_and_rear_may_be_limited(tmp_path) -> None:
-    from jounce.inspection.verdicts.limits import shipped_limits
+    from jounce.inspection.limits import shipped_limits
 
     extra = (
         '[differences.front-rear]\nquantity = "theta_road"\nacross = "axles"\ndefinition = "absolute"\n'

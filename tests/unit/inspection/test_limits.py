@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from jounce.core.errors import DescriptionError
-from jounce.inspection.verdicts.limits import Band, Criterion, load_limits, shipped_limits
+from jounce.inspection.limits import Band, Criterion, load_limits, shipped_limits
 
 
 def changed(tmp_path: Path, old: str, new: str) -> Path:

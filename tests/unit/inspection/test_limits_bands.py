@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from jounce.core.errors import DescriptionError
-from jounce.inspection.verdicts.limits import Band, Criterion
+from jounce.inspection.limits import Band, Criterion
 
 EDGES = (
     st.lists(st.floats(-1e3, 1e3), min_size=2, max_size=6, unique=True)

@@ -8,19 +8,19 @@ import numpy as np
 import pytest
 
 from jounce.core.errors import FitError
-from jounce.inspection.methods.steady import steady_state
-from jounce.inspection.methods.theta import half_power, theta_by_decay
-from jounce.inspection.signals.period_filter import force_in_periods, prototype
-from jounce.inspection.signals.response import (
+from jounce.inspection.methods import half_power, theta_by_decay
+from jounce.inspection.quarter_car import (
     Corner,
+    fit_response,
     force_response,
     rig_poles,
     road_poles,
+    steady_state,
+    stretch_of,
     wheel_damping,
 )
-from jounce.inspection.signals.response_fit import fit_response, stretch_of
-from jounce.inspection.signals.smoothing import corrected_course
-from jounce.inspection.signals.turns import find_turns, middle_crossings
+from jounce.inspection.signals import find_turns, middle_crossings
+from jounce.inspection.turn_forces import corrected_curve, force_in_periods, prototype
 from jounce.testers.plate_response import road_damping_ratio
 from jounce.testers.plates import phase_angle
 
@@ -142,19 +142,19 @@ class TestSmoothing:
     def test_noise_about_the_model_is_not_believed(self):
         rng = np.random.default_rng(4)
         model = 100.0 + (self.frequency - 9.0) ** 2
-        course = corrected_course(self.frequency, model + rng.normal(0.0, 2.0, 60), model, np.ones(60), 2.0)
+        course = corrected_curve(self.frequency, model + rng.normal(0.0, 2.0, 60), model, np.ones(60), 2.0)
         assert np.abs(course.value - model).max() < 1.2
 
     def test_what_the_model_misses_is_believed(self):
         rng = np.random.default_rng(4)
         model = 100.0 + (self.frequency - 9.0) ** 2
         truth = model + 12.0 * np.sin(0.6 * self.frequency)
-        course = corrected_course(self.frequency, truth + rng.normal(0.0, 1.0, 60), model, np.ones(60), 2.0)
+        course = corrected_curve(self.frequency, truth + rng.normal(0.0, 1.0, 60), model, np.ones(60), 2.0)
         assert np.abs(course.value - truth).max() < 2.0
         assert np.mean(np.abs(course.value - truth) < 2.0 * course.error) > 0.85
 
     def test_least_with_ends(self):
-        course = corrected_course(self.frequency, self.frequency, self.frequency, np.ones(60), 2.0)
+        course = corrected_curve(self.frequency, self.frequency, self.frequency, np.ones(60), 2.0)
         at, value, _ = course.least(6.0, 18.0)
         assert (at, value) == (6.0, pytest.approx(6.0, abs=1e-9))
         assert course.least(4.0, 18.0) is None

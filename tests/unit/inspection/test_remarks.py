@@ -12,11 +12,10 @@ import pytest
 import jounce.inspection
 from jounce.core.findings import Finding
 from jounce.inspection import Inspection, WheelResult, evaluate, read_record
-from jounce.inspection.archive.stored_signals import pack, unpack
+from jounce.inspection.archive.entries import pack, unpack
+from jounce.inspection.findings import SENTENCES, Remark, remark, said
+from jounce.inspection.grading import grade, grade_vehicle
 from jounce.inspection.record import read_facts
-from jounce.inspection.remark_sentences import SENTENCES
-from jounce.inspection.remarks import Remark, remark, said
-from jounce.inspection.verdicts.grading import grade, grade_vehicle
 from jounce.parts import load
 from jounce.parts.testers import load_tester
 from jounce.parts.variants import worn

@@ -271,7 +271,7 @@ def test_a_store_can_be_copied_and_goes_on(sound: Path, tmp_path: Path) -> None:
 def test_packed_signals_are_the_same_bit_by_bit() -> None:
     import numpy as np
 
-    from jounce.inspection.archive.stored_signals import pack, unpack
+    from jounce.inspection.archive.entries import pack, unpack
     from jounce.recordings.schema import recording
 
     rng = np.random.default_rng(3)

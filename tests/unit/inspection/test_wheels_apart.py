@@ -7,8 +7,8 @@ import pytest
 
 from jounce.inspection import evaluate
 from jounce.inspection.evaluation import wheel_load
-from jounce.inspection.signals.conditioning import WheelSignals, moving_part
-from jounce.inspection.signals.course import turns_of
+from jounce.inspection.signals import WheelSignals, moving_part
+from jounce.inspection.sweep import turns_of
 from jounce.parts import load
 from jounce.parts.testers import load_tester
 from jounce.recordings.schema import recording

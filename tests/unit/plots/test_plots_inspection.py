@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from jounce.inspection.grading import grade
 from jounce.inspection.result import Inspection, WheelCurves, WheelResult
-from jounce.inspection.verdicts.grading import grade
 from jounce.plots import figure_of, rendered
 from jounce.plots.inspection import envelope, inspection_curves
 

@@ -14,10 +14,9 @@ import xarray as xr
 
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.findings import Finding
-from jounce.inspection.methods.steady import steady_state
+from jounce.inspection.grading import VehicleGrade, grade, grade_vehicle
+from jounce.inspection.quarter_car import Corner, force_response, steady_state
 from jounce.inspection.result import Inspection, WheelCurves, WheelResult
-from jounce.inspection.signals.response import Corner, force_response
-from jounce.inspection.verdicts.grading import VehicleGrade, grade, grade_vehicle
 from jounce.report.protocol import protocol_html, protocol_pdf, protocol_png, write_protocol
 from jounce.report.protocol_content import protocol_content, shortened
 from jounce.testers.plates import phase_angle

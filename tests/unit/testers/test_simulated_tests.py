@@ -12,8 +12,8 @@ from jounce.parts.variants import worn
 from jounce.parts.vehicles import axle_of
 from jounce.recordings.schema import check_recording
 from jounce.testers.plate_response import closed_form_adhesion, steady_response, wheel_mode
+from jounce.testers.programme import angle_of, swept_angle
 from jounce.testers.testing import Sensors, findings_of_test, simulate_test, write_test
-from jounce.testers.turning import angle_of, turning
 
 EGEA = load_tester("egea-specsus2018")
 QUICK = EGEA.with_changes({"programme.sweep_rate": "20 Hz/s", "programme.hold_time_per_load": 0.0})
@@ -22,7 +22,7 @@ CAR = load("audi-a6-quarter-car")
 
 def test_the_angle_is_smooth_and_ends_at_rest():
     programme = Programme(start_frequency=20.0, end_frequency=5.0, hold_time=1.0, sweep_rate=3.0)
-    test = turning(programme, 4000.0, begin=2.0)
+    test = swept_angle(programme, 4000.0, begin=2.0)
     assert test.edges == pytest.approx([2.0, 3.0, 8.0, 8.5], abs=1e-12)
     angle = angle_of([test])
     before, after = (angle.evaluate(test.edges[1:] + side) for side in (-1e-9, 1e-9))
@@ -35,7 +35,7 @@ def test_the_angle_is_smooth_and_ends_at_rest():
 
 def test_sweeps_may_go_up():
     programme = Programme(start_frequency=2.0, end_frequency=12.0, hold_time=0.0, sweep_rate=2.0)
-    rates = angle_of([turning(programme, 4000.0)]).evaluate(np.array([0.0, 2.5, 4.999]))[1] / (2.0 * np.pi)
+    rates = angle_of([swept_angle(programme, 4000.0)]).evaluate(np.array([0.0, 2.5, 4.999]))[1] / (2.0 * np.pi)
     assert rates == pytest.approx([2.0, 7.0, 11.998], abs=1e-9)
 
 

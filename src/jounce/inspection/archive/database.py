@@ -12,10 +12,102 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from sqlalchemy import (
+    BigInteger,
+    Column,
+    ForeignKey,
+    Index,
+    Integer,
+    LargeBinary,
+    MetaData,
+    String,
+    Table,
+    Text,
+    insert,
+    select,
+)
+
 from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError
 
 if TYPE_CHECKING:
     from sqlalchemy.engine import Connection, Engine
+
+SCHEMA_VERSION = "jounce.store/1"
+_TABLES = MetaData()
+
+VEHICLES = Table(
+    "vehicles",
+    _TABLES,
+    Column("plate_key", String, primary_key=True),
+    Column("plate", String, nullable=False),
+    Column("name", String, nullable=False),
+    Column("since", String, nullable=False),
+)
+DESCRIPTIONS = Table(  # testers and vehicles, as JSON of their tables
+    "descriptions",
+    _TABLES,
+    Column("digest", String(64), primary_key=True),
+    Column("content", Text, nullable=False),
+)
+RECORDS = Table(
+    "records",
+    _TABLES,
+    Column("number", Integer, primary_key=True),
+    Column("digest", String(64), nullable=False, unique=True),
+    Column("name", String, nullable=False),
+    Column("plate", String, nullable=False),
+    Column("plate_key", String, nullable=False, index=True),
+    Column("vehicle", String, nullable=False),
+    Column("date", String, nullable=False, index=True),
+    Column("axle", String, nullable=False),
+    Column("tester", String, nullable=False),
+    Column("accepted", String, nullable=False),
+    Column("tester_digest", ForeignKey("descriptions.digest")),
+    Column("vehicle_digest", ForeignKey("descriptions.digest")),
+    Column("methods", String, nullable=False),
+    Column("seal", String(64), nullable=False),  # checksum of what is shown of the record
+)
+CONTENTS = Table(  # apart from the records, so that searching and checking need not read them
+    "contents",
+    _TABLES,
+    Column("record", ForeignKey("records.number"), primary_key=True),
+    Column("content", LargeBinary, nullable=False),
+    Column("sidecar", LargeBinary),
+    Column("signals", LargeBinary),
+)
+RESULTS = Table(
+    "results",
+    _TABLES,
+    Column("number", Integer, primary_key=True),
+    Column("record", ForeignKey("records.number"), nullable=False),
+    Column("graded", String, nullable=False),
+    Column("verdict", String, nullable=False),
+    Column("limits", String, nullable=False),
+    Column("software", String, nullable=False),
+    Column("result", Text, nullable=False),
+    Column("seal", String(64), nullable=False),
+    Index("results_of_record", "record", "number"),
+)
+WATCHED = Table(  # files of watched folders that were looked at
+    "watched",
+    _TABLES,
+    Column("path", String, primary_key=True),
+    Column("size", BigInteger, nullable=False),
+    Column("modified", BigInteger, nullable=False),
+    Column("message", Text, nullable=False),
+)
+ABOUT = Table("about", _TABLES, Column("name", String, primary_key=True), Column("value", String, nullable=False))
+NAMES = frozenset(_TABLES.tables)
+SMALL = tuple(sorted(NAMES - {CONTENTS.name}))
+"""Tables that are checked whenever a store is opened."""
+
+
+def create_tables(connection: Connection) -> None:
+    """Make the tables that are not there yet, and note their version."""
+    _TABLES.create_all(connection)
+    if connection.execute(select(ABOUT.c.value).where(ABOUT.c.name == "schema")).scalar() is None:
+        connection.execute(insert(ABOUT).values(name="schema", value=SCHEMA_VERSION))
+
 
 READS = "jounce_reads"
 """Option of a connection that will not write: it waits for nobody."""
@@ -165,8 +257,6 @@ def _make_tables(connection: Connection, location: str) -> None:
     """Make the tables in a database of a server, unless others with one of their names are there."""
     from sqlalchemy import func, inspect, select
 
-    from jounce.inspection.archive.tables import NAMES, create_tables
-
     if connection.dialect.name == "postgresql":  # two that make the same table at once get in each other's way
         connection.execute(select(func.pg_advisory_xact_lock(_MAKING)))
     there = set(inspect(connection).get_table_names()) & NAMES
@@ -206,8 +296,6 @@ def _sqlite(file: Path, *, read_only: bool, damaged: bool = False) -> Engine:
 
 def _make(file: Path) -> None:
     """Make an empty store beside its place and give it its name at the end: nobody ever sees half of it."""
-    from jounce.inspection.archive.tables import create_tables
-
     handle, name = tempfile.mkstemp(dir=file.parent, prefix=f".{file.name}.", suffix=".new")
     os.close(handle)
     temporary = Path(name)
@@ -265,8 +353,6 @@ def _check_file(file: Path) -> None:
 def _check_tables(connection: Connection, location: str) -> None:
     """Refuse a database that is damaged or holds something else; contents are checked when they are read."""
     from sqlalchemy import inspect, text
-
-    from jounce.inspection.archive.tables import NAMES, SCHEMA_VERSION, SMALL
 
     is_file = connection.dialect.name == "sqlite"
     names = set(inspect(connection).get_table_names())

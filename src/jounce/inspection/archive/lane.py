@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import JounceError, RecordingError
 from jounce.inspection.evaluation import evaluate
+from jounce.inspection.grading import GradedInspection, grade
+from jounce.inspection.limits import Limits, load_limits
 from jounce.inspection.record import SIDES, TEXTS, day_of, read_record
 from jounce.inspection.result import NOT_GRADED
-from jounce.inspection.verdicts.grading import GradedInspection, grade
-from jounce.inspection.verdicts.limits import Limits, load_limits
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -335,7 +335,7 @@ def _with_tester(entry: RecordEntry, tester: Tester | None) -> RecordEntry:
 
 def _evaluated(entry: RecordEntry, vehicle: Any, limits: Limits | None) -> tuple[RecordEntry, GradedInspection]:
     """Evaluate the very bytes of an entry; gives it with its signals."""
-    from jounce.inspection.archive.stored_signals import pack
+    from jounce.inspection.archive.entries import pack
 
     tester = stored_tester(entry)
     record, findings = read_entry(entry, tester)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from jounce.core.findings import Finding
     from jounce.inspection.archive.entries import RecordEntry
-    from jounce.inspection.verdicts.limits import Limits
+    from jounce.inspection.limits import Limits
     from jounce.parts.testers import Tester
 
 _BATCH = 20
@@ -100,7 +100,7 @@ def reevaluate(
     JounceError
         When the store cannot be written to, or a process was ended from outside.
     """
-    from jounce.inspection.verdicts.limits import load_limits
+    from jounce.inspection.limits import load_limits
 
     numbers = store.numbers()
     task = _Task(store.address, limits if limits is not None else load_limits(), tester, from_files)
@@ -216,8 +216,8 @@ class _Lost(Exception):
 def _signals(
     store: Store, number: int, entry: RecordEntry, tester: Tester, *, from_files: bool
 ) -> tuple[xr.Dataset, list[Finding]]:
+    from jounce.inspection.archive.entries import unpack
     from jounce.inspection.archive.lane import read_entry
-    from jounce.inspection.archive.stored_signals import unpack
 
     try:
         packed = None if from_files else store.signals(number)

@@ -17,9 +17,21 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from jounce.core.errors import OutputError, RecordingError
 from jounce.core.serialise import to_json
-from jounce.inspection.archive.database import READS, DamagedStoreError, complaints, open_database, problems_of, shown
+from jounce.inspection.archive.database import (
+    CONTENTS,
+    DESCRIPTIONS,
+    READS,
+    RECORDS,
+    RESULTS,
+    VEHICLES,
+    WATCHED,
+    DamagedStoreError,
+    complaints,
+    open_database,
+    problems_of,
+    shown,
+)
 from jounce.inspection.archive.entries import Grading, RecordEntry, StoredRecord, digest_of, plate_key, storable
-from jounce.inspection.archive.tables import CONTENTS, DESCRIPTIONS, RECORDS, RESULTS, VEHICLES, WATCHED
 
 if TYPE_CHECKING:
     from sqlalchemy import Column, Select

@@ -15,7 +15,7 @@ from jounce.inspection.archive.lane import ImportedRecord, import_record
 
 if TYPE_CHECKING:
     from jounce.inspection.archive.store import Store
-    from jounce.inspection.verdicts.limits import Limits
+    from jounce.inspection.limits import Limits
     from jounce.parts.testers import Tester
 
 _Stamp = tuple[int, int]

@@ -14,7 +14,7 @@ from pydantic import Field, model_validator
 from jounce.core.description import Description, misplaced, read_description
 from jounce.core.errors import DescriptionError, nearest
 from jounce.core.units import Number, to_si
-from jounce.inspection.verdicts.quantities import QUANTITIES, Language, Quantity
+from jounce.inspection.quantities import QUANTITIES, Language, Quantity
 
 SCHEMA = "jounce.limits/1"
 SHIPPED = "jounce"

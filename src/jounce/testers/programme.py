@@ -1,4 +1,4 @@
-"""Runs of a rig over a tester's programme: driven all the way, or free after the drive is switched off."""
+"""A tester's programme: how the exciter turns over it, and the runs of a rig over it."""
 
 from __future__ import annotations
 
@@ -19,15 +19,92 @@ from jounce.parts.testers import Programme, Tester
 from jounce.parts.vehicles import FrontViewAxle
 from jounce.simulation.result import samples_reached
 from jounce.testers.model import ANGLE
-from jounce.testers.stand import Stand, channel, stand
-from jounce.testers.turning import Turning, angle_of, turning
+from jounce.testers.rig import TesterRig, channel, rig_on_tester
+
+_RUN_OUT = 10.0  # Hz/s: how fast an eccentric exciter is stopped that has not reached rest at the end of its sweep
+
+
+@dataclass(frozen=True)
+class SweptAngle:
+    """Angle of an eccentric exciter over one controlled test: held, swept, stopped.
+
+    Attributes
+    ----------
+    edges : ndarray, shape (4,)
+        Begin of hold, sweep, stop, and its end, s.
+    coefficients : ndarray, shape (3, 3)
+        Angle (rad), rate (rad/s) and half the acceleration (rad/s^2) at the begin of each.
+    """
+
+    edges: Array
+    coefficients: Array
+
+    @property
+    def end(self) -> float:
+        """Angle at which it stands in the end, rad."""
+        angle, rate, half = self.coefficients[-1]
+        length = self.edges[-1] - self.edges[-2]
+        return float(angle + length * (rate + length * half))
+
+
+def swept_angle(programme: Programme, static_load: float, begin: float = 0.0, angle: float = 0.0) -> SweptAngle:
+    """Give the exciter's angle over a programme, exact: a quadratic in time where the frequency changes.
+
+    Parameters
+    ----------
+    programme : Programme
+        Hold and sweep.
+    static_load : float
+        Of the wheel, N.
+    begin : float
+        When it starts to turn, s.
+    angle : float
+        Where it starts, rad.
+
+    Returns
+    -------
+    SweptAngle
+        Pieces.
+
+    Examples
+    --------
+    >>> from jounce.parts.testers import load_tester
+    >>> found = swept_angle(load_tester("eusama").programme, 4000.0)
+    >>> found.edges.tolist()   # s: 25 Hz for 1.5 s, then 2.5 Hz/s down to rest
+    [0.0, 1.5, 11.5, 11.5]
+    """
+    first, last = 2.0 * np.pi * programme.start_frequency, 2.0 * np.pi * programme.end_frequency
+    slope = np.copysign(2.0 * np.pi * programme.sweep_rate, last - first)
+    lengths = programme.hold(static_load), (last - first) / slope, last / (2.0 * np.pi * _RUN_OUT)
+    rows, edges = [], [begin]
+    for length, rate, half in zip(lengths, (first, first, last), (0.0, 0.5 * slope, -np.pi * _RUN_OUT), strict=True):
+        rows.append([angle, rate, half])
+        angle += length * (rate + length * half)
+        edges.append(edges[-1] + length)
+    return SweptAngle(np.array(edges), np.array(rows))
+
+
+def angle_of(tests: list[SweptAngle]) -> Segments:
+    """Join the tests of one exciter, which stands still before, between and after them."""
+    edges, rows = [-1.0], [[tests[0].coefficients[0, 0] if tests else 0.0, 0.0, 0.0]]
+    for test in tests:
+        edges += list(test.edges[:3])
+        rows += [list(row) for row in test.coefficients]
+        edges.append(test.edges[3])
+        rows.append([test.end, 0.0, 0.0])
+    edges.append(edges[-1] + 1.0)
+    kept = [i for i in range(len(rows)) if edges[i + 1] > edges[i]]
+    coefficients = np.zeros((len(kept), 4))
+    coefficients[:, :3] = np.array(rows)[kept]
+    return Segments(np.array([*(edges[i] for i in kept), edges[-1]]), np.zeros(len(kept), np.int64), coefficients)
+
 
 Wheel = Literal["left", "right", "both"]
 Other = Literal["still", "excited"]
 
 
 @dataclass(frozen=True)
-class Course:
+class ProgrammeRun:
     """Arrays of a simulated test.
 
     Attributes
@@ -48,7 +125,7 @@ class Course:
     outputs: tuple[Output, ...]
 
 
-def run_course(rig: Rig, tester: Tester, *, wheel: Wheel = "both", other: Other = "still") -> Course:
+def run_programme(rig: Rig, tester: Tester, *, wheel: Wheel = "both", other: Other = "still") -> ProgrammeRun:
     """Run a tester's programme; arguments as for :func:`simulate_test`, without sensors and without a Dataset."""
     chosen = _chosen(rig, wheel, other)
     return (_free if tester.programme.run_down == "free" else _controlled)(rig, tester, chosen)
@@ -66,14 +143,14 @@ def _chosen(rig: Rig, wheel: str, other: str) -> list[tuple[str, ...]]:
     return [("left",), ("right",)] if wheel == "both" else [(wheel,)]
 
 
-def _controlled(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> Course:
+def _controlled(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> ProgrammeRun:
     """All tests in one run: the drive follows its programme exactly."""
-    on, programme, begin = stand(rig, tester), tester.programme, 0.0
-    turns: dict[str, list[Turning]] = {}
+    on, programme, begin = rig_on_tester(rig, tester), tester.programme, 0.0
+    turns: dict[str, list[SweptAngle]] = {}
     for test in tests:
         load = max(on.static_load(place) for place in test)
         for place in test:
-            turns.setdefault(place, []).append(turning(programme, load, begin))
+            turns.setdefault(place, []).append(swept_angle(programme, load, begin))
         begin = turns[test[0]][-1].edges[-1] + programme.pause
     end = begin - programme.pause
     times = _times(0.0, end, tester.sampling_frequency)
@@ -83,9 +160,9 @@ def _controlled(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> Cours
     return _course(on, times, solution.outputs)
 
 
-def _free(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> Course:
+def _free(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> ProgrammeRun:
     """Test after test: brought to speed, then moved by the drive's inertia only."""
-    programme, on = tester.programme, stand(rig, tester)
+    programme, on = tester.programme, rig_on_tester(rig, tester)
     state: dict[str, float] = {}
     pieces: list[tuple[Array, dict[str, Array]]] = []
     outputs: tuple[Output, ...] = ()
@@ -93,7 +170,7 @@ def _free(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> Course:
     for number, test in enumerate(tests):
         hold = programme.hold(max(on.static_load(place) for place in test))
         rest = programme.duration + (programme.pause if number + 1 < len(tests) else 0.0)
-        for here, angles, length in _phases(on, stand(rig, tester, test), test, hold, rest):
+        for here, angles, length in _phases(on, rig_on_tester(rig, tester, test), test, hold, rest):
             times = begin + _times(0.0, length, tester.sampling_frequency)
             moved = {place: segments(begin, state) for place, segments in angles.items()}
             solution = here.run(moved, times, start=state or None, fastest=_fastest(programme))
@@ -106,16 +183,16 @@ def _free(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> Course:
     time = np.concatenate([times for times, _ in pieces])
     common = [output for output in outputs if all(output.name in values for _, values in pieces)]
     joined = {output.name: np.concatenate([values[output.name] for _, values in pieces]) for output in common}
-    return Course(time, joined, on.static, tuple(common))
+    return ProgrammeRun(time, joined, on.static, tuple(common))
 
 
 _Angles = Callable[[float, Mapping[str, float]], Segments]
 
 
 def _phases(
-    driven: Stand, free: Stand, test: tuple[str, ...], hold: float, rest: float
-) -> Iterator[tuple[Stand, dict[str, _Angles], float]]:
-    """Stand, tracks (for a begin in s and the state there) and length (s) of each part of one test."""
+    driven: TesterRig, free: TesterRig, test: tuple[str, ...], hold: float, rest: float
+) -> Iterator[tuple[TesterRig, dict[str, _Angles], float]]:
+    """TesterRig, tracks (for a begin in s and the state there) and length (s) of each part of one test."""
     tester = driven.tester
     rate = 2.0 * np.pi * tester.programme.start_frequency
     still = {place: partial(_still, place) for place in driven.places if place not in test}
@@ -144,7 +221,7 @@ def _turned(place: str, rate: float, begin: float, state: Mapping[str, float]) -
     return Segments(np.array([begin, begin + 1.0]), np.zeros(1, np.int64), np.array([[angle, rate, 0.0, 0.0]]))
 
 
-def _state(on: Stand, tracks: Mapping[str, Segments], x: Array, at: Array) -> dict[str, float]:
+def _state(on: TesterRig, tracks: Mapping[str, Segments], x: Array, at: Array) -> dict[str, float]:
     """States at the end of a part by name, the angles of driven exciters among them."""
     found = dict(zip(on.compiled.facts.states, map(float, x), strict=True))
     for place, segments in tracks.items():
@@ -164,6 +241,6 @@ def _times(begin: float, end: float, frequency: float) -> Array:
     return np.asarray(begin + np.arange(count + 1) / frequency)
 
 
-def _course(on: Stand, time: Array, outputs: Array) -> Course:
+def _course(on: TesterRig, time: Array, outputs: Array) -> ProgrammeRun:
     values = dict(zip(on.compiled.output_names, outputs, strict=True))
-    return Course(time, values, on.static, on.compiled.facts.outputs)
+    return ProgrammeRun(time, values, on.static, on.compiled.facts.outputs)

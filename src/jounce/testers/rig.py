@@ -19,7 +19,7 @@ from jounce.parts.testers import Tester
 from jounce.parts.vehicles import FrontViewAxle, QuarterCar
 from jounce.simulation.compiled import Compiled, compile_described
 from jounce.simulation.prepare import Prepared, prepare, room
-from jounce.simulation.result import Solution, samples_reached
+from jounce.simulation.result import Solution
 from jounce.simulation.statics import Equilibrium, state_scale
 from jounce.testers.model import ANGLE, MOTOR, PlateForm, tester_model
 
@@ -27,7 +27,7 @@ _LONGEST = 0.8  # radians of the exciter in one step at a tolerance of 1e-5
 
 
 @dataclass(frozen=True)
-class Stand:
+class TesterRig:
     """A rig on a tester, ready to run.
 
     Attributes
@@ -127,7 +127,7 @@ class Stand:
 _TOLERANCE = 1e-5
 
 
-def stand(rig: Rig, tester: Tester, free: tuple[str, ...] = (), *, blocked: bool = False) -> Stand:
+def rig_on_tester(rig: Rig, tester: Tester, free: tuple[str, ...] = (), *, blocked: bool = False) -> TesterRig:
     """Put a rig on a tester; the exciters of the wheels in ``free`` are moved by their drive's inertia.
 
     Parameters
@@ -143,7 +143,7 @@ def stand(rig: Rig, tester: Tester, free: tuple[str, ...] = (), *, blocked: bool
 
     Returns
     -------
-    Stand
+    TesterRig
         Ready to run.
 
     Raises
@@ -160,7 +160,7 @@ def stand(rig: Rig, tester: Tester, free: tuple[str, ...] = (), *, blocked: bool
     still = [flat(1.0) for _ in compiled.facts.tracks]
     prepared = prepare(compiled, p, still, np.array([0.0, 1.0]), tolerance=_TOLERANCE)
     assert prepared.equilibrium is not None  # runs from equilibrium have one
-    return Stand(rig, tester, form, compiled, prepared, prepared.equilibrium)
+    return TesterRig(rig, tester, form, compiled, prepared, prepared.equilibrium)
 
 
 def tester_numbers(tester: Tester) -> dict[str, float]:
@@ -205,6 +205,3 @@ def channel(place: str, name: str) -> str:
 
 def _place_of(track: str) -> str:
     return track.removesuffix(ANGLE).removesuffix(MOTOR).removesuffix(".")
-
-
-__all__ = ["Stand", "channel", "check_rig", "places_of", "samples_reached", "stand", "tester_numbers"]

@@ -6,10 +6,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from jounce.inspection.remarks import said
+from jounce.inspection.findings import said
+from jounce.inspection.limits import Band, Criterion
+from jounce.inspection.quantities import QUANTITIES, Language
 from jounce.inspection.result import NOT_GRADED
-from jounce.inspection.verdicts.limits import Band, Criterion
-from jounce.inspection.verdicts.quantities import QUANTITIES, Language
 
 METHOD_NAMES = {"eusama": "EUSAMA", "egea": "EGEA", "theta": "THETA", "boge": "BOGE"}
 VERDICT_WORDS: dict[str, dict[Language, str]] = {

@@ -1,4 +1,4 @@
-"""The course of a test: turns of the exciter, where the run-down is, and whether it is one that can be evaluated."""
+"""The sweep of a test: where the plate's frequency runs down, and whether it can be evaluated."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.inspection.checks import problem, warning
-from jounce.inspection.signals.conditioning import WheelSignals
-from jounce.inspection.signals.turns import FEWEST_TURNS, Turns, find_turns
+from jounce.inspection.signals import FEWEST_TURNS, Turns, WheelSignals, find_turns
 
 if TYPE_CHECKING:
     from jounce.parts.testers import Tester
@@ -24,7 +24,7 @@ _QUIET_SHARE = 0.12
 
 
 @dataclass(frozen=True)
-class Course:
+class Sweep:
     """Turns of a test and its run-down (or run-up).
 
     Attributes
@@ -56,7 +56,7 @@ class Course:
         return float(max(self.turns.top[self.hold][0], self.turns.top[self.first] - _WAIT))
 
 
-def find_course(signals: WheelSignals, tester: Tester | None, *, rigid: bool) -> tuple[Course | None, list[Finding]]:
+def find_sweep(signals: WheelSignals, tester: Tester | None, *, rigid: bool) -> tuple[Sweep | None, list[Finding]]:
     """Find turns and run-down of a test.
 
     Parameters
@@ -70,7 +70,7 @@ def find_course(signals: WheelSignals, tester: Tester | None, *, rigid: bool) ->
 
     Returns
     -------
-    course : Course or None
+    sweep : Sweep or None
         None where there is no run-down.
     findings : list of Finding
         Why not, and what is wrong with it.
@@ -81,7 +81,7 @@ def find_course(signals: WheelSignals, tester: Tester | None, *, rigid: bool) ->
         return None, [problem(place, "few_turns", fewest=FEWEST_TURNS)]
     low, high = (tester.limits.frequency_min, tester.limits.frequency_max) if tester is not None else (6.0, 18.0)
     if not rigid:
-        found = _any_course(turns)
+        found = _whole_sweep(turns)
         return found, _sprung_findings(turns.frequency, found.highest, place)
     frequency = turns.frequency
     top = float(np.percentile(frequency, 95.0))
@@ -103,8 +103,8 @@ def find_course(signals: WheelSignals, tester: Tester | None, *, rigid: bool) ->
     while begun > 0 and frequency[begun - 1] > 0.97 * top:
         begun -= 1
     rate = _rate(turns.top[first : last + 1], frequency[first : last + 1], low, high)
-    course = Course(turns, first, last, slice(begun, first + 1), rate)
-    return course, _sweep_findings(course, tester, place)
+    sweep = Sweep(turns, first, last, slice(begun, first + 1), rate)
+    return sweep, _sweep_findings(sweep, tester, place)
 
 
 def _sprung_findings(frequency: Array, top: float, place: str) -> list[Finding]:
@@ -130,13 +130,13 @@ def _lasting(frequency: Array, high: float, low: float) -> Array:
     return np.asarray(frequency[np.repeat(lasting, ends - begins)])
 
 
-def _any_course(turns: Turns) -> Course:
-    """Course over everything: sprung plates are swept either way."""
+def _whole_sweep(turns: Turns) -> Sweep:
+    """Sweep over everything: sprung plates are swept either way."""
     frequency = turns.frequency
     top = float(np.percentile(frequency, 95.0))
     at_top = np.flatnonzero(frequency >= HIGHEST_SHARE * top)
     rate = _rate(turns.top, frequency, 0.5 * top, top)
-    return Course(turns, int(at_top[-1]), frequency.size - 1, slice(int(at_top[0]), int(at_top[-1]) + 1), rate)
+    return Sweep(turns, int(at_top[-1]), frequency.size - 1, slice(int(at_top[0]), int(at_top[-1]) + 1), rate)
 
 
 def turns_of(signals: WheelSignals, tester: Tester | None = None) -> Turns | None:
@@ -184,13 +184,65 @@ def _rate(time: Array, frequency: Array, low: float, high: float) -> float:
     return float(rate[inside].max()) if inside.any() else float(rate.max())
 
 
-def _sweep_findings(course: Course, tester: Tester | None, place: str) -> list[Finding]:
+def _sweep_findings(sweep: Sweep, tester: Tester | None, place: str) -> list[Finding]:
     findings = []
     most, least = (tester.limits.sweep_rate_max, tester.limits.sweep_time_min) if tester is not None else (3.0, 7.5)
-    if course.sweep_rate > 1.02 * most:
-        findings.append(warning(place, "sweep_fast", course.sweep_rate, rate=course.sweep_rate, most=most))
-    top = course.turns.top
-    length = float(top[course.last] - top[course.first])
-    if length < 0.98 * least and course.turns.frequency[course.last] < 2.0:
+    if sweep.sweep_rate > 1.02 * most:
+        findings.append(warning(place, "sweep_fast", sweep.sweep_rate, rate=sweep.sweep_rate, most=most))
+    top = sweep.turns.top
+    length = float(top[sweep.last] - top[sweep.first])
+    if length < 0.98 * least and sweep.turns.frequency[sweep.last] < 2.0:
         findings.append(warning(place, "run_down_short", length, length=length, least=least))
     return findings
+
+
+_ONE_TURN, _BESIDE, _BACK = 0.25, 0.15, 1.02
+_FEWEST_TURNS = 5
+
+
+def run_down(frequency: Array, time: Array) -> NDArray[np.bool_]:
+    """Find the turns of the run-down (or run-up): whole ones, from the highest frequency on, each slower than the last.
+
+    Parameters
+    ----------
+    frequency : ndarray, shape (n,)
+        Of each turn, Hz.
+    time : ndarray, shape (n,)
+        Its middle, s.
+
+    Returns
+    -------
+    ndarray of bool, shape (n,)
+        Which turns belong to it; none where there are too few.
+
+    Examples
+    --------
+    >>> frequency = np.concatenate([np.full(3, 2.0), np.linspace(10.0, 6.0, 21)])  # it swings before the motor starts
+    >>> run_down(frequency, np.cumsum(1.0 / frequency)).tolist() == [False] * 3 + [True] * 21
+    True
+    """
+    whole = np.flatnonzero(_whole_turns(frequency, time))
+    found = np.zeros(frequency.size, dtype=bool)
+    if whole.size < _FEWEST_TURNS:
+        return found
+    first, second = np.array_split(frequency[whole], 2)
+    ordered = whole if float(np.mean(first)) >= float(np.mean(second)) else whole[::-1]
+    usual = _medians(frequency[ordered])
+    kept = ordered[np.abs(frequency[ordered] / usual - 1.0) < _BESIDE]
+    kept = kept[int(np.argmax(frequency[kept])) :]
+    slowest = np.minimum.accumulate(frequency[kept])
+    found[kept[frequency[kept] <= _BACK * slowest]] = True
+    return found
+
+
+def _whole_turns(frequency: Array, time: Array) -> NDArray[np.bool_]:
+    """Turns (n,) at one over their frequency from the one before or after: others are swings of another kind."""
+    whole = np.abs(frequency[:-1] * np.diff(time) - 1.0) < _ONE_TURN
+    before, after = np.append(False, whole), np.append(whole, False)
+    return np.asarray(before | after)
+
+
+def _medians(values: Array) -> Array:
+    """Median of each of (n,) values and the two on either side of it."""
+    rows = np.lib.stride_tricks.sliding_window_view(np.pad(values, 2, mode="edge"), 5)
+    return np.asarray(np.median(rows, axis=1))

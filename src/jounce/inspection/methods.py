@@ -1,0 +1,387 @@
+"""The methods of inspection: what each of them measures on a tester, and how it is evaluated."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.constants import NORMAL_95
+from jounce.core.findings import Finding
+from jounce.core.types import Array
+from jounce.inspection.checks import warning
+from jounce.inspection.quarter_car import Corner, ResponseFit, force_response, rig_poles, road_poles, wheel_damping
+from jounce.inspection.signals import Turns, WheelSignals
+from jounce.inspection.sweep import Sweep
+from jounce.inspection.turn_forces import UNDERFLOW, Analysis, corrected_curve
+from jounce.testers.plates import RIGIDITY, RIGIDITY_FREQUENCY, phase_angle, tyre_rigidity
+
+if TYPE_CHECKING:
+    from jounce.parts.testers import Tester
+
+_ADHESION_LENGTH = 1.2
+_NEAR = 4.0  # Hz
+
+
+@dataclass(frozen=True)
+class Adhesion:
+    """Least and greatest force of a test.
+
+    Attributes
+    ----------
+    adhesion : float
+        Least over static force (1); 0 with lift-off.
+    frequency_hz : float
+        Where the force is least, Hz.
+    lift_off : bool
+        Whether the tyre left the plate.
+    relative_force_amplitude : float
+        Static less least force over static force (1); with lift-off greatest less static.
+    half_width : float or None
+        Of the 95 % intervals of both (1); None where it is not known.
+    """
+
+    adhesion: float
+    frequency_hz: float
+    lift_off: bool
+    relative_force_amplitude: float
+    half_width: float | None
+
+
+def find_adhesion(analysis: Analysis, highest: float) -> Adhesion | None:
+    """Find the adhesion of a run-down up to the ``highest`` frequency in Hz; None where no turn could be evaluated."""
+    least, load = analysis.measured[:, 0], analysis.load
+    known = np.isfinite(least)
+    if np.count_nonzero(known) < 4:
+        return None
+    greatest = float(np.nanmax(analysis.measured[:, 2]))
+    lowest = int(np.nanargmin(least))
+    if analysis.lifted[known].any():
+        at = float(analysis.frequency[lowest])
+        return Adhesion(0.0, at, True, (greatest - load) / load, None)
+    modelled = analysis.modelled[:, 0] if analysis.fit is not None else np.full(least.size, load)
+    near = np.abs(analysis.frequency - analysis.frequency[lowest]) < _NEAR
+    if analysis.fit is not None and np.isfinite(modelled).any():
+        near |= np.abs(analysis.frequency - analysis.frequency[int(np.nanargmin(modelled))]) < _NEAR
+    curve = corrected_curve(
+        analysis.frequency[near], least[near], modelled[near], np.ones(int(np.count_nonzero(near))), _ADHESION_LENGTH
+    )
+    at, force, error = curve.lowest() if curve.value.size else (analysis.frequency[lowest], least[lowest], math.nan)
+    fit = analysis.fit
+    if fit is not None:
+        spread = fit.spread_at(at, np.abs)
+        error = math.hypot(error, spread * analysis.amplitude)
+    half = NORMAL_95 * error / load if math.isfinite(error) else None
+    share = force / load
+    lifted = share <= 0.0
+    amplitude = (greatest - load) / load if share < UNDERFLOW else 1.0 - share
+    return Adhesion(max(share, 0.0), min(float(at), highest), lifted, amplitude, half)
+
+
+_PHASE_LENGTH = 2.0
+_END, _BESIDE = 0.05, 2.0  # Hz
+
+
+@dataclass(frozen=True)
+class PhaseMinimum:
+    """Least phase angle.
+
+    Attributes
+    ----------
+    angle_deg, frequency_hz : float
+        In degrees, and where (Hz).
+    half_width_deg : float or None
+        Of its 95 % interval, degrees.
+    at_end : bool
+        Whether it lies at an end of the band.
+    in_lift_off : bool
+        Whether the tyre leaves the plate there, so that the angle is that of the fitted quarter car.
+    """
+
+    angle_deg: float
+    frequency_hz: float
+    half_width_deg: float | None
+    at_end: bool
+    in_lift_off: bool = False
+
+
+def phase_angles(analysis: Analysis, rows: Array) -> Array:
+    """Phase angle (degrees) of each turn from what the force does in it (n, 7).
+
+    ``360 f (t_ref - t_top)``: t_ref lies midway between the time at which the force falls below the static load and the
+    one at which it rises above it again, around its least value; f is one over the time from this top to the next. The
+    fall is before the top where the angle is below 90 degrees.
+    """
+    reference = 0.5 * (rows[:, 3] + rows[:, 4])
+    return np.asarray(360.0 * analysis.turn_frequency * (reference - analysis.top))
+
+
+def find_phase_minimum(analysis: Analysis, band: tuple[float, float]) -> tuple[PhaseMinimum | None, Array]:
+    """Find the least phase angle within a band.
+
+    Parameters
+    ----------
+    analysis : Analysis
+        Turns of the test.
+    band : (float, float)
+        Hz, ends included.
+
+    Returns
+    -------
+    minimum : PhaseMinimum or None
+        None where the turns do not reach over the band.
+    angles : ndarray, shape (n,)
+        Of the turns, degrees, as measured.
+    """
+    measured = phase_angles(analysis, analysis.measured)
+    frequency = analysis.turn_frequency
+    if analysis.fit is None:
+        modelled = np.full(measured.size, float(np.nanmedian(measured)) if np.isfinite(measured).any() else 0.0)
+        spread = 1.0 / np.maximum(analysis.measured[:, 6], 1.0)
+    else:
+        modelled = phase_angles(analysis, analysis.modelled)
+        swing = np.where(np.isfinite(analysis.modelled[:, 6]), analysis.modelled[:, 6], analysis.measured[:, 6])
+        spread = 1.0 / np.maximum(swing, 1.0)
+    inside = (frequency > band[0] - _BESIDE) & (frequency < band[1] + _BESIDE)
+    steady = inside & ~analysis.lifted
+    curve = corrected_curve(frequency[steady], measured[steady], modelled[steady], spread[steady], _PHASE_LENGTH)
+    hops = frequency[inside & analysis.lifted]
+    if hops.size and analysis.fit is not None:
+        curve = curve.with_turns(hops, np.degrees(phase_angle(force_response(analysis.fit.corner, hops))))
+    found = curve.least(*band)
+    if found is None:
+        return None, measured
+    at, angle, error = found
+    fit = analysis.fit
+    if fit is not None:
+        error = math.hypot(error, math.degrees(fit.spread_at(at, phase_angle)))
+    half = NORMAL_95 * error if math.isfinite(error) else None
+    hopping = bool(hops.size) and float(np.min(np.abs(hops - at))) < _END
+    return PhaseMinimum(angle, at, half, min(at - band[0], band[1] - at) < _END, hopping), measured
+
+
+_TOLERANCE = 1.0  # Hz
+_FEWEST_TURNS = 6
+
+
+@dataclass(frozen=True)
+class Rigidity:
+    """Tyre rigidity (N/m), half width of its 95 % interval (N/m), and the force amplitude behind it (N)."""
+
+    rigidity: float
+    half_width: float
+    force_amplitude: float
+
+
+def find_rigidity(signals: WheelSignals, sweep: Sweep, load: float) -> tuple[Rigidity | None, list[Finding]]:
+    """Find the rigidity of a tyre under a static load (N); None without plate height or a hold at 25 Hz."""
+    place = f"{signals.wheel}.tyre"
+    if signals.height is None:
+        return None, [warning(place, "no_rigidity_height")]
+    turns = sweep.turns
+    held = turns.frequency[sweep.hold]
+    top = turns.top[sweep.hold]
+    count = min(sweep.hold.stop - sweep.hold.start, 25)
+    if count < _FEWEST_TURNS or abs(sweep.highest - RIGIDITY_FREQUENCY) > _TOLERANCE:
+        return None, [warning(place, "no_rigidity_hold", count=count, frequency=float(np.median(held)))]
+    begin, end = top[-count], top[-1]
+    rate, start = signals.sample_rate, float(signals.time[0])
+    cut = slice(max(round((begin - start) * rate), 0), round((end - start) * rate))
+    time, height, force = signals.time[cut], signals.height[cut], signals.force[cut] - load
+    wave = np.exp(-1j * turns.angle(time))
+    amplitude = 2.0 * abs(complex(np.mean(force * wave)))
+    stroke = 2.0 * abs(complex(np.mean((height - height.mean()) * wave)))
+    rest = force - 2.0 * np.real(np.mean(force * wave) * np.conj(wave)) - force.mean()
+    error = float(np.std(rest)) * np.sqrt(2.0 / force.size)
+    return Rigidity(tyre_rigidity(amplitude, stroke), NORMAL_95 * RIGIDITY[0] * error / stroke, amplitude), []
+
+
+def rigidity_findings(value: float, wheel: str, low: float, high: float) -> list[Finding]:
+    """Say whether a rigidity (N/m) means a tyre inflated too little or too much, by limits in N/m."""
+    place = f"{wheel}.tyre"
+    if value < low:
+        return [warning(place, "tyre_soft", value, rigidity=1e-3 * value, limit=1e-3 * low)]
+    if value > high:
+        return [warning(place, "tyre_stiff", value, rigidity=1e-3 * value, limit=1e-3 * high)]
+    return []
+
+
+_LOWEST, _HIGHEST, _POINTS = 1.5, 15.0, 541
+_FEWEST_EXTREMES = 4
+_EVEN = 0.2
+
+
+@dataclass(frozen=True)
+class Theta:
+    """Damping ratios (1) on the rig and on the road, each with the half width of its 95 % interval (1)."""
+
+    rig: float
+    road: float
+    rig_half_width: float
+    road_half_width: float
+
+
+def theta_by_fit(fit: ResponseFit, tester: Tester | None) -> Theta:
+    """Damping ratios of the wheel from a fitted quarter car.
+
+    Parameters
+    ----------
+    fit : ResponseFit
+        Quarter car of the record.
+    tester : Tester or None
+        Its plate and plate spring stand under the wheel on the rig; on a rigid plate rig and road are the same.
+
+    Returns
+    -------
+    Theta
+        From the poles of the three-mass model (rig), and of the quarter car on a plate at rest (road).
+    """
+
+    def on_road(corner: Corner) -> float:
+        return wheel_damping(road_poles(corner))[0]
+
+    def on_rig(corner: Corner) -> float:
+        if tester is None or tester.plate_spring_rate is None:
+            return on_road(corner)
+        damping = tester.plate_damping_coefficient or 0.0
+        return wheel_damping(rig_poles(corner, tester.plate_mass, tester.plate_spring_rate, damping))[0]
+
+    road, half = on_road(fit.corner), NORMAL_95 * fit.spread(on_road)
+    if tester is None or tester.plate_spring_rate is None:
+        return Theta(road, road, half, half)
+    return Theta(on_rig(fit.corner), road, NORMAL_95 * fit.spread(on_rig), half)
+
+
+def half_power(frequency: Array, amplitude: Array) -> float | None:
+    """Damping ratio (1) from the width of a resonance at 0.707 of its height.
+
+    Parameters
+    ----------
+    frequency, amplitude : ndarray, shape (n,)
+        Hz in any order, and amplitudes in any unit.
+
+    Returns
+    -------
+    float or None
+        (f2 - f1) / (2 f_r) (1); None where one of the two points does not exist, as above some 0.2 of damping.
+    """
+    order = np.argsort(frequency)
+    f, a = frequency[order], amplitude[order]
+    top = int(np.argmax(a))
+    level = a[top] / math.sqrt(2.0)
+    below, above = np.flatnonzero(a[:top] < level), np.flatnonzero(a[top:] < level)
+    if below.size == 0 or above.size == 0:
+        return None
+    i, j = int(below[-1]), top + int(above[0])
+    low = np.interp(level, a[i : i + 2], f[i : i + 2])
+    high = f[j - 1] + (a[j - 1] - level) / (a[j - 1] - a[j]) * (f[j] - f[j - 1])
+    return float((high - low) / (2.0 * f[top]))
+
+
+def plate_gain(corner: Corner, tester: Tester, frequency: Array) -> Array:
+    """Height of a sprung plate over that of the exciter (1), frequencies (n,) in Hz."""
+    s = 2j * np.pi * np.asarray(frequency, dtype=float)
+    spring = float(tester.plate_spring_rate or 0.0) + float(tester.plate_damping_coefficient or 0.0) * s
+    return np.asarray(abs(spring / (tester.plate_mass * s * s + spring + force_response(corner, frequency))))
+
+
+def theta_by_amplification(gain: float, corner: Corner, tester: Tester) -> float | None:
+    """Damping ratio (1) of the rig whose plate is moved ``gain`` times (1) as much as the exciter at resonance.
+
+    Of the corner everything but the damper counts. None where no damper gives this amplification.
+    """
+    from dataclasses import replace
+
+    from scipy.optimize import brentq
+
+    frequency = np.linspace(_LOWEST, _HIGHEST, _POINTS)
+
+    def miss(logarithm: float) -> float:
+        trial = replace(corner, damping_coefficient=math.exp(logarithm))
+        return math.log(float(plate_gain(trial, tester, frequency).max()) / gain)
+
+    critical = 2.0 * math.sqrt((corner.spring_rate + corner.tyre_stiffness) * corner.unsprung_mass)
+    low, high = math.log(0.01 * critical), math.log(0.6 * critical)
+    if not (gain > 0.0 and miss(low) > 0.0 > miss(high)):
+        return None
+    found = replace(corner, damping_coefficient=math.exp(brentq(miss, low, high, xtol=1e-6)))
+    damping = tester.plate_damping_coefficient or 0.0
+    return wheel_damping(rig_poles(found, tester.plate_mass, float(tester.plate_spring_rate or 0.0), damping))[0]
+
+
+def theta_by_decay(height: Array, sample_rate: float) -> tuple[float, float] | None:
+    """Damping ratio (1) and frequency (Hz) of the free decay at the end of a record, after the exciter has stopped.
+
+    Turning points of the height (n,) in m are followed backwards from the end as long as they come evenly and grow
+    (rate in Hz). None where fewer than four do.
+    """
+    size = max(round(0.005 * sample_rate), 1)
+    smooth = np.convolve(height, np.full(size, 1.0 / size), mode="valid")
+    rest = float(np.mean(smooth[-max(round(0.3 * sample_rate), 3) :]))
+    away = smooth - rest
+    slope = np.diff(away)
+    turns = np.flatnonzero((slope[:-1] > 0.0) != (slope[1:] > 0.0)) + 1
+    if turns.size < _FEWEST_EXTREMES:
+        return None
+    floor = max(5e-3 * float(np.max(np.abs(away))), 4.0 * float(np.std(away[-max(round(0.1 * sample_rate), 3) :])))
+    turns = turns[np.abs(away[turns]) > floor]
+    kept = _even_turns(turns, away)
+    if kept.size < _FEWEST_EXTREMES:
+        return None
+    slope_of_log = float(np.polyfit(np.arange(kept.size), np.log(np.abs(away[kept])), 1)[0])
+    ratio = -slope_of_log / math.hypot(math.pi, slope_of_log)
+    half_turn = float(kept[-1] - kept[0]) / (kept.size - 1) / sample_rate
+    return (ratio, 0.5 / half_turn) if ratio > 0.0 else None
+
+
+def _even_turns(turns: NDArray[np.intp], away: Array) -> NDArray[np.intp]:
+    """Turning points of the decay: from the last one back, on alternating sides, growing, at even distances."""
+    kept = [int(turns[-1])] if turns.size else []
+    for at in turns[-2::-1]:
+        now, then = away[kept[-1]], away[at]
+        if now * then > 0.0 or abs(then) <= abs(now):
+            break
+        if len(kept) > 1 and abs((kept[-1] - at) / (kept[-2] - kept[-1]) - 1.0) > _EVEN:
+            break
+        if len(kept) > 1 and abs(math.log(-then / now) / math.log(-now / away[kept[-2]]) - 1.0) > 3.0 * _EVEN:
+            break
+        kept.append(int(at))
+    return np.array(kept[::-1], dtype=np.intp)
+
+
+LOWEST_RESONANCE = 2.0  # Hz; below it is the body's
+
+
+@dataclass(frozen=True)
+class BogeAmplitude:
+    """Greatest movement of the plate from lowest to highest point (m), its half width of 95 % (m), and where (Hz)."""
+
+    amplitude: float
+    half_width: float
+    frequency_hz: float
+
+
+def stroke_by_turn(height: Array, time: Array, turns: Turns) -> Array:
+    """Highest less lowest height (m) of each turn, by the upward crossings; height (n,) in m on time (n,) in s."""
+    starts = np.searchsorted(time, turns.crossing[::2])
+    starts = np.minimum(starts, height.size - 1)
+    count = turns.top.size
+    if starts.size <= count:
+        starts = np.append(starts, height.size - 1)
+    starts = starts[: count + 1]
+    high, low = np.maximum.reduceat(height, starts)[:count], np.minimum.reduceat(height, starts)[:count]
+    return np.asarray(high - low)
+
+
+def find_boge(signals: WheelSignals, turns: Turns) -> BogeAmplitude | None:
+    """Find the greatest movement of a plate; None without its height."""
+    if signals.height is None:
+        return None
+    stroke = stroke_by_turn(signals.height, signals.time, turns)
+    at = int(np.argmax(np.where(turns.frequency > LOWEST_RESONANCE, stroke, 0.0)))
+    third = np.diff(signals.height, 3)
+    noise = float(np.median(np.abs(third))) / (0.6745 * np.sqrt(20.0))
+    return BogeAmplitude(float(stroke[at]), NORMAL_95 * noise * np.sqrt(2.0), float(turns.frequency[at]))

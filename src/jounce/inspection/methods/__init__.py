@@ -1,1 +1,0 @@
-"""What each method makes of the signals of a wheel."""

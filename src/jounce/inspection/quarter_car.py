@@ -1,0 +1,646 @@
+"""The linear quarter car on a plate: its response, its steady states, and its fit to the motion of a plate.
+
+Every stretch of the record is transformed once. In its bins the force is the response of a quarter car to the plate's
+height, and what the stretch began and ended with: a polynomial in s over the characteristic polynomial (Pintelon and
+Schoukens), so nothing has to be at rest or periodic. White noise of the force has the same weight in every bin.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property, partial
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from jounce.core.constants import GRAVITY
+from jounce.core.errors import FitError
+from jounce.core.types import Array, Complex
+from jounce.kernel.call import kept, part
+from jounce.testers.plates import SteadyResponse, least, least_adhesion, tyre_rigidity
+
+
+@dataclass(frozen=True)
+class Corner:
+    """Linear quarter car as a plate under its wheel sees it.
+
+    Attributes
+    ----------
+    sprung_mass, unsprung_mass : float
+        kg. What a record gives is the mass that acts on the wheel; of a car it may differ from the share that the wheel
+        carries.
+    spring_rate, damping_coefficient : float
+        Of the suspension at the wheel, N/m and N s/m.
+    tyre_stiffness, tyre_damping_coefficient : float
+        N/m and N s/m.
+    """
+
+    sprung_mass: float
+    unsprung_mass: float
+    spring_rate: float
+    damping_coefficient: float
+    tyre_stiffness: float
+    tyre_damping_coefficient: float = 0.0
+
+    @property
+    def static_load(self) -> float:
+        """Weight of both masses, N, at 9.81 m/s^2."""
+        return (self.sprung_mass + self.unsprung_mass) * GRAVITY
+
+
+def force_response(corner: Corner, frequency: ArrayLike) -> Complex:
+    """Dynamic tyre force over plate height of a wheel that stays on the plate.
+
+    Parameters
+    ----------
+    corner : Corner
+        The quarter car.
+    frequency : array_like, shape (n,)
+        Hz, not negative.
+
+    Returns
+    -------
+    ndarray of complex, shape (n,)
+        (F - F_st) / z_plate in N/m, force up on the tyre and height up positive. The EGEA phase angle is 180 degrees
+        less its angle, the EUSAMA adhesion is one less its magnitude times the plate's amplitude over the static load.
+
+    Examples
+    --------
+    >>> car = Corner(400.0, 40.0, 25e3, 1000.0, 200e3)
+    >>> float(abs(force_response(car, [25.0])[0]).round(-2))
+    250400.0
+    """
+    s = 2j * np.pi * np.asarray(frequency, dtype=float)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        strut = corner.spring_rate + corner.damping_coefficient * s
+        tyre = corner.tyre_stiffness + corner.tyre_damping_coefficient * s
+        body = strut / (corner.sprung_mass * s * s + strut)
+        wheel = 1.0 / (corner.unsprung_mass * s * s + strut * (1.0 - body) + tyre)
+        return np.asarray(tyre - tyre * tyre * wheel)
+
+
+def responses(parameters: Array, s: Complex) -> Complex:
+    """Responses (m, n) in N/m of m quarter cars at ``s`` in 1/s (n,).
+
+    Columns of the parameters (m, 6): unsprung mass, rate, damping, tyre stiffness, tyre damping, sprung mass, SI.
+    """
+    unsprung, rate, damping, stiffness, loss, sprung = (column[:, None] for column in parameters.T)
+    strut, tyre, square = rate + damping * s, stiffness + loss * s, s * s
+    hung = strut - strut * strut / (sprung * square + strut)
+    return np.asarray(tyre - tyre * tyre / (unsprung * square + hung + tyre))
+
+
+def road_poles(corner: Corner) -> Complex:
+    """Poles with the plate at rest, which are those on the road, 1/s."""
+    return _roots(_road_polynomial(corner))
+
+
+def _road_polynomial(corner: Corner) -> Array:
+    """Characteristic polynomial with the plate at rest, highest power first, SI."""
+    ms, mu, k, c = corner.sprung_mass, corner.unsprung_mass, corner.spring_rate, corner.damping_coefficient
+    kt, ct = corner.tyre_stiffness, corner.tyre_damping_coefficient
+    return np.array([ms * mu, ms * (c + ct) + mu * c, ms * (k + kt) + mu * k + c * ct, c * kt + k * ct, k * kt])
+
+
+def rig_poles(corner: Corner, plate_mass: float, spring_rate: float, damping_coefficient: float = 0.0) -> Complex:
+    """Poles on a sprung plate (kg, N/m, N s/m) whose exciter is at rest, 1/s."""
+    ms, mu, k, c = corner.sprung_mass, corner.unsprung_mass, corner.spring_rate, corner.damping_coefficient
+    tyre = np.array([corner.tyre_damping_coefficient, corner.tyre_stiffness])
+    free = np.array([ms * mu, (ms + mu) * c, (ms + mu) * k, 0.0, 0.0])  # the car on a tyre without stiffness
+    plate = np.array([plate_mass, damping_coefficient, spring_rate])
+    alone = np.convolve(_road_polynomial(corner), plate)
+    together = np.convolve(tyre, free)
+    alone[-together.size :] += together
+    return _roots(alone)
+
+
+def _roots(polynomial: Array) -> Complex:
+    count = polynomial.size - 1
+    companion = np.zeros((count, count))
+    companion[0] = -polynomial[1:] / polynomial[0]
+    companion[np.arange(1, count), np.arange(count - 1)] = 1.0
+    return np.linalg.eigvals(companion).astype(complex)
+
+
+def wheel_damping(poles: Complex) -> tuple[float, float]:
+    """Damping ratio (1) and natural frequency (Hz) of the wheel's mode: the second lowest that oscillates.
+
+    Where only the body does not oscillate, its poles are slow and the wheel's mode is the lowest of the others; a fast
+    pole on the real axis is a wheel that does not oscillate, which counts as ratio 1.
+    """
+    upper = sorted(poles[poles.imag > 1e-6 * np.abs(poles)], key=abs)
+    real = np.sort(np.abs(poles[np.abs(poles.imag) <= 1e-6 * np.abs(poles)].real))
+    if len(upper) == len(poles) // 2:
+        pole = upper[1]
+    elif not upper or real[-1] > abs(upper[0]):
+        return 1.0, float(real[-1]) / (2.0 * math.pi)
+    else:
+        pole = upper[0]
+    return float(-pole.real / abs(pole)), float(abs(pole)) / (2.0 * math.pi)
+
+
+TRANSIENT = 5
+_FAST = {"reassoc", "contract", "arcp", "nsz"}  # sums in any order; NaN stays NaN
+
+
+@part(fastmath=_FAST)
+def _over(value):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
+    return value.conjugate() / (value.real * value.real + value.imag * value.imag)
+
+
+@part(fastmath=_FAST)
+def _dot(a, b):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
+    total = 0.0
+    for i in range(a.size):
+        total += a[i] * b[i]
+    return total
+
+
+@part(fastmath=_FAST)
+def _take_off(row, basis):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
+    """Make a row orthogonal to those of a basis; gives nothing back but the row."""
+    for k in range(basis.shape[0]):
+        share = _dot(basis[k], row)
+        for i in range(row.size):
+            row[i] -= share * basis[k, i]
+
+
+@part(fastmath=_FAST)
+def _bins(parameters, speed, height, force, basis, gap, slopes, falls):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
+    """Fill transients, what the response misses, its slopes, and relative slopes of the denominator, bin by bin."""
+    unsprung, rate, damping, stiffness, loss, sprung = parameters
+    n = speed.size
+    for i in range(n):
+        s, square = complex(0.0, speed[i]), -speed[i] * speed[i]
+        strut, tyre = complex(rate, damping * speed[i]), complex(stiffness, loss * speed[i])
+        hung, wheel = sprung * square + strut, unsprung * square + strut + tyre
+        over = _over(hung * wheel - strut * strut)
+        body, moved = strut * _over(hung), tyre * hung * over
+        missed = force[i] - (tyre - tyre * moved) * height[i]
+        gap[i], gap[n + i] = missed.real, missed.imag
+        through, left, contact = moved * moved, (1.0 - body), (1.0 - moved)
+        by_strut, by_tyre = through * left * left, contact * contact
+        both = hung + wheel - 2.0 * strut
+        column, relative = over, complex(0.0, speed[i] / speed[n - 1])
+        for k in range(basis.shape[0]):
+            basis[k, i], basis[k, n + i] = column.real, column.imag
+            column *= relative
+        of_bin = (through * square, by_strut, by_strut * s, by_tyre, by_tyre * s, through * square * body * body)
+        of_poles = (square * hung, both, both * s, hung, hung * s, square * wheel)
+        for k in range(_FREE):
+            slope, fall = of_bin[k] * height[i], of_poles[k] * over
+            slopes[k, i], slopes[k, n + i] = slope.real, slope.imag
+            falls[k, i], falls[k, n + i] = fall.real, fall.imag
+
+
+@part(fastmath=_FAST)
+def _make_orthonormal(basis):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
+    """Gram and Schmidt, twice, which is enough."""
+    for k in range(basis.shape[0]):
+        for _ in range(2):
+            size = math.sqrt(_dot(basis[k], basis[k]))
+            for i in range(basis.shape[1]):
+                basis[k, i] /= size
+            _take_off(basis[k], basis[:k])
+        size = math.sqrt(_dot(basis[k], basis[k]))
+        for i in range(basis.shape[1]):
+            basis[k, i] /= size
+
+
+@kept(error_model="numpy", fastmath=_FAST)
+def _equations(parameters, speed, height, force):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
+    n = speed.size
+    basis, gap, transient = np.empty((TRANSIENT, 2 * n)), np.empty(2 * n), np.zeros(2 * n)
+    slopes, falls = np.empty((_FREE, 2 * n)), np.empty((_FREE, 2 * n))
+    _bins(parameters, speed, height, force, basis, gap, slopes, falls)
+    _make_orthonormal(basis)
+    for k in range(TRANSIENT):
+        share = _dot(basis[k], gap)
+        for i in range(2 * n):
+            transient[i] += share * basis[k, i]
+    for i in range(2 * n):
+        gap[i] -= transient[i]
+    normal, right = np.empty((_FREE, _FREE)), np.empty(_FREE)
+    for k in range(_FREE):
+        for i in range(n):
+            slopes[k, i] -= transient[i] * falls[k, i] - transient[n + i] * falls[k, n + i]
+            slopes[k, n + i] -= transient[i] * falls[k, n + i] + transient[n + i] * falls[k, i]
+        _take_off(slopes[k], basis)
+        right[k] = _dot(slopes[k], gap)
+        for j in range(k + 1):
+            normal[k, j] = normal[j, k] = _dot(slopes[k], slopes[j])
+    return _dot(gap, gap), normal, right, gap
+
+
+def normal_equations(
+    parameters: Array, speed: Array, height: Complex, force: Complex
+) -> tuple[float, Array, Array, Complex]:
+    """Compare a quarter car with the bins of a stretch; what the stretch began and ended with is projected out.
+
+    Parameters
+    ----------
+    parameters : ndarray, shape (6,)
+        Unsprung mass, spring rate, damping, tyre stiffness, tyre damping, sprung mass, SI.
+    speed : ndarray, shape (n,)
+        Angular frequency of the bins, rising, rad/s.
+    height, force : ndarray of complex, shape (n,)
+        Plate height (m) and dynamic tyre force (N), both of one scale.
+
+    Returns
+    -------
+    cost : float
+        Sum of the squares of what is left.
+    normal, right : ndarray, shapes (6, 6) and (6,)
+        J' J and J' r of the Gauss-Newton step by the parameters.
+    left : ndarray of complex, shape (n,)
+        What neither the quarter car nor a transient explains, N.
+    """
+    cost, normal, right, gap = _equations(
+        parameters, np.ascontiguousarray(speed), np.ascontiguousarray(height), np.ascontiguousarray(force)
+    )
+    return float(cost), normal, right, gap[: speed.size] + 1j * gap[speed.size :]
+
+
+_FREE = 6
+_TIED = np.eye(_FREE, 5)
+_TIED[5, 0] = -1.0  # sprung and unsprung mass together carry the static load
+_SUM = np.array([1.0, 0.0, 0.0, 0.0, 0.0, 1.0])
+_SCALE = np.array([1.0, 1e3, 10.0, 1e3, 50.0, 10.0])
+_MASS_SPREAD = 0.2
+_MOST_STEPS = 40
+_ROUGH_STEP, _SMALLEST_STEP = 2e-2, 1e-4
+_FEWEST_BINS = 24
+_GRADIENT_STEP = 1e-5
+_MORE_STEPS = 12
+_START_LINES = 60
+_TYRE_DAMPING, _TYRE_DAMPING_SPREAD = 50.0, 60.0  # N s/m: what a record with little to say falls back on
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """Bins of one stretch of a record.
+
+    Attributes
+    ----------
+    s : ndarray of complex, shape (n,)
+        Laplace variable of the bins, 1/s.
+    height, force : ndarray of complex, shape (n,)
+        Sums over the samples of plate height (m) and dynamic tyre force (N).
+    samples : int
+        Of the stretch.
+    """
+
+    s: Complex
+    height: Complex
+    force: Complex
+    samples: int
+
+
+@dataclass(frozen=True)
+class ResponseFit:
+    """Quarter car fitted to a record.
+
+    Attributes
+    ----------
+    corner : Corner
+        Fitted masses, rates and dampings.
+    covariance : ndarray, shape (6, 6)
+        Of unsprung mass, spring rate, damping, tyre stiffness, tyre damping and sprung mass, SI.
+    noise : float
+        Standard deviation of what the model leaves, N per sample, between the lowest and the highest frequency.
+    explained : float
+        Share (1) of the force in these bins that the model explains.
+    """
+
+    corner: Corner
+    covariance: Array
+    noise: float
+    explained: float
+
+    def spread(self, quantity: Callable[[Corner], float]) -> float:
+        """Standard error of a number that follows from the corner, in the number's unit."""
+        return self._spread(np.array([quantity(_corner(near)) for near in self._near]))
+
+    def spread_at(self, frequency: float, quantity: Callable[[Complex], Array]) -> float:
+        """Standard error of a number that follows from the response (N/m) at a frequency in Hz, in its unit.
+
+        The quantity is asked for several responses (m,) at once.
+        """
+        return self._spread(quantity(responses(self._near, np.array([2j * np.pi * frequency]))[:, 0]))
+
+    @cached_property
+    def _near(self) -> Array:
+        """The parameters, and for each of them a copy in which it is a little greater, shape (7, 6)."""
+        here = _parameters(self.corner)
+        steps = np.maximum(np.abs(here), _SCALE) * _GRADIENT_STEP
+        return np.asarray(here + np.vstack([np.zeros(_FREE), np.diag(steps)]))
+
+    def _spread(self, values: Array) -> float:
+        slope = (values[1:] - values[0]) / np.diag(self._near[1:] - self._near[0])
+        return math.sqrt(max(float(slope @ self.covariance @ slope), 0.0))
+
+
+def stretch_of(height: Array, force: Array, sample_rate: float, low: float, high: float) -> Stretch:
+    """Transform a stretch of a record.
+
+    Parameters
+    ----------
+    height, force : ndarray, shape (n,)
+        Plate height (m) and dynamic tyre force (N).
+    sample_rate : float
+        Hz.
+    low, high : float
+        Hz; bins outside are left out.
+
+    Returns
+    -------
+    Stretch
+        Heights and forces with half weight for the first and the last sample (trapezoidal sums).
+    """
+    from scipy.fft import next_fast_len, rfft
+
+    count = height.size - 1
+    while next_fast_len(count, real=True) != count:
+        count -= 1
+    signals = np.stack([height[: count + 1], force[: count + 1]])
+    signals = signals - signals.mean(axis=1, keepdims=True)
+    signals[:, 0] = 0.5 * (signals[:, 0] + signals[:, -1])
+    spectra = rfft(signals[:, :-1], axis=1)
+    first = max(1, math.ceil(low * count / sample_rate))
+    last = min(spectra.shape[1] - 1, math.floor(high * count / sample_rate))
+    kept = slice(first, last + 1)
+    s = 2j * np.pi * np.arange(first, last + 1) * (sample_rate / count)
+    return Stretch(s, spectra[0, kept], spectra[1, kept], count)
+
+
+def fit_response(stretches: Sequence[Stretch], static_load: float, *, where: str = "wheel") -> ResponseFit:
+    """Fit a quarter car to stretches of a record.
+
+    Parameters
+    ----------
+    stretches : sequence of Stretch
+        Parts of one record without lift-off.
+    static_load : float
+        N; says what sum of the masses to expect.
+    where : str
+        Place named in errors.
+
+    Returns
+    -------
+    ResponseFit
+        Least-squares estimate with its covariance. The mass that acts on the wheel is expected within 20 % of what the
+        plate carries, and the damping of the tyre, which hardly shows below the resonance of the wheel, at
+        (50 +- 60) N s/m; both count only as far as the noise leaves them open.
+
+    Raises
+    ------
+    FitError
+        When there is too little signal, or no quarter car resembles it.
+    """
+    bins = sum(one.s.size for one in stretches)
+    if bins < _FEWEST_BINS:
+        raise FitError("too little signal to fit a quarter car to", where=where, found=f"{bins} spectral lines")
+    mass = static_load / GRAVITY
+    scale = 1.0 / math.sqrt(sum(one.samples for one in stretches) / len(stretches))
+    parts = [Stretch(one.s, one.height * scale, one.force * scale, one.samples) for one in stretches]
+    here = _start(parts, mass)
+    cost, normal, right = _system(parts, here)
+    damping = 1e-3
+    for _ in range(_MOST_STEPS):
+        step = _TIED @ _solve(_TIED.T @ normal @ _TIED, _TIED.T @ right, damping)
+        tried = _within(here + step, here, mass)
+        new_cost, new_normal, new_right = _system(parts, tried)
+        if new_cost <= cost:
+            moved = np.max(np.abs(tried - here) / np.maximum(np.abs(tried), _SCALE))
+            here, cost, normal, right = tried, new_cost, new_normal, new_right
+            damping *= 0.1
+            if moved < _ROUGH_STEP:
+                break
+        else:
+            damping = max(10.0 * damping, 1e-6)
+            if damping > 1e8:
+                break
+    return _released(parts, here, mass)
+
+
+def _released(parts: Sequence[Stretch], here: Array, mass: float) -> ResponseFit:
+    """Let the masses differ from the static load, and weigh what is known beforehand against the noise."""
+    freedom = max(2 * sum(one.s.size for one in parts) - _FREE - TRANSIENT * len(parts), 1)
+    cost, normal, right = _system(parts, here)
+    damping = 1e-9
+    for _ in range(_MORE_STEPS):
+        variance = cost / freedom
+        known, pull = _expected(here, mass, variance)
+        tried = _within(here + _solve(normal + known, right + pull, damping), here, mass)
+        new = _system(parts, tried)
+        if new[0] + _surprise(tried, mass, variance) > cost + _surprise(here, mass, variance):
+            damping = max(100.0 * damping, 1e-5)
+            continue
+        moved = np.max(np.abs(tried - here) / np.maximum(np.abs(tried), _SCALE))
+        here, (cost, normal, right) = tried, new
+        damping *= 0.1
+        if moved < _SMALLEST_STEP:
+            break
+    known, _ = _expected(here, mass, cost / freedom)
+    size = np.sqrt(np.diag(normal + known))
+    size = np.where(size > 0.0, size, 1.0)
+    covariance = np.linalg.pinv((normal + known) / np.outer(size, size), rcond=1e-15, hermitian=True)
+    power = sum(float(np.sum(np.abs(one.force) ** 2)) for one in parts)
+    return ResponseFit(
+        corner=_corner(here),
+        covariance=covariance / np.outer(size, size) * (cost / freedom),
+        noise=math.sqrt(2.0 * cost / freedom),
+        explained=1.0 - cost / power if power > 0.0 else 0.0,
+    )
+
+
+def _expected(here: Array, mass: float, variance: float) -> tuple[Array, Array]:
+    """Normal matrix and right side of what is known beforehand: tyre damping, and the sum of the masses (kg)."""
+    of_mass = variance / (_MASS_SPREAD * mass) ** 2
+    known = of_mass * np.outer(_SUM, _SUM)
+    known[4, 4] += variance / _TYRE_DAMPING_SPREAD**2
+    pull = of_mass * (mass - _SUM @ here) * _SUM
+    pull[4] += variance / _TYRE_DAMPING_SPREAD**2 * (_TYRE_DAMPING - here[4])
+    return known, pull
+
+
+def _surprise(here: Array, mass: float, variance: float) -> float:
+    """Sum of squares by which parameters miss what is known beforehand."""
+    gap = (mass - float(_SUM @ here)) / (_MASS_SPREAD * mass), (_TYRE_DAMPING - here[4]) / _TYRE_DAMPING_SPREAD
+    return variance * float(gap[0] ** 2 + gap[1] ** 2)
+
+
+def _corner(parameters: Array) -> Corner:
+    mu, k, c, kt, ct, ms = (float(value) for value in parameters)
+    return Corner(ms, mu, k, c, kt, ct)
+
+
+def _parameters(corner: Corner) -> Array:
+    return np.array(
+        [
+            corner.unsprung_mass,
+            corner.spring_rate,
+            corner.damping_coefficient,
+            corner.tyre_stiffness,
+            corner.tyre_damping_coefficient,
+            corner.sprung_mass,
+        ]
+    )
+
+
+def _within(parameters: Array, before: Array, mass: float) -> Array:
+    """Halve the way to what no car can have."""
+    low = np.array([1e-3 * mass, 0.0, 0.0, 1e3, -2e3, 0.2 * mass])
+    high = np.array([0.6 * mass, 1e7, 1e6, 1e8, 2e4, 3.0 * mass])
+    inside = np.where(parameters < low, 0.5 * (before + low), parameters)
+    return np.where(inside > high, 0.5 * (before + high), inside)
+
+
+def _start(parts: Sequence[Stretch], mass: float) -> Array:
+    """Best of a grid of quarter cars."""
+    tyre = _tyre_stiffness(parts)
+    grid = [
+        (
+            share * mass,
+            (1.0 - share) * mass * 65.0,
+            ratio * 2.0 * math.sqrt(tyre * share * mass),
+            tyre * factor,
+            0.0,
+            (1.0 - share) * mass,
+        )
+        for share in (0.06, 0.1, 0.16)
+        for ratio in (0.05, 0.15, 0.4)
+        for factor in (0.8, 1.0, 1.25)
+    ]
+    candidates = np.array(grid)
+    misfit = np.zeros(len(grid))
+    for one in parts:
+        few = slice(None, None, max(one.s.size // _START_LINES, 1))
+        misfit += np.sum(np.abs(one.force[few] - responses(candidates, one.s[few]) * one.height[few]) ** 2, axis=1)
+    return np.asarray(candidates[int(np.argmin(misfit))])
+
+
+def _tyre_stiffness(parts: Sequence[Stretch]) -> float:
+    """Tyre stiffness (N/m) from the highest frequencies, where the wheel hardly follows."""
+    one = max(parts, key=lambda part: float(part.s[-1].imag))
+    top = one.s.imag > 0.85 * one.s[-1].imag
+    drive = float(np.sum(np.abs(one.height[top]) ** 2))
+    gain = abs(complex(np.sum(one.force[top] * np.conj(one.height[top])))) / drive if drive > 0.0 else 2e5
+    return min(max(0.8 * gain, 6e4), 8e5)
+
+
+def _system(parts: Sequence[Stretch], parameters: Array) -> tuple[float, Array, Array]:
+    """Sum of squares, normal matrix and right side for the six parameters; the transients are projected out."""
+    cost, normal, right = 0.0, np.zeros((_FREE, _FREE)), np.zeros(_FREE)
+    for one in parts:
+        squares, of_part, pull, _ = normal_equations(parameters, one.s.imag, one.height, one.force)
+        cost += squares
+        normal += of_part
+        right += pull
+    return cost, normal, right
+
+
+def _solve(normal: Array, right: Array, damping: float) -> Array:
+    size = np.sqrt(np.diag(normal))
+    size = np.where(size > 0.0, size, 1.0)
+    scaled = normal / np.outer(size, size) + damping * np.eye(right.size)
+    return np.asarray(np.linalg.solve(scaled, right / size) / size)
+
+
+def predicted_force(fit: ResponseFit, stretch: Stretch) -> Complex:
+    """Dynamic force (N) in the bins of a stretch, with the transients that fit best."""
+    left = normal_equations(_parameters(fit.corner), stretch.s.imag, stretch.height, stretch.force)[3]
+    return np.asarray(stretch.force - left)
+
+
+Response = Callable[[ArrayLike], Complex]
+_AT_END = 0.005  # Hz
+
+
+@dataclass(frozen=True)
+class SteadyState:
+    """Values of the steady states.
+
+    Attributes
+    ----------
+    adhesion : float
+        Least over static tyre force (1); 0 where the linear force would be negative.
+    adhesion_frequency_hz : float
+        Where, Hz.
+    lift_off : bool
+        Whether the linear force would be negative.
+    phase_angle_min_deg, phase_frequency_hz : float
+        Least phase angle in degrees within the band, ends included, and where (Hz).
+    phase_at_end : bool
+        Whether that is an end of the band.
+    relative_force_amplitude : float
+        Greatest force amplitude over static load (1).
+    tyre_rigidity : float
+        By EGEA from the force amplitude at the highest frequency, N/m.
+    """
+
+    adhesion: float
+    adhesion_frequency_hz: float
+    lift_off: bool
+    phase_angle_min_deg: float
+    phase_frequency_hz: float
+    phase_at_end: bool
+    relative_force_amplitude: float
+    tyre_rigidity: float
+
+
+def steady_state(
+    response: Response | Corner,
+    static_load: float | None = None,
+    *,
+    amplitude: float = 3e-3,
+    highest: float = 25.0,
+    band: tuple[float, float] = (6.0, 18.0),
+) -> SteadyState:
+    """Find adhesion, least phase angle and rigidity of a linear wheel on a rigid plate.
+
+    Parameters
+    ----------
+    response : callable or Corner
+        Dynamic tyre force over plate height (N/m, complex) at frequencies (Hz); or the quarter car.
+    static_load : float, optional
+        N; that of the corner where one is given.
+    amplitude : float
+        Of the plate, m.
+    highest : float
+        Highest frequency of the test, Hz. With a damped tyre the force grows with the frequency: the limit matters.
+    band : (float, float)
+        Where the phase angle is searched for, Hz.
+
+    Returns
+    -------
+    SteadyState
+        Frequencies to 0.01 Hz.
+
+    Examples
+    --------
+    >>> found = steady_state(Corner(400.0, 40.0, 25e3, 1000.0, 200e3))
+    >>> round(100.0 * found.adhesion, 2), round(found.phase_angle_min_deg, 2), round(found.phase_frequency_hz, 2)
+    (60.25, 57.27, 7.76)
+    """
+    force: Response = partial(force_response, response) if isinstance(response, Corner) else response
+    own = response.static_load if isinstance(response, Corner) else 0.0
+    load = own if static_load is None else static_load
+
+    def answer(frequency: Array) -> SteadyResponse:
+        return SteadyResponse(frequency, force(frequency), np.ones(frequency.size, complex), load, amplitude)
+
+    adhesion, peak = least_adhesion(answer, highest)
+    angle, at = least(lambda f: answer(f).phase_angle, *band)
+    return SteadyState(
+        adhesion=max(0.0, adhesion),
+        adhesion_frequency_hz=peak,
+        lift_off=adhesion < 0.0,
+        phase_angle_min_deg=float(np.degrees(angle)),
+        phase_frequency_hz=at,
+        phase_at_end=min(at - band[0], band[1] - at) < _AT_END,
+        relative_force_amplitude=1.0 - adhesion,
+        tyre_rigidity=tyre_rigidity(float(answer(np.array([highest])).force_amplitude[0]), amplitude),
+    )

@@ -1,1 +1,0 @@
-"""From plate signals to turns and the response of a wheel."""

@@ -1,0 +1,536 @@
+"""The force in every turn of the plate, measured and as a fitted quarter car has it, and curves over frequency.
+
+The same evaluation of the measured and of the modelled force gives two curves. Their difference is noise where the
+model holds, and a smooth curve where it does not (friction, kinked dampers). How much of it is believed follows from
+the record itself: a Gaussian process whose size has the greatest likelihood, often zero (Rasmussen and Williams).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cache
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import FitError
+from jounce.core.findings import Finding
+from jounce.core.types import Array, Complex
+from jounce.inspection.checks import problem, warning
+from jounce.inspection.quarter_car import ResponseFit, Stretch, fit_response, predicted_force, stretch_of
+from jounce.inspection.signals import WheelSignals, plate_acceleration
+from jounce.inspection.sweep import Sweep
+from jounce.kernel.call import kept, part
+
+PASS, STOP, RIPPLE = 2.0, 4.0, 0.01
+_POINTS = 1025
+_PER_TURN = 40.0  # samples of a turn that are worked out, at least
+_FAST = {"reassoc", "contract", "arcp", "nsz"}  # sums in any order; NaN stays NaN
+FIELDS = ("least", "least_time", "greatest", "down", "up", "mean", "half_amplitude")
+
+
+@cache
+def prototype() -> tuple[Array, float]:
+    """Give one half of the filter's impulse response against time in periods, and the length of that half.
+
+    Returns
+    -------
+    taps : ndarray, shape (1025,)
+        Weight per period (1) from the middle to the end.
+    half : float
+        Length of a half in periods (1).
+
+    Notes
+    -----
+    A Kaiser window on a sinc between pass band (2 f) and stop band (4 f) with a ripple of 0.01 (EGEA SPECSUS2018), and
+    within that ripple moved so that the gain is exactly 1 at 0, f and 2 f: amplitudes are not biased by the filter.
+    """
+    from scipy.signal.windows import kaiser
+
+    attenuation = -20.0 * math.log10(RIPPLE)
+    shape = 0.5842 * (attenuation - 21.0) ** 0.4 + 0.07886 * (attenuation - 21.0)
+    half = 0.5 * (attenuation - 7.95) / (2.285 * 2.0 * math.pi * (STOP - PASS))
+    window = kaiser(2 * _POINTS - 1, shape)[_POINTS - 1 :]
+    u = np.linspace(0.0, half, _POINTS)
+    weights = np.full(_POINTS, 2.0 * half / (_POINTS - 1))
+    weights[[0, -1]] *= 0.5
+    waves = np.cos(2.0 * np.pi * np.outer(np.arange(3), u))
+    taps = window * (STOP + PASS) * np.sinc((STOP + PASS) * u)
+    gains = (waves * window * weights) @ waves.T
+    taps += window * (np.linalg.solve(gains, 1.0 - (waves * weights) @ taps) @ waves)
+    taps.setflags(write=False)
+    return taps, half
+
+
+@part(fastmath=_FAST)
+def _dot(weight, values):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
+    total = 0.0
+    for j in range(values.size):
+        total += weight[j] * values[j]
+    return total
+
+
+@part(fastmath=_FAST)
+def _weigh(weight, wave, bell, reach, period, taps, half):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
+    """Taps of one period; the sampled ones, too, are given the gain 1 at 0 and at the period's frequency."""
+    for j in range(reach + 1):
+        place = j / period / half * (taps.size - 1)
+        k = min(int(place), taps.size - 2)
+        weight[reach + j] = taps[k] + (place - k) * (taps[k + 1] - taps[k])
+        wave[j], bell[j] = math.cos(2.0 * math.pi * j / period), 1.0 + math.cos(math.pi * j / (reach + 1.0))
+    total = first = 0.5 * weight[reach]
+    bells = waved = squared = 1.0  # of one half, as are all sums here
+    for j in range(1, reach + 1):
+        total += weight[reach + j]
+        first += weight[reach + j] * wave[j]
+        bells += bell[j]
+        waved += bell[j] * wave[j]
+        squared += bell[j] * wave[j] * wave[j]
+    scale, centre = 0.5 / total, waved / bells
+    lift = 0.5 * (1.0 - 2.0 * first * scale) / (squared - waved * centre)
+    for j in range(reach + 1):
+        value = weight[reach + j] * scale + lift * bell[j] * (wave[j] - centre)
+        weight[reach + j] = weight[reach - j] = value
+
+
+@part(fastmath=False)
+def _fall_and_rise(smooth, at, length, line):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
+    """Places where a signal falls below a line before its least value and rises above it afterwards, else NaN."""
+    fall, rise = math.nan, math.nan
+    m = at
+    while m > 0 and smooth[m] < line:
+        m -= 1
+    if smooth[m] >= line:
+        fall = m + (smooth[m] - line) / (smooth[m] - smooth[m + 1])
+    m = at
+    while m < length - 1 and smooth[m] < line:
+        m += 1
+    if smooth[m] >= line:
+        rise = m - (smooth[m] - line) / (smooth[m] - smooth[m - 1])
+    return fall, rise
+
+
+@part(fastmath=False)
+def _vertex(smooth, at):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
+    """Value of the parabola through three samples at its turning point, and where that is from the middle one."""
+    bend = smooth[at - 1] - 2.0 * smooth[at] + smooth[at + 1]
+    tilt = smooth[at - 1] - smooth[at + 1]
+    if abs(tilt) >= abs(bend) or bend == 0.0:
+        return smooth[at], 0.0
+    return smooth[at] - 0.125 * tilt * tilt / bend, 0.5 * tilt / bend
+
+
+@kept(error_model="numpy", fastmath=_FAST)
+def _periods(signals, rate, start, tops, frequencies, level, taps, half, low, high):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
+    count, rows, samples = tops.size, signals.shape[0], signals.shape[1]
+    found = np.full((rows, count, 7), np.nan)
+    longest = int(rate / frequencies.min() * (high - low + 1.2)) + 8
+    smooth = np.empty(longest)
+    widest = int(half * rate / frequencies.min()) + 2
+    weight, wave, bell = np.empty(2 * widest), np.empty(widest), np.empty(widest)
+    for i in range(count):
+        f = frequencies[i]
+        period = rate / f
+        reach = int(half * period)
+        middle = (tops[i] - start) * rate
+        first = math.floor(middle + (low - 0.55) * period)
+        last = math.ceil(middle + (high + 0.55) * period)
+        if first - reach < 0 or last + reach >= samples:
+            continue
+        _weigh(weight, wave, bell, reach, period, taps, half)
+        step = max(1, int(period / _PER_TURN))
+        length = (last - first) // step + 1
+        for row in range(rows):
+            for m in range(length):
+                begin = first + m * step - reach
+                smooth[m] = _dot(weight, signals[row, begin : begin + 2 * reach + 1])
+            begin = math.ceil((middle + low * period - first) / step)
+            end = math.floor((middle + high * period - first) / step)
+            at = begin
+            for m in range(begin, end + 1):
+                if smooth[m] < smooth[at]:
+                    at = m
+            if at in (0, begin, end, length - 1):
+                continue
+            one = round(period / step)
+            low_end, high_end = max(at - one // 2, 1), min(at + (one + 1) // 2, length - 1)
+            top, mean = low_end, 0.0
+            for m in range(low_end, high_end):
+                mean += smooth[m]
+                if smooth[m] > smooth[top]:
+                    top = m
+            least, shift = _vertex(smooth, at)
+            greatest, _ = _vertex(smooth, top)
+            found[row, i, 0] = least
+            found[row, i, 1] = start + (first + (at + shift) * step) / rate
+            found[row, i, 2] = greatest
+            found[row, i, 5] = mean / max(high_end - low_end, 1)
+            found[row, i, 6] = 0.5 * (greatest - least)
+            line = level
+            if not (least + 0.1 * (greatest - least) < level < greatest - 0.1 * (greatest - least)):
+                line = 0.5 * (least + greatest)
+            fall, rise = _fall_and_rise(smooth, at, length, line)
+            found[row, i, 3] = start + (first + fall * step) / rate
+            found[row, i, 4] = start + (first + rise * step) / rate
+    return found
+
+
+def force_in_periods(
+    signals: Array,
+    rate: float,
+    start: float,
+    tops: Array,
+    frequencies: Array,
+    level: float,
+    window: tuple[float, float],
+) -> Array:
+    """Find what forces do in each period of the plate, after the low pass that goes with the period.
+
+    Parameters
+    ----------
+    signals : ndarray, shape (rows, n)
+        Forces in N.
+    rate, start : float
+        Samples per second (Hz), and time (s) of the first one.
+    tops, frequencies : ndarray, shape (periods,)
+        When the plate is highest (s), and its frequency then (Hz).
+    level : float
+        N; crossings of this level around the least force are looked for (of the middle, where it is never crossed).
+    window : (float, float)
+        Where the least force is looked for, in periods (1) after the top.
+
+    Returns
+    -------
+    ndarray, shape (rows, periods, 7)
+        Least force (N) and its time (s), greatest force (N) in the period around it, times (s) at which the force
+        falls below the level before and rises above it after the least force, mean force (N), half of greatest less
+        least (N). NaN where the record does not reach or the least force lies at the window's end.
+    """
+    taps, half = prototype()
+    block = np.ascontiguousarray(signals)
+    return np.asarray(
+        _periods(block, float(rate), float(start), tops, frequencies, float(level), taps, half, window[0], window[1])
+    )
+
+
+_SIZES = np.array([0.3, 0.6, 1.2, 2.5, 5.0, 10.0, 30.0, 100.0, 1000.0])
+_BELIEVED = 2.0  # log likelihood that a size must win over none
+_FLOOR = 1e-9
+_FEWEST = 8
+_SAME = 0.06  # Hz
+
+
+@dataclass(frozen=True)
+class FrequencyCurve:
+    """A quantity over frequency.
+
+    Attributes
+    ----------
+    frequency : ndarray, shape (n,)
+        Rising, Hz.
+    value : ndarray, shape (n,)
+        The quantity.
+    error : ndarray, shape (n,)
+        Standard error of what was added to the model, unit of the quantity.
+    """
+
+    frequency: Array
+    value: Array
+    error: Array
+
+    def with_turns(self, frequency: Array, value: Array) -> FrequencyCurve:
+        """Add turns (Hz, unit of the quantity) of which nothing was measured."""
+        both = np.concatenate([self.frequency, frequency])
+        order = np.argsort(both, kind="stable")
+        order = order[np.diff(both[order], prepend=-1.0) > 1e-6]
+        unknown = np.concatenate([self.error, np.zeros(frequency.size)])
+        return FrequencyCurve(both[order], np.concatenate([self.value, value])[order], unknown[order])
+
+    def lowest(self) -> tuple[float, float, float]:
+        """Frequency (Hz), value and error of the turn with the least value."""
+        at = int(np.argmin(self.value))
+        return float(self.frequency[at]), float(self.value[at]), float(self.error[at])
+
+    def least(self, low: float, high: float) -> tuple[float, float, float] | None:
+        """Frequency (Hz), value and error where the curve is least between two frequencies (Hz), ends included.
+
+        None where the curve does not reach over both ends.
+        """
+        from scipy.interpolate import CubicSpline
+
+        f = self.frequency
+        if f.size < 4 or f[0] > low + 1e-6 or f[-1] < high - 1e-6:
+            return None
+        grid = np.linspace(low, high, 1 + int(np.ceil((high - low) / 0.02)))
+        near = slice(max(np.searchsorted(f, low) - 3, 0), np.searchsorted(f, high) + 3)
+        values = CubicSpline(f[near], self.value[near])(grid)
+        at = int(np.argmin(values))
+        return float(grid[at]), float(values[at]), float(np.interp(grid[at], f, self.error))
+
+
+def corrected_curve(frequency: Array, measured: Array, modelled: Array, spread: Array, length: float) -> FrequencyCurve:
+    """Put a modelled curve right by a measured one.
+
+    Parameters
+    ----------
+    frequency : ndarray, shape (n,)
+        Hz, in any order.
+    measured, modelled : ndarray, shape (n,)
+        The quantity; NaN where it is not known.
+    spread : ndarray, shape (n,)
+        How the noise of the measured values goes from one to the other; its size does not matter.
+    length : float
+        Hz over which what the model misses may change.
+
+    Returns
+    -------
+    FrequencyCurve
+        Sorted by frequency, frequencies once.
+    """
+    known = np.isfinite(measured) & np.isfinite(modelled) & (spread > 0.0)
+    order = np.argsort(frequency[known], kind="stable")
+    f, y, base, wide = _merged(*(values[known][order] for values in (frequency, measured, modelled, spread)))
+    if f.size < _FEWEST:
+        return FrequencyCurve(f, y, np.full(f.size, np.nan))
+    gap = y - base
+    if not np.any(gap):
+        return FrequencyCurve(f, y, np.zeros(f.size))
+    noise = wide * _noise(gap, wide)
+    added, error = _posterior(f, gap, noise, length)
+    return FrequencyCurve(f, base + added, error)
+
+
+def _merged(f: Array, y: Array, base: Array, wide: Array) -> tuple[Array, Array, Array, Array]:
+    """Means of turns at nearly the same frequency."""
+    starts = np.flatnonzero(np.diff(np.floor(f / _SAME), prepend=-1.0))
+    if starts.size == f.size:
+        return f, y, base, wide
+    counts = np.diff(np.append(starts, f.size))
+    means = [np.add.reduceat(values, starts) / counts for values in (f, y, base)]
+    return means[0], means[1], means[2], np.sqrt(np.add.reduceat(wide**2, starts)) / counts
+
+
+def _noise(gap: Array, wide: Array) -> float:
+    """Size of what jumps from one value to the next, in units of ``wide``."""
+    second = gap[:-2] - 2.0 * gap[1:-1] + gap[2:]
+    scale = np.sqrt(wide[:-2] ** 2 + 4.0 * wide[1:-1] ** 2 + wide[2:] ** 2)
+    jumps = float(np.median(np.abs(second) / scale)) / 0.6745
+    return max(jumps, _FLOOR * float(np.max(np.abs(gap) / wide)), 1e-300)
+
+
+def _posterior(f: Array, gap: Array, noise: Array, length: float) -> tuple[Array, Array]:
+    """Mean and standard error of the smooth part of ``gap``; zero where none is believed.
+
+    The process is written in cosines over the band, weighted as its kernel's spectrum (Solin and Sarkka).
+    """
+    reach = float(f[-1] - f[0]) + 2.0 * length
+    order = np.arange(min(int(2.0 * reach / length) + 2, f.size // 2))
+    weight = np.exp(-0.25 * (np.pi * order * length / reach) ** 2)
+    basis = np.cos(np.pi * np.outer((f - f[0] + length) / reach, order)) * weight
+    basis *= math.sqrt(1.0 / float(np.mean(np.sum(basis**2, axis=1))))
+    white = basis / noise[:, None]
+    values, vectors = np.linalg.eigh(white.T @ white)
+    values = np.maximum(values, 0.0)
+    along = vectors.T @ (white.T @ (gap / noise))
+    rises = (_SIZES * float(np.median(noise))) ** 2
+    grown = np.outer(rises, values)
+    likelihoods = 0.5 * np.sum(np.outer(rises, along**2) / (1.0 + grown) - np.log1p(grown), axis=1)
+    best = int(np.argmax(likelihoods))
+    chosen = rises[best] if likelihoods[best] > _BELIEVED else 0.0
+    shares = chosen / (1.0 + chosen * values)
+    turned = basis @ vectors
+    return turned @ (shares * along), np.sqrt((turned**2) @ shares)
+
+
+LOWEST_FIT, HIGHEST_FIT, LOWEST_TURN = 0.7, 40.0, 3.5  # Hz
+UNDERFLOW = 0.01
+_BOX_TIME = 0.009
+_AFTER_LIFT_OFF = 0.06
+_SHORTEST_STRETCH = 0.8
+_WINDOW = (-0.12, 0.63)
+_WHOLE_TURN = (-0.1, 1.1)
+_TYRES = (5e4, 1.2e6)
+
+
+@dataclass(frozen=True)
+class Analysis:
+    """What every turn shows, measured and modelled.
+
+    Attributes
+    ----------
+    load : float
+        Static load, N.
+    fit : ResponseFit or None
+        Quarter car; None where none could be fitted.
+    top, frequency : ndarray, shape (n,)
+        When the plate was at the top (s), and its frequency then (Hz).
+    turn_frequency : ndarray, shape (n,)
+        One over the time to the next top, Hz.
+    measured, modelled : ndarray, shape (n, 7)
+        See ``force_in_periods``; the model's are NaN where the tyre lifts off.
+    lifted : ndarray of bool, shape (n,)
+        Turns in which the tyre leaves the plate, or which are not yet over it.
+    amplitude : float
+        Of the plate, m; NaN where it is not known.
+    """
+
+    load: float
+    fit: ResponseFit | None
+    top: Array
+    frequency: Array
+    turn_frequency: Array
+    measured: Array
+    modelled: Array
+    lifted: NDArray[np.bool_]
+    amplitude: float
+
+
+def find_lift_off(force: Array, load: float, sample_rate: float) -> NDArray[np.bool_]:
+    """Samples (n,) in which the mean force (N) over 9 ms is below 1 % of the static load (N); rate in Hz."""
+    size = max(round(_BOX_TIME * sample_rate), 1)
+    sums = np.concatenate([[0.0], np.cumsum(force)])
+    mean = (sums[size:] - sums[:-size]) / size
+    low = np.zeros(force.size, dtype=bool)
+    low[size // 2 : size // 2 + mean.size] = mean < UNDERFLOW * load
+    return low
+
+
+def stretches_between(lifted: NDArray[np.bool_], first: int, last: int, sample_rate: float) -> list[tuple[int, int]]:
+    """Samples (from, up to) between ``first`` and ``last`` without lift-off that are long enough to be fitted (Hz)."""
+    if not lifted[first:last].any():
+        return [(first, last)]
+    margin = max(round(_AFTER_LIFT_OFF * sample_rate), 1)
+    flags = np.flatnonzero(lifted[first:last]) + first
+    edges = np.concatenate([[first - margin], flags, [last + margin]])
+    gaps = [(int(a) + margin, int(b) - margin) for a, b in pairwise(edges)]
+    return [(a, b) for a, b in gaps if b - a >= _SHORTEST_STRETCH * sample_rate]
+
+
+def analyse(signals: WheelSignals, sweep: Sweep, load: float) -> tuple[Analysis, list[Finding]]:
+    """Fit a quarter car to one wheel's test on a rigid plate, and evaluate every turn.
+
+    Parameters
+    ----------
+    signals : WheelSignals
+        The test.
+    sweep : Sweep
+        Its turns.
+    load : float
+        Static load, N.
+
+    Returns
+    -------
+    analysis : Analysis
+        Turns from 1 s before the run-down on, down to 3 Hz.
+    findings : list of Finding
+        What is wrong with the fit.
+    """
+    rate, start = signals.sample_rate, float(signals.time[0])
+    lifted = find_lift_off(signals.force, load, rate)
+    model = np.full(signals.force.size, np.nan)
+    fit, findings = None, list[Finding]()
+    if signals.height is not None:
+        first = max(round((sweep.begin - start) * rate), 0)
+        end = min(round((float(sweep.turns.crossing[-1]) + 0.3 - start) * rate), signals.force.size)
+        fit, findings = fit_test(signals, stretches_between(lifted, first, end, rate), load, sweep.highest, model)
+    turns = sweep.turns
+    kept = slice(sweep.hold.start, sweep.last + 1)
+    used = (turns.frequency[kept] >= LOWEST_TURN) & (turns.top[kept] >= sweep.begin - 1e-9)
+    top, frequency = turns.top[kept][used], turns.frequency[kept][used]
+    following = np.append(np.diff(turns.top), np.nan)[kept][used]
+    window = _WINDOW if signals.height is not None else _WHOLE_TURN
+    rows = np.stack([signals.force, np.where(np.isfinite(model), model, load)])
+    both = force_in_periods(rows, rate, start, top, frequency, load, window)
+    off = _turns_hit(lifted | ~np.isfinite(model) if fit is not None else lifted, top, frequency, rate, start)
+    both[1, off] = np.nan
+    amplitude = 0.5 * float(np.ptp(signals.height)) if signals.height is not None else np.nan
+    touched = _turns_hit(lifted, top, frequency, rate, start)
+    return Analysis(load, fit, top, frequency, 1.0 / following, both[0], both[1], touched, amplitude), findings
+
+
+def _turns_hit(flags: NDArray[np.bool_], top: Array, frequency: Array, rate: float, start: float) -> NDArray[np.bool_]:
+    """Turns (n,) with a flagged sample between half a turn before and 1.2 turns after their top."""
+    counts = np.concatenate([[0], np.cumsum(flags)])
+    low = np.clip(((top - 0.5 / frequency - start) * rate).astype(int), 0, flags.size)
+    high = np.clip(((top + 1.2 / frequency - start) * rate).astype(int), 0, flags.size)
+    return np.asarray(counts[high] > counts[low])
+
+
+def fit_test(
+    signals: WheelSignals, parts: list[tuple[int, int]], load: float, highest: float, model: Array
+) -> tuple[ResponseFit | None, list[Finding]]:
+    """Fit a quarter car to parts of a test and write its force into ``model``.
+
+    Parameters
+    ----------
+    signals : WheelSignals
+        The test; heights are needed.
+    parts : list of (int, int)
+        Samples, from and up to.
+    load, highest : float
+        Static load (N) and highest frequency (Hz).
+    model : ndarray, shape (n,)
+        Is given the modelled force (N) in these parts.
+
+    Returns
+    -------
+    fit : ResponseFit or None
+        None where nothing resembles a quarter car.
+    findings : list of Finding
+        What is wrong.
+    """
+    height, place = signals.height, f"{signals.wheel}.plate.force"
+    if height is None:
+        return None, []
+    high = min(1.08 * highest, HIGHEST_FIT)
+    stretches = [
+        stretch_of(height[a:b], signals.force[a:b] - load, signals.sample_rate, LOWEST_FIT, high) for a, b in parts
+    ]
+    try:
+        fit = fit_response(stretches, load, where=place)
+    except FitError as error:
+        return None, [warning(place, "not_fitted", text=error.what)]
+    strange = not _TYRES[0] < fit.corner.tyre_stiffness < _TYRES[1]
+    doubtful = strange or fit.explained < 0.9
+    if doubtful and _upside_down(signals, parts, load, high) > 0.5 * (1.0 + fit.explained):
+        return None, [problem(f"{signals.wheel}.plate.z", "upside_down", fit.explained)]
+    if strange or fit.explained < 0.3:
+        stiffness = fit.corner.tyre_stiffness
+        return None, [problem(place, "no_wheel", stiffness, stiffness=1e-3 * stiffness)]
+    from scipy.fft import irfft
+
+    predicted = [predicted_force(fit, one) for one in stretches]
+    for (a, _), one, force in zip(parts, stretches, predicted, strict=True):
+        spectrum = np.zeros(one.samples // 2 + 1, dtype=complex)
+        lowest = round(one.s[0].imag / (2.0 * np.pi) * one.samples / signals.sample_rate)
+        spectrum[lowest : lowest + one.s.size] = force
+        model[a : a + one.samples] = irfft(spectrum, n=one.samples) + load
+    left = [one.force - force for one, force in zip(stretches, predicted, strict=True)]
+    return fit, _doubts(fit, stretches, left, signals, load)
+
+
+def _upside_down(signals: WheelSignals, parts: list[tuple[int, int]], load: float, high: float) -> float:
+    """Share (1) of the force that is explained when the height is turned over."""
+    height = np.zeros(0) if signals.height is None else -signals.height
+    inertia = signals.plate_mass * plate_acceleration(height, signals.sample_rate)
+    force = signals.force - 2.0 * inertia - load  # it had been taken off with the wrong sign
+    turned = [stretch_of(height[a:b], force[a:b], signals.sample_rate, LOWEST_FIT, high) for a, b in parts]
+    return fit_response(turned, load).explained
+
+
+def _doubts(
+    fit: ResponseFit, stretches: list[Stretch], left: list[Complex], signals: WheelSignals, load: float
+) -> list[Finding]:
+    place = f"{signals.wheel}.plate.force"
+    findings = []
+    if fit.explained < 0.97:
+        findings.append(warning(place, "poor_fit", fit.explained, percent=100.0 * fit.explained))
+    for one, unexplained in zip(stretches, left, strict=True):
+        size = 2.0 / one.samples * np.abs(unexplained)
+        at = int(np.argmax(size))
+        if size[at] > 0.01 * load and size[at] > 12.0 * float(np.median(size)):
+            frequency = float(one.s[at].imag / (2.0 * np.pi))
+            findings.append(warning(place, "vibrates", frequency, frequency=frequency, force=float(size[at])))
+    return findings

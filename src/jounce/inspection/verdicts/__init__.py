@@ -1,1 +1,0 @@
-"""Limits, and what they say of values: bands, verdicts, reasons."""
