@@ -288,4 +288,4 @@ def load_limits(name: str | Path | None = None) -> Limits:
 
 def shipped_limits() -> Path:
     """Give the file of the limits that come with jounce, to be copied and changed."""
-    return Path(str(resources.files("jounce.inspection.verdicts") / "limits.toml"))
+    return Path(str(resources.files("jounce.inspection") / "limits.toml"))
