@@ -104,8 +104,8 @@ def _registered() -> Callable[..., Figure]:
     from jounce.identify.stiffness import PressureStiffness, StiffnessResult
     from jounce.identify.update import UpdateResult
     from jounce.inspection.equivalence import Equivalence
+    from jounce.inspection.grading import GradedInspection
     from jounce.inspection.result import Inspection
-    from jounce.inspection.verdicts.grading import GradedInspection
     from jounce.papers.audi_a6 import AudiCase
     from jounce.papers.audi_a6_exciter import EccentricExciter
     from jounce.parts.corners import Corner
