@@ -12,7 +12,7 @@ from timing import Row, median_time
 import jounce as jn
 from jounce.ride.study import iso_trial
 from jounce.ride.weighting import weighted, weighting_response
-from jounce.roads.iso8608 import Iso8608
+from jounce.roads.rough import Iso8608
 from jounce.roughness.iri import iri, state_transition
 
 _CONTROLLED = 10.0  # s at 1 kHz

@@ -15,13 +15,14 @@ from pydantic import TypeAdapter
 
 from jounce.campaign.description import Campaign
 from jounce.control import CONTROLS
+from jounce.core.kinds import FILE_REF
 from jounce.inspection.limits import METHODS, Limits
 from jounce.inspection.quantities import QUANTITIES
 from jounce.inspection.record import NUMBERS, SIDES, TEXTS
 from jounce.parts.files import RIGS, VEHICLES
 from jounce.parts.testers import Tester
+from jounce.roads import ROADS
 from jounce.roads.loading import SCHEMA
-from jounce.roads.train import ROADS, AnyRoad
 
 FOLDER = Path(__file__).parent / "schemas"
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
@@ -69,20 +70,23 @@ def vehicle_schema() -> dict[str, Any]:
 
 
 def road_schema() -> dict[str, Any]:
-    """Schema of a road file: one road table at top level."""
-    schema = _roads(named=False)
+    """Schema of a road file: one road table at top level, ``kind`` required."""
+    schema = ROADS.adapter().json_schema(by_alias=True)
     for kind in ROADS.values():
-        schema["$defs"][kind.__name__]["properties"]["schema"] = {"const": SCHEMA}
+        definition = schema["$defs"][kind.__name__]
+        definition["properties"]["schema"] = {"const": SCHEMA}
+        definition["required"] = ["kind", *definition.get("required", [])]
+        if "of" in definition["properties"]:
+            name = {"type": "string", "description": "in a campaign: the name of another of its roads"}
+            definition["properties"]["of"] = {"anyOf": [name, definition["properties"]["of"]]}
     return {"$schema": DIALECT, "title": "jounce road file", **schema}
 
 
 def campaign_schema() -> dict[str, Any]:
-    """Schema of a campaign file, its roads included."""
+    """Schema of a campaign file; its roads are those of road files."""
     schema = Campaign.model_json_schema(by_alias=True)
-    roads = _roads(named=True)
     definitions = schema["$defs"]
-    definitions.update(roads.pop("$defs"))
-    schema["properties"]["roads"]["additionalProperties"] = roads
+    schema["properties"]["roads"]["additionalProperties"] = {FILE_REF: ROADS.schema}
     definitions["UpdateEntry"]["properties"]["free"]["additionalProperties"] = BOUNDS
     definitions["TrialEntry"]["properties"]["changes"]["additionalProperties"] = VALUE
     return {"$schema": DIALECT, **schema, "title": "jounce campaign file"}
@@ -135,30 +139,16 @@ def record_schema() -> dict[str, Any]:
     return {"$schema": DIALECT, "title": "jounce header of a record", "type": "object", "properties": properties}
 
 
-def _roads(*, named: bool) -> dict[str, Any]:
-    """Schema of any road, ``kind`` required; ``named``: the road of a train or an enveloped one may be a name."""
-    schema = TypeAdapter(AnyRoad).json_schema(by_alias=True)
-    for kind in ROADS.values():
-        definition = schema["$defs"][kind.__name__]
-        definition["required"] = ["kind", *definition.get("required", [])]
-    if named:
-        name = {"type": "string", "description": "name of a road"}
-        for kind in ("Train", "Enveloped"):
-            properties = schema["$defs"][kind]["properties"]
-            properties["of"] = {"anyOf": [name, properties["of"]]}
-    return schema
-
-
-def _short(schema: Any) -> Any:
-    """Keep the first paragraph of every description; the rest is written for Python."""
+def _written(schema: Any) -> Any:
+    """Keep the first paragraph of every description, the rest is written for Python; refer to other files."""
     if isinstance(schema, dict):
         return {
-            key: " ".join(value.split("\n\n")[0].split())
+            "$ref" if key == FILE_REF else key: " ".join(value.split("\n\n")[0].split())
             if key == "description" and isinstance(value, str)
-            else _short(value)
+            else _written(value)
             for key, value in schema.items()
         }
-    return [_short(item) for item in schema] if isinstance(schema, list) else schema
+    return [_written(item) for item in schema] if isinstance(schema, list) else schema
 
 
 def texts() -> dict[str, str]:
@@ -167,7 +157,7 @@ def texts() -> dict[str, str]:
     schemas |= {"control": control_schema(), "tester": tester_schema(), "limits": limits_schema()}
     schemas["record"] = record_schema()
     return {
-        f"{name}.schema.json": json.dumps(_short(schema), indent=1, allow_nan=False) + "\n"
+        f"{name}.schema.json": json.dumps(_written(schema), indent=1, allow_nan=False) + "\n"
         for name, schema in schemas.items()
     }
 

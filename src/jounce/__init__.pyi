@@ -96,35 +96,15 @@ from .ride.study import compare_rides as compare_rides
 from .ride.study import drive as drive
 from .ride.study import iso_trial as iso_trial
 from .ride.study import road_trial as road_trial
-from .roads import CircularSegment as CircularSegment
-from .roads import Crg as Crg
-from .roads import Enveloped as Enveloped
-from .roads import Excitation as Excitation
-from .roads import Flat as Flat
-from .roads import HalfCylinder as HalfCylinder
-from .roads import HalfSine as HalfSine
-from .roads import Iso8608 as Iso8608
-from .roads import Kerb as Kerb
-from .roads import Pothole as Pothole
-from .roads import Ramp as Ramp
-from .roads import Rectangle as Rectangle
-from .roads import Sine as Sine
-from .roads import SineSum as SineSum
-from .roads import SineSweep as SineSweep
-from .roads import Step as Step
-from .roads import Table as Table
-from .roads import Train as Train
-from .roads import Trapezoid as Trapezoid
-from .roads import Trial as Trial
-from .roads import Triangle as Triangle
-from .roads import Versine as Versine
-from .roads import load_road as load_road
-from .roads import road_psd as road_psd
-from .roads import swept_sine as swept_sine
-from .roads import white_noise_intensity as white_noise_intensity
+from .roads.loading import load_road as load_road
+from .roads.trial import Excitation as Excitation
+from .roads.trial import Trial as Trial
+from .roads.waves import swept_sine as swept_sine
 from .roughness.iri import Roughness as Roughness
 from .roughness.iri import iri as iri
 from .roughness.spectra import estimate_roughness as estimate_roughness
+from .roughness.spectra import road_psd as road_psd
+from .roughness.spectra import white_noise_intensity as white_noise_intensity
 from .simulation import Gradient as Gradient
 from .simulation import LinearModel as LinearModel
 from .simulation import Mode as Mode
@@ -140,5 +120,28 @@ from .simulation.corner_models import corner_models as corner_models
 from .simulation.environment import ride_environment as ride_environment
 from .testers.plate_response import steady_response as steady_response
 from .testers.testing import simulate_test as simulate_test
+
+# isort: split
+# Written by `make faces`: the members of the registries.
+from .roads.enveloping import Enveloped as Enveloped
+from .roads.measured import Crg as Crg
+from .roads.measured import Table as Table
+from .roads.obstacles import CircularSegment as CircularSegment
+from .roads.obstacles import Flat as Flat
+from .roads.obstacles import HalfCylinder as HalfCylinder
+from .roads.obstacles import HalfSine as HalfSine
+from .roads.obstacles import Kerb as Kerb
+from .roads.obstacles import Pothole as Pothole
+from .roads.obstacles import Ramp as Ramp
+from .roads.obstacles import Rectangle as Rectangle
+from .roads.obstacles import Step as Step
+from .roads.obstacles import Train as Train
+from .roads.obstacles import Trapezoid as Trapezoid
+from .roads.obstacles import Triangle as Triangle
+from .roads.obstacles import Versine as Versine
+from .roads.rough import Iso8608 as Iso8608
+from .roads.rough import SineSum as SineSum
+from .roads.waves import Sine as Sine
+from .roads.waves import SineSweep as SineSweep
 
 __version__: str

@@ -29,11 +29,12 @@ def own_things(module: types.ModuleType) -> dict[str, Any]:
     """Public functions and classes that a module defines or, if it is a package, exports."""
     is_package = hasattr(module, "__path__")
     exported = getattr(module, "__all__", None)
+    things = {name: getattr(module, name) for name in exported} if is_package and exported else vars(module)
     return {
         name: value
-        for name, value in vars(module).items()
+        for name, value in things.items()
         if inspect.isfunction(value) or inspect.isclass(value)
-        if not name.startswith("_") and (exported is None or not is_package or name in exported)
+        if not name.startswith("_")
         if value.__module__ == module.__name__ or (is_package and value.__module__.startswith(f"{module.__name__}."))
     }
 

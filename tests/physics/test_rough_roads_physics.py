@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from jounce.roads import Iso8608, road_psd, track_coherence
-from jounce.roads.roughness import class_roughness
-from jounce.roughness.spectra import estimate_roughness
+from jounce.roads import Iso8608, track_coherence
+from jounce.roads.rough import class_roughness
+from jounce.roughness.spectra import estimate_roughness, road_psd
 
 
 def estimated(road: Iso8608):

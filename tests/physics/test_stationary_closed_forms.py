@@ -23,7 +23,7 @@ from jounce.ride.closed_forms import (
     white_noise_variances,
 )
 from jounce.ride.stationary import stationary
-from jounce.roads.roughness import white_noise_intensity
+from jounce.roughness.spectra import white_noise_intensity
 
 SPEED = 20.0
 

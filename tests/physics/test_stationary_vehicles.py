@@ -10,7 +10,8 @@ from jounce.core.errors import DescriptionError, SimulationError
 from jounce.parts.vehicles import Vehicle
 from jounce.ride.stationary import StationaryResponse, stationary
 from jounce.roads import Iso8608
-from jounce.roads.roughness import BAND, white_noise_intensity
+from jounce.roads.rough import BAND
+from jounce.roughness.spectra import white_noise_intensity
 
 HARD = {"front.tyre.damping_coefficient": 0.0, "rear.tyre.damping_coefficient": 0.0}
 WIDE = (1e-5, 500.0)  # 1/m: nearly all waves

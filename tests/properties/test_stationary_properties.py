@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 import jounce as jn
 from jounce.ride.closed_forms import LumpedCorner, white_noise_variances
 from jounce.ride.stationary import stationary
-from jounce.roads.roughness import white_noise_intensity
+from jounce.roughness.spectra import white_noise_intensity
 
 MASSES = st.floats(100.0, 1000.0)
 SHARES = st.floats(0.03, 0.5)

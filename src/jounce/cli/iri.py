@@ -33,7 +33,7 @@ def iri(
     length, lateral = positive_quantity(segment, "m", "--segment"), quantity(offset, "m", "--offset")
     from jounce.core.serialise import to_plain
     from jounce.roughness.iri import iri as roughness_of
-    from jounce.roughness.profiles import read_profile
+    from jounce.roughness.iri import read_profile
 
     x, z, notes = read_profile(profile, columns=columns(columns_), lateral_offset=lateral)
     found = roughness_of(x, z, segment=length, place=profile)

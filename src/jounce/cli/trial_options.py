@@ -97,6 +97,6 @@ def _load(name: str, text: str) -> dict[str, float]:
 
 def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float | None = None) -> list[Finding]:
     """Say what looks wrong with a trial: a road that ends before the run does, a load that never comes, ..."""
-    from jounce.roads.advice import trial_findings as found
+    from jounce.roads.trial import trial_findings as found
 
     return found(trial, rig, output_step=output_step)

@@ -5,13 +5,14 @@ from __future__ import annotations
 import re
 import tomllib
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, Self, TypeVar, cast, get_origin
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self, TypeVar, cast, get_origin
 
-from pydantic import BaseModel, ConfigDict, ValidationError
-from pydantic_core import PydanticCustomError
+from pydantic import BaseModel, ConfigDict, GetCoreSchemaHandler, GetJsonSchemaHandler, ValidationError
+from pydantic_core import CoreSchema, PydanticCustomError
 
 from jounce.core.errors import DescriptionError, nearest
 from jounce.core.files import existing_file
+from jounce.core.kinds import FILE_REF, Kinds
 
 D = TypeVar("D", bound="Description")
 
@@ -36,6 +37,23 @@ class Description(BaseModel, metaclass=_DescriptionType):
     """Base of all nouns: frozen, refuses unknown keys, reads physical values with units."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", populate_by_name=True, protected_namespaces=())
+
+    kinds: ClassVar[Kinds | None] = None  # set by the base of a family of descriptions
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **_: Any) -> None:
+        if cls.kinds is not None:
+            cls.kinds.join(cls)
+
+    @classmethod
+    def __get_pydantic_core_schema__(cls, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        family: Kinds | None = vars(cls).get("kinds")
+        return handler(source) if family is None else family.core_schema(cls)
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        family: Kinds | None = vars(cls).get("kinds")
+        return handler(schema) if family is None else {FILE_REF: family.schema}
 
     @classmethod
     def from_table(
@@ -270,5 +288,6 @@ def _annotation(model: type[BaseModel], name: str) -> Any:
 
 def _models_of(annotation: Any) -> list[type[BaseModel]]:
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        return [annotation]
+        family = vars(annotation).get("kinds")
+        return [*family.values()] if isinstance(family, Kinds) else [annotation]
     return [found for part in getattr(annotation, "__args__", ()) for found in _models_of(part)]

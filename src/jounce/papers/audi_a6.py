@@ -17,8 +17,8 @@ from jounce.parts import load
 from jounce.parts.vehicles import Compat, HalfCar
 from jounce.recordings.schema import recording
 from jounce.roads import Rectangle, Trapezoid, Trial
-from jounce.roads.loads import PitchMoment
 from jounce.roads.road import Road
+from jounce.roads.trial import PitchMoment
 from jounce.simulation import Mode, equilibrium, modes, simulate
 
 if TYPE_CHECKING:

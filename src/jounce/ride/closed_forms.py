@@ -79,7 +79,7 @@ def white_noise_variances(corner: LumpedCorner, intensity: float) -> Variances:
     corner : LumpedCorner
         Its damping coefficient must be above 0.
     intensity : float
-        W of the road's vertical velocity, m^2/s (:func:`jounce.roads.roughness.white_noise_intensity`).
+        W of the road's vertical velocity, m^2/s (:func:`jounce.roughness.spectra.white_noise_intensity`).
 
     Returns
     -------

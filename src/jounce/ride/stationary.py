@@ -145,7 +145,7 @@ def stationary(
     waviness : float
         Exponent w of the spectrum (1); other than 2 needs a band.
     sides : {"uncorrelated", "same", "isotropic", "exponential"}, optional
-        What left and right wheels share; the last two (:func:`jounce.roads.roughness.track_coherence`) need a band.
+        What left and right wheels share; the last two (:func:`jounce.roads.rough.track_coherence`) need a band.
         By default uncorrelated without a band and isotropic with one.
     contact_length : float or str
         Length over which the tyre averages the road, m; needs a band.

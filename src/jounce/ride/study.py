@@ -19,11 +19,8 @@ from jounce.recordings.schema import channels_of
 from jounce.ride.metrics import RideMetrics, ride_metrics
 from jounce.ride.spectra import Spectrum, power_spectrum
 from jounce.ride.stationary import StationaryResponse, stationary
-from jounce.roads import Crg, Trial, check_covered, point_spacing
-from jounce.roads.advice import FASTEST
-from jounce.roads.coverage import ends_level
-from jounce.roads.iso8608 import Iso8608
-from jounce.roads.road import Road
+from jounce.roads import Crg, Iso8608, Road, Trial
+from jounce.roads.trial import FASTEST
 from jounce.simulation import simulate
 
 if TYPE_CHECKING:
@@ -142,19 +139,19 @@ def road_trial(rig: Rig, road: Road, speed: float | str, *, duration: float | st
     behind = _wheelbase(rig)
     velocity = positive_si(speed, "m/s", where="speed")
     left, right = _tracks(rig, road)
-    beyond = behind if all(ends_level(side) for side in (left, right) if side is not None) else 0.0
+    beyond = behind if all(side.ends_level() for side in (left, right) if side is not None) else 0.0
     whole = (road.end() + beyond) / velocity
     if duration is None and whole <= 0.0:
         raise DescriptionError("the road ends where it begins", where="road", hint="Give the duration.")
     lasting = whole if duration is None else positive_si(duration, "s", where="duration")
-    check_covered(road, velocity * lasting, behind=beyond, where="duration")
+    road.check_covers(velocity * lasting, behind=beyond, where="duration")
     _check_fine_enough(road, velocity)
     return RideTrial(_trial(left, right, velocity, _whole_samples(lasting)), behind / velocity)
 
 
 def _check_fine_enough(road: Road, speed: float) -> None:
     """Refuse points so far apart that a drive over them shows no wheel hop."""
-    apart = point_spacing(road)
+    apart = road.point_spacing()
     if apart is not None and speed / (2.0 * apart) < FASTEST:
         raise DescriptionError(
             "the road's points are too far apart for the speed",

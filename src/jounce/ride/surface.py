@@ -12,7 +12,7 @@ import numpy as np
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.roads.roughness import BAND, REFERENCE, as_roughness, track_coherence
+from jounce.roads.rough import BAND, REFERENCE, as_roughness, track_coherence
 
 Density = Callable[[Array], Array]
 Sides = Literal["uncorrelated", "same", "isotropic", "exponential"]

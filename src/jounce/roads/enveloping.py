@@ -1,4 +1,7 @@
-"""Roads as a tyre of finite size feels them: the height that a point follower would have to be given instead."""
+"""Roads as a tyre of finite size feels them: what a point follower would have to be given instead.
+
+The moving average, and the roll of a circle or of an elliptical cam, as closed-form pieces.
+"""
 
 from __future__ import annotations
 
@@ -6,22 +9,19 @@ import hashlib
 import math
 from collections import OrderedDict
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Literal, Self
+from dataclasses import dataclass
+from typing import Literal, Self
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 from pydantic import model_validator
 
 from jounce.core.errors import DescriptionError
-from jounce.core.segments import Segments
+from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE, Segments
 from jounce.core.types import Array
 from jounce.core.units import Length, PositiveLength, PositiveNumber
-from jounce.roads.cams import Cam, averaged, combined, rolled
-from jounce.roads.profile import Profile, laid_out
+from jounce.roads.profile import Profile, hermite_pieces, laid_out
 from jounce.roads.road import Road
-
-if TYPE_CHECKING:
-    from jounce.roads.train import AnyRoad
 
 _NEEDED = {
     "moving-average": ("contact_length",),
@@ -79,7 +79,7 @@ class Enveloped(Road):
 
     kind: Literal["enveloped"] = "enveloped"
     start: Length = 0.0
-    of: AnyRoad
+    of: Road
     method: Literal["moving-average", "rigid-circle", "tandem-cam"]
     contact_length: PositiveLength | None = None
     radius: PositiveLength | None = None
@@ -127,6 +127,18 @@ class Enveloped(Road):
     def end(self) -> float:
         """Distance in m at which the wheel has left the road inside for good."""
         return self.of.end() + self.reach()
+
+    def is_course(self) -> bool:
+        """As the road inside."""
+        return self.of.is_course()
+
+    def known_length(self) -> float:
+        """That of the road inside, m."""
+        return self.of.known_length()
+
+    def point_spacing(self) -> float | None:
+        """That of the road inside, m."""
+        return self.of.point_spacing()
 
     def effective_slope_at(self, x: ArrayLike) -> Array:
         """Slope (1) of the road that the tyre feels at the distances ``x`` in m, any shape.
@@ -240,3 +252,348 @@ class _Remembered:
 
 
 _REMEMBERED = _Remembered(4)
+
+
+Numbers = NDArray[np.int64]
+_SHARES = (0.2928932188134524, 0.7071067811865476)  # where in a cubic that is looked at: no waves can hide from both
+SHORTEST = 1e-9  # m; borders nearer to each other are one
+_STEEPEST = 50.0  # slope at which a wheel stands before a wall
+_GRADED = [side * 4.0**-k for k in (1, 2, 3) for side in (-1.0, 1.0)]
+"""Shares of a step at which there are borders beside a place where a curve has no curvature that is finite."""
+_SHARP = 0.02  # jump of the place of contact, over a, that makes an edge
+_BENT = 0.03  # jump of the curvature times a^2 that a cam's height follows by more than a micrometre
+_PAIRS = 1_000_000  # nodes times pieces that are worked on at once
+
+
+@dataclass(frozen=True)
+class Cam:
+    """Lower half of a superellipse ``|u/a|^c + |w/b|^c = 1`` that rolls over the road without turning.
+
+    Attributes
+    ----------
+    a, b : float
+        Half axes along the road and upwards in m; a circle has both equal to its radius and ``c`` 2.
+    c : float
+        Exponent (1), above 1.
+    """
+
+    a: float
+    b: float
+    c: float = 2.0
+
+    def drop(self, u: Array) -> Array:
+        """How far (m, negative) the outline at the offsets ``u`` in m is above the lowest point, times -1."""
+        share = np.minimum(np.abs(u) / self.a, 1.0) ** self.c
+        return np.asarray(self.b * ((1.0 - share) ** (1.0 / self.c) - 1.0))
+
+    def slope(self, u: Array) -> Array:
+        """Slope (1) of the road that touches the outline at the offsets ``u`` in m."""
+        share = np.minimum(np.abs(u) / self.a, 1.0) ** self.c
+        with np.errstate(divide="ignore"):
+            ratio = share / (1.0 - share)
+        return np.asarray(np.sign(u) * (self.b / self.a) * ratio ** (1.0 - 1.0 / self.c))
+
+    def offset(self, slope: Array) -> Array:
+        """Offset u in m at which a road of this slope (1) touches: the inverse of `slope`."""
+        steep = np.minimum(np.abs(slope), 1e9)
+        ratio = (steep * self.a / self.b) ** (self.c / (self.c - 1.0))
+        return np.asarray(np.sign(slope) * self.a * (ratio / (1.0 + ratio)) ** (1.0 / self.c))
+
+
+def averaged(road: Segments, half: float, low: float, high: float, step: float) -> Segments:
+    """Mean height over ``half`` metres to either side, for distances from ``low`` to ``high`` (m).
+
+    Exact where the road is made of lines and parabolas; elsewhere cubics at most ``step`` metres long with exact
+    heights and slopes at their ends.
+    """
+    upright = road.edges[:-1][road.kind == CIRCLE], road.edges[1:][road.kind == CIRCLE]
+    near = [feet + by + step * share for feet in upright for by in (-half, half) for share in _GRADED]
+    borders = _borders([road.edges - half, road.edges + half, *near], low, high)
+    behind, ahead = _pieces(road, borders, -half), _pieces(road, borders, half)
+    simple = (road.kind == POLYNOMIAL) & (road.coefficients[:, 3] == 0.0)
+    borders = _refined(borders, np.where(simple[behind] & simple[ahead], np.inf, step))
+    behind, ahead = _pieces(road, borders, -half), _pieces(road, borders, half)
+    whole = np.concatenate([[0.0], np.cumsum(_area(road, np.arange(len(road.kind)), road.edges[1:]))])
+    ends = []
+    for x in (borders[:-1], borders[1:]):
+        area = whole[ahead] - whole[behind] + _area(road, ahead, x + half) - _area(road, behind, x - half)
+        slope = road.on_pieces(ahead, x + half)[0] - road.on_pieces(behind, x - half)[0]
+        ends.append((area / (2.0 * half), slope / (2.0 * half)))
+    return _joined(borders, *ends)
+
+
+def combined(road: Segments, apart: float, low: float, high: float) -> tuple[Segments, Segments]:
+    """Mean of the heights half of ``apart`` metres ahead and behind (m), and their difference over ``apart`` (1)."""
+    half = 0.5 * apart
+    borders = _borders([road.edges - half, road.edges + half], low, high)
+    behind, ahead = _pieces(road, borders, -half), _pieces(road, borders, half)
+    ends: tuple[list[Array], list[Array]] = ([], [])
+    for x in (borders[:-1], borders[1:]):
+        front, rear = np.array(road.on_pieces(ahead, x + half)), np.array(road.on_pieces(behind, x - half))
+        ends[0].append(0.5 * (front + rear))
+        ends[1].append((front - rear) / apart)
+    mean, slope = ([(left[0], left[1]), (right[0], right[1])] for left, right in ends)
+    return _joined(borders, *mean), _joined(borders, *slope)
+
+
+def rolled(road: Segments, cam: Cam, window: tuple[float, float], step: float, tolerance: float) -> Segments:
+    """Height in m of a cam that rests on the road, less its height on a level road, over a window (m, m).
+
+    Cubics at most ``step`` metres long with exact heights and slopes at their ends, shorter where they would be off by
+    more than ``tolerance`` (m); every place where two points of the road touch at once, and every place
+    where an edge begins or ceases to touch, is a border.
+    """
+    parts = _Parts.of(road, cam)
+    nodes = _refined(np.array(window), np.array([step]))
+    nodes = _borders([nodes, parts.transitions()], *window)
+    nodes, left, right = _with_kinks(parts, nodes, parts.contact(nodes), tolerance)
+    steep = max(np.abs(left[1]).max(), np.abs(right[1]).max())
+    if steep > _STEEPEST:
+        raise DescriptionError(
+            "the wheel meets a wall: an edge of the road is as high as the wheel's cam",
+            allowed=f"edges well below {cam.b:g} m",
+            hint="Use a larger wheel or a lower obstacle.",
+        )
+    return _joined(nodes, (right[0][:-1], right[1][:-1]), (left[0][1:], left[1][1:]))
+
+
+@dataclass(frozen=True)
+class _Parts:
+    """The road cut into parts on each of which a cam touches at most once, and its corners."""
+
+    road: Segments
+    cam: Cam
+    border: Array  # (n + 1,), m
+    piece: Numbers  # (n,): piece of the road that a part belongs to
+    corner: Array  # (n + 1,): height of the borders in m, the higher one at a jump
+    offset: Array  # (2, n): where the cam touches the slopes at either end of a part, in m from its middle
+    edge: NDArray[np.bool_]  # (n - 1,): inner borders at which height, slope or curvature jump
+
+    @classmethod
+    def of(cls, road: Segments, cam: Cam) -> _Parts:
+        length = np.diff(road.edges)
+        longest = np.full(len(length), np.inf)
+        longest[_is_curved(road)] = cam.a / 16.0
+        waves, arcs = road.kind == SINE, road.kind == CIRCLE
+        longest[waves] = np.minimum(longest[waves], np.pi / 8.0 / np.maximum(road.coefficients[waves, 2], 1e-9))
+        longest[arcs] = np.minimum(longest[arcs], road.coefficients[arcs, 1] / 16.0)
+        border = _refined(road.edges, longest)
+        piece = road.piece_at(0.5 * (border[:-1] + border[1:]))
+        nudge = 1e-7 * np.diff(border)  # an arc has no slope at its very foot
+        left, right = road.on_pieces(piece, border[:-1])[0], road.on_pieces(piece, border[1:])[0]
+        slopes = [road.on_pieces(piece, x)[1] for x in (border[:-1] + nudge, border[1:] - nudge)]
+        corner = np.maximum(np.append(left, right[-1]), np.insert(right, 0, left[0]))
+        offset = np.array([cam.offset(slope) for slope in slopes])
+        edge = (np.abs(offset[1, :-1] - offset[0, 1:]) > _SHARP * cam.a) | (np.abs(left[1:] - right[:-1]) > 1e-12)
+        bend = np.abs(_curvature(road, piece[1:], border[1:-1]) - _curvature(road, piece[:-1], border[1:-1]))
+        edge |= (np.diff(piece) > 0) & (bend * cam.a**2 > _BENT)
+        return cls(road, cam, border, piece, corner, offset, edge)
+
+    def transitions(self) -> Array:
+        """Places in m of the cam at which an edge may begin or cease to touch; smaller ones are found as errors."""
+        corner = self.border[1:-1][self.edge]
+        return np.concatenate([corner - self.offset[1, :-1][self.edge], corner - self.offset[0, 1:][self.edge]])
+
+    def contact(self, x: Array) -> tuple[Array, Array]:
+        """Height of the cam at its places ``x`` and the distance at which it touches, in m."""
+        first = np.searchsorted(self.border, x - self.cam.a, side="right") - 1
+        last = np.searchsorted(self.border, x + self.cam.a, side="left")
+        count = np.minimum(last, len(self.piece)) - np.maximum(first, 0) + 1
+        stops = np.searchsorted(np.cumsum(count), np.arange(_PAIRS, int(count.sum()) + _PAIRS, _PAIRS), side="right")
+        height, at = np.empty_like(x), np.empty_like(x)
+        begin = 0
+        for end in sorted({*(int(stop) for stop in np.maximum(stops, 1)), len(x)}):
+            if end > begin:
+                chosen = slice(begin, end)
+                height[chosen], at[chosen] = self._contact(x[chosen], np.maximum(first[chosen], 0), count[chosen])
+                begin = end
+        return height, at
+
+    def _contact(self, x: Array, first: Numbers, count: Numbers) -> tuple[Array, Array]:
+        starts = np.concatenate([[0], np.cumsum(count)[:-1]])
+        owner = np.repeat(np.arange(len(x)), count)
+        number = np.arange(len(owner)) - starts[owner] + first[owner]
+        here = x[owner]
+        at = self.border[number]
+        near = np.abs(at - here) < self.cam.a
+        height = np.where(near, self.corner[number] + self.cam.drop(at - here), -np.inf)
+        part = np.minimum(number, len(self.piece) - 1)
+        left, right = self.border[part], self.border[part + 1]
+        a = self.cam.a
+        rises = (here + self.offset[0, part] > left) | (here - a > left)
+        falls = (here + self.offset[1, part] < right) | (here + a < right)
+        inside = np.flatnonzero(rises & falls & (number < len(self.piece)) & (here + a > left) & (here - a < right))
+        touch = self._inside(part[inside], here[inside])
+        level = self.road.on_pieces(self.piece[part[inside]], touch)[0] + self.cam.drop(touch - here[inside])
+        better = level > height[inside]
+        height[inside[better]], at[inside[better]] = level[better], touch[better]
+        best = np.maximum.reduceat(height, starts)
+        winner = np.flatnonzero(height == best[owner])
+        chosen = winner[np.unique(owner[winner], return_index=True)[1]]
+        return np.asarray(best), np.asarray(at[chosen])
+
+    def _inside(self, part: Numbers, x: Array) -> Array:
+        """Where the cam touches inside a part: in one go on a line, by bisection on a curve."""
+        low, high = np.maximum(self.border[part], x - self.cam.a), np.minimum(self.border[part + 1], x + self.cam.a)
+        ends = self.offset[:, part]
+        touch = np.clip(x + ends[0], low, high)
+        curved = np.flatnonzero(_is_curved(self.road)[self.piece[part]])
+        piece, x, low, high = self.piece[part[curved]], x[curved], low[curved], high[curved]
+        for _ in range(45):
+            middle = 0.5 * (low + high)
+            ahead = x + self.cam.offset(self.road.on_pieces(piece, middle)[1]) > middle
+            low, high = np.where(ahead, middle, low), np.where(ahead, high, middle)
+        touch[curved] = 0.5 * (low + high)
+        return np.asarray(touch)
+
+
+def _curvature(road: Segments, piece: Numbers, x: Array) -> Array:
+    """Second derivative in 1/m of pieces at ``x``; for arcs a large number that no neighbour has."""
+    s = x - road.edges[piece]
+    _, c1, c2, c3 = np.moveaxis(road.coefficients[piece], -1, 0)
+    kind = road.kind[piece]
+    waves = np.where(kind == SINE, -c1 * c2**2 * np.sin(c2 * s + c3), 2.0 * c2 + 6.0 * c3 * s)
+    return np.asarray(np.where(kind == CIRCLE, 1e9 * (1.0 + piece), waves))
+
+
+def _is_curved(road: Segments) -> NDArray[np.bool_]:
+    return np.asarray((road.kind != POLYNOMIAL) | (road.coefficients[:, 2:] != 0.0).any(axis=1))
+
+
+def _with_kinks(
+    parts: _Parts, nodes: Array, contact: tuple[Array, Array], tolerance: float
+) -> tuple[Array, tuple[Array, Array], tuple[Array, Array]]:
+    """Nodes with the kinks between them, and heights (m) and slopes (1) on the left and on the right of each."""
+    height, at = contact
+    slope = parts.cam.slope(at - nodes)
+    left = right = np.array([nodes, height, slope, at])
+    for _ in range(6):
+        apart = right[0, 1:] - right[0, :-1]
+        jump = left[3, 1:] - right[3, :-1]
+        wide = np.flatnonzero((jump > 1.1 * apart + 1e-4 * parts.cam.a) & (apart > 4.0 * SHORTEST))
+        before, after = _bisected(parts, right[:, wide], left[:, wide + 1])
+        kink = after[3] - before[3] > 1e-4 * parts.cam.a  # else the contact runs fast along a hollow
+        if not kink.any():
+            break
+        left = np.insert(left, wide[kink] + 1, before[:, kink], axis=1)
+        right = np.insert(right, wide[kink] + 1, after[:, kink], axis=1)
+    left, right = _followed(parts, left, right, tolerance)
+    again = np.diff(left[0]) < SHORTEST  # a kink at a node
+    left, right = left[:, np.append(True, ~again)], right[:, np.append(~again, True)]
+    left[0, 0], left[0, -1] = nodes[0], nodes[-1]
+    return left[0], (left[1], left[2]), (right[1], right[2])
+
+
+def _followed(parts: _Parts, left: Array, right: Array, tolerance: float) -> tuple[Array, Array]:
+    """Add nodes where a cubic is farther than the tolerance (m) from the cam's height inside it."""
+    unsure = np.ones(left.shape[1] - 1, dtype=bool)
+    for _ in range(8):
+        which = np.flatnonzero(unsure)
+        begin, end = right[:, which], left[:, which + 1]
+        (inside, error), other = (_error(parts, begin, end, share) for share in _SHARES)
+        inside, error = np.where(other[1] > error, other[0], inside), np.maximum(other[1], error)
+        off = (error > tolerance) & (end[0] - begin[0] > 1e3 * SHORTEST)
+        if not off.any():
+            break
+        left = np.insert(left, which[off] + 1, inside[:, off], axis=1)
+        right = np.insert(right, which[off] + 1, inside[:, off], axis=1)
+        unsure = np.zeros(left.shape[1] - 1, dtype=bool)
+        added = which[off] + np.arange(int(off.sum()))
+        unsure[added] = unsure[added + 1] = True
+    return left, right
+
+
+def _error(parts: _Parts, begin: Array, end: Array, share: float) -> tuple[Array, Array]:
+    """Nodes at a share of the intervals, and how far (m) the cubics over the intervals are off there."""
+    span = end[0] - begin[0]
+    x = begin[0] + share * span
+    height, at = parts.contact(x)
+    rise = share**2 * (3.0 - 2.0 * share) * (end[1] - begin[1])
+    lean = span * share * (1.0 - share) * ((1.0 - share) * begin[2] - share * end[2])
+    return np.array([x, height, parts.cam.slope(at - x), at]), np.abs(begin[1] + rise + lean - height)
+
+
+def _bisected(parts: _Parts, begin: Array, end: Array) -> tuple[Array, Array]:
+    """Rows x, height, slope and contact on either side of the largest jump of the contact between two nodes."""
+    begin, end = begin.copy(), end.copy()
+    for _ in range(22):
+        x = 0.5 * (begin[0] + end[0])
+        height, at = parts.contact(x)
+        middle = np.array([x, height, parts.cam.slope(at - x), at])
+        later = end[3] - at > at - begin[3]
+        begin = np.where(later, middle, begin)
+        end = np.where(later, end, middle)
+    return _crossing(begin, end)
+
+
+def _crossing(begin: Array, end: Array) -> tuple[Array, Array]:
+    """Move both sides of a kink, which are very near, to the place where their tangents meet."""
+    turn = begin[2] - end[2]
+    gap = end[1] - end[2] * (end[0] - begin[0]) - begin[1]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        by = np.where(np.abs(turn) > 1e-6, gap / turn, 0.5 * (end[0] - begin[0]))
+    x = np.clip(begin[0] + by, begin[0], end[0])
+    before, after = begin.copy(), end.copy()
+    before[1] += begin[2] * (x - begin[0])
+    after[1] += end[2] * (x - end[0])
+    before[0] = after[0] = x
+    return before, after
+
+
+def _borders(places: list[Array], low: float, high: float) -> Array:
+    """Ascending places (m) from ``low`` to ``high``, those nearer than a nanometre to each other once."""
+    inner = np.concatenate(places)
+    inner = np.unique(inner[(inner > low + SHORTEST) & (inner < high - SHORTEST)])
+    kept = inner[np.diff(inner, prepend=-np.inf) > SHORTEST]
+    return np.concatenate([[low], kept, [high]])
+
+
+def _refined(borders: Array, longest: Array) -> Array:
+    """Cut the intervals between borders into equal parts of at most ``longest`` (m), one value or one for each."""
+    span = np.diff(borders)
+    count = np.maximum(np.ceil(span / np.broadcast_to(longest, span.shape) - 1e-9), 1.0).astype(np.int64)
+    owner = np.repeat(np.arange(len(span)), count)
+    number = np.arange(len(owner)) - np.repeat(np.cumsum(count) - count, count)
+    return np.append(borders[owner] + span[owner] * number / count[owner], borders[-1])
+
+
+def _pieces(road: Segments, borders: Array, by: float) -> Numbers:
+    """Piece of the road that lies ``by`` metres ahead of each interval between borders."""
+    return road.piece_at(0.5 * (borders[:-1] + borders[1:]) + by)
+
+
+def _area(road: Segments, piece: Numbers, x: Array) -> Array:
+    """Integral in m^2 of pieces from their begin to ``x``."""
+    s = x - road.edges[piece]
+    c0, c1, c2, c3 = np.moveaxis(road.coefficients[piece], -1, 0)
+    kind = road.kind[piece]
+    area = s * (c0 + s * (c1 / 2.0 + s * (c2 / 3.0 + s * c3 / 4.0)))
+    wave, arc = kind == SINE, kind == CIRCLE
+    rate, phase = c2[wave], c3[wave]
+    area[wave] = c0[wave] * s[wave] + c1[wave] / rate * (np.cos(phase) - np.cos(rate * s[wave] + phase))
+    area[arc] = c0[arc] * s[arc] + c3[arc] * (_disc(s[arc] - c2[arc], c1[arc]) - _disc(-c2[arc], c1[arc]))
+    return np.asarray(area)
+
+
+def _disc(t: Array, radius: Array) -> Array:
+    """Integral in m^2 of sqrt(radius^2 - t^2) from 0."""
+    share = np.clip(t / radius, -1.0, 1.0)
+    return np.asarray(0.5 * radius**2 * (share * np.sqrt(1.0 - share**2) + np.arcsin(share)))
+
+
+def _joined(borders: Array, left: tuple[Array, Array], right: tuple[Array, Array]) -> Segments:
+    """Cubics between borders with heights and slopes at their ends; lines that go on are one piece."""
+    one = hermite_pieces(borders, left[0], right[0], left[1], right[1])
+    c, span = one.coefficients, np.diff(borders)
+    bend = np.maximum(np.abs(c[:, 2]) * span**2, np.abs(c[:, 3]) * span**3) > 1e-13
+    c[~bend, 2:] = 0.0
+    c[~bend, 1] = ((right[0] - left[0]) / span)[~bend]
+    ends_at = c[:-1, 0] + c[:-1, 1] * span[:-1]
+    goes_on = (
+        ~bend[1:]
+        & ~bend[:-1]
+        & (np.abs(c[1:, 1] - c[:-1, 1]) * np.minimum(span[1:], span[:-1]) < 1e-13)
+        & (np.abs(c[1:, 0] - ends_at) < 1e-13)
+    )
+    kept = np.concatenate([[True], ~goes_on])
+    return Segments(np.append(borders[:-1][kept], borders[-1]), one.kind[kept], c[kept])

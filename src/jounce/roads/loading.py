@@ -9,11 +9,9 @@ from typing import Any
 from jounce.core.description import dotted, line_of, read_toml
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.files import chosen_file, shipped_files
-from jounce.roads.iso8608 import Iso8608
 from jounce.roads.measured import Crg, Table
-from jounce.roads.road import Road
-from jounce.roads.roughness import class_roughness
-from jounce.roads.train import ROADS
+from jounce.roads.road import ROADS, Road
+from jounce.roads.rough import Iso8608, class_roughness
 
 SCHEMA = "jounce.road/1"
 _SUFFIXES = (".toml", ".crg", ".csv", ".txt", ".tsv")
@@ -194,7 +192,7 @@ class _Reader:
     def road(self, table: Any, path: tuple[str, ...], asked_by: tuple[str, ...] = ()) -> Road:
         """Build the road of one table that lies at ``path``."""
         resolved = self._resolved(table, path, asked_by)
-        kind = ROADS[resolved["kind"]]
+        kind: type[Road] = ROADS[resolved["kind"]]
         return kind.from_table(resolved, where=self.where, text=self.text, path=path)
 
     def _resolved(self, table: Any, path: tuple[str, ...], asked_by: tuple[str, ...]) -> dict[str, Any]:

@@ -1,11 +1,16 @@
-"""Roads given by points: tables in the description or in a file, and measured OpenCRG courses."""
+"""Roads given by points: tables in the description or in a file, and measured courses in OpenCRG files."""
 
 from __future__ import annotations
 
+import math
+import re
+import warnings
+from dataclasses import dataclass
+from difflib import get_close_matches
 from functools import lru_cache
 from itertools import pairwise
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from pydantic import BeforeValidator
@@ -16,9 +21,8 @@ from jounce.core.files import existing_file
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.core.units import Length, Unit
-from jounce.roads.opencrg import Course, read_course
 from jounce.roads.profile import Profile, cubic_profile, laid_out, linear_profile, periodic_places
-from jounce.roads.road import Road
+from jounce.roads.road import SampledRoad
 
 Interpolation = Literal["linear", "cubic"]
 FEWEST = {"linear": 2, "cubic": 4}
@@ -33,7 +37,7 @@ Lengths = Annotated[tuple[Annotated[float, Unit("m")], ...], BeforeValidator(_pl
 Times = Annotated[tuple[Annotated[float, Unit("s")], ...], BeforeValidator(_plain)]
 
 
-class Table(Road):
+class Table(SampledRoad):
     """Heights at given points, with lines or a cubic spline between them.
 
     Before the first point its height holds, after the last point the last one's (`end` says where that is).
@@ -82,7 +86,7 @@ class Table(Road):
         return np.asarray(self.x, dtype=float), np.asarray(self.height, dtype=float)
 
 
-class Crg(Road):
+class Crg(SampledRoad):
     """Measured course from an OpenCRG file, straight or curved, at one lateral offset.
 
     What lies before and after the course is what the file's options say: usually its first and last height.
@@ -136,6 +140,10 @@ class Crg(Road):
         """Cross sections: distance from ``start`` along the path and height, both in m, each of shape (n,)."""
         course = self._course()
         return course.s.copy(), course.height.copy()
+
+    def known_length(self) -> float:
+        """Distance in m of the last cross section; without end where the course repeats."""
+        return math.inf if self.is_endless() else super().known_length()
 
     def is_endless(self) -> bool:
         """Whether the file's options say that the course repeats."""
@@ -244,3 +252,324 @@ def _check_jumps(x: Array, height: Array, where: str) -> None:
             found=f"{height[i]:g} m, then {height[i + 1]:g} m",
             hint="Fill the gap or remove the padding, and check the unit of the heights.",
         )
+
+
+Beyond = Literal["keep", "nothing", "repeat", "reflect", "closed"]
+_HARMLESS = re.compile(r"^unknown (keyword|data channel)|white space byte|header values used$")
+HIGHEST = 1e4  # m; no road lies above
+_SMALLEST = 1e-28  # m; rounding leaves larger numbers, a wrong byte order smaller ones
+_SPIKE = 1.0  # m; no wheel rolls over a single point that stands out by more
+_EDGE = 1e-9  # m; rounding of the lateral range
+_BEYOND: dict[int, Beyond] = {0: "nothing", 1: "keep", 2: "keep", 3: "repeat", 4: "reflect"}
+
+
+@dataclass(frozen=True)
+class Course:
+    """Heights along one lateral offset of an OpenCRG road, and what lies beyond its ends.
+
+    Attributes
+    ----------
+    s, height : ndarray, shape (n,)
+        Distance driven along the path at that offset, from 0, and height, in m, at every cross section.
+    profile : Profile
+        Pieces of one pass; also those of a smoothing at the ends, and of the link that closes a track.
+    beyond : {"keep", "nothing", "repeat", "reflect", "closed"}
+        What the file's options say of the road before and after: the level of the profile, no road at all, the same
+        road again, its mirror image, or the same track again.
+    """
+
+    s: Array
+    height: Array
+    profile: Profile
+    beyond: Beyond
+
+
+def read_crg_profile(path: Path | str, lateral_offset: float = 0.0) -> tuple[Array, Array]:
+    """Read the heights of an OpenCRG road at one lateral offset.
+
+    Heights are the sum of the reference line's elevation (its slope integrated), banking times offset and the grid,
+    linear between the long sections (bilinear together with straight lines along u). Cross sections without any value
+    at the end of a binary file are padding and left out. Modifiers that the file holds are applied.
+
+    Parameters
+    ----------
+    path : Path or str
+        File of format KRBI, KDBI (binary), LRFI or LDFI (text), or one that refers to such a file.
+    lateral_offset : float
+        Offset v in m from the reference line, left positive; inside the grid, or beyond it where the file's option
+        BORDER_MODE_V says what lies there.
+
+    Returns
+    -------
+    s : ndarray, shape (n,)
+        Distance in m driven along the path at that offset, from 0 at the first cross section. On a straight line it
+        is the distance u along the reference line, on the inner side of a bend it is shorter: ds = (1 - v k) du with
+        the curvature k, positive to the left.
+    height : ndarray, shape (n,)
+        Height z in m, up positive, before any smoothing at the ends.
+
+    Raises
+    ------
+    RecordingError
+        For a missing, damaged, truncated or contradictory file, an offset outside the grid or beyond the centre of a
+        bend, and heights that are missing at that offset.
+
+    Notes
+    -----
+    Format: ASAM OpenCRG 1.2. Between cross sections the reference line is straight, as the format defines it; the
+    corners of the path at an offset lie on the bisectors. Modifiers that OpenCRG tools would assume in a file without
+    any (gaps filled, start moved to the origin) are not applied.
+    """
+    found = read_course(path, lateral_offset)
+    return found.s.copy(), found.height.copy()
+
+
+def read_course(path: Path | str, lateral_offset: float = 0.0) -> Course:
+    """Read the path at one lateral offset in m, with what the options of the file say of its ends."""
+    file = existing_file(path, RecordingError)
+    status = file.stat()
+    return _course(str(file), float(lateral_offset), status.st_mtime_ns, status.st_size)
+
+
+@lru_cache(maxsize=16)
+def _course(file: str, offset: float, _changed: int, _size: int) -> Course:
+    road = _read(file)
+    height = _height(road, offset, file)
+    _check_heights(road, height, offset, file)
+    s = np.concatenate([[0.0], np.cumsum(_steps(road, offset, file))])
+    mode = int(road.get_option("border_mode_u"))
+    profile, beyond = _smoothed(road, s, height, file), _BEYOND[mode]
+    if int(road.get_option("refline_continuation")) == 1:
+        link = _link(road, offset, file)
+        if link is not None:
+            return Course(s, height, _closed(profile, link, _levels(road, profile)), "closed")
+    if beyond == "reflect":
+        profile = _with_mirror(profile)
+    elif beyond == "keep":
+        before, after = _levels(road, profile)
+        profile = Profile(profile.edges, profile.kind, profile.coefficients, before, after)
+    return Course(s, height, profile, beyond)
+
+
+def _read(file: str) -> Any:
+    """Read and check; everything the reader would guess is refused."""
+    import pyopencrg
+
+    try:
+        with np.errstate(all="ignore"), warnings.catch_warnings():  # damaged numbers overflow
+            warnings.simplefilter("ignore")
+            road = pyopencrg.read(file, check=False)
+            problems = [*road.check().errors, *_overlong_rows(file)]
+            if road.mods and not problems:
+                road = road.apply_mods()
+    except FileNotFoundError as error:
+        raise RecordingError(_one_line(error, file), where=file, hint="Put it there or change the name.") from None
+    except (ValueError, OSError, IndexError, KeyError, ArithmeticError, TypeError, MemoryError) as error:
+        raise RecordingError(f"not a readable OpenCRG file: {_one_line(error, file)}", where=file) from None
+    problems += [text for text in road.read_warnings if not _HARMLESS.search(text) or _is_misspelt(text)]
+    problems += [
+        f"{name} above 100 %" for name in ("slope", "banking") if np.abs(np.asarray(getattr(road, name))).max() > 1.0
+    ]
+    if problems:
+        text = "; ".join(problem.removeprefix("(reading) ") for problem in dict.fromkeys(problems[:2]))
+        raise RecordingError(
+            f"the OpenCRG file is damaged or contradicts itself: {text}", where=file, hint="Use an original copy."
+        )
+    return road
+
+
+def _is_misspelt(warning: str) -> bool:
+    """Whether an unknown keyword or channel is so near to a known one that its values are missing."""
+    from pyopencrg.keywords import MODIFIER_KEYWORDS, OPTION_DEFAULTS, ROAD_CRG_KEYWORDS
+
+    name = (re.findall(r"'([^',]*)", warning) or [""])[0].strip().lower()
+    known = [*ROAD_CRG_KEYWORDS, *MODIFIER_KEYWORDS, *OPTION_DEFAULTS, "reference line slope", "reference line banking"]
+    near = get_close_matches(name, [*known, "reference line phi"], n=1, cutoff=0.93)
+    return bool(near) or bool(get_close_matches(name[:12], ["long section"], n=1, cutoff=0.9))
+
+
+def _overlong_rows(file: str) -> list[str]:
+    """Text rows that hold more values than the header defines (pyopencrg ignores the rest)."""
+    from pyopencrg.io import read_ipl
+
+    header = read_ipl(file, meta_only=True)
+    width = {"LRFI": 10, "LDFI": 20}.get(header.fmt)
+    if width is None or not header.kd_def:
+        return []
+    rows = Path(file).read_bytes()[header.data_offset :].splitlines()
+    longest = width * min(len(header.kd_def), 80 // width)
+    bad = [number for number, row in enumerate(rows, 1) if len(row.rstrip()) > longest]
+    return [f"row {bad[0]} of the data holds more than the {len(header.kd_def)} channels of the header"] if bad else []
+
+
+def _one_line(error: Exception, file: str) -> str:
+    return " ".join(str(error).split()).removeprefix(f"{file}: ") or type(error).__name__
+
+
+def _height(road: Any, offset: float, file: str) -> Array:
+    """Heights at the cross sections."""
+    v = np.asarray(road.v, dtype=float)
+    if v[0] - _EDGE <= offset <= v[-1] + _EDGE:
+        return np.asarray(_grid_height(road, offset) + road.zr + road.banking * offset)
+    mode = int(road.get_option("border_mode_v"))
+    is_said = "border_mode_v" in road.opts and mode != 0
+    if not is_said or (mode in (3, 4) and np.any(road.banking)):
+        raise RecordingError(
+            "the lateral offset lies outside the road",
+            where=file,
+            found=f"{offset:g} m",
+            allowed=f"{v[0]:g} to {v[-1]:g} m",
+            hint="Programs differ in how they repeat a banked road sideways." if is_said else "",
+        )
+    inside = road.copy()
+    inside.opts = {**road.opts, "border_smooth_ubeg": 0.0, "border_smooth_uend": 0.0, "refline_continuation": 0}
+    inside.opts["border_mode_u"] = 2
+    return np.asarray(inside.uv_to_z(road.u, np.full(road.nu, offset)), dtype=float)
+
+
+def _grid_height(road: Any, offset: float) -> Array:
+    """Grid heights at the offset, linear between the long sections beside it."""
+    v = np.asarray(road.v, dtype=float)
+    right = int(np.clip(np.searchsorted(v, offset, side="right") - 1, 0, len(v) - 2))
+    share = float(np.clip((offset - v[right]) / (v[right + 1] - v[right]), 0.0, 1.0))
+    grid = np.asarray(road.z, dtype=float)
+    if share in (0.0, 1.0):  # a gap beside the section does not matter
+        return grid[:, right + int(share)].copy()
+    return np.asarray((1.0 - share) * grid[:, right] + share * grid[:, right + 1])
+
+
+def _check_heights(road: Any, height: Array, offset: float, file: str) -> None:
+    """Refuse gaps, and numbers that no survey gives."""
+    grid = np.abs(np.asarray(road.z, dtype=float))
+    damage = ""
+    if max(np.nanmax(np.abs(height), initial=0.0), np.nanmax(grid, initial=0.0)) > HIGHEST:
+        damage = "heights above 10 km"
+    elif ((grid > 0.0) & (grid < _SMALLEST)).any():
+        damage = f"heights below {_SMALLEST:g} m, as a wrong order of bytes gives them"
+    elif len(height) > 2:
+        out = np.abs(height[1:-1] - height[:-2]), np.abs(height[1:-1] - height[2:])
+        spikes = np.flatnonzero((out[0] > _SPIKE) & (out[1] > _SPIKE) & (np.abs(height[2:] - height[:-2]) < _SPIKE))
+        if len(spikes):
+            damage = f"a single height at u = {road.u[spikes[0] + 1]:g} m stands out by {out[0][spikes[0]]:.3g} m"
+    if damage:
+        raise RecordingError(f"the OpenCRG file is damaged: {damage}", where=file, hint="Use an original copy.")
+    if not np.isfinite(height).all():
+        bad = int(np.flatnonzero(~np.isfinite(height))[0])
+        raise RecordingError(
+            f"no height at u = {road.u[bad]:g} m for the lateral offset {offset:g} m",
+            where=file,
+            hint="Choose another lateral offset, or fill the gap in the file.",
+        )
+
+
+def _steps(road: Any, offset: float, file: str) -> Array:
+    """Distances in m along the path from one cross section to the next."""
+    if road.is_straight or offset == 0.0:
+        return np.diff(np.asarray(road.u, dtype=float))
+    x, y = (np.asarray(value) for value in road.uv_to_xy(road.u, np.full(road.nu, offset)))
+    along = np.diff(x) * np.diff(road.x) + np.diff(y) * np.diff(road.y)
+    if (along <= 0.0).any():
+        u = float(road.u[int(np.argmin(along))])
+        raise RecordingError(
+            "the lateral offset lies beyond the centre of a bend",
+            where=file,
+            found=f"{offset:g} m at u = {u:g} m",
+            hint="Choose an offset nearer to the reference line.",
+        )
+    return np.asarray(np.hypot(np.diff(x), np.diff(y)))
+
+
+def _smoothed(road: Any, s: Array, height: Array, file: str) -> Profile:
+    """Lines between the cross sections; at smoothed ends they go over into the level of the reference line."""
+    first, last = (float(road.get_option(f"border_smooth_{end}")) for end in ("ubeg", "uend"))
+    if first <= 0.0 and last <= 0.0:
+        return linear_profile(s, height)
+    u = np.asarray(road.u - road.u_start, dtype=float)
+    if first + last > u[-1]:
+        raise RecordingError(
+            "the smoothed ends overlap",
+            where=file,
+            found=f"{first:g} m and {last:g} m of {u[-1]:g} m",
+            hint="Programs differ in what they make of that; make BORDER_SMOOTH_UBEG or BORDER_SMOOTH_UEND smaller.",
+        )
+    marks = [mark for mark in (first, float(u[-1]) - last) if 0.0 < mark < u[-1]]
+    nodes = np.unique(np.concatenate([u, marks]))
+    level = np.interp(nodes, u, height)
+    pieces = np.zeros((len(nodes) - 1, 4))  # in the share of the piece that is driven
+    pieces[:, 0], pieces[:, 1] = level[:-1], np.diff(level)
+    for zone, base, near in ((first, road.zr[0], nodes), (last, road.zr[-1], u[-1] - nodes)):
+        if zone > 0.0:
+            weight = np.minimum(near / zone, 1.0)
+            pieces[:, 0] -= base
+            pieces = weight[:-1, None] * pieces + np.diff(weight)[:, None] * np.roll(pieces, 1, axis=1)
+            pieces[:, 0] += base
+    edges = np.interp(nodes, u, s)
+    pieces /= np.diff(edges)[:, None] ** np.arange(4)
+    kind = np.zeros(len(pieces), dtype=np.int64)
+    end = pieces[-1] @ (edges[-1] - edges[-2]) ** np.arange(4)
+    return Profile(edges, kind, pieces, float(pieces[0, 0]), float(end))
+
+
+def _levels(road: Any, one: Profile) -> tuple[float, float]:
+    """Heights in m before and after the course: its own ones, or zero, with an offset, or those it is smoothed to."""
+    smooth = [float(road.get_option(f"border_smooth_{end}")) > 0.0 for end in ("ubeg", "uend")]
+    keeps = int(road.get_option("border_mode_u")) != 1
+    offset = float(road.get_option("border_offset_u"))
+    before = one.before if smooth[0] else (one.before if keeps else 0.0) + offset
+    after = one.after if smooth[1] else (one.after if keeps else 0.0) + offset
+    return before, after
+
+
+def _with_mirror(one: Profile) -> Profile:
+    """Add the mirror image of a profile of lines and polynomials behind it."""
+    span = np.diff(one.edges)[::-1]
+    c = one.coefficients[::-1]
+    powers = span[:, None] ** np.arange(4)
+    shifted = np.stack(  # the same polynomial seen from its far end, backwards
+        [
+            (c * powers).sum(axis=1),
+            -(c[:, 1:] * powers[:, :3] * np.arange(1, 4)).sum(axis=1),
+            c[:, 2] + 3.0 * c[:, 3] * span,
+            -c[:, 3],
+        ],
+        axis=1,
+    )
+    edges = np.concatenate([one.edges, one.edges[-1] + np.cumsum(span)])
+    kind = np.concatenate([one.kind, one.kind[::-1]])
+    return Profile(edges, kind, np.concatenate([one.coefficients, shifted]), one.before, one.before)
+
+
+def _link(road: Any, offset: float, file: str) -> tuple[float, float] | None:
+    """Lengths in m of the straight lines behind the end and before the begin that close a track; None: it is open."""
+    from pyopencrg.evaluate import closure
+
+    begin, end, length = closure(road)
+    if length == 0.0:
+        return None
+    if int(road.get_option("border_mode_u")) not in (1, 2):
+        raise RecordingError(
+            "the track is closed, but BORDER_MODE_U says that nothing lies in its gap",
+            where=file,
+            allowed="BORDER_MODE_U = 1 or 2",
+        )
+    turn = float(road.phi_start - road.phi_end)
+    half = np.tan(0.5 * np.arctan2(np.sin(turn), np.cos(turn)))  # the lines meet on the bisector
+    after, before = float(end - road.u_end - offset * half), float(road.u_start - begin - offset * half)
+    if min(after, before) < -_EDGE:
+        raise RecordingError(
+            "the lateral offset lies beyond the corner that closes the track",
+            where=file,
+            found=f"{offset:g} m",
+            hint="Choose an offset nearer to the reference line.",
+        )
+    return max(after, 0.0), max(before, 0.0)
+
+
+def _closed(one: Profile, link: tuple[float, float], levels: tuple[float, float]) -> Profile:
+    """Add the link behind the course: level at its end, then level at its begin."""
+    lines = [(length, level) for length, level in zip(link, reversed(levels), strict=True) if length > _EDGE]
+    edges = np.concatenate([one.edges, one.edges[-1] + np.cumsum([length for length, _ in lines])])
+    kind = np.append(one.kind, np.zeros(len(lines), dtype=np.int64))
+    level = [[height, 0.0, 0.0, 0.0] for _, height in lines]
+    coefficients = np.concatenate([one.coefficients, np.reshape(level, (-1, 4))])
+    return Profile(edges, kind, coefficients, levels[0], levels[0])

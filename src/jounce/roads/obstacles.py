@@ -1,13 +1,18 @@
-"""Obstacles with a closed form. Heights are in m, up positive; a negative height is a hole of the same shape."""
+"""Obstacles with a closed form, and trains of them.
+
+Heights are in m, up positive; a negative height is a hole of the same shape.
+"""
 
 from __future__ import annotations
 
 import math
 from typing import Literal
 
+from pydantic import Field
+
 from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE
 from jounce.core.units import Length, NonNegativeLength, PositiveLength
-from jounce.roads.profile import Piece, Profile, profile
+from jounce.roads.profile import Piece, Profile, profile, repeated
 from jounce.roads.road import Road
 
 
@@ -341,6 +346,62 @@ class Pothole(Road):
         bottom = _line(max(self.length - 2.0 * self.edge_radius, 0.0), -self.depth, 0.0)
         radius = self.edge_radius
         return profile(_edge(radius, 0.0, down=True), bottom, _edge(radius, 0.0, down=False))
+
+
+class Train(Road):
+    """The same obstacle several times, at a pitch from start to start.
+
+    Steps and ramps climb: each stands on the level that the one before left. ``start`` and ``recurrence`` are those of
+    ``of`` unless the train has its own; the positions within the train do not depend on them.
+
+    Attributes
+    ----------
+    of : Road
+        The obstacle, itself a train if you like.
+    count : int
+        How many.
+    pitch : float
+        Distance in m from the start of one to the start of the next, at least the obstacle's length.
+
+    Examples
+    --------
+    >>> train = Train(of=HalfSine(height="10 mm", length="60 mm", start="0.2 m"), count=5, pitch="0.10 m")
+    >>> train.start, round(train.end() - train.start, 12)
+    (0.2, 0.46)
+    """
+
+    kind: Literal["train"] = "train"
+    of: Road
+    count: int = Field(ge=1, le=1_000_000, strict=True)
+    pitch: PositiveLength
+
+    def check(self) -> None:
+        """Refuse overlaps; take over what belongs to the obstacle."""
+        for name in ("start", "recurrence"):
+            if name not in self.model_fields_set:
+                object.__setattr__(self, name, getattr(self.of, name))
+        length = self.of.profile().span
+        if self.count > 1 and self.pitch < length * (1.0 - 1e-9):
+            raise ValueError(
+                f"the obstacles overlap: pitch {self.pitch:g} m (start to start) is shorter than the length "
+                f"{length:g} m of one; allowed: a pitch of at least {length:g} m"
+            )
+
+    def profile(self) -> Profile:
+        """Pieces of the whole train."""
+        return repeated(self.of.profile(), self.count, self.pitch)
+
+    def is_course(self) -> bool:
+        """As what it repeats."""
+        return self.of.is_course()
+
+    def known_length(self) -> float:
+        """Distance in m up to which it is known: without end if what it repeats is."""
+        return math.inf if self.recurrence is not None or math.isinf(self.of.known_length()) else self.end()
+
+    def point_spacing(self) -> float | None:
+        """Distance in m between the points of what it repeats."""
+        return self.of.point_spacing()
 
 
 def _half_wave(length: float, height: float, quarter: float) -> Piece:

@@ -1,10 +1,11 @@
-"""What every road answers: pieces, height, slope and where it ends."""
+"""What every road answers: pieces, height, slope, where it ends, and how far it is known."""
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from dataclasses import replace
-from typing import Self
+from typing import ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,6 +13,7 @@ from pydantic import model_validator
 
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError
+from jounce.core.kinds import Kinds
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.core.units import NonNegativeLength, PositiveLength
@@ -36,6 +38,7 @@ class Road(Description, ABC):
         Length of the belt loop in m: the obstacle comes again each time this distance has been driven.
     """
 
+    kinds: ClassVar[Kinds] = Kinds("kind", package="jounce.roads", schema="road.schema.json")
     start: NonNegativeLength = 0.0
     recurrence: PositiveLength | None = None
 
@@ -122,6 +125,73 @@ class Road(Description, ABC):
         """
         return self.start + float(self.profile().edges[-1])
 
+    def is_course(self) -> bool:
+        """Tell whether it is a course, measured or random, and no obstacle on a level road."""
+        return False
+
+    def known_length(self) -> float:
+        """Distance in m up to which the road is known.
+
+        Obstacles stand on a level road and are known without end, and so is what repeats; a table, a measured course
+        or a random road is known up to its last point.
+
+        Examples
+        --------
+        >>> from jounce.roads import HalfSine, Iso8608
+        >>> HalfSine(height="10 mm", length="60 mm").known_length()
+        inf
+        >>> Iso8608(class_="C", length="500 m", start="10 m").known_length()
+        510.0
+        """
+        return math.inf
+
+    def point_spacing(self) -> float | None:
+        """Usual distance in m between the points of a table, a measured course or a random road; None for obstacles."""
+        return None
+
+    def ends_level(self) -> bool:
+        """Whether it ends at the height at which it begins, as an obstacle does: a drive may go on beyond it."""
+        profile = self.profile()
+        return abs(profile.after - profile.before) <= LEVEL
+
+    def check_covers(
+        self, distance: float, *, behind: float = 0.0, where: str = "", level_goes_on: bool = False
+    ) -> None:
+        """Refuse a drive over more than the road holds.
+
+        Parameters
+        ----------
+        distance : float
+            Driven distance in m.
+        behind : float
+            How far the first wheel that matters follows behind distance 0, m.
+        where : str
+            Place that the error names.
+        level_goes_on : bool
+            Accept a road that ends as high as it begins.
+
+        Raises
+        ------
+        DescriptionError
+            When the road ends before the run does, or all of it lies before the start.
+
+        Examples
+        --------
+        >>> from jounce.roads import Iso8608
+        >>> Iso8608(class_="C", length="500 m").check_covers(400.0)
+        """
+        known = self.known_length()
+        if level_goes_on and self.ends_level():
+            return
+        if distance - behind > known * (1.0 + 1e-9) + 1e-9:
+            raise DescriptionError(
+                "the road is shorter than the run",
+                where=where,
+                found=f"{distance:.6g} m driven",
+                allowed=f"up to {known + behind:.6g} m",
+                hint="Shorten the run, drive slower, or use a longer road.",
+            )
+
     def _between(self, low: float, high: float) -> Segments:
         return laid_out(self.profile(), passes(self.start, self.recurrence, high), low, high)
 
@@ -132,6 +202,30 @@ class Road(Description, ABC):
         low, high = (float(at.min()), float(at.max())) if at.size else (0.0, 0.0)
         height, slope = self._between(min(low, 0.0) - 1.0, max(high, 0.0) + 1.0).evaluate(at.ravel())
         return height.reshape(at.shape), slope.reshape(at.shape)
+
+
+class SampledRoad(Road):
+    """A road given by points: a course that is known up to the last of them, or without end where it repeats."""
+
+    @abstractmethod
+    def points(self) -> tuple[Array, Array]:
+        """Points of one pass: distance from ``start`` and height, both in m, each of shape (n,)."""
+
+    def is_course(self) -> bool:
+        """Always."""
+        return True
+
+    def known_length(self) -> float:
+        """Distance in m of the last point."""
+        return self.end() if self.recurrence is None else math.inf
+
+    def point_spacing(self) -> float | None:
+        """Median distance in m between the points."""
+        return float(np.median(np.diff(self.points()[0])))
+
+
+ROADS = Road.kinds
+"""Every kind of road by the word that stands for it in a file."""
 
 
 def _check_recurrence(one: Profile, recurrence: float) -> None:

@@ -1,17 +1,20 @@
-"""Trials: what the wheel is driven over, or how its support is moved, and for how long."""
+"""Trials: what is driven over, how fast and how long, the loads of driving, and what looks wrong in them."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from itertools import pairwise
 from pathlib import Path
-from typing import Annotated, Self
+from typing import Annotated, Any, Self
 
+import numpy as np
 from pydantic import BeforeValidator, model_validator
 
 from jounce.core.description import Description
+from jounce.core.findings import Finding
 from jounce.core.segments import Segments, flat
-from jounce.core.units import PositiveSpeed, Unit
-from jounce.roads.coverage import is_course
-from jounce.roads.loads import LOADS, DrivingAcceleration, PitchMoment
+from jounce.core.units import Acceleration, Number, PositiveSpeed, Unit
+from jounce.parts import HalfCar, Rig, Vehicle
 from jounce.roads.measured import (
     Interpolation,
     Lengths,
@@ -21,7 +24,93 @@ from jounce.roads.measured import (
     point_profile,
 )
 from jounce.roads.profile import Profile, laid_out
-from jounce.roads.train import AnyRoad
+from jounce.roads.road import Road, SampledRoad
+from jounce.roads.rough import Iso8608
+
+NonNegativeTime = Annotated[float, Unit("s", at_least=0.0)]
+Moment = Annotated[float, Unit("N*m")]
+
+
+class Load(Description):
+    """A load that begins at ``start`` and stays, or goes along lines through points.
+
+    On from the very start (``start`` 0 without a ramp) it is part of the equilibrium that the run starts from.
+
+    Attributes
+    ----------
+    value : float or None
+        What it grows to, in the unit of its kind (N m or m/s^2).
+    start, ramp : float
+        When it begins, and how long it takes to grow along a line; 0 for a step. s.
+    time, values : tuple of float
+        In place of them: points, times strictly ascending, s; level before the first and after the last.
+    """
+
+    value: Number | None = None
+    start: NonNegativeTime = 0.0
+    ramp: NonNegativeTime = 0.0
+    time: tuple[NonNegativeTime, ...] = ()
+    values: tuple[Number, ...] = ()
+
+    @model_validator(mode="before")
+    @classmethod
+    def _plain_value(cls, table: Any) -> Any:
+        return {"value": table} if isinstance(table, (str, int, float)) and not isinstance(table, bool) else table
+
+    @model_validator(mode="after")
+    def _one_form(self) -> Self:
+        if (self.value is None) == (not self.time):
+            raise ValueError("give either value (with start and ramp), or time and values")
+        if self.time and (self.start or self.ramp):
+            raise ValueError("start and ramp go with value; points have their own times")
+        if len(self.time) != len(self.values) or len(self.time) == 1:
+            raise ValueError(
+                f"time has {len(self.time)} numbers and values has {len(self.values)}; give as many, at least 2"
+            )
+        for a, b in pairwise(self.time):
+            if b <= a:
+                raise ValueError(f"time does not ascend: {a:g} s, then {b:g} s")
+        return self
+
+    def segments(self, duration: float) -> Segments:
+        """Give the load over [0, ``duration``] (s) as pieces, in its unit."""
+        if self.value is not None:
+            points = [(0.0, 0.0), (self.start, 0.0), (self.start + self.ramp, self.value)]
+        else:
+            points = [(0.0, self.values[0]), *zip(self.time, self.values, strict=True)]
+        return _lines(points, duration)
+
+
+def _lines(points: list[tuple[float, float]], duration: float) -> Segments:
+    """Lines through points up to ``duration``, level after the last; two points at one time are a jump."""
+    edges, pieces = [0.0], []
+    for (t0, f0), (t1, f1) in pairwise(points):
+        if t0 < min(t1, duration):
+            pieces.append([f0, (f1 - f0) / (t1 - t0), 0.0, 0.0])
+            edges.append(min(t1, duration))
+    if edges[-1] < duration:
+        pieces.append([points[-1][1], 0.0, 0.0, 0.0])
+        edges.append(duration)
+    return Segments(np.array(edges), np.zeros(len(pieces), dtype=np.int64), np.array(pieces))
+
+
+class PitchMoment(Load):
+    """Moment of braking and driving on the body, N m, nose down positive."""
+
+    value: Moment | None = None
+    values: tuple[Moment, ...] = ()
+
+
+class DrivingAcceleration(Load):
+    """Deceleration (positive when braking) or lateral acceleration (positive to the left), m/s^2."""
+
+    value: Acceleration | None = None
+    values: tuple[Acceleration, ...] = ()
+
+
+LOADS = ("pitch_moment", "deceleration", "lateral_acceleration")
+"""Loads of a trial, by the names of the models' inputs."""
+
 
 FEWEST_SAMPLES = 4
 
@@ -108,11 +197,11 @@ class Trial(Description):
     [0.0, 0.2, 0.2308, 3.0]
     """
 
-    road: AnyRoad | None = None
+    road: Road | None = None
     speed: PositiveSpeed | None = None
     excitation: Annotated[Excitation | None, BeforeValidator(_from_file)] = None
     duration: Annotated[float, Unit("s", above=0.0)] = 0.0  # replaced by the excitation's last time
-    right: AnyRoad | None = None
+    right: Road | None = None
     pitch_moment: PitchMoment | None = None
     deceleration: DrivingAcceleration | None = None
     lateral_acceleration: DrivingAcceleration | None = None
@@ -175,7 +264,7 @@ class Trial(Description):
 
     def obstacle_end(self) -> float:
         """Time in s at which the obstacle pass ends; 0 for courses and excitations, which have none."""
-        if self.road is None or is_course(self.road):
+        if self.road is None or self.road.is_course():
             return 0.0
         return self.end()
 
@@ -184,3 +273,117 @@ class Trial(Description):
         if self.road is not None and self.speed is not None:
             return self.road.end() / self.speed
         return self.excitation.end() if self.excitation is not None else 0.0
+
+
+FASTEST = 15.0
+"""Hz, what points of a road should at least show the wheels: about where they hop."""
+FEWEST_OUTPUTS = 4
+"""Samples of the result while an obstacle passes; with less its peaks are not seen."""
+_JUMP = 1e-6  # m
+
+
+def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float | None = None) -> list[Finding]:
+    """Say what a reader of the run must know about its road and its loads.
+
+    Parameters
+    ----------
+    trial : Trial
+        What is driven.
+    rig : Rig, optional
+        With it also what its axles do not feel.
+    output_step : float, optional
+        Distance of the result's samples, s.
+
+    Returns
+    -------
+    list of Finding
+        Empty when nothing looks wrong.
+
+    Examples
+    --------
+    >>> from jounce.roads import Table
+    >>> short = Table(x=[0.0, 0.01, 0.02], height=["0 mm", "2 mm", "0 mm"])
+    >>> [found.message for found in trial_findings(Trial(road=short, speed="1 m/s", duration="5 s"))]
+    ['the road ends after 0.02 m and the run drives 5 m; the rest of it is level. Shorten the run.']
+    """
+    behind = rig.wheelbase if isinstance(rig, Vehicle) else 0.0
+    found = list(_loads(trial))
+    if trial.speed is not None:
+        for name, road in (("road", trial.road), ("right", trial.right)):
+            if road is not None:
+                found += _road(road, trial.speed, trial.duration, f"trial: {name}", output_step)
+        found += _rear(trial, behind)
+        if isinstance(rig, HalfCar) and rig.compat == "physical" and _jumps(trial.segments()):
+            text = (
+                "the road jumps, and the dampers of massless axles do not feel it; "
+                'an edge is a ramp of some length, e.g. the shape "cosine" over a tyre\'s contact'
+            )
+            found.append(Finding("trial: road", "warning", text))
+        if isinstance(trial.road, Iso8608) and trial.right is None and _has_sides(rig):
+            text = (
+                "the left and the right wheels meet the same track; "
+                'the right one is other_track(), or side = "right" in a file.'
+            )
+            found.append(Finding("trial: road", "note", text))
+    return found
+
+
+def _road(road: Road, speed: float, duration: float, place: str, output_step: float | None) -> Iterator[Finding]:
+    driven = speed * duration
+    if road.start >= driven:
+        text = (
+            f"the run ends before the obstacle begins, {road.start:g} m from the start; drive longer or start nearer."
+        )
+        yield Finding(place, "warning", text, duration)
+        return
+    span = road.profile().span
+    if isinstance(road, SampledRoad):
+        if road.recurrence is None and road.end() < driven * (1.0 - 1e-9):
+            text = (
+                f"the road ends after {road.end():g} m and the run drives {driven:g} m; the rest of it is level. "
+                "Shorten the run."
+            )
+            yield Finding(place, "warning", text, road.end())
+        apart = road.point_spacing() or span
+        if speed / (2.0 * apart) < FASTEST:
+            text = (
+                f"its points, {apart:.3g} m apart, show nothing above {speed / (2.0 * apart):.3g} Hz at {speed:g} m/s; "
+                f"wheels hop at about {FASTEST:g} Hz. Take a finer profile."
+            )
+            yield Finding(place, "warning", text, apart)
+    elif output_step is not None and 0.0 < span < FEWEST_OUTPUTS * output_step * speed:
+        text = (
+            f"the obstacle passes in {1e3 * span / speed:.3g} ms and the result has a sample every "
+            f"{1e3 * output_step:g} ms; its peaks are not seen. Take a finer output step."
+        )
+        yield Finding(place, "warning", text, span / speed)
+
+
+def _rear(trial: Trial, behind: float) -> Iterator[Finding]:
+    road, speed = trial.road, trial.speed
+    if road is None or speed is None or behind == 0.0:
+        return
+    driven = speed * trial.duration
+    if road.start < driven <= road.start + behind and road.profile().span > 0.0 and not isinstance(road, SampledRoad):
+        text = f"the run ends before the rear axle, {behind:g} m behind, meets the obstacle."
+        yield Finding("trial: duration", "warning", text, trial.duration)
+
+
+def _loads(trial: Trial) -> Iterator[Finding]:
+    for name in trial.loads:
+        load = trial.load(name)
+        heights = load.evaluate(np.linspace(0.0, trial.duration, 2 * len(load.edges) + 1))[0]
+        given = getattr(trial, name)
+        if not np.any(heights) and (given.value or any(given.values)):
+            text = f"it begins after the run of {trial.duration:g} s is over."
+            yield Finding(f"trial: {name}", "warning", text, trial.duration)
+
+
+def _jumps(signal: Segments) -> bool:
+    inner = signal.edges[1:-1]
+    before = signal.evaluate(np.nextafter(inner, -np.inf))[0]
+    return bool(np.any(np.abs(signal.evaluate(inner)[0] - before) > _JUMP))
+
+
+def _has_sides(rig: Rig | None) -> bool:
+    return isinstance(rig, Vehicle) and any(place.side for place in rig.wheels.values())

@@ -1,19 +1,137 @@
-"""How rough a measured profile is: its spectrum by Welch's method, fitted as ISO 8608 does."""
+"""Spectra of roads as ISO 8608 has them, the noise that stands for them, and how rough a measured profile is."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from jounce.core.errors import RecordingError
+from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.types import Array
-from jounce.roads.roughness import BAND, REFERENCE, RoadClass, roughness_class
+from jounce.roads.rough import BAND, CLASSES, MEAN_A, REFERENCE, RoadClass, as_roughness
 
 _UNEVEN = 1e-3  # of the spacing
 _PER_OCTAVE = 3  # bands that the line is fitted through
+
+
+def roughness_class(roughness: float) -> RoadClass:
+    """Road class whose limits hold a degree of roughness.
+
+    Parameters
+    ----------
+    roughness : float
+        G_d(n0) in m^3, above 0. The limit between two classes is twice the mean of the smoother one.
+
+    Returns
+    -------
+    str
+        "A" to "H"; what is smoother or rougher than all of them is "A" or "H".
+
+    Examples
+    --------
+    >>> roughness_class(256e-6), roughness_class(31e-6), roughness_class(33e-6)
+    ('C', 'A', 'B')
+    """
+    if not (math.isfinite(roughness) and roughness > 0.0):
+        raise DescriptionError("not a degree of roughness", found=f"{roughness} m^3", allowed="above 0 m^3")
+    place = math.floor(math.log(roughness / (0.5 * MEAN_A), 4.0))
+    return CLASSES[min(max(place, 0), len(CLASSES) - 1)]
+
+
+def road_psd(road: str | float, n: ArrayLike, *, waviness: float = 2.0) -> Array:
+    """One-sided spectral density of the height, G_d(n) = G_d(n0) (n / n0)^-w with n0 = 0.1 1/m.
+
+    Parameters
+    ----------
+    road : str or float
+        Class "A" to "H", or a degree of roughness G_d(n0) in m^3.
+    n : array_like
+        Spatial frequencies in cycles per metre (1/m), above 0; not the angular frequency in rad/m.
+    waviness : float
+        Exponent w (1).
+
+    Returns
+    -------
+    ndarray
+        G_d in m^3, the shape of ``n``; against angular frequency it is 2 pi times less.
+
+    Raises
+    ------
+    DescriptionError
+        For an unknown class and frequencies that are not above 0.
+
+    Notes
+    -----
+    ISO 8608:2016 (key iso-8608).
+
+    Examples
+    --------
+    >>> (1e6 * road_psd("A", [0.1, 0.2])).round(6).tolist()
+    [16.0, 4.0]
+    """
+    at = np.asarray(n, dtype=float)
+    if not (np.isfinite(at).all() and (at > 0.0).all()):
+        raise DescriptionError("not a spatial frequency", found="0, negative, or not finite", allowed="above 0 1/m")
+    return np.asarray(as_roughness(road) * (at / REFERENCE) ** -waviness)
+
+
+def white_noise_intensity(road: str | float, speed: float) -> float:
+    """Intensity W of the white noise that is the vertical velocity of a road with waviness 2.
+
+    Parameters
+    ----------
+    road : str or float
+        Class "A" to "H", or a degree of roughness G_d(n0) in m^3.
+    speed : float
+        Speed in m/s, above 0.
+
+    Returns
+    -------
+    float
+        W = 2 pi^2 n0^2 G_d(n0) v in m^2/s: E[w(t) w(t + s)] = W delta(s). The one-sided density of the velocity
+        is 2 W (m^2/s^2/Hz).
+
+    Examples
+    --------
+    >>> round(1e5 * white_noise_intensity("A", 20.0), 4)
+    6.3165
+    """
+    if not (math.isfinite(speed) and speed > 0.0):
+        raise DescriptionError("not a speed", found=f"{speed} m/s", allowed="above 0 m/s")
+    return 2.0 * math.pi**2 * REFERENCE**2 * as_roughness(road) * speed
+
+
+def filtered_noise(road: str | float, speed: float, *, cutoff: float = BAND[0]) -> tuple[float, float]:
+    """First-order filter that makes the height of a road with waviness 2 from white noise.
+
+    Parameters
+    ----------
+    road : str or float
+        Class "A" to "H", or a degree of roughness G_d(n0) in m^3.
+    speed : float
+        Speed in m/s, above 0.
+    cutoff : float
+        Spatial frequency in 1/m below which the spectrum is flat, so that the variance is finite.
+
+    Returns
+    -------
+    pole, gain : float
+        dz/dt = -pole z + gain w with w of one-sided density 1 per Hz (two-sided 1/2); pole = 2 pi cutoff v in 1/s,
+        gain = 2 pi n0 sqrt(G_d(n0) v) in m/s. The variance of z is gain^2 / (4 pole).
+
+    Examples
+    --------
+    >>> pole, gain = filtered_noise("C", 20.0)
+    >>> round(pole, 4), round(gain, 5), round(1e3 * (gain**2 / (4 * pole)) ** 0.5, 2)  # 1/s, m/s, mm
+    (1.3823, 0.04496, 19.12)
+    """
+    intensity = white_noise_intensity(road, speed)
+    if not (math.isfinite(cutoff) and cutoff > 0.0):
+        raise DescriptionError("not a spatial frequency", found=f"{cutoff} 1/m", allowed="above 0 1/m")
+    return 2.0 * math.pi * cutoff * speed, math.sqrt(2.0 * intensity)
 
 
 @dataclass(frozen=True)

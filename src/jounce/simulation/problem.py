@@ -7,8 +7,8 @@ from jounce.core.segments import Segments, flat
 from jounce.mechanics.model import ROAD, Facts, is_road
 from jounce.parts import Rig
 from jounce.parts.vehicles import Place, Vehicle
-from jounce.roads import Flat, Trial, check_covered
-from jounce.roads.loads import LOADS
+from jounce.roads import Flat, Trial
+from jounce.roads.trial import LOADS
 
 _ONE_WHEEL = {"": Place(0.0, 1)}
 
@@ -50,7 +50,7 @@ def _refuse_unknown_ground(trial: Trial) -> None:
     """Refuse a drive beyond the end of a road that does not end as high as it begins: nobody knows how it goes on."""
     for name, road in (("road", trial.road), ("right", trial.right)):
         if road is not None and trial.speed is not None:
-            check_covered(road, trial.speed * trial.duration, where=f"trial: {name}", level_goes_on=True)
+            road.check_covers(trial.speed * trial.duration, where=f"trial: {name}", level_goes_on=True)
 
 
 def _refuse_unfelt(facts: Facts, rig: Rig, trial: Trial) -> None:

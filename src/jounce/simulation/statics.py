@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from jounce.core.errors import SimulationError
 from jounce.core.types import Array
 from jounce.mechanics.model import is_road
-from jounce.roads.loads import LOADS
+from jounce.roads.trial import LOADS
 from jounce.simulation.compiled import Compiled
 
 _ITERATIONS = 60

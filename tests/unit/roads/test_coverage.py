@@ -17,10 +17,7 @@ from jounce.roads import (
     SineSum,
     Table,
     Train,
-    check_covered,
-    covered,
     load_road,
-    point_spacing,
 )
 
 FILES = Path(__file__).parents[2] / "files" / "road_crg"
@@ -46,21 +43,21 @@ TABLE = Table(x=[0, 0.5, 1, 4], height=[0, 0.01, 0.01, 0], start="2 m")
     ids=lambda value: getattr(value, "kind", None),
 )
 def test_where_the_data_ends(road, end, spacing) -> None:
-    assert covered(road) == pytest.approx(end, abs=1e-2)
+    assert road.known_length() == pytest.approx(end, abs=1e-2)
     if spacing is not None:
-        assert point_spacing(road) == pytest.approx(spacing, rel=1e-6)
+        assert road.point_spacing() == pytest.approx(spacing, rel=1e-6)
     elif not isinstance(road, Crg):
-        assert point_spacing(road) is None
+        assert road.point_spacing() is None
 
 
 def test_a_run_longer_than_the_road_is_refused() -> None:
-    check_covered(TABLE, 6.0)
-    check_covered(TABLE, 8.0, behind=2.0)
-    check_covered(BUMP, 1e6)
+    TABLE.check_covers(6.0)
+    TABLE.check_covers(8.0, behind=2.0)
+    BUMP.check_covers(1e6)
     with pytest.raises(
         DescriptionError, match=r"^trial: the road is shorter than the run; found '7 m driven'; allowed: up to 6 m"
     ):
-        check_covered(TABLE, 7.0, where="trial")
+        TABLE.check_covers(7.0, where="trial")
 
 
 def test_points_of_tables(tmp_path) -> None:

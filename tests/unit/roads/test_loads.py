@@ -7,7 +7,7 @@ import pytest
 from pydantic import ValidationError
 
 import jounce as jn
-from jounce.roads.loads import LOADS, DrivingAcceleration, PitchMoment
+from jounce.roads.trial import LOADS, DrivingAcceleration, PitchMoment
 
 TIMES = np.linspace(0.0, 2.0, 41)
 

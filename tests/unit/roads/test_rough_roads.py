@@ -6,20 +6,15 @@ import numpy as np
 import pytest
 
 from jounce.core.errors import DescriptionError, RecordingError
-from jounce.roads import (
-    Iso8608,
-    SineSum,
-    class_roughness,
+from jounce.roads import Iso8608, SineSum, class_roughness, load_road, read_roads, track_coherence
+from jounce.roads.rough import height_variance
+from jounce.roughness.spectra import (
+    estimate_roughness,
     filtered_noise,
-    load_road,
-    read_roads,
     road_psd,
     roughness_class,
-    track_coherence,
     white_noise_intensity,
 )
-from jounce.roads.roughness import height_variance
-from jounce.roughness.spectra import estimate_roughness
 
 MEANS = {"A": 16, "B": 64, "C": 256, "D": 1024, "E": 4096, "F": 16384, "G": 65536, "H": 262144}  # domain D1, 1e-6 m^3
 

@@ -7,8 +7,15 @@ import pytest
 from scipy.linalg import expm
 
 import jounce as jn
-from jounce.roughness.iri import SPEED, base_samples, golden_car_response, iri, rectified_slope, state_transition
-from jounce.roughness.profiles import read_profile
+from jounce.roughness.iri import (
+    SPEED,
+    base_samples,
+    golden_car_response,
+    iri,
+    read_profile,
+    rectified_slope,
+    state_transition,
+)
 
 X = np.arange(0.0, 250.1, 0.25)
 Z = 0.002 * np.cumsum(np.random.default_rng(1).normal(size=X.size))

@@ -1,4 +1,4 @@
-"""Rough roads: random ones of ISO 8608 for the left and the right track, and a benchmark that everybody can repeat."""
+"""Rough roads: the classes of ISO 8608, random roads of them for both tracks, and a repeatable benchmark."""
 
 from __future__ import annotations
 
@@ -7,23 +7,122 @@ from functools import lru_cache
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 from pydantic import BeforeValidator, Field
 
-from jounce.core.errors import DescriptionError
+from jounce.core.errors import DescriptionError, unknown
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.core.units import Length, NonNegativeLength, PositiveLength, PositiveNumber, Unit
 from jounce.roads.profile import Profile, hermite_profile, laid_out, linear_profile, periodic_places
-from jounce.roads.road import Road
-from jounce.roads.roughness import BAND, REFERENCE, RoadClass, class_roughness, height_variance, track_coherence
+from jounce.roads.road import Road, SampledRoad
 
+RoadClass = Literal["A", "B", "C", "D", "E", "F", "G", "H"]
+CLASSES: tuple[RoadClass, ...] = ("A", "B", "C", "D", "E", "F", "G", "H")
+REFERENCE = 0.1  # 1/m: n0, where the degree of roughness is stated
+BAND = (0.011, 2.83)  # 1/m: the range that ISO 8608 recommends
+MEAN_A = 16e-6  # m^3: geometric mean of class A; each class has four times that of the class before
 SpatialFrequency = Annotated[float, Unit("1/m", above=0.0)]
 Roughness = Annotated[float, Unit("m^3", above=0.0)]
 Waviness = Annotated[float, Unit("1", above=0.0, at_most=5.0)]
 GOLDEN = 0.6180339887498949  # (sqrt(5) - 1) / 2
 MOST_POINTS = 20_000_000
 _LINES = 10.0  # spectral lines at least up to twice the lowest frequency
+
+
+def class_roughness(name: str, *, where: str = "") -> float:
+    """Degree of roughness G_d(n0) in m^3 of a road class: its geometric mean at n0 = 0.1 1/m.
+
+    Parameters
+    ----------
+    name : str
+        "A" (very good) to "H"; small letters are taken, too.
+    where : str
+        Place that an error names.
+
+    Returns
+    -------
+    float
+        16e-6 m^3 for A, four times as much for each class after it.
+
+    Raises
+    ------
+    DescriptionError
+        For any other name.
+
+    Examples
+    --------
+    >>> round(1e6 * class_roughness("C"))
+    256
+    """
+    letter = str(name).strip().upper()
+    if letter not in CLASSES:
+        raise unknown(str(name), CLASSES, what="road class", where=where)
+    return float(MEAN_A * 4 ** CLASSES.index(letter))
+
+
+def as_roughness(road: str | float) -> float:
+    """Degree of roughness in m^3 of a class by its name, or the number itself (m^3, above 0)."""
+    if isinstance(road, str):
+        return class_roughness(road)
+    if not (math.isfinite(road) and road > 0.0):
+        raise DescriptionError("not a degree of roughness", found=f"{road} m^3", allowed="above 0 m^3, or A to H")
+    return float(road)
+
+
+def height_variance(roughness: float, low: ArrayLike, high: ArrayLike, waviness: float = 2.0) -> Array:
+    """Integral of G_d from ``low`` to ``high`` (1/m), in m^2; ``roughness`` in m^3.
+
+    Examples
+    --------
+    >>> round(1e3 * float(height_variance(16e-6, 0.011, 2.83)) ** 0.5, 3)  # mm
+    3.806
+    """
+    low, high = np.asarray(low, dtype=float), np.asarray(high, dtype=float)
+    if waviness == 1.0:
+        return np.asarray(roughness * REFERENCE * np.log(high / low))
+    power = waviness - 1.0
+    scale = roughness * REFERENCE**waviness / power
+    return np.asarray(scale * (low**-power - high**-power))
+
+
+def track_coherence(
+    n: ArrayLike, track: float, *, model: str = "isotropic", decay: float = 5.7, waviness: float = 2.0
+) -> Array:
+    """Coherence gamma^2 between the heights under the left and the right wheels.
+
+    Parameters
+    ----------
+    n : array_like
+        Spatial frequencies in 1/m, at least 0.
+    track : float
+        Lateral distance of both tracks in m.
+    model : {"isotropic", "exponential"}
+        ``"isotropic"``: the surface has the same spectrum in every direction, gamma = 2 / Gamma(w/2) (y/2)^(w/2)
+        K_(w/2)(y) with y = 2 pi n B (for w = 2 this is y K_1(y)); ``"exponential"``: gamma^2 = exp(-decay n B).
+    decay : float
+        Decay (1) of the exponential model. The default reaches one half where the isotropic model with w = 2 does.
+    waviness : float
+        Exponent w (1) of the isotropic model.
+
+    Returns
+    -------
+    ndarray
+        gamma^2 (1), from 1 for long waves to 0 for short ones; the shape of ``n``.
+
+    Examples
+    --------
+    >>> track_coherence([0.0, 0.05, 0.5], 1.5).round(3).tolist()
+    [1.0, 0.708, 0.001]
+    """
+    at = np.asarray(n, dtype=float)
+    if model == "exponential":
+        return np.asarray(np.exp(-decay * at * track))
+    from scipy.special import gamma, kv
+
+    order = 0.5 * waviness
+    y = 2.0 * math.pi * np.maximum(at, 1e-9 / track) * track
+    return np.asarray(np.minimum(2.0 / gamma(order) * (0.5 * y) ** order * kv(order, y), 1.0) ** 2)
 
 
 def _letter(value: object) -> object:
@@ -47,7 +146,7 @@ def _one_roughness(class_: str | None, roughness: float | None) -> float:
     return class_roughness(class_) if class_ is not None else float(roughness or 0.0)
 
 
-class Iso8608(Road):
+class Iso8608(SampledRoad):
     """Random road of an ISO 8608 class, the same for the same seed.
 
     The height is a sum of cosines with equally spaced spatial frequencies, random phases and amplitudes
@@ -164,6 +263,10 @@ class Iso8608(Road):
     def end(self) -> float:
         """Distance in m at which the road ends."""
         return self.start + self.length
+
+    def point_spacing(self) -> float:
+        """Distance in m between the points."""
+        return self.length / _points(self.length, self.step)
 
     def _key(self) -> tuple[Any, ...]:
         coherence = (self.track, self.coherence, self.coherence_decay) if self.side == "right" else None
@@ -320,6 +423,10 @@ class SineSum(Road):
     def period(self) -> float:
         """Distance in m after which the road repeats."""
         return 1.0 / self.spacing
+
+    def is_course(self) -> bool:
+        """Always."""
+        return True
 
     def profile(self) -> Profile:
         """Pieces of one period."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 
@@ -14,9 +14,7 @@ from jounce.core.types import Array
 from jounce.core.units import Angle, Length, PositiveLength, positive_si, to_si
 from jounce.roads.profile import Profile, hermite_profile
 from jounce.roads.road import Road
-
-if TYPE_CHECKING:
-    from jounce.roads.trial import Excitation
+from jounce.roads.trial import Excitation
 
 Law = Literal["linear", "logarithmic"]
 PER_WAVE = 64  # points on one wave; cubics between them are within 3e-7 of the amplitude
@@ -142,8 +140,6 @@ def swept_sine(
     >>> sweep.end(), round(max(sweep.height), 5)
     (10.0, 0.002)
     """
-    from jounce.roads.trial import Excitation
-
     a = to_si(amplitude, "m", where="amplitude")
     named = (("first_frequency", first_frequency, "Hz"), ("last_frequency", last_frequency, "Hz"))
     first, last, length = (

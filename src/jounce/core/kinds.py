@@ -1,0 +1,77 @@
+"""Families of descriptions: a word in the file selects the class, and a class joins its family by being written."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import reduce
+from importlib import import_module
+from operator import or_
+from pkgutil import iter_modules
+from typing import Annotated, Any
+
+from pydantic import BaseModel, Field, TypeAdapter
+from pydantic_core import CoreSchema, core_schema
+
+FILE_REF = "$file"
+"""What stands for ``$ref`` to the schema of another file until the schemas are written: pydantic follows ``$ref``."""
+
+
+class Kinds(Mapping[str, type[Any]]):
+    """Classes of a family by the word that selects them.
+
+    The base of the family holds it as ``kinds``; each subclass whose field ``key`` has a default joins under that
+    default. All modules of ``package`` are imported before the first look, so there is no list to keep.
+
+    Parameters
+    ----------
+    key : str
+        Field whose text selects the class, e.g. ``"kind"``.
+    package : str
+        Package whose modules define the classes.
+    schema : str
+        File of the family's JSON schema, which those of other files refer to.
+    """
+
+    def __init__(self, key: str, *, package: str, schema: str) -> None:
+        self.key, self.package, self.schema = key, package, schema
+        self._classes: dict[str, type[BaseModel]] = {}
+        self._complete = False
+        self._adapter: tuple[int, TypeAdapter[Any]] | None = None
+
+    def join(self, kind: type[BaseModel]) -> None:
+        """Take a class in, if it says which word selects it."""
+        field = kind.model_fields.get(self.key)
+        if field is not None and isinstance(field.default, str):
+            self._classes = dict(sorted({**self._classes, field.default: kind}.items()))
+
+    def _all(self) -> dict[str, type[BaseModel]]:
+        if not self._complete:
+            self._complete = True
+            for module in iter_modules(import_module(self.package).__path__):
+                import_module(f"{self.package}.{module.name}")
+        return self._classes
+
+    def __getitem__(self, word: str) -> type[Any]:
+        return self._all()[word]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._all())
+
+    def __len__(self) -> int:
+        return len(self._all())
+
+    def adapter(self) -> TypeAdapter[Any]:
+        """Reader of any member of the family, told apart by ``key``."""
+        if self._adapter is None or self._adapter[0] != len(self):  # a class of the user's own may have joined
+            members: Any = reduce(or_, self._all().values())
+            told_apart: Any = Annotated[members, Field(discriminator=self.key)]
+            self._adapter = len(self), TypeAdapter(told_apart)
+        return self._adapter[1]
+
+    def core_schema(self, base: type[BaseModel]) -> CoreSchema:
+        """How a field of the base's type is read: a member as it is, a table by its ``key``."""
+
+        def read(value: object) -> object:
+            return value if isinstance(value, base) else self.adapter().validate_python(value)
+
+        return core_schema.no_info_plain_validator_function(read)
