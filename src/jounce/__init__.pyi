@@ -123,6 +123,21 @@ from .testers.testing import simulate_test as simulate_test
 
 # isort: split
 # Written by `make faces`: the members of the registries.
+from .campaign import CampaignResult as CampaignResult
+from .campaign import new_campaign as new_campaign
+from .core.serialise import Plain as Plain
+from .core.serialise import plain_table as plain_table
+from .core.serialise import write_files as write_files
+from .identify.damper import DamperCurve as DamperCurve
+from .identify.damper import DamperResult as DamperResult
+from .identify.damper import damper_curve as damper_curve
+from .identify.hysteresis_path import bouc_wen_path as bouc_wen_path
+from .parts import DoubleWishbone as DoubleWishbone
+from .parts.importers import ChronoCorner as ChronoCorner
+from .parts.importers import read_chrono_corner as read_chrono_corner
+from .recordings import read_columns as read_columns
+from .recordings.schema import recording as recording
+from .roads import Road as Road
 from .roads.enveloping import Enveloped as Enveloped
 from .roads.measured import Crg as Crg
 from .roads.measured import Table as Table
@@ -141,6 +156,7 @@ from .roads.obstacles import Triangle as Triangle
 from .roads.obstacles import Versine as Versine
 from .roads.rough import Iso8608 as Iso8608
 from .roads.rough import SineSum as SineSum
+from .roads.trial import PitchMoment as PitchMoment
 from .roads.waves import Sine as Sine
 from .roads.waves import SineSweep as SineSweep
 

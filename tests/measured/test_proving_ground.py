@@ -19,21 +19,20 @@ from jounce.papers.proving_ground import (
     COURSE,
     END,
     OWN,
+    FrontView,
     ProvingGround,
+    Similitude,
     contact_length,
     drive,
     enveloped,
+    equivalent_coefficient,
+    harmonic_energy,
+    hmmwv_corner,
+    lumped_corner,
+    referred_to_wheel,
     ride_figures,
     run_proving_ground,
 )
-from jounce.papers.proving_ground_corner import FrontView, lumped_corner
-from jounce.papers.proving_ground_damper import (
-    Similitude,
-    equivalent_coefficient,
-    harmonic_energy,
-    referred_to_wheel,
-)
-from jounce.parts.importers import ChronoCorner, shipped_corner
 from jounce.report import write_page
 from jounce.report.proving_ground import proving_ground_page
 
@@ -44,8 +43,8 @@ def study() -> ProvingGround:
 
 
 @pytest.fixture(scope="module")
-def corner() -> ChronoCorner:
-    return shipped_corner()
+def corner() -> jn.ChronoCorner:
+    return hmmwv_corner()
 
 
 def figure(study: ProvingGround, name: str, damper: str) -> np.ndarray:
@@ -112,7 +111,7 @@ def test_scale_gives_the_stated_damping_ratio(study: ProvingGround):
 # --- the vehicle ---
 
 
-def wheel_in_space(corner: ChronoCorner, angle: float) -> np.ndarray:
+def wheel_in_space(corner: jn.ChronoCorner, angle: float) -> np.ndarray:
     """The double wishbone in space with its tie rod, independent of the front view: lower arm turned by an angle."""
     p = corner.points
     joint = FrontView(corner).on_lower_arm("lower_ball_joint", angle)
@@ -133,7 +132,7 @@ def wheel_in_space(corner: ChronoCorner, angle: float) -> np.ndarray:
     return joint + rotation.apply(p["wheel_centre"] - p["lower_ball_joint"])
 
 
-def test_front_view_agrees_with_the_linkage_in_space(corner: ChronoCorner):
+def test_front_view_agrees_with_the_linkage_in_space(corner: jn.ChronoCorner):
     view, step = FrontView(corner), 2e-3
     rise = wheel_in_space(corner, step)[2] - wheel_in_space(corner, -step)[2]
     for element, ratio in (("spring", 0.45033), ("damper", 0.45247)):
@@ -145,7 +144,7 @@ def test_front_view_agrees_with_the_linkage_in_space(corner: ChronoCorner):
         assert view.wheel_height(angle) - view.wheel_height(0.0) == pytest.approx(height, rel=0.005)
 
 
-def test_spring_carries_the_corner_and_its_work_is_that_of_the_wheel_rate(corner: ChronoCorner):
+def test_spring_carries_the_corner_and_its_work_is_that_of_the_wheel_rate(corner: jn.ChronoCorner):
     lumped, view = lumped_corner(corner), FrontView(corner)
     rig, angle = lumped.rig, 1e-3
     rest = jn.equilibrium(rig)
@@ -163,7 +162,7 @@ def test_spring_carries_the_corner_and_its_work_is_that_of_the_wheel_rate(corner
     assert 8.0 < jn.modes(rig)[1].frequency_hz < 11.0
 
 
-def test_shipped_rig_is_the_derived_one(corner: ChronoCorner):
+def test_shipped_rig_is_the_derived_one(corner: jn.ChronoCorner):
     shipped, derived = jn.load("hmmwv-front-corner").parameters(), lumped_corner(corner).rig.parameters()
     assert shipped.keys() == derived.keys()
     for path, value in derived.items():

@@ -7,16 +7,22 @@ import tomllib
 import numpy as np
 import pytest
 
-from jounce.campaign import run_campaign
+from jounce.campaign import new_campaign, run_campaign
 from jounce.campaign.description import load_campaign
 from jounce.campaign.speed_sweep import misfit_against_speed
 from jounce.core.errors import DescriptionError, JounceError, OutputError
 from jounce.core.serialise import to_json, write_files
-from jounce.papers.demo import prepare_demo, run_demo
+from jounce.papers.demo import campaign_texts, prepare_demo, run_demo
 from jounce.papers.table2 import table2
-from jounce.papers.template import campaign_texts, new_campaign
-from jounce.papers.virtual_bench import BenchPlan, course, measurement_texts, true_pass
-from jounce.papers.virtual_rig import GUIDE_FRICTION, SPRING_RATE, STRUT_FRICTION
+from jounce.papers.virtual_bench import (
+    GUIDE_FRICTION,
+    SPRING_RATE,
+    STRUT_FRICTION,
+    BenchPlan,
+    course,
+    measurement_texts,
+    true_pass,
+)
 from jounce.parts import rig_from_table
 
 
@@ -24,7 +30,7 @@ from jounce.parts import rig_from_table
 def shipped(tmp_path_factory):
     """The shipped campaign's quick look; recordings of 1 s, all obstacles passed by then, to save time."""
     folder = tmp_path_factory.mktemp("shipped")
-    write_files(folder, {**campaign_texts("kart-prototype"), **measurement_texts(BenchPlan(duration=1.0))})
+    write_files(folder, {**campaign_texts(), **measurement_texts(BenchPlan(duration=1.0))})
     said = []
     return run_campaign(folder / "quick-look.toml", progress=said.append), said
 

@@ -14,10 +14,16 @@ from jounce.core.errors import DescriptionError
 from jounce.core.serialise import write_files
 from jounce.design.lumping import lump
 from jounce.papers import demo
+from jounce.papers.demo import campaign_texts
 from jounce.papers.table2 import table2
-from jounce.papers.template import campaign_texts
-from jounce.papers.virtual_bench import BenchPlan, measurement_texts, true_pass
-from jounce.papers.virtual_rig import GUIDE_FRICTION, SPRING_RATE, STRUT_FRICTION
+from jounce.papers.virtual_bench import (
+    GUIDE_FRICTION,
+    SPRING_RATE,
+    STRUT_FRICTION,
+    BenchPlan,
+    measurement_texts,
+    true_pass,
+)
 from jounce.parts import rig_from_table
 from jounce.parts.variants import strut_angle, with_strut_angle
 from jounce.recordings import write_recording
@@ -218,7 +224,7 @@ def test_damping_of_a_3d_strut_is_recovered_from_a_decay(tmp_path, support):
 @pytest.fixture(scope="module")
 def shipped(tmp_path_factory):
     folder = tmp_path_factory.mktemp("shipped-3d")
-    write_files(folder, {**campaign_texts("kart-prototype"), **measurement_texts(BenchPlan(duration=1.0))})
+    write_files(folder, {**campaign_texts(), **measurement_texts(BenchPlan(duration=1.0))})
     return run_campaign(folder / "campaign.toml")
 
 
@@ -258,7 +264,7 @@ def test_shipped_campaign_finds_spring_friction_and_lags(shipped):
 
 def test_the_linkage_explains_more_of_the_wheel_than_two_masses(shipped, tmp_path):
     """Both campaigns look at the same recordings; single obstacles, held out, errors in the mean."""
-    write_files(tmp_path, {**campaign_texts("kart-prototype"), **measurement_texts(BenchPlan(duration=1.0))})
+    write_files(tmp_path, {**campaign_texts(), **measurement_texts(BenchPlan(duration=1.0))})
     quick = run_campaign(tmp_path / "quick-look.toml")
 
     def misfit(result):
@@ -292,7 +298,7 @@ def test_a_lumped_rig_has_no_such_section(folder):
 
 
 def test_quick_look_differs_from_the_campaign_in_the_rig_only():
-    texts = campaign_texts("kart-prototype")
+    texts = campaign_texts()
     full, quick = (tomllib.loads(texts[name]) for name in ("campaign.toml", "quick-look.toml"))
     assert (full.pop("rig"), quick.pop("rig")) == ("rig.toml", "quarter-car.toml")
     full.pop("title"), quick.pop("title")

@@ -62,7 +62,7 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
     Examples
     --------
     >>> import tempfile
-    >>> from jounce.papers.template import new_campaign
+    >>> from jounce.campaign import new_campaign
     >>> result = run_campaign(new_campaign(tempfile.mkdtemp() + "/mine"))
     >>> result.is_complete, result.strategies[0].update.reduction_percent > 0.0
     (True, True)

@@ -55,7 +55,7 @@ def new(
 
     Example: jounce campaign new my-campaign
     """
-    from jounce.papers.template import new_campaign
+    from jounce.campaign import new_campaign
 
     campaign = new_campaign(folder, force=force)
     made = sorted(str(file.relative_to(folder)) for file in folder.rglob("*") if file.is_file())

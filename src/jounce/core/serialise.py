@@ -22,6 +22,16 @@ class Plain:
 
     A class names the fields that stay out in ``left_out`` and the properties that are given beside the fields in
     ``also``; what has another shape overrides ``to_dict`` (see `plain_table`).
+
+    Examples
+    --------
+    >>> @dataclasses.dataclass
+    ... class Drop(Plain):
+    ...     left_out = ("times",)
+    ...     height: float
+    ...     times: tuple[float, ...] = ()
+    >>> Drop(0.08).to_dict()
+    {'height': 0.08}
     """
 
     left_out: ClassVar[tuple[str, ...]] = ()
@@ -35,7 +45,23 @@ class Plain:
 
 
 def plain_table(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Turn each of the values into plain data, as `to_plain` does."""
+    """Turn each of the values into plain data: dicts, lists, text, finite numbers and None, ready for strict JSON.
+
+    Parameters
+    ----------
+    values : mapping
+        Results, arrays and numbers by name; units stay as they are.
+
+    Returns
+    -------
+    dict
+        The same names; NaN and infinities become None.
+
+    Examples
+    --------
+    >>> plain_table({"rate": np.float64(22e3), "points": np.array([0.0, np.nan]), "pair": (1, True)})
+    {'rate': 22000.0, 'points': [0.0, None], 'pair': [1, True]}
+    """
     return {str(key): to_plain(item) for key, item in values.items()}
 
 
@@ -127,7 +153,33 @@ def replacing(file: Path) -> Iterator[Path]:
 
 
 def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, force: bool = False) -> list[Path]:
-    """Write files below a folder, which is made; when one of them exists (without ``force``), none is written."""
+    """Write files below a folder, which is made: all of them, or none.
+
+    Parameters
+    ----------
+    folder : path
+        Where to.
+    contents : mapping of str to (bytes or str)
+        Content by name; a name may lie in folders of its own.
+    force : bool
+        Overwrite existing files.
+
+    Returns
+    -------
+    list of Path
+        The files.
+
+    Raises
+    ------
+    OutputError
+        When one of the files exists, without ``force``; then nothing is written.
+
+    Examples
+    --------
+    >>> made = write_files(tempfile.mkdtemp(), {"notes.txt": "rig 2", "trials/01.csv": "time [s]"})
+    >>> [file.name for file in made]
+    ['notes.txt', '01.csv']
+    """
     root = Path(folder)
     if root.exists() and not root.is_dir():
         raise OutputError("a file stands where the folder should be", where=str(root), hint="Choose another name.")

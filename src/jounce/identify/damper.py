@@ -344,7 +344,7 @@ class DamperResult:
         Table to write under ``strut.damper`` in a rig, SI, bump positive. F(v) laws leave the offset out: it is a
         static force and belongs to the preload.
     friction : dict or None
-        Table to write under ``strut.friction``; None when the law has none.
+        Table to write under ``strut.friction`` (N, m/s); None when the law has none.
     findings : tuple of Finding
         Doubts about record and law.
     """
@@ -499,7 +499,7 @@ def damper_curve(
     result : DamperResult
         The fitted law.
     displacement, velocity, force, time : array (n,)
-        A record as for :func:`fit_damper`; displacement is counted from the middle of its own stroke.
+        A record as for :func:`fit_damper` [m, m/s, N, s]; displacement is counted from the middle of its own stroke.
     velocity_from : {"recorded", "displacement"}
         Which velocity the law sees.
 
@@ -507,6 +507,14 @@ def damper_curve(
     -------
     DamperCurve
         The moving part of the record with the law's force.
+
+    Examples
+    --------
+    >>> t = np.arange(0.0, 2.0, 1e-3)
+    >>> x, v = 0.02 * np.sin(2.0 * np.pi * t), 0.04 * np.pi * np.cos(2.0 * np.pi * t)
+    >>> curve = damper_curve(fit_damper(x, v, 1500.0 * v, t, law="linear"), x, v, 1500.0 * v, t)
+    >>> bool(np.allclose(curve.fitted, curve.measured))
+    True
     """
     motion, _ = read_motion(displacement, velocity, force, time, velocity_from=velocity_from)
     powers = [int(key[1:]) for key in result.parameters if key[0] == "a" and key[1:].isdigit()]

@@ -41,6 +41,12 @@ def bouc_wen_path(displacement: Array, rate: float, sigma: float, exponent: floa
     which the force builds up; ``sigma`` [1], at least 1/2, shapes the unloading (1/2 is symmetric); ``exponent`` [1], n
     of at least 1, is the sharpness of the yield; ``start`` is z at the first sample.
 
+    Examples
+    --------
+    >>> path = np.array([0.0, 0.001, 0.002])    # m; z = 1 - exp(-rate x)
+    >>> bouc_wen_path(path, 1e3, 0.5, 1.0, 0.0).round(3).tolist()
+    [0.0, 0.632, 0.865]
+
     References
     ----------
     Ikhouane and Rodellar (2007), Systems with Hysteresis, Wiley (normalised form).

@@ -2,32 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from jounce.core.errors import unknown
-from jounce.core.extremes import Window, extremes_within
-from jounce.core.findings import Finding
-from jounce.core.serialise import to_plain
+import jounce as jn
+from jounce.papers import Progress, no_progress
 from jounce.papers.audi_a6_paper import Erratum, PrintedSign, StartUp, paper_errata, printed_sign, start_up
-from jounce.parts import load
-from jounce.parts.vehicles import Compat, HalfCar
-from jounce.recordings.schema import recording
-from jounce.roads import Rectangle, Trapezoid, Trial
-from jounce.roads.road import Road
-from jounce.roads.trial import PitchMoment
-from jounce.simulation import Mode, equilibrium, modes, simulate
+from jounce.papers.extremes import Window, extremes_within
 
 if TYPE_CHECKING:
     import xarray as xr
 
-Progress = Callable[[str], None]
 CaseName = Literal["case-a", "case-b"]
 VEHICLE = "audi-a6-half-car"
-VARIANTS: tuple[Compat, ...] = ("simulink", "sign-corrected", "physical")
+VARIANTS = ("simulink", "sign-corrected", "physical")
 SPEED, RAMP = 10.0, 0.5
 """Driving speed (m/s) and length of the raised-cosine ramps (m) of the physical variant; estimated."""
 DRIVING, ON, OFF, DURATION = 3.0, 6.0, 8.0, 10.0
@@ -81,7 +71,7 @@ class Statics:
 
 
 @dataclass(frozen=True)
-class CaseRun:
+class CaseRun(jn.Plain):
     """One moment in one variant.
 
     Attributes
@@ -111,7 +101,7 @@ class CaseRun:
 
     def to_dict(self) -> dict[str, Any]:
         """Give the results as plain data in SI, without signals."""
-        plain: dict[str, Any] = to_plain(
+        return jn.plain_table(
             {
                 "moment": self.moment,
                 "variant": self.variant,
@@ -121,7 +111,6 @@ class CaseRun:
                 "least_wheel_force": self.least_wheel_force,
             }
         )
-        return plain
 
 
 @dataclass(frozen=True)
@@ -149,33 +138,32 @@ class AudiCase:
     """
 
     case: Case
-    vehicle: HalfCar
+    vehicle: jn.HalfCar
     runs: tuple[CaseRun, ...]
-    modes: tuple[Mode, ...]
+    modes: tuple[jn.Mode, ...]
     printed: PrintedSign
     start_up: StartUp
     errata: tuple[Erratum, ...]
-    findings: tuple[Finding, ...]
+    findings: tuple[jn.Finding, ...]
 
     def to_dict(self) -> dict[str, Any]:
         """Give the results as plain data in SI, without signals."""
-        plain: dict[str, Any] = to_plain(
+        return jn.plain_table(
             {
                 "case": self.case.name,
                 "vehicle": self.vehicle.model_dump(by_alias=True, exclude_none=True),
                 "obstacle_height": self.case.height,
-                "runs": [run.to_dict() for run in self.runs],
+                "runs": self.runs,
                 "modes": self.modes,
                 "printed_sign_of_eq_9": self.printed,
-                "start_up_of_the_demo": self.start_up.to_dict(),
+                "start_up_of_the_demo": self.start_up,
                 "paper": self.errata,
                 "findings": self.findings,
             }
         )
-        return plain
 
 
-def run_audi_a6(name: str, *, progress: Progress = lambda _: None) -> AudiCase:
+def run_audi_a6(name: str, *, progress: Progress = no_progress) -> AudiCase:
     """Run one of the paper's cases: two pitch moments, each in all three variants of the half car.
 
     Braking (case A, moment positive) or accelerating (case B, moment negative) begins at 3 s; the front axle is on a
@@ -205,9 +193,9 @@ def run_audi_a6(name: str, *, progress: Progress = lambda _: None) -> AudiCase:
     ('simulink', 100.0, -60.93)
     """
     if name not in CASES:
-        raise unknown(name, CASES, what="case", where="study")
-    case, vehicle = CASES[name], load(VEHICLE)
-    assert isinstance(vehicle, HalfCar)
+        raise jn.DescriptionError(f"unknown case {name!r}", where="study", allowed=", ".join(CASES))
+    case, vehicle = CASES[name], jn.load(VEHICLE)
+    assert isinstance(vehicle, jn.HalfCar)
     runs = []
     for moment in moments(case, vehicle):
         for variant in VARIANTS:
@@ -215,28 +203,28 @@ def run_audi_a6(name: str, *, progress: Progress = lambda _: None) -> AudiCase:
             runs.append(case_run(vehicle, case, moment, variant))
     progress("compare with the paper")
     found = printed_sign(vehicle), start_up(vehicle), paper_errata()
-    return AudiCase(case, vehicle, tuple(runs), modes(vehicle), *found, _findings(case, runs))
+    return AudiCase(case, vehicle, tuple(runs), jn.modes(vehicle), *found, _findings(case, runs))
 
 
-def moments(case: Case, vehicle: HalfCar) -> tuple[float, float]:
+def moments(case: Case, vehicle: jn.HalfCar) -> tuple[float, float]:
     """Pitch moments of a case in N m: that of the demo, and that of 3 m/s^2 at a height of 0.55 m."""
     return case.sign * DEMO_MOMENT, case.sign * vehicle.body.mass * DECELERATION * CENTRE_HEIGHT
 
 
-def course(case: Case, variant: str) -> Road:
+def course(case: Case, variant: str) -> jn.Road:
     """Road of a case: upright steps; in the physical variant ramps that the front axle meets at 6 s and 8 s."""
     start, length = SPEED * ON, SPEED * (OFF - ON)
     if variant == "physical":
-        return Trapezoid(height=case.height, length=length + RAMP, ramp=RAMP, shape="cosine", start=start)
-    return Rectangle(height=case.height, length=length, start=start)
+        return jn.Trapezoid(height=case.height, length=length + RAMP, ramp=RAMP, shape="cosine", start=start)
+    return jn.Rectangle(height=case.height, length=length, start=start)
 
 
-def case_run(vehicle: HalfCar, case: Case, moment: float, variant: str) -> CaseRun:
+def case_run(vehicle: jn.HalfCar, case: Case, moment: float, variant: str) -> CaseRun:
     """Run one variant with a pitch moment in N m from 3 s on."""
     car = vehicle.with_changes({"compat": variant})
-    load = PitchMoment(value=moment, start=DRIVING)
-    trial = Trial(road=course(case, variant), speed=SPEED, duration=DURATION, pitch_moment=load)
-    run = simulate(car, trial, tolerance=_TOLERANCE)
+    load = jn.PitchMoment(value=moment, start=DRIVING)
+    trial = jn.Trial(road=course(case, variant), speed=SPEED, duration=DURATION, pitch_moment=load)
+    run = jn.simulate(car, trial, tolerance=_TOLERANCE)
     statics = half_car_statics(car)
     signals = _signals(run, statics)
     time = run["time"].to_numpy()
@@ -248,15 +236,15 @@ def case_run(vehicle: HalfCar, case: Case, moment: float, variant: str) -> CaseR
         )
         for name, channel in (("z", "bounce.displacement"), ("theta", "pitch.angle"))
     }
-    fine = simulate(car, trial, tolerance=_TOLERANCE, output_step=_FINE)["body.az"]
+    fine = jn.simulate(car, trial, tolerance=_TOLERANCE, output_step=_FINE)["body.az"]
     peak = float(np.abs(fine.sel(time=slice(ON, OFF - _FINE)).to_numpy()).max())
     least = min(float(run[f"{axle}.strut.force"].min()) for axle in ("front", "rear"))
     return CaseRun(moment, variant, statics, outputs, peak, least, signals)
 
 
-def half_car_statics(vehicle: HalfCar) -> Statics:
+def half_car_statics(vehicle: jn.HalfCar) -> Statics:
     """Static equilibrium of a half car on a level road."""
-    rest = equilibrium(vehicle)
+    rest = jn.equilibrium(vehicle)
     axles = (
         AxleStatics(2.0 * rest[f"{axle}.strut.force"], rest[f"{axle}.strut.force"], rest[f"{axle}.strut.deflection"])
         for axle in ("front", "rear")
@@ -276,31 +264,31 @@ def _signals(run: xr.Dataset, statics: Statics) -> xr.Dataset:
         "rear.road.z": (value["rear.road.z"], "m", "road under the rear axle, up"),
         "pitch.moment": (value["body.pitch_moment"], "N*m", "pitch moment of driving, nose down"),
     }
-    return recording(run["time"].to_numpy(), channels)
+    return jn.recording(run["time"].to_numpy(), channels)
 
 
-def _findings(case: Case, runs: list[CaseRun]) -> tuple[Finding, ...]:
+def _findings(case: Case, runs: list[CaseRun]) -> tuple[jn.Finding, ...]:
     found = [
-        Finding(
+        jn.Finding(
             "pitch moment",
             "warning",
             f"the paper never gives M_y: it is run with the demo's step of {DEMO_MOMENT:g} N m and with "
             f"{abs(runs[-1].moment):.1f} N m (mass × {DECELERATION:g} m/s² × {CENTRE_HEIGHT:g} m, estimated); "
             "it is kept until the end of the run.",
         ),
-        Finding(
+        jn.Finding(
             "simulink",
             "warning",
             "the demo adds the road height with the wrong sign: an obstacle lowers the body, a pothole raises it; "
             "only sign-corrected and physical show what a car does.",
         ),
-        Finding(
+        jn.Finding(
             "physical",
             "note",
             f"speed {SPEED:g} m/s and raised-cosine ramps of {RAMP:g} m are estimated; the front axle meets them at "
             f"{ON:g} s and {OFF:g} s, the rear axle by wheelbase over speed later.",
         ),
-        Finding(
+        jn.Finding(
             "vehicle",
             "warning",
             "the axles have no mass and never leave the road; Table 2's springs equal the defaults of the demo "
@@ -311,5 +299,5 @@ def _findings(case: Case, runs: list[CaseRun]) -> tuple[Finding, ...]:
         if run.least_wheel_force < 0.0:
             text = f"a wheel's force falls to {run.least_wheel_force:.0f} N: a real wheel would leave the road there."
             place = f"{case.name}, {run.moment:g} N m, {run.variant}"
-            found.append(Finding(place, "warning", text, run.least_wheel_force))
+            found.append(jn.Finding(place, "warning", text, run.least_wheel_force))
     return tuple(found)

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from jounce.core.errors import DescriptionError
-from jounce.core.findings import Finding
-from jounce.core.serialise import to_plain
-from jounce.core.types import Array
-from jounce.mechanics.motions import constant_rate
+import jounce as jn
+from jounce.papers import Array, Progress, no_progress
 from jounce.papers.audi_a6_paper import (
     FREE_LENGTH,
     FREQUENCY,
@@ -23,31 +19,23 @@ from jounce.papers.audi_a6_paper import (
     exciter_torque,
     paper_errata,
 )
-from jounce.papers.audi_a6_plate import CHAINS, plate_model
-from jounce.parts import QuarterCar, load
-from jounce.recordings.schema import recording
-from jounce.simulation import linearise
-from jounce.simulation.compiled import Compiled, compile_model
-from jounce.simulation.prepare import solve
-from jounce.simulation.result import samples_reached
-from jounce.simulation.settings import output_times
-from jounce.simulation.statics import Equilibrium, find_equilibrium
 
 if TYPE_CHECKING:
     import xarray as xr
 
-Progress = Callable[[str], None]
 RIG = "audi-a6-quarter-car"
+VARIANTS = ("summed", "series", "two-mass")
+"""Spring and tyre merged into one by adding their constants; one behind the other without a wheel's mass; with it."""
 AMPLITUDE, PLATE_MASS = 0.003, 20.0
+"""Of the exciter (m) and of the plate (kg); neither is in the paper, both are estimated."""
 LARGEST = 0.095
 """Amplitude in m at which the spring of the summed model, 341 mm long, is compressed to nothing."""
-"""Of the exciter (m) and of the plate (kg); neither is in the paper, both are estimated."""
 DURATION, STEADY = 12.0, 1.0
 """Length of a run, and of its last part that counts as steady, s."""
 TOP = 25.0
 """Where a EUSAMA run-down begins, Hz."""
-_BOTTOM = -0.5 * np.pi  # rad: the plate starts from its lowest place, where a steady turn does not jerk it
-_TOLERANCE = 1e-9
+_STEP, _TOLERANCE = 1e-3, 1e-9
+_TURNING = 2.0 * np.pi * FREQUENCY  # rad/s
 
 
 @dataclass(frozen=True)
@@ -85,7 +73,7 @@ class Drive:
 
 
 @dataclass(frozen=True)
-class PlateRun:
+class PlateRun(jn.Plain):
     """One model on the plate.
 
     Attributes
@@ -112,6 +100,8 @@ class PlateRun:
         Over time, from the uncompressed spring on.
     """
 
+    left_out = ("signals",)
+
     variant: str
     statics: dict[str, float]
     modes: tuple[Oscillation, ...]
@@ -122,13 +112,6 @@ class PlateRun:
     shortest: float
     drive: Drive
     signals: xr.Dataset
-
-    def to_dict(self) -> dict[str, Any]:
-        """Give the results as plain data in SI, without signals."""
-        plain: dict[str, Any] = to_plain(
-            {name: getattr(self, name) for name in self.__annotations__ if name != "signals"}
-        )
-        return plain
 
 
 @dataclass(frozen=True)
@@ -166,7 +149,7 @@ class EccentricExciter:
         What the reader must know.
     """
 
-    rig: QuarterCar
+    rig: jn.QuarterCar
     amplitude: float
     plate_mass: float
     runs: tuple[PlateRun, ...]
@@ -175,7 +158,7 @@ class EccentricExciter:
     fitting_amplitude: float
     eusama: tuple[Eusama, ...]
     errata: tuple[Erratum, ...]
-    findings: tuple[Finding, ...]
+    findings: tuple[jn.Finding, ...]
 
     def run(self, variant: str) -> PlateRun:
         """Give the run of one model."""
@@ -183,7 +166,7 @@ class EccentricExciter:
 
     def to_dict(self) -> dict[str, Any]:
         """Give the results as plain data in SI, without signals."""
-        plain: dict[str, Any] = to_plain(
+        return jn.plain_table(
             {
                 "rig": self.rig.model_dump(by_alias=True, exclude_none=True),
                 "frequency_hz": FREQUENCY,
@@ -193,7 +176,7 @@ class EccentricExciter:
                 "amplitude": self.amplitude,
                 "plate_mass": self.plate_mass,
                 "estimated": ("amplitude", "plate_mass", *self.rig.estimated),
-                "runs": [run.to_dict() for run in self.runs],
+                "runs": self.runs,
                 "torque_of_eq_5": self.torque,
                 "torque_of_eq_5_as_printed": self.printed_torque,
                 "amplitude_that_would_fit": self.fitting_amplitude,
@@ -202,11 +185,10 @@ class EccentricExciter:
                 "findings": self.findings,
             }
         )
-        return plain
 
 
 def run_eccentric_exciter(
-    amplitude: float = AMPLITUDE, plate_mass: float = PLATE_MASS, *, progress: Progress = lambda _: None
+    amplitude: float = AMPLITUDE, plate_mass: float = PLATE_MASS, *, progress: Progress = no_progress
 ) -> EccentricExciter:
     """Drive the paper's quarter car on its plate at 5 Hz, in three models.
 
@@ -239,21 +221,20 @@ def run_eccentric_exciter(
     [13.35, 133.79, 135.27]
     """
     if not (np.isfinite(amplitude) and 0.0 < amplitude <= LARGEST):
-        raise DescriptionError(
+        raise jn.DescriptionError(
             "not an amplitude of this exciter",
             where="amplitude",
             found=f"{amplitude:g} m",
             allowed=f"above 0 m, at most {LARGEST:g} m; more would compress the spring to nothing",
         )
     if not (np.isfinite(plate_mass) and plate_mass >= 0.0):
-        raise DescriptionError("not a mass", where="plate_mass", found=plate_mass, allowed="0 kg or more")
-    rig = load(RIG)
-    assert isinstance(rig, QuarterCar)
-    extra = {"excenter.amplitude": amplitude, "plate.mass": plate_mass, "spring.free_length": FREE_LENGTH}
+        raise jn.DescriptionError("not a mass", where="plate_mass", found=plate_mass, allowed="0 kg or more")
+    rig = jn.load(RIG)
+    assert isinstance(rig, jn.QuarterCar)
     runs = []
-    for variant in CHAINS:
+    for variant in VARIANTS:
         progress(f"simulate: {variant}")
-        runs.append(_plate_run(variant, rig, rig.parameters() | extra))
+        runs.append(_plate_run(variant, rig, amplitude, plate_mass))
     summed = runs[0]
     fitting = (summed.statics["compression"] - (FREE_LENGTH - READ_LENGTH)) / summed.closed_form["spring"]
     torque = exciter_torque(POWER, FREQUENCY)
@@ -264,65 +245,163 @@ def run_eccentric_exciter(
     )
 
 
-def _plate_run(variant: str, rig: QuarterCar, values: dict[str, float]) -> PlateRun:
-    compiled = compile_model(plate_model(variant, rig))
-    p = compiled.parameter_values(values)
-    signals = _simulated(compiled, p, values["excenter.amplitude"])
-    rest = find_equilibrium(compiled, p, np.zeros(compiled.facts.track_order))
-    part = signals.isel(time=slice(-1 - round(STEADY / 1e-3), -1))
-    time = part["time"].to_numpy()
-    steady_part = {str(name): part[name].to_numpy() for name in part.data_vars}
-    scale = 1.0 / values["excenter.amplitude"]
+def _plate_run(variant: str, rig: jn.QuarterCar, amplitude: float, plate_mass: float) -> PlateRun:
+    values = rig.parameters()
+    time: Array = np.arange(round(DURATION / _STEP) + 1) * _STEP
+    if variant == "two-mass":
+        found, statics, oscillations = _quarter_car(rig, amplitude, time)
+    else:
+        found, statics, oscillations = _linear(variant, values, amplitude, time)
+    signals = _signals(found, values["gravity"], amplitude, plate_mass, time)
+    part = signals.isel(time=slice(-1 - round(STEADY / _STEP), -1))  # whole turns
+    steady = {str(name): part[name].to_numpy() for name in part.data_vars}
     carriers = {"body": "sprung.z", "wheel": "unsprung.z", "spring": "spring.deflection", "contact": "tyre.force"}
+    sizes = {key: _amplitude(part["time"].to_numpy(), steady[name]) for key, name in carriers.items() if name in steady}
     return PlateRun(
         variant,
-        _statics(compiled, p, rest),
-        _oscillations(rest),
-        {key: scale * _amplitude(time, steady_part[name]) for key, name in carriers.items() if name in steady_part},
+        statics,
+        oscillations,
+        {key: size / amplitude for key, size in sizes.items()},
         closed_form(variant, values),
-        _range(steady_part["spring.length"]),
-        _range(steady_part["spring.force"]),
+        _range(steady["spring.length"]),
+        _range(steady["spring.force"]),
         float(signals["spring.length"].min()),
         Drive(
-            _range(steady_part["excenter.torque"]),
-            float(steady_part["excenter.power"].mean()),
-            float(steady_part["dampers.power"].mean()),
+            _range(steady["excenter.torque"]),
+            float(steady["excenter.power"].mean()),
+            float(steady["dampers.power"].mean()),
         ),
         signals,
     )
 
 
-def _simulated(compiled: Compiled, p: Array, amplitude: float) -> xr.Dataset:
-    """Run from uncompressed springs, the plate at its lowest."""
-    turn = constant_rate(2.0 * np.pi * FREQUENCY, _BOTTOM)
-    times = output_times(DURATION, 1e-3)
-    still = np.zeros(compiled.facts.track_order)
-    still[0] = _BOTTOM
-    rest = find_equilibrium(compiled, p, still)
-    positions = {*compiled.facts.coordinates, *compiled.facts.internal}
-    start = np.array([-amplitude if name in positions else 0.0 for name in compiled.facts.states])
-    solution = solve(compiled, p, turn, times, tolerance=_TOLERANCE, offset=start - rest.x)
-    samples_reached(solution, compiled.facts, check=True)
-    outputs = zip(compiled.facts.outputs, solution.outputs, strict=True)
-    return recording(times, {output.name: (row, output.unit, output.long_name) for output, row in outputs})
+_Found = tuple[dict[str, Array], dict[str, float], tuple[Oscillation, ...]]
 
 
-def _statics(compiled: Compiled, p: Array, rest: Equilibrium) -> dict[str, float]:
-    still = np.zeros(compiled.facts.track_order)
-    found = compiled.evaluate("output", rest.x, still, p, rest.modes)
-    values = dict(zip(compiled.output_names, map(float, found), strict=True))
-    return {
-        "spring_compression": values["spring.deflection"],
-        "compression": values["stand.deflection"],
-        "spring_length": values["spring.length"],
-        "contact_force": values["tyre.force"],
+def _plate(amplitude: float, time: Array) -> tuple[Array, Array, Array]:
+    """Height (m) of the plate over time, its rate and acceleration; a steady turn that begins at the lowest place."""
+    angle = _TURNING * time - 0.5 * np.pi
+    height, rate = amplitude * np.sin(angle), amplitude * _TURNING * np.cos(angle)
+    return height, rate, -(_TURNING**2) * height
+
+
+def _quarter_car(rig: jn.QuarterCar, amplitude: float, time: Array) -> _Found:
+    """Two masses, the tyre may leave the plate: the quarter car on waves of 1 m, driven over 5 of them a second."""
+    road = jn.Sine(amplitude=amplitude, wavelength=1.0, length=FREQUENCY * (DURATION + 1.0), phase=-0.5 * np.pi)
+    rest, values = jn.equilibrium(rig), rig.parameters()
+    run = jn.simulate(
+        rig,
+        jn.Trial(road=road, speed=FREQUENCY, duration=DURATION),
+        output_step=_STEP,
+        tolerance=_TOLERANCE,
+        offset={name: -rest[name] for name in ("sprung.z", "unsprung.z")},  # nothing is compressed at the start
+    )
+    velocity = run["strut.velocity"].to_numpy()
+    tyre_velocity = _plate(amplitude, time)[1] - run["unsprung.vz"].to_numpy()
+    damping, pneumatic = values["strut.damper.coefficient"], values["tyre.damping_coefficient"]
+    deflection = run["strut.deflection"].to_numpy()
+    found = {
+        "sprung.z": run["sprung.z"].to_numpy(),
+        "sprung.az": run["sprung.az"].to_numpy(),
+        "unsprung.z": run["unsprung.z"].to_numpy(),
+        "spring.deflection": deflection,
+        "spring.force": values["strut.spring.rate"] * deflection,
+        "strut.force": run["strut.force"].to_numpy(),
+        "tyre.force": run["tyre.force"].to_numpy(),
+        "dampers.power": damping * velocity**2 + pneumatic * tyre_velocity**2,
     }
+    statics = _statics(rest["strut.deflection"], -rest["sprung.z"], rest["tyre.force"])
+    return found, statics, tuple(Oscillation(mode.frequency_hz, mode.damping_ratio) for mode in jn.modes(rig))
 
 
-def _oscillations(rest: Equilibrium) -> tuple[Oscillation, ...]:
-    values = [value for value in np.linalg.eigvals(rest.reduced) if value.imag > 1e-9 * abs(value)]
-    found = [Oscillation(float(abs(value)) / (2.0 * np.pi), float(-value.real / abs(value))) for value in values]
-    return tuple(sorted(found, key=lambda one: one.frequency_hz))
+def _linear(variant: str, values: dict[str, float], amplitude: float, time: Array) -> _Found:
+    """One mass on springs and dampers that may pull, solved exactly: every quantity is a row over the states.
+
+    States are height and velocity of the body, in series the height of the point between spring and tyre (it has no
+    mass, so its two forces are equal), then sine and cosine of the exciter's angle, and 1.
+    """
+    from scipy.linalg import expm
+
+    rate, damping = values["strut.spring.rate"], values["strut.damper.coefficient"]
+    stiffness, pneumatic = values["tyre.stiffness"], values["tyre.damping_coefficient"]
+    count = 2 if variant == "summed" else 3
+    body, velocity, *inner, sine, cosine, one = np.eye(count + 3)
+    plate, plate_velocity = amplitude * sine, amplitude * _TURNING * cosine
+    if variant == "summed":
+        deflection, opening = plate - body, plate_velocity - velocity
+        spring = (rate + stiffness) * deflection
+        strut = spring + (damping + pneumatic) * opening
+        rates = []
+        losses = [(damping + pneumatic, opening)]
+    else:
+        wheel = inner[0]
+        pull = stiffness * (plate - wheel) + pneumatic * plate_velocity
+        wheel_velocity = (pull - rate * (wheel - body) + damping * velocity) / (damping + pneumatic)
+        deflection, opening = wheel - body, wheel_velocity - velocity
+        spring = rate * deflection
+        strut = spring + damping * opening
+        rates = [wheel_velocity]
+        losses = [(damping, opening), (pneumatic, plate_velocity - wheel_velocity)]
+    acceleration = strut / values["sprung.mass"] - values["gravity"] * one
+    matrix = np.array([velocity, acceleration, *rates, _TURNING * cosine, -_TURNING * sine, 0.0 * one])
+    state = np.zeros(count + 3)
+    state[[0, *range(2, count)]] = -amplitude  # nothing is compressed, the plate is at its lowest
+    state[-3], state[-1] = -1.0, 1.0
+    states, onward = np.empty((len(time), count + 3)), expm(matrix * _STEP)
+    for i in range(len(time)):
+        states[i] = state
+        state = onward @ state
+    rows = {
+        "sprung.z": body,
+        "sprung.az": acceleration,
+        "spring.deflection": deflection,
+        "spring.force": spring,
+        "strut.force": strut,
+        "tyre.force": strut,
+    }
+    found = {name: states @ row for name, row in rows.items()}
+    found["dampers.power"] = np.sum([coefficient * (states @ row) ** 2 for coefficient, row in losses], axis=0)
+    motion = matrix[:count, :count]
+    rest = np.concatenate([np.linalg.solve(motion, -matrix[:count, -1]), [0.0, 0.0, 1.0]])  # plate at its mean height
+    poles = [value for value in np.linalg.eigvals(motion) if value.imag > 1e-9 * abs(value)]
+    modes = (Oscillation(float(abs(value)) / (2.0 * np.pi), float(-value.real / abs(value))) for value in poles)
+    return found, _statics(float(deflection @ rest), -float(rest[0]), float(strut @ rest)), tuple(modes)
+
+
+def _signals(found: dict[str, Array], gravity: float, amplitude: float, plate_mass: float, time: Array) -> xr.Dataset:
+    """All channels; the plate is guided without friction, the exciter works on it as a Scotch yoke."""
+    height, velocity, acceleration = _plate(amplitude, time)
+    force = found["tyre.force"] + plate_mass * (gravity + acceleration)
+    channels = {
+        "sprung.z": ("m", "body, height"),
+        "sprung.az": ("m/s^2", "body, vertical acceleration"),
+        "unsprung.z": ("m", "wheel, height"),
+        "spring.deflection": ("m", "spring, compression"),
+        "spring.length": ("m", "spring, length"),
+        "spring.force": ("N", "spring, force without damper, compression positive"),
+        "strut.force": ("N", "spring and damper, force, compression positive"),
+        "stand.deflection": ("m", "all springs, compression between plate and body"),
+        "tyre.force": ("N", "force on the plate, compression positive"),
+        "dampers.power": ("W", "power that the dampers turn to heat"),
+        "plate.z": ("m", "plate, height"),
+        "plate.force": ("N", "exciter on plate, up"),
+        "excenter.torque": ("N*m", "torque of the drive on the exciter"),
+        "excenter.power": ("W", "power of the drive"),
+    }
+    every = found | {
+        "spring.length": FREE_LENGTH - found["spring.deflection"],
+        "stand.deflection": height - found["sprung.z"],
+        "plate.z": height,
+        "plate.force": force,
+        "excenter.torque": force * velocity / _TURNING,
+        "excenter.power": force * velocity,
+    }
+    return jn.recording(time, {name: (every[name], *about) for name, about in channels.items() if name in every})
+
+
+def _statics(spring: float, every: float, contact: float) -> dict[str, float]:
+    length = FREE_LENGTH - spring
+    return {"spring_compression": spring, "compression": every, "spring_length": length, "contact_force": contact}
 
 
 def _amplitude(time: Array, values: Array) -> float:
@@ -367,7 +446,7 @@ def _sizes(**values: complex) -> dict[str, float]:
     return {name: float(abs(value)) for name, value in values.items()}
 
 
-def eusama(rig: QuarterCar, amplitude: float, tyre_damping: float) -> Eusama:
+def eusama(rig: jn.QuarterCar, amplitude: float, tyre_damping: float) -> Eusama:
     """Adhesion of a slow run-down from 25 Hz, from the linear model (no lift-off).
 
     Parameters
@@ -379,7 +458,7 @@ def eusama(rig: QuarterCar, amplitude: float, tyre_damping: float) -> Eusama:
     tyre_damping : float
         Damping coefficient of the tyre, N s/m.
     """
-    model = linearise(rig.with_changes({"tyre.damping_coefficient": tyre_damping}))
+    model = jn.linearise(rig.with_changes({"tyre.damping_coefficient": tyre_damping}))
     frequency = np.linspace(0.01, TOP, 2500)
     size = np.abs(model.frequency_response(frequency, "tyre.force"))
     worst = int(np.argmax(size))
@@ -387,19 +466,19 @@ def eusama(rig: QuarterCar, amplitude: float, tyre_damping: float) -> Eusama:
     return Eusama(tyre_damping, 1.0 - amplitude * float(size[worst]) / static, float(frequency[worst]))
 
 
-def _findings(runs: list[PlateRun], torque: float, amplitude: float, fitting: float) -> tuple[Finding, ...]:
+def _findings(runs: list[PlateRun], torque: float, amplitude: float, fitting: float) -> tuple[jn.Finding, ...]:
     summed, full = runs[0], runs[-1]
     length, power = summed.spring_length, full.drive.power
     lifted = [
         run.variant for run in runs if float(run.signals["tyre.force"].isel(time=slice(-1000, None)).min()) <= 0.0
     ]
     found = [
-        Finding(
-            "exciter",
+        jn.Finding(
+            "eccentric exciter",
             "warning",
             f"its amplitude ({1e3 * amplitude:g} mm) and the plate's mass are estimated; so is the unsprung mass.",
         ),
-        Finding(
+        jn.Finding(
             "summed",
             "warning",
             f"the spring swings between {1e3 * length.min:.1f} and {1e3 * length.max:.1f} mm about "
@@ -408,7 +487,7 @@ def _findings(runs: list[PlateRun], torque: float, amplitude: float, fitting: fl
             f"{1e3 * fitting:.2f} mm of amplitude.",
             fitting,
         ),
-        Finding(
+        jn.Finding(
             "drive",
             "note",
             f"the two-mass model takes up {power:.1f} W on average, {full.drive.torque.max:.1f} N m at most; the "
@@ -416,5 +495,5 @@ def _findings(runs: list[PlateRun], torque: float, amplitude: float, fitting: fl
             power,
         ),
     ]
-    found += [Finding(variant, "warning", "the wheel leaves the plate in steady motion.") for variant in lifted]
+    found += [jn.Finding(variant, "warning", "the wheel leaves the plate in steady motion.") for variant in lifted]
     return tuple(found)

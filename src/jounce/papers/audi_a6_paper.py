@@ -4,18 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from jounce.core.serialise import to_plain
-from jounce.core.types import Array
-from jounce.parts import QuarterCar, load
-from jounce.parts.vehicles import HalfCar
-from jounce.recordings.schema import recording
-from jounce.roads import Flat, Trial
-from jounce.simulation import equilibrium, simulate
+import jounce as jn
+from jounce.papers import Array
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -79,7 +74,7 @@ class PrintedSign:
 
 
 @dataclass(frozen=True)
-class StartUp:
+class StartUp(jn.Plain):
     """What the demo's initial height makes of the paper's vehicle.
 
     Attributes
@@ -94,20 +89,16 @@ class StartUp:
         Height and pitch over time.
     """
 
+    left_out = ("signals",)
+
     initial: float
     equilibrium: float
     transient: float
     lowest: float
     signals: xr.Dataset
 
-    def to_dict(self) -> dict[str, Any]:
-        """Give the results as plain data in SI, without signals."""
-        names = ("initial", "equilibrium", "transient", "lowest")
-        plain: dict[str, Any] = to_plain({name: getattr(self, name) for name in names})
-        return plain
 
-
-def half_car_matrices(vehicle: HalfCar, rear_sign: float = 1.0) -> tuple[Array, Array, Array]:
+def half_car_matrices(vehicle: jn.HalfCar, rear_sign: float = 1.0) -> tuple[Array, Array, Array]:
     """Mass, damping and stiffness matrix of a half car by eqs. (6) to (11), coordinates height (m) and pitch (rad).
 
     Parameters
@@ -142,7 +133,7 @@ def eigenvalues(mass: Array, damping: Array, stiffness: Array) -> NDArray[np.com
     return np.asarray(sorted(values.astype(complex), key=lambda value: (-value.real, -value.imag)))
 
 
-def printed_sign(vehicle: HalfCar) -> PrintedSign:
+def printed_sign(vehicle: jn.HalfCar) -> PrintedSign:
     """Solve a half car with the sign of eq. (9) as it is printed, and with the correct one."""
     printed, correct = (half_car_matrices(vehicle, sign) for sign in (-1.0, 1.0))
     weight = np.array([-vehicle.body.mass * vehicle.gravity, 0.0])
@@ -159,17 +150,17 @@ def _pairs(values: NDArray[np.complex128]) -> tuple[tuple[float, float], ...]:
     return tuple((float(value.real), float(value.imag)) for value in values)
 
 
-def start_up(vehicle: HalfCar) -> StartUp:
+def start_up(vehicle: jn.HalfCar) -> StartUp:
     """Start a half car where the demo starts its own, on a level road."""
-    rest = equilibrium(vehicle)
+    rest = jn.equilibrium(vehicle)
     offset = {"body.z": DEMO_HEIGHT - rest["body.z"], "body.pitch": DEMO_PITCH - rest["body.pitch"]}
-    run = simulate(vehicle, Trial(road=Flat(), speed=10.0, duration=_START_UP), offset=offset)
+    run = jn.simulate(vehicle, jn.Trial(road=jn.Flat(), speed=10.0, duration=_START_UP), offset=offset)
     height = run["body.z"].to_numpy()
     channels = {
         "body.z": (height, "m", "height of the body"),
         "body.pitch": (run["body.pitch"].to_numpy(), "rad", "pitch of the body, nose down"),
     }
-    signals = recording(run["time"].to_numpy(), channels)
+    signals = jn.recording(run["time"].to_numpy(), channels)
     return StartUp(DEMO_HEIGHT, rest["body.z"], offset["body.z"], float(height.min()), signals)
 
 
@@ -195,7 +186,7 @@ def series(*stiffnesses: float) -> float:
     return 1.0 / sum(1.0 / stiffness for stiffness in stiffnesses)
 
 
-def series_at(rig: QuarterCar, frequency: float) -> tuple[float, float]:
+def series_at(rig: jn.QuarterCar, frequency: float) -> tuple[float, float]:
     """Stiffness (N/m) and damping coefficient (N s/m) of suspension and tyre in series at a frequency in Hz."""
     omega = 2.0 * np.pi * frequency
     suspension = complex(rig.strut.spring.rate or np.nan, omega * _damping(rig))
@@ -204,20 +195,20 @@ def series_at(rig: QuarterCar, frequency: float) -> tuple[float, float]:
     return float(both.real), float(both.imag / omega)
 
 
-def _damping(rig: QuarterCar) -> float:
+def _damping(rig: jn.QuarterCar) -> float:
     return float(rig.strut.damper.coefficient)  # type: ignore[union-attr]
 
 
 def paper_errata() -> tuple[Erratum, ...]:
     """Put the paper's numbers and equations beside the correct ones; every number is computed from its tables."""
-    car, demo, corner = (load(name) for name in ("audi-a6-half-car", "sldemo-half-car", "audi-a6-quarter-car"))
-    assert isinstance(car, HalfCar)
-    assert isinstance(demo, HalfCar)
-    assert isinstance(corner, QuarterCar)
+    car, demo, corner = (jn.load(name) for name in ("audi-a6-half-car", "sldemo-half-car", "audi-a6-quarter-car"))
+    assert isinstance(car, jn.HalfCar)
+    assert isinstance(demo, jn.HalfCar)
+    assert isinstance(corner, jn.QuarterCar)
     return (*_stand(corner), *_stand_results(corner), *_loads(car, corner), *_equations(car), *_demo(car, demo))
 
 
-def _stand(corner: QuarterCar) -> tuple[Erratum, ...]:
+def _stand(corner: jn.QuarterCar) -> tuple[Erratum, ...]:
     """Section 4: the Inventor model on its exciter."""
     spring, tyre = corner.strut.spring.rate or np.nan, corner.tyre.stiffness or np.nan
     damper, pneumatic = _damping(corner), corner.tyre.damping_coefficient
@@ -272,7 +263,7 @@ def _stand(corner: QuarterCar) -> tuple[Erratum, ...]:
     )
 
 
-def _stand_results(corner: QuarterCar) -> tuple[Erratum, ...]:
+def _stand_results(corner: jn.QuarterCar) -> tuple[Erratum, ...]:
     """Section 4: how far the spring is compressed."""
     spring, tyre = corner.strut.spring.rate or np.nan, corner.tyre.stiffness or np.nan
     both = series(spring, tyre)
@@ -304,9 +295,9 @@ def _signed(value: float) -> str:
     return f"{value:+.3f}".replace("-", "−")
 
 
-def _loads(car: HalfCar, corner: QuarterCar) -> tuple[Erratum, ...]:
+def _loads(car: jn.HalfCar, corner: jn.QuarterCar) -> tuple[Erratum, ...]:
     """Masses and rates that contradict each other."""
-    wheel = equilibrium(car)["front.strut.force"]
+    wheel = jn.equilibrium(car)["front.strut.force"]
     quarter = 0.25 * car.body.mass * car.gravity
     rate = PRINTED_RATE
     return (
@@ -332,7 +323,7 @@ def _loads(car: HalfCar, corner: QuarterCar) -> tuple[Erratum, ...]:
     )
 
 
-def _equations(car: HalfCar) -> tuple[Erratum, ...]:
+def _equations(car: jn.HalfCar) -> tuple[Erratum, ...]:
     """Section 5: the half car's equations."""
     printed = printed_sign(car)
     slowest = max(real for real, _ in printed.correct_eigenvalues)
@@ -369,9 +360,9 @@ def _equations(car: HalfCar) -> tuple[Erratum, ...]:
     )
 
 
-def _demo(car: HalfCar, demo: HalfCar) -> tuple[Erratum, ...]:
+def _demo(car: jn.HalfCar, demo: jn.HalfCar) -> tuple[Erratum, ...]:
     """What the demo brought along."""
-    rest, own = equilibrium(car)["body.z"], equilibrium(demo)["body.z"]
+    rest, own = jn.equilibrium(car)["body.z"], jn.equilibrium(demo)["body.z"]
     rates = f"{car.front.spring_rate:.0f} and {car.rear.spring_rate:.0f} N/m"
     same = (car.front.spring_rate, car.rear.spring_rate) == (demo.front.spring_rate, demo.rear.spring_rate)
     return (

@@ -2,22 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from importlib import resources
 from itertools import count
 from pathlib import Path
 
-from jounce.campaign import CampaignResult, run_campaign
-from jounce.core.serialise import write_files
-from jounce.papers.template import campaign_texts
+import jounce as jn
+from jounce.papers import Progress, no_progress
 from jounce.papers.virtual_bench import BenchPlan, measurement_texts, truth_text
 
-Progress = Callable[[str], None]
-CAMPAIGN = "kart-prototype"
 FULL, QUICK = "campaign.toml", "quick-look.toml"
 """Campaign files: the double wishbone in 3-D, and the same measurements with a quarter car."""
 
 
-def prepare_demo(out: Path | str | None = None, *, force: bool = False, progress: Progress | None = None) -> Path:
+def campaign_texts() -> dict[str, str]:
+    """Give the description files of the shipped campaign, the kart-scale prototype: file name to text.
+
+    Examples
+    --------
+    >>> sorted(campaign_texts())
+    ['campaign.toml', 'quarter-car.toml', 'quick-look.toml', 'rig.toml']
+    """
+    folder = resources.files("jounce") / "library" / "campaigns" / "kart-prototype"
+    return {file.name: file.read_text(encoding="utf-8") for file in folder.iterdir() if file.is_file()}
+
+
+def prepare_demo(out: Path | str | None = None, *, force: bool = False, progress: Progress = no_progress) -> Path:
     """Write the shipped campaign with its synthetic measurements.
 
     Parameters
@@ -26,7 +35,7 @@ def prepare_demo(out: Path | str | None = None, *, force: bool = False, progress
         Folder; without it the first free of ``demo-1``, ``demo-2``, ... in the current one.
     force : bool
         Overwrite existing files.
-    progress : callable, optional
+    progress : callable
         Called with one line of text as the work goes on.
 
     Returns
@@ -40,31 +49,23 @@ def prepare_demo(out: Path | str | None = None, *, force: bool = False, progress
         When one of the files exists, without ``force``; then nothing is written.
     """
     plan = BenchPlan()
-    texts = {
-        **campaign_texts(CAMPAIGN),
-        **measurement_texts(plan, progress=progress),
-        "truth.toml": truth_text(plan),
-    }
+    texts = {**campaign_texts(), **measurement_texts(plan, progress=progress), "truth.toml": truth_text(plan)}
     folder = (_numbered() if out is None else Path(out)) / "campaign"
-    write_files(folder, texts, force=force)
-    return folder / "campaign.toml"
+    jn.write_files(folder, texts, force=force)
+    return folder / FULL
 
 
 def run_demo(
-    out: Path | str | None = None, *, quick: bool = False, force: bool = False, progress: Progress | None = None
-) -> tuple[Path, CampaignResult]:
-    """Prepare and evaluate the shipped campaign; the report is written by who asks for it.
+    out: Path | str | None = None, *, quick: bool = False, force: bool = False, progress: Progress = no_progress
+) -> tuple[Path, jn.CampaignResult]:
+    """Prepare and evaluate the shipped campaign; the caller writes the report.
 
     Parameters
     ----------
-    out : path, optional
-        Folder; without it the first free of ``demo-1``, ``demo-2``, ... in the current one.
+    out, force, progress
+        As for :func:`prepare_demo`.
     quick : bool
         Take the prototype for a quarter car instead of its double wishbone in 3-D.
-    force : bool
-        Overwrite existing files.
-    progress : callable, optional
-        Called with one line of text as the work goes on.
 
     Returns
     -------
@@ -79,8 +80,7 @@ def run_demo(
         When one of the files exists, without ``force``.
     """
     file = prepare_demo(out, force=force, progress=progress).with_name(QUICK if quick else FULL)
-    result = run_campaign(file) if progress is None else run_campaign(file, progress=progress)
-    return file.parent.parent, result
+    return file.parent.parent, jn.run_campaign(file, progress=progress)
 
 
 def _numbered() -> Path:

@@ -1,34 +1,25 @@
-"""Measured damper, real vehicle, measured course: ride figures of a quarter car against speed."""
+"""Measured damper, real vehicle, measured course: ride figures of a quarter car against speed.
+
+A damper of laboratory size is fitted, scaled by similitude and referred to the wheel; a real double wishbone becomes a
+quarter car in which every number has its origin; both drive over a measured proving-ground course.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from importlib import resources
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from jounce.core.findings import Finding
-from jounce.core.serialise import to_plain
-from jounce.core.types import Array
-from jounce.papers.proving_ground_corner import Derived, LumpedCorner, lumped_corner
-from jounce.papers.proving_ground_damper import (
-    MeasuredDamper,
-    Similitude,
-    equivalent_coefficient,
-    measured_dampers,
-    referred_to_wheel,
-)
-from jounce.parts import QuarterCar
-from jounce.parts.importers import shipped_corner
-from jounce.roads import Table, Trial, load_road
-from jounce.roads.road import Road
-from jounce.simulation import modes, simulate
+import jounce as jn
+from jounce.papers import Array, Progress, no_progress
 
 if TYPE_CHECKING:
     import xarray as xr
 
-Progress = Callable[[str], None]
 COURSE = "detrended_rms_course_1in"
 BEGIN, END = 100.0, 404.8
 """Where the course is undulated, m; it is driven from end to end, beginning at rest on the springs."""
@@ -41,8 +32,8 @@ TYRE_RADIUS = 0.4699
 _GRID = 0.025
 FIGURES: dict[str, tuple[str, str]] = {
     "body_acceleration": ("m/s^2", "body r.m.s."),
-    "bump_travel_utilisation": ("1", "bump travel use"),
-    "rebound_travel_utilisation": ("1", "rebound travel use"),
+    "bump_travel_utilisation": ("1", "bump travel utilisation"),
+    "rebound_travel_utilisation": ("1", "rebound travel utilisation"),
     "wheel_load_variation": ("1", "wheel load r.m.s."),
     "lift_off": ("1", "time lifted off"),
     "damper_power": ("W", "damper power"),
@@ -53,9 +44,421 @@ FIGURES: dict[str, tuple[str, str]] = {
 }
 """Ride figures over the undulated part: SI unit and name.
 
-Body acceleration is unweighted; travel use is the largest deflection from design over the travel that is there; wheel
-load r.m.s. is that of the dynamic part over the static load; powers are means; times are shares of the time.
+Body acceleration is unweighted; travel utilisation is the largest deflection from design over the available travel;
+wheel load r.m.s. is that of the dynamic part over the static load; powers are means; times are shares of the time.
 """
+RECORDS = {"0 V": "shaking_table_0v.csv", "0.88 V": "shaking_table_088v.csv"}
+LAWS: tuple[Literal["linear", "tanh-hysteretic", "bouc-wen"], ...] = ("linear", "tanh-hysteretic", "bouc-wen")
+_COLUMNS = {"time": "s", "displacement": "m", "velocity": "m/s", "force": "N"}
+_CYCLE = 2000  # samples of a harmonic cycle
+_GRAVITY = 9.81  # m/s^2
+WHEEL_MASS, TYRE_MASS, TYRE_STIFFNESS, TYRE_DAMPING = 18.8, 37.6, 326332.0, 500.0
+"""Of the same vehicle in the same repository as its hardpoints; see SOURCE.md beside them. kg, kg, N/m, N s/m."""
+_STEP = 1e-4  # rad, of the lower arm
+_SOURCE = "suspension file"
+_SPRUNG = "spring force × motion ratio / g: what the spring carries at design position"
+_UNSPRUNG = (
+    "spindle, upright; arms as I/lever² about their axes; a third of the tie rod; wheel 18.8 kg and tyre 37.6 kg of "
+    "the same vehicle"
+)
+_TYRE = "a tyre file of the same vehicle; other files of it say 411 121 and 441 900 N/m"
+_TYRE_DAMPING = "a tyre file of the same vehicle, scaled by its author from another tyre"
+
+
+@dataclass(frozen=True)
+class Derived:
+    """One number of the model and where it comes from.
+
+    Attributes
+    ----------
+    name : str
+        In words.
+    value : float
+        In ``unit``.
+    unit : str
+        SI.
+    origin : str
+        Source, or formula.
+    is_estimated : bool
+        Neither measured nor stated by the vehicle's file.
+    """
+
+    name: str
+    value: float
+    unit: str
+    origin: str
+    is_estimated: bool = False
+
+
+@dataclass(frozen=True)
+class LumpedCorner:
+    """A corner with its spring and damper referred to vertical motion of the wheel centre.
+
+    Attributes
+    ----------
+    rig : QuarterCar
+        With the vehicle's own damper; strut deflection 0 is the design position.
+    spring_motion_ratio, damper_motion_ratio : float
+        Shortening of the element over rise of the wheel centre [1].
+    bump_travel, rebound_travel : float
+        Wheel travel from design to the spring's shortest and longest length, both positive [m].
+    damper_stroke : float
+        Range of lengths the vehicle's damper map covers [m].
+    derived : tuple of Derived
+        Every number with its origin.
+    """
+
+    rig: jn.QuarterCar
+    spring_motion_ratio: float
+    damper_motion_ratio: float
+    bump_travel: float
+    rebound_travel: float
+    damper_stroke: float
+    derived: tuple[Derived, ...]
+
+
+class FrontView:
+    """Motion of a double wishbone in front view, steering and the slant of the upper arm's axis left out.
+
+    The lower arm turns in space about its axis; upright and upper arm are then a four-bar linkage in the y-z plane, its
+    fixed upper pivot being where the upper arm's axis passes the x of its ball joint.
+    """
+
+    def __init__(self, corner: jn.ChronoCorner) -> None:
+        points = corner.points
+        self.points = points
+        self.axis_point = points["lower_arm_front"]
+        axis = points["lower_arm_front"] - points["lower_arm_rear"]
+        self.axis = axis / np.linalg.norm(axis)
+        slant = points["upper_arm_rear"] - points["upper_arm_front"]
+        share = (points["upper_ball_joint"][0] - points["upper_arm_front"][0]) / slant[0]
+        self.upper_pivot = (points["upper_arm_front"] + share * slant)[1:]
+        self.design = self.points["lower_ball_joint"][1:], self.points["upper_ball_joint"][1:]
+
+    def on_lower_arm(self, name: str, angle: float) -> Array:
+        """Where a point of the lower arm is, shape (3,) in m, the arm turned by ``angle`` in rad, bump positive."""
+        away = self.points[name] - self.axis_point
+        cosine, sine = np.cos(angle), np.sin(angle)
+        along = self.axis * (self.axis @ away)
+        return np.asarray(self.axis_point + along + cosine * (away - along) + sine * np.cross(self.axis, away))
+
+    def wheel_height(self, angle: float) -> float:
+        """Height of the wheel centre in m at an ``angle`` of the lower arm in rad."""
+        lower = self.on_lower_arm("lower_ball_joint", angle)[1:]
+        upper = self._upper_ball_joint(lower)
+        before, now = self.design[1] - self.design[0], upper - lower
+        turn = np.arctan2(now[1], now[0]) - np.arctan2(before[1], before[0])
+        out = self.points["wheel_centre"][1:] - self.design[0]
+        return float(lower[1] + np.sin(turn) * out[0] + np.cos(turn) * out[1])
+
+    def length(self, element: str, angle: float) -> float:
+        """Length of ``"spring"`` or ``"damper"`` in m at an ``angle`` of the lower arm in rad."""
+        foot = self.on_lower_arm(f"{element}_bottom", angle)
+        return float(np.linalg.norm(self.points[f"{element}_top"] - foot))
+
+    def motion_ratio(self, element: str, angle: float = 0.0) -> float:
+        """Shortening of an element over rise of the wheel centre, 1, at an ``angle`` of the lower arm in rad."""
+        low, high = angle - _STEP, angle + _STEP
+        shortening = self.length(element, low) - self.length(element, high)
+        return shortening / (self.wheel_height(high) - self.wheel_height(low))
+
+    def lever(self) -> float:
+        """Rise of the wheel centre per angle of the lower arm at design position in m/rad."""
+        return (self.wheel_height(_STEP) - self.wheel_height(-_STEP)) / (2.0 * _STEP)
+
+    def travel_at(self, element: str, length: float) -> float:
+        """Rise of the wheel centre from design in m at which an element has a ``length`` in m."""
+        from scipy.optimize import brentq
+
+        angle = float(brentq(lambda angle: self.length(element, angle) - length, -0.5, 0.6))
+        return self.wheel_height(angle) - self.wheel_height(0.0)
+
+    def _upper_ball_joint(self, lower: Array) -> Array:
+        """Where two circles meet: about the upper pivot and about the lower ball joint; the outer of both points."""
+        upright = float(np.linalg.norm(self.design[1] - self.design[0]))
+        arm = float(np.linalg.norm(self.design[1] - self.upper_pivot))
+        between = lower - self.upper_pivot
+        distance = float(np.linalg.norm(between))
+        along = (arm**2 - upright**2 + distance**2) / (2.0 * distance)
+        aside = float(np.sqrt(arm**2 - along**2))
+        unit = between / distance
+        return np.asarray(self.upper_pivot + along * unit + aside * np.array([-unit[1], unit[0]]))
+
+
+def hmmwv_corner() -> jn.ChronoCorner:
+    """Read the shipped front corner of a HMMWV."""
+    folder = Path(str(resources.files("jounce"))) / "parts" / "library" / "hmmwv"
+    return jn.read_chrono_corner(folder / "HMMWV_DoubleWishboneFront_mapShock.json")
+
+
+def lumped_corner(corner: jn.ChronoCorner) -> LumpedCorner:
+    """Refer a double wishbone to the vertical motion of its wheel centre.
+
+    Parameters
+    ----------
+    corner : ChronoCorner
+        The vehicle's file.
+
+    Returns
+    -------
+    LumpedCorner
+        The quarter car, SI, with the origin of every number.
+
+    Examples
+    --------
+    >>> lumped = lumped_corner(hmmwv_corner())
+    >>> round(lumped.spring_motion_ratio, 3), round(lumped.rig.sprung.mass)   # 1, kg
+    (0.45, 711)
+    """
+    view = FrontView(corner)
+    ratios = view.motion_ratio("spring"), view.motion_ratio("damper")
+    design = view.length("spring", 0.0)
+    spring_force = corner.spring_rate * (corner.spring_free_length - design)
+    turned = 10.0 * _STEP
+    rise = view.wheel_height(turned) - view.wheel_height(-turned)
+    bend = (view.motion_ratio("spring", turned) - view.motion_ratio("spring", -turned)) / rise
+    rate = corner.spring_rate * ratios[0] ** 2 + spring_force * bend
+    bump, rebound = corner.damper.coefficients_at(view.length("damper", 0.0))
+    travels = view.travel_at("spring", corner.spring_shortest), -view.travel_at("spring", corner.spring_longest)
+    masses = spring_force * ratios[0] / _GRAVITY, _unsprung_mass(corner, view)
+    damping = bump * ratios[1] ** 2, rebound * ratios[1] ** 2
+    stroke = float(np.ptp(corner.damper.length))
+    likewise, in_map = "likewise, damper", "middle of the damper map × ratio²"
+    origins = (
+        Derived("spring length at design position", design, "m", _SOURCE),
+        Derived("spring force at design position", spring_force, "N", f"rate × (free length − length), {_SOURCE}"),
+        Derived(
+            "motion ratio of the spring", ratios[0], "1", "front view of arms and spring: −dℓ/dz at the wheel centre"
+        ),
+        Derived("motion ratio of the damper", ratios[1], "1", likewise),
+        Derived("wheel rate", rate, "N/m", "rate × ratio² + spring force × d(ratio)/dz"),
+        Derived("sprung mass of the corner", masses[0], "kg", _SPRUNG, True),
+        Derived("unsprung mass", masses[1], "kg", _UNSPRUNG, True),
+        Derived("tyre stiffness", TYRE_STIFFNESS, "N/m", _TYRE, True),
+        Derived("tyre damping coefficient", TYRE_DAMPING, "N*s/m", _TYRE_DAMPING, True),
+        Derived("bump travel", travels[0], "m", "wheel travel from design to the spring's shortest length"),
+        Derived("rebound travel", travels[1], "m", "wheel travel from design to the spring's longest length"),
+        Derived("own damper at the wheel, bump", damping[0], "N*s/m", in_map),
+        Derived("own damper at the wheel, rebound", damping[1], "N*s/m", in_map),
+        Derived("stroke of the damper", stroke, "m", "range of lengths of the damper map"),
+    )
+    return LumpedCorner(_rig(corner, masses, rate, damping), *ratios, *travels, stroke, origins)
+
+
+def _rig(
+    corner: jn.ChronoCorner, masses: tuple[float, float], rate: float, damping: tuple[float, float]
+) -> jn.QuarterCar:
+    return jn.QuarterCar.from_table(
+        {
+            "source": f"{corner.name}, github.com/projectchrono/chrono, BSD-3-Clause; referred to the wheel centre",
+            "estimated": ["sprung.mass", "unsprung.mass", "tyre.stiffness", "tyre.damping_coefficient"],
+            "gravity": _GRAVITY,
+            "sprung": {"mass": masses[0]},
+            "unsprung": {"mass": masses[1]},
+            "strut": {
+                "spring": {"rate": rate, "preload": masses[0] * _GRAVITY},
+                "damper": {"bump_coefficient": damping[0], "rebound_coefficient": damping[1]},
+            },
+            "tyre": {"stiffness": TYRE_STIFFNESS, "damping_coefficient": TYRE_DAMPING},
+        }
+    )
+
+
+def _unsprung_mass(corner: jn.ChronoCorner, view: FrontView) -> float:
+    """Mass at the wheel centre with the kinetic energy of the parts in kg."""
+    parts, points = corner.parts, corner.points
+    lower = _about_axis(corner, "lower_arm", view.axis, view.axis_point)
+    upper_axis = points["upper_arm_front"] - points["upper_arm_rear"]
+    upper_axis = upper_axis / np.linalg.norm(upper_axis)
+    upper = _about_axis(corner, "upper_arm", upper_axis, points["upper_arm_front"])
+    reach = float(points["upper_ball_joint"][1] - view.upper_pivot[0])
+    whole = parts["spindle"].mass + parts["upright"].mass + WHEEL_MASS + TYRE_MASS
+    return whole + lower / view.lever() ** 2 + upper / reach**2 + corner.tie_rod_mass / 3.0
+
+
+def _about_axis(corner: jn.ChronoCorner, name: str, axis: Array, point: Array) -> float:
+    """Moment of inertia of a part about an axis (unit vector through a point) in kg m^2."""
+    part = corner.parts[name]
+    away = part.centre - point
+    return float(axis**2 @ part.moments + part.mass * np.linalg.norm(np.cross(axis, away)) ** 2)
+
+
+@dataclass(frozen=True)
+class MeasuredDamper:
+    """One record of the damper with the laws fitted to it.
+
+    Attributes
+    ----------
+    name : str
+        Voltage on the damper.
+    laws : dict of str to DamperResult
+        Fits of several laws by name.
+    curves : dict of str to DamperCurve
+        Measured and fitted force of each.
+    """
+
+    name: str
+    laws: dict[str, jn.DamperResult]
+    curves: dict[str, jn.DamperCurve]
+
+    @property
+    def stroke(self) -> float:
+        """Largest minus smallest displacement of the record [m]."""
+        return float(np.ptp(self.curves[LAWS[0]].displacement))
+
+    @property
+    def peak_velocity(self) -> float:
+        """Largest speed of the record [m/s]."""
+        return float(np.abs(self.curves[LAWS[0]].velocity).max())
+
+
+@dataclass(frozen=True)
+class Similitude:
+    """How a small damper becomes a large one on a vehicle.
+
+    With r = motion_ratio / stroke_scale, the force at the wheel is
+    ``motion_ratio * force_scale * law(r * wheel displacement, r * wheel velocity)``: time is not scaled.
+
+    Attributes
+    ----------
+    stroke_scale : float
+        Displacement (and velocity) of the large damper over that of the small one [1].
+    force_scale : float
+        Force of the large damper over that of the small one [1].
+    motion_ratio : float
+        Damper travel over wheel travel [1].
+    """
+
+    stroke_scale: float
+    force_scale: float
+    motion_ratio: float
+
+    @property
+    def speed_ratio(self) -> float:
+        """Velocity of the small damper for one m/s of the wheel [1]."""
+        return self.motion_ratio / self.stroke_scale
+
+
+def measured_dampers() -> tuple[tuple[MeasuredDamper, ...], tuple[jn.Finding, ...]]:
+    """Read the shipped records and fit the laws; velocities are central differences of the displacement.
+
+    Returns
+    -------
+    tuple of MeasuredDamper
+        One per voltage.
+    tuple of Finding
+        Doubts about records and laws.
+    """
+    folder = Path(str(resources.files("jounce"))) / "library" / "measurements" / "mr_damper"
+    found, findings = [], list[jn.Finding]()
+    for name, file in RECORDS.items():
+        columns, reading = jn.read_columns(folder / file, _COLUMNS)
+        findings += reading
+        record = columns["displacement"], columns["velocity"], columns["force"], columns["time"]
+        place = f"damper at {name}"
+        laws: dict[str, jn.DamperResult] = {
+            law: jn.fit_damper(*record, law=law, velocity_from="displacement", name=place) for law in LAWS
+        }
+        findings += [finding for finding in laws["tanh-hysteretic"].findings if finding not in findings]
+        curves: dict[str, jn.DamperCurve] = {
+            law: jn.damper_curve(fit, *record, velocity_from="displacement") for law, fit in laws.items()
+        }
+        found.append(MeasuredDamper(name, laws, curves))
+    return tuple(found), tuple(findings)
+
+
+def referred_to_wheel(table: Mapping[str, Any], similitude: Similitude) -> dict[str, Any]:
+    """Damper table of a rig whose strut stands at the wheel, from the table of the measured damper.
+
+    What multiplies velocity or displacement changes with motion_ratio * force_scale * r, forces with
+    motion_ratio * force_scale, and what stands beside them inside the law (the tanh's ``slope`` in s/m, Bouc-Wen's
+    ``rate`` in 1/m) with r = motion_ratio / stroke_scale; ``displacement_coupling`` (1/s), ``sigma`` and ``exponent``
+    stay. The static ``offset`` is left out: the spring's preload carries the vehicle.
+
+    Parameters
+    ----------
+    table : mapping
+        ``strut.damper`` of kind linear, tanh or bouc-wen, SI.
+    similitude : Similitude
+        Scales and motion ratio.
+
+    Returns
+    -------
+    dict
+        The table at the wheel, SI.
+
+    Raises
+    ------
+    FitError
+        For another kind of law.
+
+    Examples
+    --------
+    >>> referred_to_wheel({"coefficient": 1000.0}, Similitude(stroke_scale=2.0, force_scale=10.0, motion_ratio=0.5))
+    {'coefficient': 1250.0}
+    """
+    force, speed = similitude.motion_ratio * similitude.force_scale, similitude.speed_ratio
+    factors = {
+        "coefficient": force * speed,
+        "stiffness": force * speed,
+        "force": force,
+        "hysteretic_force": force,
+        "slope": speed,
+        "rate": speed,
+        "displacement_coupling": 1.0,
+        "sigma": 1.0,
+        "exponent": 1.0,
+        "offset": 0.0,
+    }
+    strange = [key for key in table if key != "kind" and key not in factors]
+    if strange:
+        raise jn.FitError("this law cannot be scaled", found=", ".join(strange), allowed="linear, tanh, bouc-wen")
+    return {key: value if key == "kind" else value * factors[key] for key, value in table.items()}
+
+
+def harmonic_energy(table: Mapping[str, Any], amplitude: float, frequency: float) -> float:
+    """Work that a damper takes up per cycle of steady harmonic motion.
+
+    Parameters
+    ----------
+    table : mapping
+        ``strut.damper`` of kind linear, tanh or bouc-wen, SI.
+    amplitude : float
+        [m].
+    frequency : float
+        [Hz].
+
+    Returns
+    -------
+    float
+        [J].
+
+    Examples
+    --------
+    >>> round(harmonic_energy({"coefficient": 1000.0}, 0.02, 1.0), 4), round(1000.0 * np.pi * 2 * np.pi * 0.02**2, 4)
+    (7.8957, 7.8957)
+    """
+    phase = np.linspace(0.0, 4.0 * np.pi, 2 * _CYCLE + 1)  # the first cycle brings a law with a memory into its state
+    x, v = amplitude * np.sin(phase), 2.0 * np.pi * frequency * amplitude * np.cos(phase)
+    force = _force(table, x, v)
+    power = (force * v)[_CYCLE:]
+    return float(np.trapezoid(power, phase[_CYCLE:])) / (2.0 * np.pi * frequency)
+
+
+def equivalent_coefficient(table: Mapping[str, Any], amplitude: float, frequency: float) -> float:
+    """Linear damping coefficient (N s/m) that takes up as much per cycle; ``amplitude`` in m, ``frequency`` in Hz."""
+    return harmonic_energy(table, amplitude, frequency) / (2.0 * np.pi**2 * frequency * amplitude**2)
+
+
+def _force(table: Mapping[str, Any], x: Array, v: Array) -> Array:
+    linear = table["coefficient"] * v + table.get("stiffness", 0.0) * x
+    if table.get("kind") == "tanh":
+        lagged = v + table["displacement_coupling"] * x
+        return np.asarray(linear + table["force"] * np.tanh(table["slope"] * lagged))
+    if table.get("kind") == "bouc-wen":
+        state = jn.bouc_wen_path(x, table["rate"], table["sigma"], table["exponent"], 0.0)
+        return np.asarray(linear + table["hysteretic_force"] * state)
+    return np.asarray(linear)
 
 
 @dataclass(frozen=True)
@@ -95,13 +498,13 @@ class ProvingGround:
     similitude: Similitude
     equivalent: dict[str, float]
     derived: tuple[Derived, ...]
-    rigs: dict[str, QuarterCar]
-    courses: dict[str, Road]
+    rigs: dict[str, jn.QuarterCar]
+    courses: dict[str, jn.Road]
     figures: xr.Dataset
     damping: xr.Dataset
     runs: dict[str, xr.Dataset]
     point_contact: float
-    findings: tuple[Finding, ...]
+    findings: tuple[jn.Finding, ...]
 
     def to_dict(self) -> dict[str, Any]:
         """Give the results as plain data in SI, without signals."""
@@ -117,7 +520,7 @@ class ProvingGround:
             }
             for name in FIGURES
         }
-        plain: dict[str, Any] = to_plain(
+        return jn.plain_table(
             {
                 "vehicle": self.corner.rig.source,
                 "course": COURSE,
@@ -133,10 +536,9 @@ class ProvingGround:
                 "findings": self.findings,
             }
         )
-        return plain
 
 
-def run_proving_ground(speeds: tuple[float, ...] = SPEEDS, *, progress: Progress = lambda _: None) -> ProvingGround:
+def run_proving_ground(speeds: tuple[float, ...] = SPEEDS, *, progress: Progress = no_progress) -> ProvingGround:
     """Drive a real vehicle with a measured damper over a measured course.
 
     The measured magneto-rheological damper (0 V and 0.88 V) is fitted, scaled to the vehicle, referred to the wheel and
@@ -156,12 +558,12 @@ def run_proving_ground(speeds: tuple[float, ...] = SPEEDS, *, progress: Progress
     """
     progress("fit: damper laws")
     dampers, findings = measured_dampers()
-    corner = lumped_corner(shipped_corner())
+    corner = lumped_corner(hmmwv_corner())
     similitude, equivalent = _scaled(dampers, corner)
     tables = {one.name: referred_to_wheel(one.laws[LAW].damper, similitude) for one in dampers}
     rigs = {name: _with_damper(corner.rig, table) for name, table in tables.items()} | {OWN: corner.rig}
     length = contact_length(corner.rig)
-    measured = load_road(COURSE)
+    measured = jn.load_road(COURSE)
     course = enveloped(measured, length)
     runs: dict[str, xr.Dataset] = {}
     rows: dict[str, list[dict[str, float]]] = {name: [] for name in rigs}
@@ -190,25 +592,25 @@ def run_proving_ground(speeds: tuple[float, ...] = SPEEDS, *, progress: Progress
     )
 
 
-def drive(rig: QuarterCar, course: Road, speed: float) -> xr.Dataset:
+def drive(rig: jn.QuarterCar, course: jn.Road, speed: float) -> xr.Dataset:
     """Simulate a rig over the undulated part at a speed in m/s."""
-    trial = Trial(road=from_begin(course), speed=speed, duration=(END - BEGIN) / speed)
-    return simulate(rig, trial)
+    trial = jn.Trial(road=from_begin(course), speed=speed, duration=(END - BEGIN) / speed)
+    return jn.simulate(rig, trial)
 
 
-def from_begin(course: Road) -> Road:
+def from_begin(course: jn.Road) -> jn.Road:
     """Let the drive begin where the undulated part begins."""
     return course.model_copy(update={"start": -BEGIN})
 
 
-def contact_length(rig: QuarterCar) -> float:
+def contact_length(rig: jn.QuarterCar) -> float:
     """Length of the tyre's contact in m under static load (square root and linear term of the Magic Formula tyre)."""
     weight = (rig.sprung.mass + rig.unsprung.mass) * rig.gravity
     share = weight / (float(rig.tyre.stiffness or np.nan) * TYRE_RADIUS)
     return float(2.0 * TYRE_RADIUS * (0.671 * np.sqrt(share) + 0.733 * share))
 
 
-def enveloped(course: Road, length: float) -> Table:
+def enveloped(course: jn.Road, length: float) -> jn.Table:
     """Average a course over a contact ``length`` in m: what a tyre passes on of steps shorter than its contact."""
     end = course.end()
     edges = course.segments(end).edges
@@ -216,7 +618,7 @@ def enveloped(course: Road, length: float) -> Table:
     area = np.concatenate([[0.0], np.cumsum(0.5 * (height[1:] + height[:-1]) * np.diff(edges))])
     x = np.arange(BEGIN - 1.0, END + 1.0, _GRID)
     high, low = (_integral(x + side * 0.5 * length, edges, height, area) for side in (1.0, -1.0))
-    return Table(x=x, height=(high - low) / length)
+    return jn.Table(x=x, height=(high - low) / length)
 
 
 def _integral(x: Array, edges: Array, height: Array, area: Array) -> Array:
@@ -243,12 +645,12 @@ def _scaled(dampers: tuple[MeasuredDamper, ...], corner: LumpedCorner) -> tuple[
     return replace(unit, force_scale=scale), {name: scale * share for name, share in shares.items()} | {OWN: own}
 
 
-def body_frequency(rig: QuarterCar) -> float:
+def body_frequency(rig: jn.QuarterCar) -> float:
     """Frequency of body bounce in Hz."""
-    return float(modes(rig)[0].frequency_hz)
+    return float(jn.modes(rig)[0].frequency_hz)
 
 
-def _damping_over_amplitude(rigs: dict[str, QuarterCar]) -> xr.Dataset:
+def _damping_over_amplitude(rigs: dict[str, jn.QuarterCar]) -> xr.Dataset:
     import xarray as xr
 
     amplitudes = np.linspace(0.002, 0.1, 50)
@@ -268,16 +670,16 @@ def _damping_over_amplitude(rigs: dict[str, QuarterCar]) -> xr.Dataset:
     )
 
 
-def _critical(rig: QuarterCar) -> float:
+def _critical(rig: jn.QuarterCar) -> float:
     """Critical damping coefficient of the sprung mass on its spring in N s/m."""
     return 2.0 * float(np.sqrt((rig.strut.spring.rate or 0.0) * rig.sprung.mass))
 
 
-def _with_damper(rig: QuarterCar, table: dict[str, Any]) -> QuarterCar:
+def _with_damper(rig: jn.QuarterCar, table: dict[str, Any]) -> jn.QuarterCar:
     plain = rig.model_dump(by_alias=True, exclude_none=True)
     plain["strut"]["damper"] = table
     plain["estimated"] = (*rig.estimated, "strut.damper")
-    return QuarterCar.from_table(plain)
+    return jn.QuarterCar.from_table(plain)
 
 
 def _derived(similitude: Similitude, equivalent: dict[str, float], length: float) -> tuple[Derived, ...]:
@@ -303,7 +705,9 @@ def _derived(similitude: Similitude, equivalent: dict[str, float], length: float
     )
 
 
-def ride_figures(run: xr.Dataset, rig: QuarterCar, corner: LumpedCorner, fastest: float = np.inf) -> dict[str, float]:
+def ride_figures(
+    run: xr.Dataset, rig: jn.QuarterCar, corner: LumpedCorner, fastest: float = np.inf
+) -> dict[str, float]:
     """Ride figures of one drive over the undulated part.
 
     Parameters
@@ -356,7 +760,7 @@ def work(force: Array, way: Array) -> float:
     return float(0.5 * (force[1:] + force[:-1]) @ np.diff(way))
 
 
-def _energy(rig: QuarterCar, signal: dict[str, Array]) -> Array:
+def _energy(rig: jn.QuarterCar, signal: dict[str, Array]) -> Array:
     """Energy in masses, springs and height in J; a tyre without contact stores none."""
     rate, preload = rig.strut.spring.rate or 0.0, rig.strut.spring.preload
     deflection = signal["strut.deflection"]
@@ -382,7 +786,7 @@ def _dataset(rows: dict[str, list[dict[str, float]]], speeds: tuple[float, ...])
     return xr.Dataset(variables, coords=coordinates)
 
 
-def _advice(rows: dict[str, list[dict[str, float]]], speeds: tuple[float, ...]) -> list[Finding]:
+def _advice(rows: dict[str, list[dict[str, float]]], speeds: tuple[float, ...]) -> list[jn.Finding]:
     findings = []
     for name, lines in rows.items():
         for key, kind in (("bump_travel_utilisation", "bump"), ("rebound_travel_utilisation", "rebound")):
@@ -393,10 +797,10 @@ def _advice(rows: dict[str, list[dict[str, float]]], speeds: tuple[float, ...]) 
                     f"the {kind} travel is used up from {over[0]:.0f} km/h on (up to {100 * worst:.0f} %): the real "
                     "vehicle would strike its stop, which this model does not have."
                 )
-                findings.append(Finding(name, "warning", text, worst))
+                findings.append(jn.Finding(name, "warning", text, worst))
         beyond = max(row["beyond_record"] for row in lines)
         if beyond > 0.0:
             share = f"{100 * beyond:.1f} % of the time"
             text = f"the damper runs faster than in its record for up to {share}: there the law is extrapolated."
-            findings.append(Finding(name, "warning" if beyond > 0.05 else "note", text, beyond))
+            findings.append(jn.Finding(name, "warning" if beyond > 0.05 else "note", text, beyond))
     return findings

@@ -17,7 +17,7 @@ import math
 from dataclasses import dataclass
 from typing import Literal
 
-from jounce.core.errors import unknown
+import jounce as jn
 
 Variant = Literal["reconstructed", "literal"]
 _HIGH, _LOW = 310e3, 250e3  # Pa
@@ -107,7 +107,8 @@ def table2(variant: Variant = "reconstructed") -> tuple[Table2Row, ...]:
     ('B10', 'A')
     """
     if variant not in _SETTINGS:
-        raise unknown(variant, _SETTINGS, what="reading of Table 2", where="table2")
+        allowed = ", ".join(_SETTINGS)
+        raise jn.DescriptionError(f"unknown reading of Table 2 {variant!r}", where="table2", allowed=allowed)
     rows = [
         Table2Row(number, _SPEEDS[number], math.radians(angle), pressure, "A" if pitch is None else "B", pitch)
         for number, (angle, pressure, pitch) in _SETTINGS[variant].items()

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from jounce.core.extremes import Window
 from jounce.core.serialise import to_json
 from jounce.papers.audi_a6 import RAMP, SPEED, AudiCase, CaseRun
 from jounce.papers.audi_a6_paper import Erratum
+from jounce.papers.extremes import Window
 from jounce.plots.audi_a6 import case_curve, case_overview, start_up_transient
 from jounce.plots.display import number, quantity
 from jounce.report.curves import curve_files

@@ -9,7 +9,7 @@ import jounce as jn
 from jounce.core.errors import OutputError
 from jounce.identify.force_deflection import ForceDeflectionTrial
 from jounce.identify.stiffness import fit_stiffness
-from jounce.papers import virtual_rig
+from jounce.papers import virtual_bench
 from jounce.papers.table2 import table2
 from jounce.papers.virtual_bench import SENSORS, BenchPlan, course, make_measurements, measurement_texts, true_pass
 from jounce.recordings import read_columns, read_recording
@@ -69,7 +69,7 @@ def test_what_exists_is_not_overwritten_and_nothing_else_is_written(tmp_path):
 def test_spring_and_tyre_slopes_lie_in_the_intervals_found(tmp_path):
     make_measurements(tmp_path, BenchPlan(trials=(), decays=0))
     spring = fit_stiffness(bench_trials(tmp_path, "spring_*.csv"))
-    assert spring.stiffness.interval[0] < virtual_rig.SPRING_RATE < spring.stiffness.interval[1]
+    assert spring.stiffness.interval[0] < virtual_bench.SPRING_RATE < spring.stiffness.interval[1]
     assert 0.003 < spring.loss_factor < 0.03
     # quarter-car prototype paper, section 8: linear fits of the tyre above 2 mm
     for pattern, published in (("tyre_031_*.csv", 138468.0), ("tyre_025_*.csv", 125800.0)):
@@ -88,15 +88,15 @@ def test_intervals_of_the_spring_rate_cover_the_truth_on_most_benches():
             for name, text in made.items()
         ]
         low, high = fit_stiffness(trials).stiffness.interval
-        hits += low <= virtual_rig.SPRING_RATE <= high
+        hits += low <= virtual_bench.SPRING_RATE <= high
     assert 52 <= hits <= 60  # binomial(60, 0.95): below 52 with probability 0.005
 
 
 def test_the_standing_tyre_is_soft_at_first_and_the_rolling_one_is_not(tmp_path):
-    x, force = virtual_rig.tyre_cycle(0.010, 201, 310e3, 1.0)
+    x, force = virtual_bench.tyre_cycle(0.010, 201, 310e3, 1.0)
     start, later = force[20] / x[20], (force[160] - force[80]) / (x[160] - x[80])  # 1 mm; 4 to 8 mm
     assert start < 0.75 * later
-    rolling = virtual_rig.TYRE_CURVES[310e3]
+    rolling = virtual_bench.TYRE_CURVES[310e3]
     assert 0.85 * later < rolling[0] < later
 
 
@@ -116,8 +116,8 @@ def test_recordings_hold_the_channels_at_the_stated_rate(tmp_path):
 def test_truth_file_holds_the_values_behind_the_files(tmp_path):
     make_measurements(tmp_path, SMALL)
     truth = tomllib.loads((tmp_path / "truth.toml").read_text())
-    assert truth["spring_rate"] == virtual_rig.SPRING_RATE
-    assert truth["tyre"]["coefficients"]["0.25 MPa"] == list(virtual_rig.TYRE_CURVES[250e3])
+    assert truth["spring_rate"] == virtual_bench.SPRING_RATE
+    assert truth["tyre"]["coefficients"]["0.25 MPa"] == list(virtual_bench.TYRE_CURVES[250e3])
     assert truth["trial"]["1"]["speed"] == true_pass(table2()[0]).speed
     assert truth["friction"]["guide"] == jn.load(write_rig(tmp_path)).guide_friction.force
 
@@ -125,7 +125,7 @@ def test_truth_file_holds_the_values_behind_the_files(tmp_path):
 def write_rig(folder):
     import tomlkit
 
-    table = virtual_rig.true_rig().model_dump(by_alias=True, exclude_none=True)
+    table = virtual_bench.true_rig().model_dump(by_alias=True, exclude_none=True)
     file = folder / "true-rig.toml"
     file.write_text(tomlkit.dumps(table))
     return file
@@ -147,13 +147,13 @@ def test_courses_are_those_of_the_campaign():
 
 def test_the_contact_patch_keeps_the_area_of_the_obstacle_and_lowers_its_crest():
     road, speed = HalfSine(height="10 mm", length="60 mm", start="0.2 m"), 2.0
-    path = virtual_rig.wheel_path(road, speed, 1.0)
+    path = virtual_bench.wheel_path(road, speed, 1.0)
     time, height = np.array(path.time), np.array(path.height)
-    half = 0.5 * virtual_rig.CONTACT_LENGTH
+    half = 0.5 * virtual_bench.CONTACT_LENGTH
     # mean of h sin(pi x / l) over +-half around the crest
     crest = 0.010 * np.sin(np.pi * half / 0.060) / (np.pi * half / 0.060)
     assert height.max() == pytest.approx(crest, rel=1e-3)
-    slowed = 1.0 - virtual_rig.SPEED_DROP  # the belt slows down at the foot; it recovers little within the obstacle
+    slowed = 1.0 - virtual_bench.SPEED_DROP  # the belt slows down at the foot; it recovers little within the obstacle
     area = np.trapezoid(height, time) * speed
     assert area == pytest.approx(0.010 * 0.060 * 2.0 / np.pi / slowed, rel=1e-3)
     assert np.all(np.diff(time) > 0.0)
@@ -162,7 +162,7 @@ def test_the_contact_patch_keeps_the_area_of_the_obstacle_and_lowers_its_crest()
 def test_a_train_slows_the_belt_at_every_obstacle():
     row = next(row for row in table2() if row.road == "B20")
     road = course(row)
-    path = virtual_rig.wheel_path(road, 2.0, 3.0)
+    path = virtual_bench.wheel_path(road, 2.0, 3.0)
     height, time = np.array(path.height), np.array(path.time)
     crests = time[1:-1][(height[1:-1] > height[:-2]) & (height[1:-1] > height[2:]) & (height[1:-1] > 0.008)]
     assert len(crests) == 5

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from jounce.core.errors import RecordingError
-from jounce.core.extremes import between, extremes_within
+from jounce.papers.extremes import between, extremes_within
 
 TIME = np.linspace(0.0, 2.0, 41)
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from jounce.core.errors import RecordingError
-from jounce.core.types import Array
+import jounce as jn
+from jounce.papers import Array
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ def extremes_within(time: Array, value: Array, rate: Array, start: float, end: f
     """
     slack = 1e-9 * max(1.0, abs(end))
     if not (start < end and time[0] - slack <= start and end <= time[-1] + slack):
-        raise RecordingError(
+        raise jn.RecordingError(
             "no such window", found=f"{start:g} to {end:g} s", allowed=f"within {time[0]:g} to {time[-1]:g} s"
         )
     ends = np.array([start, end])
