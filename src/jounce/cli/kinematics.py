@@ -63,10 +63,10 @@ def kinematics(
 
     Example: jounce kinematics reference-double-wishbone --travel "-80 mm:80 mm:4 mm" --out sweep.nc
     """
-    from jounce.kinematics.sweeps import check_sweep_file, write_sweep
+    from jounce.kinematics.sweeps import SWEEP_FILES
 
     if out is not None:
-        check_sweep_file(out, force=force)
+        SWEEP_FILES.check(out, force=force)
     check_outputs(folder=plot, force=force)
     with progress() as say:
         say("loading")
@@ -74,7 +74,7 @@ def kinematics(
         say("sweeping")
         sweep = _sweep(chosen, travel, rack, roll, _vehicle(vehicle), axle=axle, points=points)
         if out is not None:
-            write_sweep(sweep, out, force=force)
+            SWEEP_FILES.write(sweep, out, force=force)
         if plot is not None:
             say("drawing")
             from jounce.plots.kinematics import write_kinematics

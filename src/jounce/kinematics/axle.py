@@ -6,7 +6,7 @@ The right wheel is the left corner's mirror: at a rack travel it stands as the l
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,8 +16,18 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.kernel.poses import REACHED
 from jounce.kinematics.catalogue import Quantity
-from jounce.kinematics.model import check_corner, has_rack
-from jounce.kinematics.sweeps import AxleLayout, End, PreparedSweep, Values, no_pose, prepare_sweep, sweep_values, told
+from jounce.kinematics.model import check_corner, check_rack
+from jounce.kinematics.sweeps import (
+    AxleLayout,
+    End,
+    PreparedSweep,
+    Values,
+    Variables,
+    facts_of,
+    no_pose,
+    prepare_sweep,
+    sweep_values,
+)
 from jounce.parts import Corner, Rig
 
 if TYPE_CHECKING:
@@ -26,6 +36,7 @@ if TYPE_CHECKING:
 
 _ITERATIONS, _LEVEL = 40, 1e-13  # m
 _STEEPEST = 1.2  # rad
+_STRAIGHT = 1e-6  # rad: turns below it share nothing
 _ODD = {  # rows that change sign in a mirror across y
     "rack_travel",
     "inclination",
@@ -234,15 +245,15 @@ def sweep_roll(rig: Rig, roll: Values, rack: float | str = 0.0) -> xr.Dataset:
     gain = _gain(left, right)
     bend = _bend(axle, angles, at)
     found = AxleVariables("roll_angle", angles, "rad", "roll angle of the body", "positive: about +x, left side up")
-    for wheel, name, sense in ((left, "left", -1.0), (right, "right", 1.0)):
+    outward = "positive: top outward"
+    for wheel, name, travel in ((left, "left", -gain), (right, "right", gain)):
         found.add_wheel(axle, wheel.wheel, name, wheel.side)
         seen = wheel.wheel.seen(wheel.side)
-        found.add(f"{name}.camber_to_ground", -np.arcsin(wheel.lean), "rad", "camber to the road", "top outward")
-        found.add(f"{name}.roll_steer", sense * gain * seen["bump_steer"], "1", "change of steer with roll", "about +z")
-        found.add(
-            f"{name}.roll_camber", sense * gain * seen["camber_gain"], "1", "change of camber with roll", "top outward"
-        )
-    _add_axle_rows(found, left, right, gain, bend, _bar_stiffness(corner))
+        found.add(f"{name}.camber_to_ground", -np.arcsin(wheel.lean), "rad", "camber angle to the road", outward)
+        found.add(f"{name}.roll_steer", travel * seen["bump_steer"], "1", "roll steer", "positive: about +z")
+        found.add(f"{name}.roll_camber", travel * seen["camber_gain"], "1", "roll camber", outward)
+    bar = 0.0 if corner.anti_roll_bar is None else float(corner.anti_roll_bar.stiffness)
+    _add_axle_rows(found, left, right, gain, bend, bar)
     return found.dataset(kept, axle, corner)
 
 
@@ -257,26 +268,19 @@ def _bend(axle: Axle, roll: Array, rack: float) -> Array:
     return (ahead - behind) / (2.0 * _BEND)
 
 
-def _bar_stiffness(corner: Corner) -> float:
-    return 0.0 if corner.anti_roll_bar is None else float(corner.anti_roll_bar.stiffness)
-
-
 def _add_axle_rows(found: AxleVariables, left: Ground, right: Ground, gain: Array, bend: Array, bar: float) -> None:
     one, other = left.contact * [1.0, 1.0, 1.0], right.contact * [1.0, -1.0, 1.0]
     roll = left.roll
-    found.add(
-        "track", _across(one, roll) - _across(other, roll), "m", "distance of the contact points", "never negative"
-    )
+    at_left, at_right = _across(one, roll), _across(other, roll)
+    found.add("track", at_left - at_right, "m", "track: distance of the contact points", "never negative")
     slope, mirrored = left.wheel.rows["jacking"], right.wheel.rows["jacking"]
     with np.errstate(divide="ignore", invalid="ignore"):
         along = (other[:, 2] - one[:, 2] + (one[:, 1] - other[:, 1]) * mirrored) / (slope + mirrored)
         centre = np.stack([one[:, 0], one[:, 1] - along, one[:, 2] + along * slope], axis=1)
-        middle = 0.5 * (_across(one, roll) + _across(other, roll))
         height = _dot(centre, left.normal) - left.height
-        found.add("roll_centre_height", height, "m", "roll centre above the road", "positive: up")
-        found.add(
-            "roll_centre_y", _across(centre, roll) - middle, "m", "roll centre beside the middle of the track", "left"
-        )
+        found.add("roll_centre_height", height, "m", "roll centre height above the road", "positive: up")
+        aside = _across(centre, roll) - 0.5 * (at_left + at_right)
+        found.add("roll_centre_y", aside, "m", "roll centre, lateral distance from mid-track", "positive: left")
     force = right.wheel.rows["wheel_force"] - left.wheel.rows["wheel_force"]
     stiffness = right.wheel.rows["wheel_rate"] + left.wheel.rows["wheel_rate"]
     moment, springs = force * gain, stiffness * gain**2 + force * bend
@@ -293,7 +297,7 @@ def _add_axle_rows(found: AxleVariables, left: Ground, right: Ground, gain: Arra
     found.add("roll_moment", moment, "N*m", "moment of springs and anti-roll bar on the body", against)
     found.add("roll_stiffness_springs", springs, "N*m/rad", "roll stiffness of the springs", against)
     found.add("roll_stiffness_bar", twisted, "N*m/rad", "roll stiffness of the anti-roll bar", against)
-    found.add("roll_stiffness", springs + twisted, "N*m/rad", "change of the roll moment with roll", against)
+    found.add("roll_stiffness", springs + twisted, "N*m/rad", "roll stiffness of springs and anti-roll bar", against)
 
 
 def _across(point: Array, roll: Array) -> Array:
@@ -301,18 +305,13 @@ def _across(point: Array, roll: Array) -> Array:
     return np.asarray(point[:, 1] * np.cos(roll) - point[:, 2] * np.sin(roll))
 
 
-class AxleVariables:
+class AxleVariables(Variables):
     """Variables of an axle over one coordinate."""
 
-    def __init__(self, along: str, values: Array, unit: str, long_name: str, sign: str) -> None:
-        self.along, self.values = along, values
+    def __init__(self, along: str, at: Array, unit: str, long_name: str, sign: str) -> None:
+        super().__init__()
+        self.along, self.at = along, at
         self._coordinate = {"units": unit, "long_name": long_name, "sign": sign}
-        self._variables: dict[str, tuple[Array, dict[str, str]]] = {}
-
-    def add(self, name: str, value: Array, unit: str, long_name: str, sign: str) -> None:
-        """Add a variable; ``sign`` says what a positive value means."""
-        sign = sign if ":" in sign else f"positive: {sign}"
-        self._variables[name] = value, {"units": unit, "long_name": long_name, "sign": sign}
 
     def add_wheel(self, axle: Axle, wheel: WheelRows, name: str, side: float) -> None:
         """Add the catalogue of one wheel as the ground's axes show it."""
@@ -325,22 +324,10 @@ class AxleVariables:
         import xarray as xr
 
         variables = {
-            name: xr.Variable((self.along,), value[kept], attributes)
-            for name, (value, attributes) in self._variables.items()
+            name: xr.Variable((self.along,), value[kept], self.attributes[name]) for name, value in self.values.items()
         }
-        ends = axle.ends if not kept.all() else []
-        facts: dict[str, Any] = {
-            "model": str(getattr(corner, "model", "")),
-            "side": "both",
-            "status": "end_of_travel" if ends else "completed",
-            "reached": [float(self.values[kept].min()), float(self.values[kept].max())],
-            "stopped": told(ends),
-        }
-        at = xr.Variable((self.along,), self.values[kept], self._coordinate)
-        return xr.Dataset(variables, {self.along: at}, facts)
-
-
-_STRAIGHT = 1e-6  # rad: turns below it share nothing
+        facts = facts_of(corner, "both", self.at[kept], axle.ends if not kept.all() else [])
+        return xr.Dataset(variables, {self.along: xr.Variable((self.along,), self.at[kept], self._coordinate)}, facts)
 
 
 def sweep_steering(
@@ -384,8 +371,7 @@ def sweep_steering(
     True
     """
     corner, racks = check_corner(rig), sweep_values(rack, "rack travel")
-    if not has_rack(corner):
-        raise DescriptionError("no rack moves this wheel", where="rack travel", allowed="a corner with a tie rod")
+    check_rack(corner)
     axle = Axle(corner)
     lifted = to_si(travel, "m", where="wheel travel")
     left, right = (axle.wheel(side, lifted, racks) for side in (1.0, -1.0))
@@ -404,9 +390,15 @@ def _add_rows(found: AxleVariables, left: WheelRows, right: WheelRows, vehicle: 
     mean = 0.5 * (one + other)
     difference = one - other  # the inner wheel is the left one in left turns, where both angles are positive
     track = left.rows["contact_point_y"] + right.rows["contact_point_y"]
-    found.add("mean_steer", mean, "rad", "mean steer angle of both wheels", "about +z, a left turn")
-    found.add("steer_difference", difference, "rad", "steer of the inner minus that of the outer wheel", "toe-out")
-    found.add("track", track, "m", "distance of the contact points", "never negative")
+    found.add("mean_steer", mean, "rad", "mean steer angle of both wheels", "positive: about +z, a left turn")
+    found.add(
+        "steer_difference",
+        difference,
+        "rad",
+        "steer angle of the inner minus that of the outer wheel",
+        "positive: toe-out",
+    )
+    found.add("track", track, "m", "track: distance of the contact points", "never negative")
     if vehicle is None:
         return
     inner = np.abs(np.where(mean > 0.0, one, other))
@@ -416,5 +408,7 @@ def _add_rows(found: AxleVariables, left: WheelRows, right: WheelRows, vehicle: 
         ideal = inner - np.arctan(1.0 / (1.0 / np.tan(inner) + pivots / vehicle.wheelbase))
         share = np.where(turned, difference / ideal, np.nan)
         radius = np.where(turned, vehicle.wheelbase / np.tan(mean), np.inf)
-    found.add("ackermann", share, "1", "steer difference over that of a common turning centre", "as Ackermann")
-    found.add("turning_radius", radius, "m", "turning centre from the middle of the rear axle", "left")
+    found.add(
+        "ackermann", share, "1", "steer difference over that of Ackermann geometry", "positive: inner wheel steers more"
+    )
+    found.add("turning_radius", radius, "m", "turning centre from the middle of the rear axle", "positive: left")

@@ -139,7 +139,7 @@ def _has_bushings(rig: Corner) -> bool:
 def _ground(rig: Corner, travel: Array, rack: float | None) -> tuple[Array, Array]:
     """Height of the contact point (m) and travel of the rack (m) at each travel, with ideal joints."""
     sweep = prepare_sweep(rig, travel, rack)
-    rows = {row.name: value[:, 0] for row, value in zip(sweep.model.rows, sweep.run(), strict=True)}
+    rows = {name: value[:, 0] for name, value in sweep.quantities().items()}
     if not np.all(np.isfinite(rows["wheel_travel"])):
         raise no_pose(sweep.ends())
     return rows["contact_point_z"], rows.get("rack_travel", np.zeros(len(travel)))

@@ -226,7 +226,7 @@ def pickup_loads(rig: Rig, load: ContactLoad, travel: Values = 0.0, *, rack: flo
     """
     corner = check_corner(rig)
     sweep = prepare_sweep(corner, travel, rack)
-    rows = {row.name: value[:, 0] for row, value in zip(sweep.model.rows, sweep.run(), strict=True)}
+    rows = {name: value[:, 0] for name, value in sweep.quantities().items()}
     kept = np.flatnonzero(np.isfinite(rows["wheel_travel"]))
     if not len(kept):
         raise no_pose(sweep.ends())

@@ -99,6 +99,13 @@ def has_rack(rig: Corner) -> bool:
     return hasattr(points, "tie_rod_inner") or hasattr(points, "link_5_inner")
 
 
+def check_rack(rig: Corner, allowed: str = "a corner with a tie rod") -> None:
+    """Refuse a corner whose wheel no rack moves."""
+    if not has_rack(rig):
+        found = f'model = "{getattr(rig, "model", "")}"'
+        raise DescriptionError("no rack moves this wheel", where="rack travel", found=found, allowed=allowed)
+
+
 def _build(rig: Corner) -> KinematicModel:
     mechanism = Quasistatic(gravity=ca.SX(0.0))
     tracks = [mechanism.track(name) for name in (_TRAVEL, _RACK)[: 1 + has_rack(rig)]]

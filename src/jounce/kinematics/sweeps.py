@@ -12,14 +12,14 @@ from numpy.typing import NDArray
 
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError, SimulationError, nearest
-from jounce.core.serialise import check_writable, replacing, write_atomically
+from jounce.core.serialise import Formats
 from jounce.core.types import Array
 from jounce.core.units import PositiveLength, Unit, to_si
 from jounce.kernel.poses import END_OF_TRAVEL, REACHED, Found, Walk, Work, space_for, walk_poses, walk_variants
-from jounce.kinematics.model import KinematicModel, check_corner, has_rack, kinematic_model
+from jounce.kinematics.model import KinematicModel, check_corner, check_rack, kinematic_model
 from jounce.parts import Corner, Rig
 from jounce.parts.rig import unit_of, unknown_path
-from jounce.recordings.files import SUFFIXES, storable
+from jounce.recordings.files import storable
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -263,9 +263,6 @@ def _to_target(walk: Walk, found: Found, j: int, target: Array) -> Walk:
     )
 
 
-_DIMENSIONS = ("wheel_travel", "rack_travel")
-
-
 @dataclass(frozen=True)
 class PreparedSweep:
     """A sweep of a corner with everything laid out: ``run`` only computes, as often as wanted."""
@@ -281,6 +278,10 @@ class PreparedSweep:
         """Compute all poses; give the quantities, shape (rows, travels, racks), NaN where out of reach."""
         walk_poses(self.walk, self.found, self.work)
         return self.in_place(self.found.outputs, self.found.outcome == REACHED)
+
+    def quantities(self) -> dict[str, Array]:
+        """Compute all poses; give each quantity by name, shape (travels, racks)."""
+        return {row.name: value for row, value in zip(self.model.rows, self.run(), strict=True)}
 
     def in_place(self, values: Array, reached: NDArray[np.bool_]) -> Array:
         """Bring values of the walk, shape (rows, targets), into the order of the grid."""
@@ -334,13 +335,8 @@ def _rack_of(corner: Corner, rack: Values | None) -> Values:
     if rack is None:
         steering = getattr(corner, "steering", None)
         return 0.0 if steering is None else float(steering.rack_travel)
-    if not has_rack(corner) and np.any(sweep_values(rack, "rack travel") != 0.0):
-        raise DescriptionError(
-            "no rack moves this wheel",
-            where="rack travel",
-            found=f'model = "{getattr(corner, "model", "")}"',
-            allowed="0, or a corner with a tie rod",
-        )
+    if np.any(sweep_values(rack, "rack travel") != 0.0):
+        check_rack(corner, "0, or a corner with a tie rod")
     return rack
 
 
@@ -440,88 +436,73 @@ def sweep_rack(
     >>> bool(steered["steer"][0] > 0.0)  # its tie rod lies behind the axle: a rack to the right turns it to the left
     True
     """
-    corner = check_corner(rig)
-    if not has_rack(corner):
-        raise DescriptionError(
-            "no rack moves this wheel",
-            where="rack travel",
-            found=f'model = "{getattr(corner, "model", "")}"',
-            allowed="a corner with a tie rod",
-        )
+    check_rack(check_corner(rig))
     return _swept(prepare_sweep(rig, to_si(travel, "m", where="wheel travel"), rack), True, False, vehicle, points)
 
 
 def _swept(
     sweep: PreparedSweep, along_rack: bool, along_travel: bool, vehicle: AxleLayout | None, points: bool
 ) -> xr.Dataset:
+    """Run a sweep and put its quantities on their grid; a dimension that was not swept is a scalar coordinate."""
+    import xarray as xr
+
     values = sweep.run()
     ends = sweep.ends() if np.any(sweep.found.outcome != REACHED) else []
     reached = np.isfinite(values[0])
     if not reached.any():
         raise no_pose(ends)
-    keep = np.flatnonzero(reached.any(axis=1)), np.flatnonzero(reached.any(axis=0))
-    result = Result(sweep.rig, (along_travel, along_rack))
+    keep = np.ix_(np.flatnonzero(reached.any(axis=1)), np.flatnonzero(reached.any(axis=0)))
+    found = Variables()
     for row, value in zip(sweep.model.rows, values, strict=True):
-        result.add(row.name, value[np.ix_(*keep)], row.unit, row.long_name, row.sign, row.clause)
+        found.add(row.name, value[keep], row.unit, row.long_name, row.sign, row.clause)
     if vehicle is not None:
-        slopes = (result.values["contact_patch_recession"], result.values["wheel_centre_longitudinal_slope"])
+        slopes = (found.values["contact_patch_recession"], found.values["wheel_centre_longitudinal_slope"])
         for name, share in shares(vehicle, *slopes).items():
-            result.add(name, share, "1", _ANTI_EFFECTS[name], _ANTI_SIGN)
+            found.add(name, share, "1", _ANTI_EFFECTS[name], _ANTI_SIGN)
     if points:
         for name, value in sweep.points().items():
-            result.add(name, value[np.ix_(*keep)], "m", f"place of {name}", "ground axes")
-    return result.dataset(ends)
+            found.add(name, value[keep], "m", f"place of {name}", "ground axes")
+    along = {"wheel_travel": along_travel, "rack_travel": along_rack}
+    dimensions = tuple(name for name, swept in along.items() if swept)
+    at = tuple(slice(None) if swept else 0 for swept in along.values())
+    coordinates = {}
+    for i, (name, swept) in enumerate(along.items()):
+        if name in found.values:
+            axis = np.nanmax(found.values[name], axis=1 - i)
+            coordinates[name] = xr.Variable(name if swept else (), axis if swept else axis[0], found.attributes[name])
+    variables = {
+        name: xr.Variable(dimensions, value[at], found.attributes[name])
+        for name, value in found.values.items()
+        if name not in along
+    }
+    facts = facts_of(sweep.rig, sweep.rig.side, found.values["wheel_travel"], ends)
+    return xr.Dataset(variables, coordinates, facts)
 
 
-class Result:
-    """Variables of a sweep on their grid, for the Dataset."""
+class Variables:
+    """Variables of a sweep by name, each with its attributes."""
 
-    def __init__(self, rig: Corner, along: tuple[bool, bool]) -> None:
-        self.rig, self.along = rig, along
+    def __init__(self) -> None:
         self.values: dict[str, Array] = {}
-        self._attributes: dict[str, dict[str, Any]] = {}
+        self.attributes: dict[str, dict[str, str]] = {}
 
     def add(self, name: str, value: Array, unit: str, long_name: str, sign: str, clause: str = "") -> None:
-        """Add a variable with its values on the whole grid."""
+        """Add a variable; ``sign`` says what a positive value means."""
         self.values[name] = value
-        self._attributes[name] = {"units": unit, "long_name": long_name, "sign": sign}
+        self.attributes[name] = {"units": unit, "long_name": long_name, "sign": sign}
         if clause:
-            self._attributes[name]["clause"] = clause
-
-    def dataset(self, ends: Sequence[End]) -> xr.Dataset:
-        """Put all together; a dimension that was not swept is a scalar coordinate."""
-        import xarray as xr
-
-        dimensions = tuple(name for name, swept in zip(_DIMENSIONS, self.along, strict=True) if swept)
-        at = tuple(slice(None) if swept else 0 for swept in self.along)
-        variables = {}
-        for name, value in self.values.items():
-            if name not in _DIMENSIONS:
-                variables[name] = xr.Variable(dimensions, value[at], self._attributes[name])
-        coordinates = {name: self._coordinate(xr, i) for i, name in enumerate(_DIMENSIONS) if name in self.values}
-        return xr.Dataset(variables, coordinates, self._facts(ends))
-
-    def _coordinate(self, xr: Any, i: int) -> Any:
-        name = _DIMENSIONS[i]
-        axis = np.nanmax(self.values[name], axis=1 - i)
-        if not self.along[i]:
-            return xr.Variable((), axis[0], self._attributes[name])
-        return xr.Variable((name,), axis, self._attributes[name])
-
-    def _facts(self, ends: Sequence[End]) -> dict[str, Any]:
-        travel = self.values["wheel_travel"]
-        return {
-            "model": str(getattr(self.rig, "model", "")),
-            "side": self.rig.side,
-            "status": "end_of_travel" if ends else "completed",
-            "reached": [float(np.nanmin(travel)), float(np.nanmax(travel))],
-            "stopped": told(ends),
-        }
+            self.attributes[name]["clause"] = clause
 
 
-def check_sweep_file(path: Path | str, *, force: bool = False) -> Path:
-    """Refuse, before the work, a file that could not be written after it; give the path."""
-    return check_writable(path, what="sweeps", suffixes=SUFFIXES, force=force)
+def facts_of(rig: Corner, side: str, swept: Array, ends: Sequence[End]) -> dict[str, Any]:
+    """Attributes of a sweep: what was swept, how far it came, and where it had to stop."""
+    return {
+        "model": str(getattr(rig, "model", "")),
+        "side": side,
+        "status": "end_of_travel" if ends else "completed",
+        "reached": [float(np.nanmin(swept)), float(np.nanmax(swept))],
+        "stopped": told(ends),
+    }
 
 
 def write_sweep(sweep: xr.Dataset, path: Path | str, *, force: bool = False) -> Path:
@@ -555,37 +536,31 @@ def write_sweep(sweep: xr.Dataset, path: Path | str, *, force: bool = False) -> 
     >>> file.read_text(encoding="utf-8").splitlines()[0].startswith("wheel_travel [m], rack_travel [m]")
     True
     """
-    file = check_sweep_file(path, force=force)
-    if file.suffix.lower() == ".csv":
-        return write_atomically(file, _csv_text(sweep), force=force)
-    with replacing(file) as temporary:
-        storable(_arrayed(sweep)).to_netcdf(temporary, engine="h5netcdf")
-    return file
+    return SWEEP_FILES.write(sweep, path, force=force)
 
 
-def _arrayed(sweep: xr.Dataset) -> xr.Dataset:
-    """The same sweep with attributes that list numbers as arrays, which a file can hold."""
+def _write_netcdf(sweep: xr.Dataset, file: Path) -> None:
     listed = {str(key): value for key, value in sweep.attrs.items() if isinstance(value, (list, tuple))}
     numbers = {key: np.array(value) for key, value in listed.items() if all(isinstance(x, float) for x in value)}
-    return sweep.assign_attrs(numbers)
+    storable(sweep.assign_attrs(numbers)).to_netcdf(file, engine="h5netcdf")
 
 
-def _csv_text(sweep: xr.Dataset) -> str:
+def _write_csv(sweep: xr.Dataset, file: Path) -> None:
     """One row a pose; values that do not exist (out of reach, at infinity) stay empty."""
     names = [*map(str, sweep.coords), *map(str, sweep.data_vars)]
     sizes = {str(name): size for name, size in sweep.sizes.items()}
     columns = [_on_grid(sweep[name].variable, sizes) for name in names]
     header = ", ".join(f"{name} [{sweep[name].attrs.get('units', '1')}]" for name in names)
-    rows = (",".join(map(_number, row)) for row in zip(*columns, strict=True))
-    return "\n".join([header, *rows]) + "\n"
+    rows = (",".join(repr(value) if np.isfinite(value) else "" for value in row) for row in zip(*columns, strict=True))
+    file.write_bytes(("\n".join([header, *rows]) + "\n").encode())
 
 
 def _on_grid(variable: Any, sizes: dict[str, int]) -> list[float]:
     return list(variable.set_dims(sizes).transpose(*sizes).values.ravel().tolist())
 
 
-def _number(value: float) -> str:
-    return repr(value) if np.isfinite(value) else ""
+SWEEP_FILES = Formats("sweeps", {".nc": _write_netcdf, ".csv": _write_csv})
+"""Formats that sweeps are written in."""
 
 
 _MOST_RESULTS = 200_000_000  # numbers in one result
