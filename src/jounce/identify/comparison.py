@@ -15,6 +15,8 @@ from jounce.core.types import Array
 from jounce.identify.warping import warping_path
 from jounce.recordings.signals import correlation_coefficients, estimate_lag, resample
 
+# differences ----------------------------------------------------------------------------------------------------------
+
 
 @dataclass(frozen=True)
 class Comparison:
@@ -144,6 +146,9 @@ def _sprague_geers(reference: Array, compared: Array) -> tuple[float, float]:
         return -1.0, float("nan")
     cosine = float(reference @ compared) / float(np.sqrt(mm) * np.sqrt(cc))
     return float(np.sqrt(cc / mm)) - 1.0, float(np.arccos(np.clip(cosine, -1.0, 1.0)) / np.pi)
+
+
+# rating by ISO/TS 18571 -----------------------------------------------------------------------------------------------
 
 
 Grade = Literal["excellent", "good", "fair", "poor"]

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from typing import Any, Literal
+from dataclasses import dataclass, replace
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,6 +17,12 @@ from jounce.identify.decay import zigzag
 from jounce.identify.estimate import Estimate, r_squared, uncertainty
 
 VelocityFrom = Literal["recorded", "displacement"]
+LawName = Literal["linear", "bilinear", "polynomial", "tanh-hysteretic", "bouc-wen"]
+LAWS: tuple[LawName, ...] = get_args(LawName)
+_VELOCITY_LAWS = ("linear", "bilinear", "polynomial")
+
+
+# the record -----------------------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -87,7 +93,7 @@ def read_motion(
         raise FitError("less than one cycle of motion", where=name, found=f"{cycles:g} cycles", allowed="at least 1")
     if float(np.trapezoid(f * v, t)) < 0.0:
         f = -f
-        text = "the force feeds energy into the motion: it was recorded with the other sign and was turned."
+        text = "the force fed energy into the motion: it was recorded with the other sign and has been reversed."
         findings.append(Finding(name, "warning", text))
     centre = 0.5 * float(x.max() + x.min())
     return DamperMotion(t, x - centre, v, f, centre, cycles, resolution), findings
@@ -134,7 +140,7 @@ def _check_velocity(
     resolution = float(np.median(gaps)) if len(gaps) and len(values) < 0.5 * len(velocity) else 0.0
     if resolution > 1e-3 * float(np.abs(values).max()):
         text = (
-            f"the velocity is recorded in steps of {1e3 * resolution:.3g} mm/s: what happens below a few of them is "
+            f"the velocity is recorded in steps of {1e3 * resolution:.3g} mm/s: motion below a few of these is "
             "not resolved."
         )
         findings.append(Finding(name, "note", text, resolution))
@@ -151,7 +157,7 @@ def _moving_part(displacement: Array, name: str, findings: list[Finding]) -> tup
     last = last if len(displacement) - last > 5 else len(displacement)
     left_out = first + len(displacement) - last
     if left_out:
-        text = f"{left_out} samples at rest at the ends were left out: a force at rest belongs to no velocity."
+        text = f"{left_out} samples at rest at the ends were left out: at rest the force says nothing about velocity."
         findings.append(Finding(name, "note", text, float(left_out)))
     return first, last
 
@@ -166,7 +172,7 @@ def _cycles(displacement: Array) -> float:
     return max(0.5 * float(np.count_nonzero(np.diff(clear))), way / (2.0 * stroke))
 
 
-LAWS = ("linear", "bilinear", "polynomial", "tanh-hysteretic", "bouc-wen")
+# laws -----------------------------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -189,10 +195,6 @@ class DamperLaw:
     not_negative: tuple[str, ...]
     remembers: bool
     table: Callable[[Mapping[str, float]], dict[str, Any]]
-
-
-_NONE = np.zeros((1, 0))
-_UNBOUND = (np.zeros(0), np.zeros(0))
 
 
 def damper_law(
@@ -253,7 +255,9 @@ def _velocity_law(name: str, motion: DamperMotion, degree: int, odd: bool, frict
         return {"velocity": speed.tolist(), "force": np.asarray(force).tolist()}
 
     flags = ("friction_force",) if friction else ()
-    return DamperLaw(name, (*names, *extra, ("offset", "N")), (), columns, _NONE, _UNBOUND, flags, False, table)
+    no_shapes, no_bounds = np.zeros((1, 0)), (np.zeros(0), np.zeros(0))
+    weights = (*names, *extra, ("offset", "N"))
+    return DamperLaw(name, weights, (), columns, no_shapes, no_bounds, flags, False, table)
 
 
 def _tanh(motion: DamperMotion) -> DamperLaw:
@@ -311,7 +315,7 @@ def _bouc_wen(motion: DamperMotion) -> DamperLaw:
     )
 
 
-LawName = Literal["linear", "bilinear", "polynomial", "tanh-hysteretic", "bouc-wen"]
+# fit ------------------------------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -463,6 +467,10 @@ def fit_damper(
     measured, x = motion.force[used], motion.displacement[used]
     cycles = motion.cycles - (0.5 if chosen.remembers else 0.0)
     rms = float(np.sqrt(np.mean(residual**2)))
+    table = {
+        "force": max(plain.get("friction_force", 0.0), 0.0),
+        "regularisation_velocity": regularisation_velocity(motion),
+    }
     result = DamperResult(
         law=law,
         parameters=parameters,
@@ -476,11 +484,11 @@ def fit_damper(
         samples=len(residual),
         displacement_centre=motion.centre,
         damper=chosen.table(plain),
-        friction=_friction_table(plain, motion) if friction else None,
+        friction=table if friction else None,
         findings=(),
     )
-    findings += damper_advice(result, motion, hysteresis_share(motion), at_bound, name)
-    return DamperResult(**{**vars(result), "findings": tuple(findings)})
+    findings += damper_advice(result, motion, at_bound, name)
+    return replace(result, findings=tuple(findings))
 
 
 def damper_curve(
@@ -534,8 +542,6 @@ def damper_curve(
 
 def _fitted_part(motion: DamperMotion) -> slice:
     """Leave out the first swing, which only brings a law with a memory into its state."""
-    from jounce.identify.decay import zigzag
-
     turns = zigzag(motion.displacement, 0.1 * motion.stroke)
     return slice(turns[1] if len(turns) > 2 else 0, None)
 
@@ -627,14 +633,7 @@ def _estimates(
     return [next(remaining) if is_free else Estimate(float(v)) for v, is_free in zip(values, free, strict=True)]
 
 
-def _friction_table(values: dict[str, float], motion: DamperMotion) -> dict[str, float]:
-    return {
-        "force": max(values["friction_force"], 0.0),
-        "regularisation_velocity": regularisation_velocity(motion),
-    }
-
-
-_VELOCITY_LAWS = ("linear", "bilinear", "polynomial")
+# findings -------------------------------------------------------------------------------------------------------------
 
 
 def hysteresis_share(motion: DamperMotion) -> float:
@@ -654,80 +653,71 @@ def hysteresis_share(motion: DamperMotion) -> float:
     return float(np.sqrt(np.mean(gaps))) / float(np.ptp(motion.force)) if gaps else 0.0
 
 
-def damper_advice(
-    result: DamperResult, motion: DamperMotion, hysteresis: float, at_bound: tuple[str, ...], name: str
-) -> list[Finding]:
-    """Collect the findings about a fitted law; ``hysteresis`` is :func:`hysteresis_share`."""
+def damper_advice(result: DamperResult, motion: DamperMotion, at_bound: tuple[str, ...], name: str) -> list[Finding]:
+    """Findings about a fitted law; ``at_bound`` names the parameters that ended at a limit of their range."""
     findings: list[Finding] = []
 
     def add(severity: Severity, text: str, value: float | None = None) -> None:
         findings.append(Finding(name, severity, text, value))
 
+    parameters = result.parameters
     if result.law in _VELOCITY_LAWS:
-        _advise_velocity_law(result, motion, hysteresis, name, findings)
+        hysteresis = hysteresis_share(motion)
+        if hysteresis > 0.04:
+            text = (
+                f"the force differs by {100.0 * hysteresis:.0f} % of its range between rising and falling velocity: "
+                "hysteresis, which no F(v) law can reproduce; try 'tanh-hysteretic' or 'bouc-wen'."
+            )
+            add("warning", text, hysteresis)
+        offset = parameters["offset"]
+        if offset.interval and not offset.has(0.0):
+            text = (
+                f"the force has an offset of {offset.value:.3g} N (gas pressure, spring, load-cell zero), not part "
+                "of the damper table: put it into the preload."
+            )
+            add("note", text, offset.value)
+        for key in ("coefficient", "bump_coefficient", "rebound_coefficient"):
+            if key in parameters and parameters[key].value < 0.0:
+                add("problem", f"{key} is negative: the law would feed energy into the motion.", parameters[key].value)
+        if result.friction is None:
+            step = _force_step(motion)
+            if step is not None:
+                text = (
+                    f"the force jumps by about +-{step:.3g} N where the velocity changes sign: dry friction; fit with "
+                    "friction=True or a hysteretic law."
+                )
+                add("warning", text, step)
+        if "force" in result.damper and np.any(np.diff(result.damper["force"]) < 0.0):
+            add("warning", "the fitted curve falls with rising velocity in places; lower the degree.")
     for key in at_bound:
         text = (
-            f"{key} ended at the limit of its range ({result.parameters[key].value:.4g} {result.units[key]}): the "
+            f"{key} ended at the limit of its range ({parameters[key].value:.4g} {result.units[key]}): the "
             "record does not determine it."
         )
-        add("warning", text, result.parameters[key].value)
-    for key, one in result.parameters.items():
+        add("warning", text, parameters[key].value)
+    for key, one in parameters.items():
         vague = one.standard_error is not None and one.standard_error > 0.5 * abs(one.value)
         if vague and key in ("sigma", "rate", "exponent", "slope"):
             text = (
-                f"{key} = {one.value:.3g} +- {one.standard_error:.2g} {result.units[key]} is hardly determined: the "
-                "record has too few samples where the force changes over."
+                f"{key} = {one.value:.3g} +- {one.standard_error:.2g} {result.units[key]} is poorly determined: the "
+                "record has too few samples where the force reverses."
             )
             add("note", text, one.standard_error)
     if result.cycles < 3.0:
-        text = f"only {result.cycles:.1f} cycles: the standard errors rest on few repetitions."
-        add("note", text, result.cycles)
+        add("note", f"only {result.cycles:.1f} cycles: the standard errors rest on few repetitions.", result.cycles)
     if result.r2 < 0.9:
-        text = (
-            f"the law explains only {100.0 * result.r2:.0f} % of the force; take another one and look at both curves."
-        )
+        text = f"the law explains only {100.0 * result.r2:.0f} % of the force; try another one and compare the curves."
         add("warning", text, result.r2)
     return findings
 
 
-def _advise_velocity_law(
-    result: DamperResult, motion: DamperMotion, hysteresis: float, name: str, findings: list[Finding]
-) -> None:
-    if hysteresis > 0.04:
-        text = (
-            f"the force differs by {100.0 * hysteresis:.0f} % of its range between rising and falling velocity: "
-            "hysteresis, which no F(v) law can follow; try 'tanh-hysteretic' or 'bouc-wen'."
-        )
-        findings.append(Finding(name, "warning", text, hysteresis))
-    offset = result.parameters["offset"]
-    if offset.interval and not offset.interval[0] <= 0.0 <= offset.interval[1]:
-        text = (
-            f"the force has an offset of {offset.value:.3g} N (gas pressure, spring, load-cell zero), not part "
-            "of the damper table: put it into the preload."
-        )
-        findings.append(Finding(name, "note", text, offset.value))
-    for key in ("coefficient", "bump_coefficient", "rebound_coefficient"):
-        if key in result.parameters and result.parameters[key].value < 0.0:
-            text = f"{key} is negative: the law would feed energy into the motion."
-            findings.append(Finding(name, "problem", text, result.parameters[key].value))
-    if result.friction is None:
-        _advise_friction(motion, name, findings)
-    if "force" in result.damper and np.any(np.diff(result.damper["force"]) < 0.0):
-        text = "the fitted curve falls with rising velocity somewhere; lower the degree."
-        findings.append(Finding(name, "warning", text))
-
-
-def _advise_friction(motion: DamperMotion, name: str, findings: list[Finding]) -> None:
-    """Compare smooth velocity curves with and without a step at zero velocity."""
+def _force_step(motion: DamperMotion) -> float | None:
+    """Step of the force at zero velocity [N], where a smooth velocity curve needs one to fit well."""
     v = motion.velocity / motion.peak_velocity
     smooth = np.column_stack([np.ones_like(v), np.maximum(v, 0.0), np.minimum(v, 0.0)])
     stepped = np.column_stack([smooth, np.tanh(motion.velocity / regularisation_velocity(motion))])
     found = np.linalg.lstsq(stepped, motion.force, rcond=None)[0]
     without = motion.force - smooth @ np.linalg.lstsq(smooth, motion.force, rcond=None)[0]
     left = float(without.std()), float((motion.force - stepped @ found).std())
-    if found[-1] > 0.02 * float(np.ptp(motion.force)) and left[1] < 0.8 * left[0]:
-        text = (
-            f"the force jumps by about +-{found[-1]:.3g} N where the velocity changes sign: dry friction; fit with "
-            "friction=True or a hysteretic law."
-        )
-        findings.append(Finding(name, "warning", text, float(found[-1])))
+    is_there = found[-1] > 0.02 * float(np.ptp(motion.force)) and left[1] < 0.8 * left[0]
+    return float(found[-1]) if is_there else None

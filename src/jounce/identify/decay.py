@@ -23,6 +23,9 @@ from jounce.identify.estimate import (
     uncertainty,
 )
 
+# closed-form response -------------------------------------------------------------------------------------------------
+
+
 Quantity = Literal["displacement", "velocity", "acceleration"]
 QUANTITIES: tuple[Quantity, ...] = ("displacement", "velocity", "acceleration")
 
@@ -119,6 +122,9 @@ def decay_response(time: Array, parameters: DecayParameters, quantity: Quantity)
     shape = -(omega**2) * fall * (cosine - ratio / root * sine)
     response: Array = np.where(moving, (start - shifted) * shape, 0.0) + parameters.offset
     return response
+
+
+# turning points -------------------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -305,6 +311,9 @@ def _equilibrium(peaks: Peaks, swing: Array, q: float, friction: float) -> float
     return float(np.average(peaks.value[:-1] - amplitude, weights=swing))
 
 
+# search ---------------------------------------------------------------------------------------------------------------
+
+
 def _start(peaks: Peaks, quantity: Quantity, ratio: float, friction: float, centre: float) -> Array:
     """Parameters as a vector, from damping ratio and friction (unit of the record) of the turning points."""
     ratio = float(np.clip(ratio, 0.002, 0.9))
@@ -429,8 +438,8 @@ def search_decay(
     if abs(gap) < max(4.0 * doubt, 3.0 * float(alone_residual.std()), 0.05 * abs(alone[2])):
         return _unpack(values), spread, residual
     text = (
-        f"the mass comes to rest {1e3 * gap:.3g} mm from where sliding friction would have stopped it: the friction at "
-        "rest is another one; the rest was left out of the fit."
+        f"the mass comes to rest {1e3 * gap:.3g} mm from where sliding friction would have stopped it: static "
+        "and sliding friction differ; the time at rest was left out of the fit."
     )
     findings.append(Finding(name, "note", text, gap))
     return _unpack(alone), alone_spread, np.where(moving, signal - decay_response(t, _unpack(alone), quantity), np.nan)
@@ -459,6 +468,9 @@ def _rest_gap(t: Array, signal: Array, values: Array, spread: Uncertainty) -> tu
         step[index] = 1e-6 * max(abs(value), 1e-3 * abs(values[5]))
         gradient[index] = (end(values + step) - end(values - step)) / (2.0 * step[index])
     return float(signal.mean()) - end(values), spread.derived(0.0, gradient).standard_error or 0.0
+
+
+# fit ------------------------------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -696,7 +708,7 @@ def _advice(result: DecayResult, spread: Uncertainty, step: float, stiffness: fl
         add("warning", text, friction.value)
     for value, what, unit in ((p.friction_deflection, "dry friction", " N"), (p.damping_ratio, "viscous damping", "")):
         if value < 0.0:
-            text = f"the decay shows no {what}: the fit would even make it negative, which is reported as 0{unit}."
+            text = f"the decay shows no {what}: its best fit is negative, which is reported as 0{unit}."
             add("note", text, value)
     if cycles < 1.5:
         text = f"only {cycles:g} cycles: viscous damping and dry friction can hardly be told apart; see the intervals."
@@ -711,19 +723,19 @@ def _advice(result: DecayResult, spread: Uncertainty, step: float, stiffness: fl
         )
         add("problem", text, result.r2)
     elif spread.correlation_time > 4.0 and result.rms_residual > 1e-6 * abs(p.release_deflection):
-        text = (
-            "neighbouring residuals resemble each other: something small is not in the model; the intervals allow "
-            "for it."
-        )
+        text = "successive residuals are correlated: the model lacks a small effect; the intervals allow for it."
         add("note", text, spread.correlation_time)
     if stiffness is not None and abs(result.stiffness.value / stiffness - 1.0) > 0.03:
         share = result.stiffness.value / stiffness - 1.0
         text = (
-            f"mass and frequency mean {result.stiffness.value:.5g} N/m, {100 * share:+.1f} % from the given "
+            f"mass and frequency give {result.stiffness.value:.5g} N/m, {100 * share:+.1f} % from the given "
             f"{stiffness:.5g} N/m: check mass, stiffness at the wheel, and what else moves."
         )
         add("warning", text, share)
     return findings
+
+
+# several runs ---------------------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -783,7 +795,7 @@ def combine_decays(results: Sequence[DecayResult]) -> CombinedDecay:
             Finding(
                 "decays",
                 "warning",
-                f"the natural frequencies of the runs differ from {min(frequencies):.4g} to "
+                f"the natural frequencies of the runs range from {min(frequencies):.4g} to "
                 f"{max(frequencies):.4g} Hz: was something changed between them?",
                 float(np.ptp(frequencies)),
             )

@@ -319,6 +319,9 @@ def _weight(weights: str | Mapping[str, float], name: str, measured: Array) -> f
     return float(np.sqrt(weights.get(name, 0.0)))
 
 
+# free parameters ------------------------------------------------------------------------------------------------------
+
+
 Bounds = str | float | Sequence[str | float]
 
 

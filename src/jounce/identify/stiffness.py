@@ -31,6 +31,9 @@ from jounce.identify.force_deflection import (
     seat,
 )
 
+# force laws -----------------------------------------------------------------------------------------------------------
+
+
 Law = Literal["linear", "polynomial", "power", "monotone-spline"]
 LAWS: tuple[Law, ...] = ("linear", "polynomial", "power", "monotone-spline")
 
@@ -220,6 +223,9 @@ def _increasing(values: Array, weights: Array) -> Array:
             total = weight_a + weight_b
             blocks.append([(value_a * weight_a + value_b * weight_b) / total, total, count_a + count_b])
     return np.concatenate([np.full(int(count), value) for value, _, count in blocks])
+
+
+# fit ------------------------------------------------------------------------------------------------------------------
 
 
 Intercept = Literal["drop", "shift", "keep"]
@@ -643,6 +649,9 @@ def _coefficients(pooled: CurveFit, alone: list[CurveFit]) -> tuple[Estimate, ..
         mean_of_replicates([float(fit.parameters[i]) for fit in alone], value=float(pooled.parameters[i]))
         for i in range(count)
     )
+
+
+# tyre against pressure ------------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,9 @@ from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.identify.fit_problem import FitTrial, UpdateProblem, free_parameters
 
+# what the data can tell -----------------------------------------------------------------------------------------------
+
+
 _WEAK, _ALIKE = 1e-6, 0.98
 
 
@@ -80,6 +83,9 @@ def correlation_of(covariance: Array) -> Array:
     with np.errstate(divide="ignore", invalid="ignore"):
         correlation = covariance / np.outer(deviation, deviation)
     return np.asarray(np.nan_to_num(correlation, nan=0.0, posinf=0.0, neginf=0.0), dtype=float)
+
+
+# optimisers -----------------------------------------------------------------------------------------------------------
 
 
 METHODS = ("bfgs", "least-squares")
@@ -178,6 +184,9 @@ def check_method(method: str) -> None:
         raise FitError("unknown method", found=method, allowed=", ".join(METHODS))
 
 
+# uncertainty ----------------------------------------------------------------------------------------------------------
+
+
 _SHARE = 20  # the level of the residuals is taken over this share of a record
 _LEAST = 1e-12  # of the largest level: what is smaller is rounding, where nothing moves
 _FEWEST = 25  # samples, at least
@@ -230,6 +239,9 @@ def _correlation(residuals: Array) -> Array:
     end = int(quiet[0]) if len(quiet) else len(values)
     reach = min(_REACH * end, len(values))
     return np.asarray(values[:reach] * (1.0 - np.arange(1, reach + 1) / (reach + 1.0)))
+
+
+# update ---------------------------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)

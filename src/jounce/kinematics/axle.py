@@ -34,6 +34,9 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
+# both wheels ----------------------------------------------------------------------------------------------------------
+
+
 _ITERATIONS, _LEVEL = 40, 1e-13  # m
 _STEEPEST = 1.2  # rad
 _STRAIGHT = 1e-6  # rad: turns below it share nothing
@@ -195,6 +198,9 @@ class Axle:
         return left, right
 
 
+# roll -----------------------------------------------------------------------------------------------------------------
+
+
 def sweep_roll(rig: Rig, roll: Values, rack: float | str = 0.0) -> xr.Dataset:
     """Roll the body over an axle of a corner and its mirror image, both wheels on one plane road.
 
@@ -328,6 +334,9 @@ class AxleVariables(Variables):
         }
         facts = facts_of(corner, "both", self.at[kept], axle.ends if not kept.all() else [])
         return xr.Dataset(variables, {self.along: xr.Variable((self.along,), self.at[kept], self._coordinate)}, facts)
+
+
+# steering -------------------------------------------------------------------------------------------------------------
 
 
 def sweep_steering(

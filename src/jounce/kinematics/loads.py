@@ -25,6 +25,9 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
+# static equilibrium of rigid parts ------------------------------------------------------------------------------------
+
+
 BODY = ""
 """What carries everything: the car's body with the rack on it. It is not one of the parts in balance."""
 
@@ -91,6 +94,9 @@ class Balance:
             first = 6 * self.parts.index(part)
             rows[:, first + 3 : first + 6] = torque
         return rows
+
+
+# loads of the pickup points -------------------------------------------------------------------------------------------
 
 
 _Torque = Annotated[float, Unit("N*m")]

@@ -25,6 +25,9 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
+# values and the order of the walk -------------------------------------------------------------------------------------
+
+
 Values = float | str | Sequence[float] | Array
 """Values to sweep over: numbers in SI, or text such as "-80 mm:80 mm:4 mm" (first, last, step)."""
 _MOST_POSES = 1_000_000
@@ -138,6 +141,9 @@ def _parents(values: Array) -> list[int]:
     return [-1, *range(up), *([0, *range(up + 1, up + down)] if down else [])]
 
 
+# the car around the corner --------------------------------------------------------------------------------------------
+
+
 _Share = Annotated[float, Unit("1", at_least=0.0, at_most=1.0)]
 
 
@@ -176,6 +182,9 @@ def shares(vehicle: AxleLayout, contact: Array, centre: Array) -> dict[str, Arra
     if vehicle.axle == "front":
         return {"anti_dive": vehicle.brake_share * lever * contact}
     return {"anti_lift": -vehicle.brake_share * lever * contact, "anti_squat": -lever * centre}
+
+
+# ends of travel -------------------------------------------------------------------------------------------------------
 
 
 _TOLD = 4  # ends that are told one by one
@@ -261,6 +270,9 @@ def _to_target(walk: Walk, found: Found, j: int, target: Array) -> Walk:
         targets=np.array([target]),
         before=np.array([-1], dtype=np.int64),
     )
+
+
+# sweeps ---------------------------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -505,6 +517,9 @@ def facts_of(rig: Corner, side: str, swept: Array, ends: Sequence[End]) -> dict[
     }
 
 
+# files ----------------------------------------------------------------------------------------------------------------
+
+
 def write_sweep(sweep: xr.Dataset, path: Path | str, *, force: bool = False) -> Path:
     """Write a sweep to a file.
 
@@ -557,6 +572,9 @@ def _write_csv(sweep: xr.Dataset, file: Path) -> None:
 
 def _on_grid(variable: Any, sizes: dict[str, int]) -> list[float]:
     return list(variable.set_dims(sizes).transpose(*sizes).values.ravel().tolist())
+
+
+# many variants --------------------------------------------------------------------------------------------------------
 
 
 SWEEP_FILES = Formats("sweeps", {".nc": _write_netcdf, ".csv": _write_csv})

@@ -18,6 +18,8 @@ from jounce.ride import comfort
 from jounce.ride.comfort import duration_of, integral
 from jounce.ride.weighting import Start, weighted, weighting
 
+# numbers of one signal ------------------------------------------------------------------------------------------------
+
 
 def mean(values: Array) -> float:
     """Time mean in the unit of ``values``: trapezoids, so that both ends of a record count half."""
@@ -78,6 +80,9 @@ def _static(load: Array) -> float:
     if not found > 0.0:
         raise RecordingError("the mean wheel load is not positive", found=f"{found:g} N", allowed="above 0 N")
     return found
+
+
+# what a metric sees of a recording ------------------------------------------------------------------------------------
 
 
 Pair = tuple[float | None, float | None]
@@ -205,6 +210,9 @@ class Corner:
 def carries_passengers(place: str) -> bool:
     """Tell whether a place lies on the sprung side, where comfort matters."""
     return place.rpartition(".")[2] not in _NO_PASSENGER
+
+
+# the catalogue --------------------------------------------------------------------------------------------------------
 
 
 Scope = Literal["motion", "rotation", "comfort", "point", "corner"]

@@ -22,6 +22,9 @@ from jounce.core.types import Array, Complex
 from jounce.ride.family import LinearFamily, Matrices, without_unreached
 from jounce.ride.surface import Surface
 
+# white noise ----------------------------------------------------------------------------------------------------------
+
+
 _NOTHING = 1e-9
 """What is left of a sum of terms is nothing below this share of their sizes."""
 _DEFECTIVE = 1e5  # condition of the eigenvectors beyond which they are not used
@@ -340,6 +343,9 @@ def cut_off_slope(along: Matrices, rate: float) -> Matrices:
     return Matrices(**found)
 
 
+# a band of frequencies ------------------------------------------------------------------------------------------------
+
+
 _PANELS = 12  # a decade
 _POINTS = 8  # of Gauss and Legendre in each panel
 _NEAR = tuple(0.4 * 2.5**k for k in range(9))  # half widths of a resonance at which panels end
@@ -536,6 +542,9 @@ def _summed_products(left: Complex, weights: Complex, right: Complex) -> Array:
 def longest_delay(sources: Sequence[Source]) -> float:
     """Longest delay (s) between wheels that one source drives."""
     return max(source[-1].delay - source[0].delay for source in sources)
+
+
+# variances of the signals of a rig ------------------------------------------------------------------------------------
 
 
 Gain = Callable[[Array], Array]

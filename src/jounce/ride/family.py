@@ -269,6 +269,9 @@ def _built(compiled: Compiled) -> _Graphs:
     )
 
 
+# without motions that the road never reaches --------------------------------------------------------------------------
+
+
 _NEUTRAL = 1e-6  # of the largest eigenvalue: rounding of a double eigenvalue at zero
 _UNREACHED = 1e-7
 

@@ -34,6 +34,9 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
+# available travel -----------------------------------------------------------------------------------------------------
+
+
 Given = Any
 _STOPS = ("rebound_stop.gap", "bump_stop.gap")
 
@@ -82,6 +85,9 @@ def _pair(given: Any, where: str) -> Pair:
         rebound, bump = (None if value is None else to_si(value, "m", where=where) for value in given)
         return rebound, bump
     return None, to_si(given, "m", where=where)
+
+
+# metrics --------------------------------------------------------------------------------------------------------------
 
 
 _AXES = {"ax": "x", "ay": "y", "az": "z"}
@@ -422,6 +428,9 @@ def _advice(place: str, motion: Motion) -> tuple[Finding, ...]:
         return comfort.advice(motion.weighted(), motion.rate, place=place)
     except RecordingError:
         return ()
+
+
+# text -----------------------------------------------------------------------------------------------------------------
 
 
 _KINDS = (("motion", "comfort"), ("rotation",), ("corner",))

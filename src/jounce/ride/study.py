@@ -27,6 +27,9 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
+# trials ---------------------------------------------------------------------------------------------------------------
+
+
 DEFAULT_DURATION = 60.0
 """s, of a run over a synthetic road; a measured one is driven to its end."""
 _SAMPLE = 1e-3  # s
@@ -194,6 +197,9 @@ def _tracks(rig: Rig, road: Road) -> tuple[Road, Road | None]:
             return road, None
         return left, right
     return road, None
+
+
+# rides ----------------------------------------------------------------------------------------------------------------
 
 
 Progress = Callable[[str], None]
