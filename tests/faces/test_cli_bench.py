@@ -106,7 +106,7 @@ def test_springs(cli) -> None:
     assert found["chosen"] == "scooter"
     assert [row["spring_rate"] for row in found["rows"]] == [52775.0, 22730.0]
     named = cli("bench", "springs", "a=20 N/mm", "b=40 N/mm", "--strut-angle", "10 deg")
-    assert "take: a" in named.out
+    assert "recommended: a" in named.out
 
 
 @pytest.mark.parametrize(

@@ -210,7 +210,7 @@ def test_a_record_that_cannot_be_read_is_kept_too(cli, content: str, message: st
         (("--protocol", "car.docx"), "protocols are not written in this format"),
         (("--protocol", "none/car.pdf"), "the folder of the output does not exist"),
         (("--protocol", "there.pdf"), "the output exists"),
-        (("--protocol", "a.pdf", "--protocol", "a.pdf"), "asked for twice"),
+        (("--protocol", "a.pdf", "--protocol", "a.pdf"), "given twice"),
         (("--language", "fr"), "unknown language 'fr'"),
         (("--store", "none/lane.sqlite"), "the folder of the store does not exist"),
         (("--vehicle", "no-such-car"), "no shipped rig of that name"),

@@ -110,7 +110,7 @@ def test_people_read_values_and_the_verdict(cli, car) -> None:
 @pytest.mark.parametrize(
     ("words", "says"),
     [
-        (("car.toml",), "which test"),
+        (("car.toml",), "no method is given"),
         (("car.toml", "--method", "eusamma"), "Did you mean 'eusama'"),
         (("car.toml", "--tester", "egea"), "no shipped tester"),
         (("car.toml", "--method", "egea", "--stroke=-6 mm"), "above 0"),
@@ -163,8 +163,8 @@ def test_a_record_of_one_wheel_of_an_axle_is_one_of_this_wheel(cli, tmp_path: Pa
     ("words", "says"),
     [
         (("audi-a6-quarter-car", "--wheel", "both"), "one wheel stands on one plate"),
-        (("audi-a6-full-car", "--wheel", "both", "--steady"), "steady states are of one wheel"),
-        (("audi-a6-full-car", "--wheel", "both", "--wear", "0:1:0.5"), "a range of wear is of one wheel"),
+        (("audi-a6-full-car", "--wheel", "both", "--steady"), "steady states need a single wheel"),
+        (("audi-a6-full-car", "--wheel", "both", "--wear", "0:1:0.5"), "a range of wear needs a single wheel"),
     ],
 )
 def test_both_wheels_that_cannot_be(cli, words: tuple[str, ...], says: str) -> None:

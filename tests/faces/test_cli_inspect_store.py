@@ -163,7 +163,7 @@ def test_history_search_export(cli, lane) -> None:
         (("history", "--plate", "HH-1"), "no record of this number plate"),
         (("history", "--plate", "M-X 1", "--figure", "h.xls"), "figures are not written in this format"),
         (("search", "--verdict", "passed"), "Did you mean 'pass'?"),
-        (("search", "--since", "1.1.2026"), "--since: no day"),
+        (("search", "--since", "1.1.2026"), "--since: not a date"),
         (("export", "--out", "lane.xls"), "tables are not written in this format"),
         (("export", "--out", "nowhere/lane.csv"), "folder of the output does not exist"),
         (("import", "none.csv"), "none.csv: no such file"),
@@ -238,7 +238,7 @@ def test_watch_ends_cleanly_when_asked_to(lane, tmp_path: Path, how: signal.Sign
     assert process.stdout.readline().startswith("accepted 1 ")
     process.send_signal(how)
     out, err = process.communicate(timeout=30)
-    assert (process.returncode, out.strip(), err) == (0, "1 new, 0 known already", "")
+    assert (process.returncode, out.strip(), err) == (0, "1 new, 0 already known", "")
 
 
 @pytest.mark.slow

@@ -123,7 +123,7 @@ def test_a_measured_road_is_driven_to_its_end_under_both_tracks(cli) -> None:
         (("compare", CAR, "--figure", "picture.gif"), (".svg, .png, .pdf",)),
         (("compare", "no-car"), ("no-car",)),
         (("compare", CAR, "--control", ""), ("--control", "no controller")),
-        (("ride", CAR, "--road", "iso:C:7", "--seed", "3", "--speed", "20 m/s"), ("--seed", "two seeds")),
+        (("ride", CAR, "--road", "iso:C:7", "--seed", "3", "--speed", "20 m/s"), ("--seed", "two different seeds")),
     ],
 )
 def test_what_is_wrong_is_said_once(cli, tmp_path: Path, arguments: tuple[str, ...], words: tuple[str, ...]) -> None:

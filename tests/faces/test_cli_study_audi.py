@@ -35,7 +35,7 @@ def test_text_of_a_case(cli, tmp_path: Path):
     assert found.exit_code == 0
     assert "-60.932" in found.out
     assert "warning: simulink:" in found.out
-    assert found.out.rstrip().endswith("nothing was written: give --out DIR")
+    assert found.out.rstrip().endswith("nothing was written; give --out DIR to keep the results")
     assert not list(tmp_path.iterdir())
 
 

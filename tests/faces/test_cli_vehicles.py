@@ -195,7 +195,7 @@ def test_excitation_and_right_road_contradict_each_other(cli, tmp_path: Path) ->
     (tmp_path / "base.csv").write_text("time [s], road.z [mm]\n0,0\n1,1\n2,0\n3,1\n", encoding="utf-8")
     outcome = cli("simulate", FULL, "--excitation", "base.csv", "--right-road", "bump.toml")
     assert outcome.exit_code == 2
-    assert "--right-road: an excitation is in time already" in outcome.err
+    assert "--right-road: an excitation is already a function of time" in outcome.err
 
 
 @pytest.mark.parametrize(

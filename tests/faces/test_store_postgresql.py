@@ -245,7 +245,7 @@ def test_the_whole_lane(cli, database, records, tmp_path: Path) -> None:
     evaluated = cli("inspect", "evaluate", records[0], "--tester", "eusama", "--store", database, "--json")
     assert evaluated.json["store"]["records"] == [1]
     done = cli("inspect", "import", *records[:2], "--store", database)
-    assert done.out.splitlines()[-1] == "1 new, 1 known already"
+    assert done.out.splitlines()[-1] == "1 new, 1 already known"
     watched = cli("inspect", "watch", "lane", "--once", "--settle", "0 s", "--store", database)
     assert watched.out.startswith("accepted 3 lane/2.csv")
     again = cli("inspect", "reevaluate", "--store", database, "--from-files", "--workers", "2", "--json")

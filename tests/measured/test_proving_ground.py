@@ -34,7 +34,7 @@ from jounce.papers.proving_ground import (
     run_proving_ground,
 )
 from jounce.report import write_page
-from jounce.report.proving_ground import proving_ground_page
+from jounce.report.papers import proving_ground_page
 
 
 @pytest.fixture(scope="module")

@@ -9,7 +9,7 @@ import pytest
 
 import jounce as jn
 from jounce.campaign import run_campaign
-from jounce.cli.checking import check_file
+from jounce.cli.files import check_file
 from jounce.core.errors import DescriptionError
 from jounce.core.serialise import write_files
 from jounce.design.lumping import lump
@@ -27,7 +27,7 @@ from jounce.papers.virtual_bench import (
 from jounce.parts import rig_from_table
 from jounce.parts.variants import strut_angle, with_strut_angle
 from jounce.recordings import write_recording
-from jounce.report.campaign.lumped import lumped as lumped_section
+from jounce.report.campaign import lumped as lumped_section
 from jounce.report.page import Table
 
 KART = jn.load("kart-double-wishbone")

@@ -1,4 +1,4 @@
-"""``jounce campaign``: a whole bench campaign, and a commented one to start from."""
+"""``jounce campaign`` and ``jounce demo``: a whole bench campaign, a commented one to start from, the shipped one."""
 
 from __future__ import annotations
 
@@ -7,10 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.options import AsJson, Force
-from jounce.cli.outputs import check_outputs
-from jounce.cli.reply import DONE, FAILED, Reply, progress
-from jounce.cli.tables import show_findings, table
+from jounce.cli.options import AsJson, Force, check_outputs
+from jounce.cli.reply import DONE, FAILED, Reply, progress, show_findings, table
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -18,19 +16,22 @@ if TYPE_CHECKING:
     from jounce.campaign import CampaignResult
     from jounce.core.findings import Finding
 
-app = typer.Typer(no_args_is_help=True, help="Evaluate a folder of bench measurements, or begin one.")
+
+app = typer.Typer(no_args_is_help=True, help="Evaluate a bench campaign, or start a new one.")
 
 
 @app.command("run")
 def run(
-    campaign: Annotated[Path, typer.Argument(metavar="CAMPAIGN.toml", help="What was measured, and what to update.")],
+    campaign: Annotated[
+        Path, typer.Argument(metavar="CAMPAIGN.toml", help="Campaign file: what was measured, and what to update.")
+    ],
     out: Annotated[Path, typer.Option(help="Folder for report, figures, updated rigs and results.json.")],
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
-    """Characterise, update the model, hold every trial against it, write the report.
+    """Characterise, update the model, compare every trial with it, and write the report.
 
-    Exit code 1 says that something failed; everything else is done and written all the same.
+    Exit code 1 means that something failed; everything else is still completed and written.
 
     Example: jounce campaign run campaign.toml --out results
     """
@@ -47,7 +48,7 @@ def run(
 
 @app.command("new")
 def new(
-    folder: Annotated[Path, typer.Argument(metavar="DIR", help="Folder to make.")],
+    folder: Annotated[Path, typer.Argument(metavar="DIR", help="Folder to create.")],
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -84,7 +85,7 @@ def _draw(out: Console, plain: dict[str, Any], findings: tuple[Finding, ...], fo
             (item["source"], item["path"], item["described"], item["measured"], item["standard_error"])
             for item in replaced
         ]
-        header = ("source", "parameter", "described", "measured", "standard error")
+        header = ("source", "parameter", "rig file", "measured", "standard error")
         out.print(table("Characterisation (SI)", header, rows, text=(0, 1)))
     if plain["updates"]:
         _draw_updates(out, plain["updates"])
@@ -93,7 +94,9 @@ def _draw(out: Console, plain: dict[str, Any], findings: tuple[Finding, ...], fo
     out.print(f"written: {folder}" + (f", open {folder / 'report.html'}" if (folder / "report.html").exists() else ""))
     failed = sum(finding.severity == "problem" for finding in findings)
     if failed:
-        out.print(f"{failed} problem{'s' if failed > 1 else ''}: see above; everything else is done.", style="bold red")
+        out.print(
+            f"{failed} problem{'s' if failed > 1 else ''}, see above; everything else was completed.", style="bold red"
+        )
 
 
 def _draw_updates(out: Console, updates: list[dict[str, Any]]) -> None:
@@ -118,3 +121,26 @@ def _draw_trials(out: Console, trials: list[dict[str, Any]]) -> None:
         rows += [(*start, name, *(numbers.get(key) for key in keys), trial["verdict"]) for name, numbers in channels]
     header = ("trial", "use", "speed m/s", "channel", "NRMSE", "R2", "peak error", "ISO 18571", "verdict")
     out.print(table("Trials", header, rows, text=(1, 3, 8)))
+
+
+def demo(
+    out: Annotated[Path | None, typer.Option(help="Output folder; by default a new numbered one.")] = None,
+    quick: Annotated[
+        bool, typer.Option("--quick", help="Model the prototype as a quarter car instead of a double wishbone.")
+    ] = False,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Copy the shipped campaign (synthetic measurements) into a folder and run it, with the rig modelled in 3-D.
+
+    Example: jounce demo --out jounce-demo
+    """
+    check_outputs(folder=out, force=force)
+    with progress() as say:
+        from jounce.papers.demo import run_demo
+        from jounce.report import write_campaign
+
+        folder, result = run_demo(out, quick=quick, force=force, progress=say)
+        say("writing the report")
+        write_campaign(result, folder, force=True)  # it holds the campaign by now, and nothing else of these names
+    return campaign_reply(result, folder, as_json=as_json)

@@ -1,4 +1,4 @@
-"""``jounce design``: springs for a frequency, best numbers within bounds, the trade of comfort and road holding."""
+"""``jounce design``: springs for a frequency, best numbers within bounds, comfort against road holding."""
 
 from __future__ import annotations
 
@@ -7,27 +7,34 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.design_tables import draw_front, draw_optimisation, draw_springs
 from jounce.cli.options import (
     AsJson,
     Changes,
+    FigureFile,
     Force,
     VehicleName,
     bare_number,
     changes,
+    check_outputs,
+    chosen_rig,
     optional_positive,
     optional_quantity,
     pairs,
     positive_quantity,
     quantity,
+    write_picture,
 )
-from jounce.cli.outputs import FigureFile, check_outputs, write_picture
-from jounce.cli.reply import Reply, progress
-from jounce.cli.rigs import chosen_rig
+from jounce.cli.reply import Reply, progress, show_findings, show_written, table
 from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
+    from rich.console import Console
+
+    from jounce.design.first_designs import SpringDesign
+    from jounce.design.optimise import Optimisation
+    from jounce.design.pareto import ParetoFront
     from jounce.parts import Rig
+
 
 app = typer.Typer(no_args_is_help=True, help="Springs, dampers and best designs.")
 FreeNumbers = Annotated[
@@ -35,7 +42,7 @@ FreeNumbers = Annotated[
     typer.Option(
         "--free",
         metavar="PATH=BOUNDS",
-        help='What may vary: front.spring_rate="±30 %" or "20..40 N/mm". Repeat it.',
+        help='Design variable and its bounds: front.spring_rate="±30 %" or "20..40 N/mm". Repeat it.',
     ),
 ]
 Limits = Annotated[
@@ -43,7 +50,7 @@ Limits = Annotated[
     typer.Option(
         "--limit",
         metavar="METRIC=LIMIT",
-        help='What must hold: strut.deflection="20 mm" (at most), "mode 1 frequency"="1.2..1.5 Hz". Repeat it.',
+        help='Constraint: strut.deflection="20 mm" (at most), "mode 1 frequency"="1.2..1.5 Hz". Repeat it.',
     ),
 ]
 DesignRoad = Annotated[
@@ -53,7 +60,8 @@ DesignSpeed = Annotated[str, typer.Option(help='Speed over the road, e.g. "20 m/
 RoadBand = Annotated[
     str | None,
     typer.Option(
-        "--band", help='Waves of the road: iso (0.011 to 2.83 1/m) or "0.02..3"; by default all where that is finite.'
+        "--band",
+        help='Band of spatial frequencies: iso (0.011 to 2.83 1/m) or "0.02..3"; unlimited by default where possible.',
     ),
 ]
 RigFile = Annotated[Path | None, typer.Option(help="Write the design as a rig file, RIG.toml.")]
@@ -63,18 +71,23 @@ RigFile = Annotated[Path | None, typer.Option(help="Write the design as a rig fi
 def springs(
     vehicle: VehicleName,
     frequency: Annotated[
-        str, typer.Option(help='Natural frequency of the body, e.g. "1.2 Hz"; front, if both are given.')
+        str,
+        typer.Option(
+            help='Natural frequency of the body, e.g. "1.2 Hz"; of the front axle if --rear-frequency is given.'
+        ),
     ],
-    damping_ratio: Annotated[str, typer.Option(help="Of critical, e.g. 0.3 or 30 %.")],
-    rear_frequency: Annotated[str | None, typer.Option(help="Of the rear axle, if another one.")] = None,
-    rear_damping_ratio: Annotated[str | None, typer.Option(help="Of the rear axle, if another one.")] = None,
-    with_tyre: Annotated[bool, typer.Option(help="The frequency is that of spring and tyre in series.")] = False,
+    damping_ratio: Annotated[str, typer.Option(help="Damping ratio, e.g. 0.3 or 30 %.")],
+    rear_frequency: Annotated[str | None, typer.Option(help="Frequency of the rear axle, if different.")] = None,
+    rear_damping_ratio: Annotated[
+        str | None, typer.Option(help="Damping ratio of the rear axle, if different.")
+    ] = None,
+    with_tyre: Annotated[bool, typer.Option(help="The frequency includes the tyre in series with the spring.")] = False,
     set_: Changes = None,
     out: RigFile = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
-    """Give springs and dampers for a natural frequency and a damping ratio, beside those that the vehicle has.
+    """Size springs and dampers for a natural frequency and a damping ratio, compared with those of the vehicle.
 
     Example: jounce design springs audi-a6-full-car --frequency "1.2 Hz" --rear-frequency "1.35 Hz" --damping-ratio 0.3
     """
@@ -108,7 +121,7 @@ def optimise(
         list[str],
         typer.Option(
             metavar="METRIC[=WEIGHT]",
-            help='What is to be small: sprung.az, "sprung.az weighted", "worst tyre.force coefficient". Repeat it.',
+            help='Metric to minimise: sprung.az, "sprung.az weighted", "worst tyre.force coefficient". Repeat it.',
         ),
     ],
     road: Annotated[
@@ -117,17 +130,18 @@ def optimise(
     speed: DesignSpeed = "20 m/s",
     limit: Limits = None,
     duration: Annotated[
-        str | None, typer.Option(help="Simulate the road for this long instead of the random response in closed form.")
+        str | None,
+        typer.Option(help="Simulate the road for this time instead of using the closed-form random response."),
     ] = None,
     band: RoadBand = None,
-    starts: Annotated[int, typer.Option(help="Searches, the first from the vehicle as it is.")] = 1,
+    starts: Annotated[int, typer.Option(help="Number of searches; the first starts from the present design.")] = 1,
     set_: Changes = None,
     out: RigFile = None,
     figure: FigureFile = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
-    """Find the numbers of a vehicle that make an objective least, within bounds and limits, with exact slopes.
+    """Find the parameters of a vehicle that minimise an objective within bounds and limits, using exact gradients.
 
     Example: jounce design optimise kart-quarter-car --free strut.damper.coefficient="50..500" --objective sprung.az
     """
@@ -158,7 +172,7 @@ def pareto(
     speed: DesignSpeed = "20 m/s",
     comfort: Annotated[str, typer.Option(help="Metric of comfort.")] = "sprung.az",
     holding: Annotated[str, typer.Option(help="Metric of road holding.")] = "tyre.force coefficient",
-    travel: Annotated[str, typer.Option(help="Metric that is shown beside them.")] = "strut.deflection",
+    travel: Annotated[str, typer.Option(help="Metric reported alongside.")] = "strut.deflection",
     limit: Limits = None,
     points: Annotated[int, typer.Option(help="Number of designs.")] = 25,
     band: RoadBand = None,
@@ -167,7 +181,7 @@ def pareto(
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
-    """Give the best designs between comfort and road holding, with the best dampers by closed form and by search.
+    """Find the Pareto front between comfort and road holding, with the best dampers in closed form and by search.
 
     Example: jounce design pareto audi-a6-quarter-car --free strut.damper.coefficient="300..6000" --figure front.png
     """
@@ -196,7 +210,7 @@ def _driven(rig: Rig, road: str, speed: str, duration: str | None, band: str | N
     if duration is None:
         return {"road": road, "speed": velocity, "band": _band(band)}
     if band is not None:
-        raise DescriptionError("a simulated road has its own waves", where="--band", hint="Leave out the band.")
+        raise DescriptionError("a simulated road is not limited to a band", where="--band", hint="Leave out the band.")
     from jounce.ride.study import iso_trial, road_trial
     from jounce.roads import load_road
     from jounce.roads.loading import class_and_seed, is_class
@@ -260,3 +274,65 @@ def _write_rig(rig: Rig, out: Path | None, comment: str, *, force: bool) -> None
 
 def _written(out: Path | None, figure: Path | None) -> dict[str, str | None]:
     return {name: None if file is None else str(file) for name, file in (("out", out), ("figure", figure))}
+
+
+def draw_springs(console: Console, plain: dict[str, Any], design: SpringDesign) -> None:
+    """Print springs and dampers as they are and as wanted."""
+    header = (
+        "wheel", "", "sprung mass kg", "frequency Hz", "damping ratio", "spring rate N/m", "damping N*s/m", "sag mm",
+    )  # fmt: skip
+    rows = []
+    for wheel in design.wheels:
+        for name, found in (("present", wheel.present), ("target", wheel.wanted)):
+            numbers = found.frequency_hz, found.damping_ratio, found.spring_rate, found.damping_coefficient
+            rows.append((wheel.place or "wheel", name, wheel.sprung_mass, *numbers, 1e3 * found.static_deflection))
+    tyre = "spring and tyre in series" if design.with_tyre else "the tyre rigid"
+    console.print(table(f"Springs and dampers of {plain['rig']}, {tyre}", header, rows, text=(0, 1)))
+    show_findings(console, design.findings)
+    show_written(console, plain)
+
+
+def draw_optimisation(console: Console, plain: dict[str, Any], found: Optimisation) -> None:
+    """Print numbers, objective and limits of the best design."""
+    rows: list[tuple[object, ...]] = []
+    for item in found.numbers:
+        flat = None if item.flat is None else f"{item.flat[0]:.5g} … {item.flat[1]:.5g}"
+        rows.append((item.path, item.unit, item.start, item.value, item.lower, item.upper, flat))
+    header = ("parameter", "unit", "start", "best", "lower bound", "upper bound", "objective within 1 %")
+    console.print(table(f"Best parameters of {plain['rig']}: {found.driven}", header, rows, text=(0, 1, 6)))
+    changed = [
+        (name, found.before[name], found.after[name], 100.0 * (found.after[name] / found.before[name] - 1.0))
+        for name in found.objective
+    ]
+    console.print(table("Objective (SI)", ("metric", "start", "best", "change %"), changed))
+    if found.constraints:
+        limits = []
+        for one in found.constraints:
+            bounds = one.lower, one.upper, one.is_active, one.gain
+            limits.append((one.name, one.channel, one.unit, one.start, one.value, *bounds))
+        columns = ("limit", "channel", "unit", "start", "best", "at least", "at most", "active", "gain")
+        console.print(table("Limits; gain: objective % for 1 % of the limit", columns, limits, text=(0, 1, 2)))
+    slopes = "exact gradients" if found.derivatives == "exact" else "finite-difference gradients"
+    end = "converged" if found.converged else "did not converge"
+    console.print(f"{end} after {found.iterations} steps, {found.evaluations} designs, {slopes}")
+    show_findings(console, found.findings)
+    show_written(console, plain)
+
+
+def draw_front(console: Console, plain: dict[str, Any], front: ParetoFront) -> None:
+    """Print the designs of a front and what stands beside it."""
+    roles = ("comfort", "holding", "travel")
+    units = ["–" if front.units[role] == "1" else front.units[role] for role in roles]
+    names = [f"{front.metrics[role]} [{unit}]" for role, unit in zip(roles, units, strict=True)]
+    numbers = [f"{path} [{front.number_units[path]}]" for path in front.numbers]
+    columns = [front.comfort, front.holding, front.travel, *front.numbers.values()]
+    rows = [(str(i + 1), *(float(column[i]) for column in columns)) for i in range(len(front.comfort))]
+    title = f"Pareto front, comfort to road holding: {plain['rig']}, {front.driven}"
+    console.print(table(title, ("", *names, *numbers), rows))
+    marks = []
+    for mark in front.marks:
+        dampers = ", ".join(f"{path} = {value:.5g}" for path, value in mark.values.items())
+        marks.append((mark.name, mark.kind, mark.comfort, mark.holding, mark.travel, dampers))
+    console.print(table("For comparison (SI)", ("design", "by", *names, "dampers"), marks, text=(0, 1, 5)))
+    show_findings(console, front.findings)
+    show_written(console, plain)

@@ -11,32 +11,13 @@ from typing import Any
 
 import typer
 
-from jounce.cli import (
-    adjust,
-    bench,
-    campaign,
-    check,
-    demo,
-    design,
-    draw,
-    fit,
-    importing,
-    inspection,
-    iri,
-    kinematics,
-    library,
-    modes,
-    plot,
-    ride,
-    simulate,
-    study,
-)
+from jounce.cli import bench, campaign, design, files, fit, inspection, kinematics, pictures, ride, simulate, study
 from jounce.cli.options import AsJson
 from jounce.cli.reply import FAILED, PIPE_CLOSED, REFUSED, STOPPED, Reply, complain, refuse, replace_unknown_characters
 from jounce.core.errors import JounceError, OutputError, nearest
 
 EPILOG = 'Values carry their units: --speed "1.95 m/s"; bare numbers are SI. --debug shows the traceback of a crash.'
-_TOO_LARGE = "Ask for fewer samples: a shorter duration, or a larger output step."
+_TOO_LARGE = "Reduce the number of samples: a shorter duration, or a larger output step."
 _CLICK_ERROR: type[Exception] = next(kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException")
 
 
@@ -50,22 +31,22 @@ def application() -> typer.Typer:
         add_completion=False,
         rich_markup_mode="rich",
     )
-    app.command("demo")(demo.demo)
+    app.command("demo")(campaign.demo)
     app.add_typer(campaign.app, name="campaign")
     app.command("simulate")(simulate.simulate)
-    app.command("modes")(modes.modes)
-    app.command("adjust")(adjust.adjust)
+    app.command("modes")(simulate.modes)
+    app.command("adjust")(kinematics.adjust)
     app.command("kinematics")(kinematics.kinematics)
     app.command("ride")(ride.ride)
     app.command("compare")(ride.compare)
-    app.command("iri")(iri.iri)
+    app.command("iri")(ride.iri)
     app.add_typer(design.app, name="design")
-    app.command("plot")(plot.plot)
-    app.command("draw")(draw.draw)
-    app.command("animate")(draw.animate)
-    app.command("check")(check.check)
-    app.command("library")(library.library)
-    app.add_typer(importing.app, name="import")
+    app.command("plot")(pictures.plot)
+    app.command("draw")(pictures.draw)
+    app.command("animate")(pictures.animate)
+    app.command("check")(files.check)
+    app.command("library")(files.library)
+    app.add_typer(files.import_app, name="import")
     app.add_typer(fit.app, name="fit")
     app.add_typer(bench.app, name="bench")
     app.add_typer(inspection.app, name="inspect")
@@ -108,7 +89,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         exit_code = _answer(words)
         sys.stdout.flush()
     except (KeyboardInterrupt, typer.Abort):
-        sys.stderr.write("jounce: stopped; nothing was left half-written.\n")
+        sys.stderr.write("jounce: interrupted; no file is left half-written.\n")
         return STOPPED
     except BrokenPipeError:
         return _silence()
@@ -119,7 +100,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except OSError as error:
         return refuse(_file_error(error), as_json=as_json)
     except MemoryError:
-        return refuse(JounceError("this does not fit into the memory", hint=_TOO_LARGE), as_json=as_json)
+        return refuse(JounceError("out of memory", hint=_TOO_LARGE), as_json=as_json)
     except Exception as error:  # noqa: BLE001 - the last resort says how to report it
         return _crashed(error, as_json=as_json, debug=debug)
     return exit_code
@@ -166,15 +147,17 @@ def _instead(option: str, parameters: list[Any]) -> str:
 
 def _file_error(error: OSError) -> OutputError:
     return OutputError(
-        error.strerror or str(error), where=str(error.filename or ""), hint="Check the path, the rights and the space."
+        error.strerror or str(error),
+        where=str(error.filename or ""),
+        hint="Check the path, the permissions and the disk space.",
     )
 
 
 def _crashed(error: Exception, *, as_json: bool, debug: bool) -> int:
     if debug:
         traceback.print_exc()
-    what = f"this should not have happened: {type(error).__name__}: {error}"
-    hint = "Please report it with the command and its files; --debug shows where it happened."
+    what = f"internal error: {type(error).__name__}: {error}"
+    hint = "Please report it with the command and its files; --debug shows the traceback."
     return complain(
         {"kind": "unexpected", "message": f"{what}. {hint}", "what": what, "hint": hint}, FAILED, as_json=as_json
     )

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.fit_damper import damper
 from jounce.cli.options import (
     AsJson,
     Columns,
@@ -17,8 +17,7 @@ from jounce.cli.options import (
     positive_quantity,
     quantity,
 )
-from jounce.cli.reply import Reply
-from jounce.cli.tables import estimates, show_findings, table
+from jounce.cli.reply import Reply, estimates, show_findings, table
 from jounce.core.errors import RecordingError, nearest
 
 if TYPE_CHECKING:
@@ -26,11 +25,12 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from jounce.core.findings import Finding
+    from jounce.identify.damper import DamperResult
     from jounce.identify.decay import CombinedDecay, DecayResult
     from jounce.identify.stiffness import StiffnessResult
 
+
 app = typer.Typer(no_args_is_help=True, help="Find stiffness, damping and damper laws from measurements.")
-app.command("damper")(damper)
 
 _QUANTITIES = {"m": "displacement", "m/s": "velocity", "m/s^2": "acceleration"}
 _DECAY_ESTIMATES = (
@@ -50,14 +50,16 @@ def stiffness(
     ],
     law: Annotated[str, typer.Option(help="linear, polynomial, power or monotone-spline.")] = "linear",
     degree: Annotated[int, typer.Option(help="Degree of the polynomial.")] = 3,
-    discard_below: Annotated[str, typer.Option(help='Leave out smaller deflections, e.g. "2 mm".')] = "0 mm",
+    discard_below: Annotated[str, typer.Option(help='Ignore smaller deflections, e.g. "2 mm".')] = "0 mm",
     intercept: Annotated[
         str,
-        typer.Option(help="Of the line: drop (F = k x), shift (F = k (x - x0)) or keep (F = k x + b, a preload)."),
+        typer.Option(
+            help="Intercept of the line: drop (F = k x), shift (F = k (x - x0)) or keep (F = k x + b, a preload)."
+        ),
     ] = "drop",
     branch: Annotated[str, typer.Option(help="loading, unloading or both.")] = "loading",
     load: Annotated[
-        str | None, typer.Option(help='Static force the part will carry, e.g. "206 N": is that point in the fit?')
+        str | None, typer.Option(help='Static load of the part, e.g. "206 N": checks that the fit covers it.')
     ] = None,
     columns_: Columns = None,
     as_json: AsJson = False,
@@ -94,12 +96,12 @@ def decay(
     channel: Annotated[str, typer.Option(help="Displacement, velocity or acceleration, e.g. sprung.z.")],
     mass: Annotated[str, typer.Option(help='Oscillating mass, e.g. "16 kg".')],
     stiffness_: Annotated[
-        str | None, typer.Option("--stiffness", help="Known stiffness, compared with what mass and frequency give.")
+        str | None, typer.Option("--stiffness", help="Known stiffness, compared with that from mass and frequency.")
     ] = None,
     columns_: Columns = None,
     as_json: AsJson = False,
 ) -> Reply:
-    """Tell viscous damping and dry friction apart in a free decay.
+    """Separate viscous damping and dry friction in a free decay.
 
     Example: jounce fit decay decay_1.csv --channel sprung.z --mass "16 kg"
     """
@@ -174,7 +176,7 @@ def _draw_stiffness(out: Console, result: StiffnessResult, findings: tuple[Findi
     low, high = (1e3 * end for end in result.fitted_range)
     rows = [("stiffness", result.stiffness, "N/m"), (f"intercept ({result.intercept_choice})", result.intercept, "N")]
     if result.tangent_stiffness is not None:
-        rows.append(("measured slope at the static load", result.tangent_stiffness, "N/m"))
+        rows.append(("local stiffness at the static load", result.tangent_stiffness, "N/m"))
     if result.law != "linear":
         rows += [(f"coefficient {i}", item, "SI") for i, item in enumerate(result.coefficients, 1)]
     out.print(estimates(f"{result.law} law, {low:.4g} to {high:.4g} mm, R2 = {result.r2:.6f}", rows))
@@ -197,8 +199,87 @@ def _draw_stiffness(out: Console, result: StiffnessResult, findings: tuple[Findi
 
 def _draw_decay(out: Console, result: DecayResult | CombinedDecay, findings: tuple[Finding, ...]) -> None:
     rows = [(name.replace("_hz", "").replace("_", " "), getattr(result, name), unit) for name, unit in _DECAY_ESTIMATES]
-    rows.append(("logarithmic decrement (naive)", result.logarithmic_decrement, "1"))
+    rows.append(("logarithmic decrement (friction neglected)", result.logarithmic_decrement, "1"))
     runs = getattr(result, "runs", 1)
-    title = "Free decay" if runs == 1 else f"{runs} free decays together"
+    title = "Free decay" if runs == 1 else f"{runs} free decays combined"
     out.print(estimates(f"{title}, {result.cycles:g} cycles", rows))
     show_findings(out, findings)
+
+
+@app.command("damper")
+def damper(
+    record: Annotated[
+        Path,
+        typer.Argument(metavar="FILE", help="Record with columns time, displacement, force and optionally velocity."),
+    ],
+    law: Annotated[str, typer.Option(help="linear, bilinear, polynomial, tanh-hysteretic or bouc-wen.")] = "linear",
+    degree: Annotated[int, typer.Option(help="Degree of the polynomial.")] = 3,
+    odd: Annotated[bool, typer.Option("--odd", help="Use odd powers only.")] = False,
+    friction: Annotated[bool, typer.Option("--friction", help="Add dry friction to a law of velocity.")] = False,
+    velocity_from: Annotated[
+        str, typer.Option(help="recorded, or displacement to differentiate it even if a velocity was recorded.")
+    ] = "recorded",
+    columns_: Columns = None,
+    variable: Annotated[str, typer.Option(help="Matrix of a .mat file, or group of a .tdms file.")] = "",
+    sample_time: Annotated[
+        str | None, typer.Option(help='Constant sampling interval of a file without time, e.g. "10 ms".')
+    ] = None,
+    as_json: AsJson = False,
+) -> Reply:
+    """Fit a damper law to a record of imposed motion and force.
+
+    Example: jounce fit damper record.csv --law bouc-wen
+    """
+    from jounce.core.serialise import to_plain
+    from jounce.identify.damper import fit_damper
+    from jounce.recordings import read_recording
+
+    data, notes = read_recording(record, columns=columns(columns_), sample_time=sample_time, variable=variable)
+    signals = {name: data[name].to_numpy() for name in ("displacement", "velocity", "force") if name in data}
+    for name in ("displacement", "force"):
+        if name not in signals:
+            found = ", ".join(str(channel) for channel in data.data_vars)
+            hint = f"Name its column: --columns {name}='COLUMN [unit]'."
+            raise RecordingError(f"no column {name!r}", where=str(record), found=found, hint=hint)
+    choice: dict[str, Any] = {
+        "law": law,
+        "degree": degree,
+        "odd": odd,
+        "friction": friction,
+        "velocity_from": velocity_from,
+    }
+    result = fit_damper(
+        signals["displacement"],
+        signals.get("velocity"),
+        signals["force"],
+        data["time"].to_numpy(),
+        name=record.name,
+        **choice,
+    )
+    findings = (*notes, *result.findings)
+    plain = {"file": str(record), **to_plain(result), "findings": to_plain(findings)}
+    return Reply(plain, lambda out: _draw_damper(out, result, findings), as_json)
+
+
+def _draw_damper(out: Console, result: DamperResult, findings: tuple[Finding, ...]) -> None:
+    rows = [(name.replace("_", " "), found, result.units[name]) for name, found in result.parameters.items()]
+    out.print(
+        estimates(f"{result.law} law, {result.samples} samples of {result.cycles:g} cycles, R2 = {result.r2:.4f}", rows)
+    )
+    out.print(
+        f"NRMSE {100.0 * result.nrmse:.3g} % of the force range, {result.rms_residual:.4g} N r.m.s.; "
+        f"energy per cycle {result.energy_per_cycle:.4g} J, fitted {result.fitted_energy_per_cycle:.4g} J"
+    )
+    out.print(f"for a rig file:\n  [strut]\n  damper = {_toml(result.damper)}", soft_wrap=True)
+    if result.friction is not None:
+        out.print(f"  friction = {_toml(result.friction)}", soft_wrap=True)
+    show_findings(out, findings)
+
+
+def _toml(table: dict[str, Any]) -> str:
+    """Write a table on one line as a rig file takes it."""
+    import tomlkit
+
+    inline = tomlkit.inline_table()
+    inline.update({key: float(f"{value:.6g}") if isinstance(value, float) else value for key, value in table.items()})
+    return inline.as_string()

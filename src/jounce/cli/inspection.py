@@ -1,10 +1,46 @@
-"""``jounce inspect``: shock absorbers on testers."""
+"""``jounce inspect``: shock absorbers on testers, simulated and measured, graded, and kept in the lane's store."""
 
 from __future__ import annotations
 
+import signal
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import closing, contextmanager, suppress
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
 import typer
 
-from jounce.cli import inspect_evaluate, inspect_simulate, inspect_store
+from jounce.cli.options import (
+    AsJson,
+    Changes,
+    FigureFile,
+    Force,
+    changes,
+    check_outputs,
+    positive_quantity,
+    quantity,
+    warn_of,
+)
+from jounce.cli.reply import DONE, FAILED, REFUSED, Reply, progress, show_findings, show_written, table
+from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError, unknown
+from jounce.core.files import existing_file
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from jounce.inspection.archive.entries import StoredRecord
+    from jounce.inspection.archive.history import Trend, WheelVisit
+    from jounce.inspection.archive.lane import ImportedRecord, InspectedRecord
+    from jounce.inspection.archive.reevaluation import Reevaluation
+    from jounce.inspection.grading import GradedInspection, VehicleGrade
+    from jounce.inspection.limits import Limits
+    from jounce.inspection.quantities import Language, Quantity
+    from jounce.inspection.result import WheelResult
+    from jounce.parts.testers import Tester
+
 
 app = typer.Typer(
     help=(
@@ -13,6 +49,811 @@ app = typer.Typer(
     ),
     no_args_is_help=True,
 )
-app.command("simulate")(inspect_simulate.simulate)
-app.command("evaluate")(inspect_evaluate.evaluate)
-inspect_store.register(app)
+_OF_TESTER = "tester."
+_SIDES, _BOTH, _AXLES = ("left", "right"), "both", ("front", "rear")
+_ROWS = (
+    ("adhesion", "adhesion", "1"),
+    ("phase_angle_min_deg", "least phase angle", "deg"),
+    ("phase_frequency_hz", "  at", "Hz"),
+    ("relative_force_amplitude", "relative force amplitude", "1"),
+    ("tyre_rigidity", "tyre rigidity", "N/m"),
+    ("theta_rig", "Theta on the tester", "1"),
+    ("theta_road", "Theta on the road", "1"),
+    ("boge_amplitude", "BOGE amplitude", "m"),
+    ("lift_off", "tyre leaves the plate", ""),
+)
+
+
+@app.command("simulate")
+def simulate(
+    rig: Annotated[str, typer.Argument(metavar="RIG", help="A rig or vehicle file, or a name of `jounce library`.")],
+    method: Annotated[
+        str | None, typer.Option(help="eusama, egea, theta or boge; by default the method of the tester.")
+    ] = None,
+    tester: Annotated[
+        str | None, typer.Option(help="A tester file, or the name of a shipped one; by default one for the method.")
+    ] = None,
+    steady: Annotated[bool, typer.Option("--steady", help="Steady states instead of a run-down.")] = False,
+    stroke: Annotated[str | None, typer.Option(help='Stroke of the exciter, peak to peak: "6 mm".')] = None,
+    sweep_rate: Annotated[str | None, typer.Option(help='Rate of the run-down: "2.5 Hz/s".')] = None,
+    wear: Annotated[
+        str | None, typer.Option(help="Loss of damping, as a share: one number, or FIRST:LAST:STEP.")
+    ] = None,
+    wheel: Annotated[
+        str,
+        typer.Option(help="left or right: the wheel to test, and its plate; both: both wheels of an axle in turn."),
+    ] = "left",
+    axle: Annotated[str, typer.Option(help="Axle of a vehicle: front or rear.")] = "front",
+    noise: Annotated[
+        str, typer.Option(help='Standard deviation of the force noise, relative to the static load: "1 %".')
+    ] = "0",
+    seed: Annotated[int, typer.Option(min=0, help="Seed of the noise.")] = 0,
+    set_: Changes = None,
+    record: Annotated[Path | None, typer.Option(help="Write the record: RECORD.csv or RECORD.nc.")] = None,
+    truth: Annotated[
+        bool, typer.Option("--truth", help="Include channels in the record that no tester measures (truth.*).")
+    ] = False,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Simulate a test, evaluate the record like a measured one, and grade it.
+
+    --set changes the rig, and with `tester.` before the path the tester: --set tester.plate_mass="25 kg". With --json
+    one wheel is one object; both wheels are {wheels: [...], axle: {...}}, as of `inspect evaluate`.
+
+    Example: jounce inspect simulate audi-a6-quarter-car --method egea --wear 0:1:0.1
+    """
+    _check_words(wheel, axle)
+    if record is not None:
+        _check_record(record, steady=steady, several=wear is not None and ":" in wear, force=force)
+    wanted = changes(set_)
+    of_rig = {path: value for path, value in wanted.items() if not path.startswith(_OF_TESTER)}
+    of_tester = {path.removeprefix(_OF_TESTER): value for path, value in wanted.items() if path not in of_rig}
+    chosen_tester = _chosen_tester(method, tester, stroke, sweep_rate, of_tester)
+    from jounce.inspection.simulated import simulate_axle, simulate_inspection, sweep_wear
+    from jounce.parts import load
+    from jounce.parts.variants import worn
+
+    chosen = load(rig).with_changes(of_rig) if of_rig else load(rig)
+    warn_of(chosen, rig)
+    share = quantity(noise, "1", "--noise")
+    wears = sweep_wear(wear) if wear is not None else [0.0]
+    about = {"rig": rig, "tester": chosen_tester.name, "method": method or chosen_tester.method, "steady": steady}
+    if wheel == _BOTH:
+        _check_both(steady=steady, several=len(wears) > 1)
+        graded, measured = simulate_axle(
+            worn(chosen, wears[0]) if wears[0] else chosen, chosen_tester, method=method,
+            axle=axle, noise=share, seed=seed, vehicle=_name(rig),  # type: ignore[arg-type]
+        )  # fmt: skip
+        if record is not None:
+            _write_record(measured, record, truth=truth, force=force)
+        both = {**graded.to_dict(), **about, "record": record and str(record)}
+        return Reply(both, lambda out: _draw_both(out, graded, both), as_json)
+    runs = []
+    with progress() as say:
+        for number, lost in enumerate(wears, 1):
+            say(f"testing {number} of {len(wears)}" if len(wears) > 1 else "testing")
+            found = simulate_inspection(
+                worn(chosen, lost) if lost else chosen, chosen_tester, method=method, steady=steady,
+                wheel=wheel, axle=axle, noise=share, seed=seed, vehicle=_name(rig),  # type: ignore[arg-type]
+            )  # fmt: skip
+            runs.append(found)
+    if record is not None and runs[0].record is not None:
+        _write_record(runs[0].record, record, truth=truth, force=force)
+    tables = [_plain_wheel(found.wheel.to_dict(), found.theta_road, found.theta_rig, steady=steady) for found in runs]
+    if wear is None or ":" not in wear:
+        plain: dict[str, Any] = {**tables[0], **about, "record": record and str(record)}
+        return Reply(plain, lambda out: _draw_wheel(out, plain, runs[0].wheel.findings), as_json)
+    swept = {**about, "wear": wears, "wheels": [{"wear": lost, **one} for lost, one in zip(wears, tables, strict=True)]}
+    return Reply(swept, lambda out: _draw_wear(out, swept), as_json)
+
+
+def _plain_wheel(wheel: dict[str, Any], road: float | None, on_rig: float | None, *, steady: bool) -> dict[str, Any]:
+    return wheel if steady else {**wheel, "truth": {"theta_road": road, "theta_rig": on_rig}}
+
+
+def _chosen_tester(
+    method: str | None, tester: str | None, stroke: str | None, sweep_rate: str | None, wanted: dict[str, Any]
+) -> Tester:
+    """The tester that is asked for, with its changes."""
+    from jounce.inspection.simulated import tester_for
+    from jounce.parts.testers import load_tester
+
+    if method is None and tester is None:
+        raise DescriptionError(
+            "no method is given",
+            where="--method",
+            allowed="eusama, egea, theta, boge; or --tester with a file or a name",
+        )
+    if method is not None:
+        found = tester_for(method)
+    if tester is not None:
+        found = load_tester(tester)
+    made = dict(wanted)
+    if stroke is not None:
+        made["stroke"] = positive_quantity(stroke, "m", "--stroke")
+    if sweep_rate is not None:
+        made["programme.sweep_rate"] = positive_quantity(sweep_rate, "Hz/s", "--sweep-rate")
+    return found.with_changes(made) if made else found
+
+
+def _check_both(*, steady: bool, several: bool) -> None:
+    if steady or several:
+        what = "steady states need a single wheel" if steady else "a range of wear needs a single wheel"
+        raise DescriptionError(what, where="--wheel", found=_BOTH, allowed=", ".join(_SIDES))
+
+
+def _check_words(wheel: str, axle: str) -> None:
+    for option, value, allowed in (("--wheel", wheel, (*_SIDES, _BOTH)), ("--axle", axle, _AXLES)):
+        if value not in allowed:
+            raise DescriptionError("unknown", where=option, found=value, allowed=", ".join(allowed))
+
+
+def _check_record(record: Path, *, steady: bool, several: bool, force: bool) -> None:
+    """Refuse before the work a record that could not be written after it."""
+    if steady or several:
+        what = "steady states have no record" if steady else "a record holds a single test"
+        raise OutputError(what, where=f"--record {record}", hint="Leave out --steady, and give a single --wear.")
+    check_outputs(recording=record, force=force)
+
+
+def _write_record(record: Any, file: Path, *, truth: bool, force: bool) -> None:
+    from jounce.testers.testing import write_test
+
+    kept = record if truth else record[[name for name in record.data_vars if not str(name).startswith("truth.")]]
+    write_test(kept, file, force=force)
+
+
+def _name(rig: str) -> str:
+    return Path(rig).stem if rig.endswith(".toml") else rig
+
+
+def _draw_both(out: Console, graded: GradedInspection, plain: dict[str, Any]) -> None:
+    out.print(f"{plain['rig']} on {plain['tester']}, run-down of both wheels", style="bold")
+    draw_axle(out, graded)
+    show_written(out, plain)
+
+
+def _draw_wheel(out: Console, plain: dict[str, Any], findings: Any) -> None:
+    how = "steady states" if plain["steady"] else "run-down"
+    uncertainty = plain["uncertainty"]
+    rows = [(text, plain[key], uncertainty.get(key), unit) for key, text, unit in _ROWS if plain.get(key) is not None]
+    title = f"{plain['rig']} on {plain['tester']}, {how}: {plain['wheel']} wheel, {plain['static_load']:.0f} N"
+    out.print(title, style="bold", soft_wrap=not out.is_terminal)
+    out.print(table("", ("value", "", "±", "unit"), rows, text=(0, 3)))
+    for name, band in plain["grade"].items():
+        out.print(f"{name}: {band}")
+    out.print(f"verdict: {plain['verdict']}")
+    for reason in plain["reasons"]:
+        out.print(f"  {reason}")
+    show_findings(out, list(findings))
+    show_written(out, plain)
+
+
+def _draw_wear(out: Console, plain: dict[str, Any]) -> None:
+    shown = [row for row in _ROWS if any(wheel.get(row[0]) is not None for wheel in plain["wheels"])]
+    header = ("wear", *(f"{text.strip()} [{unit}]" if unit else text for _, text, unit in shown), "verdict")
+    rows = [(wheel["wear"], *(wheel.get(key) for key, _, _ in shown), wheel["verdict"]) for wheel in plain["wheels"]]
+    how = "steady states" if plain["steady"] else "run-down"
+    last = len(header) - 1
+    out.print(table(f"{plain['rig']} on {plain['tester']}, {how}, over damper wear", header, rows, text=(last,)))
+
+
+_MOST_RECORDS = 2
+_VERDICT_STYLES = {"pass": "green", "advise": "yellow", "fail": "bold red", "not graded": "bold"}
+
+
+@app.command("evaluate")
+def evaluate(
+    record: Annotated[
+        list[Path],
+        typer.Argument(metavar="RECORD...", help="Record of one axle (CSV, netCDF, ...), or one of each axle."),
+    ],
+    tester: Annotated[
+        str, typer.Option(help="A tester file, or the name of a shipped one (eusama, egea-specsus2018, ...).")
+    ],
+    vehicle: Annotated[
+        str | None, typer.Option(help="Vehicle file or name; its weight is compared with the static loads.")
+    ] = None,
+    method: Annotated[
+        list[str] | None,
+        typer.Option(help="Deciding method: eusama, egea, theta or boge; by default that of the tester. Repeat it."),
+    ] = None,
+    limits: Annotated[str | None, typer.Option(help="A limits file instead of the shipped limits.")] = None,
+    protocol: Annotated[
+        list[Path] | None, typer.Option(help="Write a protocol (.pdf or .html), with its values as .json. Repeat it.")
+    ] = None,
+    store: Annotated[
+        str | None, typer.Option(help="Store record and result: a SQLite file (created if missing), or a database URL.")
+    ] = None,
+    language: Annotated[str, typer.Option(help="Language of the protocol: en or de.")] = "en",
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Evaluate and grade the records of one or both axles, write the protocol, and store both.
+
+    A record that cannot be graded is stored with the reasons, never graded by guess; the exit code is then 2.
+
+    Example: jounce inspect evaluate front.csv rear.csv --tester egea-specsus2018 --protocol car.pdf
+    """
+    wanted = _Wanted(record, tester, vehicle, method, limits, protocol or [], language, force=force)
+    open_store = None if store is None else _open(store)
+    try:
+        with progress() as say:
+            inspected = [_inspect(file, wanted, open_store, say) for file in record]
+    finally:
+        if open_store is not None:
+            open_store.close()
+    from jounce.inspection.grading import grade_vehicle
+
+    whole = grade_vehicle([one.graded for one, _ in inspected])
+    written = _write_protocols(whole, [one for one, _ in inspected], wanted)
+    plain = _plain_vehicle(whole, [one for one, _ in inspected]) | {"protocol": [str(file) for file in written]}
+    plain["store"] = (
+        None
+        if open_store is None
+        else {"location": open_store.location, "records": [number for _, number in inspected]}
+    )
+    unfit = _unfit(inspected)
+    if unfit is not None:
+        plain["error"] = {"kind": "RecordingError", "message": str(unfit), "where": unfit.where, "what": unfit.what}
+        sys.stderr.write(f"jounce: {unfit}\n")
+    return Reply(
+        plain, lambda console: _draw_vehicle(console, whole, plain), as_json, DONE if unfit is None else REFUSED
+    )
+
+
+class _Wanted:
+    """What is asked for, checked and loaded before any work is done."""
+
+    def __init__(
+        self,
+        records: list[Path],
+        tester: str,
+        vehicle: str | None,
+        methods: list[str] | None,
+        limits: str | None,
+        protocols: list[Path],
+        language: str,
+        *,
+        force: bool,
+    ) -> None:
+        from jounce.inspection.evaluation import METHODS
+        from jounce.inspection.limits import load_limits
+        from jounce.inspection.quantities import LANGUAGES
+        from jounce.parts.testers import load_tester
+
+        if len(records) > _MOST_RECORDS:
+            raise DescriptionError("too many records", where="RECORD", found=len(records), allowed="one of each axle")
+        for file in records:
+            existing_file(file, RecordingError)
+        for one in methods or ():
+            if one not in METHODS:
+                raise unknown(one, METHODS, what="method", where="--method")
+        if language not in LANGUAGES:
+            raise unknown(language, LANGUAGES, what="language", where="--language")
+        self.methods, self.force = list(dict.fromkeys(methods or ())) or None, force
+        self.language: Language = "de" if language == "de" else "en"
+        self.protocols = _checked(protocols, force=force)
+        self.tester: Tester = load_tester(tester)
+        self.limits: Limits = load_limits(limits)
+        self.vehicle = None if vehicle is None else _vehicle(vehicle)
+        self.vehicle_name = "" if vehicle is None else Path(vehicle).stem
+        self.task: dict[str, Any] = {"tester": self.tester, "vehicle": self.vehicle, "methods": self.methods}
+
+
+def _checked(protocols: list[Path], *, force: bool) -> list[Path]:
+    if not protocols:
+        return []
+    from jounce.report.protocol import check_protocol
+
+    for file in protocols:
+        check_protocol(file, force=force)
+    if len(set(protocols)) < len(protocols):
+        raise DescriptionError("the same protocol is given twice", where="--protocol")
+    return protocols
+
+
+def _vehicle(name: str) -> Any:
+    from jounce.parts import load
+
+    return load(name)
+
+
+def _open(location: str) -> Any:
+    from jounce.inspection.archive.store import Store
+
+    return Store(location)
+
+
+def _inspect(file: Path, wanted: _Wanted, store: Any, say: Any) -> tuple[InspectedRecord, int | None]:
+    """Read, evaluate and grade one record and keep it; what cannot be read is kept, too, before it is refused."""
+    from jounce.inspection.archive.entries import pack
+    from jounce.inspection.archive.lane import entry_of, grading_of, inspect_record, refusal_of
+    from jounce.inspection.record import read_record
+
+    say(f"evaluating {file.name}")
+    read = None
+    try:
+        read = read_record(file, wanted.tester)
+        found = inspect_record(file, wanted.tester, wanted.vehicle, wanted.methods, wanted.limits, read=read)
+    except Exception as error:
+        if store is not None and not (read is not None and isinstance(error, DescriptionError)):  # that is the request
+            _keep(store, entry_of(file, **wanted.task), refusal_of(error, wanted.limits))
+        raise
+    if store is None:
+        return found, None
+    facts = {"vehicle": wanted.vehicle_name, **found.facts}
+    entry = replace(entry_of(file, facts, **wanted.task), signals=pack(*read))
+    return found, _keep(store, entry, grading_of(found.graded))
+
+
+def _keep(store: Any, entry: Any, grading: Any) -> int:
+    """Put a record into the store; one that it holds already gets one more grading."""
+    number, is_new = store.accept(entry, grading)
+    if not is_new:
+        store.add_gradings([(number, grading)])
+    return int(number)
+
+
+def _write_protocols(whole: VehicleGrade, inspected: list[InspectedRecord], wanted: _Wanted) -> list[Path]:
+    if not wanted.protocols:
+        return []
+    from jounce.report.protocol import facts_of, write_protocol
+
+    about = {"vehicle": wanted.vehicle_name, "tester": wanted.tester.name, **facts_of(whole)}
+    about["record"] = ", ".join(f"{one.path.name} {_digest(one.path)}" for one in inspected)
+    records = {one.graded.axle: one.record for one in inspected}
+    files: list[Path] = []
+    for file in wanted.protocols:
+        files += write_protocol(
+            whole, file, records=records, language=wanted.language, about=about, force=wanted.force or bool(files)
+        )
+    return list(dict.fromkeys(files))
+
+
+def _digest(file: Path) -> str:
+    import hashlib
+
+    return f"(sha256 {hashlib.sha256(file.read_bytes()).hexdigest()[:12]})"
+
+
+def _plain_vehicle(whole: VehicleGrade, inspected: list[InspectedRecord]) -> dict[str, Any]:
+    """One axle as it is; two with all wheels in one list, each with its axle."""
+    if len(whole.axles) == 1:
+        return {"record": str(inspected[0].path), **whole.axles[0].to_dict(), "vehicle": whole.summary()}
+    axles = [one.to_dict() for one in whole.axles]
+    wheels = [
+        {"axle": one.axle, **wheel} for one, plain in zip(whole.axles, axles, strict=True) for wheel in plain["wheels"]
+    ]
+    return {
+        "records": [str(one.path) for one in inspected],
+        "wheels": wheels,
+        "axles": [{**plain["axle"], "facts": plain["facts"], "findings": plain["findings"]} for plain in axles],
+        "deciding": axles[0]["deciding"],
+        "limits": axles[0]["limits"],
+        "vehicle": whole.summary(),
+        "verdict": whole.verdict,
+    }
+
+
+def _unfit(inspected: list[tuple[InspectedRecord, int | None]]) -> RecordingError | None:
+    """The first reason why a wheel is not graded, as an error; None where all are."""
+    for one, _ in inspected:
+        for grade in one.graded.grades:
+            if grade.verdict == "not graded":
+                reason = grade.reasons[0].text() if grade.reasons else "nothing is known"
+                return RecordingError(
+                    f"the {grade.wheel} wheel cannot be graded: {reason.removesuffix('.')}", where=str(one.path)
+                )
+    return None
+
+
+def _draw_vehicle(console: Console, whole: VehicleGrade, plain: dict[str, Any]) -> None:
+    for graded in whole.axles:
+        draw_axle(console, graded)
+    if len(whole.axles) > 1:
+        console.print(f"vehicle: {whole.verdict}", style=_VERDICT_STYLES.get(whole.verdict, ""))
+    for file in plain["protocol"]:
+        console.print(f"written: {file}")
+    if plain["store"] is not None:
+        numbers = ", ".join(map(str, plain["store"]["records"]))
+        console.print(f"stored: {plain['store']['location']}, record {numbers}")
+
+
+def draw_axle(console: Console, graded: GradedInspection) -> None:
+    """Print a graded axle: values of the wheels beside each other, reasons, findings."""
+    sides = [wheel.wheel for wheel in graded.wheels]
+    decides = ", ".join(graded.deciding)
+    title = f"{graded.axle or 'axle'}: {graded.verdict} (deciding: {decides}; limits: {graded.limits.label})"
+    console.print(table(title, ("", *sides), _rows(graded)))
+    for grade in graded.grades:
+        for reason in grade.reasons:
+            console.print(f"{grade.wheel}: {reason.text()}", soft_wrap=not console.is_terminal)
+    for reason in graded.reasons:
+        console.print(f"axle: {reason.text()}", soft_wrap=not console.is_terminal)
+    weakening = [one for wheel in graded.wheels for one in wheel.findings if one.severity != "problem"]
+    show_findings(console, [*graded.inspection.findings, *weakening])
+
+
+def _rows(graded: GradedInspection) -> list[list[object]]:
+    """Values with their uncertainties, grades and verdicts; one column for each wheel."""
+    from jounce.inspection.quantities import QUANTITIES
+
+    wheels = graded.wheels
+    rows: list[list[object]] = [
+        ["static load", *("–" if one.static_load is None else f"{one.static_load:.0f} N" for one in wheels)]
+    ]
+    for name, shown in QUANTITIES.items():
+        if any(getattr(wheel, name) is not None for wheel in wheels):
+            rows.append([shown.words(), *(_cell(wheel, shown) for wheel in wheels)])
+    methods = dict.fromkeys(method for wheel in wheels for method in wheel.grade)
+    rows += [[f"grade {method}", *(wheel.grade.get(method, "–") for wheel in wheels)] for method in methods]
+    return [*rows, ["verdict", *(wheel.verdict for wheel in wheels)]]
+
+
+def _cell(wheel: WheelResult, quantity: Quantity) -> str:
+    text, half = quantity.text(getattr(wheel, quantity.name)), wheel.uncertainty.get(quantity.name)
+    return text if half is None or text == "–" else f"{text} ± {quantity.rounded_up(half)}"
+
+
+StoreName = Annotated[str, typer.Option("--store", help="The store: a SQLite file, or a database URL.")]
+TesterName = Annotated[
+    str | None,
+    typer.Option(help="A tester file, or the name of a shipped one; by default the one named in the header."),
+]
+LimitsName = Annotated[str | None, typer.Option("--limits", help="A limits file instead of the shipped limits.")]
+Plate = Annotated[
+    str | None, typer.Option(help="Number plate, or a pattern such as B-AB*; case, spaces and hyphens are ignored.")
+]
+Verdict = Annotated[str | None, typer.Option(help="Verdict of the axle: pass, advise, fail or not graded.")]
+TesterIs = Annotated[
+    str | None, typer.Option("--tester", help="Name of the tester, as in its file, or of a shipped one.")
+]
+Since = Annotated[str | None, typer.Option(help="First day, e.g. 2026-01-31.")]
+Until = Annotated[str | None, typer.Option(help="Last day.")]
+_SHOWN = ("number", "date", "plate", "vehicle", "axle", "tester", "name")
+
+
+@app.command("import")
+def import_(
+    files: Annotated[
+        list[Path], typer.Argument(metavar="FILE...", help="Records; the TOML files next to them are read as well.")
+    ],
+    store: StoreName,
+    tester: TesterName = None,
+    method: Annotated[list[str] | None, typer.Option(help="Deciding method. Repeat it.")] = None,
+    limits: LimitsName = None,
+    as_json: AsJson = False,
+) -> Reply:
+    """Evaluate and grade records and store them; one line is printed as soon as a record is safe.
+
+    The same file is never stored twice. What cannot be graded is stored with the reasons; the exit code is then 2.
+
+    Example: jounce inspect import lane/*.csv --store lane.sqlite --tester egea-specsus2018
+    """
+    from jounce.inspection.archive.lane import import_record
+    from jounce.inspection.archive.store import Store
+    from jounce.inspection.evaluation import METHODS
+    from jounce.inspection.limits import load_limits
+
+    for file in files:
+        existing_file(file, RecordingError)
+    for one in method or ():
+        if one not in METHODS:
+            raise unknown(one, METHODS, what="method", where="--method")
+    chosen, graded_by = _given_tester(tester), load_limits(limits)
+    kept: list[ImportedRecord] = []
+    failed: dict[str, str] = {}
+    with closing(Store(store)) as opened, progress() as say:
+        for file in files:
+            say(f"importing {file.name}")
+            try:
+                kept.append(import_record(file, opened, chosen, methods=method, limits=graded_by))
+            except (JounceError, OSError) as error:
+                if isinstance(error, JounceError) and error.where == opened.location:
+                    raise  # the store cannot be used: the other files fare no better
+                failed[str(file)] = str(error)
+                sys.stderr.write(f"jounce: {error}\n")
+                continue
+            _say_kept(kept[-1], as_json=as_json)
+    plain = {"store": opened.location, "records": kept, "failed": failed}
+    unfit = failed or any(one.problem for one in kept)
+    return Reply(plain, lambda out: _draw_import(out, kept, failed), as_json, REFUSED if unfit else DONE)
+
+
+@app.command("watch")
+def watch(
+    folder: Annotated[Path, typer.Argument(metavar="DIR", help="Folder into which the lane writes its records.")],
+    store: StoreName,
+    tester: TesterName = None,
+    limits: LimitsName = None,
+    interval: Annotated[str, typer.Option(help="Polling interval.")] = "1 s",
+    settle: Annotated[str, typer.Option(help="A file unchanged for this time is complete.")] = "2 s",
+    once: Annotated[bool, typer.Option("--once", help="Process the files present, then stop.")] = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Watch a folder and store every complete record, until Ctrl-C. The files stay where they are.
+
+    What cannot be read is reported once, and tried again when it has changed.
+
+    Example: jounce inspect watch /srv/lane --store lane.sqlite --tester theta-msd3000
+    """
+    from jounce.inspection.archive.store import Store
+    from jounce.inspection.archive.watching import FolderWatch
+    from jounce.inspection.limits import load_limits
+
+    pause, settled = positive_quantity(interval, "s", "--interval"), quantity(settle, "s", "--settle")
+    if settled < 0.0:
+        raise DescriptionError("out of range", where="--settle", found=settle, allowed="0 s or more")
+    kept: list[ImportedRecord] = []
+    failed: dict[str, str] = {}
+    chosen, graded_by = _given_tester(tester), load_limits(limits)
+    with closing(Store(store)) as opened:
+        watching = FolderWatch(folder, opened, chosen, graded_by, settle=settled)
+        end = time.monotonic() + 3.0 * settled + 1.0
+        with _until_stopped():
+            while True:
+                for seen in watching.each():
+                    if seen.imported is None:
+                        failed[str(seen.file)] = seen.problem
+                        sys.stderr.write(f"jounce: {seen.file}: {seen.problem.removeprefix(f'{seen.file}: ')}\n")
+                    else:
+                        failed.pop(str(seen.file), None)  # the store, or the file, may have come back
+                        kept.append(seen.imported)
+                        _say_kept(seen.imported, as_json=as_json)
+                if once and (not watching.is_waiting or time.monotonic() > end):
+                    break
+                time.sleep(min(pause, max(settled, 0.01)) if once else pause)
+    plain = {"folder": str(folder), "store": opened.location, "records": kept, "failed": failed}
+    return Reply(plain, lambda out: _draw_import(out, kept, failed), as_json)
+
+
+@app.command("reevaluate")
+def reevaluate(
+    store: StoreName,
+    limits: LimitsName = None,
+    tester: Annotated[
+        str | None, typer.Option(help="Tester of records that name none: a tester file, or the name of a shipped one.")
+    ] = None,
+    workers: Annotated[int, typer.Option(min=1, help="Number of processes.")] = 2,
+    from_files: Annotated[bool, typer.Option("--from-files", help="Read the original files again (slower).")] = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Evaluate and grade all stored records again, under other limits; earlier gradings are kept.
+
+    Example: jounce inspect reevaluate --store lane.sqlite --limits stricter.toml
+    """
+    from jounce.inspection.archive.reevaluation import reevaluate as again
+    from jounce.inspection.archive.store import Store
+    from jounce.inspection.limits import load_limits
+
+    chosen, graded_by = _given_tester(tester), load_limits(limits)
+    Store(store, read_only=True).close()  # where there is no store, none is made
+    with closing(Store(store)) as opened, progress() as say:
+        found = again(
+            opened, graded_by, tester=chosen, workers=workers, from_files=from_files,
+            say=lambda done, number: say(f"evaluated {done} of {number}"),
+        )  # fmt: skip
+    plain = {
+        "store": opened.location, "limits": graded_by.label, "records": found.records, "added": found.added,
+        "unchanged": found.unchanged, "changed": found.changed, "failed": found.failed,
+        "changes": [{"before": a, "after": b, "records": count} for (a, b), count in found.changes.items()],
+    }  # fmt: skip
+    return Reply(plain, lambda out: _draw_again(out, found, graded_by.label), as_json, FAILED if found.failed else DONE)
+
+
+@app.command("history")
+def history(
+    plate: Annotated[str, typer.Option(help="Number plate; case, spaces and hyphens are ignored.")],
+    store: StoreName,
+    figure: FigureFile = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Show the history of one vehicle: adhesion, phase angle and damping ratio of each wheel, and their trends.
+
+    Example: jounce inspect history --plate "B-AB 123" --store lane.sqlite --figure history.svg
+    """
+    from jounce.inspection.archive.history import history_of, trends_of
+    from jounce.inspection.archive.store import Store
+
+    check_outputs(figure=figure, force=force)
+    with closing(Store(store, read_only=True)) as opened:
+        records = opened.records(plate=plate)
+        visits = history_of(opened, plate)
+    if not records:
+        raise RecordingError(
+            "no record of this number plate", where=opened.location, found=plate, hint="See: inspect search."
+        )
+    trends = trends_of(visits)
+    if figure is not None:
+        from jounce.plots.inspection import vehicle_history
+        from jounce.plots.style import write_figure
+
+        write_figure(vehicle_history(visits), figure, force=force)
+    plain = {
+        "plate": records[-1].plate, "vehicle": records[-1].vehicle, "records": [one.number for one in records],
+        "wheels": [_visit(one) for one in visits], "trends": trends, "figure": figure,
+    }  # fmt: skip
+    return Reply(plain, lambda out: _draw_history(out, plain, visits, trends), as_json)
+
+
+@app.command("search")
+def search(
+    store: StoreName,
+    plate: Plate = None,
+    verdict: Verdict = None,
+    tester: TesterIs = None,
+    since: Since = None,
+    until: Until = None,
+    as_json: AsJson = False,
+) -> Reply:
+    """Find records by plate, verdict, tester and date.
+
+    Example: jounce inspect search --store lane.sqlite --verdict fail --since 2026-01-01
+    """
+    from jounce.inspection.archive.store import Store
+
+    conditions = _conditions(plate, verdict, tester, since, until)
+    with closing(Store(store, read_only=True)) as opened:
+        found = [_summary(record) for record in opened.records(**conditions)]
+    columns = (*_SHOWN, "verdict")
+    rows = [[record[name] for name in columns] for record in found]
+    title = f"{len(found)} record{'' if len(found) == 1 else 's'}"
+    shown = lambda out: out.print(table(title, columns, rows, text=range(1, len(columns))))  # noqa: E731
+    return Reply({"store": opened.location, "records": found}, shown, as_json)
+
+
+@app.command("export")
+def export(
+    store: StoreName,
+    out: Annotated[Path, typer.Option(help="Table to write: .csv or .parquet.")],
+    plate: Plate = None,
+    verdict: Verdict = None,
+    tester: TesterIs = None,
+    since: Since = None,
+    until: Until = None,
+    damaged: Annotated[
+        bool, typer.Option("--damaged", help="Write everything that can still be read from a damaged store.")
+    ] = False,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Write the latest results as a table with one row per wheel (SI).
+
+    Example: jounce inspect export --store lane.sqlite --out lane.parquet --since 2026-01-01
+    """
+    from jounce.inspection.archive.exporting import check_export, rows_of
+    from jounce.inspection.archive.exporting import export as write
+    from jounce.inspection.archive.store import Store
+
+    conditions = _conditions(plate, verdict, tester, since, until)
+    check_export(out, force=force)
+    lost: list[str] = []
+    with closing(Store(store, read_only=True, damaged=damaged)) as opened:
+        if damaged:
+            records, lost = opened.readable_records()
+        else:
+            records = opened.records(**conditions)
+    rows = rows_of(records)
+    write(rows, out, force=force)
+    for text in lost:
+        sys.stderr.write(f"jounce: {text}\n")
+    plain = {"store": opened.location, "out": str(out), "records": len(records), "rows": len(rows), "lost": lost}
+    said = f"written: {out}, {len(records)} records, {len(rows)} rows"
+    return Reply(plain, lambda console: console.print(said), as_json, FAILED if lost else DONE)
+
+
+@app.command("verify")
+def verify(store: StoreName, as_json: AsJson = False) -> Reply:
+    """Check a store byte by byte: the database, and every record against its checksum. Nothing is written.
+
+    Example: jounce inspect verify --store lane.sqlite
+    """
+    from jounce.inspection.archive.store import Store
+
+    with closing(Store(store, read_only=True)) as opened:
+        found, count = opened.problems(), len(opened.numbers())
+    plain = {"store": opened.location, "records": count, "problems": found}
+    if found:
+        raise RecordingError(
+            f"the store is damaged: {'; '.join(found)}", where=opened.location, hint="Use a copy of the store."
+        )
+    return Reply(plain, lambda out: out.print(f"{opened.location}: sound, {count} records"), as_json)
+
+
+def _given_tester(name: str | None) -> Tester | None:
+    from jounce.parts.testers import load_tester
+
+    return None if name is None else load_tester(name)
+
+
+def _conditions(
+    plate: str | None, verdict: str | None, tester: str | None, since: str | None, until: str | None
+) -> dict[str, Any]:
+    """Conditions of a search, checked."""
+    from jounce.inspection.archive.history import day_number
+    from jounce.inspection.limits import VERDICTS
+    from jounce.inspection.result import NOT_GRADED
+
+    words = (*VERDICTS, *(() if NOT_GRADED in VERDICTS else (NOT_GRADED,)))
+    if verdict is not None and verdict not in words:
+        raise unknown(verdict, words, what="verdict", where="--verdict")
+    for option, day in (("--since", since), ("--until", until)):
+        if day is not None and day_number(day) is None:
+            raise DescriptionError("not a date", where=option, found=day, allowed="e.g. 2026-01-31")
+    if tester is not None:
+        from jounce.parts.testers import library, load_tester
+
+        tester = load_tester(tester).name if tester in library() else tester
+    return {"plate": plate, "verdict": verdict, "tester": tester, "since": since, "until": until}
+
+
+@contextmanager
+def _until_stopped() -> Iterator[None]:
+    """Work until Ctrl-C, or until the system asks to end; both are the usual way to stop and no error."""
+
+    def stop(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    before = None
+    with suppress(ValueError):  # only the main thread may
+        before = signal.signal(signal.SIGTERM, stop)
+    try:
+        with suppress(KeyboardInterrupt):
+            yield
+    finally:
+        if before is not None:
+            signal.signal(signal.SIGTERM, before)
+
+
+def _say_kept(kept: ImportedRecord, *, as_json: bool) -> None:
+    """Acknowledge a record at once: it is safe."""
+    if as_json:
+        return
+    word = "accepted" if kept.is_new else "known"
+    reason = f" ({kept.problem})" if kept.problem else ""
+    sys.stdout.write(f"{word} {kept.number} {kept.file}: {kept.verdict}{reason}\n")
+    sys.stdout.flush()
+
+
+def _draw_import(out: Console, kept: list[ImportedRecord], failed: dict[str, str]) -> None:
+    new = sum(one.is_new for one in kept)
+    ungraded = sum(bool(one.problem) for one in kept if one.is_new)
+    parts = [f"{new} new", f"{len(kept) - new} already known"]
+    parts += [f"{ungraded} of the new records cannot be graded"] if ungraded else []
+    parts += [f"{len(failed)} not readable"] if failed else []
+    out.print(", ".join(parts))
+
+
+def _draw_again(out: Console, found: Reevaluation, label: str) -> None:
+    out.print(
+        f"{found.records} records under limits {label}: {found.added} gradings added, {found.unchanged} unchanged"
+    )
+    for (before, after), count in found.changes.items():
+        out.print(f"  {before or 'without a grading'} → {after}: {count}")
+    for number, problem in found.failed.items():
+        out.print(f"problem: record {number}: {problem}", soft_wrap=not out.is_terminal)
+
+
+def _summary(record: StoredRecord) -> dict[str, Any]:
+    grading = record.grading
+    about = {name: getattr(record, name) for name in (*_SHOWN, "accepted")}
+    return {**about, "verdict": grading and grading.verdict, "limits": grading and grading.limits}
+
+
+def _visit(visit: WheelVisit) -> dict[str, Any]:
+    about = {"record": visit.record, "date": visit.date, "axle": visit.axle, "wheel": visit.wheel}
+    return {**about, **visit.values, "verdict": visit.verdict, "limits": visit.limits}
+
+
+def _draw_history(out: Console, plain: dict[str, Any], visits: list[WheelVisit], trends: list[Trend]) -> None:
+    title = ", ".join(filter(None, (plain["plate"], plain["vehicle"])))
+    header = ("date", "axle", "wheel", "adhesion", "phase [deg]", "theta", "verdict", "record")
+    rows = [(one.date, one.axle, one.wheel, *one.values.values(), one.verdict, one.record) for one in visits]
+    out.print(table(title, header, rows, text=(0, 1, 2, 6)))
+    if trends:
+        rows_ = [(one.axle, one.wheel, one.quantity, one.change_per_year, one.visits) for one in trends]
+        out.print(table("change per year", ("axle", "wheel", "value", "per year", "visits"), rows_, text=(0, 1, 2)))
+    show_written(out, plain)

@@ -1,4 +1,4 @@
-"""``jounce kinematics``: a corner or an axle swept over travel, rack or roll."""
+"""``jounce kinematics`` and ``jounce adjust``: a suspension swept over travel, rack or roll, and its adjustments."""
 
 from __future__ import annotations
 
@@ -9,11 +9,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.options import AsJson, Changes, Force, RigName, changes, pairs
-from jounce.cli.outputs import check_outputs
-from jounce.cli.reply import DONE, REFUSED, Reply, progress
-from jounce.cli.rigs import chosen_rig
-from jounce.cli.tables import table
+from jounce.cli.options import AsJson, Changes, Force, RigName, bare_number, changes, check_outputs, chosen_rig, pairs
+from jounce.cli.reply import DONE, REFUSED, Reply, progress, show_findings, show_written, table
 from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
@@ -22,8 +19,11 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
     from rich.console import Console
 
+    from jounce.core.findings import Finding
+    from jounce.design.adjustment_effects import Effect, Lengths, WheelState
     from jounce.kinematics.sweeps import AxleLayout
-    from jounce.parts import Rig
+    from jounce.parts import DoubleWishbone, Rig
+
 
 _SHOWN = 7
 
@@ -31,35 +31,35 @@ _SHOWN = 7
 def kinematics(
     rig: RigName,
     travel: Annotated[
-        str | None, typer.Option(help='Wheel travel, bump positive: "-80 mm:80 mm:4 mm", or one value.')
+        str | None, typer.Option(help='Wheel travel, bump positive: "-80 mm:80 mm:4 mm", or a single value.')
     ] = None,
     rack: Annotated[
-        str | None, typer.Option(help='Rack travel, positive to the left: "-20 mm:20 mm:5 mm", or one value.')
+        str | None, typer.Option(help='Rack travel, positive to the left: "-20 mm:20 mm:5 mm", or a single value.')
     ] = None,
     roll: Annotated[
-        str | None, typer.Option(help='Instead of travel: roll of the body over an axle, "-4 deg:4 deg:1 deg".')
+        str | None, typer.Option(help='Instead of --travel: body roll over an axle, "-4 deg:4 deg:1 deg".')
     ] = None,
     axle: Annotated[
-        bool, typer.Option("--axle", help="With --rack alone: both wheels of an axle, and Ackermann.")
+        bool, typer.Option("--axle", help="With --rack only: both wheels of an axle, and Ackermann percentage.")
     ] = False,
     vehicle: Annotated[
         list[str] | None,
         typer.Option(
             metavar="NAME=VALUE",
-            help='For anti-dive and the like: axle=front, wheelbase="2.7 m", centre_of_mass_height="550 mm", '
-            "brake_share=0.6. Repeat it.",
+            help='Layout for anti-dive, anti-lift and anti-squat: axle=front, wheelbase="2.7 m", '
+            'centre_of_mass_height="550 mm", brake_share=0.6. Repeat it.',
         ),
     ] = None,
     points: Annotated[
-        bool, typer.Option("--points", help="With --travel or --rack: add the places of all hardpoints.")
+        bool, typer.Option("--points", help="With --travel or --rack: include the positions of all hardpoints.")
     ] = False,
     set_: Changes = None,
     out: Annotated[Path | None, typer.Option(help="Write the sweep: SWEEP.nc or SWEEP.csv.")] = None,
-    plot: Annotated[Path | None, typer.Option(metavar="DIR", help="Draw every quantity into this folder.")] = None,
+    plot: Annotated[Path | None, typer.Option(metavar="DIR", help="Plot every quantity into this folder.")] = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
-    """Sweep a suspension and list its kinematic quantities: camber, toe, roll centre, wheel rate and all others.
+    """Sweep a suspension and list its kinematic quantities: camber, toe, roll centre, wheel rate and more.
 
     Example: jounce kinematics reference-double-wishbone --travel "-80 mm:80 mm:4 mm" --out sweep.nc
     """
@@ -82,7 +82,7 @@ def kinematics(
             write_kinematics(sweep, plot, force=force)
     stopped = str(sweep.attrs["stopped"])
     if stopped:
-        sys.stderr.write(f"jounce: {stopped}. The poses before it are kept.\n")
+        sys.stderr.write(f"jounce: {stopped}. The poses before that are kept.\n")
     written = [str(path) for path in (out, plot) if path is not None]
     exit_code = REFUSED if stopped else DONE
     return Reply(plain_sweep(sweep), lambda console: _draw(console, rig, sweep, written), as_json, exit_code)
@@ -103,12 +103,12 @@ def _sweep(
     steered = None if rack is None else swept_range(rack, "m", "--rack")
     if roll is not None or axle:
         if points:
-            raise DescriptionError("no hardpoints of an axle", where="--points", hint="Leave it out.")
+            raise DescriptionError("a sweep of an axle has no hardpoints", where="--points", hint="Leave it out.")
         return _sweep_axle(rig, travel, steered, roll, vehicle)
     if travel is None:
         if steered is None:
             example = '--travel "-80 mm:80 mm:4 mm", --rack or --roll'
-            raise DescriptionError("nothing is swept", where="jounce kinematics", allowed=example)
+            raise DescriptionError("nothing to sweep", where="jounce kinematics", allowed=example)
         return sweep_rack(rig, steered, vehicle=vehicle, points=points)
     lifted = swept_range(travel, "m", "--travel")
     if steered is not None and len(steered) > 1 and len(lifted) == 1:
@@ -124,13 +124,17 @@ def _sweep_axle(
 
     if roll is None:
         if rack is None:
-            raise DescriptionError("nothing is swept", where="--axle", allowed='--rack "-20 mm:20 mm:5 mm", or --roll')
+            raise DescriptionError("nothing to sweep", where="--axle", allowed='--rack "-20 mm:20 mm:5 mm", or --roll')
         lifted = 0.0 if travel is None else _one_value(swept_range(travel, "m", "--travel"), "--travel", "with --axle")
         return sweep_steering(rig, rack, lifted, vehicle=vehicle)
     if travel is not None:
-        raise DescriptionError("roll makes its own travel", where="--travel", hint="Leave out --travel or --roll.")
+        raise DescriptionError(
+            "a roll sweep sets the wheel travel itself", where="--travel", hint="Leave out --travel or --roll."
+        )
     if vehicle is not None:
-        raise DescriptionError("no percentages in roll", where="--vehicle", hint="Leave it out, or sweep --travel.")
+        raise DescriptionError(
+            "a roll sweep has no anti-dive percentages", where="--vehicle", hint="Leave it out, or sweep --travel."
+        )
     at = 0.0 if rack is None else _one_value(rack, "--rack", "with --roll")
     return sweep_roll(rig, swept_range(roll, "rad", "--roll"), at)
 
@@ -144,7 +148,7 @@ def swept_range(text: str, unit: str, option: str) -> NDArray[np.float64]:
 
 def _one_value(values: NDArray[np.float64], option: str, why: str) -> float:
     if len(values) > 1:
-        raise DescriptionError(f"only one value can be used {why}", where=option, found=f"{len(values)} values")
+        raise DescriptionError(f"only a single value can be used {why}", where=option, found=f"{len(values)} values")
     return float(values[0])
 
 
@@ -199,3 +203,145 @@ def _draw(out: Console, rig: str, sweep: xr.Dataset, written: list[str]) -> None
     out.print(f"{count} poses{many}{', shown for the one nearest to 0' if others else ''}")
     for path in written:
         out.print(f"written: {path}")
+
+
+_FACTORS = {"m": (1e3, "mm"), "rad": (57.29577951308232, "deg"), "rad/m": (0.05729577951308232, "deg/mm")}
+
+
+def adjust(
+    rig: RigName,
+    set_: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="SETTING=VALUE", help='Adjust a setting: upper_arm_length="10 mm". Repeat it.'),
+    ] = None,
+    camber: Annotated[
+        str | None, typer.Option(help='Find the arm length for this camber, top outward positive: "-2 deg".')
+    ] = None,
+    toe: Annotated[
+        str | None, typer.Option(help='Find the tie-rod length for this toe, toe-in positive: "0.5 deg".')
+    ] = None,
+    out: Annotated[Path | None, typer.Option(help="Write the adjusted rig, with its comments: RIG.toml.")] = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Show the effect of the prototype's adjustments, apply them, or find the lengths for a camber and a toe.
+
+    Example: jounce adjust kart-double-wishbone --camber "-2 deg" --toe "0.5 deg" --out cambered.toml
+    """
+    from jounce.core.serialise import check_writable, write_atomically
+    from jounce.design.adjustment_effects import adjust_report, lengths_for
+
+    given = {name: bare_number(value) for name, value in pairs(set_, "--set", 'upper_arm_length="10 mm"').items()}
+    if out is not None:
+        check_writable(out, force=force)
+    chosen, lengths = chosen_rig(rig, {}), None
+    if camber is not None or toe is not None:
+        _refuse_both(given)
+        wished = (None if value is None else bare_number(value) for value in (camber, toe))
+        lengths = lengths_for(chosen, *wished)
+        given |= lengths.settings()
+    if out is not None and not given:
+        raise DescriptionError("nothing to adjust", where="--out", allowed="--set, --camber or --toe beside it")
+    report = adjust_report(chosen, given, effects=not given)
+    if out is not None:
+        write_atomically(out, _adjusted_text(rig, report.rig), force=force)
+    plain = _plain_adjusted(rig, report, lengths, out)
+    return Reply(plain, lambda console: _draw_adjusted(console, plain, report, lengths), as_json)
+
+
+def _refuse_both(given: dict[str, Any]) -> None:
+    """Lengths that are looked for cannot be given, too."""
+    for name in ("lower_arm_length", "upper_arm_length", "tie_rod_length"):
+        if name in given:
+            raise DescriptionError(
+                "a length to be found is also given",
+                where=f"--set {name}",
+                hint="Leave it out, or --camber and --toe.",
+            )
+
+
+def _adjusted_text(name: str, rig: DoubleWishbone) -> str:
+    """The rig's file with the new values."""
+    from jounce.campaign.rig_text import updated_text
+    from jounce.parts import rig_path
+
+    return updated_text(rig_path(name).read_text(encoding="utf-8"), rig)
+
+
+def _plain_adjusted(rig: str, report: Any, lengths: Lengths | None, out: Path | None) -> dict[str, Any]:
+    from jounce.core.serialise import to_plain
+    from jounce.design.adjustments import SETTINGS
+
+    sources = {name: {"text": item.text, "source": item.source} for name, item in SETTINGS.items()}
+    return {
+        "rig": rig,
+        "settings": report.settings,
+        "lengths": to_plain(lengths),
+        "before": to_plain(report.before),
+        "after": to_plain(report.after),
+        "effects": [{**to_plain(effect), **sources[effect.setting]} for effect in report.effects],
+        "findings": to_plain(list(report.findings)),
+        "out": None if out is None else str(out),
+    }
+
+
+def _draw_adjusted(console: Console, plain: dict[str, Any], report: Any, lengths: Lengths | None) -> None:
+    findings: tuple[Finding, ...] = report.findings
+    if plain["settings"]:
+        made = ", ".join(f"{name} {_shown(name, value)}" for name, value in plain["settings"].items())
+        title = f"{plain['rig']} with {made}"
+        console.print(
+            table(title, ("quantity", "unit", "before", "after"), _states(report.before, report.after), text=(0, 1))
+        )
+    else:
+        console.print(table(plain["rig"], ("quantity", "unit", "present"), _states(report.before), text=(0, 1)))
+        _draw_effects(console, report.effects)
+    if lengths is not None:
+        console.print(f"reached: camber {_degrees(lengths.camber)}, toe {_degrees(lengths.toe)}")
+    show_findings(console, findings)
+    show_written(console, plain)
+
+
+def _states(*states: WheelState) -> list[tuple[object, ...]]:
+    from jounce.design.adjustment_effects import QUANTITIES
+
+    rows = []
+    for name, unit in QUANTITIES.items():
+        factor, people = _FACTORS.get(unit, (1.0, unit))
+        values = [getattr(state, name) for state in states]
+        rows.append((name.replace("_", " "), people, *(None if value is None else value * factor for value in values)))
+    return rows
+
+
+def _draw_effects(console: Console, effects: tuple[Effect, ...]) -> None:
+    """One table: what each setting changes from the lowest to the highest value of its range, and per mm, deg or N."""
+    from jounce.design.adjustment_effects import QUANTITIES
+
+    units = {name: _FACTORS.get(unit, (1.0, unit)) for name, unit in QUANTITIES.items()}
+    rows: list[tuple[object, ...]] = []
+    for effect in effects:
+        factor, people = _FACTORS.get(effect.unit, (1.0, effect.unit))
+        rows.append((effect.setting, *([""] * len(QUANTITIES))))
+        for value, state in ((effect.lowest, effect.at_lowest), (effect.highest, effect.at_highest)):
+            values = [getattr(state, name, None) for name in QUANTITIES]
+            rows.append((f"    {value * factor:.4g} {people}", *_scaled(values, [units[n][0] for n in QUANTITIES])))
+        slopes = [effect.per_unit[name] for name in QUANTITIES]
+        rows.append((f"    per {people}", *_scaled(slopes, [units[n][0] / factor for n in QUANTITIES])))
+    header = ("setting", *(f"{name.replace('_', ' ')} {units[name][1]}" for name in QUANTITIES))
+    console.print(table("Effect of each setting: at both ends of its range, and per unit", header, rows))
+
+
+def _scaled(values: list[float | None], factors: list[float]) -> list[float | None]:
+    return [None if value is None else value * factor for value, factor in zip(values, factors, strict=True)]
+
+
+def _shown(name: str, value: float) -> str:
+    from jounce.design.adjustments import SETTINGS, shown
+
+    return shown(value, SETTINGS[name].unit)
+
+
+def _degrees(value: float) -> str:
+    from jounce.design.adjustments import shown
+
+    return shown(value, "rad")

@@ -1,29 +1,36 @@
-"""Options that several commands share, and how their text becomes values."""
+"""Options that several commands share, how their text becomes values, and files refused before the work."""
 
 from __future__ import annotations
 
 import re
+import sys
 import tomllib
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from jounce.core.errors import DescriptionError
 
+if TYPE_CHECKING:
+    from jounce.core.findings import Finding
+    from jounce.parts import Rig
+    from jounce.roads import Trial
+
+
 AsJson = Annotated[bool, typer.Option("--json", help="Print exactly one JSON object (SI) instead of tables.")]
-Force = Annotated[bool, typer.Option("--force", help="Overwrite what exists.")]
+Force = Annotated[bool, typer.Option("--force", help="Overwrite existing output.")]
 Changes = Annotated[
     list[str] | None,
-    typer.Option("--set", metavar="PATH=VALUE", help='Change a value of the rig: strut.spring.rate="25 N/mm".'),
+    typer.Option("--set", metavar="PATH=VALUE", help='Change a parameter of the rig: strut.spring.rate="25 N/mm".'),
 ]
 Columns = Annotated[
     list[str] | None,
     typer.Option(
         "--columns",
         metavar="NAME=COLUMN",
-        help=r'Where a quantity is in the file, with its unit if the header has none: force="F \[kN]". Repeat it.',
+        help=r'Column that holds a quantity, with its unit if the header gives none: force="F \[kN]". Repeat it.',
     ),
 ]
 RigName = Annotated[str, typer.Argument(metavar="RIG", help="A rig file, or a name of `jounce library`.")]
@@ -113,3 +120,154 @@ def _toml_value(text: str) -> Any:
     except tomllib.TOMLDecodeError:
         return text
     return float(value) if isinstance(value, int) and not isinstance(value, bool) else value
+
+
+FigureFile = Annotated[Path | None, typer.Option(help="Plot the result: .png, .svg or .pdf.")]
+
+
+def check_outputs(
+    *,
+    figure: Path | None = None,
+    recording: Path | None = None,
+    rig: Path | None = None,
+    folder: Path | None = None,
+    force: bool,
+) -> None:
+    """Refuse files of another suffix, in a missing folder, or (without ``force``) that exist; folders not empty."""
+    from jounce.core.serialise import check_writable
+
+    if rig is not None:
+        check_writable(rig, what="rigs", suffixes=(".toml",), force=force)
+    if recording is not None:
+        from jounce.recordings.files import check_recording_file
+
+        check_recording_file(recording, force=force)
+    if folder is not None:
+        from jounce.report.render import check_folder
+
+        check_folder(folder, force=force)
+    if figure is not None:
+        from jounce.plots.style import check_figure
+
+        check_figure(figure, force=force)
+
+
+def write_picture(result: object, figure: Path | None, *, force: bool) -> None:
+    """Draw a result into the file, if one is asked for."""
+    if figure is not None:
+        from jounce.plots import figure_of
+        from jounce.plots.style import write_figure
+
+        write_figure(figure_of(result), figure, force=force)
+
+
+def chosen_rig(name: str, wanted: dict[str, Any]) -> Rig:
+    """Load a rig and change its values; every warning about it is one line on stderr, as in ``jounce check``."""
+    from jounce.parts import load
+
+    rig = load(name)
+    rig = rig.with_changes(wanted) if wanted else rig
+    warn_of(rig, name)
+    return rig
+
+
+def warn_of(rig: Rig, name: str) -> None:
+    """Say on stderr what looks wrong with a rig; notes are left to ``jounce check``."""
+    from jounce.parts import rig_findings
+
+    sys.stderr.writelines(f"{found}\n" for found in rig_findings(rig, name) if found.severity != "note")
+
+
+RoadName = Annotated[
+    str | None, typer.Option(help="A road: TOML, OpenCRG or table file, or a name of `jounce library`.")
+]
+DrivenSpeed = Annotated[str | None, typer.Option(help='Speed over the road, e.g. "1.95 m/s".')]
+Duration = Annotated[str | None, typer.Option(help='Length of the run, e.g. "3 s".')]
+ExcitationFile = Annotated[
+    Path | None, typer.Option(help="Instead of --road and --speed: a file with columns time and road.z.")
+]
+
+
+RightRoad = Annotated[
+    str | None,
+    typer.Option("--right-road", help="Full cars: road under the right wheels; by default that of the left."),
+]
+PitchMoment = Annotated[
+    str | None,
+    typer.Option(
+        "--pitch-moment",
+        metavar="VALUE[@TIME]",
+        help='Vehicles: moment on the body, nose-down positive, "100 N*m@3 s".',
+    ),
+]
+Deceleration = Annotated[
+    str | None,
+    typer.Option("--deceleration", metavar="VALUE[@TIME]", help='Vehicles: braking deceleration, "3 m/s^2@1 s".'),
+]
+LateralAcceleration = Annotated[
+    str | None,
+    typer.Option(
+        "--lateral-acceleration",
+        metavar="VALUE[@TIME]",
+        help='Full cars: lateral acceleration to the left, "4 m/s^2@1 s".',
+    ),
+]
+
+
+def trial_of(
+    road: str | None,
+    excitation: Path | None,
+    speed_text: str | None,
+    duration: str | None,
+    *,
+    where: str,
+    right: str | None = None,
+    loads: dict[str, str | None] | None = None,
+) -> Trial:
+    """Build the trial that the options of the command ``where`` describe; ``loads`` by their names in a trial."""
+    from jounce.roads import Trial, load_road
+
+    speed = optional_quantity(speed_text, "m/s", "--speed")
+
+    if (road is None) == (excitation is None):
+        raise DescriptionError(
+            "either a road or an excitation is needed" if road is None else "both a road and an excitation are given",
+            where=where,
+            allowed='--road ROAD --speed "1.95 m/s" --duration "3 s", or --excitation base.csv',
+        )
+    given: dict[str, Any] = {} if duration is None else {"duration": positive_quantity(duration, "s", "--duration")}
+    given |= {name: _load(name, text) for name, text in (loads or {}).items() if text is not None}
+    if excitation is not None:
+        for option, text in (("--speed", speed_text), ("--right-road", right)):
+            if text is not None:
+                hint = f"Leave out {'the speed' if option == '--speed' else 'the road'}."
+                raise DescriptionError("an excitation is already a function of time", where=option, hint=hint)
+        return Trial(excitation=excitation, **given)
+    for option, value, example in (("--speed", speed, "1.95 m/s"), ("--duration", duration, "3 s")):
+        if value is None:
+            raise DescriptionError(f"{option} is missing; a road needs it", allowed=f'{option} "{example}"')
+    if speed is not None and speed <= 0.0:
+        raise DescriptionError("out of range", where="--speed", found=f"{speed:g} m/s", allowed="above 0 m/s")
+    driven = speed * given["duration"] if speed is not None else None
+    if right is not None:
+        given["right"] = load_road(right, length=driven)
+    return Trial(road=load_road(str(road), length=driven), speed=speed, **given)
+
+
+def _load(name: str, text: str) -> dict[str, float]:
+    """Read ``VALUE`` or ``VALUE@TIME``: from the start of the run, or from a time on."""
+    option = f"--{name.replace('_', '-')}"
+    value, at, start = text.partition("@")
+    found = {"value": quantity(value.strip(), "N*m" if name == "pitch_moment" else "m/s^2", option)}
+    if at:
+        found["start"] = quantity(start.strip(), "s", option)
+        if found["start"] < 0.0:
+            raise DescriptionError("out of range", where=option, found=start.strip(), allowed="a time of at least 0 s")
+    return found
+
+
+def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float | None = None) -> list[Finding]:
+    """Say what looks wrong with a trial: a road that ends before the run does, a load that never comes, ..."""
+    from jounce.roads.trial import trial_findings as found
+
+    return found(trial, rig, output_step=output_step)

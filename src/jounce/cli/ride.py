@@ -1,4 +1,4 @@
-"""``jounce ride`` and ``jounce compare``: comfort, travel and road holding over a road, with and without control."""
+"""``jounce ride``, ``jounce compare`` and ``jounce iri``: rides over rough roads, controllers, roughness."""
 
 from __future__ import annotations
 
@@ -7,22 +7,37 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.options import AsJson, Changes, Force, VehicleName, changes, optional_positive, positive_quantity
-from jounce.cli.outputs import FigureFile, check_outputs, write_picture
-from jounce.cli.reply import Reply, progress
-from jounce.cli.rigs import chosen_rig
-from jounce.cli.tables import show_findings, show_written, table
+from jounce.cli.options import (
+    AsJson,
+    Changes,
+    Columns,
+    FigureFile,
+    Force,
+    VehicleName,
+    changes,
+    check_outputs,
+    chosen_rig,
+    columns,
+    optional_positive,
+    positive_quantity,
+    quantity,
+    write_picture,
+)
+from jounce.cli.reply import Reply, progress, show_findings, show_written, table
 from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from jounce.core.findings import Finding
     from jounce.parts import Rig
     from jounce.ride.study import Ride, RideStudy, RideTrial
+    from jounce.roughness.iri import Roughness
+
 
 _TO_THE_END = (
-    "else until the rear axle reaches the road's end and the front axle is a wheelbase beyond it; until the front axle "
-    "reaches it where the road does not end as high as it begins."
+    "otherwise until the rear axle reaches the end of the road, or until the front axle "
+    "reaches it if the road ends at another height than it begins."
 )
 RideRoad = Annotated[
     str, typer.Option(help="A class of ISO 8608 (iso:A to iso:H), a road file, or a name of `jounce library`.")
@@ -32,7 +47,7 @@ RideDuration = Annotated[
     str | None,
     typer.Option(help=f"Time over the road; by default 60 s on ISO roads, {_TO_THE_END}"),
 ]
-Seed = Annotated[int, typer.Option(min=0, help="Which of all random roads of the class.")]
+Seed = Annotated[int, typer.Option(min=0, help="Seed of the random road.")]
 
 
 def ride(
@@ -41,17 +56,19 @@ def ride(
     speed: RideSpeed,
     control: Annotated[
         list[str] | None,
-        typer.Option(help="A controller (see `jounce compare --help`), its file, or all. Repeat it; passive without."),
+        typer.Option(
+            help="A controller (see `jounce compare --help`), its file, or all; passive by default. Repeat it."
+        ),
     ] = None,
     duration: RideDuration = None,
     seed: Seed = 0,
     set_: Changes = None,
-    out: Annotated[Path | None, typer.Option(help="Write the recording of the only run: RUN.nc or RUN.csv.")] = None,
+    out: Annotated[Path | None, typer.Option(help="Write the recording of a single run: RUN.nc or RUN.csv.")] = None,
     figure: FigureFile = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
-    """Drive a vehicle over a rough road: ride metrics and, on ISO roads, what the linear model says of them.
+    """Drive a vehicle over a rough road: ride metrics and, on ISO roads, those of the linear model.
 
     Example: jounce ride audi-a6-full-car --road iso:C --speed "20 m/s" --control skyhook
     """
@@ -88,7 +105,7 @@ def compare(
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
-    """Compare controllers over one road: comfort, travel and road holding, as a table and a picture of the trade-off.
+    """Compare controllers over one road: comfort, travel and road holding, as a table and a plot of the trade-off.
 
     Example: jounce compare audi-a6-half-car-4dof --control all --figure trade-off.png
     """
@@ -140,7 +157,9 @@ def _seed(road: str, seed: int) -> int:
     said = class_and_seed(road)[1] if is_class(road) else None
     if said is None or seed in (0, said):
         return seed if said is None else said
-    raise DescriptionError("two seeds are given", where="--seed", found=f"{seed}, and {said} in --road {road}")
+    raise DescriptionError(
+        "two different seeds are given", where="--seed", found=f"{seed}, and {said} in --road {road}"
+    )
 
 
 def _trial(rig: Rig, road: str, speed: float, duration: float | None, seed: int) -> RideTrial:
@@ -199,5 +218,38 @@ def _draw_comparison(console: Console, plain: dict[str, Any], study: RideStudy) 
 
 def _draw_end(console: Console, plain: dict[str, Any], study: RideStudy) -> None:
     for name, reason in study.failed.items():
-        console.print(f"not driven: {name}: {reason}", soft_wrap=True)
+        console.print(f"not run: {name}: {reason}", soft_wrap=True)
     show_written(console, plain)
+
+
+def iri(
+    profile: Annotated[
+        str, typer.Argument(metavar="PROFILE", help="Columns x [m] and z [m], or a straight .crg road.")
+    ],
+    segment: Annotated[str, typer.Option(help="Length of the segments.")] = "100 m",
+    offset: Annotated[str, typer.Option(help="Lateral offset of the profile in a .crg road.")] = "0 m",
+    columns_: Columns = None,
+    as_json: AsJson = False,
+) -> Reply:
+    """Give the international roughness index (IRI) of a profile and of its segments.
+
+    Example: jounce iri track.csv --segment "100 m"
+    """
+    length, lateral = positive_quantity(segment, "m", "--segment"), quantity(offset, "m", "--offset")
+    from jounce.core.serialise import to_plain
+    from jounce.roughness.iri import iri as roughness_of
+    from jounce.roughness.iri import read_profile
+
+    x, z, notes = read_profile(profile, columns=columns(columns_), lateral_offset=lateral)
+    found = roughness_of(x, z, segment=length, place=profile)
+    findings = [*notes, *found.findings]
+    plain = {"profile": profile, "offset": lateral, **to_plain(found), "findings": to_plain(findings)}
+    return Reply(plain, lambda out: _draw_iri(out, profile, found, findings), as_json)
+
+
+def _draw_iri(out: Console, profile: str, found: Roughness, findings: list[Finding]) -> None:
+    rows = [(part.start, part.end, part.iri_m_per_km, "partial" if part.partial else "") for part in found.segments]
+    out.print(f"{profile}: IRI {found.iri_m_per_km:.4g} m/km", soft_wrap=True)
+    out.print(table("", ("from m", "to m", "IRI m/km", ""), rows, text=(3,)))
+    out.print(f"{found.end - found.start:g} m, samples every {found.spacing:g} m, slopes over {found.base:g} m")
+    show_findings(out, findings)

@@ -1,4 +1,4 @@
-"""``jounce simulate``: one rig or vehicle on one trial."""
+"""``jounce simulate`` and ``jounce modes``: one rig or vehicle on one trial, and about static equilibrium."""
 
 from __future__ import annotations
 
@@ -7,23 +7,27 @@ from typing import TYPE_CHECKING, Annotated, Any, cast
 
 import typer
 
-from jounce.cli.options import AsJson, Changes, Force, RigName, changes, positive_quantity
-from jounce.cli.outputs import check_outputs
-from jounce.cli.reply import Reply, progress
-from jounce.cli.rigs import chosen_rig
-from jounce.cli.tables import show_findings, show_written, table
-from jounce.cli.trial_options import (
+from jounce.cli.options import (
+    AsJson,
+    Changes,
     Deceleration,
     DrivenSpeed,
     Duration,
     ExcitationFile,
+    Force,
     LateralAcceleration,
     PitchMoment,
     RightRoad,
+    RigName,
     RoadName,
+    changes,
+    check_outputs,
+    chosen_rig,
+    positive_quantity,
     trial_findings,
     trial_of,
 )
+from jounce.cli.reply import Reply, progress, show_findings, show_written, table
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -45,14 +49,14 @@ def simulate(
     deceleration: Deceleration = None,
     lateral_acceleration: LateralAcceleration = None,
     set_: Changes = None,
-    output_step: Annotated[str, typer.Option(help="Distance of the output samples.")] = "1 ms",
-    tolerance: Annotated[str, typer.Option(help="Relative error of the displacements.")] = "1e-5",
-    method: Annotated[str, typer.Option(help="How to integrate: auto, explicit, implicit (stiff rigs).")] = "auto",
+    output_step: Annotated[str, typer.Option(help="Time step of the output.")] = "1 ms",
+    tolerance: Annotated[str, typer.Option(help="Relative error of displacements.")] = "1e-5",
+    method: Annotated[str, typer.Option(help="Integration method: auto, explicit, or implicit (stiff rigs).")] = "auto",
     out: Annotated[Path | None, typer.Option(help="Write the recording: RUN.nc or RUN.csv.")] = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
-    """Simulate a rig or a vehicle on a road or a shaker, from static equilibrium.
+    """Simulate a rig or vehicle on a road or a shaker, starting from static equilibrium.
 
     Example: jounce simulate kart-quarter-car --road bump.toml --speed "1.95 m/s" --duration "3 s" --out run.nc
     """
@@ -107,7 +111,53 @@ def _draw(out: Console, plain: dict[str, Any], findings: list[Finding]) -> None:
     events = "event" if plain["events"] == 1 else "events"
     out.print(
         f"{plain['samples']} samples, {plain['method']} method, {plain['steps']} steps, {plain['events']} {events} "
-        "(the tyre leaves or meets the road, a stop opens or closes)"
+        "(tyre lift-off or landing, contact with a stop)"
     )
     show_findings(out, findings)
     show_written(out, plain)
+
+
+_MOST_BESIDE = 4  # amplitudes in the rows of the modes; more of them are a table of their own
+_NUMBERS = ("frequency_hz", "damped_frequency_hz", "damping_ratio")
+
+
+def modes(rig: RigName, set_: Changes = None, as_json: AsJson = False) -> Reply:
+    """List the oscillating modes of a rig or vehicle, and its static equilibrium.
+
+    Example: jounce modes kart-quarter-car --set strut.angle="16 deg"
+    """
+    from jounce.core.serialise import to_plain
+    from jounce.simulation import equilibrium
+    from jounce.simulation import modes as find_modes
+
+    wanted = changes(set_)
+    chosen = chosen_rig(rig, wanted)
+    plain = {
+        "rig": rig,
+        "changes": wanted,
+        "modes": to_plain(list(find_modes(chosen))),
+        "equilibrium": equilibrium(chosen),
+    }
+    return Reply(plain, lambda out: _draw_modes(out, plain), as_json)
+
+
+def _draw_modes(out: Console, plain: dict[str, Any]) -> None:
+    found = plain["modes"]
+    names = list(found[0]["shape"]) if found else []
+    beside = names if len(names) <= _MOST_BESIDE else []
+    rows = [
+        [i, *(mode[key] for key in _NUMBERS), *(_amplitude(mode["shape"][name]) for name in beside)]
+        for i, mode in enumerate(found, 1)
+    ]
+    header = ("mode", "natural Hz", "damped Hz", "damping ratio", *(f"|{name}|" for name in beside))
+    out.print(table(f"Modes of {plain['rig']}", header, rows))
+    if names and not beside:
+        shapes = [[f"|{name}|", *(_amplitude(mode["shape"][name]) for mode in found)] for name in names]
+        out.print(table("Shapes", ("mode", *map(str, range(1, len(found) + 1))), shapes))
+    if not found:
+        out.print("no oscillating mode: all motions are overdamped")
+    out.print(table("Static equilibrium (SI)", ("quantity", "value"), plain["equilibrium"].items()))
+
+
+def _amplitude(shape: list[float]) -> float:
+    return abs(complex(*shape))

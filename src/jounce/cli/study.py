@@ -1,26 +1,39 @@
-"""``jounce study``: shipped studies, on real measurements and of models."""
+"""``jounce study``: shipped studies, on real measurements, of models, of shock-absorber tests, and of the papers."""
 
 from __future__ import annotations
 
+import os
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli import study_audi, study_inspection
-from jounce.cli.options import AsJson, Force, RigName, positive_quantity
-from jounce.cli.outputs import check_outputs
-from jounce.cli.reply import Reply, progress
-from jounce.cli.tables import show_findings, table
+from jounce.cli.options import (
+    AsJson,
+    Changes,
+    FigureFile,
+    Force,
+    RigName,
+    changes,
+    check_outputs,
+    chosen_rig,
+    positive_quantity,
+    quantity,
+    write_picture,
+)
+from jounce.cli.reply import Reply, progress, show_findings, show_written, table
 
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from jounce.core.findings import Finding
+    from jounce.inspection.equivalence import Equivalence, Factor
+    from jounce.papers.audi_a6_paper import Erratum
     from jounce.papers.proving_ground import ProvingGround
 
+
 app = typer.Typer(no_args_is_help=True, help="Shipped studies.")
-study_audi.register(app)
-study_inspection.register(app)
 _SPEEDS = ("1.95 m/s", "2.86 m/s", "3.79 m/s")
 
 
@@ -35,7 +48,7 @@ def proving_ground(
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
-    """Drive a real vehicle with a measured damper over a measured course; without --out nothing is written.
+    """Drive a real vehicle with a measured damper over a measured course. Without --out nothing is written.
 
     Example: jounce study proving-ground --out proving-ground
     """
@@ -46,7 +59,7 @@ def proving_ground(
         study = run_proving_ground(progress=say)
         if out is not None:
             from jounce.report import write_page
-            from jounce.report.proving_ground import proving_ground_page
+            from jounce.report.papers import proving_ground_page
 
             write_page(proving_ground_page(study), out, force=force, progress=say)
     plain = {**study.to_dict(), "out": None if out is None else str(out)}
@@ -57,14 +70,14 @@ def proving_ground(
 def lumped_vs_spatial(
     rig: RigName,
     lumped: Annotated[
-        str | None, typer.Option(help="A quarter car to compare; without it the one that the rig amounts to at rest.")
+        str | None, typer.Option(help="Quarter car to compare; by default the equivalent of the rig at equilibrium.")
     ] = None,
     road: Annotated[str | None, typer.Option(help="A road: file, or a name of `jounce library`.")] = None,
     speed: Annotated[list[str] | None, typer.Option(help='Speed over the road, e.g. "1.95 m/s". Repeat it.')] = None,
     duration: Annotated[str, typer.Option(help="Length of each run.")] = "2 s",
     as_json: AsJson = False,
 ) -> Reply:
-    """Say where a lumped quarter car differs from a rig in 3-D, and why.
+    """Show where a lumped quarter car differs from a 3-D rig, and why.
 
     Example: jounce study lumped-vs-spatial kart-double-wishbone --lumped kart-quarter-car
     """
@@ -92,9 +105,9 @@ def _trials(road: str | None, speeds: list[str], duration: float) -> dict[str, A
 
 
 def _draw_models(console: Console, plain: dict[str, Any]) -> None:
-    other = plain["lumped_rig"] or "the quarter car it amounts to at rest"
+    other = plain["lumped_rig"] or "its equivalent quarter car"
     rows = [(row["quantity"], row["unit"], row["spatial"], row["lumped"], row["why"]) for row in plain["rows"]]
-    header = ("about rest", "unit", "3-D", "lumped", "why")
+    header = ("at equilibrium", "unit", "3-D", "lumped", "reason")
     console.print(table(f"{plain['rig']} and {other}", header, rows, text=(0, 1, 4)))
     curve = zip(plain["travel"], plain["motion_ratio"], plain["wheel_rate"], strict=True)
     points = [
@@ -107,7 +120,7 @@ def _draw_models(console: Console, plain: dict[str, Any]) -> None:
         (peak["trial"], peak["channel"], peak["unit"], peak["spatial"], peak["lumped"], 100.0 * peak["relative"])
         for peak in plain["peaks"]
     ]
-    names = ("trial", "largest", "unit", "3-D", "lumped", "difference %")
+    names = ("trial", "peak of", "unit", "3-D", "lumped", "difference %")
     console.print(table("Peaks", names, peaks, text=(0, 1, 2)))
 
 
@@ -126,9 +139,226 @@ def _draw(console: Console, plain: dict[str, Any], study: ProvingGround, out: Pa
     rows = [
         (name, damper, *values) for name, by_damper in plain["figures"].items() for damper, values in by_damper.items()
     ]
-    header = ("figure (SI)", "damper", *(f"{3.6 * speed:.0f} km/h" for speed in plain["speed"]))
-    console.print(table("Ride over the measured course, unweighted", header, rows, text=(0, 1)))
+    header = ("metric (SI)", "damper", *(f"{3.6 * speed:.0f} km/h" for speed in plain["speed"]))
+    console.print(table("Ride metrics over the measured course, unweighted", header, rows, text=(0, 1)))
     show_findings(console, study.findings)
     console.print(
-        "nothing was written: give --out DIR" if out is None else f"written: {out}, open {out / 'report.html'}"
+        "nothing was written; give --out DIR to keep the results"
+        if out is None
+        else f"written: {out}, open {out / 'report.html'}"
     )
+
+
+Out = Annotated[Path | None, typer.Option(help="Folder for report, figures, curves (CSV, netCDF) and results.json.")]
+
+
+@app.command("audi-a6-case-a")
+def case_a(out: Out = None, force: Force = False, as_json: AsJson = False) -> Reply:
+    """Brake the paper's Audi A6 onto a 5 cm obstacle, in three variants. Without --out nothing is written.
+
+    Example: jounce study audi-a6-case-a --out case-a
+    """
+    return _case("case-a", out, force, as_json)
+
+
+@app.command("audi-a6-case-b")
+def case_b(out: Out = None, force: Force = False, as_json: AsJson = False) -> Reply:
+    """Accelerate the paper's Audi A6 into a 2 cm pothole, in three variants. Without --out nothing is written.
+
+    Example: jounce study audi-a6-case-b --json
+    """
+    return _case("case-b", out, force, as_json)
+
+
+@app.command("audi-a6-excenter")
+def exciter(
+    amplitude: Annotated[str, typer.Option(help="Of the exciter: half the stroke. Estimated.")] = "3 mm",
+    plate_mass: Annotated[str, typer.Option(help="Mass of the plate. Estimated.")] = "20 kg",
+    out: Out = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Put the paper's front corner on a driven plate, in three models. Without --out nothing is written.
+
+    Example: jounce study audi-a6-excenter --amplitude "3 mm"
+    """
+    size = positive_quantity(amplitude, "m", "--amplitude")
+    mass = quantity(plate_mass, "kg", "--plate-mass")
+    check_outputs(folder=out, force=force)
+    with progress() as say:
+        from jounce.papers.audi_a6_exciter import run_eccentric_exciter
+
+        study = run_eccentric_exciter(size, mass, progress=say)
+        if out is not None:
+            from jounce.report import write_page
+            from jounce.report.papers import exciter_page
+
+            write_page(exciter_page(study), out, force=force, progress=say)
+    plain = {**study.to_dict(), "out": None if out is None else str(out)}
+
+    def draw(console: Console) -> None:
+        _draw_exciter(console, plain)
+        _end(console, study.errata, study.findings, out)
+
+    return Reply(plain, draw, as_json)
+
+
+def _case(name: str, out: Path | None, force: bool, as_json: bool) -> Reply:
+    check_outputs(folder=out, force=force)
+    with progress() as say:
+        from jounce.papers.audi_a6 import run_audi_a6
+
+        study = run_audi_a6(name, progress=say)
+        if out is not None:
+            from jounce.report import write_page
+            from jounce.report.papers import audi_case_page
+
+            write_page(audi_case_page(study), out, force=force, progress=say)
+    plain = {**study.to_dict(), "out": None if out is None else str(out)}
+
+    def draw(console: Console) -> None:
+        _draw_case(console, plain, study.case.title)
+        _end(console, study.errata, study.findings, out)
+
+    return Reply(plain, draw, as_json)
+
+
+def _draw_case(console: Console, plain: dict[str, Any], title: str) -> None:
+    rows = [
+        (
+            run["variant"],
+            f"{z['start']:g}-{z['end']:g}",
+            *(part for window in (z, theta) for part in _extremes(window)),
+        )
+        for run in plain["runs"]
+        for z, theta in zip(run["outputs"]["z"]["windows"], run["outputs"]["theta"]["windows"], strict=True)
+    ]
+    names = (f"{what} {end} {unit}" for what, unit in (("z", "mm"), ("theta", "mrad")) for end in ("min", "max"))
+    header = ("variant", "window s", *(text for name in names for text in (name, "at s")))
+    size = len(rows) // len({run["moment"] for run in plain["runs"]})
+    console.print(f"{title}. z up and theta nose down are changes from static equilibrium.")
+    for first, moment in enumerate(dict.fromkeys(run["moment"] for run in plain["runs"])):
+        caption = f"Pitch moment {moment:.6g} N m from 3 s on"
+        console.print(table(caption, header, rows[first * size : (first + 1) * size], text=(0, 1)))
+    rest = plain["runs"][0]["statics"]
+    axles = [(name, *rest[name].values()) for name in ("front", "rear")]
+    caption = f"Static: z {1e3 * rest['z']:.5f} mm, theta {1e3 * rest['theta']:.5f} mrad"
+    console.print(table(caption, ("axle", "force N", "per wheel N", "compression m"), axles))
+    _draw_modes(console, plain["modes"])
+
+
+def _extremes(window: dict[str, float]) -> Iterable[str]:
+    for end in ("min", "max"):
+        yield f"{1e3 * window[end] + 0.0:.3f}".replace("-0.000", "0.000")
+        yield f"{window[f't_{end}']:.3f}"
+
+
+def _draw_modes(console: Console, modes: list[dict[str, Any]]) -> None:
+    rows = [(mode["frequency_hz"], mode["damped_frequency_hz"], mode["damping_ratio"]) for mode in modes]
+    console.print(table("Modes", ("natural frequency Hz", "damped Hz", "damping ratio"), rows, text=()))
+
+
+def _draw_exciter(console: Console, plain: dict[str, Any]) -> None:
+    rows = [
+        (
+            run["variant"],
+            1e3 * run["statics"]["spring_compression"],
+            1e3 * run["statics"]["compression"],
+            1e3 * run["statics"]["spring_length"],
+            1e3 * run["spring_length"]["min"],
+            1e3 * run["spring_length"]["max"],
+            "; ".join(f"{mode['frequency_hz']:.5g} Hz {mode['damping_ratio']:.4f}" for mode in run["modes"]),
+        )
+        for run in plain["runs"]
+    ]
+    header = ("model", "spring mm", "all springs mm", "length mm", "shortest", "longest", "modes, damping ratio")
+    caption = (
+        f"Static compression, and length of the spring (341 mm), static and at 5 Hz, {1e3 * plain['amplitude']:g} mm"
+    )
+    console.print(table(caption, header, rows, text=(0, 6)))
+    rows = [
+        (run["variant"], *(run["amplitudes"].get(name) for name in ("body", "wheel", "spring", "contact")))
+        for run in plain["runs"]
+    ]
+    response = ("model", "body", "wheel", "spring", "contact N/m")
+    console.print(table("Response at 5 Hz per metre of plate amplitude", response, rows))
+    rows = [
+        (run["variant"], *run["drive"]["torque"].values(), run["drive"]["power"], run["drive"]["dissipated"])
+        for run in plain["runs"]
+    ]
+    drive = ("model", "least torque N m", "mean", "greatest", "mean power W", "heat in dampers W")
+    console.print(table("Drive in steady motion", drive, rows))
+    torque, printed = plain["torque_of_eq_5"], plain["torque_of_eq_5_as_printed"]
+    console.print(f"eq. (5): {torque:.2f} N m; the paper computed {printed:.1f} N m")
+    for one in plain["eusama"]:
+        damping = f"{one['tyre_damping_coefficient']:g} N s/m in the tyre"
+        console.print(f"EUSAMA, {damping}: {100.0 * one['adhesion']:.1f} % at {one['frequency_hz']:.1f} Hz")
+
+
+def _end(console: Console, errata: Iterable[Erratum], findings: Iterable[Finding], out: Path | None) -> None:
+    rows = [(erratum.place, erratum.printed, erratum.correct) for erratum in errata]
+    console.print(table("Errata of the paper", ("place", "printed", "correct"), rows, text=(0, 1, 2)))
+    show_findings(console, findings)
+    console.print(
+        "nothing was written; give --out DIR to keep the results"
+        if out is None
+        else f"written: {out}, open {out / 'report.html'}"
+    )
+
+
+@app.command("inspection-equivalence")
+def equivalence(
+    rig: RigName,
+    points: Annotated[int, typer.Option(min=2, max=200, help="Number of values of each varied quantity.")] = 28,
+    set_: Changes = None,
+    limits: Annotated[Path | None, typer.Option(help="A limits file in place of the shipped limits.")] = None,
+    figure: FigureFile = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Compare adhesion, phase angle and THETA of one wheel over damper wear, tyre stiffness, load and friction.
+
+    Example: jounce study inspection-equivalence audi-a6-quarter-car --figure tests.png
+    """
+    check_outputs(figure=figure, force=force)
+    wanted = changes(set_)
+    with progress() as say:
+        say("loading")
+        from jounce.inspection.equivalence import compare_tests, usual_factors
+        from jounce.inspection.limits import load_limits
+
+        study = compare_tests(
+            chosen_rig(rig, wanted),  # type: ignore[arg-type]
+            factors=usual_factors(points),
+            limits=load_limits(limits),
+            workers=os.cpu_count() or 1,
+            progress=lambda share: say(f"testing: {100.0 * share:.0f} %"),
+        )
+        write_picture(study, figure, force=force)
+    plain = {"rig": rig, "changes": wanted, **study.to_dict(), "figure": figure and str(figure)}
+    return Reply(plain, lambda console: _draw_equivalence(console, plain, study), as_json)
+
+
+def _draw_equivalence(console: Console, plain: dict[str, Any], study: Equivalence) -> None:
+    factors = {factor.name: factor for factor in study.factors}
+    rows = [
+        (
+            factors[one.factor].label,
+            one.method,
+            f"{one.rejected_sound} of {one.sound}",
+            _range(factors[one.factor], one.rejected_at),
+            f"{one.passed_worn} of {one.worn}",
+            _range(factors[one.factor], one.passed_at),
+        )
+        for one in study.disagreements
+    ]
+    header = ("varied", "method", "sound rejected", "at", "worn passed", "at")
+    title = f"{plain['rig']}: a sound damper has lost up to {100.0 * plain['sound_up_to']:.0f} %, a worn one lost "
+    title += f"{100.0 * plain['worn_from']:.0f} % or more (estimated)"
+    console.print(table(title, header, rows, text=tuple(range(6))))
+    console.print(f"{plain['tests']} simulated tests, limits {plain['limits']}")
+    show_written(console, plain)
+
+
+def _range(factor: Factor, ends: tuple[float, float] | None) -> str:
+    return " to ".join(f"{factor.scale * end:.4g}" for end in dict.fromkeys(ends or ()))

@@ -117,7 +117,7 @@ def case_overview(study: AudiCase, moment: float) -> Figure:
 
 @styled
 def start_up_transient(study: AudiCase) -> Figure:
-    """Draw how the paper's vehicle falls into its balance from where the demo starts its own.
+    """Draw how the paper's vehicle settles to its equilibrium from the initial state of the demo.
 
     Parameters
     ----------
@@ -133,7 +133,10 @@ def start_up_transient(study: AudiCase) -> Figure:
     figure = new_figure(2.6)
     axes = figure.subplots()
     axes.plot(found.signals["time"], 1e3 * found.signals["body.z"], color=PALETTE[0])
-    for value, text, above in ((found.initial, "where the demo starts", -10), (found.equilibrium, "balance", 4)):
+    for value, text, above in (
+        (found.initial, "initial state of the demo", -10),
+        (found.equilibrium, "equilibrium", 4),
+    ):
         axes.axhline(1e3 * value, color=MUTED, linewidth=0.8, linestyle=(0, (3, 2)))
         note = f"{text}: {_text(1e3 * value, '.1f')} mm"
         axes.annotate(
@@ -176,7 +179,7 @@ def exciter_spring(study: EccentricExciter, duration: float = 3.0) -> Figure:
         (1.0, 1e3 * READ_LENGTH), (-2, -27), xycoords=("axes fraction", "data"), textcoords="offset points",
         ha="right", color=MUTED, fontsize=8.5,
     )  # fmt: skip
-    labels = ("plate\n[mm]", "length of the spring\n[mm]", "force of the spring\n[kN]")
+    labels = ("plate\n[mm]", "spring length\n[mm]", "spring force\n[kN]")
     for axes, label in zip(rows, labels, strict=True):
         axes.set_ylabel(label)
     rows[1].margins(y=0.1)
@@ -213,8 +216,8 @@ def exciter_torque_curve(study: EccentricExciter) -> Figure:
         f"eq. (5): {study.torque:.2f} N·m, constant", (1.0, study.torque), (-2, -10),
         xycoords=("axes fraction", "data"), textcoords="offset points", ha="right", color=MUTED, fontsize=8.5,
     )  # fmt: skip
-    rows[0].set_ylabel("torque of the drive\n[N·m]")
-    rows[1].set(xlabel="time [s]", ylabel="exciter on plate\n[kN]")
+    rows[0].set_ylabel("drive torque\n[N·m]")
+    rows[1].set(xlabel="time [s]", ylabel="force on plate\n[kN]")
     rows[1].margins(x=0.0)
     legend_above(rows[0])
     figure.align_ylabels(rows)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 _MARKERS = {"present": ("D", BEFORE), "closed form": ("o", "white"), "searched": ("x", INK)}
-_KINDS = {"present": "as it is", "closed form": "best damper, closed form", "searched": "best damper, searched"}
+_KINDS = {"present": "present design", "closed form": "best damper, closed form", "searched": "best damper, searched"}
 _WORDS = {"comfort": "comfort", "holding": "road holding", "travel": "travel"}
 _BAR = 0.55
 
@@ -169,7 +169,7 @@ def optimisation(result: Optimisation) -> Figure:
     >>> free = {"strut.damper.coefficient": ("300 N*s/m", "6000 N*s/m")}
     >>> figure = optimisation(optimise(jn.load("audi-a6-quarter-car"), free, "sprung.az", road="C", speed="20 m/s"))
     >>> [axes.get_title("left") for axes in figure.axes]
-    ['Free numbers', 'Metrics']
+    ['Design variables', 'Metrics']
     """
     rows = _rows(result)
     figure = new_figure(1.5 + 0.42 * max(len(result.numbers), len(rows)), 9.2)
@@ -178,7 +178,12 @@ def optimisation(result: Optimisation) -> Figure:
         _draw_number(left, i, item)
     names = [item.path for item in result.numbers]
     left.set_yticks(range(len(names)), names)
-    left.set(xlabel="between the bounds [%]", xlim=(-4.0, 104.0), ylim=(len(names) - 0.4, -0.75), title="Free numbers")
+    left.set(
+        xlabel="position between the bounds [%]",
+        xlim=(-4.0, 104.0),
+        ylim=(len(names) - 0.4, -0.75),
+        title="Design variables",
+    )
     left.grid(axis="y", visible=False)
     figure.legend(handles=_number_handles(result), loc="outside lower left", ncols=3, fontsize=8)
     _draw_metrics(right, rows)

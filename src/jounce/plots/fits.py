@@ -95,7 +95,7 @@ def _draw_law(axes: Axes, result: StiffnessResult, reach: float) -> None:
     axes.plot(
         inside * _MM.factor, result.curve(inside) + dropped, color=AFTER, linewidth=1.8, label=f"fit, {result.law}"
     )
-    label = "for the model, without intercept" if dropped else "beyond the fitted range"
+    label = "used in the model, without intercept" if dropped else "beyond the fitted range"
     axes.plot(whole * _MM.factor, result.curve(whole), color=AFTER, linewidth=1.0, linestyle=(0, (4, 2)), label=label)
     if low > 0.02 * high:
         axes.axvspan(0.0, low * _MM.factor, color="#e4e8eb", linewidth=0.0, zorder=0, label="not fitted")
@@ -120,7 +120,7 @@ def _draw_trials(axes: Axes, result: StiffnessResult) -> None:
     axes.grid(axis="y", visible=False)
     axes.set(xlabel=unit.label("stiffness"))
     axes.locator_params(axis="x", nbins=5)
-    axes.set_title(f"all: {quantity(pooled.value, 'N/m')} (band: 95 %)", fontweight="normal", fontsize=9)
+    axes.set_title(f"all trials: {quantity(pooled.value, 'N/m')} (band: 95 %)", fontweight="normal", fontsize=9)
 
 
 def _short(name: str) -> str:
@@ -272,9 +272,7 @@ def _draw_decay(axes: Axes, result: DecayResult, time: Array, record: Array) -> 
         axes.plot(time, record * unit.factor, color=MEASURED, linewidth=1.6, label="measured")
     dense = np.linspace(begin, end, 1500)
     response = decay_response(dense, result.parameters, result.quantity)
-    axes.plot(
-        dense, response * unit.factor, color=AFTER, linewidth=1.1, label="fitted: viscous damping and dry friction"
-    )
+    axes.plot(dense, response * unit.factor, color=AFTER, linewidth=1.1, label="fit: viscous damping and dry friction")
     turns = np.concatenate([[0], np.flatnonzero(np.diff(np.sign(np.diff(response))) != 0) + 1])
     offset = result.parameters.offset
     envelope = np.abs(response[turns] - offset)
@@ -298,7 +296,7 @@ def _draw_decay(axes: Axes, result: DecayResult, time: Array, record: Array) -> 
 def _draw_peaks(axes: Axes, result: DecayResult) -> None:
     if result.quantity != "displacement":
         axes.set_axis_off()
-        axes.text(0.5, 0.5, "turning points are drawn\nfor displacements only", ha="center", va="center", color=MUTED)
+        axes.text(0.5, 0.5, "turning points are shown\nfor displacements only", ha="center", va="center", color=MUTED)
         return
     unit = display_unit("m")
     measured = np.array(result.amplitudes) * unit.factor
@@ -312,12 +310,12 @@ def _draw_peaks(axes: Axes, result: DecayResult) -> None:
             color=MUTED,
             linewidth=1.0,
             linestyle=(0, (1, 2)),
-            label="the same without friction",
+            label="without friction",
         )
     axes.set_xlim(left=0.0)
     axes.set_ylim(bottom=0.0)
-    axes.set(xlabel="turning point from equilibrium [mm]", ylabel="next turning point [mm]")
-    axes.set_title("each turning point against the one before", fontweight="normal", fontsize=9)
+    axes.set(xlabel="turning point, from equilibrium [mm]", ylabel="next turning point [mm]")
+    axes.set_title("each turning point against the previous one", fontweight="normal", fontsize=9)
     axes.legend(loc="upper left")
 
 
@@ -328,7 +326,7 @@ def _draw_ratios(axes: Axes, result: DecayResult) -> None:
     combined = result.damping_ratio
     if combined.interval is not None:
         axes.axhspan(*combined.interval, color=AFTER, alpha=0.15, linewidth=0.0)
-    axes.axhline(combined.value, color=AFTER, label="viscous part, with 95 %")
+    axes.axhline(combined.value, color=AFTER, label="viscous, with 95 % interval")
     top = max([value for value in (*result.naive_damping_ratios, combined.value) if np.isfinite(value)], default=0.0)
     axes.set_ylim(0.0, 1.6 * top if top > 0.0 else 1.0)  # room for the legend; a wide band may leave the axes
     axes.set_xlim(-0.25, max(0.5 * count - 0.25, 1.0))
@@ -393,8 +391,8 @@ def _draw_parameters(axes: Axes, parameters: Mapping[str, UpdatedParameter], uni
     axes.set_yticks(range(len(parameters)), numbered)
     axes.set_xticks([-100, -50, 0, 50, 100])
     axes.grid(axis="y", visible=False)
-    axes.set_xlabel("place between lower and upper bound [%]")
-    axes.set_title("start ○, fitted ●, at a bound ■", fontweight="normal", fontsize=9)
+    axes.set_xlabel("position between lower and upper bound [%]")
+    axes.set_title("initial ○, fitted ●, at a bound ■", fontweight="normal", fontsize=9)
 
 
 def _value_text(p: UpdatedParameter, si: str) -> str:
@@ -417,7 +415,7 @@ def _draw_correlation(axes: Axes, correlation: Sequence[Sequence[float]], count:
             axes.text(column, row, text, ha="center", va="center", fontsize=8, color=shade)
     axes.set_xticks(range(count), [str(k) for k in range(1, count + 1)])
     axes.set_yticks(range(count), [str(k) for k in range(1, count + 1)])
-    axes.set_xlabel("number of the parameter")
+    axes.set_xlabel("parameter number")
     axes.spines[:].set_visible(False)
     axes.tick_params(length=0)
     axes.set_title("correlation", fontweight="normal", fontsize=9)
@@ -456,6 +454,6 @@ def objectives(results: Sequence[UpdateResult]) -> Figure:
     axes.set_xlim(0.0, 118.0)
     axes.set_xticks([0, 25, 50, 75, 100])
     axes.grid(axis="y", visible=False)
-    axes.set_xlabel("objective relative to its start [%]")
+    axes.set_xlabel("objective relative to its initial value [%]")
     legend_above(axes, 2)
     return figure

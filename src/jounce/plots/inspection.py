@@ -31,13 +31,13 @@ _WORDS = {
         "left": "left", "right": "right", "frequency": "frequency [Hz]", "time": "time [s]",
         "amplitude": "Force amplitude [kN]", "phase": "Phase angle [°]", "plate": "Plate amplitude [mm]",
         "force": "Plate force [kN]", "height": "Plate height [mm]", "limit": "limit", "static": "static load",
-        "nothing": "nothing to show",
+        "nothing": "no curves available",
     },
     "de": {
         "left": "links", "right": "rechts", "frequency": "Frequenz [Hz]", "time": "Zeit [s]",
         "amplitude": "Kraftamplitude [kN]", "phase": "Phasenwinkel [°]", "plate": "Plattenamplitude [mm]",
         "force": "Plattenkraft [kN]", "height": "Plattenhub [mm]", "limit": "Grenzwert", "static": "statische Last",
-        "nothing": "nichts zu zeigen",
+        "nothing": "keine Kurven vorhanden",
     },
 }  # fmt: skip
 
@@ -301,7 +301,7 @@ def vehicle_history(visits: Sequence[WheelVisit], *, height: float = 5.4) -> Fig
 
 
 _NAMES = {"eusama": "EUSAMA adhesion", "egea": "EGEA phase angle", "theta": "THETA"}
-_NEVER = "dots at the top: never rejects"
+_NEVER = "dots at the top: never rejected"
 _SOUND, _WORN = "#dceedd", "#f6ddd4"
 
 
@@ -326,7 +326,7 @@ def equivalence(study: Equivalence) -> Figure:
     row = figure.subplots(1, len(study.factors), sharey=True, squeeze=False)[0]
     for factor, axes in zip(study.factors, row, strict=True):
         _panel(study, factor, axes)
-    row[0].set_ylabel("damping lost [%]")
+    row[0].set_ylabel("loss of damping [%]")
     handles = [line for line in row[0].lines if line.get_label() in _NAMES.values()]
     if any(line.get_linestyle() == "None" for axes in row for line in axes.lines):
         handles += [Line2D([], [], color=MUTED, marker=".", linestyle="None", markersize=2.5, label=_NEVER)]

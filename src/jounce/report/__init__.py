@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from jounce.plots.style import write_figure
 from jounce.report.campaign import campaign_page, write_campaign
-from jounce.report.folder import write_folder
 from jounce.report.page import (
     Bullets,
     Cell,
@@ -25,7 +24,7 @@ from jounce.report.page import (
     Table,
 )
 from jounce.report.protocol import write_protocol
-from jounce.report.render import write_page
+from jounce.report.render import write_folder, write_page
 
 __all__ = [
     "Bullets",

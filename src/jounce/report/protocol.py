@@ -4,23 +4,30 @@ from __future__ import annotations
 
 import datetime
 import json
-from collections.abc import Mapping
+import re
+import tomllib
+from collections.abc import Mapping, Sequence
+from functools import cache
 from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import unknown
 from jounce.core.serialise import check_writable, to_json, to_plain, write_atomically
-from jounce.inspection.grading import GradedInspection, VehicleGrade, grade_vehicle
-from jounce.inspection.quantities import LANGUAGES, Language
+from jounce.inspection.findings import said as remark_text
+from jounce.inspection.grading import Difference, GradedInspection, VehicleGrade, WheelGrade, grade_vehicle
+from jounce.inspection.limits import Band, Criterion, Limits
+from jounce.inspection.quantities import LANGUAGES, QUANTITIES, Language, Quantity
+from jounce.inspection.reasons import METHOD_NAMES, Reason, verdict_words
 from jounce.inspection.record import day_of
+from jounce.inspection.result import NOT_GRADED, WheelResult
 from jounce.plots import rendered
 from jounce.plots.inspection import inspection_curves
-from jounce.report.inline import inline_svg
-from jounce.report.protocol_content import SAID, protocol_content
+from jounce.report.render import TEMPLATES, filled, inline_svg
 
 if TYPE_CHECKING:
     import xarray as xr
+
 
 SCHEMA = "jounce.protocol/1"
 SUFFIXES = (".pdf", ".html")
@@ -128,27 +135,16 @@ def protocol_html(
     about: Mapping[str, str] | None = None,
 ) -> str:
     """Give the protocol as one self-contained HTML text; arguments as in `write_protocol`."""
-    from markupsafe import Markup
-
-    from jounce.report.render import _environment, _templates
-
-    content = protocol_content(vehicle, _said(vehicle, about), language=_language(language), software=_software())
+    content = protocol_content(vehicle, _facts(vehicle, about), language=_language(language), software=_software())
     figures = _figures(vehicle, records, language)
     alternative = content["words"]["curves"]
-    text: str = (
-        _environment()
-        .get_template("protocol.html.j2")
-        .render(
-            c=content,
-            css=(_templates() / "protocol.css").read_text(encoding="utf-8"),
-            svg=lambda axle: Markup(
-                inline_svg(
-                    figures[axle["figure"]], axle["figure"].removesuffix(".svg"), f"{alternative}, {axle['title']}"
-                )
-            ),
-        )
+    return filled(
+        "protocol",
+        c=content,
+        svg=lambda axle: inline_svg(
+            figures[axle["figure"]], axle["figure"].removesuffix(".svg"), f"{alternative}, {axle['title']}"
+        ),
     )
-    return text
 
 
 def protocol_pdf(
@@ -163,7 +159,7 @@ def protocol_pdf(
     The same content gives the same bytes: the document's date is the day of the test, and where that is known the file
     is PDF/A-2b. Reasons and remarks that find no room are counted, never cut: the JSON file holds all of them.
     """
-    files, day = _fitted(vehicle, records, _language(language), _said(vehicle, about))
+    files, day = _fitted(vehicle, records, _language(language), _facts(vehicle, about))
     pages: bytes = compiled(files, "pdf", **({"pdf_standards": "a-2b"} if day is not None else {}))
     return pages
 
@@ -177,7 +173,7 @@ def protocol_png(
     ppi: float = 110.0,
 ) -> list[bytes]:
     """Give the pages of the PDF as pictures of ``ppi`` dots per inch; other arguments as in `write_protocol`."""
-    files, _ = _fitted(vehicle, records, _language(language), _said(vehicle, about))
+    files, _ = _fitted(vehicle, records, _language(language), _facts(vehicle, about))
     pages: list[bytes] = compiled(files, "png", ppi=ppi)
     return pages
 
@@ -219,11 +215,10 @@ def _fonts() -> Path:
 
 
 def _typst_files(content: Mapping[str, Any], figures: Mapping[str, bytes]) -> dict[str, bytes]:
-    from jounce.report.render import _templates
 
     data = json.dumps(_breakable(content), ensure_ascii=False)
     return {
-        "main.typ": (_templates() / "protocol.typ").read_bytes(),
+        "main.typ": (TEMPLATES / "protocol.typ").read_bytes(),
         "protocol.json": data.encode("utf-8", "replace"),
         **figures,
     }
@@ -260,7 +255,7 @@ def _figures(vehicle: VehicleGrade, records: Mapping[str, xr.Dataset] | None, la
     return found
 
 
-def _said(vehicle: VehicleGrade, about: Mapping[str, str] | None) -> dict[str, str]:
+def _facts(vehicle: VehicleGrade, about: Mapping[str, str] | None) -> dict[str, str]:
     return {**facts_of(vehicle), **(about or {})}
 
 
@@ -284,4 +279,353 @@ def _software() -> str:
     return f"jounce {metadata.version('jounce')}"
 
 
-__all__ = ["check_protocol", "protocol_data", "protocol_html", "protocol_pdf", "write_protocol"]
+TONES = {"pass": "green", "advise": "yellow", "fail": "red", NOT_GRADED: "grey"}
+HEAD = ("vehicle", "plate_number", "date", "tester", "place", "operator")
+SAID = (*HEAD, "comment")
+"""What the head of the page takes from the header of a record."""
+_SIDES = ("left", "right")
+_LONGEST_TEXT, _LONGEST_HEAD = 160, 64
+_EXPLAINING = {"disagree", "mass", "tyre", "rigidity", "lifted", "limits_differ", "one_wheel"}
+_ORDER = {"fail": 0, NOT_GRADED: 1, "advise": 2}
+
+Plain = dict[str, Any]
+
+
+@cache
+def words_in(language: Language) -> Mapping[str, str]:
+    """Words of the protocol in a language."""
+    found: dict[str, dict[str, str]] = tomllib.loads((TEMPLATES / "protocol.toml").read_text(encoding="utf-8"))
+    return found[language]
+
+
+def protocol_content(
+    vehicle: VehicleGrade, about: Mapping[str, str], *, language: Language = "en", software: str = "", most: int = 99
+) -> Plain:
+    """Put the texts of a protocol together.
+
+    Parameters
+    ----------
+    vehicle : VehicleGrade
+        One or two graded axles.
+    about : mapping of str to str
+        Texts by ``vehicle``, ``plate_number``, ``date``, ``tester``, ``place``, ``operator``, ``comment``,
+        ``record``.
+    language : {"en", "de"}
+        Of all words; German numbers have a comma.
+    software : str
+        Name and version.
+    most : int
+        How many reasons and remarks are shown; the rest is counted.
+
+    Returns
+    -------
+    dict
+        Texts, lists and tones (``green``, ``yellow``, ``orange``, ``red``, ``grey``).
+    """
+    words = words_in(language)
+    reasons, remarks = _reasons(vehicle, language), _remarks(vehicle, language)
+    shown = reasons[:most]
+    noted = remarks[: max(most - len(shown), 0)]
+    left_out = len(reasons) + len(remarks) - len(shown) - len(noted)
+    limits = vehicle.axles[0].limits
+    return {
+        "language": language,
+        "words": dict(words),
+        "title": words["title"],
+        "head": [{"label": words[name], "text": _head_text(name, about, language)} for name in HEAD],
+        "date": about.get("date", ""),
+        "comment": {"label": words["comment"], "text": _head_text("comment", about, language)},
+        "deciding": ", ".join(METHOD_NAMES[method] for method in vehicle.axles[0].deciding) or "–",
+        "verdict": _verdict(vehicle.verdict, language),
+        "axles": [_axle(one, i, language) for i, one in enumerate(vehicle.axles)],
+        "front_rear": _front_rear(vehicle, language),
+        "reasons": shown or [{"place": "", "text": words["fine"], "tone": "green"}][: vehicle.verdict == "pass"],
+        "remarks": noted,
+        "more": words["more"].format(count=left_out) if left_out else "",
+        "sources": _sources(vehicle, limits, language),
+        "foot": _foot(limits, about, software, words),
+    }
+
+
+def _head_text(name: str, about: Mapping[str, str], language: Language) -> str:
+    text = about.get(name, "")
+    german = re.fullmatch(r"(\d{4})-(\d\d)-(\d\d)", text) if name == "date" and language == "de" else None
+    return f"{german[3]}.{german[2]}.{german[1]}" if german else shortened(text, _LONGEST_HEAD)
+
+
+def shortened(text: str, longest: int = _LONGEST_TEXT) -> str:
+    r"""One line of text without control characters, not longer than is printed; an en dash for none.
+
+    Examples
+    --------
+    >>> shortened("a\tb\n"), shortened(""), shortened("abcdef", 4)
+    ('a b', '–', 'abc…')
+    """
+    line = " ".join("".join(letter if letter.isprintable() else " " for letter in text).split())
+    return (line if len(line) <= longest else f"{line[: longest - 1]}…") or "–"
+
+
+def _verdict(verdict: str, language: Language) -> Plain:
+    return {"text": verdict_words(verdict, language), "tone": TONES.get(verdict, "grey")}
+
+
+def _axle(graded: GradedInspection, index: int, language: Language) -> Plain:
+    words = words_in(language)
+    wheels = {wheel.wheel: wheel for wheel in graded.wheels}
+    return {
+        "title": words[graded.axle] if graded.axle in words else words["axle"],
+        "verdict": _verdict(graded.verdict, language),
+        "wheels": [
+            _verdict(wheels[side].verdict, language)
+            if side in wheels
+            else {"text": words["not_tested"], "tone": "grey"}
+            for side in _SIDES
+        ],
+        "rows": [_load_row(wheels, language), *_value_rows(graded, wheels, language)],
+        "figure": f"axle{index}.svg",
+    }
+
+
+def _load_row(wheels: Mapping[str, WheelResult], language: Language) -> Plain:
+    loads = {side: wheel.static_load for side, wheel in wheels.items()}
+    cells = [_cell("–" if loads.get(side) is None else f"{loads[side]:.0f} N") for side in _SIDES]
+    left, right = (loads.get(side) for side in _SIDES)
+    difference = _cell("")
+    if left is not None and right is not None and max(left, right) > 0.0:
+        share = 100.0 * abs(left - right) / max(left, right)
+        difference = _cell(f"{abs(left - right):.0f} N · {_number(share, 1, language)} %")
+    return {
+        "label": _capital(words_in(language)["static_load"]),
+        "cells": [*cells, difference, _cell("")],
+        "decides": False,
+    }
+
+
+def _cell(text: str, half: str = "", band: str = "", tone: str = "") -> Plain:
+    return {"text": text, "half": half, "band": band, "tone": tone}
+
+
+def _number(value: float, decimals: int, language: Language) -> str:
+    text = f"{value:.{decimals}f}"
+    return text.replace(".", ",") if language == "de" else text
+
+
+def _value_rows(graded: GradedInspection, wheels: Mapping[str, WheelResult], language: Language) -> list[Plain]:
+    rows = []
+    for name, quantity in QUANTITIES.items():
+        methods = {m: one for m, one in graded.limits.methods.items() if one.quantity == name}
+        asked = set(methods) & {*graded.deciding, *graded.inspection.methods}
+        if not asked and all(getattr(wheel, name) is None for wheel in wheels.values()):
+            continue
+        if not asked and name == "theta_rig" and _same(wheels):
+            continue  # a rigid plate has no value of its own
+        cells = [_value_cell(graded, wheels.get(side), quantity, language) for side in _SIDES]
+        limiting = next(iter(methods.values()), None) or _condition(graded.limits, name)
+        found = next((one for one in graded.differences if one.quantity == name), None)
+        passing = _passing(limiting, language)
+        decides = bool(set(methods) & set(graded.deciding))
+        label = _capital(quantity.words(language))
+        rows.append(
+            {
+                "label": label,
+                "cells": [*cells, _gap_cell(found, quantity, language, graded.limits), _cell(passing)],
+                "decides": decides,
+            }
+        )
+    return rows
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]
+
+
+def _same(wheels: Mapping[str, WheelResult]) -> bool:
+    return all(wheel.theta_rig == wheel.theta_road for wheel in wheels.values())
+
+
+def _value_cell(graded: GradedInspection, wheel: WheelResult | None, quantity: Quantity, language: Language) -> Plain:
+    if wheel is None:
+        return _cell("–")
+    value, half = getattr(wheel, quantity.name), wheel.uncertainty.get(quantity.name)
+    grade = graded.grade_of(wheel.wheel)
+    band, criterion = _band_of(graded.limits, grade, quantity.name, value)
+    edges = criterion.edges() if criterion is not None else ()
+    text = quantity.text(value, language, apart_from=edges)
+    if quantity.name == "phase_angle_min_deg" and value is not None and wheel.phase_frequency_hz is not None:
+        text += f" {words_in(language)['at']} {_number(wheel.phase_frequency_hz, 1, language)} Hz"
+    shown = "" if half is None or value is None else f"± {quantity.rounded_up(half, language)}"
+    if quantity.name == "adhesion" and wheel.lift_off and value is not None:
+        shown = ", ".join(filter(None, (shown, words_in(language)["lift_off"])))
+    if band is None:
+        return _cell(text, shown)
+    return _cell(text, shown, shortened(band.words(language), 60), _tone(band, criterion))
+
+
+def _tone(band: Band, criterion: Criterion | None) -> str:
+    """Colour of a band; grey where its limits decide nothing."""
+    return band.colour if criterion is None or criterion.verified else TONES[NOT_GRADED]
+
+
+def _band_of(
+    limits: Limits, grade: WheelGrade | None, name: str, value: float | None
+) -> tuple[Band | None, Criterion | None]:
+    """Band of a value by the method that grades it, or by a condition; none in a record that is not graded."""
+    for method, criterion in limits.methods.items():
+        if criterion.quantity == name and grade is not None and method in grade.bands:
+            return grade.bands[method], criterion
+    condition = _condition(limits, name)
+    if condition is not None and value is not None and grade is not None and grade.bands:
+        return condition.band_of(value), condition
+    return None, condition
+
+
+def _condition(limits: Limits, name: str) -> Criterion | None:
+    return next((one for one in limits.conditions.values() if one.quantity == name), None)
+
+
+def _gap_cell(found: Difference | None, quantity: Quantity, language: Language, limits: Limits | None = None) -> Plain:
+    if found is None:
+        return _cell("–")
+    text = quantity.text(found.absolute, language)
+    if quantity.unit == "%":
+        text = text.replace("%", "pp" if language == "en" else "%-P.")
+    if found.relative is not None:
+        text += f" · {_number(100.0 * found.relative, 1, language)} %"
+    name, band = next(iter(found.bands.items()), ("", None))
+    if band is None:
+        return _cell(text)
+    criterion = None if limits is None else limits.differences.get(name)
+    return _cell(text, "", shortened(band.words(language), 60), _tone(band, criterion))
+
+
+def _passing(criterion: Criterion | None, language: Language) -> str:
+    """Where a value passes, e.g. ``from 35°``."""
+    if criterion is None or not criterion.verified:
+        return ""
+    passing = [i for i, band in enumerate(criterion.bands) if band.verdict == "pass"]
+    if not passing:
+        return "–"
+    first, last = criterion.bands[passing[0]], criterion.bands[passing[-1]]
+    start = criterion.kind.limit_text(first.start, language) if passing[0] > 0 else ""
+    end = criterion.kind.limit_text(last.end, language) if passing[-1] < len(criterion.bands) - 1 else ""
+    if start and end:
+        return f"{start.removesuffix(criterion.kind.unit).strip()} {'to' if language == 'en' else 'bis'} {end}"
+    words = ("from", "up to") if language == "en" else ("ab", "bis")
+    return f"{words[0]} {start}" if start else f"{words[1]} {end}" if end else "–"
+
+
+def _places(graded: GradedInspection, side: str, language: Language) -> str:
+    key = f"{graded.axle}_{side}"
+    return words_in(language).get(key, words_in(language)[side])
+
+
+def _joined(places: Sequence[str], vehicle: VehicleGrade, language: Language) -> str:
+    """Name places once and shortly: an axle in place of both of its wheels, all wheels in place of both axles."""
+    words, found = words_in(language), list(dict.fromkeys(places))
+    for graded in vehicle.axles:
+        wheels = [_places(graded, side, language) for side in _SIDES]
+        title = words["both_" + graded.axle] if graded.axle in words else words["both_wheels"]
+        if set(wheels) <= set(found):
+            found[found.index(wheels[0])] = title
+            found.remove(wheels[1])
+    both = [words["both_front"], words["both_rear"]]
+    return words["all_wheels"] if sorted(found) == sorted(both) else ", ".join(found)
+
+
+def _reasons(vehicle: VehicleGrade, language: Language) -> list[Plain]:
+    """What must be read: what does not pass, what is uncertain, why methods disagree; the worst first."""
+    found: dict[str, tuple[Reason, list[str]]] = {}
+    for graded in vehicle.axles:
+        for grade in graded.grades:
+            for reason in grade.reasons:
+                if _must_be_read(reason, graded):
+                    place = _places(graded, grade.wheel, language)
+                    text = _reason_text(reason, graded, language)
+                    found.setdefault(text, (reason, []))[1].append(place)
+        title = words_in(language).get(graded.axle, words_in(language)["axle"])
+        for reason in graded.reasons:
+            if reason.kind != "wheel" and _must_be_read(reason, graded):
+                found.setdefault(_reason_text(reason, graded, language), (reason, []))[1].append(title)
+    for reason in vehicle.reasons:
+        if reason.kind == "difference" and reason.verdict not in ("", "pass"):
+            text = _reason_text(reason, vehicle.axles[0], language)
+            found.setdefault(text, (reason, []))[1].append(words_in(language)["front_rear"])
+    deciding = vehicle.axles[0].deciding
+    listed = sorted(
+        found.items(), key=lambda item: (_is_information(item[1][0], deciding), _ORDER.get(item[1][0].verdict, 3))
+    )
+    return [
+        {
+            "place": _joined(places, vehicle, language),
+            "text": shortened(text, 400),
+            "tone": TONES.get(reason.verdict, ""),
+        }
+        for text, (reason, places) in listed
+    ]
+
+
+def _reason_text(reason: Reason, graded: GradedInspection, language: Language) -> str:
+    text = reason.text(language, with_source=False)
+    return words_in(language)["information"] + text if _is_information(reason, graded.deciding) else _capital(text)
+
+
+def _is_information(reason: Reason, deciding: Sequence[str]) -> bool:
+    """Whether it is the grade of a method that does not decide."""
+    return reason.kind in ("band", "unverified") and reason.values["method"] not in deciding
+
+
+def _must_be_read(reason: Reason, graded: GradedInspection) -> bool:
+    if reason.kind in _EXPLAINING or reason.kind == "finding":
+        return True
+    if reason.kind in ("missing", "outside", "unlimited", "unverified", "near", "over_range"):
+        return reason.values.get("method") in graded.deciding
+    return reason.verdict not in ("", "pass")
+
+
+def _remarks(vehicle: VehicleGrade, language: Language) -> list[Plain]:
+    """Findings of the evaluation but those that the reasons hold already."""
+    found: dict[str, list[str]] = {}
+    for graded in vehicle.axles:
+        title = words_in(language).get(graded.axle, words_in(language)["axle"])
+        for finding in graded.inspection.findings:
+            if finding.severity != "problem":
+                found.setdefault(remark_text(finding, language), []).append(title)
+        for wheel in graded.wheels:
+            for finding in wheel.findings:
+                if finding.severity != "problem":
+                    found.setdefault(remark_text(finding, language), []).append(_places(graded, wheel.wheel, language))
+    return [
+        {"place": _joined(places, vehicle, language), "text": _capital(shortened(text, 400)), "tone": ""}
+        for text, places in found.items()
+    ]
+
+
+def _front_rear(vehicle: VehicleGrade, language: Language) -> list[Plain]:
+    """Differences between front and rear of the values that are graded, one line for each side."""
+    names = {one.quantity: METHOD_NAMES[method] for method, one in vehicle.axles[0].limits.methods.items()}
+    lines = []
+    for side in _SIDES:
+        found = [one for one in vehicle.differences if one.place == side and one.quantity in names]
+        texts = [f"{names[one.quantity]} {_gap_cell(one, QUANTITIES[one.quantity], language)['text']}" for one in found]
+        if texts:
+            lines.append({"place": words_in(language)[side], "text": "; ".join(texts)})
+    return lines
+
+
+def _sources(vehicle: VehicleGrade, limits: Limits, language: Language) -> list[str]:
+    """Where the limits that were used are from, one line for each method."""
+    used = [m for m in limits.methods if any(m in one.bands for a in vehicle.axles for one in a.grades)]
+    lines = []
+    for method in used:
+        others = [*limits.conditions.values(), *limits.differences.values()]
+        using = [limits.methods[method], *(one for one in others if method in one.methods)]
+        texts = [one.cited(language) for one in using]
+        lines.append(f"{METHOD_NAMES[method]}: {shortened('; '.join(dict.fromkeys(texts)), 300)}.")
+    return lines
+
+
+def _foot(limits: Limits, about: Mapping[str, str], software: str, words: Mapping[str, str]) -> str:
+    parts = [software, f"{words['limits']}: {shortened(limits.label, 80)}, {shortened(limits.date, 40)}"]
+    if about.get("record"):
+        parts.append(f"{words['record']}: {shortened(about['record'], 140)}")
+    return " · ".join(part for part in parts if part)

@@ -1,18 +1,27 @@
-"""A page into one self-contained HTML text and the files beside it."""
+"""A page into one self-contained HTML text, and a folder of files written whole or not at all."""
 
 from __future__ import annotations
 
+import os
+import re
+import shutil
+import tempfile
 from collections.abc import Callable, Mapping
 from functools import cache
+from html import escape
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import OutputError
 from jounce.plots import add_note, rendered
-from jounce.report.folder import check_folder, write_folder
-from jounce.report.inline import inline_svg
+from jounce.recordings.files import write_recording
 from jounce.report.page import Findings, Page, Table, slug, unique_slugs, worst_first
 
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+TEMPLATES = Path(__file__).parent / "templates"
 _SEVERITIES = {"problem": "Problems", "warning": "Warnings", "note": "Notes"}
 _MOST_PLACES = 6
 
@@ -78,24 +87,19 @@ def _draw(page: Page, progress: Callable[[str], None]) -> dict[str, dict[str, by
 def page_html(page: Page, figures: Mapping[str, bytes]) -> str:
     """Give the page as HTML text with its figures (name to SVG) inside."""
     anchors = unique_slugs([section.title for section in page.sections])
-    template = _environment().get_template("page.html.j2")
-    text: str = template.render(
+    return filled(
+        "page",
         page=page,
         sections=list(zip(anchors, page.sections, strict=True)),
-        css=(_templates() / "page.css").read_text(encoding="utf-8"),
-        svg=lambda picture: _safe(inline_svg(figures[picture.name], f"fig-{slug(picture.name)}", picture.alternative)),
+        svg=lambda picture: inline_svg(figures[picture.name], f"fig-{slug(picture.name)}", picture.alternative),
     )
+
+
+def filled(template: str, **content: Any) -> str:
+    """Fill an HTML template, whose style sheet has the same name."""
+    css = (TEMPLATES / f"{template}.css").read_text(encoding="utf-8")
+    text: str = _environment().get_template(f"{template}.html.j2").render(css=css, **content)
     return text
-
-
-def _templates() -> Path:
-    return Path(__file__).parent / "templates"
-
-
-def _safe(text: str) -> Any:
-    from markupsafe import Markup
-
-    return Markup(text)
 
 
 @cache
@@ -103,7 +107,7 @@ def _environment() -> Any:
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
     environment = Environment(
-        loader=FileSystemLoader(_templates()),
+        loader=FileSystemLoader(TEMPLATES),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,
@@ -147,3 +151,153 @@ def grouped(findings: Findings) -> list[tuple[str, str, list[tuple[str, str]]]]:
 def _places(places: list[str]) -> str:
     more = f" and {len(places) - _MOST_PLACES} more" if len(places) > _MOST_PLACES else ""
     return ", ".join(places[:_MOST_PLACES]) + more
+
+
+_STYLE = re.compile(r"<style type=\"text/css\">.*?</style>", re.DOTALL)
+_PIXELS_PER_POINT = 1.6  # on a wide screen: text of 9 pt becomes as large as that of the page
+_FULL_WIDTH = 547.0  # points
+_SIZE = re.compile(r' (?:width|height)="[\d.]+pt"')
+
+
+def inline_svg(svg: bytes, name: str, alternative: str) -> str:
+    """Make an SVG file part of an HTML page.
+
+    Parameters
+    ----------
+    svg : bytes
+        The file as matplotlib writes it.
+    name : str
+        Unique on the page; every name inside the figure begins with it.
+    alternative : str
+        Text for readers who cannot see the figure.
+
+    Returns
+    -------
+    str
+        One ``<svg>`` element that scales with the page.
+    """
+    text = svg.decode()
+    text = text[text.index("<svg") :]
+    text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.DOTALL)
+    text = _STYLE.sub("", text)
+    text = re.sub(r'\bid="([^"]+)"', rf'id="{name}-\1"', text)
+    text = re.sub(r"url\(#([^)]+)\)", rf"url(#{name}-\1)", text)
+    text = re.sub(r'xlink:href="#([^"]+)"', rf'href="#{name}-\1"', text)
+    head, _, body = text.partition(">")
+    width = re.search(r' width="([\d.]+)pt"', head)
+    limit = ""
+    if width is not None:
+        points = float(width[1])
+        share = min(points / _FULL_WIDTH, 1.0)
+        limit = f' style="max-width: {_PIXELS_PER_POINT * points:.0f}px; --share: {share:.2f}"'
+    head = _SIZE.sub("", head).replace(' version="1.1"', "")
+    head = re.sub(r' xmlns:xlink="[^"]+"', "", head)
+    label = f'role="img" aria-labelledby="{name}-title"'
+    return f'{head} {label}{limit}><title id="{name}-title">{escape(alternative)}</title>{body}'.strip()
+
+
+def check_folder(out: Path | str, *, force: bool = False) -> Path:
+    """Refuse a folder that holds something (without ``force``) or a file of that name; give its resolved path.
+
+    Raises
+    ------
+    OutputError
+        With the path and what to do.
+    """
+    folder = Path(out).expanduser().resolve()
+    if folder.exists() and not folder.is_dir():
+        raise OutputError("the output is a file, not a folder", where=str(folder), hint="Choose another name.")
+    if folder.is_dir() and not force and any(folder.iterdir()):
+        raise OutputError(
+            "the output folder is not empty", where=str(folder), hint="Choose another name or allow it with --force."
+        )
+    return folder
+
+
+def write_folder(out: Path | str, files: Mapping[str, bytes | str], *, force: bool = False) -> list[Path]:
+    """Write files into a folder through a temporary one beside it, so that nobody ever sees half of them.
+
+    Parameters
+    ----------
+    out : Path or str
+        Folder; made where it is missing. With ``force``, files of the same names in it are replaced, others stay.
+    files : mapping of str to bytes or str
+        Path within the folder to content.
+    force : bool
+        Write into a folder that is not empty.
+
+    Returns
+    -------
+    list of Path
+        The files, in the order given.
+
+    Raises
+    ------
+    OutputError
+        For a folder that is not empty, a file in its place, or a disk that refuses; nothing is changed then.
+
+    Examples
+    --------
+    >>> folder = Path(tempfile.mkdtemp()) / "report"
+    >>> [file.name for file in write_folder(folder, {"report.html": "<p>", "figures/one.svg": "<svg/>"})]
+    ['report.html', 'one.svg']
+    """
+    folder = check_folder(out, force=force)
+    _check_targets(folder, files)
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        built = Path(tempfile.mkdtemp(dir=folder.parent, prefix=f".{folder.name}."))
+    except OSError as error:
+        raise _refused(folder, error) from error
+    try:
+        for name, content in files.items():
+            target = built / name
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(content.encode() if isinstance(content, str) else content)
+        _put_in_place(built, folder, files)
+    except OSError as error:
+        raise _refused(folder, error) from error
+    finally:
+        shutil.rmtree(built, ignore_errors=True)
+    return [folder / name for name in files]
+
+
+def _check_targets(folder: Path, files: Mapping[str, bytes | str]) -> None:
+    for name in files:
+        target = folder / name
+        if not target.resolve().is_relative_to(folder):
+            raise OutputError("the file would lie outside the output folder", where=str(folder), found=name)
+        if target.is_dir():
+            raise OutputError("a file cannot be written where a folder is", where=str(target))
+        if any(parent.is_file() for parent in target.parents if parent.is_relative_to(folder)):
+            raise OutputError("a folder cannot be made where a file is", where=str(target.parent))
+
+
+def _put_in_place(built: Path, folder: Path, files: Mapping[str, bytes | str]) -> None:
+    """Rename the whole folder where nothing is in its way, otherwise file by file."""
+    built.chmod(0o755)
+    if not folder.exists() or not any(folder.iterdir()):
+        if folder.exists():
+            folder.rmdir()
+        built.rename(folder)
+        return
+    for name in files:
+        target = folder / name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        os.replace(built / name, target)  # noqa: PTH105 - replaces in one step on every system
+
+
+def _refused(folder: Path, error: OSError) -> OutputError:
+    return OutputError(
+        "the folder cannot be written",
+        where=str(folder),
+        found=error.strerror or str(error),
+        hint="Check the path, the permissions and the space on the disk.",
+    )
+
+
+def curve_files(name: str, signals: xr.Dataset) -> tuple[tuple[str, bytes], ...]:
+    """Give a recording as ``curves/<name>.csv`` and ``curves/<name>.nc``, path and content each."""
+    with tempfile.TemporaryDirectory(prefix="jounce-curves-") as folder:
+        files = [write_recording(signals, Path(folder) / f"{name}{suffix}") for suffix in (".csv", ".nc")]
+        return tuple((f"curves/{file.name}", file.read_bytes()) for file in files)

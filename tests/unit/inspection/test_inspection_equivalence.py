@@ -49,7 +49,7 @@ def test_plain_values_and_picture(study: Equivalence) -> None:
         np.isnan(study.rejecting_wear(factor.name, method)).any() for factor in study.factors for method in METHODS
     )
     texts = [text.get_text() for text in figure.legends[0].get_texts()]
-    assert (texts[-1] == "dots at the top: never rejects") == dotted
+    assert (texts[-1] == "dots at the top: never rejected") == dotted
 
 
 def test_wear_from_which_a_method_rejects(study: Equivalence) -> None:

@@ -83,13 +83,13 @@ def test_decay_shows_response_and_turning_points() -> None:
     record = decay_response(time, truth, "displacement")
     result = fit_decay(time, record, mass=16.0)
     axes = decay_fit(result, time, record, "decay_1.csv").axes
-    assert [one.get_xlabel() for one in axes] == ["time [s]", "turning point from equilibrium [mm]", "cycle"]
+    assert [one.get_xlabel() for one in axes] == ["time [s]", "turning point, from equilibrium [mm]", "cycle"]
     fitted = line_of(axes[0], "fitted")
     at = np.interp(fitted.get_xdata(), time, 1e3 * record)
     assert fitted.get_ydata() == pytest.approx(at, abs=0.02)
     measured, line = line_of(axes[1], "measured"), line_of(axes[1], "fitted")
     assert measured.get_xdata() == pytest.approx(1e3 * np.array(result.amplitudes[:-1]))
-    viscous = line_of(axes[1], "the same without friction").get_ydata()[1] / line.get_xdata()[0]
+    viscous = line_of(axes[1], "without friction").get_ydata()[1] / line.get_xdata()[0]
     assert viscous == pytest.approx(np.exp(-np.pi * 0.08 / np.sqrt(1.0 - 0.08**2)), rel=1e-6)
     order = np.argsort(line.get_xdata())
     on_line = np.interp(measured.get_xdata()[1:], line.get_xdata()[order], line.get_ydata()[order])

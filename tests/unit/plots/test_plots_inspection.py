@@ -71,7 +71,7 @@ def test_sprung_plates_show_the_plate(record: xr.Dataset) -> None:
 
 def test_without_curves_and_record_it_says_so() -> None:
     figure = inspection_curves(Inspection((WheelResult("left"),)))
-    assert figure.axes[0].texts[0].get_text() == "nothing to show"
+    assert figure.axes[0].texts[0].get_text() == "no curves available"
 
 
 def test_a_jolt_at_the_start_does_not_flatten_the_rest(record: xr.Dataset) -> None:

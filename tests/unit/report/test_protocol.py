@@ -11,14 +11,21 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray as xr
+from jounce.inspection.methods.steady import steady_state
+from jounce.inspection.signals.response import Corner, force_response
 
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.findings import Finding
 from jounce.inspection.grading import VehicleGrade, grade, grade_vehicle
-from jounce.inspection.quarter_car import Corner, force_response, steady_state
 from jounce.inspection.result import Inspection, WheelCurves, WheelResult
-from jounce.report.protocol import protocol_html, protocol_pdf, protocol_png, write_protocol
-from jounce.report.protocol_content import protocol_content, shortened
+from jounce.report.protocol import (
+    protocol_content,
+    protocol_html,
+    protocol_pdf,
+    protocol_png,
+    shortened,
+    write_protocol,
+)
 from jounce.testers.plates import phase_angle
 
 FACTS = {"vehicle": "Audi A6", "plate_number": "M-ÄÖ 12", "date": "2026-11-21", "tester": "lane 2"}
@@ -131,9 +138,9 @@ def test_german_words_and_commas(worn: VehicleGrade) -> None:
 
 
 def test_both_languages_have_the_same_words() -> None:
-    from jounce.report.protocol_words import WORDS
+    from jounce.report.protocol import words_in
 
-    assert set(WORDS["en"]) == set(WORDS["de"])
+    assert set(words_in("en")) == set(words_in("de"))
 
 
 def test_a_sound_car_says_so(sound: VehicleGrade) -> None:
@@ -262,7 +269,7 @@ def test_many_remarks_stay_on_one_page() -> None:
 def test_no_values_at_all_still_make_a_page() -> None:
     empty = vehicle(Inspection((WheelResult("left"),), methods=("theta",)))
     assert protocol_pdf(empty).startswith(b"%PDF-")
-    assert "nichts zu zeigen" in protocol_html(empty, language="de")
+    assert "keine Kurven vorhanden" in protocol_html(empty, language="de")
 
 
 def test_the_html_needs_nothing_else_and_holds_the_same(worn: VehicleGrade, record: xr.Dataset) -> None:

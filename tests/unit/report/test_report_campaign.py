@@ -13,7 +13,7 @@ import jounce as jn
 from jounce.campaign.characterise import Characterisation
 from jounce.campaign.result import CampaignResult
 from jounce.report import campaign_page, write_campaign
-from jounce.report.campaign.summary import most_important
+from jounce.report.campaign import most_important
 from jounce.report.page import Facts, Table
 
 _VOID = {"meta", "path", "use", "rect", "link", "br", "image", "line", "circle"}
@@ -194,9 +194,9 @@ def test_failures_are_shown_as_such(damaged: CampaignResult, tmp_path: Path) -> 
     html = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
     assert "Parts of this campaign failed" in html
     assert "The tyre could not be evaluated" in html
-    assert "The update &#39;strategy a 1&#39; failed" in html
+    assert "Update &#39;strategy a 1&#39; failed" in html
     assert "Trial 3 (held out), 3 m/s, road A: not usable" in html
-    assert "there is nothing to draw" in html
+    assert "there is nothing to plot" in html
     assert "Problems</h4>" in html
     assert not (tmp_path / "out" / "figures" / "trial-03.svg").exists()
     assert (tmp_path / "out" / "figures" / "trial-02.svg").exists()
@@ -211,7 +211,7 @@ def test_without_bench_updates_and_usable_trials(result: CampaignResult, tmp_pat
     )
     write_campaign(bare, tmp_path / "out")
     html = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
-    assert "holds no bench measurements" in html
+    assert "contains no bench measurements" in html
     assert "No update was asked for" in html
     assert "Nothing to report." in html
     assert html.count("not usable") >= 3

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from jounce.identify.estimate import Estimate
-from jounce.report.numbers import correlation, estimate_cells, estimate_text, given, milliseconds, percent
+from jounce.plots.display import correlation, estimate_cells, estimate_text, given, milliseconds, percent
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""``jounce draw`` and ``jounce animate``: pictures of a 3-D rig, at rest and in motion."""
+"""``jounce plot``, ``jounce draw`` and ``jounce animate``: signals, and 3-D rigs at rest and in motion."""
 
 from __future__ import annotations
 
@@ -9,10 +9,24 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from jounce.cli.kinematics import swept_range
-from jounce.cli.options import AsJson, Changes, Force, RigName, changes, positive_quantity, quantity
-from jounce.cli.reply import DONE, REFUSED, Reply, progress
-from jounce.cli.tables import show_findings, show_written
-from jounce.cli.trial_options import DrivenSpeed, Duration, ExcitationFile, RoadName, trial_findings, trial_of
+from jounce.cli.options import (
+    AsJson,
+    Changes,
+    Columns,
+    DrivenSpeed,
+    Duration,
+    ExcitationFile,
+    Force,
+    RigName,
+    RoadName,
+    changes,
+    columns,
+    positive_quantity,
+    quantity,
+    trial_findings,
+    trial_of,
+)
+from jounce.cli.reply import DONE, REFUSED, Reply, progress, show_findings, show_written
 from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
@@ -24,26 +38,65 @@ if TYPE_CHECKING:
     from jounce.parts.corners import Corner
     from jounce.roads import Trial
 
+
+def plot(
+    run: Annotated[Path, typer.Argument(metavar="RUN", help="A recording: .nc of `jounce simulate`, .csv, .mat ...")],
+    out: Annotated[Path, typer.Option(help="Figure to write: .png, .svg or .pdf.")],
+    channels: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="CHANNEL", help="Channels to plot, from top to bottom.", show_default=False),
+    ] = None,
+    columns_: Columns = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Plot channels of a recording against time.
+
+    Example: jounce plot run.nc sprung.az unsprung.az --out accelerations.png
+    """
+    from jounce.core.serialise import to_plain
+    from jounce.plots.style import check_figure, write_figure
+
+    check_figure(out, force=force)
+    from jounce.plots.signals import time_history
+    from jounce.recordings import read_recording
+
+    data, findings = read_recording(run, columns=columns(columns_))
+    figure = time_history(data, channels or None)
+    write_figure(figure, out, force=force)
+    drawn = channels or [axes.get_title("left") for axes in figure.axes]
+    plain = {"run": str(run), "channels": drawn, "out": str(out), "findings": to_plain(findings)}
+
+    def draw(console: Console) -> None:
+        console.print(f"{', '.join(drawn)}\nwritten: {out}")
+        show_findings(console, findings)
+
+    return Reply(plain, draw, as_json)
+
+
 _MOST_POSES = 9
 _WAY = 41
 
-Travel = Annotated[str | None, typer.Option(help='Wheel travel, bump positive: "-50 mm:50 mm:2 mm", or one value.')]
-Rack = Annotated[str | None, typer.Option(help="Rack travel, positive to the left: a range, or one value.")]
+Travel = Annotated[
+    str | None, typer.Option(help='Wheel travel, bump positive: "-50 mm:50 mm:2 mm", or a single value.')
+]
+Rack = Annotated[str | None, typer.Option(help="Rack travel, positive to the left: a range, or a single value.")]
 
 
 def draw(
     rig: RigName,
     out: Annotated[
-        Path | None, typer.Option(help="Picture to write: .png, .svg or .pdf; by default the rig's name and .png.")
+        Path | None,
+        typer.Option(help="Picture to write: .png, .svg or .pdf; by default the name of the rig with .png."),
     ] = None,
     travel: Travel = None,
     rack: Rack = None,
-    names: Annotated[bool, typer.Option("--names/--no-names", help="Write the names of the hardpoints.")] = True,
+    names: Annotated[bool, typer.Option("--names/--no-names", help="Label the hardpoints.")] = True,
     set_: Changes = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
-    """Draw a 3-D rig in three views and in space; with --travel or --rack further poses over the design position.
+    """Draw a 3-D rig in three views and in perspective; --travel or --rack add poses to the design position.
 
     Example: jounce draw kart-double-wishbone --travel "-20 mm:20 mm:20 mm" --out kart.png
     """
@@ -78,11 +131,12 @@ def animate(
     duration: Duration = None,
     excitation: ExcitationFile = None,
     between: Annotated[
-        str | None, typer.Option(metavar="FIRST:LAST", help='Show only a part: "0.1 s:0.4 s", or travels.')
+        str | None,
+        typer.Option(metavar="FIRST:LAST", help='Show only part of the motion: "0.1 s:0.4 s", or a range of travel.'),
     ] = None,
-    slow: Annotated[str, typer.Option(help="How many times slower than in reality a run is played.")] = "5",
+    slow: Annotated[str, typer.Option(help="Slow-motion factor of a run.")] = "5",
     frames: Annotated[
-        int | None, typer.Option(min=1, help="The most poses to show: 1000 in a page, 300 in a film.")
+        int | None, typer.Option(min=1, help="Maximum number of poses; by default 1000 in a page, 300 in a film.")
     ] = None,
     set_: Changes = None,
     force: Force = False,
@@ -151,13 +205,13 @@ def _driven(
     given = any(option is not None for option in (road, speed, duration, excitation))
     if swept and given:
         raise DescriptionError(
-            "a sweep and a drive are asked for at once",
+            "both a sweep and a run are given",
             where="jounce animate",
             allowed="--travel and --rack, or --road, --speed and --duration, or --excitation",
         )
     if not swept and not given:
         example = '--travel "-50 mm:50 mm:2 mm", or --road ROAD --speed "1.95 m/s" --duration "3 s"'
-        raise DescriptionError("nothing moves it", where="jounce animate", allowed=example)
+        raise DescriptionError("no motion is given", where="jounce animate", allowed=example)
     return None if swept else trial_of(road, excitation, speed, duration, where="jounce animate")
 
 
@@ -177,7 +231,7 @@ def _sweep(rig: Corner, travel: NDArray[np.float64] | None, rack: NDArray[np.flo
 
     if travel is not None and rack is not None and min(len(travel), len(rack)) > 1:
         raise DescriptionError(
-            "one thing can move in a picture", where="--travel, --rack", hint="Give one of them one value."
+            "only one motion can be swept", where="--travel, --rack", hint="Give a single value for one of them."
         )
     if rack is not None and (travel is None or len(travel) == 1):
         return sweep_rack(rig, rack, 0.0 if travel is None else float(travel[0]), points=True)
@@ -211,7 +265,7 @@ def _few_poses(rig: Corner, travel: str | None, rack: str | None) -> tuple[xr.Da
 def _ends(text: str, unit: str) -> tuple[float, float]:
     first, colon, last = text.partition(":")
     if not colon or not first.strip() or not last.strip():
-        raise DescriptionError("not a part", where="--between", found=text, allowed='"first:last"')
+        raise DescriptionError("not a range", where="--between", found=text, allowed='"first:last"')
     return quantity(first.strip(), unit, "--between"), quantity(last.strip(), unit, "--between")
 
 
@@ -219,5 +273,5 @@ def _stopped(poses: xr.Dataset) -> int:
     """Say why a sweep ended early; give the exit code."""
     why = str(poses.attrs.get("stopped", ""))
     if why:
-        sys.stderr.write(f"jounce: {why}. The poses before it are shown.\n")
+        sys.stderr.write(f"jounce: {why}. The poses before that are shown.\n")
     return REFUSED if why else DONE

@@ -1,4 +1,4 @@
-"""Characterisation: what the bench measurements say, and which rig values they replaced."""
+"""The report of a campaign, characterisation: what the bench measurements gave, and which rig values they replace."""
 
 from __future__ import annotations
 
@@ -6,19 +6,23 @@ import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from jounce.core.errors import DescriptionError
+from jounce.campaign.characterise import files_of, read_force_deflection
+from jounce.core.errors import DescriptionError, JounceError
+from jounce.core.types import Array
+from jounce.identify.force_deflection import ForceDeflectionTrial
 from jounce.parts.rig import unit_of
 from jounce.plots import decay_fit, display_unit, number, quantity, stiffness_fit, tyre_pressure
-from jounce.report.campaign.sources import decay_records, force_deflection
-from jounce.report.numbers import estimate_cells, estimate_text
+from jounce.plots.display import estimate_cells, estimate_text
+from jounce.recordings import read_recording
 from jounce.report.page import Block, Cell, Details, Paragraph, Picture, Section, Subsection, Table, unique_slugs
 
 if TYPE_CHECKING:
-    from jounce.campaign.description import StiffnessBench
+    from jounce.campaign.description import DecayBench, StiffnessBench
     from jounce.campaign.result import CampaignResult
     from jounce.identify.decay import DecayResult
     from jounce.identify.stiffness import StiffnessResult
     from jounce.parts import Rig
+
 
 _ESTIMATE = ("quantity", "value", "standard error", "95 % interval", "unit")
 _NAMES = {"bench.spring": "spring", "bench.tyre": "tyre", "bench.decay": "free decays"}
@@ -29,7 +33,8 @@ def characterisation(result: CampaignResult) -> Section:
     bench, asked = result.characterisation, result.campaign.bench
     blocks: list[Block] = [
         Paragraph(
-            f"The {_NAMES.get(place, place)} could not be evaluated: the described value is used. See Findings.", "bad"
+            f"The {_NAMES.get(place, place)} could not be evaluated; the value of the rig file is used (see Findings).",
+            "bad",
         )
         for place in bench.failed
     ]
@@ -47,7 +52,7 @@ def characterisation(result: CampaignResult) -> Section:
     if bench.decay is not None:
         blocks.append(Subsection("Damping from free decays", _decay(result)))
     if not blocks:
-        blocks.append(Paragraph("The campaign holds no bench measurements; every value is the rig's as described."))
+        blocks.append(Paragraph("The campaign contains no bench measurements; all values are those of the rig file."))
     return Section("Characterisation", tuple(blocks))
 
 
@@ -75,8 +80,8 @@ def _replaced(result: CampaignResult) -> Table:
         described = "–" if item.described is None else number(item.described * unit.factor)
         rows.append((item.path, described, number(item.measured * unit.factor), error, unit.name, item.source))
     return Table(
-        "Rig values that measurements replaced",
-        ("rig value", "described", "measured", "standard error", "unit", "from"),
+        "Rig parameters replaced by measured values",
+        ("parameter", "rig file", "measured", "standard error", "unit", "source"),
         tuple(rows),
         "lrrrll",
     )
@@ -85,21 +90,24 @@ def _replaced(result: CampaignResult) -> Table:
 def _stiffness(
     result: CampaignResult, found: StiffnessResult, table: StiffnessBench | None, title: str, file: str
 ) -> tuple[Block, ...]:
-    points = force_deflection(result, table)
-    choice = {"drop": "dropped", "shift": "deflection shifted", "keep": "kept as preload"}[found.intercept_choice]
+    points = _measured_trials(result, table)
+    choice = {"drop": "dropped", "shift": "deflection offset", "keep": "kept as preload"}[found.intercept_choice]
     rows: list[tuple[Cell | str, ...]] = [("stiffness", *estimate_cells(found.stiffness, "N/m"))]
     if found.intercept is not None:
         rows.append((f"intercept ({choice})", *estimate_cells(found.intercept, "N")))
     if found.tangent_stiffness is not None:
-        rows.append(("measured slope at the static operating point", *estimate_cells(found.tangent_stiffness, "N/m")))
+        rows.append(("local stiffness at the static operating point", *estimate_cells(found.tangent_stiffness, "N/m")))
     summary = Table(
-        f"Fit of the {title}: {found.law} law, all trials", _ESTIMATE, tuple(rows), "lrrrl", _fit_note(found)
+        f"Fit for the {title}: {found.law} law, all trials", _ESTIMATE, tuple(rows), "lrrrl", _fit_note(found)
     )
     alternative = (
         f"Force against deflection of the {title} with a {found.law} fit through {len(found.trials)} trials, "
-        f"stiffness {estimate_text(found.stiffness, 'N/m')}; at the right the stiffness of each trial."
+        f"stiffness {estimate_text(found.stiffness, 'N/m')}; right: stiffness of each trial."
     )
-    caption = f"The {title}: measured points and fit; stiffness of each trial by itself with its 95 % interval."
+    caption = (
+        f"Left: measured points and fitted law of the {title}. "
+        "Right: stiffness of the individual trials with 95 % intervals."
+    )
     picture = Picture(stiffness_fit(found, points, title), file, caption, alternative)
     return summary, picture, _trial_table(found)
 
@@ -112,7 +120,7 @@ def _fit_note(found: StiffnessResult) -> str:
     if found.loss_factor is not None:
         parts.append(f"loss factor {number(found.loss_factor, 2)}")
     if found.hysteresis_energy is not None:
-        parts.append(f"energy lost in a cycle {quantity(found.hysteresis_energy, 'J', 2)}")
+        parts.append(f"energy dissipated per cycle {quantity(found.hysteresis_energy, 'J', 2)}")
     if found.operating_deflection is not None:
         parts.append(f"static operating point at {quantity(found.operating_deflection, 'm', 3)}")
     return "; ".join(parts) + "."
@@ -138,7 +146,7 @@ def _trial_table(found: StiffnessResult) -> Table:
         "loss factor [–]",
         "points",
     )
-    return Table("Each trial by itself", header, rows, "lrrrrrr")
+    return Table("Individual trials", header, rows, "lrrrrrr")
 
 
 def _pressure(result: CampaignResult) -> tuple[Block, ...]:
@@ -152,7 +160,7 @@ def _pressure(result: CampaignResult) -> tuple[Block, ...]:
     if found.slope is not None:
         note.append(f"Slope {number(found.slope * 1e3, 4)} N/mm per MPa")
     if found.at_zero_pressure is not None:
-        note.append(f"line at zero pressure {quantity(found.at_zero_pressure, 'N/m')}")
+        note.append(f"extrapolated to zero pressure {quantity(found.at_zero_pressure, 'N/m')}")
     if found.exponent is not None:
         note.append(f"exponent of the power law {number(found.exponent, 3)}")
     table = Table(
@@ -166,7 +174,7 @@ def _pressure(result: CampaignResult) -> tuple[Block, ...]:
     picture = Picture(
         tyre_pressure(found),
         "bench-tyre-pressure",
-        "Radial stiffness against inflation pressure; between measured pressures it is interpolated.",
+        "Radial stiffness against inflation pressure, interpolated between the measured pressures.",
         f"Tyre stiffness against inflation pressure. {words}.",
     )
     return table, picture
@@ -179,12 +187,12 @@ def _decay(result: CampaignResult) -> tuple[Block, ...]:
     blocks: list[Block] = [
         _decay_table(
             found,
-            f"Damping from {len(bench.decays)} free decays together"
+            f"Damping from {len(bench.decays)} free decays combined"
             if len(bench.decays) > 1
             else "Damping from a free decay",
         )
     ]
-    records = decay_records(result, result.campaign.bench.decay)
+    records = _decay_records(result, result.campaign.bench.decay)
     if len(records) != len(bench.decays):
         records = [(f"decay {k}", (), ()) for k in range(1, len(bench.decays) + 1)]  # type: ignore[misc]
     pictures: list[Picture] = []
@@ -195,8 +203,8 @@ def _decay(result: CampaignResult) -> tuple[Block, ...]:
             f"{estimate_text(one.damping_coefficient, 'N*s/m')}, dry friction {estimate_text(one.coulomb_force, 'N')}."
         )
         caption = (
-            f"{name}: record and fitted response; turning points; damping ratios that single decrements would mean. "
-            f"R² {one.r2:.4f}."
+            f"{name}: measured and fitted response; successive turning points; apparent damping ratios from single "
+            f"decrements. R² {one.r2:.4f}."
         )
         pictures.append(Picture(decay_fit(one, time, signal, name), file, caption, alternative))
     blocks += pictures[:1]
@@ -208,13 +216,13 @@ def _decay(result: CampaignResult) -> tuple[Block, ...]:
 
 def _decay_table(found: Any, caption: str) -> Table:
     quantities = (
-        ("damping coefficient (viscous part)", found.damping_coefficient, "N*s/m"),
-        ("damping ratio (viscous part)", found.damping_ratio, "1"),
-        ("dry friction", found.coulomb_force, "N"),
+        ("viscous damping coefficient", found.damping_coefficient, "N*s/m"),
+        ("viscous damping ratio", found.damping_ratio, "1"),
+        ("dry friction force", found.coulomb_force, "N"),
         ("natural frequency", found.natural_frequency_hz, "Hz"),
-        ("stiffness that mass and frequency mean", found.stiffness, "N/m"),
-        ("equilibrium", found.equilibrium, "m"),
-        ("logarithmic decrement (naive, for comparison)", found.logarithmic_decrement, "1"),
+        ("stiffness from mass and natural frequency", found.stiffness, "N/m"),
+        ("equilibrium position", found.equilibrium, "m"),
+        ("logarithmic decrement (friction neglected, for comparison)", found.logarithmic_decrement, "1"),
     )
     rows = tuple((words, *estimate_cells(one, si)) for words, one, si in quantities if one is not None)
     return Table(
@@ -222,7 +230,7 @@ def _decay_table(found: Any, caption: str) -> Table:
         _ESTIMATE,
         rows,
         "lrrrl",
-        f"{number(found.cycles, 3)} cycles in all; values as the sprung mass feels them.",
+        f"{number(found.cycles, 3)} cycles in total; values are referred to the sprung mass.",
     )
 
 
@@ -243,8 +251,32 @@ def _each_decay(decays: tuple[DecayResult, ...], names: list[str]) -> Table:
         for name, d in zip(names, decays, strict=True)
     )
     return Table(
-        "Each decay by itself (with its 95 % interval)",
+        "Individual decays (with 95 % intervals)",
         ("record", "damping coefficient [N·s/m]", "dry friction [N]", "natural frequency [Hz]", "cycles"),
         rows,
         "lrrrr",
     )
+
+
+def _measured_trials(result: CampaignResult, table: StiffnessBench | None) -> list[ForceDeflectionTrial]:
+    """Measured trials of a test machine; none where they cannot be read any more."""
+    if table is None:
+        return []
+    try:
+        return read_force_deflection(files_of(table.files, result.folder, "report"), table.columns)[0]
+    except JounceError:
+        return []
+
+
+def _decay_records(result: CampaignResult, table: DecayBench | None) -> list[tuple[str, Array, Array]]:
+    """File name, time (s) and record (SI) of each decay; none where they cannot be read any more."""
+    if table is None:
+        return []
+    found = []
+    try:
+        for file in files_of(table.files, result.folder, "report"):
+            recording, _ = read_recording(file, columns=table.columns or None)
+            found.append((file.name, recording["time"].to_numpy(), recording[table.channel].to_numpy()))
+    except (JounceError, KeyError):
+        return []
+    return found

@@ -1,0 +1,493 @@
+"""``jounce check``, ``jounce library`` and ``jounce import``: what is in a file, what is shipped, what others wrote."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from jounce.cli.options import AsJson, Force, files, optional_positive
+from jounce.cli.reply import DONE, REFUSED, Reply, show_findings, table
+from jounce.core.errors import DescriptionError, JounceError, RecordingError, unknown
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from jounce.core.findings import Finding
+
+
+def check(
+    given: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="FILE...", help="Rigs, vehicles, controllers, campaigns, roads, testers, limits, recordings."
+        ),
+    ],
+    parameters: Annotated[
+        bool, typer.Option("--parameters", help="List the parameters of rigs, vehicles and testers by their paths.")
+    ] = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Check files, and for a campaign all files it refers to. Exit code 2 if anything is wrong.
+
+    Example: jounce check campaign.toml rig.toml roads/*.toml
+    """
+    checked = [check_file(file) for file in files(given, "FILE")]
+    plain = {
+        "ok": not any(item.problems for item in checked),
+        "files": [
+            {
+                "file": str(item.file),
+                "kind": item.kind,
+                "ok": not item.problems,
+                "what": item.what,
+                "problems": list(item.problems),
+                "notes": list(item.notes),
+                **({"parameters": item.parameters} if parameters else {}),
+            }
+            for item in checked
+        ],
+    }
+    for item in checked:
+        sys.stderr.writelines(f"jounce: {problem}\n" for problem in item.problems)
+    return Reply(plain, lambda out: _draw_checked(out, plain), as_json, DONE if plain["ok"] else REFUSED)
+
+
+def _draw_checked(out: Console, plain: dict[str, Any]) -> None:
+    rows = []
+    for item in plain["files"]:
+        count = len(item["problems"])
+        verdict = "ok" if item["ok"] else f"{count} problem{'s' if count > 1 else ''}"
+        rows.append((item["file"], item["kind"], verdict, item["what"]))
+    out.print(table("", ("file", "kind", "verdict", "what"), rows, text=(0, 1, 2, 3)))
+    for item in plain["files"]:
+        for note in item["notes"]:
+            out.print(note)
+    for item in plain["files"]:
+        if item.get("parameters"):
+            numbers = [(path, found["value"], found["unit"]) for path, found in item["parameters"].items()]
+            out.print(table(f"{item['file']}: parameters", ("path", "value", "unit"), numbers, text=(0, 2)))
+
+
+_OTHER_COLUMNS = ("no column", "no channel")  # what readers say of a file of another kind
+_TOML_KINDS = {
+    "jounce.rig/1": "rig",
+    "jounce.vehicle/1": "vehicle",
+    "jounce.campaign/1": "campaign",
+    "jounce.road/1": "road",
+    "jounce.control/1": "control",
+    "jounce.tester/1": "tester",
+    "jounce.limits/1": "limits",
+}
+
+
+@dataclass
+class Checked:
+    """Outcome for one file: what it is, in words, everything wrong with it, and the numbers that ``--set`` changes."""
+
+    file: Path
+    kind: str = "unknown"
+    what: str = ""
+    problems: list[str] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+    parameters: dict[str, dict[str, float | str]] = field(default_factory=dict)
+
+    @contextmanager
+    def step(self) -> Iterator[None]:
+        """Note the error of one step and let the next one run."""
+        try:
+            yield
+        except JounceError as error:
+            self.problems.append(str(error))
+        except OSError as error:
+            self.problems.append(f"{error.filename or self.file}: {error.strerror or error}.")
+
+
+def check_file(file: Path) -> Checked:
+    """Check one file by what it is: a description (TOML), the header of a record, a road, a table or a recording."""
+    checked = Checked(file)
+    with checked.step():
+        checks: dict[str, Callable[[Checked], None]] = {".toml": _check_toml, ".crg": _check_road}
+        checks.get(file.suffix.lower(), _check_measured)(checked)
+    return checked
+
+
+def _check_toml(checked: Checked) -> None:
+    from jounce.core.description import read_toml
+
+    table, text = read_toml(checked.file)
+    if "schema" not in table and _is_header(table):
+        _check_header(checked, table, text)
+        return
+    schema = table.get("schema", "jounce.road/1" if "kind" in table else None)
+    checked.kind = _TOML_KINDS.get(str(schema), "unknown")
+    if checked.kind == "unknown":
+        if schema is None:
+            raise DescriptionError(
+                "the schema line is missing", where=str(checked.file), allowed=", ".join(_TOML_KINDS)
+            )
+        raise unknown(str(schema), _TOML_KINDS, what="schema", where=str(checked.file))
+    _CHECKS[checked.kind](checked)
+
+
+def _check_rig(checked: Checked) -> None:
+    from jounce.parts import load, rig_findings
+
+    rig = load(checked.file)
+    checked.what = f"{getattr(rig, 'model', 'rig')} with {len(rig.parameters())} parameters"
+    checked.parameters = _parameters(rig)
+    checked.notes += map(str, rig_findings(rig, str(checked.file)))
+
+
+def _parameters(description: Any) -> dict[str, dict[str, float | str]]:
+    """Every number of a description by its path, SI, with its unit."""
+    from jounce.parts.rig import parameters_of, unit_of
+
+    found = parameters_of(description)
+    return {path: {"value": value, "unit": unit_of(description, path)} for path, value in found.items()}
+
+
+def _check_road(checked: Checked) -> None:
+    from jounce.roads import load_road
+
+    checked.kind = "road"
+    road = load_road(checked.file)
+    checked.what = f"{getattr(road, 'kind', 'road')}, ends at {road.end():g} m"
+
+
+def _check_control(checked: Checked) -> None:
+    from jounce.control import controller
+
+    found = controller(checked.file)
+    checked.what = str(getattr(found, "law", type(found).__name__))
+
+
+def _check_tester(checked: Checked) -> None:
+    from jounce.parts.testers import findings_of_tester, load_tester
+
+    tester = load_tester(checked.file)
+    checked.what = f"{tester.name}: {tester.kind}, evaluated by {tester.method}"
+    checked.parameters = _parameters(tester)
+    checked.notes += map(str, findings_of_tester(tester, str(checked.file)))
+
+
+def _check_limits(checked: Checked) -> None:
+    from jounce.inspection.limits import load_limits
+
+    limits = load_limits(checked.file)
+    further = [*limits.conditions, *(f"difference of {name}" for name in limits.differences)]
+    checked.what = f"{limits.label}: {', '.join([*limits.methods, *further])}"
+
+
+def _is_header(table: dict[str, Any]) -> bool:
+    """Whether a file says anything that stands in the header of a tester's record."""
+    from jounce.inspection.record import NUMBERS, SIDES, TEXTS, flat_facts
+
+    known = {*TEXTS, *(f"{side}.{name}" for side in SIDES for name in NUMBERS)}
+    return not known.isdisjoint(flat_facts(table))
+
+
+def _check_header(checked: Checked, table: dict[str, Any], text: str) -> None:
+    """Facts about the car in the file beside a record; each mistake is said with its line."""
+    from jounce.core.description import line_of
+    from jounce.inspection.record import flat_facts, read_facts
+
+    checked.kind, facts = "header of a record", flat_facts(table)
+    checked.what = ", ".join(facts)
+    for key, value in facts.items():
+        line = line_of(text, tuple(key.split("."))) or line_of(text, (key,))
+        with checked.step():
+            _, findings = read_facts({key: value}, where=f"{checked.file}, line {line}")
+            checked.notes += map(str, findings)
+
+
+def _check_measured(checked: Checked) -> None:
+    """A recording, a force-deflection trial or a road table: the first whose columns the file has."""
+    missing: list[JounceError] = []
+    kinds = {"recording": _check_recording, "force-deflection trial": _check_trial, "road table": _road_table}
+    for kind, read in kinds.items():
+        checked.kind = kind
+        try:
+            read(checked)
+        except RecordingError as error:
+            if not error.what.startswith(_OTHER_COLUMNS):
+                raise
+            missing.append(error)
+        else:
+            return
+    checked.kind = "unknown"
+    raise missing[0]
+
+
+def _check_recording(checked: Checked) -> None:
+    from jounce.recordings import read_recording
+
+    data, findings = read_recording(checked.file)
+    if any(str(name).endswith(".plate.force") for name in data.data_vars):
+        from jounce.inspection.record import read_record
+
+        checked.kind = "record of a tester"
+        data, findings = read_record(checked.file)
+    time = data["time"].to_numpy()
+    checked.what = f"{', '.join(map(str, data.data_vars))}; {len(time)} samples, {time[-1] - time[0]:g} s"
+    checked.notes += map(str, findings)
+
+
+def _check_trial(checked: Checked) -> None:
+    _check_table(checked, {"displacement": "m", "force": "N"})
+
+
+def _road_table(checked: Checked) -> None:
+    _check_table(checked, {"x": "m", "z": "m"})
+
+
+def _check_table(checked: Checked, wanted: dict[str, str]) -> None:
+    from jounce.recordings import read_columns
+
+    values, findings = read_columns(checked.file, wanted)
+    checked.what = f"{len(next(iter(values.values())))} rows"
+    checked.notes += map(str, findings)
+
+
+def _check_campaign(checked: Checked) -> None:
+    """The campaign, its rig and roads, and every file of bench and trials."""
+    from jounce.campaign import load_campaign
+    from jounce.campaign.run import check_strut_angles
+    from jounce.parts import load, rig_path
+    from jounce.roads import read_roads
+
+    campaign, text = load_campaign(checked.file)
+    folder, where = checked.file.parent, str(checked.file)
+    checked.what = f"{len(campaign.trial)} trials, {len(campaign.update)} updates"
+    with checked.step():
+        rig = load(folder / campaign.rig if campaign.rig.endswith(".toml") else rig_path(campaign.rig))
+        check_strut_angles(campaign, rig, checked.file)
+    roads: dict[str, Any] = dict.fromkeys(campaign.roads)
+    with checked.step():
+        roads = dict(read_roads(campaign.roads, where=where, text=text, folder=folder))
+    for entry in campaign.trial:
+        place = f"{where}: trial {entry.number}"
+        if entry.road is not None and entry.road not in roads:
+            checked.problems.append(str(unknown(entry.road, roads, what="road", where=place)))
+        with checked.step():
+            _check_columns(folder / entry.recording, entry.columns, place)
+        if entry.excitation is not None:
+            with checked.step():
+                from jounce.roads import Excitation
+
+                Excitation(file=folder / entry.excitation)
+    _check_bench(checked, campaign.bench, folder)
+
+
+def _check_columns(file: Path, columns: dict[str, str], place: str) -> None:
+    from jounce.recordings import read_recording
+
+    try:
+        read_recording(file, columns=columns or None)
+    except JounceError as error:
+        raise RecordingError(f"{place}: {error}") from None
+
+
+def _check_bench(checked: Checked, bench: Any, folder: Path) -> None:
+    from jounce.campaign.characterise import files_of, read_force_deflection
+    from jounce.recordings import read_recording
+
+    tables = {"bench.spring": bench.spring, **{f'bench.tyre."{name}"': item for name, item in bench.tyre.items()}}
+    for name, asked in tables.items():
+        if asked is not None:
+            with checked.step():
+                read_force_deflection(files_of(asked.files, folder, f"{checked.file}: {name}"), asked.columns)
+    if bench.decay is not None:
+        with checked.step():
+            for file in files_of(bench.decay.files, folder, f"{checked.file}: bench.decay"):
+                read_recording(file, columns=bench.decay.columns or None)
+
+
+_CHECKS: dict[str, Callable[[Checked], None]] = {
+    "rig": _check_rig,
+    "vehicle": _check_rig,
+    "road": _check_road,
+    "campaign": _check_campaign,
+    "control": _check_control,
+    "tester": _check_tester,
+    "limits": _check_limits,
+}
+
+
+def library(
+    name: Annotated[str | None, typer.Argument(help="File to print, or road to describe.")] = None,
+    as_json: AsJson = False,
+) -> Reply:
+    """List the shipped rigs, vehicles, roads, testers and limits, or print one of them.
+
+    Example: jounce library kart-quarter-car > my-rig.toml
+    """
+    from jounce.inspection.limits import SHIPPED, shipped_limits
+    from jounce.parts import library as rigs
+    from jounce.parts.testers import library as testers
+    from jounce.roads import road_library as roads
+
+    shipped_rigs, shipped_roads, shipped_testers = rigs(), roads(), testers()
+    limits = {SHIPPED: shipped_limits()}
+    if name is None:
+        described = [_rig(*item) for item in shipped_rigs.items()]
+        plain = {
+            "rigs": [item for item in described if item["kind"] == "rig"],
+            "vehicles": [item for item in described if item["kind"] == "vehicle"],
+            "roads": [_road(*item) for item in shipped_roads.items()],
+            "testers": [_tester(*item) for item in shipped_testers.items()],
+            "limits": [_limits(*item) for item in limits.items()],
+        }
+        return Reply(plain, lambda out: _draw_list(out, plain), as_json)
+    for shipped, about in ((shipped_rigs, _rig), (shipped_testers, _tester), (limits, _limits)):
+        if name in shipped:
+            return _printed(about(name, shipped[name]), as_json=as_json)
+    if name in shipped_roads:
+        road = _road(name, shipped_roads[name])
+        return Reply(road, lambda out: _draw_road(out, road), as_json)
+    raise unknown(name, [*shipped_rigs, *shipped_roads, *shipped_testers, *limits], what="name", where="NAME")
+
+
+def _printed(about: dict[str, Any], *, as_json: bool) -> Reply:
+    text = Path(about["file"]).read_text(encoding="utf-8")
+    return Reply({**about, "text": text}, lambda _: _print_raw(text), as_json)
+
+
+def _rig(name: str, file: Path) -> dict[str, Any]:
+    from jounce.parts import Vehicle, load
+
+    rig = load(file)
+    return {
+        "name": name,
+        "kind": "vehicle" if isinstance(rig, Vehicle) else "rig",
+        "what": getattr(rig, "model", ""),
+        "source": rig.source,
+        "estimated": list(rig.estimated),
+        "file": str(file),
+    }
+
+
+def _tester(name: str, file: Path) -> dict[str, Any]:
+    from jounce.parts.testers import load_tester
+
+    tester = load_tester(file)
+    return {
+        "name": name,
+        "kind": "tester",
+        "what": f"{tester.kind}, {tester.method}",
+        "source": tester.source,
+        "estimated": list(tester.estimated),
+        "file": str(file),
+    }
+
+
+def _limits(name: str, file: Path) -> dict[str, Any]:
+    from jounce.inspection.limits import load_limits
+
+    limits = load_limits(file)
+    what = f"limits {limits.version} of {', '.join(limits.methods)}"
+    return {"name": name, "kind": "limits", "what": what, "source": limits.source, "file": str(file)}
+
+
+def _road(name: str, file: Path) -> dict[str, Any]:
+    from jounce.roads import load_road, source_of_course
+
+    road = load_road(file)
+    points = road.segments(road.end()).evaluate(road.segments(road.end()).edges)[0]
+    return {
+        "name": name,
+        "kind": "road",
+        "what": f"measured course of {road.end():g} m, heights {1e3 * points.min():.3g} to {1e3 * points.max():.3g} mm",
+        "length": road.end(),
+        "lowest": float(points.min()),
+        "highest": float(points.max()),
+        "source": source_of_course(file),
+        "file": str(file),
+    }
+
+
+def _print_raw(text: str) -> None:
+    sys.stdout.write(text)
+
+
+def _draw_list(out: Console, plain: dict[str, Any]) -> None:
+    for title in ("Rigs", "Vehicles", "Roads", "Testers", "Limits"):
+        rows = [(item["name"], item["what"], item["source"]) for item in plain[title.lower()]]
+        out.print(table(title, ("name", "what", "source"), rows, text=(0, 1, 2)))
+    out.print("`jounce library NAME` prints one of them; the names are accepted wherever a file is.")
+
+
+def _draw_road(out: Console, road: dict[str, Any]) -> None:
+    out.print(f"{road['name']}: {road['what']}\nfile: {road['file']}\n\n{road['source']}")
+
+
+import_app = typer.Typer(no_args_is_help=True, help="Convert models of other programs to rig files.")
+
+
+@import_app.callback()
+def _import() -> None:
+    """Keep the name of a program part of the command even where there is only one."""
+
+
+@import_app.command("chrono")
+def chrono(
+    file: Annotated[Path, typer.Argument(metavar="FILE.json", help="DoubleWishbone, MacPhersonStrut or MultiLink.")],
+    out: Annotated[Path | None, typer.Option(help="Rig file to write; stdout by default.")] = None,
+    wheel_radius: Annotated[
+        str | None, typer.Option(help="Undeformed tyre radius. Default: 330 mm (estimated).")
+    ] = None,
+    wheel_mass: Annotated[str | None, typer.Option(help="Mass of rim and tyre. Default: 20 kg (estimated).")] = None,
+    tyre_stiffness: Annotated[str | None, typer.Option(help="Tyre stiffness. Default: 250 N/mm (estimated).")] = None,
+    sprung_mass: Annotated[
+        str | None,
+        typer.Option(help="Sprung mass on this wheel. Default: what the spring carries at design (estimated)."),
+    ] = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Convert a Project Chrono suspension to the left corner of a 3-D rig.
+
+    Example: jounce import chrono suspension.json --out rig.toml --wheel-radius "344 mm"
+    """
+    from jounce.core.serialise import check_writable, write_atomically
+    from jounce.parts import rig_findings
+    from jounce.parts.importers import import_chrono
+
+    if out is not None:
+        check_writable(out, force=force)
+    rig, findings, text = import_chrono(
+        file,
+        wheel_radius=optional_positive(wheel_radius, "m", "--wheel-radius"),
+        wheel_mass=optional_positive(wheel_mass, "kg", "--wheel-mass"),
+        tyre_stiffness=optional_positive(tyre_stiffness, "N/m", "--tyre-stiffness"),
+        sprung_mass=optional_positive(sprung_mass, "kg", "--sprung-mass"),
+    )
+    found = [*findings, *rig_findings(rig, "" if out is None else str(out))]
+    if out is not None:
+        write_atomically(out, text, force=force)
+    plain = {
+        "file": str(file),
+        "model": getattr(rig, "model", ""),
+        "source": rig.source,
+        "estimated": list(rig.estimated),
+        "findings": found,
+        "out": None if out is None else str(out),
+        "text": text,
+    }
+    return Reply(plain, lambda console: _draw_import(console, plain, found), as_json)
+
+
+def _draw_import(console: Console, plain: dict[str, Any], findings: list[Finding]) -> None:
+    """Show the rig file alone on stdout, or what was written and what to know about it."""
+    if plain["out"] is None:
+        sys.stdout.write(plain["text"])
+        sys.stderr.writelines(f"{finding}\n" for finding in findings if finding.severity != "note")
+        return
+    console.print(f"{plain['out']}: {plain['model']}, {plain['source']}")
+    console.print(f"estimated: {', '.join(plain['estimated']) or 'nothing'}")
+    show_findings(console, findings)

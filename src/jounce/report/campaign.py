@@ -1,0 +1,658 @@
+"""The report of a bench campaign, section by section, and the files beside it."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from jounce.core.errors import JounceError
+from jounce.core.findings import Finding
+from jounce.core.serialise import to_json
+from jounce.plots import (
+    measured_against_simulated,
+    objectives,
+    residual_against_speed_and_pitch,
+    road_profile,
+    sweep,
+    trial_matrix,
+    update,
+)
+from jounce.plots.display import correlation, display_unit, estimate_cells, given, milliseconds, number, percent
+from jounce.report.characterisation import characterisation, unit_at
+from jounce.report.page import (
+    Block,
+    Bullets,
+    Cell,
+    Details,
+    Fact,
+    Facts,
+    Findings,
+    Page,
+    Paragraph,
+    Picture,
+    Section,
+    Subsection,
+    Table,
+    Tone,
+    unique_slugs,
+    worst_first,
+)
+from jounce.report.render import check_folder, write_page
+from jounce.roads import Road, Trial, read_roads
+
+if TYPE_CHECKING:
+    from jounce.campaign.result import CampaignResult, StrategyResult, TrialResult
+    from jounce.design.model_comparison import Difference, ModelComparison, PeakDifference
+
+
+SYNTHETIC_NOTE = "Synthetic data, not measurements"
+
+
+def write_campaign(
+    result: CampaignResult,
+    out: Path | str,
+    *,
+    force: bool = False,
+    progress: Callable[[str], None] = lambda _text: None,
+) -> list[Path]:
+    """Write everything a campaign found into a folder.
+
+    Parameters
+    ----------
+    result : CampaignResult
+        Outcome of :func:`jounce.campaign.run_campaign`.
+    out : Path or str
+        Folder; made where it is missing, refused when it holds something and ``force`` is not given.
+    force : bool
+        Replace files of the same names in an existing folder; others stay.
+    progress : callable
+        Called with one line of text as the work goes on.
+
+    Returns
+    -------
+    list of Path
+        ``report.html`` (one file that needs nothing else), ``results.json``, ``rig-<update>.toml`` for each update, and
+        every figure as ``figures/<name>.svg`` and ``.png``.
+
+    Raises
+    ------
+    OutputError
+        For a folder that is not empty or cannot be written; nothing is changed then.
+    """
+    check_folder(out, force=force)
+    return write_page(campaign_page(result), out, force=force, progress=progress)
+
+
+def campaign_page(result: CampaignResult) -> Page:
+    """Give the report of a campaign as a page, figures drawn."""
+    names = unique_slugs([strategy.update.name for strategy in result.strategies])
+    rigs = [(f"rig-{name}.toml", strategy.rig_text) for name, strategy in zip(names, result.strategies, strict=True)]
+    synthetic = result.campaign.synthetic
+    return Page(
+        title=result.campaign.title,
+        subtitle="Bench campaign: from measurements to an updated model",
+        banner=f"{SYNTHETIC_NOTE}. {synthetic}" if synthetic else "",
+        figure_note=SYNTHETIC_NOTE if synthetic else "",
+        sections=(
+            summary(result),
+            characterisation(result),
+            trials(result),
+            updates(result),
+            validation(result),
+            *((lumped(result.lumped),) if result.lumped is not None else ()),
+            curves(result),
+            Section("Findings", (Findings(result.findings),)),
+            method(result),
+        ),
+        files=(("results.json", to_json(result.to_dict()) + "\n"), *rigs),
+    )
+
+
+TONES: dict[str, Tone] = {"holds": "good", "holds partly": "fair", "does not hold": "bad", "not usable": "muted"}
+_MOST_FINDINGS = 3
+_OTHERS = {"holds partly": "partly", "does not hold": "not", "not usable": "not usable"}
+
+
+def verdict(trial: TrialResult) -> str:
+    """Verdict in words, also of a trial that could not be compared."""
+    return trial.after.verdict if trial.after is not None else "not usable"
+
+
+def summary(result: CampaignResult) -> Section:
+    """Box of numbers, what was done in words, what failed, the most important findings."""
+    facts = [_reduction(strategy) for strategy in result.strategies]
+    for use, label in (("fit", "Fitted trials"), ("hold-out", "Held-out trials")):
+        verdicts = [verdict(trial) for trial in result.trials if trial.entry.use == use]
+        if verdicts:
+            facts.append(_verdicts(label, verdicts))
+    blocks: list[Block] = [Facts(tuple(facts)), Paragraph(_what_was_done(result))]
+    if not result.is_complete:
+        blocks.append(Paragraph("Parts of this campaign failed; see Findings for what is missing.", "bad"))
+    blocks.append(Subsection("Key findings", (Findings(most_important(result.findings)),)))
+    return Section("Summary", tuple(blocks))
+
+
+def most_important(findings: Sequence[Finding]) -> tuple[Finding, ...]:
+    """Choose the worst findings, each kind of sentence once: those that differ in numbers only say the same."""
+    kinds: dict[str, Finding] = {}
+    for finding in worst_first(findings):
+        kinds.setdefault(re.sub(r"[\d.,+−-]+|\[\w+\]", "", finding.message), finding)
+    return tuple(kinds.values())[:_MOST_FINDINGS]
+
+
+def _reduction(strategy: StrategyResult) -> Fact:
+    update = strategy.update
+    label = f"Objective, {update.name}"
+    value = percent(-0.01 * update.reduction_percent)
+    numbers = ", ".join(str(one) for one in strategy.fitted_on)
+    trials = f"trial{'s' if len(strategy.fitted_on) > 1 else ''} {numbers}"
+    note = f"{number(update.objective_before)} → {number(update.objective_after)}, fitted on {trials}"
+    return Fact(label, value, note)
+
+
+def _verdicts(label: str, verdicts: list[str]) -> Fact:
+    counts = Counter(verdicts)
+    note = ", ".join(f"{counts[word]} {words}" for word, words in _OTHERS.items() if counts[word])
+    tone: Tone = "good" if counts["holds"] == len(verdicts) else "bad" if counts["does not hold"] else "fair"
+    return Fact(label, f"{counts['holds']} of {len(verdicts)} hold", note, tone)
+
+
+def _what_was_done(result: CampaignResult) -> str:
+    bench, asked = result.characterisation, result.campaign
+    measured = [
+        text
+        for text, found in (
+            ("the spring", bench.spring),
+            (f"the tyre at {_count(len(bench.tyre), 'pressure')}", bench.tyre),
+            ("the damping from " + _count(len(bench.decays), "free decay"), bench.decay),
+        )
+        if found
+    ]
+    first = f"Bench measurements characterise {_listed(measured)}. " if measured else ""
+    free = dict.fromkeys(path for strategy in result.strategies for path in strategy.update.parameters)
+    second = (
+        f"{len(result.strategies)} of {_count(len(asked.update), 'planned update')} completed, fitting "
+        f"{_listed(list(free))}. "
+        if result.strategies
+        else "No parameter was updated. "
+    )
+    compared = sum(trial.after is not None for trial in result.trials)
+    third = f"{compared} of {_count(len(result.trials), 'trial')} were compared with the model"
+    return f"{first}{second}{third}{' after the last update' if result.strategies else ''}."
+
+
+def _count(number_of: int, word: str) -> str:
+    """One thing or several: ``1 update``, ``2 updates``, ``2 free decays``."""
+    return f"{number_of} {word}" if number_of == 1 else f"{number_of} {word}s"
+
+
+def _listed(items: list[str]) -> str:
+    return items[0] if len(items) == 1 else f"{', '.join(items[:-1])} and {items[-1]}" if items else "nothing"
+
+
+_OPEN = 3
+_USES = {"fit": "fitted", "hold-out": "held out"}
+_GRADE_TONES = {"excellent": "good", "good": "good", "fair": "fair", "poor": "bad"}
+
+
+def trials(result: CampaignResult) -> Section:
+    """Every trial with its setting, and the roads."""
+    rows = tuple(_setting(trial) for trial in result.trials)
+    header = ("trial", "use", "speed", "road", "obstacle pitch", "strut angle", "tyre pressure", "recording")
+    blocks: list[Block] = [Table("Test matrix", header, rows, "llrlrrrl")]
+    roads = _roads_of(result)
+    if roads:
+        figure = road_profile(roads)
+        blocks.append(
+            Picture(
+                figure,
+                "roads",
+                "Road profiles: height against distance.",
+                f"Height profiles of the roads {', '.join(roads)}.",
+            )
+        )
+    return Section("Trials", tuple(blocks))
+
+
+def _setting(trial: TrialResult) -> tuple[Cell | str, ...]:
+    entry = trial.entry
+    road = entry.road if entry.road is not None else f"excitation {entry.excitation}"
+    lost = Cell(entry.recording, "bad", "not usable, see Findings") if trial.after is None else entry.recording
+    return (
+        str(entry.number),
+        _USES[entry.use],
+        given(entry.speed, "m/s"),
+        road or "–",
+        given(trial.obstacle_pitch, "m"),
+        given(entry.strut_angle, "rad"),
+        given(entry.tyre_pressure, "Pa"),
+        lost,
+    )
+
+
+def validation(result: CampaignResult) -> Section:
+    """Rating of every trial and channel, fitted and held out, and how the error depends on speed and pitch."""
+    model = "as last updated" if result.strategies else "as characterised"
+    blocks: list[Block] = [
+        Paragraph(
+            f"Each trial is simulated with the model {model} and compared with its recording. The worst channel "
+            "decides the verdict: the model holds with an ISO/TS 18571 rating above 0.80 and R² above 0.95, and holds "
+            "partly with a rating above 0.58 and R² above 0.75."
+        ),
+        Picture(
+            trial_matrix(result.trials),
+            "validation-matrix",
+            "ISO/TS 18571 rating of every trial and channel, before and after updating.",
+            "Table of ratings before and after updating; all numbers are in the validation table.",
+        ),
+        _validation_table(result),
+    ]
+    if any(trial.after is not None for trial in result.trials):
+        picture = Picture(
+            residual_against_speed_and_pitch(result.trials),
+            "validation-residual",
+            "Normalised error of every trial against speed (single obstacles) and obstacle pitch (obstacle "
+            "trains); points are labelled with trial numbers where space permits.",
+            "NRMSE against speed and obstacle pitch; all numbers are in the validation table.",
+        )
+        blocks.append(Subsection("Error against speed and obstacle pitch", (picture,)))
+    return Section("Validation", tuple(blocks))
+
+
+def _validation_table(result: CampaignResult) -> Table:
+    rows: list[tuple[Cell | str, ...]] = []
+    for use in ("fit", "hold-out"):
+        for trial in result.trials:
+            if trial.entry.use == use:
+                rows += _validation_rows(trial)
+    header = (
+        "trial",
+        "use",
+        "channel",
+        "NRMSE",
+        "R²",
+        "peak error",
+        "lag [ms]",
+        "ISO 18571",
+        "grade",
+        "before",
+        "verdict",
+    )
+    return Table(
+        "Model compared with measurement, fitted trials first",
+        header,
+        tuple(rows),
+        "lllrrrrrlrl",
+        "Before: ISO 18571 rating before updating. For definitions, see Method and definitions.",
+    )
+
+
+def _validation_rows(trial: TrialResult) -> list[tuple[Cell | str, ...]]:
+    head = (str(trial.entry.number), _USES[trial.entry.use])
+    word = verdict(trial)
+    if trial.after is None:
+        return [(*head, "–", "–", "–", "–", "–", "–", "–", "–", Cell(word, TONES[word]))]
+    rows: list[tuple[Cell | str, ...]] = []
+    for k, (name, channel) in enumerate(trial.after.channels.items()):
+        before = trial.before.channels.get(name) if trial.before is not None else None
+        rows.append(
+            (
+                *(head if k == 0 else ("", "")),
+                name,
+                number(channel.nrmse, 2),
+                f"{channel.r2:.3f}".replace("-", "−"),
+                percent(channel.peak_error),
+                milliseconds(channel.lag),
+                f"{channel.iso18571:.2f}",
+                Cell(channel.grade, _GRADE_TONES[channel.grade]),  # type: ignore[arg-type]
+                f"{before.iso18571:.2f}" if before is not None else "–",
+                Cell(word, TONES[word]) if k == 0 else "",
+            )
+        )
+    return rows
+
+
+def curves(result: CampaignResult) -> Section:
+    """Measured and simulated signals of every trial, folded but for the first ones."""
+    roads = _roads_of(result)
+    blocks: list[Block] = []
+    shown = 0
+    for trial in result.trials:
+        drawn = bool(trial.signals or trial.signals_before)
+        blocks.append(Details(_heading(trial), (_curve(trial, roads),), is_open=drawn and shown < _OPEN))  # type: ignore[arg-type]
+        shown += drawn
+    return Section("Time histories", tuple(blocks))
+
+
+def _heading(trial: TrialResult) -> str:
+    entry = trial.entry
+    parts = [f"Trial {entry.number} ({_USES[entry.use]})"]
+    if entry.speed is not None:
+        parts.append(given(entry.speed, "m/s"))
+    parts.append(f"road {entry.road}" if entry.road is not None else f"excitation {entry.excitation}")
+    return f"{', '.join(parts)}: {verdict(trial)}"
+
+
+def _curve(trial: TrialResult, roads: dict[str, object]) -> Block:
+    if not (trial.signals or trial.signals_before):
+        return Paragraph("The recording could not be used, so there is nothing to plot (see Findings).", "bad")
+    window = _obstacle_pass(trial, roads)  # type: ignore[arg-type]
+    channels = trial.after.channels if trial.after is not None else {}
+    words = "; ".join(f"{name}: rating {c.iso18571:.2f}, {c.grade}" for name, c in channels.items())
+    return Picture(
+        measured_against_simulated(trial, window),
+        f"trial-{trial.entry.number:02d}",
+        "Left: whole record; right: obstacle pass. Below each signal: residual (measured minus simulated). "
+        "Shaded: wheel on the obstacle.",
+        f"Measured and simulated signals of trial {trial.entry.number}, before and after updating. {words}.",
+    )
+
+
+def _roads_of(result: CampaignResult) -> dict[str, Road]:
+    """Roads that trials of the campaign use, by name."""
+    try:
+        roads = read_roads(result.campaign.roads, folder=result.folder)
+    except JounceError:
+        return {}
+    used = {trial.entry.road for trial in result.trials}
+    return {name: road for name, road in roads.items() if name in used}
+
+
+def _obstacle_pass(trial: TrialResult, roads: dict[str, Road]) -> tuple[float, float] | None:
+    """First and last time (s) at which the wheel is on the obstacle; None where the whole record is the excitation."""
+    road, signals = roads.get(trial.entry.road or ""), trial.signals or trial.signals_before
+    if road is None or trial.entry.speed is None or not signals:
+        return None
+    last = float(next(iter(signals.values())).time[-1])
+    drive = Trial(road=road, speed=trial.entry.speed, duration=last)
+    edges = drive.segments().edges
+    begin = float(edges[1]) if road.start > 0.0 and len(edges) > 2 else 0.0
+    end = min(drive.end(), last)
+    return (begin, end) if 0.0 < end - begin < 0.8 * last else None
+
+
+def updates(result: CampaignResult) -> Section:
+    """All updates in order; those that failed are named."""
+    done = {strategy.update.name for strategy in result.strategies}
+    blocks: list[Block] = [
+        Paragraph(f"Update {entry.name!r} failed and is omitted (see Findings).", "bad")
+        for entry in result.campaign.update
+        if entry.name not in done
+    ]
+    if not result.campaign.update:
+        blocks.append(Paragraph("No update was requested; the trials are compared with the characterised model."))
+    if result.strategies:
+        found = [strategy.update for strategy in result.strategies]
+        words = "; ".join(
+            f"{one.name}: {number(one.objective_before)} to {number(one.objective_after)}" for one in found
+        )
+        blocks += [
+            _overview(result),
+            Picture(
+                objectives(found),
+                "updates-objective",
+                "Objective of each update relative to its initial value.",
+                f"Objective before and after each update. {words}.",
+            ),
+        ]
+    blocks += [
+        Subsection(strategy.update.name, _strategy(strategy, file))
+        for file, strategy in zip(_figure_names(result), result.strategies, strict=True)
+    ]
+    return Section("Updates", tuple(blocks))
+
+
+def _overview(result: CampaignResult) -> Table:
+    rows = tuple(
+        (
+            one.name,
+            one.method,
+            ", ".join(str(number_of) for number_of in strategy.fitted_on),
+            number(one.objective_before),
+            number(one.objective_after),
+            percent(0.01 * one.reduction_percent),
+            str(one.iterations),
+            str(one.evaluations),
+        )
+        for strategy in result.strategies
+        for one in (strategy.update,)
+    )
+    header = (
+        "update",
+        "method",
+        "trials",
+        "objective before",
+        "objective after",
+        "reduction",
+        "iterations",
+        "evaluations",
+    )
+    note = "Objective: weighted sum of squared differences over all channels and samples."
+    return Table("Results of the updates", header, rows, "lllrrrrr", note)
+
+
+def _figure_names(result: CampaignResult) -> list[str]:
+    return unique_slugs([f"update {strategy.update.name}" for strategy in result.strategies])
+
+
+def _strategy(strategy: StrategyResult, file: str) -> tuple[Block, ...]:
+    found = strategy.update
+    units = {path: unit_at(strategy.knowledge.rig, path) for path in found.parameters}
+    fitted = "; ".join(
+        f"{path} {estimate_cells(p, units[path])[0]} {display_unit(units[path]).name}"
+        + (" at its bound" if p.at_bound else "")
+        for path, p in found.parameters.items()
+    )
+    picture = Picture(
+        update(found, units),
+        file,
+        "Initial and fitted values within their bounds, with 95 % intervals; correlation of the estimates (– where a "
+        "parameter is at a bound).",
+        f"Fitted parameters of {found.name}: {fitted}.",
+    )
+    blocks: list[Block] = [_parameters(strategy, units), picture, _identifiability(strategy)]
+    if found.lags:
+        rows = tuple((name, number(1e3 * lag, 3)) for name, lag in found.lags.items())
+        blocks.append(Table("Time lag of each recording relative to the simulation", ("trial", "lag [ms]"), rows, "lr"))
+    if found.findings:
+        blocks.append(Findings(found.findings))
+    return tuple(blocks)
+
+
+def _parameters(strategy: StrategyResult, units: dict[str, str]) -> Table:
+    rows: list[tuple[Cell | str, ...]] = []
+    for path, p in strategy.update.parameters.items():
+        unit = display_unit(units[path], p.value)
+        value, error, interval, name = estimate_cells(p, units[path])
+        bounds = f"{number(p.lower * unit.factor)} to {number(p.upper * unit.factor)}"
+        fitted = Cell(value, "fair", "at its bound") if p.at_bound else value
+        rows.append((path, number(p.initial * unit.factor), fitted, error, interval, bounds, name or "–"))
+    header = ("parameter", "initial", "fitted", "standard error", "95 % interval", "bounds", "unit")
+    note = "Standard errors allow for correlated residuals; none is given for a parameter at its bound."
+    return Table(f"Parameters of {strategy.update.name}", header, tuple(rows), "lrrrrrl", note)
+
+
+def _identifiability(strategy: StrategyResult) -> Table:
+    known = strategy.update.identifiability
+    count = len(strategy.update.parameters)
+    rows = tuple(
+        (
+            f"{place}  {name}",
+            number(sensitivity, 3),
+            *("1" if place == column else correlation(value) for column, value in enumerate(row[:count], 1)),
+        )
+        for place, (name, sensitivity, row) in enumerate(
+            zip(known.parameters, known.sensitivity, known.correlation, strict=True), 1
+        )
+    )
+    header = ("parameter", "sensitivity", *(f"with {place}" for place in range(1, count + 1)))
+    note = (
+        f"Rank {known.rank} of {len(known.parameters)}, condition number {number(known.condition, 3)}. Sensitivity: "
+        "r.m.s. change of the weighted residuals from the middle of the bounds to one end."
+    )
+    caption = "Identifiability before the fit: sensitivities and expected correlations"
+    return Table(caption, header, rows, "lr" + "r" * count, note)
+
+
+_NOTICED = 0.05
+"""Share from which a difference of a peak is coloured."""
+
+
+def lumped(found: ModelComparison) -> Section:
+    """Quantities about rest, curves over travel, shares of the bodies, peaks of every trial."""
+    blocks: list[Block] = [
+        Paragraph(
+            "The rig of this campaign is a spatial linkage. Near equilibrium it can be represented by two masses on "
+            "strut and tyre: the quarter car below matches its wheel rate, its damping and both natural frequencies. "
+            "What such a model cannot represent is listed with the reason."
+        ),
+        _differences(found),
+        Picture(
+            sweep(found.curves(), along="travel"),
+            "lumped-travel",
+            "Motion ratio and wheel rate against wheel travel: the linkage, and the lumped model that matches it "
+            "at equilibrium.",
+            f"Motion ratio from {found.motion_ratio[0]:.4f} to {found.motion_ratio[-1]:.4f} over the travel shown, "
+            f"lumped {found.lumped_motion_ratio:.4f}.",
+        ),
+        _shares(found),
+    ]
+    if found.peaks:
+        blocks.append(_peaks(found.peaks))
+    return Section("Lumped model versus linkage", tuple(blocks))
+
+
+def _differences(found: ModelComparison) -> Table:
+    rows = tuple(_difference_row(item) for item in found.rows)
+    header = ("quantity, about equilibrium", "3-D", "lumped", "unit", "reason")
+    note = "Modes are computed without dry friction, which would suppress small motions."
+    return Table("Where the two models differ", header, rows, "lrrll", note)
+
+
+def _difference_row(item: Difference) -> tuple[str, ...]:
+    values = [value for value in (item.spatial, item.lumped) if value is not None]
+    unit = display_unit(item.unit, max(values, key=abs, default=0.0))
+    texts = ("–" if value is None else number(value * unit.factor) for value in (item.spatial, item.lumped))
+    return (item.quantity, *texts, unit.name, item.why)
+
+
+def _shares(found: ModelComparison) -> Table:
+    rows = tuple(
+        (
+            name.replace("_", " "),
+            number(part.mass),
+            number(part.wheel_share, 3),
+            number(part.sprung_mass, 3),
+            number(part.unsprung_mass, 3),
+            number(part.inertance, 3),
+        )
+        for name, part in found.lumping.shares.items()
+    )
+    header = ("body", "mass [kg]", "travel ratio [–]", "sprung [kg]", "unsprung [kg]", "inertance [kg]")
+    note = (
+        "Travel ratio: vertical travel of the body's centre of mass per wheel travel. "
+        "Inertance: additional effective mass due to rotation and lateral motion."
+    )
+    return Table("Contribution of each body to sprung and unsprung mass", header, rows, "lrrrrr", note)
+
+
+def _peaks(peaks: tuple[PeakDifference, ...]) -> Table:
+    rows = []
+    for k, peak in enumerate(peaks):
+        unit = display_unit(peak.unit, peak.spatial)
+        difference = Cell(percent(peak.relative), "fair") if abs(peak.relative) > _NOTICED else percent(peak.relative)
+        first = peak.trial if k == 0 or peaks[k - 1].trial != peak.trial else ""
+        rows.append(
+            (
+                first,
+                peak.channel,
+                number(peak.spatial * unit.factor),
+                number(peak.lumped * unit.factor),
+                unit.name,
+                difference,
+            )
+        )
+    header = ("trial", "channel", "3-D", "lumped", "unit", "difference")
+    note = "Largest absolute values; each trial with its own strut angle and tyre. No measurements are involved."
+    return Table("Peak values of every trial in both models", header, tuple(rows), "llrrlr", note)
+
+
+_DEFINITIONS = (
+    (
+        "objective",
+        "Sum over all channels and samples of the squared difference between measurement and simulation (Eq. 2 of "
+        "the quarter-car prototype paper), with the channel weights set in the campaign.",
+    ),
+    ("reduction", "100 (before − after) / before, relative to the start of the same update."),
+    (
+        "standard error of a parameter",
+        "From the exact sensitivities at the optimum, allowing for residuals that are "
+        "correlated over time (Newey and West); interval: value ± 1.96 standard errors.",
+    ),
+    (
+        "NRMSE",
+        "Root mean square of the difference over the standard deviation of the measured signal: 0 is perfect, 1 is as "
+        "good as the mean of the measurement.",
+    ),
+    ("R²", "1 − NRMSE²."),
+    ("peak error", "Largest absolute simulated value over the largest absolute measured value, minus 1."),
+    ("lag", "Delay of the simulated signal with the largest cross-correlation."),
+    (
+        "ISO 18571",
+        "Overall rating of ISO/TS 18571 (0.4 corridor + 0.2 phase + 0.2 magnitude + 0.2 slope): above 0.94 "
+        "excellent, above 0.80 good, above 0.58 fair, else poor.",
+    ),
+    (
+        "verdict",
+        "Decided by the worst channel of a trial. Holds: ISO 18571 above 0.80 and R² above 0.95. Holds partly: above "
+        "0.58 and 0.75. Else it does not hold; not usable: the recording could not be read or simulated.",
+    ),
+    ("stiffness", "Slope of the fitted law; its interval treats the trials as independent repetitions."),
+    ("loss factor", "Energy dissipated per cycle over 2π times the work of loading."),
+    (
+        "viscous damping and dry friction",
+        "Fit of m x″ + c x′ + F sign(x′) + k (x − x₀) = 0 to the free decay, solved in "
+        "closed form from turning point to turning point.",
+    ),
+    (
+        "sensitivity",
+        "Root mean square change of the weighted residuals when a parameter goes from the middle of its bounds to "
+        "one end, at the start values.",
+    ),
+)
+_SOURCES = (
+    "ISO/TS 18571:2014, Road vehicles: Objective rating metric for non-ambiguous signals.",
+    "J. P. Den Hartog, Forced vibrations with combined Coulomb and viscous friction, "
+    "Transactions of the ASME 53 (1931) "
+    "107–115.",
+    "W. K. Newey, K. D. West, A simple, positive semi-definite, heteroskedasticity and autocorrelation "
+    "consistent covariance "
+    "matrix, Econometrica 55 (1987) 703–708.",
+)
+
+
+def method(result: CampaignResult) -> Section:
+    """Version, campaign, definitions and sources."""
+    import jounce
+
+    blocks: list[Block] = [
+        Paragraph(
+            f"Generated by jounce {jounce.__version__} from {len(result.trials)} trials. All numbers are also in "
+            "results.json "
+            "(SI units); the updated rigs are the TOML files next to this page; the figures are in the folder figures."
+        )
+    ]
+    if result.campaign.synthetic:
+        blocks.append(Paragraph(f"Origin of the data: {result.campaign.synthetic}", "bad"))
+    if result.rig.source:
+        blocks.append(Paragraph(f"Source of the values in the rig file: {result.rig.source}."))
+    if result.rig.estimated:
+        blocks.append(Paragraph(f"Estimated, because no source gives them: {', '.join(result.rig.estimated)}."))
+    blocks += [
+        Subsection("Definitions", (Table("Definitions of the quantities", ("quantity", "definition"), _DEFINITIONS),)),
+        Subsection("Sources", (Bullets(_SOURCES),)),
+    ]
+    return Section("Method and definitions", tuple(blocks))
