@@ -1,8 +1,7 @@
 """Controlled suspensions: actuators, sensors, laws as symbols or Python functions; models and runs are elsewhere."""
 
 from jounce.control.actuators import ActiveActuator, MagnetorheologicalDamper, SemiActiveDamper
-from jounce.control.catalogue import CONTROLS, as_controller, controller
-from jounce.control.controller import Controller, PythonControl
+from jounce.control.controller import CONTROLS, Controller, PythonControl, as_controller, controller
 from jounce.control.design import CornerModel
 from jounce.control.laws import (
     ADD,

@@ -1,9 +1,9 @@
-"""Actuators of controlled suspensions as frozen descriptions: what a command does, its limits and its lag."""
+"""Actuators of controlled suspensions: what a command does, its limits and its lag, and which command a law needs."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar, Literal, Self
 
@@ -20,12 +20,55 @@ from jounce.parts.rig import parameters_of
 
 SOFTEST, FIRMEST = 0.2, 8.0 / 3.0
 """Smallest and largest coefficient of a damper that says none, as shares of the corner's own damping coefficient."""
+_REVERSAL = 0.02
+"""Velocity (m/s) over which a hysteretic force reverses where its state is not measured."""
 _Lag = Annotated[float, Unit("s", at_least=0.0)]
 _Voltage = Annotated[float, Unit("V", above=0.0)]
 _Rate = Annotated[float, Unit("N*s/m/s", above=0.0)]
 _ForceRate = Annotated[float, Unit("N/s", above=0.0)]
 _VoltageRate = Annotated[float, Unit("V/s", above=0.0)]
 _ForceLimit = Annotated[float, Unit("N", above=0.0)]
+
+
+Lookup = Callable[[str], ca.SX]
+"""Symbol of a channel or a number by its name."""
+
+
+@dataclass(frozen=True)
+class Instant:
+    """One corner at one control instant, as a law sees it: symbols by name.
+
+    Attributes
+    ----------
+    seen : callable
+        Channel without its corner (``"sprung.vz"``) to its symbol, as a change from static equilibrium.
+    number : callable
+        Name to the symbol of a number: those that the law gives, those of the actuator, and the limits of its command
+        (``minimum``, ``maximum``).
+    last : casadi.SX
+        Command of the instant before.
+    memory : list of casadi.SX
+        What the law kept.
+    """
+
+    seen: Lookup
+    number: Lookup
+    last: ca.SX
+    memory: Sequence[ca.SX] = ()
+
+    @property
+    def extension_rate(self) -> ca.SX:
+        """Velocity (m/s) at which body and wheel part, along the strut; positive in rebound."""
+        return -self.seen("strut.velocity")
+
+    def clipped(self, command: ca.SX) -> ca.SX:
+        """A command within the limits of the actuator."""
+        return clipped(command, self.number("minimum"), self.number("maximum"))
+
+    def between(self, share: ca.SX) -> ca.SX:
+        """Command at a share (0 to 1) of the way from the smallest to the largest; of dampers from soft to firm."""
+        low, high = self.number("minimum"), self.number("maximum")
+        return low + (high - low) * share
 
 
 class _Actuator(Description):
@@ -57,6 +100,21 @@ class _Actuator(Description):
     def resolved(self, corner: CornerModel) -> Self:  # noqa: ARG002 - others need it
         """Give the same actuator with every number that was left open filled in for a corner."""
         return self
+
+    def force_of(self, command: ca.SX, now: Instant) -> ca.SX:
+        """Strut force (N) that a command gives at once, as far as it is known."""
+        raise NotImplementedError
+
+    def command_for_force(self, force: ca.SX, now: Instant) -> ca.SX:
+        """Command that comes nearest to a strut force (N, compression positive).
+
+        A damper gives what it can: forces that resist its velocity, within its limits.
+        """
+        raise NotImplementedError
+
+    def command_for_coefficient(self, coefficient: ca.SX, now: Instant) -> ca.SX:
+        """Command that comes nearest to a damping coefficient of the strut, N s/m."""
+        return self.command_for_force(coefficient * now.seen("strut.velocity"), now)
 
 
 class SemiActiveDamper(_Actuator):
@@ -90,7 +148,7 @@ class SemiActiveDamper(_Actuator):
 
     @property
     def structure(self) -> str:
-        """Text that says which equations the actuator has."""
+        """Its equations."""
         return f"semi-active, lag {self.lag > 0.0}"
 
     @property
@@ -111,6 +169,20 @@ class SemiActiveDamper(_Actuator):
         high = FIRMEST * corner.reference_damping if self.maximum is None else self.maximum
         table = {**self.model_dump(exclude_none=True), "minimum": low, "maximum": high}
         return type(self).from_table(table, where="actuator")
+
+    def force_of(self, command: ca.SX, now: Instant) -> ca.SX:
+        """Strut force, N."""
+        return command * now.seen("strut.velocity")
+
+    def command_for_force(self, force: ca.SX, now: Instant) -> ca.SX:
+        """Coefficient, N s/m; the softest where the force would drive the motion."""
+        velocity = now.seen("strut.velocity")
+        wanted = force * velocity / ca.fmax(velocity * velocity, 1e-12)
+        return ca.if_else(force * velocity > 0.0, now.clipped(wanted), now.number("minimum"))
+
+    def command_for_coefficient(self, coefficient: ca.SX, now: Instant) -> ca.SX:
+        """The coefficient itself within the limits, N s/m."""
+        return now.clipped(coefficient)
 
 
 class ActiveActuator(_Actuator):
@@ -147,7 +219,7 @@ class ActiveActuator(_Actuator):
 
     @property
     def structure(self) -> str:
-        """Text that says which equations the actuator has."""
+        """Its equations."""
         return f"active, {'second order' if self.bandwidth is not None else f'lag {self.lag > 0.0}'}"
 
     @property
@@ -186,6 +258,14 @@ class ActiveActuator(_Actuator):
         """Give the same actuator with its limit."""
         limit = 0.5 * corner.sprung_mass * corner.gravity if self.force_limit is None else self.force_limit
         return self.model_copy(update={"force_limit": limit})
+
+    def force_of(self, command: ca.SX, now: Instant) -> ca.SX:  # noqa: ARG002
+        """The command itself, N."""
+        return command
+
+    def command_for_force(self, force: ca.SX, now: Instant) -> ca.SX:
+        """The force within its limits, N."""
+        return now.clipped(force)
 
 
 class MagnetorheologicalDamper(_Actuator):
@@ -244,7 +324,7 @@ class MagnetorheologicalDamper(_Actuator):
 
     @property
     def structure(self) -> str:
-        """Text that says which equations the damper has."""
+        """Its equations."""
         return f"magnetorheological, {self.off.kind}, lag {self.lag > 0.0}"
 
     @property
@@ -257,6 +337,37 @@ class MagnetorheologicalDamper(_Actuator):
     def limits(self) -> tuple[float, float]:
         """Smallest and largest voltage, 0 and ``maximum``, SI."""
         return 0.0, self.maximum
+
+    def force_of(self, command: ca.SX, now: Instant) -> ca.SX:
+        """Strut force, N."""
+        off, on = self._force("off", now), self._force("on", now)
+        low, high = now.number("minimum"), now.number("maximum")
+        return off + (on - off) * (command - low) / (high - low)
+
+    def command_for_force(self, force: ca.SX, now: Instant) -> ca.SX:
+        """Voltage, V, by the share of the force between the two laws."""
+        off, on = self._force("off", now), self._force("on", now)
+        share = (force - off) * (on - off) / ca.fmax((on - off) ** 2, 1e-12)
+        return now.between(clipped(share, 0.0, 1.0))
+
+    def _force(self, end: str, now: Instant) -> ca.SX:
+        """Force (N) at one end of the voltage."""
+
+        def number(name: str) -> ca.SX:
+            return now.number(f"{end}.{name}")
+
+        velocity = now.seen("strut.velocity")
+        deflection = now.seen("strut.deflection") + now.number("static_deflection")
+        linear = number("coefficient") * velocity + number("stiffness") * deflection + number("offset")
+        if isinstance(getattr(self, end), TanhDamper):
+            lagged = velocity + number("displacement_coupling") * deflection
+            return linear + number("force") * ca.tanh(number("slope") * lagged)
+        return linear + number("hysteretic_force") * ca.tanh(velocity / _REVERSAL)
+
+
+def clipped(x: ca.SX, low: ca.SX | float, high: ca.SX | float) -> ca.SX:
+    """A symbol kept between two limits."""
+    return ca.fmin(ca.fmax(x, low), high)
 
 
 def _kind(value: Any) -> str:
@@ -272,91 +383,3 @@ Actuator = Annotated[
     Discriminator(_kind),
 ]
 AnyActuator = SemiActiveDamper | ActiveActuator | MagnetorheologicalDamper
-
-
-Lookup = Callable[[str], ca.SX]
-"""Symbol of a channel or a number by its name."""
-_TURN = 0.02  # m/s over which a hysteretic force is taken to turn over, where its state is not measured
-
-
-@dataclass(frozen=True)
-class Means:
-    """An actuator as a law sees it at one instant.
-
-    Attributes
-    ----------
-    actuator : SemiActiveDamper, ActiveActuator or MagnetorheologicalDamper
-        Only its structure matters.
-    seen : callable
-        Channel of the corner to its symbol.
-    number : callable
-        Name of a number to its symbol: ``minimum``, ``maximum`` (N s/m, N or V), those of the actuator.
-    last : casadi.SX
-        Command of the instant before.
-    """
-
-    actuator: AnyActuator
-    seen: Lookup
-    number: Lookup
-    last: ca.SX
-
-    def command_for_force(self, force: ca.SX) -> ca.SX:
-        """Command that comes nearest to a strut force (N, compression positive).
-
-        A damper gives what it can: forces against its velocity only, within its bounds.
-        """
-        low, high = self.number("minimum"), self.number("maximum")
-        if isinstance(self.actuator, ActiveActuator):
-            return _clipped(force, low, high)
-        velocity = self.seen("strut.velocity")
-        if isinstance(self.actuator, SemiActiveDamper):
-            resisting = force * velocity > 0.0
-            wanted = force * velocity / ca.fmax(velocity * velocity, 1e-12)
-            return ca.if_else(resisting, _clipped(wanted, low, high), low)
-        off, on = self._law("off", velocity), self._law("on", velocity)
-        share = (force - off) * (on - off) / ca.fmax((on - off) ** 2, 1e-12)
-        return low + (high - low) * _clipped(share, 0.0, 1.0)
-
-    def command_for_coefficient(self, coefficient: ca.SX) -> ca.SX:
-        """Command that makes a strut's damping coefficient, N s/m."""
-        if isinstance(self.actuator, SemiActiveDamper):
-            return _clipped(coefficient, self.number("minimum"), self.number("maximum"))
-        return self.command_for_force(coefficient * self.seen("strut.velocity"))
-
-    def command_for_level(self, level: ca.SX) -> ca.SX:
-        """Command between the softest (0) and the firmest (1) setting of a damper."""
-        low, high = self.number("minimum"), self.number("maximum")
-        return low + (high - low) * level
-
-    def force_of(self, command: ca.SX) -> ca.SX:
-        """Strut force (N) that a command makes at once, as far as it is known."""
-        if isinstance(self.actuator, ActiveActuator):
-            return command
-        velocity = self.seen("strut.velocity")
-        if isinstance(self.actuator, SemiActiveDamper):
-            return command * velocity
-        off, on = self._law("off", velocity), self._law("on", velocity)
-        low, high = self.number("minimum"), self.number("maximum")
-        return off + (on - off) * (command - low) / (high - low)
-
-    def _law(self, end: str, velocity: ca.SX) -> ca.SX:
-        """Force (N) of a magneto-rheological damper at one end of its voltage."""
-
-        def number(name: str) -> ca.SX:
-            return self.number(f"{end}.{name}")
-
-        deflection = self.seen("strut.deflection") + self.number("static_deflection")
-        linear = number("coefficient") * velocity + number("stiffness") * deflection + number("offset")
-        if isinstance(getattr(self.actuator, end), TanhDamper):
-            lagged = velocity + number("displacement_coupling") * deflection
-            return linear + number("force") * ca.tanh(number("slope") * lagged)
-        return linear + number("hysteretic_force") * ca.tanh(velocity / _TURN)
-
-
-def held_back(command: ca.SX, last: ca.SX, step: ca.SX) -> ca.SX:
-    """A command that changes by at most ``step`` from one instant to the next."""
-    return _clipped(command, last - step, last + step)
-
-
-def _clipped(x: ca.SX, low: ca.SX | float, high: ca.SX | float) -> ca.SX:
-    return ca.fmin(ca.fmax(x, low), high)

@@ -1,27 +1,54 @@
-"""What all controllers share: an actuator, a fixed rate, sensor noise, and a law written as symbols."""
+"""Controllers: what all of them share, the catalogue that knows them by name, and those that run in Python."""
 
 from __future__ import annotations
 
+import contextlib
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal, Protocol, Self
 
 import casadi as ca
 import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
 
-from jounce.control.actuators import ActiveActuator, Actuator, Lookup, Means, SemiActiveDamper
+from jounce.control.actuators import ActiveActuator, Actuator, AnyActuator, Instant, SemiActiveDamper
 from jounce.control.design import CornerModel
-from jounce.core.description import Description
-from jounce.core.errors import JounceError, SimulationError, unknown
+from jounce.core.description import Description, check_schema, read_toml
+from jounce.core.errors import DescriptionError, JounceError, SimulationError, unknown
 from jounce.core.types import Array
 from jounce.core.units import Frequency, Unit, to_si
 from jounce.recordings.schema import channel_unit
 
+SCHEMA = "jounce.control/1"
+
+
+@dataclass(frozen=True)
+class Kind:
+    """One controller that is known by name.
+
+    Attributes
+    ----------
+    law : type
+        Its class.
+    summary : str
+        One line about it.
+    fields : dict
+        Values in which it differs from the class's defaults.
+    """
+
+    law: type[Controller]
+    summary: str
+    fields: dict[str, Any]
+
+
+CONTROLS: dict[str, Kind] = {}
+"""Controllers by name."""
+
 
 def _noise(value: object) -> object:
-    """Standard deviations by channel word, text with units or SI."""
+    """Standard deviations by channel, text with units or SI."""
     if not isinstance(value, Mapping):
         return value
     try:
@@ -37,16 +64,18 @@ def _noise(value: object) -> object:
 Noise = Annotated[dict[str, Annotated[float, Unit("1")]], BeforeValidator(_noise)]  # in the unit of the channel
 
 
-@dataclass
+@dataclass(frozen=True)
 class Decision:
-    """What a law gives at an instant: the command, and its memory for the next instant."""
+    """What a law gives at an instant: the command, and what it keeps for the next instant."""
 
     command: ca.SX
-    memory: list[ca.SX] = field(default_factory=list)
+    memory: Sequence[ca.SX] = ()
 
 
 class Controller(Description):
     """Base of all controllers: each corner is controlled by itself, from what is measured at this corner.
+
+    A subclass is known by the names in its ``catalogue`` as soon as it is defined.
 
     Attributes
     ----------
@@ -67,46 +96,58 @@ class Controller(Description):
     noise: Noise = {}
     seed: int = 0
 
+    catalogue: ClassVar[Mapping[str, tuple[str, AnyActuator | None]]] = {}
+    """Name to a line about it, and its actuator."""
     needs_wheel: ClassVar[bool] = False
     """Whether the gains need a wheel with mass and tyre."""
+    memory_size: ClassVar[int] = 0
+    """Numbers that the law keeps from one instant to the next, for one corner."""
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **_: Any) -> None:
+        for name, (summary, actuator) in vars(cls).get("catalogue", {}).items():
+            CONTROLS[name] = Kind(cls, summary, {} if actuator is None else {"actuator": actuator})
 
     @property
     def name(self) -> str:
         """Word of the law."""
         return str(getattr(self, "law", "control"))
 
-    @property
-    def memory_size(self) -> int:
-        """Numbers that the law keeps from one instant to the next, for one corner."""
-        return 0
-
-    def decide(self, seen: Lookup, memory: list[ca.SX], number: Lookup, means: Means) -> Decision:
-        """Write the law of one corner.
-
-        Parameters
-        ----------
-        seen : callable
-            Channel without its corner (``"sprung.vz"``) to its symbol, as a change from static equilibrium.
-        memory : list of casadi.SX
-            What was kept.
-        number : callable
-            Name to the symbol of a number of :meth:`numbers`.
-        means : Means
-            The actuator.
-        """
+    def decide(self, now: Instant) -> Decision:
+        """Write the law of one corner at one instant, as symbols."""
         raise NotImplementedError
 
-    def numbers(self, corner: CornerModel) -> dict[str, float]:
-        """Give the numbers of the law for a corner, SI."""
-        raise NotImplementedError
+    def numbers(self, corner: CornerModel) -> dict[str, float]:  # noqa: ARG002 - others need it
+        """Numbers of the law for a corner, SI; none by default."""
+        return {}
 
     def resolved(self, corner: CornerModel) -> Self:
         """Give the same controller with its actuator's open numbers filled in for a corner."""
         return self.model_copy(update={"actuator": self.actuator.resolved(corner)})
 
 
+class ForceLaw(Controller):
+    """A law that demands a force; a damper gives what it can of it."""
+
+    def force(self, now: Instant) -> ca.SX:
+        """Demanded force (N) on the body at the wheel, up positive; the wheel feels the opposite."""
+        raise NotImplementedError
+
+    def decide(self, now: Instant) -> Decision:
+        """The command for that force."""
+        return Decision(self.actuator.command_for_force(self.force(now) / now.number("motion_ratio"), now))
+
+
 class DamperLaw(Controller):
     """A law that switches a damper between soft and firm; a force actuator is refused."""
+
+    def product(self, now: Instant) -> ca.SX:
+        """What is not below zero where the damper shall be firm."""
+        raise NotImplementedError
+
+    def decide(self, now: Instant) -> Decision:
+        """Firm or soft."""
+        return Decision(now.between(ca.if_else(self.product(now) >= 0.0, 1.0, 0.0)))
 
     @model_validator(mode="after")
     def _is_a_damper(self) -> Self:
@@ -118,36 +159,73 @@ class DamperLaw(Controller):
         return self
 
 
-class ForceLaw(Controller):
-    """A law that wishes a force; a damper gives what it can of it."""
-
-    def force(self, seen: Lookup, number: Lookup) -> ca.SX:
-        """Wished force (N) on the body at the wheel, up positive; the wheel feels the opposite."""
-        raise NotImplementedError
-
-    def decide(self, seen: Lookup, memory: list[ca.SX], number: Lookup, means: Means) -> Decision:  # noqa: ARG002
-        """Write the law of one corner."""
-        return Decision(means.command_for_force(self.force(seen, number) / number("motion_ratio")))
-
-
-def step(x: ca.SX) -> ca.SX:
-    """1 where ``x`` is not below zero, 0 elsewhere."""
-    return ca.if_else(x >= 0.0, 1.0, 0.0)
-
-
-def extension_rate(seen: Lookup) -> ca.SX:
-    """Velocity (m/s) at which body and wheel part, along the strut; positive in rebound."""
-    return -seen("strut.velocity")
-
-
-def given(value: float | None, otherwise: Callable[[], float]) -> float:
+def given(value: float | None, otherwise: float) -> float:
     """A number, or what stands for it."""
-    return otherwise() if value is None else value
+    return otherwise if value is None else value
 
 
-def described(kind: type[Controller], table: dict[str, Any], *, where: str = "", text: str = "") -> Controller:
-    """Build a controller from its table."""
-    return kind.from_table(table, where=where, text=text)
+def controller(name: str | Path, **changes: Any) -> Controller:
+    """Give a controller by its name, or from a TOML file.
+
+    Parameters
+    ----------
+    name : str or Path
+        One of :data:`CONTROLS`, or a path to a file of the schema ``jounce.control/1``.
+    **changes
+        Fields that differ from what the name or the file says.
+
+    Returns
+    -------
+    Controller
+        The frozen description.
+
+    Raises
+    ------
+    DescriptionError
+        For an unknown name (with the nearest one) or a file that cannot be understood.
+
+    Examples
+    --------
+    >>> controller("skyhook", rate="500 Hz").rate
+    500.0
+    """
+    if isinstance(name, Path) or str(name).endswith(".toml"):
+        found = _from_file(Path(name))
+        return type(found).from_table({**found.model_dump(by_alias=True, exclude_unset=True), **changes})
+    if name not in CONTROLS:
+        raise unknown(name, CONTROLS, what="controller", where="control")
+    kind = CONTROLS[name]
+    return kind.law.from_table({**kind.fields, **changes}, where=name)
+
+
+def _from_file(path: Path) -> Controller:
+    table, text = read_toml(path)
+    check_schema(table, (SCHEMA,), str(path))
+    law = table.get("law")
+    if law not in CONTROLS:
+        raise unknown(str(law), CONTROLS, what="law", where=f"{path}: law")
+    kind = CONTROLS[str(law)]
+    own = kind.law.model_fields["law"].default
+    return kind.law.from_table({**kind.fields, **table, "law": own}, where=str(path), text=text)
+
+
+def as_controller(value: Controller | str | Path | Callable[..., Any]) -> Controller:
+    """Give a controller for what a user may say: one, its name or file, or a Python function.
+
+    Parameters
+    ----------
+    value : Controller, str, Path or callable
+        A function gets ``(measurement, t)`` and gives the command (see :class:`PythonControl`).
+    """
+    if isinstance(value, Controller):
+        return value
+    if isinstance(value, str | Path):
+        return controller(value)
+    if callable(value):
+        return PythonControl(function=value)
+    raise DescriptionError(
+        "not a controller", where="control", found=value, allowed="a controller, its name, a file, or a function"
+    )
 
 
 class Regulator(Protocol):
@@ -172,7 +250,7 @@ class Setting:
     Attributes
     ----------
     controllers, models : mapping
-        Corner to its resolved controller, and to what it is.
+        Corner to its resolved controller, and to its model.
     outputs : tuple of str
         All channels of the model.
     instants : int
@@ -222,18 +300,18 @@ class PythonControl(CallbackController):
 
     def regulator(self, setting: Setting) -> Regulator:
         """Give what the loop calls."""
-        return _Own(self.function, setting)
+        return _OwnFunction(self.function, setting)
 
 
 class _Measurement(dict[str, float]):
-    """Channels by name; one that is not there is said with the nearest name."""
+    """Channels by name; for one that is missing the nearest name is suggested."""
 
     def __missing__(self, name: str) -> float:
         raise unknown(str(name), self, what="channel", where="measurement")
 
 
-class _Own:
-    """A user's function with its answer checked, clipped and held back."""
+class _OwnFunction:
+    """A user's function with its answer checked, clipped and limited in rate."""
 
     from_rest = False
 
@@ -249,7 +327,7 @@ class _Own:
 
     def __call__(self, values: list[float]) -> list[float]:
         """Commands from measurements."""
-        measurement = _Measurement(zip(self.channels, values, strict=False))  # behind the channels stands the time
+        measurement = _Measurement(zip(self.channels, values, strict=False))  # the time follows the channels
         answer = self._function(measurement, values[-1])
         if type(answer) is float and len(self._corners) == 1:
             return self._limits.kept([answer])
@@ -257,30 +335,26 @@ class _Own:
 
     def _commands(self, answer: Any, t: float) -> list[float]:
         corners = self._corners
-        if isinstance(answer, Mapping):
-            unknown = [name for name in answer if name not in corners]
-            if unknown or len(answer) != len(corners):
-                raise _refused(f"corners {', '.join(map(str, answer))}", corners, t)
-            answer = [answer[name] for name in corners]
-        elif isinstance(answer, np.ndarray):
+        if isinstance(answer, np.ndarray):
             answer = answer.tolist()
+        found = repr(answer)
+        if isinstance(answer, Mapping):
+            if set(answer) == set(corners):
+                answer = [answer[name] for name in corners]
+                found = repr(answer)
+            else:
+                found, answer = f"corners {', '.join(map(str, answer))}", []
         commands = list(answer) if isinstance(answer, Sequence) and not isinstance(answer, str) else [answer]
-        if len(commands) != len(corners):
-            raise _refused(repr(answer), corners, t)
-        try:
-            return [float(command) for command in commands]
-        except (TypeError, ValueError):
-            raise _refused(repr(answer), corners, t) from None
-
-
-def _refused(found: str, corners: tuple[str, ...], t: float) -> SimulationError:
-    several = f"{len(corners)} numbers: a dict or a sequence for {', '.join(corners)}"
-    return SimulationError(
-        "the controller's answer is not a command",
-        where=f"control function at t = {t:.6g} s",
-        found=found,
-        allowed=several if len(corners) > 1 else "one number",
-    )
+        if len(commands) == len(corners):
+            with contextlib.suppress(TypeError, ValueError):
+                return [float(command) for command in commands]
+        several = f"{len(corners)} numbers: a dict or a sequence for {', '.join(corners)}"
+        raise SimulationError(
+            "the controller's answer is not a command",
+            where=f"control function at t = {t:.6g} s",
+            found=found,
+            allowed=several if len(corners) > 1 else "one number",
+        )
 
 
 class Limits:
@@ -300,7 +374,7 @@ class Limits:
         self.last = list(self._rest)
 
     def kept(self, commands: list[float]) -> list[float]:
-        """Commands clipped and held back; those that are no numbers stay as they are."""
+        """Commands clipped and limited in rate; those that are no numbers stay as they are."""
         found = []
         for command, before, step, (low, high) in zip(commands, self.last, self._steps, self._limits, strict=True):
             clipped = low if command < low else high if command > high else command

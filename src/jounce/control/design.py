@@ -63,14 +63,8 @@ class CornerModel:
 def corner_equations(corner: CornerModel, damping_coefficient: float | None = None) -> tuple[Array, Array, Array]:
     """Matrices ``A``, ``B``, ``G`` of ``dx/dt = A x + B u + G w``: ``u`` lifts the body (N), ``w`` is road.vz (m/s).
 
-    States: sprung.z - unsprung.z (m), sprung.vz (m/s), unsprung.z - road.z (m), unsprung.vz (m/s).
-
-    Parameters
-    ----------
-    corner : CornerModel
-        The plant, with wheel and tyre.
-    damping_coefficient : float, optional
-        N s/m at the wheel; the corner's own damper otherwise.
+    States: sprung.z - unsprung.z (m), sprung.vz (m/s), unsprung.z - road.z (m), unsprung.vz (m/s). In all functions
+    here ``damping_coefficient`` (N s/m at the wheel) takes the place of the corner's own damper.
     """
     m_s, m_u, k, k_t = corner.sprung_mass, corner.unsprung_mass, corner.spring_rate, corner.tyre_stiffness
     c = corner.damping_coefficient if damping_coefficient is None else damping_coefficient
@@ -128,17 +122,7 @@ class Weights:
 def cost_matrices(
     corner: CornerModel, weights: Weights, damping_coefficient: float | None = None
 ) -> tuple[Array, Array, Array]:
-    """Matrices ``Q``, ``R``, ``S`` of the cost ``x'Qx + u'Ru + 2 x'Su``.
-
-    Parameters
-    ----------
-    corner : CornerModel
-        The plant.
-    weights : Weights
-        Of the cost.
-    damping_coefficient : float, optional
-        N s/m at the wheel; the corner's own damper otherwise.
-    """
+    """Matrices ``Q``, ``R``, ``S`` of the cost ``x'Qx + u'Ru + 2 x'Su``."""
     C, D = corner_outputs(corner, ("sprung.az",), damping_coefficient)
     Q = C.T @ C + np.diag([weights.deflection, 0.0, weights.tyre, 0.0])
     R = D.T @ D + weights.force
@@ -146,13 +130,7 @@ def cost_matrices(
 
 
 def regulator_gains(corner: CornerModel, weights: Weights, damping_coefficient: float | None = None) -> Array:
-    """Gains ``K`` of the force ``u = -K x`` (N, up on the body) that makes the cost least [hrovat1997].
-
-    Returns
-    -------
-    ndarray, shape (4,)
-        N/m, N s/m, N/m, N s/m.
-    """
+    """Gains ``K`` (N/m, N s/m, N/m, N s/m) of the force ``u = -K x`` on the body that is optimal [hrovat1997]."""
     from scipy.linalg import solve_continuous_are
 
     A, B, _ = corner_equations(corner, damping_coefficient)
@@ -189,22 +167,9 @@ def observer(
 ) -> Observer:
     """Steady Kalman filter of the corner on a road whose velocity is white noise.
 
-    Parameters
-    ----------
-    corner : CornerModel
-        The plant.
-    channels : tuple of str
-        What is measured.
-    deviations : ndarray, shape (n,)
-        Standard deviation of each measurement, SI.
-    roughness : float
-        Intensity of the road's velocity, m^2/s.
-    disturbance : float
-        Intensity of accelerations of body and wheel that the corner does not explain, m^2/s^3.
-    period : float
-        Control period, s.
-    damping_coefficient : float, optional
-        N s/m at the wheel; the corner's own damper otherwise.
+    ``deviations`` are the standard deviations of the measured ``channels`` (SI), ``roughness`` is the intensity of the
+    road's velocity (m^2/s), ``disturbance`` that of accelerations of body and wheel that the corner does not explain
+    (m^2/s^3), ``period`` the control period (s).
     """
     from scipy.linalg import solve_discrete_are
 
@@ -280,25 +245,10 @@ def h_infinity(
     period: float,
     damping_coefficient: float | None = None,
 ) -> tuple[Dynamic, float]:
-    """H-infinity controller from suspension deflection and body acceleration to force; SLICOT synthesises it.
+    """H-infinity controller from suspension deflection and body acceleration to force, with a bound of its norm (1).
 
-    Parameters
-    ----------
-    corner : CornerModel
-        The plant.
-    targets : Targets
-        Weights.
-    actuator_rate : float
-        Corner of the actuator's first-order lag, rad/s.
-    period : float
-        Control period, s (the controller is made discrete by Tustin's rule).
-    damping_coefficient : float, optional
-        N s/m at the wheel; the corner's own damper otherwise.
-
-    Returns
-    -------
-    Dynamic, float
-        The controller, and a bound of the norm that it reaches (1).
+    SLICOT synthesises it. ``actuator_rate`` is the corner of the actuator's first-order lag (rad/s); the controller is
+    made discrete by Tustin's rule with the control ``period`` (s).
     """
     from scipy.signal import cont2discrete
 

@@ -1,16 +1,19 @@
-"""Control laws: formulas (skyhook, groundhook, ADD, PID) and gains from the corner model (LQR, LQG, H-infinity)."""
+"""Control laws: formulas (skyhook, groundhook, ADD, PID), and gains from the corner model (LQR, LQG, H-infinity).
+
+With a damper, laws that demand a force are clipped to what it can do.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
 import casadi as ca
 import numpy as np
 
-from jounce.control.actuators import FIRMEST, ActiveActuator, Actuator, Lookup, Means
-from jounce.control.controller import Controller, DamperLaw, Decision, ForceLaw, extension_rate, given, step
+from jounce.control.actuators import FIRMEST, ActiveActuator, Actuator, AnyActuator, Instant, Lookup, SemiActiveDamper
+from jounce.control.controller import Controller, DamperLaw, Decision, ForceLaw, given
 from jounce.control.design import (
     H_INFINITY_CHANNELS,
     H_INFINITY_ORDER,
@@ -35,6 +38,14 @@ _Share = Annotated[float, Unit("1", at_least=0.0, at_most=1.0)]
 _Inertance = Annotated[float, Unit("kg")]
 _Time = Annotated[float, Unit("s", at_least=0.0)]
 _Tracking = Annotated[float, Unit("s", above=0.0)]
+Weight = Annotated[float, Unit("1/s^4", at_least=0.0)]
+ForceWeight = Annotated[float, Unit("1/kg^2", at_least=0.0)]
+_Disturbance = Annotated[float, Unit("m^2/s^3", at_least=0.0)]
+_Roughness = Annotated[float, Unit("m^2/s", above=0.0)]
+_Acceleration = Annotated[float, Unit("m/s^2", above=0.0)]
+_Force = Annotated[float, Unit("N", above=0.0)]
+_ACCELERATION_NOISE, _DEFLECTION_NOISE = 0.05, 5e-4  # m/s^2, m: of sensors whose noise is not given
+_DAMPER, _FORCE = SemiActiveDamper(), ActiveActuator()
 
 
 class Passive(Controller):
@@ -42,14 +53,15 @@ class Passive(Controller):
 
     law: Literal["passive"] = "passive"
     damping_coefficient: NonNegativeDampingCoefficient | None = None
+    catalogue: ClassVar = {"passive": ("the rig as it is", None)}
 
-    def decide(self, seen: Lookup, memory: list[ca.SX], number: Lookup, means: Means) -> Decision:  # noqa: ARG002
-        """Write the law of one corner."""
-        return Decision(means.command_for_coefficient(number("damping_coefficient")))
+    def decide(self, now: Instant) -> Decision:
+        """The same setting at every instant."""
+        return Decision(self.actuator.command_for_coefficient(now.number("damping_coefficient"), now))
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
-        """Give the coefficient, N s/m."""
-        return {"damping_coefficient": given(self.damping_coefficient, lambda: corner.reference_damping)}
+        """Coefficient, N s/m."""
+        return {"damping_coefficient": given(self.damping_coefficient, corner.reference_damping)}
 
 
 class _Hook(ForceLaw):
@@ -58,9 +70,9 @@ class _Hook(ForceLaw):
     damping_coefficient: NonNegativeDampingCoefficient | None = None
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
-        """Give the coefficient (N s/m) at the wheel, and the motion ratio."""
+        """Coefficient (N s/m) at the wheel, and the motion ratio."""
         r = corner.motion_ratio
-        coefficient = given(self.damping_coefficient, lambda: FIRMEST * corner.reference_damping * r**2)
+        coefficient = given(self.damping_coefficient, FIRMEST * corner.reference_damping * r**2)
         return {"damping_coefficient": coefficient, "motion_ratio": r}
 
 
@@ -81,10 +93,25 @@ class Skyhook(_Hook):
     """
 
     law: Literal["skyhook"] = "skyhook"
+    catalogue: ClassVar = {
+        "skyhook": ("damper between body and sky, clipped to a damper", _DAMPER),
+        "active-skyhook": ("damper between body and sky, by an active actuator", _FORCE),
+    }
 
-    def force(self, seen: Lookup, number: Lookup) -> ca.SX:
+    def force(self, now: Instant) -> ca.SX:
         """Force on the body, N."""
-        return -number("damping_coefficient") * seen("sprung.vz")
+        return -now.number("damping_coefficient") * now.seen("sprung.vz")
+
+
+class TwoStateSkyhook(DamperLaw):
+    """Firm where a damper to the sky would pull the same way: ``sprung.vz * extension rate >= 0``."""
+
+    law: Literal["skyhook-two-state"] = "skyhook-two-state"
+    catalogue: ClassVar = {"skyhook-two-state": ("firm where a damper to the sky would pull the same way", _DAMPER)}
+
+    def product(self, now: Instant) -> ca.SX:
+        """Body velocity times extension rate."""
+        return now.seen("sprung.vz") * now.extension_rate
 
 
 class Groundhook(_Hook):
@@ -97,10 +124,24 @@ class Groundhook(_Hook):
     """
 
     law: Literal["groundhook"] = "groundhook"
+    catalogue: ClassVar = {"groundhook": ("damper between wheel and ground, clipped to a damper", _DAMPER)}
 
-    def force(self, seen: Lookup, number: Lookup) -> ca.SX:
+    def force(self, now: Instant) -> ca.SX:
         """Force on the body, N."""
-        return number("damping_coefficient") * seen("unsprung.vz")
+        return now.number("damping_coefficient") * now.seen("unsprung.vz")
+
+
+class TwoStateGroundhook(DamperLaw):
+    """Firm where a damper to the ground would pull the wheel the same way."""
+
+    law: Literal["groundhook-two-state"] = "groundhook-two-state"
+    catalogue: ClassVar = {
+        "groundhook-two-state": ("firm where a damper to the ground would pull the same way", _DAMPER)
+    }
+
+    def product(self, now: Instant) -> ca.SX:
+        """Wheel velocity times extension rate, reversed."""
+        return -now.seen("unsprung.vz") * now.extension_rate
 
 
 class Hybrid(_Hook):
@@ -116,69 +157,35 @@ class Hybrid(_Hook):
 
     law: Literal["hybrid"] = "hybrid"
     skyhook_share: _Share = 0.5
+    catalogue: ClassVar = {"hybrid": ("skyhook and groundhook mixed", _DAMPER)}
 
-    def force(self, seen: Lookup, number: Lookup) -> ca.SX:
+    def force(self, now: Instant) -> ca.SX:
         """Force on the body, N."""
-        body, wheel, parting = seen("sprung.vz"), seen("unsprung.vz"), extension_rate(seen)
+        body, wheel, parting = now.seen("sprung.vz"), now.seen("unsprung.vz"), now.extension_rate
         sky, ground = body, -wheel
         if not isinstance(self.actuator, ActiveActuator):
             sky = ca.if_else(body * parting > 0.0, body, 0.0)
             ground = ca.if_else(-wheel * parting > 0.0, -wheel, 0.0)
-        share = number("skyhook_share")
-        return -number("damping_coefficient") * (share * sky + (1.0 - share) * ground)
+        share = now.number("skyhook_share")
+        return -now.number("damping_coefficient") * (share * sky + (1.0 - share) * ground)
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
-        """Give coefficient (N s/m), motion ratio and share."""
+        """Coefficient (N s/m), motion ratio and share."""
         return {**super().numbers(corner), "skyhook_share": self.skyhook_share}
 
 
-class _TwoState(DamperLaw):
-    """Firm where a product of two signals is positive, soft elsewhere."""
-
-    def product(self, seen: Lookup, number: Lookup) -> ca.SX:
-        """What says by its sign whether the damper is firm."""
-        raise NotImplementedError
-
-    def decide(self, seen: Lookup, memory: list[ca.SX], number: Lookup, means: Means) -> Decision:  # noqa: ARG002
-        """Write the law of one corner."""
-        return Decision(means.command_for_level(step(self.product(seen, number))))
-
-    def numbers(self, corner: CornerModel) -> dict[str, float]:  # noqa: ARG002
-        """Give no numbers."""
-        return {}
-
-
-class TwoStateSkyhook(_TwoState):
-    """Firm where a damper to the sky would pull the same way: ``sprung.vz * extension rate >= 0``."""
-
-    law: Literal["skyhook-two-state"] = "skyhook-two-state"
-
-    def product(self, seen: Lookup, number: Lookup) -> ca.SX:  # noqa: ARG002
-        """Body velocity times extension rate."""
-        return seen("sprung.vz") * extension_rate(seen)
-
-
-class TwoStateGroundhook(_TwoState):
-    """Firm where a damper to the ground would pull the wheel the same way."""
-
-    law: Literal["groundhook-two-state"] = "groundhook-two-state"
-
-    def product(self, seen: Lookup, number: Lookup) -> ca.SX:  # noqa: ARG002
-        """Wheel velocity times extension rate, reversed."""
-        return -seen("unsprung.vz") * extension_rate(seen)
-
-
-class ADD(_TwoState):
+class ADD(DamperLaw):
     """Acceleration driven damping: firm where body acceleration and extension rate agree [savaresi2005]."""
 
     law: Literal["add"] = "add"
+    catalogue: ClassVar = {"add": ("acceleration driven damping", _DAMPER)}
 
-    def product(self, seen: Lookup, number: Lookup) -> ca.SX:  # noqa: ARG002
+    def product(self, now: Instant) -> ca.SX:
         """Body acceleration times extension rate."""
-        return seen("sprung.az") * extension_rate(seen)
+        return now.seen("sprung.az") * now.extension_rate
 
 
-class SHADD(_TwoState):
+class SHADD(DamperLaw):
     """Skyhook below a crossover frequency, acceleration driven damping above it [savaresi2007].
 
     Attributes
@@ -189,15 +196,18 @@ class SHADD(_TwoState):
 
     law: Literal["sh-add"] = "sh-add"
     crossover: Frequency = 1.8
+    catalogue: ClassVar = {
+        "sh-add": ("skyhook below a crossover frequency, acceleration driven above it", _DAMPER),
+    }
 
-    def product(self, seen: Lookup, number: Lookup) -> ca.SX:
-        """Body velocity or acceleration, whichever rules, times extension rate."""
-        velocity, acceleration = seen("sprung.vz"), seen("sprung.az")
-        slow = acceleration**2 - (number("crossover") * velocity) ** 2 <= 0.0
-        return ca.if_else(slow, velocity, acceleration) * extension_rate(seen)
+    def product(self, now: Instant) -> ca.SX:
+        """Body velocity or acceleration, whichever dominates, times extension rate."""
+        velocity, acceleration = now.seen("sprung.vz"), now.seen("sprung.az")
+        slow = acceleration**2 - (now.number("crossover") * velocity) ** 2 <= 0.0
+        return ca.if_else(slow, velocity, acceleration) * now.extension_rate
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:  # noqa: ARG002
-        """Give the crossover, rad/s."""
+        """Crossover, rad/s."""
         return {"crossover": 2.0 * math.pi * self.crossover}
 
 
@@ -227,31 +237,27 @@ class PID(Controller):
     filter_time: _Time = 0.01
     tracking_time: _Tracking = 0.2
     actuator: Actuator = ActiveActuator()
+    catalogue: ClassVar = {"pid": ("PID on the body's velocity, active", _FORCE)}
+    memory_size: ClassVar[int] = 3  # integral, filtered derivative, error before
 
-    @property
-    def memory_size(self) -> int:
-        """Integral, filtered derivative, error before."""
-        return 3
-
-    def decide(self, seen: Lookup, memory: list[ca.SX], number: Lookup, means: Means) -> Decision:
-        """Write the law of one corner."""
-        integral, slope, before = memory
-        error, r = -seen("sprung.vz"), number("motion_ratio")
-        slope = number("filter_keep") * slope + number("filter_gain") * (error - before)
-        wish = number("proportional") * error + integral + number("derivative") * slope
-        command = means.command_for_force(wish / r)
-        missed = means.force_of(command) * r - wish
-        following = integral + number("integral_gain") * error + number("tracking") * missed
+    def decide(self, now: Instant) -> Decision:
+        """The command, and what the actuator could not do fed back to the integral."""
+        integral, slope, before = now.memory
+        error, r = -now.seen("sprung.vz"), now.number("motion_ratio")
+        slope = now.number("filter_keep") * slope + now.number("filter_gain") * (error - before)
+        demand = now.number("proportional") * error + integral + now.number("derivative") * slope
+        command = self.actuator.command_for_force(demand / r, now)
+        missed = self.actuator.force_of(command, now) * r - demand
+        following = integral + now.number("integral_gain") * error + now.number("tracking") * missed
         return Decision(command, [following, slope, error])
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
-        """Give the gains for the control rate, and the motion ratio."""
+        """Gains for the control rate, SI, and the motion ratio."""
         period, r = 1.0 / self.rate, corner.motion_ratio
         keep = self.filter_time / (self.filter_time + period)
-        integral = given(self.integral, lambda: 0.1 * corner.spring_rate)
         return {
-            "proportional": given(self.proportional, lambda: 0.5 * FIRMEST * corner.reference_damping * r**2),
-            "integral_gain": integral * period,
+            "proportional": given(self.proportional, 0.5 * FIRMEST * corner.reference_damping * r**2),
+            "integral_gain": given(self.integral, 0.1 * corner.spring_rate) * period,
             "derivative": self.derivative,
             "filter_keep": keep,
             "filter_gain": (1.0 - keep) / period,
@@ -260,21 +266,12 @@ class PID(Controller):
         }
 
 
-_Weight = Annotated[float, Unit("1/s^4", at_least=0.0)]
-_ForceWeight = Annotated[float, Unit("1/kg^2", at_least=0.0)]
-_Disturbance = Annotated[float, Unit("m^2/s^3", at_least=0.0)]
-_Roughness = Annotated[float, Unit("m^2/s", above=0.0)]
-_Acceleration = Annotated[float, Unit("m/s^2", above=0.0)]
-_Force = Annotated[float, Unit("N", above=0.0)]
-_ACCELERATION_NOISE, _DEFLECTION_NOISE = 0.05, 5e-4  # m/s^2, m: of sensors that say none
-
-
 class _Quadratic(Controller):
     """Cost of the regulator: integral of ``az^2 + deflection_weight x1^2 + tyre_weight x3^2 + force_weight u^2``."""
 
-    deflection_weight: _Weight | None = None
-    tyre_weight: _Weight | None = None
-    force_weight: _ForceWeight = 0.0
+    deflection_weight: Weight | None = None
+    tyre_weight: Weight | None = None
+    force_weight: ForceWeight = 0.0
     actuator: Actuator = ActiveActuator()
     needs_wheel: ClassVar[bool] = True
 
@@ -284,12 +281,10 @@ class _Quadratic(Controller):
         return None if isinstance(self.actuator, ActiveActuator) else 0.0
 
     def gains(self, corner: CornerModel) -> Array:
-        """Give the gains of deflection, body velocity, tyre, wheel velocity: N/m, N s/m, N/m, N s/m."""
+        """Gains of deflection, body velocity, tyre, wheel velocity: N/m, N s/m, N/m, N s/m."""
         square = (corner.spring_rate / corner.sprung_mass) ** 2
         weights = Weights(
-            given(self.deflection_weight, lambda: square),
-            given(self.tyre_weight, lambda: 10.0 * square),
-            self.force_weight,
+            given(self.deflection_weight, square), given(self.tyre_weight, 10.0 * square), self.force_weight
         )
         return regulator_gains(corner, weights, self._base)
 
@@ -314,16 +309,21 @@ class LQR(_Quadratic):
     """
 
     law: Literal["lqr"] = "lqr"
+    catalogue: ClassVar = {
+        "lqr": ("linear quadratic regulator, active", _FORCE),
+        "clipped-lqr": ("clipped-optimal regulator with a damper", _DAMPER),
+    }
 
-    def decide(self, seen: Lookup, memory: list[ca.SX], number: Lookup, means: Means) -> Decision:  # noqa: ARG002
-        """Write the law of one corner."""
-        r = number("motion_ratio")
-        parting, tyre = -seen("strut.deflection") / r, -seen("tyre.deflection")
-        states = ca.vertcat(parting, seen("sprung.vz"), tyre, seen("unsprung.vz"))
-        return Decision(means.command_for_force(-ca.dot(_vector(number, "gain", 4), states) / r))
+    def decide(self, now: Instant) -> Decision:
+        """The command for the optimal force."""
+        r = now.number("motion_ratio")
+        parting, tyre = -now.seen("strut.deflection") / r, -now.seen("tyre.deflection")
+        states = ca.vertcat(parting, now.seen("sprung.vz"), tyre, now.seen("unsprung.vz"))
+        force = -ca.dot(_vector(now.number, "gain", 4), states)
+        return Decision(self.actuator.command_for_force(force / r, now))
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
-        """Give gains and motion ratio."""
+        """Gains, SI, and motion ratio."""
         return {**_named("gain", self.gains(corner)), "motion_ratio": corner.motion_ratio}
 
 
@@ -347,42 +347,37 @@ class LQG(_Quadratic):
     law: Literal["lqg"] = "lqg"
     roughness: _Roughness = 1.0106e-3
     disturbance: _Disturbance = 1e-3
+    catalogue: ClassVar = {
+        "lqg": ("regulator on a Kalman filter, active", _FORCE),
+        "clipped-lqg": ("clipped-optimal regulator on a Kalman filter, with a damper", _DAMPER),
+    }
+    memory_size: ClassVar[int] = 5  # estimated states, and the command that has arrived behind the actuator's lag
 
-    @property
-    def memory_size(self) -> int:
-        """Estimated states, and the command that has arrived behind the actuator's lag."""
-        return 5
-
-    def decide(self, seen: Lookup, memory: list[ca.SX], number: Lookup, means: Means) -> Decision:
-        """Write the law of one corner."""
-        r = number("motion_ratio")
-        missing = memory[4] - means.last
-        arrived, mean = means.last + number("late") * missing, means.last + number("mean_late") * missing
-        force = means.force_of(arrived) * r
-        before = (
-            _matrix(number, "F", 4, 4) @ ca.vertcat(*memory[:4]) + _vector(number, "H", 4) * means.force_of(mean) * r
-        )
-        measured = ca.vertcat(*(seen(channel) for channel in LQG_CHANNELS))
+    def decide(self, now: Instant) -> Decision:
+        """The command for the estimated states, which follow the command that has arrived and the measurements."""
+        number, r = now.number, now.number("motion_ratio")
+        missing = now.memory[4] - now.last
+        arrived, mean = now.last + number("late") * missing, now.last + number("mean_late") * missing
+        force, mean_force = (self.actuator.force_of(command, now) * r for command in (arrived, mean))
+        before = _matrix(number, "F", 4, 4) @ ca.vertcat(*now.memory[:4]) + _vector(number, "H", 4) * mean_force
+        measured = ca.vertcat(*(now.seen(channel) for channel in LQG_CHANNELS))
         expected = _matrix(number, "C", 3, 4) @ before + _vector(number, "D", 3) * force
         states = before + _matrix(number, "L", 4, 3) @ (measured - expected)
-        command = means.command_for_force(-ca.dot(_vector(number, "gain", 4), states) / r)
+        command = self.actuator.command_for_force(-ca.dot(_vector(number, "gain", 4), states) / r, now)
         return Decision(command, [*ca.vertsplit(states), arrived])
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
-        """Give gains and filter, SI."""
-        periods = 1.0 / (self.rate * _lag(self.actuator)) if _lag(self.actuator) > 0.0 else math.inf
+        """Gains and filter, SI."""
+        lag = _lag(self.actuator)
+        periods = 1.0 / (self.rate * lag) if lag > 0.0 else math.inf
         late = {"late": math.exp(-periods), "mean_late": -math.expm1(-periods) / periods}
-        filter_ = observer(
-            corner, LQG_CHANNELS, self._deviations(), self.roughness, self.disturbance, 1.0 / self.rate, self._base
-        )
-        parts = {name: getattr(filter_, name) for name in "FHLCD"}
-        found = {key: value for name, part in parts.items() for key, value in _named(name, part).items()}
-        return {**found, **late, **_named("gain", self.gains(corner)), "motion_ratio": corner.motion_ratio}
-
-    def _deviations(self) -> Array:
-        """Standard deviations that the filter expects of its sensors."""
         usual = {"strut.deflection": _DEFLECTION_NOISE}
-        return np.array([self.noise.get(name) or usual.get(name, _ACCELERATION_NOISE) for name in LQG_CHANNELS])
+        deviations = np.array([self.noise.get(name) or usual.get(name, _ACCELERATION_NOISE) for name in LQG_CHANNELS])
+        filter_ = observer(
+            corner, LQG_CHANNELS, deviations, self.roughness, self.disturbance, 1.0 / self.rate, self._base
+        )
+        found = _all_named({name: getattr(filter_, name) for name in "FHLCD"})
+        return {**found, **late, **_named("gain", self.gains(corner)), "motion_ratio": corner.motion_ratio}
 
 
 class HInfinity(Controller):
@@ -408,62 +403,60 @@ class HInfinity(Controller):
     deflection: PositiveLength | None = None
     force: _Force | None = None
     actuator: Actuator = ActiveActuator()
+    catalogue: ClassVar = {
+        "h-infinity": ("H-infinity output feedback, active", _FORCE),
+        "clipped-h-infinity": ("H-infinity output feedback, clipped to a damper", _DAMPER),
+    }
     needs_wheel: ClassVar[bool] = True
+    memory_size: ClassVar[int] = H_INFINITY_ORDER
 
-    @property
-    def memory_size(self) -> int:
-        """States of the controller."""
-        return H_INFINITY_ORDER
-
-    def decide(self, seen: Lookup, memory: list[ca.SX], number: Lookup, means: Means) -> Decision:
-        """Write the law of one corner."""
-        n, channels, states = H_INFINITY_ORDER, H_INFINITY_CHANNELS, ca.vertcat(*memory)
-        measured, r = ca.vertcat(*(seen(channel) for channel in channels)), number("motion_ratio")
+    def decide(self, now: Instant) -> Decision:
+        """The command of the linear controller, and its next states."""
+        n, channels, states = H_INFINITY_ORDER, H_INFINITY_CHANNELS, ca.vertcat(*now.memory)
+        number, r = now.number, now.number("motion_ratio")
+        measured = ca.vertcat(*(now.seen(channel) for channel in channels))
         force = ca.dot(_vector(number, "C", n), states) + ca.dot(_vector(number, "D", len(channels)), measured)
         if not isinstance(self.actuator, ActiveActuator):
-            force += number("damping_coefficient") * seen("strut.velocity") / r
+            force += number("damping_coefficient") * now.seen("strut.velocity") / r
         following = _matrix(number, "A", n, n) @ states + _matrix(number, "B", n, len(channels)) @ measured
-        return Decision(means.command_for_force(force / r), ca.vertsplit(following))
+        return Decision(self.actuator.command_for_force(force / r, now), ca.vertsplit(following))
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
-        """Give the controller's matrices, SI."""
+        """The controller's matrices, SI."""
         r = corner.motion_ratio
-        usual = 2.56 * corner.spring_rate / corner.sprung_mass * self.road
-        acceleration = given(self.acceleration, lambda: usual)
+        acceleration = given(self.acceleration, 2.56 * corner.spring_rate / corner.sprung_mass * self.road)
         targets = Targets(
             self.road,
             acceleration,
-            given(self.deflection, lambda: 0.8 * self.road),
-            given(self.force, lambda: corner.sprung_mass * corner.gravity),
+            given(self.deflection, 0.8 * self.road),
+            given(self.force, corner.sprung_mass * corner.gravity),
             (0.2 * self.road, acceleration / 16.0),
         )
-        damping = corner.reference_damping * r**2
-        made, _ = h_infinity(corner, targets, _quickness(self.actuator), 1.0 / self.rate, damping)
-        parts = {"A": made.A, "B": made.B, "C": made.C[0], "D": made.D[0]}
-        found = {key: value for name, part in parts.items() for key, value in _named(name, part).items()}
+        damping, lag = corner.reference_damping * r**2, _lag(self.actuator)
+        quickness = min(1.0 / lag, _QUICKEST) if lag > 0.0 else _QUICKEST
+        made, _ = h_infinity(corner, targets, quickness, 1.0 / self.rate, damping)
+        found = _all_named({"A": made.A, "B": made.B, "C": made.C[0], "D": made.D[0]})
         return {**found, "motion_ratio": r, "damping_coefficient": damping}
 
 
 _QUICKEST = 300.0  # rad/s
 
 
-def _quickness(actuator: Any) -> float:
-    """Corner of an actuator's lag, rad/s."""
-    lag = _lag(actuator)
-    return min(1.0 / lag, _QUICKEST) if lag > 0.0 else _QUICKEST
-
-
-def _lag(actuator: Any) -> float:
+def _lag(actuator: AnyActuator) -> float:
     """Time constant of an actuator, s; of one of second order that of its slow motion."""
-    if getattr(actuator, "bandwidth", None) is not None:
-        return float(actuator.damping_ratio / (math.pi * actuator.bandwidth))
-    return float(actuator.lag)
+    if isinstance(actuator, ActiveActuator) and actuator.bandwidth is not None:
+        return actuator.damping_ratio / (math.pi * actuator.bandwidth)
+    return actuator.lag
 
 
 def _named(name: str, values: Array | Sequence[float]) -> dict[str, float]:
     """Numbers of an array by path: ``gain[0]``, ``F[1][2]``."""
     array = np.asarray(values, dtype=np.float64)
     return {name + "".join(f"[{i}]" for i in index): float(value) for index, value in np.ndenumerate(array)}
+
+
+def _all_named(arrays: dict[str, Array]) -> dict[str, float]:
+    return {path: value for name, array in arrays.items() for path, value in _named(name, array).items()}
 
 
 def _vector(number: Lookup, name: str, size: int) -> ca.SX:

@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Any, ClassVar, Literal
 
 import casadi as ca
 import numpy as np
-from pydantic import Field
 
-from jounce.control.actuators import ActiveActuator, Actuator, AnyActuator, Means, SemiActiveDamper
+from jounce.control.actuators import ActiveActuator, Actuator, AnyActuator, Instant, SemiActiveDamper
 from jounce.control.controller import CallbackController, Limits, Regulator, Setting, given
 from jounce.control.design import CornerModel, corner_equations, corner_outputs, sampled
+from jounce.control.laws import ForceWeight, Weight
 from jounce.core.errors import SimulationError
 from jounce.core.types import Array
-from jounce.core.units import Frequency, PositiveLength, PositiveTime, Unit
+from jounce.core.units import Frequency, PositiveLength, PositiveTime
 
-_Weight = Annotated[float, Unit("1/s^4", at_least=0.0)]
-_ForceWeight = Annotated[float, Unit("1/kg^2", at_least=0.0)]
 _CHANNELS = ("strut.deflection", "sprung.vz", "tyre.deflection", "unsprung.vz", "strut.velocity")
 _SOLVERS = ("daqp", "qrqp")
 _QUIET: dict[str, dict[str, Any]] = {
@@ -58,11 +56,14 @@ class PreviewMPC(CallbackController):
     preview: PositiveTime = 0.08
     stroke: PositiveLength | None = None
     keep_contact: bool = True
-    deflection_weight: _Weight | None = None
-    tyre_weight: _Weight | None = None
-    force_weight: _ForceWeight = 0.0
+    deflection_weight: Weight | None = None
+    tyre_weight: Weight | None = None
+    force_weight: ForceWeight = 0.0
     actuator: Actuator = SemiActiveDamper()
-    schema_: Literal["jounce.control/1"] = Field(default="jounce.control/1", alias="schema")
+    catalogue: ClassVar = {
+        "mpc": ("model predictive control with preview of the road, with a damper", SemiActiveDamper()),
+        "active-mpc": ("model predictive control with preview of the road, active", ActiveActuator()),
+    }
     needs_wheel: ClassVar[bool] = True
 
     def regulator(self, setting: Setting) -> Regulator:
@@ -102,7 +103,7 @@ def _horizon(mpc: PreviewMPC, corner: CornerModel, steps: int) -> _Horizon:
     F, both, _ = sampled(A, np.hstack([B, G]), np.zeros((n, n)), 1.0 / mpc.rate)
     H, V = both[:, :1], both[:, 1:]
     square = (corner.spring_rate / corner.sprung_mass) ** 2
-    weights = given(mpc.deflection_weight, lambda: square), given(mpc.tyre_weight, lambda: 10.0 * square)
+    weights = given(mpc.deflection_weight, square), given(mpc.tyre_weight, 10.0 * square)
     price = max(mpc.force_weight, _CHEAP / corner.sprung_mass**2 if n > 4 else 0.0)
     Q = C.T @ C + np.diag([weights[0], 0.0, weights[1], *np.zeros(n - 3)])
     R, S = D.T @ D + price, C.T @ D
@@ -293,10 +294,10 @@ def _of_actuator(actuator: AnyActuator, corner: CornerModel, steps: int) -> tupl
     known = {**actuator.plant_numbers, "minimum": low, "maximum": high, "static_deflection": corner.static_deflection}
     force, velocity, deflection = (ca.SX.sym(name) for name in ("force", "velocity", "deflection"))
     seen = {"strut.velocity": velocity, "strut.deflection": deflection}
-    means = Means(actuator, seen.__getitem__, lambda name: ca.SX(known[name]), ca.SX(0.0))
-    ends = [means.force_of(means.command_for_level(ca.SX(level))) for level in (0.0, 1.0)]
+    now = Instant(seen.__getitem__, lambda name: ca.SX(known[name]), ca.SX(0.0))
+    ends = [actuator.force_of(now.between(ca.SX(level)), now) for level in (0.0, 1.0)]
     bounds = ca.Function("bounds", [velocity, deflection], ends).map(steps)
-    command = ca.Function("command", [force, velocity, deflection], [means.command_for_force(force)])
+    command = ca.Function("command", [force, velocity, deflection], [actuator.command_for_force(force, now)])
 
     def both(v: Array, x: Array) -> tuple[Array, Array]:
         found = bounds(v[None, :], x[None, :])

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
 
-from jounce.control.actuators import Means, held_back
+from jounce.control.actuators import Instant, Lookup, clipped
 from jounce.control.controller import Controller
 from jounce.control.design import CornerModel
 from jounce.core.types import Array
@@ -42,16 +41,8 @@ _programs: dict[tuple[object, ...], Program] = {}
 
 
 def program(controller: Controller, corners: tuple[str, ...]) -> Program:
-    """Write a controller out; controllers that differ in numbers only share one.
-
-    Parameters
-    ----------
-    controller : Controller
-        Resolved or not: only its structure matters.
-    corners : tuple of str
-        Places of the wheels; ``("",)`` for a quarter car.
-    """
-    key = (type(controller).__name__, structure_of(controller), corners)
+    """Write a controller out for its corners (``("",)`` for a quarter car); those of one structure share a program."""
+    key = (type(controller), structure_of(controller), corners)
     if key not in _programs:
         _programs[key] = _written(controller, corners)
     return _programs[key]
@@ -60,16 +51,23 @@ def program(controller: Controller, corners: tuple[str, ...]) -> Program:
 def _written(controller: Controller, corners: tuple[str, ...]) -> Program:
     channels: dict[str, ca.SX] = {}
     numbers: dict[str, ca.SX] = {}
+
+    def symbols(known: dict[str, ca.SX], corner: str) -> Lookup:
+        """Symbols by name, made when they are first asked for."""
+        prefix = f"{corner}." if corner else ""
+        return lambda name: known.setdefault(prefix + name, ca.SX.sym(prefix + name))
+
     kept = [[ca.SX.sym(f"memory{i}") for i in range(controller.memory_size)] for _ in corners]
     last = [ca.SX.sym("last") for _ in corners]
-    commands, memories = [], []
+    commands: list[ca.SX] = []
+    memories: list[ca.SX] = []
     for corner, own, before in zip(corners, kept, last, strict=True):
-        seen, number = _asked(channels, corner), _asked(numbers, corner)
-        means = Means(controller.actuator, seen, number, before)
-        decision = controller.decide(seen, own, number, means)
+        now = Instant(symbols(channels, corner), symbols(numbers, corner), before, own)
+        decision = controller.decide(now)
         command = decision.command
         if controller.actuator.rate_limit is not None:
-            command = held_back(command, before, number("rate_limit"))
+            step = now.number("rate_limit")
+            command = clipped(command, before - step, before + step)
         commands.append(command)
         memories.extend(decision.memory)
     memory = ca.vertcat(*(symbol for group in kept for symbol in group), *last)
@@ -80,28 +78,8 @@ def _written(controller: Controller, corners: tuple[str, ...]) -> Program:
     return Program(function, tuple(channels), tuple(numbers), memory.shape[0])
 
 
-def _asked(known: dict[str, ca.SX], corner: str) -> Callable[[str], ca.SX]:
-    """Symbols by name, made when they are first asked for."""
-
-    def symbol(name: str) -> ca.SX:
-        full = f"{corner}.{name}" if corner else name
-        return known.setdefault(full, ca.SX.sym(full))
-
-    return symbol
-
-
 def values(controllers: Mapping[str, Controller], models: Mapping[str, CornerModel], names: tuple[str, ...]) -> Array:
-    """Numbers of a program.
-
-    Parameters
-    ----------
-    controllers : mapping
-        Corner to its controller, resolved for it.
-    models : mapping
-        Corner to what it is.
-    names : tuple of str
-        Of the program.
-    """
+    """Numbers of a program by their names, SI, from each corner's resolved controller and model."""
     known: dict[str, float] = {}
     for corner, controller in controllers.items():
         prefix = f"{corner}." if corner else ""
@@ -118,23 +96,12 @@ def values(controllers: Mapping[str, Controller], models: Mapping[str, CornerMod
 def sensor_noise(noise: Mapping[str, float], seed: int, channels: tuple[str, ...], instants: int) -> Array:
     """White noise of the sensors, shape (instants, channels), SI; no rows where there is none.
 
-    Parameters
-    ----------
-    noise : mapping
-        Standard deviation by channel without its corner, or with it.
-    seed : int
-        Of the noise.
-    channels : tuple of str
-        What is measured.
-    instants : int
-        Control instants of the run.
+    ``noise`` is the standard deviation by channel, with its corner or without (then it counts at every corner).
     """
-    spread = np.array([noise.get(name, noise.get(_word(name), 0.0)) for name in channels])
+    without_corner = (".".join(name.split(".")[-2:]) for name in channels)
+    spread = np.array(
+        [noise.get(name, noise.get(word, 0.0)) for name, word in zip(channels, without_corner, strict=True)]
+    )
     if not np.any(spread > 0.0):
         return np.zeros((0, len(channels)))
     return np.asarray(np.random.default_rng(seed).standard_normal((instants, len(channels))) * spread)
-
-
-def _word(channel: str) -> str:
-    """Channel without its corner: the last two words."""
-    return re.sub(r"^.*?([^.]+\.[^.]+)$", r"\1", channel)

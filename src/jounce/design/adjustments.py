@@ -370,7 +370,7 @@ def _upright_places(places: Mapping[str, Triple], lengths: Mapping[str, float]) 
 def _on(rig: DoubleWishbone, body: str) -> list[str]:
     """Points besides its joints that move with a body."""
     names = []
-    if rig.strut_body == body:
+    if rig.strut.on == body:
         ends = ("strut_bottom", "spring_bottom", "damper_bottom")
         names += [name for name in ends if getattr(rig.hardpoints, name) is not None]
     if rig.anti_roll_bar is not None and rig.anti_roll_bar.on == body:

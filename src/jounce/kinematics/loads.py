@@ -172,7 +172,7 @@ class Joints:
             for end in ("bottom", "top")
         ]
         along = _unit(self.points[names[1]] - self.points[names[0]])
-        unknown = self.balance.along(BODY, self.rig.strut_body, along, self.points[names[1]])
+        unknown = self.balance.along(BODY, self.rig.strut.on, along, self.points[names[1]])
         for name in names:
             self.report(name, [(along, unknown)])
         self.scalars["spring.force"] = 1.0, unknown, "spring force that the load asks for, compression positive"

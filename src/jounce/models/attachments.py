@@ -40,7 +40,7 @@ class Line:
 def line_of(linkage: Linkage, element: str) -> Line:
     """Give the line of ``"spring"`` or ``"damper"``."""
     bottom, top = linkage.end_of(element, "bottom"), linkage.end_of(element, "top")
-    lower, upper = linkage.carriers[linkage.rig.strut_body].point(bottom), linkage.chassis.point(top)
+    lower, upper = linkage.carriers[linkage.rig.strut.on].point(bottom), linkage.chassis.point(top)
     reach = upper - lower
     length = ca.sqrt(ca.dot(reach.value, reach.value))
     design = top - bottom
@@ -67,7 +67,7 @@ def add_rocker(linkage: Linkage) -> None:
 def add_strut_points(linkage: Linkage) -> None:
     """Say which bodies the ends of spring and damper move with."""
     rig = linkage.rig
-    carrier = linkage.carriers[rig.strut_body]
+    carrier = linkage.carriers[rig.strut.on]
     for element in ("strut", "spring", "damper"):
         for end, body in (("bottom", carrier), ("top", linkage.chassis)):
             if getattr(rig.hardpoints, f"{element}_{end}") is not None:
@@ -107,7 +107,7 @@ def damper_law(linkage: Linkage, line: Line) -> ca.SX:
 
 def push(linkage: Linkage, line: Line, force: ca.SX) -> None:
     """Let a force push the ends of a line apart."""
-    body = linkage.carriers[linkage.rig.strut_body]
+    body = linkage.carriers[linkage.rig.strut.on]
     linkage.mechanism.push_apart(linkage.chassis, body, line.top, line.bottom, force)
 
 

@@ -139,7 +139,7 @@ def _wheel(rig: Corner) -> Iterator[Finding]:
 def _strut(rig: Corner) -> Iterator[Finding]:
     bottom, top = np.array(rig.hardpoints.at("strut_bottom")), np.array(rig.hardpoints.at("strut_top"))
     along = top - bottom
-    if rig.strut_body != "rocker":
+    if rig.strut.on != "rocker":
         if along[2] <= 0.0:
             yield _warn("hardpoints.strut_top", "does not lie above strut_bottom; z points up. Are the two swapped?")
         elif (angle := float(np.arctan2(abs(along[1]), along[2]))) > STEEP_STRUT:

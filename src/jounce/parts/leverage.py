@@ -43,7 +43,7 @@ def motion_ratio(rig: Corner, element: str = "spring") -> float:
     points = rig.hardpoints
     bottom, top = _at(points, f"{element}_bottom"), _at(points, f"{element}_top")
     along = (top - bottom) / np.linalg.norm(top - bottom)
-    return float(along @ _velocity(_twist(rig, rig.strut_body), bottom))
+    return float(along @ _velocity(_twist(rig, rig.strut.on), bottom))
 
 
 def body_motion(rig: Corner, body: str) -> Twist:

@@ -129,7 +129,7 @@ def _ends(rig: Rig) -> tuple[Triple, Triple]:
             found='model = "mcpherson"',
             hint=hint,
         )
-    if rig.strut_body == "rocker":
+    if rig.strut.on == "rocker":
         raise DescriptionError(
             "the strut stands on a rocker: its angle in front view does not decide its leverage",
             where="strut angle",

@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from jounce.control import Controller
-from jounce.control.catalogue import CONTROLS, as_controller
+from jounce.control import CONTROLS, Controller, as_controller
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
 from jounce.core.serialise import to_plain
 from jounce.core.units import positive_si

@@ -13,8 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.control.actuators import ActiveActuator, AnyActuator
-from jounce.control.catalogue import as_controller
-from jounce.control.controller import CallbackController, Controller, Setting
+from jounce.control.controller import CallbackController, Controller, Setting, as_controller
 from jounce.control.design import CornerModel
 from jounce.control.laws import Passive
 from jounce.control.program import Program, program, sensor_noise, values

@@ -141,7 +141,7 @@ def test_the_upper_arm_of_a_multi_link_moves_with_the_upright():
     out = np.linalg.norm(np.cross(axis, np.array([0.056, 0.714, 0.151]) - np.array([0.060, 0.397, 0.082])))
     away = np.linalg.norm(np.cross(axis, np.array([-0.014, 0.490, 0.098]) - np.array([0.060, 0.397, 0.082])))
     assert told.value == pytest.approx((0.0237 + 4.744 * away**2) / out**2, rel=1e-6)
-    assert rig.strut_body == "link_4"
+    assert rig.strut.on == "link_4"
     assert {"link_3", "link_4"} <= set(rig.body_masses())
     assert "link_1" not in rig.body_masses()
 

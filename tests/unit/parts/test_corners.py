@@ -350,7 +350,7 @@ def test_links_may_share_a_point():
 )
 def test_rocker(changes: dict[str, Any], message: str):
     rig = REFERENCE.with_changes(ROCKER)
-    assert rig.strut_body == "rocker"
+    assert rig.strut.on == "rocker"
     with pytest.raises(DescriptionError, match=message):
         rig.with_changes(changes)
 
@@ -367,7 +367,7 @@ def test_anti_roll_bar():
 
 def test_trailing_arm():
     rig = rig_from_table(TRAILING)
-    assert rig.strut_body == "arm"
+    assert rig.strut.on == "arm"
     with pytest.raises(DescriptionError, match="wheel_centre: lies on the line through arm_inner and arm_outer"):
         rig.with_changes({"hardpoints.wheel_centre": [0.3, 1.0, 0.3]})
 
