@@ -139,9 +139,9 @@ def check_outputs(
     if rig is not None:
         check_writable(rig, what="rigs", suffixes=(".toml",), force=force)
     if recording is not None:
-        from jounce.recordings.files import check_recording_file
+        from jounce.recordings.files import RECORDING_FILES
 
-        check_recording_file(recording, force=force)
+        RECORDING_FILES.check(recording, force=force)
     if folder is not None:
         from jounce.report.render import check_folder
 

@@ -13,7 +13,7 @@ from jounce.core.columns import Column, ColumnTable, name_and_unit
 from jounce.core.errors import RecordingError, nearest
 from jounce.core.files import existing_file
 from jounce.core.findings import Finding
-from jounce.core.serialise import check_writable, replacing, to_plain, write_atomically
+from jounce.core.serialise import Formats, to_plain
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor, to_si
 from jounce.recordings.quality import FEWEST_SAMPLES, check_channels, check_time
@@ -22,7 +22,6 @@ from jounce.recordings.schema import channel_unit, quantity_of, recording
 
 if TYPE_CHECKING:
     import xarray as xr
-
 
 Columns = Mapping[str, str] | str | None
 
@@ -77,17 +76,36 @@ def read_recording(
     signals = _read_table(file, columns, variable)
     mapping = dict(columns) if isinstance(columns, Mapping) else {}
     located, findings = _locate_channels(signals, mapping, needs_time=sample_time is None)
-    name_row = signals.columns.name_row
-    time, time_findings, recorded = _time(located, signals.columns, sample_time, file)
-    units = {name: _unit_of(name, column) for name, column in located.items() if name != "time"}
+    name_row, uneven = signals.columns.name_row, list[Finding]()
+    if sample_time is None:
+        recorded = in_si(located["time"], "s")
+        time, uneven = check_time(recorded, where=str(file), name_row=name_row)
+    else:
+        step = to_si(sample_time, "s", where=f"{file}: sample time")
+        rows = next(iter(located.values())).values.size
+        if step <= 0.0:
+            raise RecordingError("the sample time is not positive", where=str(file), found=f"{step:g} s")
+        if rows < FEWEST_SAMPLES:
+            allowed = f"at least {FEWEST_SAMPLES}"
+            raise RecordingError("too few samples", where=str(file), found=str(rows), allowed=allowed)
+        time = np.asarray(np.arange(rows) * step, dtype=float)
+    units = {
+        # a command is in the unit of its actuator, which only the file knows
+        name: column.unit or "1" if quantity_of(name) == "command" else channel_unit(name)
+        for name, column in located.items()
+        if name != "time"
+    }
     values = {name: in_si(located[name], unit) for name, unit in units.items()}
     findings += check_channels(values, where=str(file), name_row=name_row)
-    if time_findings:
-        values = _resampled(recorded, values, time)
+    if uneven:
+        from scipy.interpolate import CubicSpline
+
+        together = CubicSpline(recorded, np.stack(list(values.values()), axis=1))(time)
+        values = {name: np.ascontiguousarray(column) for name, column in zip(values, together.T, strict=True)}
     channels = {
         name: (array, units[name], signals.long_names.get(located[name].name, "")) for name, array in values.items()
     }
-    return recording(time, channels, attributes=signals.attributes), findings + time_findings
+    return recording(time, channels, attributes=signals.attributes), findings + uneven
 
 
 def read_columns(
@@ -153,13 +171,7 @@ def _read_table(path: Path, columns: Columns, variable: str) -> SignalTable:
 
 
 def locate(table: ColumnTable, spec: str) -> Column:
-    """Find the column ``"name"`` or ``"name [unit]"``; the given unit counts where the file has none.
-
-    Raises
-    ------
-    RecordingError
-        When there is no such column, or the file gives it another unit.
-    """
+    """Find the column ``"name"`` or ``"name [unit]"``; the given unit counts where the file has none."""
     for column in table:
         if spec in (column.label, column.name):
             return column
@@ -168,11 +180,6 @@ def locate(table: ColumnTable, spec: str) -> Column:
     if unit and column.unit and unit != column.unit:
         raise RecordingError("the column has another unit", where=column.where, found=column.unit, allowed=unit)
     return Column(column.name, unit or column.unit, column.values, column.file)
-
-
-def _unit_of(name: str, column: Column) -> str:
-    """SI unit of a channel; a command is in its actuator's, which only the file knows."""
-    return column.unit or "1" if quantity_of(name) == "command" else channel_unit(name)
 
 
 def in_si(column: Column, si: str) -> Array:
@@ -221,45 +228,14 @@ def _locate_channels(
             allowed="columns such as 'sprung.az [m/s^2]'",
             hint="Map columns to channels with columns.",
         )
-    return located, _left_out(table.file, ignored, signals.left_out)
-
-
-def _left_out(file: str, ignored: list[str], others: tuple[str, ...]) -> list[Finding]:
     findings = []
     if ignored:
         text = f"columns that are no known channel were left out: {', '.join(ignored)}; map them with columns if needed"
-        findings.append(Finding(file, "note", text))
-    if others:
-        text = f"signals of another length or on other instants were left out: {', '.join(others)}"
-        findings.append(Finding(file, "note", text))
-    return findings
-
-
-def _time(
-    located: Mapping[str, Column], table: ColumnTable, sample_time: float | str | None, file: Path
-) -> tuple[Array, list[Finding], Array]:
-    """Uniform time, findings (only when channels must be resampled), and the time as recorded."""
-    if sample_time is None:
-        recorded = in_si(located["time"], "s")
-        return *check_time(recorded, where=str(file), name_row=table.name_row), recorded
-    step = to_si(sample_time, "s", where=f"{file}: sample time")
-    rows = next(iter(located.values())).values.size
-    if step <= 0.0:
-        raise RecordingError("the sample time is not positive", where=str(file), found=f"{step:g} s")
-    if rows < FEWEST_SAMPLES:
-        raise RecordingError("too few samples", where=str(file), found=str(rows), allowed=f"at least {FEWEST_SAMPLES}")
-    time = np.asarray(np.arange(rows) * step, dtype=float)
-    return time, [], time
-
-
-def _resampled(recorded: Array, values: Mapping[str, Array], time: Array) -> dict[str, Array]:
-    from scipy.interpolate import CubicSpline
-
-    together = CubicSpline(recorded, np.stack(list(values.values()), axis=1))(time)
-    return {name: np.ascontiguousarray(column) for name, column in zip(values, together.T, strict=True)}
-
-
-SUFFIXES = (".nc", ".csv")
+        findings.append(Finding(table.file, "note", text))
+    if signals.left_out:
+        text = f"signals of another length or at other instants were left out: {', '.join(signals.left_out)}"
+        findings.append(Finding(table.file, "note", text))
+    return located, findings
 
 
 def write_recording(dataset: xr.Dataset, path: Path | str, *, force: bool = False) -> Path:
@@ -293,17 +269,7 @@ def write_recording(dataset: xr.Dataset, path: Path | str, *, force: bool = Fals
     >>> read_recording(file)[0].equals(run)
     True
     """
-    file = check_recording_file(path, force=force)
-    if file.suffix.lower() == ".csv":
-        return write_atomically(file, _csv_text(dataset), force=force)
-    with replacing(file) as temporary:
-        storable(dataset).to_netcdf(temporary, engine="h5netcdf")
-    return file
-
-
-def check_recording_file(path: Path | str, *, force: bool = False) -> Path:
-    """Refuse, before the work, a file that no recording could be written to; give the path."""
-    return check_writable(path, what="recordings", suffixes=SUFFIXES, force=force)
+    return RECORDING_FILES.write(dataset, path, force=force)
 
 
 def storable(dataset: xr.Dataset) -> xr.Dataset:
@@ -321,9 +287,17 @@ def _storable_attribute(value: object) -> object:
     return json.dumps(to_plain(value), ensure_ascii=False)
 
 
-def _csv_text(dataset: xr.Dataset) -> str:
+def _write_csv(dataset: xr.Dataset, file: Path) -> None:
     names = ["time", *(str(name) for name, variable in dataset.data_vars.items() if variable.dims == ("time",))]
     header = ", ".join(f"{name} [{dataset[name].attrs.get('units', '1')}]" for name in names)
     table = np.column_stack([dataset[name].values for name in names])
     rows = (",".join(map(repr, row)) for row in table.tolist())
-    return "\n".join([header, *rows]) + "\n"
+    file.write_bytes(("\n".join([header, *rows]) + "\n").encode())
+
+
+def _write_netcdf(dataset: xr.Dataset, file: Path) -> None:
+    storable(dataset).to_netcdf(file, engine="h5netcdf")
+
+
+RECORDING_FILES = Formats("recordings", {".nc": _write_netcdf, ".csv": _write_csv})
+"""File formats that recordings are written in."""

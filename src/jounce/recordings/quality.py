@@ -79,7 +79,17 @@ def check_time(time: Array, *, where: str, name_row: Callable[[int], str] = row_
     jitter = np.abs(steps - step)
     largest = float(jitter.max()) / step
     if largest > LARGEST_JITTER:
-        raise _jitter_error(time, int(np.argmax(jitter)) + 1, step, largest, at, name_row)
+        row = int(np.argmax(jitter)) + 1
+        missing = round(float(steps[row - 1]) / step) - 1
+        raise RecordingError(
+            f"the time step jitters by {100.0 * largest:.3g} % at {name_row(row)}",
+            where=at,
+            found=f"a step of {steps[row - 1]:.6g} s",
+            allowed=f"{step:.6g} s within 1 %",
+            hint=f"{missing} sample{'s' * (missing > 1)} missing there."
+            if missing > 0
+            else "Was time written with too few digits?",
+        )
     uniform = np.linspace(time[0], time[-1], time.size)
     if largest <= ROUNDING + 4.0 * np.finfo(float).eps * float(np.abs(time).max()) / step:
         return uniform, []
@@ -88,24 +98,6 @@ def check_time(time: Array, *, where: str, name_row: Callable[[int], str] = row_
         f"all channels were resampled to {time.size} instants in constant steps"
     )
     return uniform, [Finding(at, "warning", text, largest)]
-
-
-def _jitter_error(
-    time: Array, row: int, step: float, largest: float, at: str, name_row: Callable[[int], str]
-) -> RecordingError:
-    missing = round(float(time[row] - time[row - 1]) / step) - 1
-    hint = (
-        f"{missing} sample{'s' * (missing > 1)} missing there."
-        if missing > 0
-        else "Was time written with too few digits?"
-    )
-    return RecordingError(
-        f"the time step jitters by {100.0 * largest:.3g} % at {name_row(row)}",
-        where=at,
-        found=f"a step of {time[row] - time[row - 1]:.6g} s",
-        allowed=f"{step:.6g} s within 1 %",
-        hint=hint,
-    )
 
 
 def _check_finite(values: Array, at: str, name_row: Callable[[int], str]) -> None:

@@ -100,32 +100,9 @@ class Sensor(Description):
 
 
 def sections_of(sensor: Sensor, sample_rate: float, *, where: str = "sensor") -> Array:
-    """Give the sensor's filters as second-order sections.
+    """The sensor's filters as second-order sections ``b0 b1 b2 a0 a1 a2``, shape (0 to 2, 6), without gain.
 
-    Parameters
-    ----------
-    sensor : Sensor
-        Description of the chain.
-    sample_rate : float
-        Samples per second in Hz.
-    where : str
-        Channel named in errors.
-
-    Returns
-    -------
-    ndarray, shape (0 to 2, 6)
-        Sections ``b0 b1 b2 a0 a1 a2`` by bilinear transform, exact at the corner frequencies; gain and orientation not
-        included.
-
-    Raises
-    ------
-    RecordingError
-        When a corner frequency is not below half the sample rate.
-
-    Examples
-    --------
-    >>> sections_of(Sensor(low_pass=100.0), 1000.0).shape
-    (1, 6)
+    By bilinear transform, exact at the corner frequencies, which must lie below half the ``sample_rate`` (Hz).
     """
     sections = []
     if sensor.high_pass is not None:
@@ -206,12 +183,12 @@ def _steady_state(sections: Array) -> Array:
 
 
 def bias_of(sensor: Sensor, unit: str, *, where: str = "bias") -> float:
-    """Give the sensor's bias in the channel's SI ``unit``; it has no derivative with respect to model parameters."""
+    """The sensor's bias in the channel's SI ``unit``; it has no derivative with respect to model parameters."""
     return to_si(sensor.bias, unit, where=where)
 
 
 def noise_of(sensor: Sensor, unit: str, *, where: str = "noise") -> float:
-    """Give the standard deviation of the sensor's noise in the channel's SI ``unit``."""
+    """Standard deviation of the sensor's noise in the channel's SI ``unit``."""
     return to_si(sensor.noise, unit, where=where)
 
 

@@ -102,27 +102,10 @@ def _both_ways(sections: Array, values: ArrayLike) -> Array:
 
 
 def cfc_coefficients(channel_class: float, sample_rate: float) -> tuple[float, float, float, float, float]:
-    """Give the recursion of an SAE J211 channel frequency class.
+    """Coefficients ``a0, a1, a2, b1, b2`` of an SAE J211 channel frequency class (``sample_rate`` in Hz).
 
-    Parameters
-    ----------
-    channel_class : float
-        Channel frequency class (CFC), e.g. 60, 180, 600, 1000: a label in Hz; -3 dB lies at 1.667 times that.
-    sample_rate : float
-        Samples per second in Hz, at least 10 times the class.
+    They belong to ``y[t] = a0 x[t] + a1 x[t-1] + a2 x[t-2] + b1 y[t-1] + b2 y[t-2]``, run forwards and backwards.
 
-    Returns
-    -------
-    a0, a1, a2, b1, b2 : float
-        Of ``y[t] = a0 x[t] + a1 x[t-1] + a2 x[t-2] + b1 y[t-1] + b2 y[t-2]``, applied forwards and backwards.
-
-    Raises
-    ------
-    RecordingError
-        When the sample rate is below 10 times the class.
-
-    Examples
-    --------
     >>> [round(c, 8) for c in cfc_coefficients(60.0, 10e3)]
     [0.00145237, 0.00290473, 0.00145237, 1.88934322, -0.89515269]
     """
@@ -387,25 +370,8 @@ def estimate_lag(
 def correlation_coefficients(reference: Array, compared: Array, most: int) -> Array:
     """Correlate the overlapping parts of two signals for every shift, by one Fourier transform.
 
-    Parameters
-    ----------
-    reference, compared : ndarray, shape (n,)
-        Signals in any units, at the same constant rate.
-    most : int
-        Largest shift in samples, below n.
-
-    Returns
-    -------
-    ndarray, shape (2 most + 1,)
-        Coefficient (-1 to 1) of ``reference[t]`` with ``compared[t + shift]`` about the means of the overlapping parts,
-        for shifts from ``-most`` to ``most``; -1 where one part is constant.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> pulse = np.array([0.0, 0.0, 1.0, 3.0, 1.0, 0.0, 0.0, 0.0])
-    >>> int(np.argmax(correlation_coefficients(pulse, np.roll(pulse, 1), 2))) - 2
-    1
+    Gives the coefficient (-1 to 1) of ``reference[t]`` with ``compared[t + shift]`` about the means of the overlapping
+    parts, for shifts from ``-most`` to ``most`` samples; -1 where one part is constant.
     """
     t, c = reference - reference.mean(), compared - compared.mean()
     shift = np.arange(-most, most + 1)
