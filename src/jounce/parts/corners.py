@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import sys
 from itertools import combinations
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, Union
 
-from pydantic import Field, model_validator
+from pydantic import Field, create_model, model_validator
 
 from jounce.core.constants import GRAVITY
 from jounce.core.description import Description, misplaced
@@ -53,6 +54,8 @@ class Hardpoints(Description):
     """Two points of an axis, and a point that turns about it."""
     together: ClassVar[tuple[tuple[str, ...], ...]] = (("arb_pivot", "arb_arm_end", "arb_link_end"),)
     """Groups of which all points are given or none."""
+    rods: ClassVar[tuple[tuple[str, str], ...]] = ()
+    """Points of the wheel's body that keep their distance from a point of the car's body: outer and inner one."""
 
     @model_validator(mode="after")
     def _can_move(self) -> Self:
@@ -123,127 +126,6 @@ class Hardpoints(Description):
             )
 
 
-class DoubleWishboneHardpoints(Hardpoints):
-    """Two arms, each on an axis through two points of the body, an upright between their ball joints, a tie rod."""
-
-    lower_arm_front: Point
-    lower_arm_rear: Point
-    lower_ball_joint: Point
-    upper_arm_front: Point
-    upper_arm_rear: Point
-    upper_ball_joint: Point
-    tie_rod_inner: Point
-    tie_rod_outer: Point
-    pushrod_outer: Point | None = None
-    pushrod_inner: Point | None = None
-    rocker_pivot: Point | None = None
-    rocker_axis: Point | None = None
-
-    outer: ClassVar[tuple[str, ...]] = ("wheel_centre", "lower_ball_joint", "upper_ball_joint", "tie_rod_outer")
-    different: ClassVar[tuple[tuple[str, ...], ...]] = (
-        (
-            "lower_arm_front",
-            "lower_arm_rear",
-            "lower_ball_joint",
-            "upper_arm_front",
-            "upper_arm_rear",
-            "upper_ball_joint",
-            "tie_rod_inner",
-            "tie_rod_outer",
-        ),
-        *Hardpoints.different,
-        ("pushrod_outer", "pushrod_inner"),
-        ("rocker_pivot", "rocker_axis"),
-    )
-    turning: ClassVar[tuple[tuple[str, str, str], ...]] = (
-        ("lower_arm_front", "lower_arm_rear", "lower_ball_joint"),
-        ("upper_arm_front", "upper_arm_rear", "upper_ball_joint"),
-        ("lower_ball_joint", "upper_ball_joint", "tie_rod_outer"),
-        ("rocker_pivot", "rocker_axis", "pushrod_inner"),
-    )
-    together: ClassVar[tuple[tuple[str, ...], ...]] = (
-        *Hardpoints.together,
-        ("pushrod_outer", "pushrod_inner", "rocker_pivot", "rocker_axis"),
-    )
-
-
-class McPhersonHardpoints(Hardpoints):
-    """One arm, a strut that guides the upright along the line from ``strut_bottom`` to ``strut_top``, a tie rod."""
-
-    lower_arm_front: Point
-    lower_arm_rear: Point
-    lower_ball_joint: Point
-    tie_rod_inner: Point
-    tie_rod_outer: Point
-
-    outer: ClassVar[tuple[str, ...]] = ("wheel_centre", "lower_ball_joint", "tie_rod_outer", "strut_bottom")
-    different: ClassVar[tuple[tuple[str, ...], ...]] = (
-        (
-            "lower_arm_front",
-            "lower_arm_rear",
-            "lower_ball_joint",
-            "tie_rod_inner",
-            "tie_rod_outer",
-            "strut_top",
-        ),
-        *Hardpoints.different,
-    )
-    turning: ClassVar[tuple[tuple[str, str, str], ...]] = (
-        ("lower_arm_front", "lower_arm_rear", "lower_ball_joint"),
-        ("lower_ball_joint", "strut_top", "tie_rod_outer"),
-    )
-
-
-class FiveLinkHardpoints(Hardpoints):
-    """Five links with a joint at either end between body (inner) and upright (outer); link 5 is the toe link."""
-
-    link_1_inner: Point
-    link_1_outer: Point
-    link_2_inner: Point
-    link_2_outer: Point
-    link_3_inner: Point
-    link_3_outer: Point
-    link_4_inner: Point
-    link_4_outer: Point
-    link_5_inner: Point
-    link_5_outer: Point
-    pushrod_outer: Point | None = None
-    pushrod_inner: Point | None = None
-    rocker_pivot: Point | None = None
-    rocker_axis: Point | None = None
-
-    outer: ClassVar[tuple[str, ...]] = ("wheel_centre", *(f"link_{i}_outer" for i in range(1, 6)))
-    different: ClassVar[tuple[tuple[str, ...], ...]] = (
-        *((f"link_{i}_inner", f"link_{i}_outer") for i in range(1, 6)),
-        *DoubleWishboneHardpoints.different[1:],
-    )
-    turning: ClassVar[tuple[tuple[str, str, str], ...]] = (("rocker_pivot", "rocker_axis", "pushrod_inner"),)
-    together: ClassVar[tuple[tuple[str, ...], ...]] = DoubleWishboneHardpoints.together
-
-    @model_validator(mode="after")
-    def _no_rod_twice(self) -> Self:
-        for i, j in combinations(range(1, 6), 2):
-            ends = [(self.at(f"link_{i}_{end}"), self.at(f"link_{j}_{end}")) for end in ("inner", "outer")]
-            if all(a is not None and b is not None and distance(a, b) < SAME_POINT for a, b in ends):
-                raise misplaced(
-                    (f"link_{j}_inner",), f"link {j} has both ends of link {i}; allowed: five different links"
-                )
-        return self
-
-
-class TrailingArmHardpoints(Hardpoints):
-    """One arm with the wheel, on an axis through ``arm_inner`` and ``arm_outer`` of the body."""
-
-    arm_inner: Point
-    arm_outer: Point
-
-    different: ClassVar[tuple[tuple[str, ...], ...]] = (
-        ("arm_inner", "arm_outer", "wheel_centre"),
-        *Hardpoints.different,
-    )
-    turning: ClassVar[tuple[tuple[str, str, str], ...]] = (("arm_inner", "arm_outer", "wheel_centre"),)
-
-
 def written(point: Triple) -> str:
     """Write a point as files do, in mm."""
     return "[" + ", ".join(f'"{1e3 * value:g} mm"' for value in point) + "]"
@@ -289,6 +171,61 @@ class Corner(Rig):
     bodies: Description
     strut: SpatialStrut
     anti_roll_bar: AntiRollBar | None = None
+    bushings: Description = Description()
+
+    needed_bodies: ClassVar[tuple[str, ...]] = ()
+    further_bodies: ClassVar[tuple[str, ...]] = ()
+    """Bodies that the suspension may have; without ``wheel`` the wheel belongs to the body that carries it."""
+    strut_on: ClassVar[tuple[str, ...]] = ()
+    """Bodies that the strut may stand on, the usual one first; in the same way push rod and anti-roll bar."""
+    pushrod_on: ClassVar[tuple[str, ...]] = ()
+    bar_on: ClassVar[tuple[str, ...]] = ()
+    bushed: ClassVar[tuple[str, ...]] = ()
+    """Hardpoints at which a bushing may take the place of an ideal joint."""
+
+    def __init_subclass__(cls, **options: Any) -> None:
+        """Types of bodies, strut, anti-roll bar and bushings from the names above.
+
+        They are annotated here, where the class exists and pydantic has not yet read its fields.
+        """
+        super().__init_subclass__(**options)
+
+        def part(what: str, base: type[Description], text: str, fields: dict[str, Any]) -> type[Description]:
+            name = f"{cls.__name__}{what}"
+            made = create_model(name, __base__=base, __doc__=text, __module__=cls.__module__, **fields)
+            setattr(sys.modules[cls.__module__], name, made)  # where copies sent to other processes look for it
+            return made
+
+        def on(key: str, bodies: tuple[str, ...]) -> dict[str, Any]:
+            return {key: (Literal[bodies], bodies[0])} if bodies else {}
+
+        bodies: dict[str, Any] = dict.fromkeys(cls.needed_bodies, (RigidBody, ...))
+        bodies |= dict.fromkeys(cls.further_bodies, (RigidBody | None, None))
+        bushings = part(
+            "Bushings",
+            Description,
+            "Bushings in place of ideal joints on the car's body.",
+            dict.fromkeys(cls.bushed, (Bushing | None, None)),
+        )
+        strut = {**on("on", cls.strut_on), **on("pushrod_on", cls.pushrod_on)}
+        bar = part("Bar", AntiRollBar, "Anti-roll bar, linked to the body ``on``.", on("on", cls.bar_on))
+        cls.__annotations__ |= {
+            "bodies": part(
+                "Bodies",
+                Description,
+                "Bodies of the suspension; without ``wheel`` the wheel belongs to the body that carries it.",
+                bodies,
+            ),
+            "strut": part(
+                "Strut",
+                SpatialStrut,
+                "Strut from the body ``on``, or the rocker of a push rod on ``pushrod_on``, to the car's body.",
+                strut,
+            ),
+            "anti_roll_bar": bar | None,
+            "bushings": bushings,
+        }
+        cls.anti_roll_bar, cls.bushings = None, bushings()
 
     @property
     def sign(self) -> float:
@@ -376,9 +313,9 @@ class Corner(Rig):
 
     def _check_attachments(self) -> None:
         """Refuse elements on bodies that the rig does not have."""
-        self._require_body("strut", self.strut_body)
+        self._require_body("strut", self.strut.on)
         rocker = getattr(self.hardpoints, "rocker_pivot", None)
-        if self.strut_body == "rocker" and rocker is None:
+        if self.strut.on == "rocker" and rocker is None:
             raise misplaced(
                 ("strut", "on"),
                 "there is no rocker; allowed with hardpoints pushrod_outer, pushrod_inner, rocker_pivot, rocker_axis",
@@ -402,11 +339,6 @@ class Corner(Rig):
             f"[bodies.{name}] with mass, centre_of_mass and inertia",
         )
 
-    @property
-    def strut_body(self) -> str:
-        """Body that the strut's bottom is on."""
-        return str(getattr(self.strut, "on"))  # noqa: B009 - every subclass has it
-
 
 def _turned_over(table: dict[str, Any]) -> dict[str, Any]:
     """Table of a rig with the sign of everything changed that a mirror at y = 0 changes."""
@@ -427,38 +359,55 @@ def _mirrored_points(table: dict[str, Any]) -> dict[str, Any]:
     return {name: (x, -y, z) for name, (x, y, z) in table.items()}
 
 
-class DoubleWishboneBodies(Description):
-    """Bodies of a double wishbone; the upright carries the wheel unless ``wheel`` is a body of its own."""
+class DoubleWishboneHardpoints(Hardpoints):
+    """Two arms, each on an axis through two points of the body, an upright between their ball joints, a tie rod."""
 
-    lower_arm: RigidBody
-    upper_arm: RigidBody
-    upright: RigidBody
-    tie_rod: RigidBody | None = None
-    rocker: RigidBody | None = None
-    wheel: RigidBody | None = None
+    lower_arm_front: Point
+    lower_arm_rear: Point
+    lower_ball_joint: Point
+    upper_arm_front: Point
+    upper_arm_rear: Point
+    upper_ball_joint: Point
+    tie_rod_inner: Point
+    tie_rod_outer: Point
+    pushrod_outer: Point | None = None
+    pushrod_inner: Point | None = None
+    rocker_pivot: Point | None = None
+    rocker_axis: Point | None = None
 
-
-class DoubleWishboneStrut(SpatialStrut):
-    """Strut on an arm, the upright or a rocker, whose push rod stands on the body ``pushrod_on``."""
-
-    on: Literal["lower_arm", "upper_arm", "upright", "rocker"] = "lower_arm"
-    pushrod_on: Literal["lower_arm", "upper_arm", "upright"] = "lower_arm"
-
-
-class DoubleWishboneBar(AntiRollBar):
-    """Anti-roll bar linked to an arm or the upright."""
-
-    on: Literal["lower_arm", "upper_arm", "upright"] = "lower_arm"
-
-
-class DoubleWishboneBushings(Description):
-    """Bushings in place of the arms' joints on the body."""
-
-    lower_arm_front: Bushing | None = None
-    lower_arm_rear: Bushing | None = None
-    upper_arm_front: Bushing | None = None
-    upper_arm_rear: Bushing | None = None
-    tie_rod_inner: Bushing | None = None
+    outer: ClassVar[tuple[str, ...]] = ("wheel_centre", "lower_ball_joint", "upper_ball_joint", "tie_rod_outer")
+    different: ClassVar[tuple[tuple[str, ...], ...]] = (
+        (
+            "lower_arm_front",
+            "lower_arm_rear",
+            "lower_ball_joint",
+            "upper_arm_front",
+            "upper_arm_rear",
+            "upper_ball_joint",
+            "tie_rod_inner",
+            "tie_rod_outer",
+        ),
+        *Hardpoints.different,
+        ("pushrod_outer", "pushrod_inner"),
+        ("rocker_pivot", "rocker_axis"),
+    )
+    turning: ClassVar[tuple[tuple[str, str, str], ...]] = (
+        ("lower_arm_front", "lower_arm_rear", "lower_ball_joint"),
+        ("upper_arm_front", "upper_arm_rear", "upper_ball_joint"),
+        ("lower_ball_joint", "upper_ball_joint", "tie_rod_outer"),
+        ("rocker_pivot", "rocker_axis", "pushrod_inner"),
+    )
+    rods: ClassVar[tuple[tuple[str, str], ...]] = (
+        ("lower_ball_joint", "lower_arm_front"),
+        ("lower_ball_joint", "lower_arm_rear"),
+        ("upper_ball_joint", "upper_arm_front"),
+        ("upper_ball_joint", "upper_arm_rear"),
+        ("tie_rod_outer", "tie_rod_inner"),
+    )
+    together: ClassVar[tuple[tuple[str, ...], ...]] = (
+        *Hardpoints.together,
+        ("pushrod_outer", "pushrod_inner", "rocker_pivot", "rocker_axis"),
+    )
 
 
 class DoubleWishbone(Corner):
@@ -466,128 +415,132 @@ class DoubleWishbone(Corner):
 
     model: Literal["double-wishbone"] = "double-wishbone"
     hardpoints: DoubleWishboneHardpoints
-    bodies: DoubleWishboneBodies
-    strut: DoubleWishboneStrut
     steering: Steering | None = None
-    anti_roll_bar: DoubleWishboneBar | None = None
-    bushings: DoubleWishboneBushings = DoubleWishboneBushings()
+
+    needed_bodies = ("lower_arm", "upper_arm", "upright")
+    further_bodies = ("tie_rod", "rocker", "wheel")
+    strut_on = ("lower_arm", "upper_arm", "upright", "rocker")
+    pushrod_on = ("lower_arm", "upper_arm", "upright")
+    bar_on = ("lower_arm", "upper_arm", "upright")
+    bushed = ("lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear", "tie_rod_inner")
 
 
-class McPhersonBodies(Description):
-    """Bodies of a McPherson suspension; ``strut`` is the part that slides in the upright and hangs on the body."""
+class McPhersonHardpoints(Hardpoints):
+    """One arm, a strut that guides the upright along the line from ``strut_bottom`` to ``strut_top``, a tie rod."""
 
-    lower_arm: RigidBody
-    upright: RigidBody
-    strut: RigidBody | None = None
-    tie_rod: RigidBody | None = None
-    wheel: RigidBody | None = None
+    lower_arm_front: Point
+    lower_arm_rear: Point
+    lower_ball_joint: Point
+    tie_rod_inner: Point
+    tie_rod_outer: Point
 
-
-class McPhersonStrut(SpatialStrut):
-    """Strut that guides the upright."""
-
-    on: Literal["upright"] = "upright"
-
-
-class McPhersonBar(AntiRollBar):
-    """Anti-roll bar linked to the arm or the upright."""
-
-    on: Literal["lower_arm", "upright"] = "upright"
-
-
-class McPhersonBushings(Description):
-    """Bushings in place of the arm's joints on the body."""
-
-    lower_arm_front: Bushing | None = None
-    lower_arm_rear: Bushing | None = None
-    tie_rod_inner: Bushing | None = None
-    strut_top: Bushing | None = None
+    outer: ClassVar[tuple[str, ...]] = ("wheel_centre", "lower_ball_joint", "tie_rod_outer", "strut_bottom")
+    different: ClassVar[tuple[tuple[str, ...], ...]] = (
+        (
+            "lower_arm_front",
+            "lower_arm_rear",
+            "lower_ball_joint",
+            "tie_rod_inner",
+            "tie_rod_outer",
+            "strut_top",
+        ),
+        *Hardpoints.different,
+    )
+    turning: ClassVar[tuple[tuple[str, str, str], ...]] = (
+        ("lower_arm_front", "lower_arm_rear", "lower_ball_joint"),
+        ("lower_ball_joint", "strut_top", "tie_rod_outer"),
+    )
+    rods: ClassVar[tuple[tuple[str, str], ...]] = (
+        ("lower_ball_joint", "lower_arm_front"),
+        ("lower_ball_joint", "lower_arm_rear"),
+        ("tie_rod_outer", "tie_rod_inner"),
+    )
 
 
 class McPherson(Corner):
-    """McPherson strut: one arm, a tie rod, and a strut that guides the upright."""
+    """McPherson strut: one arm, a tie rod, and a strut that guides the upright.
+
+    The body ``strut`` is the part that slides in the upright and hangs on the car's body.
+    """
 
     model: Literal["mcpherson"] = "mcpherson"
     hardpoints: McPhersonHardpoints
-    bodies: McPhersonBodies
-    strut: McPhersonStrut
     steering: Steering | None = None
-    anti_roll_bar: McPhersonBar | None = None
-    bushings: McPhersonBushings = McPhersonBushings()
+
+    needed_bodies = ("lower_arm", "upright")
+    further_bodies = ("strut", "tie_rod", "wheel")
+    strut_on = ("upright",)
+    bar_on = ("upright", "lower_arm")
+    bushed = ("lower_arm_front", "lower_arm_rear", "tie_rod_inner", "strut_top")
 
 
-class FiveLinkBodies(Description):
-    """Bodies of a five-link suspension; a link without mass is a rod of fixed length."""
+class FiveLinkHardpoints(Hardpoints):
+    """Five links with a joint at either end between body (inner) and upright (outer); link 5 is the toe link."""
 
-    upright: RigidBody
-    link_1: RigidBody | None = None
-    link_2: RigidBody | None = None
-    link_3: RigidBody | None = None
-    link_4: RigidBody | None = None
-    link_5: RigidBody | None = None
-    rocker: RigidBody | None = None
-    wheel: RigidBody | None = None
+    link_1_inner: Point
+    link_1_outer: Point
+    link_2_inner: Point
+    link_2_outer: Point
+    link_3_inner: Point
+    link_3_outer: Point
+    link_4_inner: Point
+    link_4_outer: Point
+    link_5_inner: Point
+    link_5_outer: Point
+    pushrod_outer: Point | None = None
+    pushrod_inner: Point | None = None
+    rocker_pivot: Point | None = None
+    rocker_axis: Point | None = None
 
+    outer: ClassVar[tuple[str, ...]] = ("wheel_centre", *(f"link_{i}_outer" for i in range(1, 6)))
+    different: ClassVar[tuple[tuple[str, ...], ...]] = (
+        *((f"link_{i}_inner", f"link_{i}_outer") for i in range(1, 6)),
+        *DoubleWishboneHardpoints.different[1:],
+    )
+    turning: ClassVar[tuple[tuple[str, str, str], ...]] = (("rocker_pivot", "rocker_axis", "pushrod_inner"),)
+    rods: ClassVar[tuple[tuple[str, str], ...]] = tuple((f"link_{i}_outer", f"link_{i}_inner") for i in range(1, 6))
+    together: ClassVar[tuple[tuple[str, ...], ...]] = DoubleWishboneHardpoints.together
 
-class FiveLinkStrut(SpatialStrut):
-    """Strut on the upright, a link that is a body, or a rocker."""
-
-    on: Literal["upright", "link_1", "link_2", "link_3", "link_4", "link_5", "rocker"] = "upright"
-    pushrod_on: Literal["upright"] = "upright"
-
-
-class FiveLinkBar(AntiRollBar):
-    """Anti-roll bar linked to the upright."""
-
-    on: Literal["upright"] = "upright"
-
-
-class FiveLinkBushings(Description):
-    """Bushings in place of the links' joints on the body."""
-
-    link_1_inner: Bushing | None = None
-    link_2_inner: Bushing | None = None
-    link_3_inner: Bushing | None = None
-    link_4_inner: Bushing | None = None
-    link_5_inner: Bushing | None = None
+    @model_validator(mode="after")
+    def _no_rod_twice(self) -> Self:
+        for i, j in combinations(range(1, 6), 2):
+            ends = [(self.at(f"link_{i}_{end}"), self.at(f"link_{j}_{end}")) for end in ("inner", "outer")]
+            if all(a is not None and b is not None and distance(a, b) < SAME_POINT for a, b in ends):
+                raise misplaced(
+                    (f"link_{j}_inner",), f"link {j} has both ends of link {i}; allowed: five different links"
+                )
+        return self
 
 
 class FiveLink(Corner):
-    """Five links between body and upright; links that share a point are an arm. Link 5 is the toe link or tie rod."""
+    """Five links between body and upright; links that share a point are an arm. Link 5 is the toe link or tie rod.
+
+    A link that is no body is a rod of fixed length without mass.
+    """
 
     model: Literal["five-link"] = "five-link"
     hardpoints: FiveLinkHardpoints
-    bodies: FiveLinkBodies
-    strut: FiveLinkStrut
     steering: Steering | None = None
-    anti_roll_bar: FiveLinkBar | None = None
-    bushings: FiveLinkBushings = FiveLinkBushings()
+
+    needed_bodies = ("upright",)
+    further_bodies = ("link_1", "link_2", "link_3", "link_4", "link_5", "rocker", "wheel")
+    strut_on = ("upright", "link_1", "link_2", "link_3", "link_4", "link_5", "rocker")
+    pushrod_on = ("upright",)
+    bar_on = ("upright",)
+    bushed = ("link_1_inner", "link_2_inner", "link_3_inner", "link_4_inner", "link_5_inner")
 
 
-class TrailingArmBodies(Description):
-    """Bodies of a trailing arm; the arm carries the wheel unless ``wheel`` is a body of its own."""
+class TrailingArmHardpoints(Hardpoints):
+    """One arm with the wheel, on an axis through ``arm_inner`` and ``arm_outer`` of the body."""
 
-    arm: RigidBody
-    wheel: RigidBody | None = None
+    arm_inner: Point
+    arm_outer: Point
 
-
-class TrailingArmStrut(SpatialStrut):
-    """Strut on the arm."""
-
-    on: Literal["arm"] = "arm"
-
-
-class TrailingArmBar(AntiRollBar):
-    """Anti-roll bar linked to the arm."""
-
-    on: Literal["arm"] = "arm"
-
-
-class TrailingArmBushings(Description):
-    """Bushings in place of the arm's joints on the body."""
-
-    arm_inner: Bushing | None = None
-    arm_outer: Bushing | None = None
+    different: ClassVar[tuple[tuple[str, ...], ...]] = (
+        ("arm_inner", "arm_outer", "wheel_centre"),
+        *Hardpoints.different,
+    )
+    turning: ClassVar[tuple[tuple[str, str, str], ...]] = (("arm_inner", "arm_outer", "wheel_centre"),)
 
 
 class TrailingArm(Corner):
@@ -595,10 +548,12 @@ class TrailingArm(Corner):
 
     model: Literal["trailing-arm"] = "trailing-arm"
     hardpoints: TrailingArmHardpoints
-    bodies: TrailingArmBodies
-    strut: TrailingArmStrut
-    anti_roll_bar: TrailingArmBar | None = None
-    bushings: TrailingArmBushings = TrailingArmBushings()
+
+    needed_bodies = ("arm",)
+    further_bodies = ("wheel",)
+    strut_on = ("arm",)
+    bar_on = ("arm",)
+    bushed = ("arm_inner", "arm_outer")
 
 
 if TYPE_CHECKING:

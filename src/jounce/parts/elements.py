@@ -271,7 +271,8 @@ StrutDamper = Annotated[
 class SpatialStrut(Description):
     """Spring and damper between hardpoints. Deflections are design length minus length, forces compression positive.
 
-    The stops work along the spring (gaps count from design length), the friction along the damper.
+    The stops work along the spring (gaps count from design length), the friction along the damper. ``on`` names the
+    body that the lower end is on.
     """
 
     spring: CoilSpring
@@ -279,6 +280,7 @@ class SpatialStrut(Description):
     friction: Friction | None = None
     bump_stop: BumpStop | None = None
     rebound_stop: BumpStop | None = None
+    on: str
 
     @model_validator(mode="before")
     @classmethod
@@ -320,3 +322,4 @@ class AntiRollBar(Description):
     """Torsion bar: ``stiffness`` (N m/rad) of twist between its ends, linked to the body that ``on`` names."""
 
     stiffness: PositiveRotationalStiffness
+    on: str

@@ -12,7 +12,7 @@ import numpy as np
 
 from jounce.core.types import Array
 from jounce.parts.bodies import Triple
-from jounce.parts.corners import Corner, FiveLinkHardpoints, Hardpoints, McPhersonHardpoints, TrailingArmHardpoints
+from jounce.parts.corners import Corner, Hardpoints, McPhersonHardpoints, TrailingArmHardpoints
 from jounce.parts.elements import BumpStop, Curve, PolynomialCurve, PowerCurve
 
 Twist = tuple[Array, Array]
@@ -164,17 +164,8 @@ def _carrier(points: Hardpoints) -> Twist:
 
 def _held(points: Hardpoints) -> list[tuple[Array, Array]]:
     """Five directions in which points of the upright cannot move: direction and point."""
-    if isinstance(points, FiveLinkHardpoints):
-        names = [(f"link_{i}_outer", f"link_{i}_inner") for i in range(1, 6)]
-    else:
-        names = [
-            (f"{arm}_ball_joint", f"{arm}_arm_{end}")
-            for arm in (("lower",) if isinstance(points, McPhersonHardpoints) else ("lower", "upper"))
-            for end in ("front", "rear")
-        ]
-        names.append(("tie_rod_outer", "tie_rod_inner"))
-    held = [(_at(points, inner) - _at(points, outer), _at(points, outer)) for outer, inner in names]
-    if isinstance(points, McPhersonHardpoints):
+    held = [(_at(points, inner) - _at(points, outer), _at(points, outer)) for outer, inner in points.rods]
+    if isinstance(points, McPhersonHardpoints):  # the strut's line passes a fixed point
         top = np.array(points.strut_top)
         line = top - np.array(points.strut_bottom)
         across = np.linalg.svd(line[np.newaxis])[2][1:]
