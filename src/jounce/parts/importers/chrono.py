@@ -116,7 +116,6 @@ def _unit(vector: Array, where: str) -> Array:
 
 STOP_RATE, STOP_PROGRESSION = 1.0e5, 6.0e7
 """Stop in N/m and N/m^3 within 8 % of the points that Chrono uses for every vehicle, from 2 mm to 50 mm of depth."""
-STOP_ESTIMATE = ("strut.bump_stop.rate", "strut.bump_stop.progression")
 
 
 def spring_table(file: ChronoFile) -> dict[str, Any]:
@@ -148,50 +147,14 @@ def damper_table(file: ChronoFile) -> dict[str, Any]:
     coefficient = file.positive("Shock", "Damping Coefficient")
     if not file.has("Shock", "Degressivity Compression", "Degressivity Expansion"):
         return {"coefficient": coefficient}
-    shares = [file.number("Shock", f"Degressivity {way}", 0.0) for way in ("Expansion", "Compression")]
-    return {"kind": "table", **_degressive(coefficient, shares[0], shares[1])}
-
-
-def stop_tables(file: ChronoFile, design_length: float) -> dict[str, Any]:
-    """Tables of ``strut.bump_stop`` and ``strut.rebound_stop``; ``design_length`` of the spring in m."""
-    if not file.has("Spring", "Minimum Length", "Maximum Length"):
-        return {}
-    shortest, longest = file.positive("Spring", "Minimum Length"), file.positive("Spring", "Maximum Length")
-    ascending(np.array([shortest, longest]), file.at("Spring", "Minimum Length"))
-    law = {"rate": STOP_RATE, "progression": STOP_PROGRESSION}
-    return {
-        "bump_stop": {"gap": design_length - shortest, **law},
-        "rebound_stop": {"gap": longest - design_length, **law},
-    }
-
-
-def element_findings(file: ChronoFile, tables: dict[str, Any]) -> list[Finding]:
-    """What the reader must know about the elements that were read."""
-    found = []
-    if "bump_stop" in tables:
-        found.append(
-            Finding(
-                file.at("Spring", "Minimum Length"),
-                "note",
-                "stops work from the spring's shortest and longest length on, with the law that Chrono gives every "
-                "vehicle: 100 N/mm and rising.",
-            )
-        )
-    if file.has("Shock", "Degressivity Compression"):
-        found.append(
-            Finding(file.at("Shock"), "note", "the degressive damper is read as a table that follows it to 3 m/s.")
-        )
-    return found
-
-
-def _degressive(coefficient: float, expansion: float, compression: float) -> dict[str, Array]:
-    """Damper ``c v / (1 + share |v|)`` at points of velocity, bump positive."""
+    expansion, compression = (file.number("Shock", f"Degressivity {way}", 0.0) for way in ("Expansion", "Compression"))
     if min(expansion, compression) < 0.0:
         raise DescriptionError("a degressivity below 0", found=[expansion, compression], allowed="at least 0")
-    speeds = np.array([0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0])
+    speeds = np.array([0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0])  # of c v / (1 + share |v|), bump positive
     bump = coefficient * speeds / (1.0 + compression * speeds)
     rebound = coefficient * speeds / (1.0 + expansion * speeds)
     return {
+        "kind": "table",
         "velocity": np.concatenate([-speeds[::-1], [0.0], speeds]),
         "force": np.concatenate([-rebound[::-1], [0.0], bump]),
     }
@@ -250,6 +213,17 @@ class Reading:
         corners = self.points[front], self.points[rear], self.points[outer]
         return self.body(name, section, arm_frame(*corners, self.file.at(section)))
 
+    def add_tie_rod(self, bodies: dict[str, Any], name: str = "tie_rod") -> None:
+        """Add the tie rod to the bodies, where it has a mass."""
+        if self.file.has("Tierod", "Mass"):
+            inner, outer = self.points[f"{name}_inner"], self.points[f"{name}_outer"]
+            frame = rod_frame(inner, outer, np.cross(outer - inner, [1.0, 0.0, 0.0]), self.file.at("Tierod"))
+            bodies[name] = self.body(name, "Tierod", frame, (inner + outer) / 2.0)
+
+    def note(self, place: str, message: str, value: float | None = None) -> None:
+        """Add a note to the findings."""
+        self.findings.append(Finding(place, "note", message, value))
+
 
 def _head(reading: Reading, model: str, bodies: dict[str, Any], on: str, **more: Any) -> dict[str, Any]:
     """Table of a rig without its wheel; the strut's points are the spring's, other points of a damper stand beside."""
@@ -280,7 +254,7 @@ def _double_wishbone(reading: Reading) -> dict[str, Any]:
         for side in ("lower", "upper")
     }
     bodies = {**arms, "upright": reading.body("upright", "Upright", DESIGN)}
-    _add_tie_rod(reading, bodies)
+    reading.add_tie_rod(bodies)
     return _head(reading, "double-wishbone", bodies, "lower_arm", steering={"rack_travel": 0.0})
 
 
@@ -292,15 +266,15 @@ def _mcpherson(reading: Reading) -> dict[str, Any]:
     if reading.file.has("Strut", "Mass"):
         middle = (reading.points["spring_top"] + reading.points["spring_bottom"]) / 2.0
         bodies["strut"] = reading.body("strut", "Strut", DESIGN, middle)
-    _add_tie_rod(reading, bodies)
+    reading.add_tie_rod(bodies)
     return _head(reading, "mcpherson", bodies, "upright", steering={"rack_travel": 0.0})
 
 
 def _five_link(reading: Reading) -> dict[str, Any]:
     points, file = reading.points, reading.file
-    ways = {"link_3": ("Lateral", points["link_4_outer"]), "link_4": ("Trailing Link", points["spring_bottom"])}
+    rods = {"link_3": ("Lateral", points["link_4_outer"]), "link_4": ("Trailing Link", points["spring_bottom"])}
     links = {}
-    for name, (section, beside) in ways.items():
+    for name, (section, beside) in rods.items():
         inner, outer = points[f"{name}_inner"], points[f"{name}_outer"]
         frame = rod_frame(outer, inner, np.cross(outer - beside, inner - beside), file.at(section))
         links[name] = reading.body(name, section, frame)
@@ -309,36 +283,15 @@ def _five_link(reading: Reading) -> dict[str, Any]:
     ends = points["link_1_inner"], points["link_2_inner"]
     lever = distance_to_line(points["link_1_outer"], *ends)
     share = about_axis(arm, *ends) / lever**2
-    reading.findings.append(
-        Finding(
-            file.at("Upper Arm"),
-            "note",
-            f"the upper arm becomes links 1 and 2 without mass; {share:.4g} kg of its {arm['mass']:.4g} kg (inertia "
-            "about its axis over its length squared) move with the upright at their common point.",
-            share,
-        )
+    reading.note(
+        file.at("Upper Arm"),
+        f"the upper arm becomes links 1 and 2 without mass; {share:.4g} kg of its {arm['mass']:.4g} kg (inertia "
+        "about its axis over its length squared) move with the upright at their common point.",
+        share,
     )
-    bodies = {
-        "upright": joined(upright, share, points["link_1_outer"], np.zeros((3, 3))),
-        **links,
-    }
-    if file.has("Tierod", "Mass"):
-        bodies["link_5"] = _tie_rod(reading, "link_5", points["link_5_inner"], points["link_5_outer"])
+    bodies = {"upright": joined(upright, share, points["link_1_outer"], np.zeros((3, 3))), **links}
+    reading.add_tie_rod(bodies, "link_5")
     return _head(reading, "five-link", bodies, "link_4")
-
-
-def _add_tie_rod(reading: Reading, bodies: dict[str, Any]) -> None:
-    if reading.file.has("Tierod", "Mass"):
-        bodies["tie_rod"] = _tie_rod(
-            reading, "tie_rod", reading.points["tie_rod_inner"], reading.points["tie_rod_outer"]
-        )
-
-
-def _tie_rod(reading: Reading, name: str, inner: Array, outer: Array) -> dict[str, Any]:
-    across = np.cross(outer - inner, [1.0, 0.0, 0.0])
-    return reading.body(
-        name, "Tierod", rod_frame(inner, outer, across, reading.file.at("Tierod")), (inner + outer) / 2.0
-    )
 
 
 TEMPLATES: dict[str, tuple[dict[str, tuple[str, str]], Callable[[Reading], dict[str, Any]]]] = {
@@ -414,19 +367,37 @@ def import_chrono(
     _add_elements(reading, table)
     _add_wheel(reading, table, wheel_radius, wheel_mass, tyre_stiffness)
     _set_on_the_road(reading, table, sprung_mass)
-    reading.findings += [*_left_out(file, names), *_assumptions(file)]
+    _note_what_differs(reading, names)
     table |= {"estimated": sorted(reading.estimated), "source": table["source"] if source is None else source}
-    text = rig_text(_rig(reading, table), _comments(reading))
+    place = f"{reading.file.path}: "
+    comments = [
+        f"Left corner imported from {reading.file.path.name} of Project Chrono (BSD-3-Clause). z = 0 is the road.",
+        *(f"{item.place.removeprefix(place)}: {item.message}" for item in reading.findings),
+    ]
+    text = rig_text(_rig(reading, table), comments)
     return cast(Corner, rig_from_table(tomllib.loads(text), where=str(path))), reading.findings, text
 
 
 def _add_elements(reading: Reading, table: dict[str, Any]) -> None:
-    points = table["hardpoints"]
-    stops = stop_tables(reading.file, float(np.linalg.norm(points["strut_top"] - points["strut_bottom"])))
-    table["strut"] |= {"spring": spring_table(reading.file), "damper": damper_table(reading.file), **stops}
-    reading.findings += element_findings(reading.file, stops)
-    if stops:
-        reading.estimated += [*STOP_ESTIMATE, *(path.replace("bump", "rebound") for path in STOP_ESTIMATE)]
+    """Spring, damper and stops of the strut."""
+    file, points = reading.file, table["hardpoints"]
+    table["strut"] |= {"spring": spring_table(file), "damper": damper_table(file)}
+    if file.has("Spring", "Minimum Length", "Maximum Length"):
+        design = float(np.linalg.norm(points["strut_top"] - points["strut_bottom"]))
+        shortest, longest = file.positive("Spring", "Minimum Length"), file.positive("Spring", "Maximum Length")
+        place = file.at("Spring", "Minimum Length")
+        ascending(np.array([shortest, longest]), place)
+        law = {"rate": STOP_RATE, "progression": STOP_PROGRESSION}
+        for stop, gap in (("bump_stop", design - shortest), ("rebound_stop", longest - design)):
+            table["strut"][stop] = {"gap": gap, **law}
+            reading.estimated += [f"strut.{stop}.{key}" for key in law]
+        reading.note(
+            place,
+            "stops act from the spring's shortest and longest length on, with the law that Chrono gives every vehicle: "
+            "100 N/mm and rising.",
+        )
+    if file.has("Shock", "Degressivity Compression"):
+        reading.note(file.at("Shock"), "the degressive damper is read as a table that follows it to 3 m/s.")
 
 
 def _add_wheel(
@@ -482,7 +453,7 @@ def _carried(reading: Reading, rig: Corner) -> float:
             f"the sprung mass is not in the file, and the spring carries nothing at design: {SPRUNG_MASS:g} kg assumed."
         )
         mass = SPRUNG_MASS
-    reading.findings.append(Finding(reading.file.at("sprung mass"), "note", message, mass))
+    reading.note(reading.file.at("sprung mass"), message, mass)
     return float(f"{mass:.6g}")
 
 
@@ -505,28 +476,21 @@ def _raise(table: dict[str, Any], height: float) -> None:
         body["centre_of_mass"] = np.array(body["centre_of_mass"]) + up
 
 
-def _left_out(file: ChronoFile, names: dict[str, tuple[str, str]]) -> list[Finding]:
-    """What the file holds and the rig does not."""
+def _note_what_differs(reading: Reading, names: dict[str, tuple[str, str]]) -> None:
+    """What the file holds and the rig does not, and what is taken for granted about every file."""
+    file = reading.file
     read = {*_READ, *(section for section, _ in names.values()), "Upright", "Strut", "Spindle"}
-    found = [
-        Finding(file.at(section), "warning", "this section is not read.")
-        for section in file.table
-        if section not in read
-    ]
+    unread = [section for section in file.table if section not in read]
     bushed = [section for section in file.table if file.has(section, "Bushing Data")]
-    found += [
+    reading.findings += [Finding(file.at(section), "warning", "this section is not read.") for section in unread]
+    reading.findings += [
         Finding(file.at(section, "Bushing Data"), "warning", "bushings are not read: the joints are rigid.")
         for section in bushed
     ]
     links = [section for section in file.table if file.has(section, "Universal Joint Axis Link")]
     if links:
         message = "the axes of the universal joints are not read: links do not turn about themselves."
-        found.append(Finding(file.at(links[0]), "note", message))
-    return found
-
-
-def _assumptions(file: ChronoFile) -> list[Finding]:
-    """What is taken for granted about every file."""
+        reading.note(file.at(links[0]), message)
     if file.table.get("Vehicle-Frame Inertia") is True:
         frames = "inertias are taken in vehicle axes, as the file says (Vehicle-Frame Inertia)."
     else:
@@ -534,16 +498,8 @@ def _assumptions(file: ChronoFile) -> list[Finding]:
             "inertias are taken in each body's own axes, as Chrono does: of arms x along the axis and z normal to the "
             "arm, of links z along the link, of all other bodies those of the vehicle."
         )
-    rolling = (
-        "rim and tyre stand in other files; their mass is added to the spindle, with the inertia of a common wheel."
+    reading.note(file.at("Vehicle-Frame Inertia"), frames)
+    reading.note(
+        file.at("Spindle"),
+        "rim and tyre are in other files; their mass is added to the spindle, with the inertia of a common wheel.",
     )
-    return [Finding(file.at("Vehicle-Frame Inertia"), "note", frames), Finding(file.at("Spindle"), "note", rolling)]
-
-
-def _comments(reading: Reading) -> list[str]:
-    name = str(reading.file.path)
-    lines = [f"{item.place.removeprefix(f'{name}: ')}: {item.message}" for item in reading.findings]
-    return [
-        f"Left corner imported from {reading.file.path.name} of Project Chrono (BSD-3-Clause). z = 0 is the road.",
-        *lines,
-    ]
