@@ -7,10 +7,9 @@ import re
 import pytest
 import typer
 
-from jounce.bench.drive import BenchDrive
+from jounce.bench.drive import BeltLoad, BenchDrive
 from jounce.bench.similitude import Similitude
 from jounce.bench.springs import SpringChoice
-from jounce.bench.traction import BeltLoad
 from jounce.cli.entry import application
 from jounce.core.description import Description
 from jounce.core.units import Unit, to_si

@@ -5,8 +5,15 @@ import math
 import numpy as np
 import pytest
 
-from jounce.bench.drive import BenchDrive, belt_speed, inverter_frequency_for, photo_sensor_speed
-from jounce.bench.traction import BeltLoad, attainable_speed, drive_margin
+from jounce.bench.drive import (
+    BeltLoad,
+    BenchDrive,
+    attainable_speed,
+    belt_speed,
+    drive_margin,
+    inverter_frequency_for,
+    photo_sensor_speed,
+)
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.serialise import to_json
 

@@ -30,8 +30,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from jounce.campaign.result import CampaignResult
-from jounce.campaign.validation import TrialComparison
+from jounce.campaign.result import CampaignResult, TrialComparison
 from jounce.core.errors import DescriptionError, FitError, SimulationError
 from jounce.core.types import Array
 from jounce.core.units import to_si

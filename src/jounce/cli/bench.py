@@ -16,10 +16,9 @@ from jounce.core.errors import DescriptionError
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from jounce.bench.drive import BeltSpeed, SensorSpeed
+    from jounce.bench.drive import AttainableSpeed, BeltSpeed, DriveMargin, SensorSpeed
     from jounce.bench.similitude import SimilitudeReport
     from jounce.bench.springs import SpringComparison
-    from jounce.bench.traction import AttainableSpeed, DriveMargin
     from jounce.core.description import Description
     from jounce.core.findings import Finding
 
@@ -184,8 +183,7 @@ def drive(
 
     Example: jounce bench drive --speed "3.87 m/s" --cylinder-radius "50 mm"
     """
-    from jounce.bench.drive import BenchDrive
-    from jounce.bench.traction import BeltLoad, attainable_speed, drive_margin
+    from jounce.bench.drive import BeltLoad, BenchDrive, attainable_speed, drive_margin
 
     machine, load = _described(BenchDrive, values), _described(BeltLoad, values)
     margin = None

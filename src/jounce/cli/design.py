@@ -30,9 +30,9 @@ from jounce.core.errors import DescriptionError
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from jounce.design.first_designs import SpringDesign
     from jounce.design.optimise import Optimisation
     from jounce.design.pareto import ParetoFront
+    from jounce.design.springs import SpringDesign
     from jounce.parts import Rig
 
 
@@ -98,7 +98,7 @@ def springs(
         optional_positive(rear_frequency, "Hz", "--rear-frequency"),
         optional_quantity(rear_damping_ratio, "1", "--rear-damping-ratio"),
     ]
-    from jounce.design.first_designs import design_springs
+    from jounce.design.springs import design_springs
 
     wanted = changes(set_)
     design = design_springs(

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from jounce.core.findings import Finding
-    from jounce.design.adjustment_effects import Effect, Lengths, WheelState
+    from jounce.design.adjustments import Effect, Lengths, WheelState
     from jounce.kinematics.sweeps import AxleLayout
     from jounce.parts import DoubleWishbone, Rig
 
@@ -229,7 +229,7 @@ def adjust(
     Example: jounce adjust kart-double-wishbone --camber "-2 deg" --toe "0.5 deg" --out cambered.toml
     """
     from jounce.core.serialise import check_writable, write_atomically
-    from jounce.design.adjustment_effects import adjust_report, lengths_for
+    from jounce.design.adjustments import adjust_report, lengths_for
 
     given = {name: bare_number(value) for name, value in pairs(set_, "--set", 'upper_arm_length="10 mm"').items()}
     if out is not None:
@@ -262,7 +262,7 @@ def _refuse_both(given: dict[str, Any]) -> None:
 
 def _adjusted_text(name: str, rig: DoubleWishbone) -> str:
     """The rig's file with the new values."""
-    from jounce.campaign.rig_text import updated_text
+    from jounce.campaign.run import updated_text
     from jounce.parts import rig_path
 
     return updated_text(rig_path(name).read_text(encoding="utf-8"), rig)
@@ -303,7 +303,7 @@ def _draw_adjusted(console: Console, plain: dict[str, Any], report: Any, lengths
 
 
 def _states(*states: WheelState) -> list[tuple[object, ...]]:
-    from jounce.design.adjustment_effects import QUANTITIES
+    from jounce.design.adjustments import QUANTITIES
 
     rows = []
     for name, unit in QUANTITIES.items():
@@ -315,7 +315,7 @@ def _states(*states: WheelState) -> list[tuple[object, ...]]:
 
 def _draw_effects(console: Console, effects: tuple[Effect, ...]) -> None:
     """One table: what each setting changes from the lowest to the highest value of its range, and per mm, deg or N."""
-    from jounce.design.adjustment_effects import QUANTITIES
+    from jounce.design.adjustments import QUANTITIES
 
     units = {name: _FACTORS.get(unit, (1.0, unit)) for name, unit in QUANTITIES.items()}
     rows: list[tuple[object, ...]] = []

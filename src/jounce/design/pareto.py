@@ -1,4 +1,4 @@
-"""The trade between comfort and road holding: designs of which none is better in both."""
+"""The trade between comfort and road holding: best dampers for each, and designs of which none is better in both."""
 
 from __future__ import annotations
 
@@ -10,22 +10,117 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.findings import Finding
-from jounce.core.serialise import to_plain
+from jounce.core.serialise import Plain
+from jounce.core.text import aligned
 from jounce.core.types import Array
-from jounce.design.first_designs import COMFORT, HOLDING, TRAVEL, best_dampers
-from jounce.design.metrics import StationaryEvaluator, combined
-from jounce.design.optimise import check_kept, driven_over
-from jounce.design.problem import DesignProblem, Limit, LimitGiven, design_problem
-from jounce.design.search import is_optimal, search
-from jounce.design.text import front_text
+from jounce.design.optimise import check_kept, driven_over, is_optimal, search
+from jounce.design.problem import DesignProblem, Limit, LimitGiven, StationaryEvaluator, combined, design_problem
+from jounce.design.springs import wheels_of
 from jounce.identify.fit_problem import Bounds
 from jounce.parts import Rig
 from jounce.parts.rig import unit_of
+from jounce.ride.closed_forms import comfort_damping, road_holding_damping
 from jounce.ride.surface import Density
 
+COMFORT, HOLDING, TRAVEL = "sprung.az", "tyre.force coefficient", "strut.deflection"
+_RANGE = (0.2, 5.0)
+"""Shares of the closed form between which a best damper is searched."""
 _SAME = 1e-6
 _PRECISION = 1e-9
 _FEWEST, _MOST = 3, 500
+
+
+@dataclass(frozen=True)
+class BestDamper:
+    """Dampers with the least of one metric, by the closed form of each wheel and by a search on the whole model, SI.
+
+    Attributes
+    ----------
+    goal : str
+        ``comfort`` or ``road holding``.
+    metric, unit : str
+        What is least there, and its unit.
+    present, closed_form, searched : dict
+        Path to the damping coefficient, N*s/m.
+    values : dict
+        ``present``, ``closed_form`` and ``searched`` to the metric.
+    """
+
+    goal: Literal["comfort", "road holding"]
+    metric: str
+    unit: str
+    present: dict[str, float]
+    closed_form: dict[str, float]
+    searched: dict[str, float]
+    values: dict[str, float]
+
+
+def best_dampers(
+    rig: Rig,
+    road: str | float | Density,
+    speed: float | str,
+    *,
+    band: tuple[float, float] | Literal["iso"] | None = None,
+    comfort: str = COMFORT,
+    holding: str = HOLDING,
+) -> tuple[BestDamper, BestDamper]:
+    """Best dampers for comfort and for road holding: closed forms of the quarter car beside a search.
+
+    Parameters
+    ----------
+    rig : Rig
+        Quarter car, half-car-4dof or full car with linear dampers.
+    road : str, float or callable
+        As for :func:`optimise`: class, degree of roughness in m^3, or density.
+    speed : float or str
+        m/s.
+    band : tuple of float or "iso", optional
+        Spatial frequencies of the road, 1/m; by default white noise where all metrics are finite on it.
+    comfort, holding : str
+        Metrics that are to be least.
+
+    Returns
+    -------
+    tuple of BestDamper
+        Comfort, road holding. The closed forms know one wheel on white noise and a tyre without damping; the search
+        knows the whole model.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> car = jn.load("audi-a6-quarter-car").with_changes({"tyre.damping_coefficient": 0.0})
+    >>> for best in best_dampers(car, "C", "20 m/s"):
+    ...     print(best.goal, *(round(c["strut.damper.coefficient"]) for c in (best.closed_form, best.searched)))
+    comfort 1559 1559
+    road holding 3243 3243
+    """
+    wheels, values = wheels_of(rig), rig.parameters()
+    found = []
+    goals: tuple[tuple[Literal["comfort", "road holding"], str, Any], ...] = (
+        ("comfort", comfort, comfort_damping),
+        ("road holding", holding, road_holding_damping),
+    )
+    for goal, metric, formula in goals:
+        closed = {wheel.damper: formula(wheel.lumped(values)) / wheel.motion_ratio**2 for wheel in wheels}
+        free: dict[str, Bounds] = {path: (_RANGE[0] * c, _RANGE[1] * c) for path, c in closed.items()}
+        begin = {path: min(max(values[path], _RANGE[0] * c), _RANGE[1] * c) for path, c in closed.items()}
+        more = [comfort, holding]  # so that both are judged on the same road
+        problem = design_problem(rig.with_changes(begin), free, metric, more=more, road=road, speed=speed, band=band)
+        ended = search(problem).values
+        searched = {number.path: float(value) for number, value in zip(problem.free, ended, strict=True)}
+        present = {path: values[path] for path in closed}
+        numbers = {
+            name: _judged(problem, metric, dampers)
+            for name, dampers in (("present", present), ("closed_form", closed), ("searched", searched))
+        }
+        unit = problem.metrics[metric].unit
+        found.append(BestDamper(goal, metric, unit, present, closed, searched, numbers))
+    return found[0], found[1]
+
+
+def _judged(problem: DesignProblem, metric: str, dampers: Mapping[str, float]) -> float:
+    values = np.array([dampers[number.path] for number in problem.free])
+    return problem.whole(metric, values)[0]
 
 
 @dataclass(frozen=True)
@@ -53,7 +148,7 @@ class ParetoMark:
 
 
 @dataclass(frozen=True)
-class ParetoFront:
+class ParetoFront(Plain):
     """Best designs from the most comfortable to the one that holds the road best, SI.
 
     Attributes
@@ -91,11 +186,16 @@ class ParetoFront:
     findings: tuple[Finding, ...]
 
     def __str__(self) -> str:
-        return front_text(self)
-
-    def to_dict(self) -> dict[str, Any]:
-        """Give plain values, SI."""
-        return {name: to_plain(value) for name, value in vars(self).items()}
+        roles = ("comfort", "holding", "travel")
+        rows = [["", *(f"{self.metrics[role]} [{self.units[role]}]" for role in roles), *self.numbers]]
+        columns = [self.comfort, self.holding, self.travel, *self.numbers.values()]
+        rows += [[str(i + 1), *(f"{column[i]:.5g}" for column in columns)] for i in range(len(self.comfort))]
+        beside = [
+            f"{mark.name} ({mark.kind}): {mark.comfort:.5g}, {mark.holding:.5g}, {mark.travel:.5g}"
+            for mark in self.marks
+        ]
+        head = f"From comfort to road holding on {self.driven}"
+        return "\n".join([head, *aligned(rows), *beside, *map(str, self.findings)])
 
 
 def pareto(

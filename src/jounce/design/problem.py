@@ -1,32 +1,340 @@
-"""A design task in numbers: free numbers within bounds, an objective, limits, all with slopes."""
+"""A design task in numbers: free numbers within bounds, an objective, limits, all with slopes.
+
+Designs are judged by metrics: numbers of a stationary response or of a simulated trial. A metric is written as words:
+``sprung.az`` (r.m.s. about rest), ``sprung.az weighted`` (by Wk, or any weighting by its name), ``tyre.force
+coefficient`` (r.m.s. over static value), ``strut.deflection static``, ``mode 1 frequency``, ``mode 2 damping_ratio``.
+The last words of a channel stand for those of all corners; ``worst`` before them takes the largest instead of the root
+mean square over the corners.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from functools import cached_property
+from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
-from jounce.core.errors import DescriptionError, FitError
+from jounce.core.errors import DescriptionError, FitError, SimulationError, nearest, unknown
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.design.metrics import (
-    Evaluator,
-    Metric,
-    Numbers,
-    StationaryEvaluator,
-    TrialEvaluator,
-    combined,
-    read_metric,
-    units_of,
-)
 from jounce.identify.fit_problem import Bounds, Free, free_parameters
 from jounce.parts import Rig
-from jounce.ride.family import LinearFamily
+from jounce.recordings.schema import channels_of
+from jounce.ride.covariance import Analysis, Signal
+from jounce.ride.family import LinearFamily, Matrices
+from jounce.ride.stationary import weighting_gain
 from jounce.ride.surface import Surface, surface
 from jounce.roads import Trial
+
+KINDS = ("rms", "weighted", "coefficient", "static")
+_MODE = {"frequency": "Hz", "damping_ratio": "1"}
+_EXAMPLES = "e.g. 'sprung.az', 'sprung.az weighted', 'worst tyre.force coefficient', 'mode 1 frequency'"
+Numbers = tuple[Array, Array]
+"""Values of a metric, one for each channel, and their slopes (numbers, channels)."""
+
+
+@dataclass(frozen=True)
+class Metric:
+    """One metric, as asked for.
+
+    Attributes
+    ----------
+    text : str
+        As it was written.
+    channels : tuple of str
+        Channels it is made of, or the name of a mode's number.
+    kind : str
+        ``rms``, ``weighted``, ``coefficient``, ``static``, ``frequency`` or ``damping_ratio``.
+    unit : str
+        SI unit; Hz for frequencies.
+    weighting : str
+        Name of the weighting.
+    mode : int
+        Which mode, counted from 1.
+    is_worst : bool
+        Whether the largest of its channels counts.
+    """
+
+    text: str
+    channels: tuple[str, ...]
+    kind: str
+    unit: str
+    weighting: str = ""
+    mode: int = 0
+    is_worst: bool = False
+
+    @property
+    def is_of_mode(self) -> bool:
+        """Whether it is a number of a mode."""
+        return self.mode > 0
+
+
+def read_metric(text: str, units: Mapping[str, str], *, where: str) -> Metric:
+    """Read a metric; ``units`` has the SI unit of every channel of the model.
+
+    Raises
+    ------
+    DescriptionError
+        For a channel that the model does not have, or words that mean nothing.
+    """
+    words = str(text).split()
+    is_worst = words[:1] == ["worst"]
+    words = words[1:] if is_worst else words
+    if words[:1] == ["mode"]:
+        return _mode_metric(text, words, where)
+    if not 1 <= len(words) <= 2:
+        raise DescriptionError("not a metric", where=where, found=text, allowed=_EXAMPLES)
+    kind, weighting = _kind(words[1] if len(words) == 2 else "rms", text, where)
+    channels = tuple(channels_of(words[0], list(units)))
+    if not channels:
+        ends = {".".join(name.split(".")[-2:]) for name in units}
+        error = unknown(words[0], {*ends, *(name for name in units if name.count(".") < 2)}, what="metric", where=where)
+        raise error
+    if kind == "coefficient" and not words[0].endswith("force"):
+        raise DescriptionError(
+            "a coefficient is that of a force", where=where, found=text, allowed="e.g. 'tyre.force coefficient'"
+        )
+    return Metric(
+        str(text), channels, kind, "1" if kind == "coefficient" else units[channels[0]], weighting, 0, is_worst
+    )
+
+
+def _kind(word: str, text: str, where: str) -> tuple[str, str]:
+    from jounce.ride.weighting import WEIGHTINGS
+
+    if word == "weighted":
+        return "weighted", "Wk"
+    if word in WEIGHTINGS:
+        return "weighted", word
+    if word in KINDS:
+        return word, ""
+    allowed = ", ".join([*KINDS, *WEIGHTINGS])
+    raise DescriptionError(
+        f"no such number of a channel: {word!r}", where=where, found=text, allowed=allowed, hint=nearest(word, KINDS)
+    )
+
+
+def _mode_metric(text: str, words: Sequence[str], where: str) -> Metric:
+    if len(words) != 3 or not words[1].isdigit() or int(words[1]) < 1 or words[2] not in _MODE:
+        allowed = "'mode 1 frequency', 'mode 1 damping_ratio', ..., by rising frequency"
+        raise DescriptionError("not a number of a mode", where=where, found=text, allowed=allowed)
+    return Metric(str(text), (" ".join(words),), words[2], _MODE[words[2]], mode=int(words[1]))
+
+
+class Evaluator(Protocol):
+    """Gives metrics at any values of the free numbers."""
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether its slopes are exact."""
+        ...
+
+    def at(self, values: Array) -> dict[str, Numbers]:
+        """Give every metric by its text: values of its channels and their slopes, SI."""
+        ...
+
+
+@dataclass(frozen=True)
+class StationaryEvaluator:
+    """Metrics of the linear model on a random road.
+
+    Attributes
+    ----------
+    family : LinearFamily
+        The rig and its free numbers.
+    surface : Surface
+        Road and speed.
+    metrics : tuple of Metric
+        What is wanted.
+    """
+
+    family: LinearFamily
+    surface: Surface
+    metrics: tuple[Metric, ...]
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether its slopes are exact."""
+        return self.family.is_exact
+
+    @cached_property
+    def _layout(self) -> tuple[dict[str, list[int]], tuple[Signal, ...]]:
+        """Places of each metric's signals, and the signals."""
+        names = list(self.family.compiled.output_names)
+        found: dict[str, list[int]] = {}
+        signals: list[Signal] = []
+        for metric in self.metrics:
+            if not metric.is_of_mode:
+                gain = weighting_gain(metric.weighting) if metric.weighting else None
+                found[metric.text] = [len(signals) + i for i in range(len(metric.channels))]
+                signals += [Signal(names.index(channel), gain) for channel in metric.channels]
+        return found, tuple(signals)
+
+    @cached_property
+    def analysis(self) -> Analysis:
+        """Random vibration of the wanted signals."""
+        return Analysis(self.family, self.surface, self._layout[1])
+
+    def absent(self) -> dict[str, str]:
+        """Metrics that the road's white noise leaves without a variance, with the reason."""
+        found = self.analysis.at(slopes=True)
+        reasons = {}
+        for metric in self.metrics:
+            for i in self._layout[0].get(metric.text, []) if metric.kind != "static" else []:
+                if i in found.absent:
+                    reasons[metric.text] = found.absent[i]
+                elif np.any(np.isnan(found.variance_slopes[:, i])):
+                    reasons[metric.text] = "would follow the height of the road when a free number moves"
+        return reasons
+
+    def at(self, values: Array) -> dict[str, Numbers]:
+        """Give every metric by its text: values of its channels and their slopes, SI."""
+        moments = self.analysis.at(values)
+        found = {}
+        for metric in self.metrics:
+            if metric.is_of_mode:
+                found[metric.text] = mode_number(metric, moments.model, moments.slopes)
+                continue
+            i = self._layout[0][metric.text]
+            sigma = np.sqrt(np.maximum(moments.variances[i], 1e-300))
+            slopes = moments.variance_slopes[:, i] / (2.0 * sigma)
+            found[metric.text] = _of_kind(metric, sigma, slopes, moments.rest[i], moments.rest_slopes[:, i])
+        return found
+
+
+def _of_kind(metric: Metric, sigma: Array, slopes: Array, rest: Array, rest_slopes: Array) -> Numbers:
+    if metric.kind == "static":
+        return rest, rest_slopes
+    if metric.kind != "coefficient":
+        return sigma, slopes
+    if np.any(rest <= 0.0):
+        raise FitError("a coefficient without a static force", where=metric.text, found=f"{np.min(rest):.4g} N")
+    return sigma / rest, slopes / rest - sigma * rest_slopes / rest**2
+
+
+def mode_number(metric: Metric, model: Matrices, slopes: Sequence[Matrices]) -> Numbers:
+    """Frequency (Hz) or damping ratio (1) of a mode, and its slopes.
+
+    A mode that is damped too much to oscillate keeps both: they go on smoothly as those of its pair of eigenvalues.
+    """
+    from scipy.linalg import eig
+
+    values, left, right = eig(model.A, left=True, right=True)
+    pairs = _pairs(values)
+    if metric.mode > len(pairs):
+        raise FitError(f"there are {len(pairs)} modes only", where=metric.text)
+    i, j = pairs[metric.mode - 1]
+    first, second = values[i], values[j]
+    moves = [
+        np.array([left[:, k].conj() @ part.A @ right[:, k] for part in slopes]) / (left[:, k].conj() @ right[:, k])
+        for k in (i, j)
+    ]
+    size = np.sqrt((first * second).real)
+    growth = (moves[0] * second + first * moves[1]).real / (2.0 * size)
+    if metric.kind == "frequency":
+        return np.array([size / (2.0 * np.pi)]), growth[:, None] / (2.0 * np.pi)
+    total, change = (first + second).real, (moves[0] + moves[1]).real
+    return np.array([-0.5 * total / size]), (0.5 * (total * growth / size - change) / size)[:, None]
+
+
+def _pairs(values: NDArray[np.complex128]) -> list[tuple[int, int]]:
+    """Eigenvalues of each mode by rising frequency: conjugates, or neighbours of those that do not oscillate."""
+    real = sorted((i for i in range(len(values)) if values[i].imag == 0.0), key=lambda i: abs(values[i]))
+    found = [(real[k], real[k + 1]) for k in range(0, len(real) - 1, 2)]
+    turning = [i for i in range(len(values)) if values[i].imag > 0.0]
+    found += [(i, int(np.argmin(np.abs(values - values[i].conj())))) for i in turning]
+    return sorted(found, key=lambda pair: abs(values[pair[0]] * values[pair[1]]))
+
+
+@dataclass(frozen=True)
+class TrialEvaluator:
+    """Metrics of a simulated trial: r.m.s. about the values at its start, where the rig is at rest.
+
+    Attributes
+    ----------
+    family : LinearFamily
+        The rig and its free numbers.
+    trial : Trial
+        What is simulated.
+    metrics : tuple of Metric
+        What is wanted.
+    output_step : float
+        Distance of the samples, s.
+    """
+
+    family: LinearFamily
+    trial: Trial
+    metrics: tuple[Metric, ...]
+    output_step: float = 2e-3
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether its slopes are exact: they ride along with the simulation."""
+        return True
+
+    def at(self, values: Array) -> dict[str, Numbers]:
+        """Give every metric by its text: values of its channels and their slopes, SI."""
+        from jounce.kernel.status import Status
+        from jounce.simulation.compiled import compile_rig
+        from jounce.simulation.prepare import solve
+        from jounce.simulation.problem import excitation
+        from jounce.simulation.settings import output_times
+
+        rig, paths = self.family.rig, self.family.paths
+        compiled = compile_rig(rig, paths)
+        given = dict(zip(paths, map(float, values), strict=True))
+        p = compiled.parameter_values({**rig.parameters(), **given})
+        times = output_times(self.trial.duration, self.output_step)
+        driven = excitation(compiled.facts, rig.with_changes(given), self.trial, compiled.free)
+        solution = solve(compiled, p, driven, times)
+        if solution.status is not Status.COMPLETED:
+            raise SimulationError("the run did not reach its end", where="trial", found=solution.status.help)
+        found = {}
+        for metric in self.metrics:
+            if metric.is_of_mode:
+                model, slopes = self.family.at(values)
+                found[metric.text] = mode_number(metric, model, slopes)
+                continue
+            i = [compiled.output_names.index(name) for name in metric.channels]
+            signals, along = solution.outputs[i], solution.output_slopes[i]
+            found[metric.text] = self._number(metric, signals, along)
+        return found
+
+    def _number(self, metric: Metric, signals: Array, along: Array) -> Numbers:
+        """Signals (channels, time) and their slopes (channels, numbers, time) as one metric."""
+        rest, rest_slopes = signals[:, 0], along[:, :, 0]
+        moved, slopes = signals - rest[:, None], along - rest_slopes[:, :, None]
+        if metric.weighting:
+            from jounce.ride.weighting import weighted
+
+            rate = 1.0 / self.output_step
+            moved = np.array([weighted(row, rate, metric.weighting) for row in moved])
+            slopes = np.array([[weighted(row, rate, metric.weighting) for row in block] for block in slopes])
+        sigma = np.sqrt(np.mean(moved**2, axis=1))
+        change = np.mean(slopes * moved[:, None, :], axis=2) / np.maximum(sigma, 1e-300)[:, None]
+        return _of_kind(metric, sigma, change.T, rest, rest_slopes.T)
+
+
+def combined(metric: Metric, numbers: Numbers) -> tuple[float, Array]:
+    """One number of all channels of a metric, and its slopes (numbers,): largest, or root mean square."""
+    values, slopes = numbers
+    if len(values) == 1:
+        return float(values[0]), slopes[:, 0]
+    if metric.is_worst:
+        i = int(np.argmax(np.abs(values)))
+        return float(values[i]), slopes[:, i]
+    whole = float(np.sqrt(np.mean(values**2)))
+    return whole, slopes @ values / (len(values) * max(whole, 1e-300))
+
+
+def units_of(rig: Rig) -> dict[str, str]:
+    """SI unit of every channel of a rig's model."""
+    return {output.name: output.unit for output in LinearFamily(rig).compiled.facts.outputs}
+
 
 Objective = str | Mapping[str, float]
 Bound = str | float | None

@@ -34,12 +34,28 @@ def _advance(u: float, way: float, sigma: float, exponent: float) -> float:
 
 @kept()
 def bouc_wen_path(displacement: Array, rate: float, sigma: float, exponent: float, start: float) -> Array:
-    """Follow z' = rate (v - sigma |v| |z|^(n-1) z + (sigma - 1) v |z|^n) along displacements [m]; z lies in -1...1.
+    """Follow z' = rate (v - sigma |v| |z|^(n-1) z + (sigma - 1) v |z|^n) along a path of displacements.
 
     The law does not depend on time, only on the path; between two samples the motion is taken as one-way, and the path
-    is divided so that the state changes little per Runge-Kutta step. ``rate`` [1/m] is the inverse of the distance over
-    which the force builds up; ``sigma`` [1], at least 1/2, shapes the unloading (1/2 is symmetric); ``exponent`` [1], n
-    of at least 1, is the sharpness of the yield; ``start`` is z at the first sample.
+    is divided so that the state changes little per Runge-Kutta step.
+
+    Parameters
+    ----------
+    displacement : array (n,)
+        Displacements in the order they are passed [m].
+    rate : float
+        Inverse of the distance over which the force builds up [1/m].
+    sigma : float
+        Shape of the unloading [1], at least 1/2; 1/2 is symmetric.
+    exponent : float
+        n, sharpness of the yield [1], at least 1.
+    start : float
+        z at the first sample [1], -1 to 1.
+
+    Returns
+    -------
+    array (n,)
+        z at each sample [1], within -1...1.
 
     Examples
     --------

@@ -247,7 +247,7 @@ def run_eccentric_exciter(
 
 def _plate_run(variant: str, rig: jn.QuarterCar, amplitude: float, plate_mass: float) -> PlateRun:
     values = rig.parameters()
-    time: Array = np.arange(round(DURATION / _STEP) + 1) * _STEP
+    time = np.asarray(np.arange(round(DURATION / _STEP) + 1) * _STEP, dtype=np.float64)
     if variant == "two-mass":
         found, statics, oscillations = _quarter_car(rig, amplitude, time)
     else:

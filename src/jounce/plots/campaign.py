@@ -17,8 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from jounce.campaign.result import TrialResult
-    from jounce.campaign.validation import ChannelComparison, Signals, TrialComparison
+    from jounce.campaign.result import ChannelComparison, Signals, TrialComparison, TrialResult
 
 
 _LIVELY = 0.15  # of the largest excursion: what the zoom must show

@@ -5,8 +5,7 @@ from __future__ import annotations
 import pytest
 
 import jounce as jn
-from jounce.campaign.characterise import _quantity
-from jounce.campaign.setup import Knowledge, tyre_of
+from jounce.campaign.characterise import Knowledge, _quantity, tyre_of
 from jounce.identify.update import UpdatedParameter
 
 LOW, HIGH = 250e3, 310e3

@@ -7,8 +7,17 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import AssemblyError, DescriptionError
-from jounce.design.adjustment_effects import QUANTITIES, adjust_report, lengths_for, wheel_state
-from jounce.design.adjustments import BLOCK_MASS, SETTINGS, adjusted, adjustment_findings, arm_length
+from jounce.design.adjustments import (
+    BLOCK_MASS,
+    QUANTITIES,
+    SETTINGS,
+    adjust_report,
+    adjusted,
+    adjustment_findings,
+    arm_length,
+    lengths_for,
+    wheel_state,
+)
 from jounce.parts.bodies import distance
 from jounce.parts.leverage import spring_force
 

@@ -9,8 +9,8 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import DescriptionError, FitError
-from jounce.design.first_designs import best_dampers, design_springs
-from jounce.design.pareto import pareto
+from jounce.design.pareto import best_dampers, pareto
+from jounce.design.springs import design_springs
 from jounce.ride.closed_forms import (
     LumpedCorner,
     approximate_frequencies,

@@ -7,9 +7,8 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import DescriptionError, FitError
-from jounce.design.metrics import read_metric, units_of
 from jounce.design.optimise import optimise
-from jounce.design.problem import design_problem
+from jounce.design.problem import design_problem, read_metric, units_of
 from jounce.ride.closed_forms import LumpedCorner, comfort_damping, road_holding_damping, road_holding_rate
 from jounce.ride.stationary import stationary
 

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from jounce.campaign.description import TrialEntry
-from jounce.campaign.result import TrialResult
-from jounce.campaign.validation import ChannelComparison, Signals, TrialComparison
+from jounce.campaign.result import ChannelComparison, Signals, TrialComparison, TrialResult
 from jounce.identify.update import Identifiability, UpdatedParameter, UpdateResult
 
 

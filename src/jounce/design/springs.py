@@ -1,21 +1,18 @@
-"""First designs: springs and dampers from frequencies and damping ratios, best dampers by formula and by search."""
+"""Springs and dampers from frequencies and damping ratios."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding
-from jounce.core.serialise import to_plain
+from jounce.core.serialise import plain_table
+from jounce.core.text import aligned
 from jounce.core.units import to_si
-from jounce.design.problem import DesignProblem, design_problem
-from jounce.design.search import search
-from jounce.design.text import springs_text
-from jounce.identify.fit_problem import Bounds
 from jounce.parts import QuarterCar, Rig
 from jounce.parts.elements import LinearDamper
 from jounce.parts.vehicles import FullCar3D, HalfCar, Vehicle
@@ -23,16 +20,9 @@ from jounce.ride.closed_forms import (
     LumpedCorner,
     SpringAndDamper,
     as_built,
-    comfort_damping,
     corner_masses,
-    road_holding_damping,
     spring_and_damper,
 )
-from jounce.ride.surface import Density
-
-COMFORT, HOLDING, TRAVEL = "sprung.az", "tyre.force coefficient", "strut.deflection"
-_RANGE = (0.2, 5.0)
-"""Shares of the closed form between which a best damper is searched."""
 
 
 @dataclass(frozen=True)
@@ -177,13 +167,23 @@ class SpringDesign:
     findings: tuple[Finding, ...]
 
     def __str__(self) -> str:
-        return springs_text(self)
+        rows = [["", "", "kg", "Hz", "damping ratio", "N/m", "N*s/m"]]
+        for wheel in self.wheels:
+            for name, found in (("as it is", wheel.present), ("wanted", wheel.wanted)):
+                numbers = (found.frequency_hz, found.damping_ratio, found.spring_rate, found.damping_coefficient)
+                rows.append(
+                    [wheel.place or "wheel", name, *(f"{value:.5g}" for value in (wheel.sprung_mass, *numbers))]
+                )
+        return "\n".join([*aligned(rows), *map(str, self.findings)])
+
+    @property
+    def changes(self) -> dict[str, float]:
+        """Wanted values of all wheels by path, SI."""
+        return {path: value for wheel in self.wheels for path, value in wheel.changes.items()}
 
     def to_dict(self) -> dict[str, Any]:
         """Give plain values, SI; the rig by its changes."""
-        changes = {path: value for wheel in self.wheels for path, value in wheel.changes.items()}
-        plain = {"wheels": self.wheels, "with_tyre": self.with_tyre, "changes": changes, "findings": self.findings}
-        return {name: to_plain(value) for name, value in plain.items()}
+        return plain_table({name: getattr(self, name) for name in ("wheels", "with_tyre", "changes", "findings")})
 
 
 def design_springs(
@@ -281,96 +281,3 @@ def _advice(rig: Rig, wheels: list[WheelDesign]) -> list[Finding]:
         text = f"front over rear rate times distance is {ratio:.3g}; 1 uncouples bounce from pitch."
         found.append(Finding("front, rear", "note", text, ratio))
     return found
-
-
-@dataclass(frozen=True)
-class BestDamper:
-    """Dampers with the least of one metric, by the closed form of each wheel and by a search on the whole model, SI.
-
-    Attributes
-    ----------
-    goal : str
-        ``comfort`` or ``road holding``.
-    metric, unit : str
-        What is least there, and its unit.
-    present, closed_form, searched : dict
-        Path to the damping coefficient, N*s/m.
-    values : dict
-        ``present``, ``closed_form`` and ``searched`` to the metric.
-    """
-
-    goal: Literal["comfort", "road holding"]
-    metric: str
-    unit: str
-    present: dict[str, float]
-    closed_form: dict[str, float]
-    searched: dict[str, float]
-    values: dict[str, float]
-
-
-def best_dampers(
-    rig: Rig,
-    road: str | float | Density,
-    speed: float | str,
-    *,
-    band: tuple[float, float] | Literal["iso"] | None = None,
-    comfort: str = COMFORT,
-    holding: str = HOLDING,
-) -> tuple[BestDamper, BestDamper]:
-    """Best dampers for comfort and for road holding: closed forms of the quarter car beside a search.
-
-    Parameters
-    ----------
-    rig : Rig
-        Quarter car, half-car-4dof or full car with linear dampers.
-    road : str, float or callable
-        As for :func:`optimise`: class, degree of roughness in m^3, or density.
-    speed : float or str
-        m/s.
-    band : tuple of float or "iso", optional
-        Spatial frequencies of the road, 1/m; by default white noise where all metrics are finite on it.
-    comfort, holding : str
-        Metrics that are to be least.
-
-    Returns
-    -------
-    tuple of BestDamper
-        Comfort, road holding. The closed forms know one wheel on white noise and a tyre without damping; the search
-        knows the whole model.
-
-    Examples
-    --------
-    >>> import jounce as jn
-    >>> car = jn.load("audi-a6-quarter-car").with_changes({"tyre.damping_coefficient": 0.0})
-    >>> for best in best_dampers(car, "C", "20 m/s"):
-    ...     print(best.goal, *(round(c["strut.damper.coefficient"]) for c in (best.closed_form, best.searched)))
-    comfort 1559 1559
-    road holding 3243 3243
-    """
-    wheels, values = wheels_of(rig), rig.parameters()
-    found = []
-    goals: tuple[tuple[Literal["comfort", "road holding"], str, Any], ...] = (
-        ("comfort", comfort, comfort_damping),
-        ("road holding", holding, road_holding_damping),
-    )
-    for goal, metric, formula in goals:
-        closed = {wheel.damper: formula(wheel.lumped(values)) / wheel.motion_ratio**2 for wheel in wheels}
-        free: dict[str, Bounds] = {path: (_RANGE[0] * c, _RANGE[1] * c) for path, c in closed.items()}
-        begin = {path: min(max(values[path], _RANGE[0] * c), _RANGE[1] * c) for path, c in closed.items()}
-        more = [comfort, holding]  # so that both are judged on the same road
-        problem = design_problem(rig.with_changes(begin), free, metric, more=more, road=road, speed=speed, band=band)
-        ended = search(problem).values
-        searched = {number.path: float(value) for number, value in zip(problem.free, ended, strict=True)}
-        present = {path: values[path] for path in closed}
-        numbers = {
-            name: _judged(problem, metric, dampers)
-            for name, dampers in (("present", present), ("closed_form", closed), ("searched", searched))
-        }
-        unit = problem.metrics[metric].unit
-        found.append(BestDamper(goal, metric, unit, present, closed, searched, numbers))
-    return found[0], found[1]
-
-
-def _judged(problem: DesignProblem, metric: str, dampers: Mapping[str, float]) -> float:
-    values = np.array([dampers[number.path] for number in problem.free])
-    return problem.whole(metric, values)[0]
