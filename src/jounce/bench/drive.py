@@ -1,4 +1,4 @@
-"""The bench's drive: from the inverter to the belt, what the photo-sensor counts, and what the belt asks of the motor."""
+"""The bench's drive: from inverter to belt, what the photo-sensor counts, and what the belt asks of the motor."""
 
 from __future__ import annotations
 
