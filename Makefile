@@ -5,6 +5,7 @@
 #   make test      set up and run the tests                   make docs    the documentation, as HTML
 #   make quick     the tests that compile nothing             make clean   remove what was made here
 #   make test-all  the slow tests too                         make format  what `make lint` can mend by itself
+#   make faces     write stubs and JSON schemas from the registries
 #   make pins      compile requirements/*.txt again (needs uv)
 #
 # Another interpreter or folder: make test PYTHON=python3.13 VENV=.venv-3.13
@@ -21,7 +22,7 @@ PINS := runtime build test lint docs bench
 COMPILE := $(UV) pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header \
            --no-emit-index-url --no-emit-find-links
 
-.PHONY: help setup demo quick test test-all lint check-style check-imports format bench docs pins clean
+.PHONY: help setup demo quick test test-all lint check-style check-imports format bench docs faces pins clean
 .DELETE_ON_ERROR:
 
 help:
@@ -62,6 +63,9 @@ docs: $(VENV)/.docs
 	$(BIN)/python -m sphinx -W --keep-going -b html docs docs/_build/html
 	@echo "docs/_build/html/index.html"
 
+faces: $(VENV)/.runtime
+	$(BIN)/python docs/make_faces.py
+
 $(VENV)/.created:
 	@command -v $(PYTHON) >/dev/null || { echo "$(PYTHON) was not found: install Python 3.11 or later, or give PYTHON=..."; exit 1; }
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
@@ -89,5 +93,5 @@ pins:
 	  known="$$known -c requirements/$$name.txt"; done
 
 clean:
-	rm -rf .venv .venv-* build dist docs/_build docs/public-names.md .coverage .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
+	rm -rf .venv .venv-* build dist docs/_build docs/public-names.md docs/_generated .coverage .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
 	find src tests -name __pycache__ -type d -prune -exec rm -rf {} +

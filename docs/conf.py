@@ -1,8 +1,9 @@
-"""Configuration of the documentation; the page of public names is written from the public namespace itself."""
+"""Configuration of the documentation; public names and tables of registries are written by their sources."""
 
 from __future__ import annotations
 
 import inspect
+import sys
 import types
 from pathlib import Path
 
@@ -14,7 +15,7 @@ copyright = "2026, jounce contributors"
 version = release = jounce.__version__
 
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinxcontrib.bibtex"]
-exclude_patterns = ["_build"]
+exclude_patterns = ["_build", "_generated"]
 myst_enable_extensions = ["deflist"]
 myst_heading_anchors = 3
 html_theme = "furo"
@@ -48,3 +49,7 @@ def write_public_names(folder: Path) -> None:
 
 
 write_public_names(Path(__file__).parent)
+sys.path.insert(0, str(Path(__file__).parent))
+import make_faces  # noqa: E402
+
+make_faces.write_tables()

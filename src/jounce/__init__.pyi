@@ -2,26 +2,15 @@
 
 from . import mechanics as mechanics
 from . import plots as plots
+from .campaign import CampaignResult as CampaignResult
+from .campaign import new_campaign as new_campaign
 from .campaign import run_campaign as run_campaign
 from .campaign.speed_sweep import speed_sweep as speed_sweep
-from .control import ADD as ADD
-from .control import LQG as LQG
-from .control import LQR as LQR
-from .control import PID as PID
-from .control import SHADD as SHADD
 from .control import ActiveActuator as ActiveActuator
 from .control import Controller as Controller
-from .control import Groundhook as Groundhook
-from .control import HInfinity as HInfinity
-from .control import Hybrid as Hybrid
 from .control import MagnetorheologicalDamper as MagnetorheologicalDamper
-from .control import Passive as Passive
-from .control import PreviewMPC as PreviewMPC
 from .control import PythonControl as PythonControl
 from .control import SemiActiveDamper as SemiActiveDamper
-from .control import Skyhook as Skyhook
-from .control import TwoStateGroundhook as TwoStateGroundhook
-from .control import TwoStateSkyhook as TwoStateSkyhook
 from .control import controller as controller
 from .core.errors import AssemblyError as AssemblyError
 from .core.errors import DescriptionError as DescriptionError
@@ -31,6 +20,9 @@ from .core.errors import OutputError as OutputError
 from .core.errors import RecordingError as RecordingError
 from .core.errors import SimulationError as SimulationError
 from .core.findings import Finding as Finding
+from .core.serialise import Plain as Plain
+from .core.serialise import plain_table as plain_table
+from .core.serialise import write_files as write_files
 from .design.adjustments import adjust_report as adjust_report
 from .design.adjustments import adjusted as adjusted
 from .design.adjustments import lengths_for as lengths_for
@@ -40,10 +32,14 @@ from .design.optimise import optimise as optimise
 from .design.pareto import best_dampers as best_dampers
 from .design.pareto import pareto as pareto
 from .design.springs import design_springs as design_springs
+from .identify.damper import DamperCurve as DamperCurve
+from .identify.damper import DamperResult as DamperResult
+from .identify.damper import damper_curve as damper_curve
 from .identify.damper import fit_damper as fit_damper
 from .identify.decay import fit_decay as fit_decay
 from .identify.fit_problem import FitTrial as FitTrial
 from .identify.force_deflection import ForceDeflectionTrial as ForceDeflectionTrial
+from .identify.hysteresis_path import bouc_wen_path as bouc_wen_path
 from .identify.stiffness import fit_stiffness as fit_stiffness
 from .identify.update import UpdatedParameter as UpdatedParameter
 from .identify.update import UpdateResult as UpdateResult
@@ -67,6 +63,7 @@ from .kinematics import sweep_variants as sweep_variants
 from .kinematics import write_sweep as write_sweep
 from .papers.audi_a6 import run_audi_a6 as run_audi_a6
 from .papers.audi_a6_exciter import run_eccentric_exciter as run_eccentric_exciter
+from .parts import DoubleWishbone as DoubleWishbone
 from .parts import FullCar as FullCar
 from .parts import FullCar3D as FullCar3D
 from .parts import HalfCar as HalfCar
@@ -75,6 +72,8 @@ from .parts import QuarterCar as QuarterCar
 from .parts import Rig as Rig
 from .parts import Vehicle as Vehicle
 from .parts import load as load
+from .parts.importers import ChronoCorner as ChronoCorner
+from .parts.importers import read_chrono_corner as read_chrono_corner
 from .parts.importers import read_tir as read_tir
 from .parts.importers import tyre_from_tir as tyre_from_tir
 from .parts.testers import Tester as Tester
@@ -83,8 +82,10 @@ from .parts.variants import with_strut_angle as with_strut_angle
 from .parts.vehicles import axle_of as axle_of
 from .recordings import Sensor as Sensor
 from .recordings import apply_sensors as apply_sensors
+from .recordings import read_columns as read_columns
 from .recordings import read_recording as read_recording
 from .recordings import write_recording as write_recording
+from .recordings.schema import recording as recording
 from .report.protocol import write_protocol as write_protocol
 from .ride.closed_forms import spring_and_damper as spring_and_damper
 from .ride.metrics import RideMetrics as RideMetrics
@@ -96,8 +97,10 @@ from .ride.study import compare_rides as compare_rides
 from .ride.study import drive as drive
 from .ride.study import iso_trial as iso_trial
 from .ride.study import road_trial as road_trial
+from .roads import Road as Road
 from .roads.loading import load_road as load_road
 from .roads.trial import Excitation as Excitation
+from .roads.trial import PitchMoment as PitchMoment
 from .roads.trial import Trial as Trial
 from .roads.waves import swept_sine as swept_sine
 from .roughness.iri import Roughness as Roughness
@@ -121,23 +124,23 @@ from .simulation.environment import ride_environment as ride_environment
 from .testers.plate_response import steady_response as steady_response
 from .testers.testing import simulate_test as simulate_test
 
+__version__: str
+
 # isort: split
-# Written by `make faces`: the members of the registries.
-from .campaign import CampaignResult as CampaignResult
-from .campaign import new_campaign as new_campaign
-from .core.serialise import Plain as Plain
-from .core.serialise import plain_table as plain_table
-from .core.serialise import write_files as write_files
-from .identify.damper import DamperCurve as DamperCurve
-from .identify.damper import DamperResult as DamperResult
-from .identify.damper import damper_curve as damper_curve
-from .identify.hysteresis_path import bouc_wen_path as bouc_wen_path
-from .parts import DoubleWishbone as DoubleWishbone
-from .parts.importers import ChronoCorner as ChronoCorner
-from .parts.importers import read_chrono_corner as read_chrono_corner
-from .recordings import read_columns as read_columns
-from .recordings.schema import recording as recording
-from .roads import Road as Road
+# Written by `make faces`: members of the registries.
+from .control.laws import ADD as ADD
+from .control.laws import LQG as LQG
+from .control.laws import LQR as LQR
+from .control.laws import PID as PID
+from .control.laws import SHADD as SHADD
+from .control.laws import Groundhook as Groundhook
+from .control.laws import HInfinity as HInfinity
+from .control.laws import Hybrid as Hybrid
+from .control.laws import Passive as Passive
+from .control.laws import Skyhook as Skyhook
+from .control.laws import TwoStateGroundhook as TwoStateGroundhook
+from .control.laws import TwoStateSkyhook as TwoStateSkyhook
+from .control.preview import PreviewMPC as PreviewMPC
 from .roads.enveloping import Enveloped as Enveloped
 from .roads.measured import Crg as Crg
 from .roads.measured import Table as Table
@@ -156,8 +159,5 @@ from .roads.obstacles import Triangle as Triangle
 from .roads.obstacles import Versine as Versine
 from .roads.rough import Iso8608 as Iso8608
 from .roads.rough import SineSum as SineSum
-from .roads.trial import PitchMoment as PitchMoment
 from .roads.waves import Sine as Sine
 from .roads.waves import SineSweep as SineSweep
-
-__version__: str

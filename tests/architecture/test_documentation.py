@@ -8,24 +8,26 @@ import inspect
 import io
 import re
 import shlex
+import tomllib
 from collections.abc import Iterator
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 import typer
 
 import jounce
 from jounce.cli.entry import application, main
+from rules.schemas import schema_problems
 
 ROOT = Path(__file__).parents[2]
 PAGES = {
     str(page.relative_to(ROOT)): page
     for page in (ROOT / "README.md", *sorted((ROOT / "docs").glob("**/*.md")))
-    if page.name != "public-names.md"  # written by Sphinx; its examples are those of the docstrings
+    if page.name != "public-names.md" and page.parent.name != "_generated"  # written when the documentation is built
 }
 BLOCK = re.compile(r"^```(python|toml|console)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 FILE = re.compile(r"# file: (\S+)\n")
-SCHEMAS = ("rig", "vehicle", "campaign", "road", "control", "tester", "limits", "record")
 ELSEWHERE = ("jounce demo",)  # takes half a minute; tests/recovery runs the same
 
 
@@ -164,15 +166,65 @@ def test_every_section_shows_its_command_and_help_knows_it(command: str):
     assert f"Example: {command}" in squeezed(shown)
 
 
-def test_schemas_are_up_to_date():
-    source = ROOT / "docs" / "make_schemas.py"
-    spec = importlib.util.spec_from_file_location("make_schemas", source)
+@pytest.fixture(scope="module")
+def faces() -> ModuleType:
+    """The script that writes what the registries say."""
+    spec = importlib.util.spec_from_file_location("make_faces", ROOT / "docs" / "make_faces.py")
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
-    texts = module.texts()
-    assert set(texts) == {f"{name}.schema.json" for name in SCHEMAS}
-    for name, text in texts.items():
-        found = (module.FOLDER / name).read_text(encoding="utf-8")
-        assert found == text, f"{name} is out of date: run python docs/make_schemas.py"
+    return module
+
+
+def test_written_faces_are_what_the_registries_say(faces: ModuleType):
+    texts = {**faces.stubs(), **{faces.SCHEMAS / name: text for name, text in faces.schemas().items()}}
+    for file, text in texts.items():
+        assert file.read_text(encoding="utf-8") == text, f"{file.name} is out of date: run `make faces`"
+
+
+def test_tables_have_rows_and_a_page(faces: ModuleType):
+    pages = "".join(page.read_text(encoding="utf-8") for page in PAGES.values())
+    for name, text in faces.tables().items():
+        assert text.count("\n") > 3
+        assert len({line.count("|") - line.count("\\|") for line in text.splitlines()}) == 1
+        assert f"```{{include}} _generated/{name}\n```" in pages
+
+
+FILES = {
+    "rig": "jounce.rig/",
+    "vehicle": "jounce.vehicle/",
+    "campaign": "jounce.campaign/",
+    "control": "jounce.control/",
+    "tester": "jounce.tester/",
+    "limits": "jounce.limits/",
+}
+SHIPPED = [file for folder in ("src", "tests", "docs") for file in sorted((ROOT / folder).rglob("*.toml"))]
+
+
+def schema_of(file: Path) -> str | None:
+    """Name of the schema that a shipped file follows; none for files that are wrong on purpose or of another kind."""
+    try:
+        table = tomllib.loads(file.read_text(encoding="utf-8"))
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError):
+        return None
+    return next((name for name, start in FILES.items() if str(table.get("schema", "")).startswith(start)), None)
+
+
+@pytest.mark.parametrize("file", [file for file in SHIPPED if schema_of(file)], ids=lambda file: file.stem)
+def test_shipped_files_follow_their_schemas(faces: ModuleType, file: Path):
+    table = tomllib.loads(file.read_text(encoding="utf-8"))
+    assert schema_problems(table, faces.SCHEMAS / f"{schema_of(file)}.schema.json") == []
+
+
+@pytest.mark.parametrize(
+    ("table", "problem"),
+    [
+        ({"schema": "jounce.campaign/1", "rig": "x", "trial": [], "roads": {"A": {"kind": "half-sin"}}}, "roads.A"),
+        ({"schema": "jounce.campaign/1", "rig": "x", "trials": []}, "trial"),
+        ({"schema": "jounce.campaign/2", "rig": "x", "trial": []}, "schema"),
+    ],
+)
+def test_mistakes_are_seen_by_the_schemas(faces: ModuleType, table: dict[str, object], problem: str):
+    found = schema_problems(table, faces.SCHEMAS / "campaign.schema.json")
+    assert any(line.startswith(problem) for line in found), found

@@ -17,6 +17,7 @@ from jounce.control.actuators import ActiveActuator, Actuator, AnyActuator, Inst
 from jounce.control.design import CornerModel
 from jounce.core.description import Description, check_schema, read_toml
 from jounce.core.errors import DescriptionError, JounceError, SimulationError, unknown
+from jounce.core.kinds import Rows
 from jounce.core.types import Array
 from jounce.core.units import Frequency, Unit, to_si
 from jounce.recordings.schema import channel_unit
@@ -43,7 +44,14 @@ class Kind:
     fields: dict[str, Any]
 
 
-CONTROLS: dict[str, Kind] = {}
+class _Controls(Rows[Kind]):
+    """Controllers in the order in which modules and classes are written."""
+
+    def _order(self, item: tuple[str, Kind]) -> str:
+        return item[1].law.__module__
+
+
+CONTROLS = _Controls("jounce.control")
 """Controllers by name."""
 
 
@@ -106,7 +114,7 @@ class Controller(Description):
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
         for name, (summary, actuator) in vars(cls).get("catalogue", {}).items():
-            CONTROLS[name] = Kind(cls, summary, {} if actuator is None else {"actuator": actuator})
+            CONTROLS.add(name, Kind(cls, summary, {} if actuator is None else {"actuator": actuator}))
 
     @property
     def name(self) -> str:

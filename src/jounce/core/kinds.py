@@ -1,4 +1,4 @@
-"""Families of descriptions: a word in the file selects the class, and a class joins its family by being written."""
+"""Registries without a list: rows that modules add, and families of descriptions that a class joins when written."""
 
 from __future__ import annotations
 
@@ -7,20 +7,60 @@ from functools import reduce
 from importlib import import_module
 from operator import or_
 from pkgutil import iter_modules
-from typing import Annotated, Any
+from typing import Annotated, Any, TypeVar
 
 from pydantic import BaseModel, Field, TypeAdapter
 from pydantic_core import CoreSchema, core_schema
 
+Row = TypeVar("Row")
 FILE_REF = "$file"
 """What stands for ``$ref`` to the schema of another file until the schemas are written: pydantic follows ``$ref``."""
 
 
-class Kinds(Mapping[str, type[Any]]):
+class Rows(Mapping[str, Row]):
+    """Rows of a registry by name: modules of a package add them, and all are imported before the first look.
+
+    Parameters
+    ----------
+    package : str
+        Package whose modules add the rows.
+    """
+
+    def __init__(self, package: str) -> None:
+        self.package = package
+        self._rows: dict[str, Row] = {}
+        self._complete = False
+
+    def add(self, name: str, row: Row) -> None:
+        """Take a row in."""
+        self._rows[name] = row
+
+    def _all(self) -> dict[str, Row]:
+        if not self._complete:
+            self._complete = True
+            for module in iter_modules(import_module(self.package).__path__):
+                import_module(f"{self.package}.{module.name}")
+            self._rows = dict(sorted(self._rows.items(), key=self._order))  # however they came to be imported
+        return self._rows
+
+    def _order(self, item: tuple[str, Row]) -> Any:
+        return item[0]
+
+    def __getitem__(self, name: str) -> Row:
+        return self._all()[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._all())
+
+    def __len__(self) -> int:
+        return len(self._all())
+
+
+class Kinds(Rows[type[Any]]):
     """Classes of a family by the word that selects them.
 
     The base of the family holds it as ``kinds``; each subclass whose field ``key`` has a default joins under that
-    default. All modules of ``package`` are imported before the first look, so there is no list to keep.
+    default, so there is no list to keep.
 
     Parameters
     ----------
@@ -33,32 +73,15 @@ class Kinds(Mapping[str, type[Any]]):
     """
 
     def __init__(self, key: str, *, package: str, schema: str) -> None:
-        self.key, self.package, self.schema = key, package, schema
-        self._classes: dict[str, type[BaseModel]] = {}
-        self._complete = False
+        super().__init__(package)
+        self.key, self.schema = key, schema
         self._adapter: tuple[int, TypeAdapter[Any]] | None = None
 
     def join(self, kind: type[BaseModel]) -> None:
         """Take a class in, if it says which word selects it."""
         field = kind.model_fields.get(self.key)
         if field is not None and isinstance(field.default, str):
-            self._classes = dict(sorted({**self._classes, field.default: kind}.items()))
-
-    def _all(self) -> dict[str, type[BaseModel]]:
-        if not self._complete:
-            self._complete = True
-            for module in iter_modules(import_module(self.package).__path__):
-                import_module(f"{self.package}.{module.name}")
-        return self._classes
-
-    def __getitem__(self, word: str) -> type[Any]:
-        return self._all()[word]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._all())
-
-    def __len__(self) -> int:
-        return len(self._all())
+            self.add(field.default, kind)
 
     def adapter(self) -> TypeAdapter[Any]:
         """Reader of any member of the family, told apart by ``key``."""

@@ -1,3 +1,5 @@
+# The names of the package; `lazy_loader` loads what is used.
+
 from .enveloping import contact_length as contact_length
 from .loading import load_road as load_road
 from .loading import read_roads as read_roads
@@ -15,7 +17,7 @@ from .trial import trial_findings as trial_findings
 from .waves import swept_sine as swept_sine
 
 # isort: split
-# Written by `make faces`: the members of the registries.
+# Written by `make faces`: members of the registries.
 from .enveloping import Enveloped as Enveloped
 from .measured import Crg as Crg
 from .measured import Table as Table

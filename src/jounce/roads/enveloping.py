@@ -31,7 +31,7 @@ _NEEDED = {
 
 
 class Enveloped(Road):
-    """Effective height of another road under a tyre of finite size.
+    """What a tyre of finite size feels of the road ``of``: its effective height.
 
     ``start`` and ``recurrence`` are those of ``of``. The effective height begins and ends beyond the obstacle, by up to
     `reach`: a wheel that rolls over a step of height h as a circle of radius R begins to rise sqrt(2 R h - h^2) before

@@ -108,7 +108,7 @@ class Rectangle(Road):
 
 
 class Trapezoid(Road):
-    """Ramp up, plateau, ramp down.
+    """Ramp up, plateau, ramp down, with straight ramps or half cosine waves; two ramps fit into the length.
 
     Attributes
     ----------
@@ -173,7 +173,7 @@ class Triangle(Road):
 
 
 class HalfCylinder(Road):
-    """Half-round bar lying across the road; its feet are vertical.
+    """Half-round bar ``sqrt(r^2 - (x - r)^2)`` across the road; its feet are vertical.
 
     Attributes
     ----------
@@ -195,7 +195,7 @@ class HalfCylinder(Road):
 
 
 class CircularSegment(Road):
-    """Part of a cylinder above the road, as a round-top speed hump.
+    """Arc of a cylinder through both feet and the crest, as a round-top speed hump.
 
     Attributes
     ----------
@@ -232,7 +232,7 @@ class CircularSegment(Road):
 
 
 class Step(Road):
-    """Kerb: the height jumps and stays.
+    """The height jumps to h and stays.
 
     Attributes
     ----------
@@ -254,7 +254,7 @@ class Step(Road):
 
 
 class Ramp(Road):
-    """Rise to a new level, straight or as half a cosine wave.
+    """Rise to a new level: ``h x / l``, or half a cosine wave ``h/2 (1 - cos(pi x / l))``; then it stays at h.
 
     Attributes
     ----------
@@ -282,7 +282,7 @@ class Ramp(Road):
 
 
 class Kerb(Road):
-    """Kerb with a rounded edge: up to a new level, or down from one when the height is negative.
+    """Step whose upper edge is a quarter of a circle: up to a new level, or down from one when the height is negative.
 
     Attributes
     ----------
@@ -349,7 +349,7 @@ class Pothole(Road):
 
 
 class Train(Road):
-    """The same obstacle several times, at a pitch from start to start.
+    """The obstacle ``of``, ``count`` times, with a ``pitch`` from start to start.
 
     Steps and ramps climb: each stands on the level that the one before left. ``start`` and ``recurrence`` are those of
     ``of`` unless the train has its own; the positions within the train do not depend on them.

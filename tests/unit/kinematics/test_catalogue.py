@@ -1,7 +1,6 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -78,15 +77,6 @@ def test_swing_arms_reach_from_the_contact_point_to_the_instant_centres() -> Non
 def test_the_swing_arm_of_a_trailing_arm_is_positive() -> None:
     arm = jn.sweep_travel(jn.load("semi-trailing-arm"), 0.0)  # its pivot lies ahead of the wheel
     assert float(arm["side_view_swing_arm_length"][0]) > 0.0
-
-
-def test_the_documentation_lists_the_catalogue() -> None:
-    """Name, unit, words, sign and clause of every row, in its order."""
-    page = (Path(__file__).parents[3] / "docs" / "kinematics.md").read_text(encoding="utf-8")
-    listed = re.findall(r"^\| `(\w+)` \| (.*?) \| (.*?) \| (.*?) \| (.*?) \| .*\|$", page, re.MULTILINE)
-    assert listed == [
-        (row.name, row.unit, row.long_name, row.sign.removeprefix("positive: "), row.clause) for row in CATALOGUE
-    ]
 
 
 def test_masses_do_not_matter() -> None:

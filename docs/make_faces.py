@@ -1,0 +1,307 @@
+"""Write what the registries say: names for type checkers, JSON schemas for editors, tables for the documentation.
+
+``make faces`` runs this after a road, a controller or a description has changed: it writes the last part of the stubs
+(``__init__.pyi``) and ``docs/schemas``, which are committed. The tables are written when the documentation is built.
+"""
+
+from __future__ import annotations
+
+import inspect
+import json
+from collections.abc import Iterable, Iterator, Sequence
+from functools import reduce
+from operator import or_
+from pathlib import Path
+from typing import Any
+
+from pydantic import TypeAdapter
+
+import jounce
+from jounce.campaign.description import Campaign
+from jounce.control import CONTROLS
+from jounce.core.kinds import FILE_REF
+from jounce.inspection.limits import METHODS, Limits
+from jounce.inspection.quantities import QUANTITIES
+from jounce.inspection.record import NUMBERS, SIDES, TEXTS
+from jounce.kinematics.catalogue import CATALOGUE as KINEMATIC_QUANTITIES
+from jounce.kinematics.catalogue import Quantity
+from jounce.parts.files import RIGS, VEHICLES
+from jounce.parts.rig import Rig
+from jounce.parts.testers import Tester
+from jounce.recordings.readers import READERS
+from jounce.ride.catalogue import CATALOGUE as RIDE_METRICS
+from jounce.roads import ROADS, Road
+from jounce.roads.loading import SCHEMA
+
+DOCS = Path(__file__).parent
+SCHEMAS = DOCS / "schemas"
+TABLES = DOCS / "_generated"
+SOURCE = Path(jounce.__file__).parent
+DIALECT = "https://json-schema.org/draft/2020-12/schema"
+BOUNDS = {
+    "description": 'share of the start value to either side ("10 %"), or [lower, upper] with units',
+    "anyOf": [
+        {"type": "string"},
+        {"type": "number"},
+        {"type": "array", "minItems": 2, "maxItems": 2, "items": {"type": ["number", "string"]}},
+    ],
+}
+VALUE = {"type": ["number", "string", "boolean"]}
+
+
+def rig_schema() -> dict[str, Any]:
+    """Schema of a rig file: any of the models, ``model`` says which."""
+    schema: dict[str, Any] = TypeAdapter(reduce(or_, RIGS.values())).json_schema(by_alias=True)
+    _complete_models(schema["$defs"], RIGS.values())
+    return {"$schema": DIALECT, "title": "jounce rig file", "required": ["schema"], **schema}
+
+
+def vehicle_schema() -> dict[str, Any]:
+    """Schema of a vehicle file: any of the models; a corner of a 3-D car may be a name."""
+    schema: dict[str, Any] = TypeAdapter(reduce(or_, VEHICLES.values())).json_schema(by_alias=True)
+    _complete_models(schema["$defs"], [*RIGS.values(), *VEHICLES.values()])
+    axle = schema["$defs"]["SpatialAxle"]["properties"]
+    name = {"type": "string", "description": "name of a shipped rig, or path of a rig file"}
+    axle["corner"] = {"anyOf": [name, axle["corner"]]}
+    return {"$schema": DIALECT, "title": "jounce vehicle file", "required": ["schema"], **schema}
+
+
+def _complete_models(definitions: dict[str, Any], models: Iterable[type[Rig]]) -> None:
+    """Say what selects a class, and where a rig's bump stop may stand, too."""
+    for curve in ("PolynomialCurve", "PowerCurve", "TableCurve"):
+        definitions[curve]["required"] = ["kind", *definitions[curve]["required"]]
+    for model in models:
+        definition = definitions.get(model.__name__)
+        if definition is not None:
+            definition["required"] = ["model", *definition["required"]]
+            if "strut" in definition["properties"]:
+                strut = definition["properties"]["strut"]["$ref"].rpartition("/")[2]
+                stop = definitions[strut]["properties"]["bump_stop"]
+                definition["properties"]["bump_stop"] = {**stop, "description": "the same as strut.bump_stop"}
+
+
+def road_schema() -> dict[str, Any]:
+    """Schema of a road file: one road table at top level, ``kind`` required."""
+    schema = ROADS.adapter().json_schema(by_alias=True)
+    for kind in ROADS.values():
+        definition = schema["$defs"][kind.__name__]
+        definition["properties"]["schema"] = {"const": SCHEMA}
+        definition["required"] = ["kind", *definition.get("required", [])]
+        if "of" in definition["properties"]:
+            name = {"type": "string", "description": "in a campaign: the name of another of its roads"}
+            definition["properties"]["of"] = {"anyOf": [name, definition["properties"]["of"]]}
+    return {"$schema": DIALECT, "title": "jounce road file", **schema}
+
+
+def campaign_schema() -> dict[str, Any]:
+    """Schema of a campaign file; its roads are those of road files."""
+    schema = Campaign.model_json_schema(by_alias=True)
+    definitions = schema["$defs"]
+    schema["properties"]["roads"]["additionalProperties"] = {FILE_REF: ROADS.schema}
+    definitions["UpdateEntry"]["properties"]["free"]["additionalProperties"] = BOUNDS
+    definitions["TrialEntry"]["properties"]["changes"]["additionalProperties"] = VALUE
+    return {"$schema": DIALECT, **schema, "title": "jounce campaign file"}
+
+
+def control_schema() -> dict[str, Any]:
+    """Schema of a control file: any of the laws, by any of the names that stand for it."""
+    laws = {kind.law for kind in CONTROLS.values()}
+    schema: dict[str, Any] = TypeAdapter(reduce(or_, sorted(laws, key=lambda law: law.__name__))).json_schema(
+        by_alias=True
+    )
+    for law in laws:
+        definition = schema["$defs"][law.__name__]
+        names = [name for name, kind in CONTROLS.items() if kind.law is law]
+        definition["properties"]["law"] = {"enum": names}
+        definition["required"] = ["schema", "law"]
+    return {"$schema": DIALECT, **schema, "title": "jounce control file"}
+
+
+def tester_schema() -> dict[str, Any]:
+    """Schema of a tester file."""
+    schema = Tester.model_json_schema(by_alias=True)
+    schema["required"] = ["schema", *schema["required"]]
+    return {"$schema": DIALECT, **schema, "title": "jounce tester file"}
+
+
+def limits_schema() -> dict[str, Any]:
+    """Schema of a limits file: edges of bands have the unit of their quantity, or none."""
+    schema = Limits.model_json_schema(by_alias=True)
+    schema["required"] = ["schema", *schema["required"]]
+    schema["properties"]["methods"]["propertyNames"] = {"enum": list(METHODS)}
+    definitions = schema["$defs"]
+    for side in ("from", "to"):
+        edge = {"type": ["number", "string"], "description": "with a unit, or bare: SI, degrees for angles; none: open"}
+        definitions["Band"]["properties"][side] = edge
+    for name in ("Criterion", "Condition", "DifferenceCriterion"):
+        definitions[name]["properties"]["quantity"]["enum"] = list(QUANTITIES)
+    return {"$schema": DIALECT, **schema, "title": "jounce limits file"}
+
+
+def record_schema() -> dict[str, Any]:
+    """Schema of the file beside a tester's record; further keys are kept and said."""
+    texts: dict[str, Any] = {name: {"type": "string"} for name in TEXTS}
+    texts["axle"] = {"enum": ["front", "rear"]}
+    texts["date"] = {"description": "a date, or text"}
+    texts["wheel_order"] = {"type": ["array", "string"], "items": {"enum": list(SIDES)}}
+    numbers = {name: {"type": ["number", "string"], "description": f"in {si}"} for name, si in NUMBERS.items()}
+    wheel = {"type": "object", "properties": numbers}
+    properties = {**texts, **dict.fromkeys(SIDES, wheel)}
+    return {"$schema": DIALECT, "title": "jounce header of a record", "type": "object", "properties": properties}
+
+
+def _written(schema: Any) -> Any:
+    """Keep the first paragraph of every description, the rest is written for Python; refer to other files."""
+    if isinstance(schema, dict):
+        return {
+            "$ref" if key == FILE_REF else key: " ".join(value.split("\n\n")[0].split())
+            if key == "description" and isinstance(value, str)
+            else _written(value)
+            for key, value in schema.items()
+        }
+    return [_written(item) for item in schema] if isinstance(schema, list) else schema
+
+
+def _shared(own: dict[str, Any], other: dict[str, Any]) -> set[str]:
+    """Names of the definitions that two schemas have alike, with everything that they refer to."""
+    found = {name for name, definition in own.items() if other.get(name) == definition}
+    while lost := {name for name in found if not {ref.rpartition("/")[2] for ref in _refs(own[name])} <= found}:
+        found -= lost
+    return found
+
+
+def _refs(schema: Any) -> Iterator[str]:
+    if isinstance(schema, dict):
+        for key, value in schema.items():
+            yield from [value] if key == "$ref" else _refs(value)
+    elif isinstance(schema, list):
+        for item in schema:
+            yield from _refs(item)
+
+
+def _redirected(schema: Any, places: dict[str, str]) -> Any:
+    """Refer to the definitions of other files."""
+    if isinstance(schema, dict):
+        return {key: _redirected(value, places) for key, value in schema.items()}
+    if isinstance(schema, list):
+        return [_redirected(item, places) for item in schema]
+    return places.get(schema, schema) if isinstance(schema, str) else schema
+
+
+def schemas() -> dict[str, str]:
+    """All schemas: file name to text. What an earlier file defines, later ones refer to."""
+    makers = {"rig": rig_schema, "vehicle": vehicle_schema, "road": road_schema, "campaign": campaign_schema}
+    makers |= {"control": control_schema, "tester": tester_schema, "limits": limits_schema, "record": record_schema}
+    found: dict[str, Any] = {}
+    for kind, make in makers.items():
+        schema, name = _written(make()), f"{kind}.schema.json"
+        for other, earlier in found.items():
+            shared = _shared(schema.get("$defs", {}), earlier.get("$defs", {}))
+            for each in shared:
+                del schema["$defs"][each]
+            schema = _redirected(schema, {f"#/$defs/{each}": f"{other}#/$defs/{each}" for each in shared})
+        found[name] = schema
+    return {name: json.dumps(schema, indent=1, allow_nan=False) + "\n" for name, schema in found.items()}
+
+
+STUB_PART = "# isort: split\n# Written by `make faces`: members of the registries."
+
+
+def stubs() -> dict[Path, str]:
+    """Stubs with the members of the registries behind what is written by hand: file to text."""
+    roads = list(ROADS.values())
+    laws = {control.law for control in CONTROLS.values()}
+    members = {
+        SOURCE / "__init__.pyi": [*roads, *laws],
+        SOURCE / "roads" / "__init__.pyi": roads,
+        SOURCE / "control" / "__init__.pyi": list(laws),
+    }
+    found = {}
+    for file, classes in members.items():
+        package = ".".join(["jounce", *file.parent.relative_to(SOURCE).parts])
+        modules = {kind.__name__: kind.__module__.removeprefix(package) for kind in classes}
+        written = file.read_text(encoding="utf-8").replace(STUB_PART, "").splitlines()
+        by_hand = [line for line in written if not line.startswith("from ") or line.split()[-1] not in modules]
+        lines = (f"from {modules[name]} import {name} as {name}" for name in sorted(modules, key=_as_ruff_sorts))
+        found[file] = "\n".join(["\n".join(by_hand).rstrip(), "", STUB_PART, *sorted(lines, key=_module), ""])
+    return found
+
+
+def _module(line: str) -> str:
+    return line.split()[1]
+
+
+def _as_ruff_sorts(name: str) -> tuple[bool, str]:
+    """Names in capitals first."""
+    return not name.isupper(), name.lower()
+
+
+def tables() -> dict[str, str]:
+    """Tables of the registries for the pages that include them: file name to text in Markdown."""
+    needs = {"rack": "tie rod", "axis": "steering axis", "bar": "anti-roll bar"}
+    needs["stiffness"] = "tyre stiffness, or curve and `undeformed_radius`"
+
+    def positive(row: Quantity) -> str:
+        return row.sign.removeprefix("positive: ")
+
+    return {
+        "roads.md": _table(("`kind`", "keys", "what it is"), _road_rows()),
+        "readers.md": _table(
+            ("format", "suffixes", "extra"),
+            [(row.label, _codes(row.suffixes), f"`{row.extra}`" if row.extra else "") for row in READERS],
+        ),
+        "ride-metrics.md": _table(
+            ("metric", "unit", "what it is", "what it is not"),
+            [(f"`{row.name}`", row.unit, row.label, row.is_not) for row in RIDE_METRICS],
+        ),
+        "kinematic-quantities.md": _table(
+            ("name", "unit", "what", "positive", "clause", "needs"),
+            [
+                (f"`{row.name}`", row.unit, row.long_name, positive(row), row.clause, needs.get(row.needs, ""))
+                for row in KINEMATIC_QUANTITIES
+            ],
+        ),
+        "controllers.md": _table(
+            ("name", "class", "what it does"),
+            [(f"`{name}`", f"`{control.law.__name__}`", control.summary) for name, control in CONTROLS.items()],
+        ),
+    }
+
+
+def _road_rows() -> Iterator[tuple[str, str, str]]:
+    """Kind, own keys (those that may be left out in brackets) and first sentence of every road, module by module."""
+    shared = {"kind", "start", "recurrence"}
+    order = ("obstacles", "waves", "rough", "measured")  # other modules behind them
+    places = {name: place for place, name in enumerate(order)}
+
+    def place(item: tuple[str, type[Road]]) -> tuple[int, str, int]:
+        module = item[1].__module__.rpartition(".")[2]
+        return places.get(module, len(places)), module, inspect.getsourcelines(item[1])[1]
+
+    for word, road in sorted(ROADS.items(), key=place):
+        fields = {field.alias or name: field for name, field in road.model_fields.items() if name not in shared}
+        keys = ", ".join(f"`{name}`" if field.is_required() else f"[`{name}`]" for name, field in fields.items())
+        summary = (road.__doc__ or "").strip().split("\n\n")[0]
+        yield f"`{word}`", keys, " ".join(summary.split()).replace("``", "`")
+
+
+def _codes(words: Iterable[str]) -> str:
+    return ", ".join(f"`{word}`" for word in words)
+
+
+def _table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    lines = [header, ["---"] * len(header), *([cell.replace("|", "\\|") for cell in row] for row in rows)]
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
+
+
+def write_tables() -> None:
+    """Write the tables beside the pages, for the build of the documentation."""
+    TABLES.mkdir(exist_ok=True)
+    for name, text in tables().items():
+        if not (TABLES / name).is_file() or (TABLES / name).read_text(encoding="utf-8") != text:
+            (TABLES / name).write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    for file, text in {**stubs(), **{SCHEMAS / name: text for name, text in schemas().items()}}.items():
+        file.write_text(text, encoding="utf-8")
