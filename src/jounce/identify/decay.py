@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
@@ -625,7 +625,7 @@ def fit_decay(
         findings=(),
     )
     findings += _advice(result, spread, float(np.median(np.diff(t))), stiffness, name)
-    return DecayResult(**{**vars(result), "findings": tuple(findings)})
+    return replace(result, findings=tuple(findings))
 
 
 def _checked(
@@ -791,15 +791,11 @@ def combine_decays(results: Sequence[DecayResult]) -> CombinedDecay:
     findings = [finding for result in results for finding in result.findings]
     frequencies = [result.natural_frequency_hz.value for result in results]
     if np.ptp(frequencies) > 0.05 * float(np.mean(frequencies)):
-        findings.append(
-            Finding(
-                "decays",
-                "warning",
-                f"the natural frequencies of the runs range from {min(frequencies):.4g} to "
-                f"{max(frequencies):.4g} Hz: was something changed between them?",
-                float(np.ptp(frequencies)),
-            )
+        text = (
+            f"the natural frequencies of the runs range from {min(frequencies):.4g} to "
+            f"{max(frequencies):.4g} Hz: was something changed between them?"
         )
+        findings.append(Finding("decays", "warning", text, float(np.ptp(frequencies))))
     return CombinedDecay(
         **combined,
         equilibrium=combine(centres) if len(centres) == len(results) else None,

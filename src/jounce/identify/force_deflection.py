@@ -113,14 +113,8 @@ def seat(trial: ForceDeflectionTrial, *, zero: Zero) -> tuple[SeatedTrial, list[
     deflection, force = deflection[start:] - shift, force[start:] - offset
     seated = SeatedTrial(trial.name, deflection, force, int(np.argmax(deflection)), (shift, offset))
     if deflection[seated.turn] > 1.0:
-        findings.append(
-            Finding(
-                trial.name,
-                "problem",
-                "the deflection exceeds 1 m: check that it was read in the right unit.",
-                float(deflection[seated.turn]),
-            )
-        )
+        text = "the deflection exceeds 1 m: check that it was read in the right unit."
+        findings.append(Finding(trial.name, "problem", text, float(deflection[seated.turn])))
     _report_non_monotone(seated, findings)
     return seated, findings
 
@@ -130,13 +124,13 @@ def _compression_positive(deflection: Array, force: Array, name: str, findings: 
     if -away.min() > away.max():
         deflection = -deflection
         findings.append(
-            Finding(name, "note", "the deflection was recorded negative in compression; its sign was turned.")
+            Finding(name, "note", "the deflection was recorded negative in compression; its sign was reversed.")
         )
     turn = int(np.argmax(deflection))
     loading = slice(0, max(turn, 1) + 1)
     if np.polyfit(deflection[loading] - deflection[0], force[loading], 1)[0] < 0.0:
         force = -force
-        findings.append(Finding(name, "note", "the force was recorded negative in compression; its sign was turned."))
+        findings.append(Finding(name, "note", "the force was recorded negative in compression; its sign was reversed."))
     return deflection, force
 
 
@@ -154,26 +148,16 @@ def _first_contact(deflection: Array, force: Array, name: str, findings: list[Fi
         slope, level = np.polyfit(deflection[near], force[near], 1)
         met = (offset - level) / slope if slope > 0.0 else deflection[last]
         contact = float(np.clip(met, deflection[last - 1], deflection[last + 1]))
-        findings.append(
-            Finding(
-                name,
-                "note",
-                f"{1e3 * (contact - deflection[0]):.3g} mm of free travel before first contact and a "
-                f"load-cell zero of {offset:.3g} N were removed.",
-                contact - float(deflection[0]),
-            )
-        )
+        travel = contact - float(deflection[0])
+        text = f"{1e3 * travel:.3g} mm of free travel before first contact and a load-cell zero of "
+        findings.append(Finding(name, "note", text + f"{offset:.3g} N were removed.", travel))
         return contact, offset, last + 1
     if abs(force[0]) > 0.02 * largest:
-        findings.append(
-            Finding(
-                name,
-                "warning",
-                f"the trial starts already loaded with {force[0]:.3g} N, so first contact was not "
-                "seen and the deflection zero is the recorded one.",
-                float(force[0]),
-            )
+        text = (
+            f"the trial starts already loaded with {force[0]:.3g} N, so first contact was not "
+            "seen and the deflection zero is the recorded one."
         )
+        findings.append(Finding(name, "warning", text, float(force[0])))
         return 0.0, 0.0, 0
     return float(deflection[0]), 0.0, 0
 
@@ -196,25 +180,12 @@ def _report_non_monotone(trial: SeatedTrial, findings: list[Finding]) -> None:
     drop = float((np.maximum.accumulate(force) - force).max())
     span = float(np.ptp(force))
     if span > 0.0 and drop > 0.03 * span:
-        findings.append(
-            Finding(
-                trial.name,
-                "warning",
-                f"the force falls by {drop:.3g} N while the deflection grows: slip, buckling "
-                "or a loose seat; look at the curve.",
-                drop,
-            )
-        )
+        text = f"the force falls by {drop:.3g} N while the deflection grows: slip, buckling or a loose seat?"
+        findings.append(Finding(trial.name, "warning", text, drop))
     back = float((np.maximum.accumulate(deflection) - deflection).max())
     if back > 0.02 * float(np.ptp(deflection)):
-        findings.append(
-            Finding(
-                trial.name,
-                "note",
-                f"the loading branch goes back by {1e3 * back:.3g} mm on its way; all its points are used.",
-                back,
-            )
-        )
+        text = f"the deflection reverses by {1e3 * back:.3g} mm within the loading branch; all its points are used."
+        findings.append(Finding(trial.name, "note", text, back))
 
 
 def hysteresis(trial: SeatedTrial) -> tuple[float | None, float | None]:

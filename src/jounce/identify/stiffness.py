@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.errors import FitError, unknown
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, Severity
 from jounce.core.types import Array
 from jounce.identify.estimate import (
     Estimate,
@@ -322,16 +322,6 @@ class StiffnessResult:
     findings: tuple[Finding, ...]
 
 
-@dataclass(frozen=True)
-class _Choices:
-    law: Law
-    degree: int
-    discard_below: float
-    intercept: Intercept
-    branch: Branch
-    zero: Zero
-
-
 def fit_stiffness(
     trials: Sequence[ForceDeflectionTrial],
     *,
@@ -351,7 +341,7 @@ def fit_stiffness(
     Parameters
     ----------
     trials : sequence of ForceDeflectionTrial
-        Deflection [m] and force [N], compression positive (records with turned signs are turned, with a finding).
+        Deflection [m] and force [N], compression positive (records with the other sign are reversed, with a finding).
     law : {"linear", "polynomial", "power", "monotone-spline"}
         F = k x + b; F = sum of a_i x^i for i = 1...``degree`` (no constant); F = a x^b; or a monotone cubic through bin
         means that starts at the origin.
@@ -393,38 +383,76 @@ def fit_stiffness(
     >>> round(result.stiffness.value), round(result.repeatability)
     (22730, 30)
     """
-    choices = _Choices(law, degree, discard_below, intercept, branch, zero)
-    _check(trials, choices)
+    _check(trials, law, degree, discard_below, intercept, branch, zero)
     seated, findings = [], []
     for trial in renamed(list(trials)):
         one, notes = seat(trial, zero=zero)
         seated.append(one)
         findings += notes
-    points = [_used(one, choices) for one in seated]
+    points = [_used(one, branch, discard_below) for one in seated]
     x, force = (np.concatenate(column) for column in zip(*points, strict=True))
     pooled = fit_curve(x, force, law=law, degree=degree, intercept=intercept, where="all trials")
     alone = [
         fit_curve(a, b, law=law, degree=degree, intercept=intercept, where=one.name)
         for one, (a, b) in zip(seated, points, strict=True)
     ]
-    operating, tangent = _operating_point(
-        seated, pooled.curve, operating_force, float(x.max()), findings, float(x.min())
+    low, reach = float(x.min()), float(x.max())
+    operating, tangent = None, None
+    if operating_force is not None:
+        operating, tangent = _operating_point(seated, pooled.curve, operating_force, low, reach, findings)
+    at = operating if operating is not None else 0.5 * (low + reach)
+    rows = []
+    for one, fit in zip(seated, alone, strict=True):
+        energy, loss = hysteresis(one)
+        rms = float(np.sqrt(np.mean(fit.residual**2)))
+        rows.append(
+            TrialStiffness(one.name, _stiffness(fit, at), _intercept(fit), loss, energy, rms, len(fit.residual))
+        )
+    line = _intercept(pooled)
+    findings += _advice(pooled, x, force, law, line if intercept == "keep" else None, rows)
+    several = len(rows) > 1
+    values = [row.stiffness.value for row in rows]
+    own = _stiffness(pooled, at)
+    if line is not None and several:
+        line = mean_of_replicates([float(fit.parameters[-1]) for fit in alone], value=line.value)
+    losses = [(row.loss_factor, row.hysteresis_energy) for row in rows if row.loss_factor is not None]
+    return StiffnessResult(
+        law=law,
+        stiffness=mean_of_replicates(values, value=own.value) if several else own,
+        intercept=line,
+        intercept_choice=intercept,
+        zero=zero,
+        coefficients=_coefficients(pooled, alone),
+        curve=pooled.curve,
+        fitted_range=(low, reach),
+        force_range=(float(force.min()), float(force.max())),
+        r2=r_squared(force, pooled.residual),
+        repeatability=float(np.std(values, ddof=1)) if several else None,
+        loss_factor=float(np.mean([loss for loss, _ in losses])) if losses else None,
+        hysteresis_energy=float(np.mean([energy for _, energy in losses])) if losses else None,
+        operating_deflection=operating,
+        tangent_stiffness=tangent,
+        trials=tuple(rows),
+        findings=tuple(findings),
     )
-    at = operating if operating is not None else 0.5 * float(x.min() + x.max())
-    rows = tuple(_row(one, fit, at) for one, fit in zip(seated, alone, strict=True))
-    _advise(pooled, x, force, choices, rows, findings)
-    return _result(choices, pooled, alone, rows, x, force, at, operating, tangent, findings)
 
 
-def _check(trials: Sequence[ForceDeflectionTrial], choices: _Choices) -> None:
+def _check(
+    trials: Sequence[ForceDeflectionTrial],
+    law: str,
+    degree: int,
+    discard_below: float,
+    intercept: str,
+    branch: str,
+    zero: str,
+) -> None:
     if not trials:
         raise FitError("no trials to fit", allowed="at least one force-deflection trial")
-    law, degree, discard_below, intercept = choices.law, choices.degree, choices.discard_below, choices.intercept
     for value, options, what in (
         (law, LAWS, "law"),
         (intercept, ("drop", "shift", "keep"), "intercept"),
-        (choices.branch, ("loading", "unloading", "both"), "branch"),
-        (choices.zero, ("first-contact", "none"), "zero"),
+        (branch, ("loading", "unloading", "both"), "branch"),
+        (zero, ("first-contact", "none"), "zero"),
     ):
         if value not in options:
             raise unknown(str(value), options, what=what)
@@ -438,25 +466,19 @@ def _check(trials: Sequence[ForceDeflectionTrial], choices: _Choices) -> None:
         )
 
 
-def _used(trial: SeatedTrial, choices: _Choices) -> tuple[Array, Array]:
-    deflection, force = trial.branch(choices.branch)
-    use = deflection >= choices.discard_below
+def _used(trial: SeatedTrial, branch: Branch, discard_below: float) -> tuple[Array, Array]:
+    deflection, force = trial.branch(branch)
+    use = deflection >= discard_below
     if np.count_nonzero(use) < 2:
         raise FitError(
-            "discarding leaves nothing to fit" if choices.discard_below > 0.0 else "the branch holds too few points",
+            "discarding leaves nothing to fit" if discard_below > 0.0 else "the branch holds too few points",
             where=trial.name,
-            found=f"{np.count_nonzero(use)} of {len(use)} points at or beyond {1e3 * choices.discard_below:g} mm; "
-            f"the {choices.branch} branch reaches {1e3 * float(deflection.max()):.4g} mm",
+            found=f"{np.count_nonzero(use)} of {len(use)} points at or beyond {1e3 * discard_below:g} mm; "
+            f"the {branch} branch reaches {1e3 * float(deflection.max()):.4g} mm",
             allowed="at least 2 points",
             hint="Discard less, or check the unit of the deflection.",
         )
     return deflection[use], force[use]
-
-
-def _row(trial: SeatedTrial, fit: CurveFit, at: float) -> TrialStiffness:
-    energy, loss = hysteresis(trial)
-    rms = float(np.sqrt(np.mean(fit.residual**2)))
-    return TrialStiffness(trial.name, _stiffness(fit, at), _intercept(fit), loss, energy, rms, len(fit.residual))
 
 
 def _stiffness(fit: CurveFit, at: float) -> Estimate:
@@ -477,25 +499,15 @@ def _tangent_gradient(fit: CurveFit, at: float) -> Array:
     return np.append(gradient, 0.0) if len(fit.parameters) > len(gradient) else gradient
 
 
-def _has_intercept(fit: CurveFit) -> bool:
-    return fit.curve.kind == "polynomial" and len(fit.parameters) > len(fit.curve.coefficients)
-
-
 def _intercept(fit: CurveFit) -> Estimate | None:
-    return fit.uncertainty.estimates(fit.parameters)[-1] if _has_intercept(fit) and fit.uncertainty else None
+    has_one = fit.curve.kind == "polynomial" and len(fit.parameters) > len(fit.curve.coefficients)
+    return fit.uncertainty.estimates(fit.parameters)[-1] if has_one and fit.uncertainty else None
 
 
 def _operating_point(
-    trials: list[SeatedTrial],
-    curve: FittedCurve,
-    force: float | None,
-    reach: float,
-    findings: list[Finding],
-    low: float,
+    trials: list[SeatedTrial], curve: FittedCurve, force: float, low: float, reach: float, findings: list[Finding]
 ) -> tuple[float | None, Estimate | None]:
     """Deflection at which the trials carry ``force``, and the slope measured there."""
-    if force is None:
-        return None, None
     deflections, slopes = [], []
     for trial in trials:
         x, f = trial.branch("loading")
@@ -511,16 +523,12 @@ def _operating_point(
     if at is None or not low <= at <= reach:
         place = "is never reached by the trials" if at is None else f"lies at {1e3 * at:.3g} mm"
         remark = f"; the slope measured there is {tangent.value:.4g} N/m" if tangent else ""
-        findings.append(
-            Finding(
-                "operating point",
-                "warning",
-                f"the static force of {force:.4g} N {place}, outside the fitted range of {1e3 * low:.3g} "
-                f"to {1e3 * reach:.3g} mm{remark}. The fit is an extrapolation there: fit a law that covers it, or "
-                "compare both stiffnesses in the model.",
-                at,
-            )
+        text = (
+            f"the static force of {force:.4g} N {place}, outside the fitted range of {1e3 * low:.3g} "
+            f"to {1e3 * reach:.3g} mm{remark}. The fit is an extrapolation there: fit a law that covers it, or "
+            "compare both stiffnesses in the model."
         )
+        findings.append(Finding("operating point", "warning", text, at))
     return at, tangent
 
 
@@ -533,106 +541,47 @@ def _slope_at(x: Array, force: Array, width: float) -> float | None:
     return float(np.polyfit(x[near] / width, force[near], degree)[-2] / width)
 
 
-def _advise(
-    pooled: CurveFit,
-    x: Array,
-    force: Array,
-    choices: _Choices,
-    rows: tuple[TrialStiffness, ...],
-    findings: list[Finding],
-) -> None:
+def _advice(
+    pooled: CurveFit, x: Array, force: Array, law: Law, preload: Estimate | None, rows: Sequence[TrialStiffness]
+) -> list[Finding]:
+    """Findings about the fit; ``preload`` is the intercept where it is kept."""
+    findings: list[Finding] = []
+
+    def add(place: str, severity: Severity, text: str, value: float | None = None) -> None:
+        findings.append(Finding(place, severity, text, value))
+
     if len(rows) == 1:
-        findings.append(
-            Finding(
-                "trials",
-                "warning",
-                "only one trial: the interval comes from its residuals, which repeat each "
-                "other's errors, and says nothing about repeatability. Measure at least three.",
-            )
+        text = (
+            "only one trial: the interval comes from its residuals, which are not independent, "
+            "and says nothing about repeatability. Measure at least three."
         )
+        add("trials", "warning", text)
     if all(row.loss_factor is None for row in rows):
-        findings.append(
-            Finding("trials", "note", "no trial has an unloading branch: no hysteresis energy, no loss factor.")
-        )
-    if any(row.points < 10 for row in rows):
-        few = min(rows, key=lambda row: row.points)
-        findings.append(Finding(few.name, "warning", f"only {few.points} points are left to fit.", float(few.points)))
-    if choices.law == "linear" and len(np.unique(x)) > 3:
-        _advise_curvature(x, force, findings)
-    intercept = _intercept(pooled)
-    if choices.intercept == "keep" and intercept is not None and intercept.value < 0.0:
-        findings.append(
-            Finding(
-                "intercept",
-                "warning",
-                f"the kept intercept is {intercept.value:.4g} N: a negative preload is free "
-                "travel, which 'shift' describes better.",
-                intercept.value,
-            )
-        )
-    if (
-        float(pooled.curve.tangent(np.linspace(x.min(), x.max(), 200)).min()) <= 0.0
-        and choices.law != "monotone-spline"
-    ):
-        findings.append(Finding("curve", "problem", "the fitted curve does not rise everywhere; lower the degree."))
-
-
-def _advise_curvature(x: Array, force: Array, findings: list[Finding]) -> None:
-    span = float(np.ptp(x))
-    u = (x - x.mean()) / span
-    found, _, spread = linear_least_squares(np.column_stack([u**2, u, np.ones_like(u)]), force)
-    bend = spread.estimates(found)[0]
-    share = 2.0 * bend.value / found[1]  # change of slope over the range / mean slope
-    if bend.interval and not bend.interval[0] <= 0.0 <= bend.interval[1] and abs(share) > 0.03:
-        findings.append(
-            Finding(
-                "linear law",
-                "warning",
+        add("trials", "note", "no trial has an unloading branch: no hysteresis energy, no loss factor.")
+    few = min(rows, key=lambda row: row.points)
+    if few.points < 10:
+        add(few.name, "warning", f"only {few.points} points are left to fit.", float(few.points))
+    if law == "linear" and len(np.unique(x)) > 3:
+        u = (x - x.mean()) / float(np.ptp(x))
+        found, _, spread = linear_least_squares(np.column_stack([u**2, u, np.ones_like(u)]), force)
+        bend = spread.estimates(found)[0]
+        share = 2.0 * bend.value / found[1]  # change of slope over the range / mean slope
+        if bend.interval and not bend.has(0.0) and abs(share) > 0.03:
+            text = (
                 f"the slope changes by {100 * share:.0f} % over the fitted range: the "
-                "law is not linear; try 'polynomial', 'power' or 'monotone-spline'.",
-                float(share),
+                "law is not linear; try 'polynomial', 'power' or 'monotone-spline'."
             )
+            add("linear law", "warning", text, float(share))
+    if preload is not None and preload.value < 0.0:
+        text = (
+            f"the kept intercept is {preload.value:.4g} N: a negative preload is free "
+            "travel, which 'shift' describes better."
         )
-
-
-def _result(
-    choices: _Choices,
-    pooled: CurveFit,
-    alone: list[CurveFit],
-    rows: tuple[TrialStiffness, ...],
-    x: Array,
-    force: Array,
-    at: float,
-    operating: float | None,
-    tangent: Estimate | None,
-    findings: list[Finding],
-) -> StiffnessResult:
-    values = [row.stiffness.value for row in rows]
-    several = len(rows) > 1
-    own = _stiffness(pooled, at)
-    losses = [(row.loss_factor, row.hysteresis_energy) for row in rows if row.loss_factor is not None]
-    intercept = _intercept(pooled)
-    if intercept is not None and several:
-        intercept = mean_of_replicates([float(fit.parameters[-1]) for fit in alone], value=intercept.value)
-    return StiffnessResult(
-        law=choices.law,
-        stiffness=mean_of_replicates(values, value=own.value) if several else own,
-        intercept=intercept,
-        intercept_choice=choices.intercept,
-        zero=choices.zero,
-        coefficients=_coefficients(pooled, alone),
-        curve=pooled.curve,
-        fitted_range=(float(x.min()), float(x.max())),
-        force_range=(float(force.min()), float(force.max())),
-        r2=r_squared(force, pooled.residual),
-        repeatability=float(np.std(values, ddof=1)) if several else None,
-        loss_factor=float(np.mean([loss for loss, _ in losses])) if losses else None,
-        hysteresis_energy=float(np.mean([energy for _, energy in losses])) if losses else None,
-        operating_deflection=operating,
-        tangent_stiffness=tangent,
-        trials=rows,
-        findings=tuple(findings),
-    )
+        add("intercept", "warning", text, preload.value)
+    slopes = pooled.curve.tangent(np.linspace(x.min(), x.max(), 200))
+    if law != "monotone-spline" and float(slopes.min()) <= 0.0:
+        add("curve", "problem", "the fitted curve does not rise everywhere; lower the degree.")
+    return findings
 
 
 def _coefficients(pooled: CurveFit, alone: list[CurveFit]) -> tuple[Estimate, ...]:

@@ -56,7 +56,7 @@ def identifiability(jacobian: Array, names: tuple[str, ...]) -> Identifiability:
     rank = int(np.sum(singular > _WEAK * singular[0])) if singular[0] > 0.0 else 0
     correlation = correlation_of(np.asarray(np.linalg.pinv(jacobian.T @ jacobian, hermitian=True), dtype=float))
     findings = [
-        Finding(name, "warning", "the data do not react to this parameter; fix it or measure something else", 0.0)
+        Finding(name, "warning", "the data are insensitive to this parameter; fix it or measure something else", 0.0)
         for name, norm in zip(names, norms, strict=True)
         if norm <= _WEAK * norms.max()
     ]
@@ -437,7 +437,7 @@ def _result(
             free.initial, float(value), error, interval, free.lower, free.upper, bool(at_bound[i])
         )
         if at_bound[i]:
-            text = "ends on its bound: the data ask for more than is allowed, or the model lacks something"
+            text = "ends on its bound: the data call for a value beyond it, or the model lacks something"
             findings.append(Finding(free.path, "warning", text, float(value)))
     lags = problem.lags(optimum.scaled)
     return UpdateResult(
@@ -478,7 +478,7 @@ def _several_minima(name: str, optima: list[Optimum]) -> list[Finding]:
     other = [o for o in optima[1:] if np.max(np.abs(o.scaled - best.scaled)) > 1e-3]
     if not other:
         return []
-    text = f"{len(other)} of {len(optima)} starts ended elsewhere, the next best at {other[0].objective:.4g}"
+    text = f"{len(other)} of {len(optima)} starts converged elsewhere, the next best at {other[0].objective:.4g}"
     return [Finding(name, "note", text, other[0].objective)]
 
 

@@ -1,4 +1,4 @@
-"""All ride metrics of one recording at once, each with its reason where it cannot be had."""
+"""All ride metrics of one recording at once, with the reason for each that is not available."""
 
 from __future__ import annotations
 
@@ -21,7 +21,6 @@ from jounce.ride.catalogue import (
     USUAL_WEIGHTING,
     Choices,
     Corner,
-    Metric,
     Motion,
     Pair,
     Point,
@@ -128,7 +127,7 @@ class RideMetrics:
     values : tuple of MetricValue
         In the order of the catalogue, SI.
     absent : tuple of AbsentMetric
-        What could not be had, and why.
+        What is not available, and why.
     comfort : dict of str to str
         Words of ISO 2631-1 for the vibration total value, by place.
     duration : float
@@ -177,7 +176,15 @@ class RideMetrics:
         )
 
     def __str__(self) -> str:
-        return metrics_text(self)
+        left_out = f" ({self.settling:g} s left out)" if self.settling else ""
+        lines = [f"Ride metrics of {self.duration:g} s at {self.sample_rate:g} Hz{left_out}"]
+        scope = {row.name: row.scope for row in CATALOGUE}
+        for kind in (("motion", "comfort"), ("rotation",), ("corner",)):
+            lines += _table([item for item in self.values if scope[item.metric] in kind])
+        for item in self.values:
+            if scope[item.metric] == "point":
+                lines.append(f"{item.metric} {item.place}: {item.value:.4g} {item.unit}, {self.comfort[item.place]}")
+        return "\n".join([*lines, *_absences(self.absent), *map(str, self.findings)])
 
 
 def ride_metrics(
@@ -217,7 +224,7 @@ def ride_metrics(
     lift_off_load : float or str
         Wheel load up to which a tyre counts as lifted, N; 0 suits simulations.
     metrics : sequence of str, optional
-        Names of the catalogue that are wanted; by default all. What is asked for by name and cannot be had is an error.
+        Names of the catalogue that are wanted; by default all. One that is named but not available is an error.
 
     Returns
     -------
@@ -245,22 +252,42 @@ def ride_metrics(
     (2.64, 0.027)
     """
     rate, first, left_out = _time(run, settling)
-    wanted = _wanted(metrics)
+    rows = {row.name: row for row in CATALOGUE}
+    for name in metrics or ():
+        if name not in rows:
+            raise unknown(name, rows, what="metric", where="metrics")
+    wanted = [row for row in CATALOGUE if metrics is None or row.name in metrics]
     names = [str(name) for name in run.data_vars]
-    corners = _corner_names(names)
+    prefixes = [name.removesuffix(part) for name in names for part in _PARTS if is_channel(name, part)]
+    corners = tuple(dict.fromkeys(prefix.removesuffix(".") for prefix in prefixes))  # "" for channels without a prefix
+    if start not in STARTS:
+        raise unknown(str(start), STARTS, what="start of the record", where="start")
     choices = Choices(
         settling=left_out,
         weighting=_weightings(weighting or {}, names),
-        start=_start(start),
+        start=start,
         travel=by_corner(travel, corners, "travel"),
         stop_gap=by_corner(stop_gap, corners, "stop_gap") if stop_gap is not None else gaps_of(rig, corners),
         exposure=to_si(exposure, "s", where="exposure"),
         lift_off_load=to_si(lift_off_load, "N", where="lift_off_load"),
     )
     views = _views(run, names, corners, rate, first, choices)
-    values, absent = _evaluated(wanted, views)
-    if metrics is not None:
-        _refuse_missing(wanted, values, absent)
+    values: list[MetricValue] = []
+    absent: list[AbsentMetric] = []
+    for row in wanted:
+        # accelerations are told apart by their axis; places and corners have every row of their scope
+        by_axis = row.scope not in ("point", "corner")
+        seen = [(at, view) for at, view in views[row.scope] if not by_axis or at.rpartition(".")[2] in row.needs]
+        if not seen:
+            absent.append(AbsentMetric(row.name, "", f"no channel {' or '.join(row.needs)}"))
+        for place, view in seen:
+            try:
+                values.append(MetricValue(row.name, place, float(row.formula(view)), row.unit, row.label))
+            except RecordingError as error:
+                absent.append(AbsentMetric(row.name, place, str(error).removeprefix(f"{place}: ").rstrip(".")))
+        if metrics is not None and not any(item.metric == row.name for item in values):
+            reason = next(item.reason for item in absent if item.metric == row.name)
+            raise RecordingError(f"the metric is not available: {reason}", where=row.name)
     totals = {item.place: item.value for item in values if item.metric == "vibration_total_value"}
     words = {place: comfort.comfort_words(value) for place, value in totals.items()}
     findings = tuple(_findings(views, values, {row.name for row in wanted}, rate, choices.exposure / 3600.0))
@@ -289,34 +316,12 @@ def _time(run: xr.Dataset, settling: float | str) -> tuple[float, int, float]:
     return rate, first, left_out
 
 
-def _wanted(metrics: Sequence[str] | None) -> tuple[Metric, ...]:
-    if metrics is None:
-        return CATALOGUE
-    rows = {row.name: row for row in CATALOGUE}
-    for name in metrics:
-        if name not in rows:
-            raise unknown(name, rows, what="metric", where="metrics")
-    return tuple(row for row in CATALOGUE if row.name in metrics)
-
-
-def _start(start: Start) -> Start:
-    if start not in STARTS:
-        raise unknown(str(start), STARTS, what="start of the record", where="start")
-    return start
-
-
 def _weightings(given: Mapping[str, str], names: Sequence[str]) -> Mapping[str, str]:
     for key, name in given.items():
         if key not in (*names, *USUAL_WEIGHTING):
             raise unknown(key, (*names, *USUAL_WEIGHTING), what="channel or axis", where="weighting")
         weighting(name)
     return given
-
-
-def _corner_names(names: Sequence[str]) -> tuple[str, ...]:
-    """Corners in the order of their channels; empty text for channels without a prefix."""
-    found = [name.removesuffix(part).removesuffix(".") for name in names for part in _PARTS if is_channel(name, part)]
-    return tuple(dict.fromkeys(found))
 
 
 Views = dict[Scope, list[tuple[str, Any]]]
@@ -353,34 +358,6 @@ def _views(
     return found
 
 
-def _evaluated(rows: Sequence[Metric], views: Views) -> tuple[list[MetricValue], list[AbsentMetric]]:
-    values: list[MetricValue] = []
-    absent: list[AbsentMetric] = []
-    for row in rows:
-        seen = [(place, view) for place, view in views[row.scope] if _concerns(row, place)]
-        if not seen:
-            absent.append(AbsentMetric(row.name, "", f"no channel {' or '.join(row.needs)}"))
-        for place, view in seen:
-            try:
-                values.append(MetricValue(row.name, place, float(row.formula(view)), row.unit, row.label))
-            except RecordingError as error:
-                absent.append(AbsentMetric(row.name, place, str(error).removeprefix(f"{place}: ").rstrip(".")))
-    return values, absent
-
-
-def _concerns(row: Metric, place: str) -> bool:
-    """Whether a row has a value at a place: accelerations by their axis, places and corners always."""
-    return row.scope in ("point", "corner") or place.rpartition(".")[2] in row.needs
-
-
-def _refuse_missing(rows: Sequence[Metric], values: Sequence[MetricValue], absent: Sequence[AbsentMetric]) -> None:
-    there = {item.metric for item in values}
-    for row in rows:
-        if row.name not in there:
-            reason = next(item.reason for item in absent if item.metric == row.name)
-            raise RecordingError(f"the metric cannot be had: {reason}", where=row.name)
-
-
 def _findings(
     views: Views, values: Sequence[MetricValue], wanted: set[str], rate: float, hours: float
 ) -> Iterator[Finding]:
@@ -390,22 +367,15 @@ def _findings(
         yield from _advice(place, motion)
     for item in values:
         if item.metric == "daily_exposure" and item.value > comfort.ACTION_VALUE:
-            yield _exposed(item, hours)
+            is_over = item.value > comfort.LIMIT_VALUE
+            name, limit = ("limit", comfort.LIMIT_VALUE) if is_over else ("action", comfort.ACTION_VALUE)
+            text = f"for {hours:g} h a day A(8) is {item.value:.3g} m/s^2, above the {name} value of "
+            yield Finding(item.place, "note", text + f"{limit:g} (2002/44/EC)", item.value)
     whole = [corner for corner, view in views["corner"] if view.has("strut.force")]
-    if (
-        "dissipated_power" in wanted
-        and whole
-        and not any(view.has("strut.damper_force") for _, view in views["corner"])
-    ):
-        text = "dissipated power is that of the whole strut force: what the damper takes over closed cycles only"
+    by_damper = any(view.has("strut.damper_force") for _, view in views["corner"])
+    if "dissipated_power" in wanted and whole and not by_damper:
+        text = "dissipated power is that of the whole strut force; it is the damper's over closed cycles only"
         yield Finding(", ".join(filter(None, whole)) or "strut", "note", text)
-
-
-def _exposed(item: MetricValue, hours: float) -> Finding:
-    is_over = item.value > comfort.LIMIT_VALUE
-    name, limit = ("limit", comfort.LIMIT_VALUE) if is_over else ("action", comfort.ACTION_VALUE)
-    text = f"for {hours:g} h a day A(8) is {item.value:.3g} m/s^2, above the {name} value of {limit:g} (2002/44/EC)"
-    return Finding(item.place, "note", text, item.value)
 
 
 def _about_signal(place: str, motion: Motion, rate: float) -> Iterator[Finding]:
@@ -431,23 +401,6 @@ def _advice(place: str, motion: Motion) -> tuple[Finding, ...]:
 
 
 # text -----------------------------------------------------------------------------------------------------------------
-
-
-_KINDS = (("motion", "comfort"), ("rotation",), ("corner",))
-
-
-def metrics_text(found: RideMetrics) -> str:
-    """Tables of all values (SI) by place, totals in words, what is absent, findings."""
-    left_out = f" ({found.settling:g} s left out)" if found.settling else ""
-    lines = [f"Ride metrics of {found.duration:g} s at {found.sample_rate:g} Hz{left_out}"]
-    scope = {row.name: row.scope for row in CATALOGUE}
-    for kind in _KINDS:
-        lines += _table([item for item in found.values if scope[item.metric] in kind])
-    for item in found.values:
-        if scope[item.metric] == "point":
-            lines.append(f"{item.metric} {item.place}: {item.value:.4g} {item.unit}, {found.comfort[item.place]}")
-    lines += _absences(found.absent)
-    return "\n".join([*lines, *map(str, found.findings)])
 
 
 def _table(values: Sequence[MetricValue]) -> list[str]:

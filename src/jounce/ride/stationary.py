@@ -5,18 +5,19 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 
-from jounce.core.errors import unknown
+from jounce.core.errors import DescriptionError, unknown
 from jounce.core.findings import Finding
-from jounce.core.serialise import to_plain
+from jounce.core.serialise import Plain
 from jounce.parts import Rig
 from jounce.recordings.schema import channels_of, is_channel
-from jounce.ride.covariance import KICKED, WANDERS, Analysis, Gain, Moments, Signal
+from jounce.ride.covariance import KICKED, WANDERS, Analysis, Gain, Signal
 from jounce.ride.family import LinearFamily
 from jounce.ride.surface import Density, Sides, Surface, surface
+from jounce.ride.weighting import weighting_response
 
 _ABSENT = {
     WANDERS: f'{WANDERS}; give band="iso" or a cut_off',
@@ -27,7 +28,7 @@ _TINY = 1e-12
 
 
 @dataclass(frozen=True)
-class StationaryResponse:
+class StationaryResponse(Plain):
     """Standard deviations of a rig's channels on a random road, from its linear model about rest, SI.
 
     Attributes
@@ -52,6 +53,8 @@ class StationaryResponse:
     findings : tuple of Finding
         Where the linear model says more than the rig could do.
     """
+
+    also = ("load_coefficients",)
 
     standard_deviation: dict[str, float]
     weighted: dict[str, float]
@@ -103,12 +106,6 @@ class StationaryResponse:
             for name, value in self.standard_deviation.items()
             if is_channel(name, "tyre.force") and self.static[name] > 0.0
         }
-
-    def to_dict(self) -> dict[str, Any]:
-        """Give plain values, SI."""
-        plain: dict[str, Any] = to_plain(self)
-        plain["surface"].pop("density")
-        return {**plain, "load_coefficients": to_plain(self.load_coefficients)}
 
 
 def stationary(
@@ -186,44 +183,29 @@ def stationary(
     names = [output.name for output in outputs]
     gains = _gains(weighting or {}, names)
     if gains and chosen.band is None:
-        raise unknown_band()
-    signals = [Signal(i) for i in range(len(names))] + [Signal(names.index(name), gain) for name, gain in gains.items()]
-    found = Analysis(family, chosen, tuple(signals)).at()
-    units = {output.name: output.unit for output in outputs}
-    return _response(found, family, chosen, names, list(gains), units)
-
-
-def unknown_band() -> Exception:
-    """Build the error for a weighting on white noise."""
-    from jounce.core.errors import DescriptionError
-
-    return DescriptionError(
-        "this needs a band of frequencies", where="weighting", hint='Give band="iso" (0.011 to 2.83 1/m).'
-    )
-
-
-def _response(
-    found: Moments, family: LinearFamily, chosen: Surface, names: list[str], weighted: list[str], units: dict[str, str]
-) -> StationaryResponse:
+        raise DescriptionError(
+            "this needs a band of frequencies", where="weighting", hint='Give band="iso" (0.011 to 2.83 1/m).'
+        )
     count = len(names)
+    signals = [Signal(i) for i in range(count)] + [Signal(names.index(name), gain) for name, gain in gains.items()]
+    found = Analysis(family, chosen, tuple(signals)).at()
     sigma = np.sqrt(np.maximum(found.variances, 0.0))
-    size = np.where(sigma > 0.0, 2.0 * sigma, np.inf)
-    slopes = found.variance_slopes / size
+    slopes = found.variance_slopes / np.where(sigma > 0.0, 2.0 * sigma, np.inf)
     there = [i for i in range(count) if i not in found.absent]
     static = dict(zip(names, map(float, found.rest[:count]), strict=True))
     values = {names[i]: float(sigma[i]) for i in there}
     return StationaryResponse(
         values,
-        {name: float(sigma[count + i]) for i, name in enumerate(weighted)},
+        {name: float(sigma[count + i]) for i, name in enumerate(gains)},
         static,
         {names[i]: _ABSENT[reason] for i, reason in sorted(found.absent.items())},
-        units,
+        {output.name: output.unit for output in outputs},
         {
             path: {names[i]: float(slopes[k, i]) for i in there if np.isfinite(slopes[k, i])}
             for k, path in enumerate(family.paths)
         },
         {
-            path: {name: float(slopes[k, count + i]) for i, name in enumerate(weighted)}
+            path: {name: float(slopes[k, count + i]) for i, name in enumerate(gains)}
             for k, path in enumerate(family.paths)
         },
         chosen,
@@ -235,8 +217,6 @@ def weighting_gain(weighting: str | Gain) -> Gain:
     """Give the magnitude of a weighting as a function of frequency (Hz)."""
     if callable(weighting):
         return weighting
-    from jounce.ride.weighting import weighting_response
-
     return lambda frequency: np.abs(weighting_response(weighting, frequency))
 
 
@@ -259,7 +239,7 @@ def linear_findings(rig: Rig, sigma: Mapping[str, float], static: Mapping[str, f
             share = 0.5 * math.erfc(times / math.sqrt(2.0))
             text = (
                 f"the wheel would lose contact for {100 * share:.2g} % of the time (its static load is {times:.2g} "
-                "standard deviations of the dynamic load), which the linear model does not know."
+                "standard deviations of the dynamic load), which the linear model does not capture."
             )
             found.append(Finding(name, "warning", text, share))
     numbers = rig.parameters()
@@ -274,7 +254,7 @@ def linear_findings(rig: Rig, sigma: Mapping[str, float], static: Mapping[str, f
         )
         found.append(Finding(path, "warning", text, numbers[path]))
     for path in (path for path in numbers if path.endswith("bump_coefficient")):
-        found.append(Finding(path, "note", "bump and rebound count with the mean of both coefficients.", numbers[path]))
+        found.append(Finding(path, "note", "the mean of bump and rebound coefficients is used.", numbers[path]))
     return found
 
 
@@ -293,5 +273,5 @@ def _stop_findings(
                 room = (numbers[prefix] - sign * static[name]) / value
                 if room < _LIFTS:
                     text = f"the {stop.replace('_', ' ')} is {room:.2g} standard deviations away from rest; the linear "
-                    found.append(Finding(name, "warning", text + "model does not reach it.", room))
+                    found.append(Finding(name, "warning", text + "model ignores it.", room))
     return found

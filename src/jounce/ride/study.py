@@ -11,7 +11,7 @@ import numpy as np
 
 from jounce.control import CONTROLS, Controller, as_controller
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
-from jounce.core.serialise import to_plain
+from jounce.core.serialise import Plain, plain_table
 from jounce.core.units import positive_si
 from jounce.parts import FullCar, FullCar3D, Rig, Vehicle
 from jounce.recordings.schema import channels_of
@@ -230,7 +230,7 @@ MERITS: tuple[Merit, ...] = (
 
 
 @dataclass(frozen=True)
-class Ride:
+class Ride(Plain):
     """One run of the study.
 
     Attributes
@@ -276,19 +276,20 @@ class Ride:
         found: dict[str, dict[str, float]] = {}
         for item in self.metrics.values:
             found.setdefault(item.metric, {})[item.place] = item.value
-        return {
+        table = {
             "control": self.control,
             "status": str(self.run.attrs["status"]),
             "merits": self.merits,
             "metrics": found,
             "comfort": self.metrics.comfort,
-            "absent": to_plain(self.metrics.absent),
-            "findings": to_plain(self.metrics.findings),
+            "absent": self.metrics.absent,
+            "findings": self.metrics.findings,
         }
+        return plain_table(table)
 
 
 @dataclass(frozen=True)
-class RideStudy:
+class RideStudy(Plain):
     """Rides of one rig over one trial.
 
     Attributes
@@ -318,16 +319,14 @@ class RideStudy:
 
     def to_dict(self) -> dict[str, Any]:
         """Give plain values, SI."""
-        plain = {
+        table = {
             "speed": self.trial.trial.speed,
             "duration": self.trial.trial.duration,
             "settling": self.trial.settling,
-            "runs": [ride.to_dict() for ride in self.rides],
+            "runs": self.rides,
             "failed": self.failed,
         }
-        if self.stationary is not None:
-            plain["stationary"] = self.stationary.to_dict()
-        return plain
+        return plain_table(table if self.stationary is None else {**table, "stationary": self.stationary})
 
 
 def drive(rig: Rig, trial: RideTrial, control: AnyControl | None = None) -> Ride:

@@ -10,6 +10,7 @@ from typing import Literal
 import numpy as np
 
 from jounce.core.errors import DescriptionError, unknown
+from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.roads.rough import BAND, REFERENCE, as_roughness, track_coherence
@@ -21,7 +22,7 @@ _TWO = 2.0
 
 
 @dataclass(frozen=True)
-class Surface:
+class Surface(Plain):
     """A random road at a speed.
 
     Attributes
@@ -43,6 +44,8 @@ class Surface:
     contact_length : float
         Of the tyre, m: shorter waves are averaged out.
     """
+
+    left_out = ("density",)
 
     roughness: float | None
     density: Density | None

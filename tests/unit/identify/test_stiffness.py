@@ -146,7 +146,7 @@ def test_a_start_under_load_keeps_the_recorded_zero():
 def test_turned_signs_are_found_and_reported(turn_x, turn_f):
     result = fit_stiffness([ForceDeflectionTrial(turn_x * STROKE, turn_f * 2e4 * STROKE)])
     assert result.stiffness.value == pytest.approx(2e4)
-    assert "sign was turned" in messages(result)
+    assert "sign was reversed" in messages(result)
 
 
 def test_hysteresis_of_a_known_loop():

@@ -179,7 +179,7 @@ def test_a_short_record_gives_what_it_can() -> None:
     assert found.value("rms_acceleration") == pytest.approx(np.sqrt(0.5), rel=1e-6)
     reason = next(item.reason for item in found.absent if item.metric == "weighted_rms")
     assert reason.startswith("the measurement is too short for Wk; found '2 s'; allowed: 2.5 s or more")
-    with pytest.raises(jn.RecordingError, match=r"weighted_rms: the metric cannot be had: .* too short for Wk"):
+    with pytest.raises(jn.RecordingError, match=r"weighted_rms: the metric is not available: .* too short for Wk"):
         ride_metrics(run, metrics=["weighted_rms"])
 
 
