@@ -163,13 +163,13 @@ def _moving_part(displacement: Array, name: str, findings: list[Finding]) -> tup
 
 
 def _cycles(displacement: Array) -> float:
-    """Number of cycles: half the crossings of the middle, or the way over twice the stroke where that is more."""
+    """Number of cycles: half the crossings of the middle, or the path over twice the stroke where that is more."""
     stroke = float(np.ptp(displacement))
     side = displacement - 0.5 * float(displacement.max() + displacement.min())
     clear = np.sign(side[np.abs(side) > 0.1 * stroke])
     turns = displacement[[*zigzag(displacement, 0.05 * stroke), len(displacement) - 1]]
-    way = float(np.abs(np.diff(turns)).sum())
-    return max(0.5 * float(np.count_nonzero(np.diff(clear))), way / (2.0 * stroke))
+    path = float(np.abs(np.diff(turns)).sum())
+    return max(0.5 * float(np.count_nonzero(np.diff(clear))), path / (2.0 * stroke))
 
 
 # laws -----------------------------------------------------------------------------------------------------------------

@@ -426,7 +426,7 @@ def search_decay(
 
     Gives the best parameters, their uncertainty, and measured minus fitted: NaN where the record was left out.
     """
-    early = t <= _early_end(peaks)  # far from sticking the misfit has one minimum; each way of sticking has its own
+    early = t <= _early_end(peaks)  # far from sticking the misfit has one minimum; each place of sticking has its own
     starts = [_fit(t[early], signal[early], _starts(peaks, quantity), quantity)[0]]
     starts += [_along_the_valley(starts[0], share) for share in (-0.15, -0.05, 0.05, 0.15)]
     values, spread, residual = _fit(t, signal, starts, quantity)

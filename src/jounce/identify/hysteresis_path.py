@@ -17,18 +17,18 @@ def _rate(u: float, sigma: float, exponent: float) -> float:
 
 
 @kept()
-def _advance(u: float, way: float, sigma: float, exponent: float) -> float:
-    while way > 0.0:
+def _advance(u: float, distance: float, sigma: float, exponent: float) -> float:
+    while distance > 0.0:
         if u >= 1.0 - 1e-13:
             return 1.0
         first = _rate(u, sigma, exponent)
         step = 0.2 / exponent if u >= 0.0 else (0.005 - 0.1 * u) / first
-        step = min(step, way)
+        step = min(step, distance)
         second = _rate(u + 0.5 * step * first, sigma, exponent)
         third = _rate(u + 0.5 * step * second, sigma, exponent)
         fourth = _rate(u + step * third, sigma, exponent)
         u = min(1.0, u + step / 6.0 * (first + 2.0 * second + 2.0 * third + fourth))
-        way -= step
+        distance -= step
     return u
 
 

@@ -2,7 +2,7 @@
 
 Cells (i, j) of the cost table are computed along anti-diagonals ``s = i + j``, where they do not depend on each other.
 With ``k = i - j``, cells of an even ``s`` live at ``k = 2 m`` in one array and cells of an odd ``s`` at ``k = 2 m + 1``
-in another; both are overwritten in place. Every ``_BLOCK`` anti-diagonals they are stored, and the way back is found
+in another; both are overwritten in place. Every ``_BLOCK`` anti-diagonals they are stored, and the path back is found
 block by block from these stores, near the path only: memory is a few megabytes where the table would be gigabytes.
 """
 

@@ -17,7 +17,7 @@ from jounce.core.description import Description
 from jounce.core.types import Array
 from jounce.core.units import Force, Unit
 from jounce.kinematics.model import check_corner
-from jounce.kinematics.sweeps import PreparedSweep, Values, no_pose, prepare_sweep, told
+from jounce.kinematics.sweeps import PreparedSweep, Values, ends_text, no_pose, prepare_sweep
 from jounce.mechanics.rotations import normals, unit
 from jounce.parts import Corner, Rig
 
@@ -339,7 +339,7 @@ def _dataset(sweep: PreparedSweep, joints: Joints, travel: Array, unknowns: Arra
     facts = {
         "model": str(getattr(joints.rig, "model", "")),
         "status": "end_of_travel" if ends else "completed",
-        "stopped": told(ends),
+        "stopped": ends_text(ends),
     }
     return xr.Dataset(variables, at, facts)
 

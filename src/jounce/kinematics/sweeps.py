@@ -187,8 +187,8 @@ def shares(vehicle: AxleLayout, contact: Array, centre: Array) -> dict[str, Arra
 # ends of travel -------------------------------------------------------------------------------------------------------
 
 
-_TOLD = 4  # ends that are told one by one
-_JUST_BEFORE = 0.999  # share of the last way: where the joints are asked
+_MOST_ENDS = 4  # ends of travel that are listed one by one
+_JUST_BEFORE = 0.999  # share of the last step: where the forces of the joints are compared
 _HOLDS = 0.25  # share of the largest constraint force from which a joint is named
 
 
@@ -214,10 +214,10 @@ class End:
         return f"the mechanism reaches the end of its travel {at}, on the way to {wanted}{held}"
 
 
-def told(ends: Sequence[End]) -> str:
+def ends_text(ends: Sequence[End]) -> str:
     """Say where a sweep had to stop; of many ends the first."""
-    more = f"; and {len(ends) - _TOLD} more ends of travel" if len(ends) > _TOLD else ""
-    return "; ".join(map(str, ends[:_TOLD])) + more
+    more = f"; and {len(ends) - _MOST_ENDS} more ends of travel" if len(ends) > _MOST_ENDS else ""
+    return "; ".join(map(str, ends[:_MOST_ENDS])) + more
 
 
 def no_pose(ends: Sequence[End]) -> SimulationError:
@@ -233,7 +233,7 @@ def ends_of_travel(model: KinematicModel, walk: Walk, layout: Grid, found: Found
         j = int(layout.before[i])
         start = layout.targets[j] if j >= 0 else np.zeros(2)
         last = start + found.share[i] * (layout.targets[i] - start)
-        first = len(ends) < _TOLD
+        first = len(ends) < _MOST_ENDS
         joints = _holding(model, walk, found, int(i), start + _JUST_BEFORE * (last - start)) if first else ()
         wanted = layout.targets[i]
         ends.append(End(float(last[0]), float(last[1]), float(wanted[0]), float(wanted[1]), joints))
@@ -513,7 +513,7 @@ def facts_of(rig: Corner, side: str, swept: Array, ends: Sequence[End]) -> dict[
         "side": side,
         "status": "end_of_travel" if ends else "completed",
         "reached": [float(np.nanmin(swept)), float(np.nanmax(swept))],
-        "stopped": told(ends),
+        "stopped": ends_text(ends),
     }
 
 

@@ -12,8 +12,6 @@ from jounce.core.constants import GRAVITY
 from jounce.core.errors import DescriptionError
 from jounce.core.units import positive_si
 
-"""m/s^2, as in descriptions that say nothing else."""
-
 
 @dataclass(frozen=True)
 class LumpedCorner:
@@ -362,7 +360,7 @@ def as_built(
     motion_ratio: float = 1.0,
     gravity: float = GRAVITY,
 ) -> SpringAndDamper:
-    """Frequency and damping ratio of a spring and damper that exist, the way back of :func:`spring_and_damper`.
+    """Frequency and damping ratio of a given spring and damper, the inverse of :func:`spring_and_damper`.
 
     Masses in kg, rates in N/m and coefficients in N*s/m at the strut; a rigid tyre is None.
 
