@@ -20,8 +20,8 @@ import jounce
 from jounce.campaign.description import Campaign
 from jounce.control import CONTROLS
 from jounce.core.kinds import FILE_REF
-from jounce.inspection.limits import METHODS, Limits
-from jounce.inspection.quantities import QUANTITIES
+from jounce.inspection.limits import Limits
+from jounce.inspection.methods import METHODS, QUANTITIES
 from jounce.inspection.record import NUMBERS, SIDES, TEXTS
 from jounce.kinematics.catalogue import CATALOGUE as KINEMATIC_QUANTITIES
 from jounce.kinematics.catalogue import Quantity

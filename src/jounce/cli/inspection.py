@@ -318,8 +318,8 @@ class _Wanted:
         *,
         force: bool,
     ) -> None:
-        from jounce.inspection.evaluation import METHODS
         from jounce.inspection.limits import load_limits
+        from jounce.inspection.methods import METHODS
         from jounce.inspection.quantities import LANGUAGES
         from jounce.parts.testers import load_tester
 
@@ -478,14 +478,14 @@ def draw_axle(console: Console, graded: GradedInspection) -> None:
 
 def _rows(graded: GradedInspection) -> list[list[object]]:
     """Values with their uncertainties, grades and verdicts; one column for each wheel."""
-    from jounce.inspection.quantities import QUANTITIES
+    from jounce.inspection.methods import QUANTITIES
 
     wheels = graded.wheels
     rows: list[list[object]] = [
         ["static load", *("–" if one.static_load is None else f"{one.static_load:.0f} N" for one in wheels)]
     ]
     for name, shown in QUANTITIES.items():
-        if any(getattr(wheel, name) is not None for wheel in wheels):
+        if any(wheel.value(name) is not None for wheel in wheels):
             rows.append([shown.words(), *(_cell(wheel, shown) for wheel in wheels)])
     methods = dict.fromkeys(method for wheel in wheels for method in wheel.grade)
     rows += [[f"grade {method}", *(wheel.grade.get(method, "–") for wheel in wheels)] for method in methods]
@@ -493,7 +493,7 @@ def _rows(graded: GradedInspection) -> list[list[object]]:
 
 
 def _cell(wheel: WheelResult, quantity: Quantity) -> str:
-    text, half = quantity.text(getattr(wheel, quantity.name)), wheel.uncertainty.get(quantity.name)
+    text, half = quantity.text(wheel.value(quantity.name)), wheel.uncertainty.get(quantity.name)
     return text if half is None or text == "–" else f"{text} ± {quantity.rounded_up(half)}"
 
 
@@ -534,8 +534,8 @@ def import_(
     """
     from jounce.inspection.archive.lane import import_record
     from jounce.inspection.archive.store import Store
-    from jounce.inspection.evaluation import METHODS
     from jounce.inspection.limits import load_limits
+    from jounce.inspection.methods import METHODS
 
     for file in files:
         existing_file(file, RecordingError)

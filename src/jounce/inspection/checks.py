@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from jounce.core.findings import Finding
 from jounce.core.types import Array
-from jounce.inspection.findings import remark
+from jounce.inspection.findings import problem, remark, warning
 from jounce.inspection.signals import WheelSignals
 
 if TYPE_CHECKING:
@@ -27,16 +27,6 @@ _CLIPPED_SHARE = 0.01
 _DROPOUT = 8e-3  # s
 _SLOWEST_SAMPLING = 200.0  # Hz
 _SHORTEST = 2.0  # s
-
-
-def problem(place: str, code: str, value: float | None = None, /, **words: Any) -> Finding:
-    """Make the finding of what makes a record unfit; ``code`` and ``words`` as in `remarks`."""
-    return remark(place, "problem", code, value, **words)
-
-
-def warning(place: str, code: str, value: float | None = None, /, **words: Any) -> Finding:
-    """Make the finding of what weakens a value; ``code`` and ``words`` as in `remarks`."""
-    return remark(place, "warning", code, value, **words)
 
 
 def check_finite(channels: Mapping[str, Array], time: Array) -> list[Finding]:

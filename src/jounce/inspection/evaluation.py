@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,22 +13,10 @@ from jounce.core.errors import RecordingError, unknown
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.inspection import checks
-from jounce.inspection.findings import of_reader, remark
-from jounce.inspection.methods import (
-    LOWEST_RESONANCE,
-    find_adhesion,
-    find_boge,
-    find_phase_minimum,
-    find_rigidity,
-    half_power,
-    rigidity_findings,
-    stroke_by_turn,
-    theta_by_amplification,
-    theta_by_decay,
-    theta_by_fit,
-)
+from jounce.inspection.findings import of_reader, problem, warning
+from jounce.inspection.methods import METHODS, WheelTest, find_boge, methods_on, stroke_by_turn
 from jounce.inspection.record import FORCE, HEIGHT, SIDES, TACHO, read_facts, wheels_of
-from jounce.inspection.result import Inspection, WheelCurves, WheelResult
+from jounce.inspection.result import FIELDS, Inspection, WheelCurves, WheelResult
 from jounce.inspection.signals import (
     WheelSignals,
     mean_shaking,
@@ -38,15 +26,13 @@ from jounce.inspection.signals import (
     uniform_time,
 )
 from jounce.inspection.sweep import Sweep, find_sweep
-from jounce.inspection.turn_forces import analyse, fit_test, stretches_between
+from jounce.inspection.turn_forces import analyse, find_lift_off, fit_test, stretches_between
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from jounce.parts.testers import Tester
 
-METHODS = ("eusama", "egea", "theta", "boge")
-_RIGID, _SPRUNG = ("eusama", "egea", "theta"), ("theta", "boge")
 _MARGIN = 0.5
 _SLOWEST = 0.3
 _AS_MUCH = 0.5
@@ -118,7 +104,7 @@ def evaluate(
     try:
         dataset, clock = uniform_time(record)
     except RecordingError as error:
-        dataset, clock = record, [checks.problem("time", "clock", text=str(error))]
+        dataset, clock = record, [problem("time", "clock", text=str(error))]
     named = checks.check_tester(str(facts.get("tester", "")), tester)
     general = [*said, *map(of_reader, clock), *named]
     unfit = [finding for finding in (*clock, *gaps, *named) if finding.severity == "problem"]
@@ -155,7 +141,7 @@ def _without_force(record: xr.Dataset, facts: Mapping[str, Any]) -> list[WheelRe
     for side in (order,) if order in SIDES else SIDES:
         force, height = f"{side}.{FORCE}", f"{side}.{HEIGHT}"
         if force not in record and height in record and _shaking(record, str(side)) > _STANDING:
-            lost.append(_unfit(str(side), [checks.problem(force, "force_missing", found=height, force=force)]))
+            lost.append(_unfit(str(side), [problem(force, "force_missing", found=height, force=force)]))
     return lost
 
 
@@ -188,7 +174,7 @@ def require_gradable(inspection: Inspection, where: str = "record") -> None:
 
 def _task(tester: Tester | None, vehicle: Any, methods: Iterable[str] | None, axle: str) -> _Task:
     rigid = tester is None or tester.kind == "rigid-plate"
-    possible = _RIGID if rigid else _SPRUNG
+    possible = methods_on("rigid-plate" if tester is None else tester.kind)
     chosen = tuple(methods) if methods is not None else possible
     for method in chosen:
         if method not in possible:
@@ -274,9 +260,9 @@ def _evaluate_wheel(
     findings = [*checks.check_columns(signals, raw, tester), *checks.check_sampling(signals, tester)]
     if signals.height is None and signals.tacho is None:
         names = {"height": f"{wheel}.{HEIGHT}", "tacho": f"{wheel}.{TACHO}"}
-        findings.append(checks.problem(f"{wheel}.{FORCE}", "no_frequency", **names))
+        findings.append(problem(f"{wheel}.{FORCE}", "no_frequency", **names))
     elif (span is None or measured is None) and not _is_unfit(findings):
-        findings.append(checks.problem(f"{wheel}.plate.z", "plate_never_moves"))
+        findings.append(problem(f"{wheel}.plate.z", "plate_never_moves"))
     if _is_unfit(findings) or span is None or measured is None:
         return _unfit(wheel, findings, signals.static_load)
     findings += pair if pair else checks.check_load(signals, measured, tester)
@@ -303,15 +289,15 @@ def _is_unfit(findings: list[Finding]) -> bool:
 def _vehicle_findings(load: float, expected: float | None, wheel: str) -> list[Finding]:
     if expected is None or abs(load / expected - 1.0) < 0.15:
         return []
-    return [checks.warning(f"{wheel}.static_load", "other_vehicle", load / expected, load=load, expected=expected)]
+    return [warning(f"{wheel}.static_load", "other_vehicle", load / expected, load=load, expected=expected)]
 
 
 def _on_rigid_plate(
     signals: WheelSignals, sweep: Sweep, load: float, findings: list[Finding], task: _Task
 ) -> WheelResult:
-    wheel, tester, methods = signals.wheel, task.tester, task.methods
-    if signals.height is not None:
-        strokes = stroke_by_turn(signals.height, signals.time, sweep.turns)
+    wheel = signals.wheel
+    strokes = stroke_by_turn(signals.height, signals.time, sweep.turns)
+    if strokes is not None:
         findings += checks.check_rigid(strokes, sweep.turns.frequency, f"{wheel}.{HEIGHT}")
     analysis, about = analyse(signals, sweep, load)
     findings += about
@@ -319,86 +305,30 @@ def _on_rigid_plate(
     findings += checks.check_wandering(steady, analysis.frequency, load, wheel)
     if _is_unfit(findings):
         return _unfit(wheel, findings, load)
-    values: dict[str, Any] = {"lift_off": bool(analysis.lifted.any())}
-    halves: dict[str, float | None] = {}
-    adhesion = find_adhesion(analysis, sweep.highest)
-    if adhesion is None:
-        findings.append(checks.problem(f"{wheel}.{FORCE}", "no_turn"))
+    test = WheelTest(signals, sweep, load, task.tester, analysis.fit, analysis)
+    if test.adhesion is None:
+        findings.append(problem(f"{wheel}.{FORCE}", "no_turn"))
         return _unfit(wheel, findings, load)
-    values |= {"lift_off": adhesion.lift_off, "resonance_frequency_hz": adhesion.frequency_hz}
-    if "eusama" in methods or "egea" in methods:
-        values |= {
-            "adhesion": adhesion.adhesion,
-            "adhesion_frequency_hz": adhesion.frequency_hz,
-            "relative_force_amplitude": adhesion.relative_force_amplitude,
-        }
-        halves |= {"adhesion": adhesion.half_width, "relative_force_amplitude": adhesion.half_width}
-    if adhesion.lift_off:
-        findings.append(checks.warning(f"{wheel}.{FORCE}", "lift_off", 0.0))
-    angles = np.full(analysis.top.size, np.nan)
-    if "egea" in methods:
-        angles = _egea(signals, sweep, analysis, load, findings, values, halves, tester)
-    if "theta" in methods and analysis.fit is not None:
-        theta = theta_by_fit(analysis.fit, tester)
-        values |= {"theta_rig": theta.rig, "theta_road": theta.road, "theta_methods": {"fit": theta.rig}}
-        halves |= {"theta_rig": theta.rig_half_width, "theta_road": theta.road_half_width}
-        findings += _overdamped(theta.road, wheel)
-    amplitudes = np.full(analysis.top.size, analysis.amplitude)
+    if test.adhesion.lift_off:
+        findings.append(warning(f"{wheel}.{FORCE}", "lift_off", 0.0))
+    known = {"lift_off": test.adhesion.lift_off, "resonance_frequency_hz": test.adhesion.frequency_hz}
     curves = WheelCurves(
-        analysis.top, analysis.frequency, analysis.measured[:, 0], analysis.measured[:, 2], angles, amplitudes
+        analysis.top,
+        analysis.frequency,
+        analysis.measured[:, 0],
+        analysis.measured[:, 2],
+        np.full(analysis.top.size, np.nan),
+        np.full(analysis.top.size, analysis.amplitude),
     )
-    return _result(signals, load, values, halves, findings, analysis.fit, curves)
-
-
-def _egea(
-    signals: WheelSignals,
-    sweep: Sweep,
-    analysis: Any,
-    load: float,
-    findings: list[Finding],
-    values: dict[str, Any],
-    halves: dict[str, float | None],
-    tester: Tester | None,
-) -> Array:
-    """Phase angle and rigidity into ``values``; gives the angles (degrees) of the turns."""
-    wheel = signals.wheel
-    band = (tester.limits.frequency_min, tester.limits.frequency_max) if tester is not None else (6.0, 18.0)
-    tyre, about = find_rigidity(signals, sweep, load)
-    findings += about
-    if tyre is not None:
-        values["tyre_rigidity"], halves["tyre_rigidity"] = tyre.rigidity, tyre.half_width
-        low, high = (
-            (160e3, 400e3) if tester is None else (tester.limits.tyre_rigidity_min, tester.limits.tyre_rigidity_max)
-        )
-        findings += rigidity_findings(tyre.rigidity, wheel, low, high)
-    if signals.height is None:
-        findings.append(checks.warning(f"{wheel}.plate.z", "no_height_no_phase"))
-        return np.full(analysis.top.size, np.nan)
-    minimum, angles = find_phase_minimum(analysis, band)
-    if minimum is None:
-        findings.append(checks.warning(f"{wheel}.phase", "phase_not_covered", low=band[0], high=band[1]))
-        return angles
-    values |= {"phase_angle_min_deg": minimum.angle_deg, "phase_frequency_hz": minimum.frequency_hz}
-    halves["phase_angle_min_deg"] = minimum.half_width_deg
-    if minimum.in_lift_off:
-        findings.append(checks.warning(f"{wheel}.phase", "phase_in_lift_off"))
-    if minimum.angle_deg < 0.0:
-        findings.append(checks.warning(f"{wheel}.phase", "phase_below_zero", minimum.angle_deg))
-    if minimum.at_end:
-        at = minimum.frequency_hz
-        findings.append(checks.warning(f"{wheel}.phase", "phase_at_end", at, frequency=at))
-    return angles
+    return _by_methods(test, known, findings, curves, task.methods)
 
 
 def _on_sprung_plate(
     signals: WheelSignals, sweep: Sweep, load: float, findings: list[Finding], task: _Task
 ) -> WheelResult:
-    from jounce.inspection.turn_forces import find_lift_off
-
-    wheel, tester = signals.wheel, task.tester
-    height = signals.height
+    wheel, tester, height = signals.wheel, task.tester, signals.height
     if height is None or tester is None:
-        findings.append(checks.problem(f"{wheel}.plate.z", "height_missing"))
+        findings.append(problem(f"{wheel}.plate.z", "height_missing"))
         return _unfit(wheel, findings, load)
     rate = signals.sample_rate
     lifted = find_lift_off(signals.force, load, rate)
@@ -408,71 +338,37 @@ def _on_sprung_plate(
     findings += about
     if _is_unfit(findings):
         return _unfit(wheel, findings, load)
-    strokes = stroke_by_turn(height, signals.time, sweep.turns)
-    values: dict[str, Any] = {"lift_off": bool(lifted.any())}
-    halves: dict[str, float | None] = {}
-    boge = find_boge(signals, sweep.turns)
-    if boge is not None:
-        values["resonance_frequency_hz"] = boge.frequency_hz
-        if "boge" in task.methods:
-            values["boge_amplitude"], halves["boge_amplitude"] = boge.amplitude, boge.half_width
+    test = WheelTest(signals, sweep, load, tester, fit)
+    known: dict[str, Any] = {"lift_off": bool(lifted.any())}
+    movement = find_boge(test)
+    if movement is not None:
+        known["resonance_frequency_hz"] = movement.frequency_hz
     if lifted.any():
-        findings.append(checks.warning(f"{wheel}.{FORCE}", "lift_off_left_out"))
-    if "theta" in task.methods:
-        if fit is not None:
-            theta = theta_by_fit(fit, tester)
-            values |= {"theta_rig": theta.rig, "theta_road": theta.road}
-            halves |= {"theta_rig": theta.rig_half_width, "theta_road": theta.road_half_width}
-            findings += _overdamped(theta.road, wheel)
-        values["theta_methods"] = _theta_methods(signals, sweep, strokes, fit, values.get("theta_rig"), tester)
-        _theta_findings(tester, wheel, findings)
-    empty = np.full(sweep.turns.top.size, np.nan)
-    curves = WheelCurves(sweep.turns.top, sweep.turns.frequency, empty, empty, empty, 0.5 * strokes)
-    return _result(signals, load, values, halves, findings, fit, curves)
+        findings.append(warning(f"{wheel}.{FORCE}", "lift_off_left_out"))
+    turns = sweep.turns
+    empty = np.full(turns.top.size, np.nan)
+    amplitudes = empty if test.strokes is None else 0.5 * test.strokes
+    curves = WheelCurves(turns.top, turns.frequency, empty, empty, empty, amplitudes)
+    return _by_methods(test, known, findings, curves, task.methods)
 
 
-def _theta_methods(
-    signals: WheelSignals, sweep: Sweep, strokes: Array, fit: Any, by_fit: float | None, tester: Tester
-) -> dict[str, float | None]:
-    frequency = sweep.turns.frequency
-    wheel = frequency > LOWEST_RESONANCE
-    gain = float(strokes[wheel].max(initial=0.0)) / tester.stroke
-    decay = theta_by_decay(signals.height, signals.sample_rate) if signals.height is not None else None
-    return {
-        "fit": by_fit,
-        "half_power": half_power(frequency[wheel], strokes[wheel]),
-        "amplification": theta_by_amplification(gain, fit.corner, tester) if fit is not None else None,
-        "free_decay": decay[0] if decay is not None else None,
-    }
-
-
-def _overdamped(road: float, wheel: str) -> list[Finding]:
-    if road < 1.0:
-        return []
-    return [checks.warning(f"{wheel}.theta", "overdamped", road)]
-
-
-def _theta_findings(tester: Tester, wheel: str, findings: list[Finding]) -> None:
-    guessed = [name.replace("_", " ") for name in tester.estimated if name.startswith("plate_")]
-    if guessed:
-        findings.append(remark(f"{wheel}.theta", "note", "plate_estimated", names=", ".join(guessed)))
-
-
-def _result(
-    signals: WheelSignals,
-    load: float,
-    values: dict[str, Any],
-    halves: dict[str, float | None],
-    findings: list[Finding],
-    fit: Any,
-    curves: WheelCurves,
+def _by_methods(
+    test: WheelTest, known: dict[str, Any], findings: list[Finding], curves: WheelCurves, chosen: Iterable[str]
 ) -> WheelResult:
+    """Put together what the chosen methods find in a test, beside what is known whatever they are."""
+    halves: dict[str, float | None] = {}
+    for key, method in METHODS.items():
+        if key in chosen:
+            found = method.evaluate(test)
+            known, halves, findings = known | found.values, halves | found.half_widths, findings + found.findings
+            curves = curves if found.phase_deg is None else replace(curves, phase_deg=found.phase_deg)
     return WheelResult(
-        wheel=signals.wheel,
-        static_load=load,
+        wheel=test.signals.wheel,
+        static_load=test.load,
         uncertainty={key: float(half) for key, half in halves.items() if half is not None and np.isfinite(half)},
-        corner=None if fit is None else fit.corner,
+        corner=None if test.fit is None else test.fit.corner,
         findings=tuple(findings),
         curves=curves,
-        **values,
+        **{key: value for key, value in known.items() if key in FIELDS},
+        more={key: value for key, value in known.items() if key not in FIELDS},
     )

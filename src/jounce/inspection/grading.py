@@ -12,8 +12,9 @@ import numpy as np
 
 from jounce.core.errors import RecordingError, unknown
 from jounce.core.serialise import to_plain
-from jounce.inspection.limits import METHODS, VERDICTS, Band, Criterion, Limits, load_limits
-from jounce.inspection.quantities import QUANTITIES, Language
+from jounce.inspection.limits import VERDICTS, Band, Criterion, Limits, load_limits
+from jounce.inspection.methods import METHODS, QUANTITIES
+from jounce.inspection.quantities import Language
 from jounce.inspection.quarter_car import steady_state
 from jounce.inspection.reasons import Reason
 from jounce.inspection.result import NOT_GRADED, Inspection, WheelResult
@@ -77,7 +78,7 @@ def difference_of(
     >>> round(found.absolute, 3), round(found.relative, 3), found.smaller
     (0.15, 0.25, 'right')
     """
-    a, b = getattr(first, quantity), getattr(second, quantity)
+    a, b = first.value(quantity), second.value(quantity)
     if a is None or b is None or not (math.isfinite(a) and math.isfinite(b)):
         return None
     halves = [one.uncertainty.get(quantity) for one in (first, second)]
@@ -395,16 +396,16 @@ def _with_grades(
             wheel,
             grade={method: band.label for method, band in one.bands.items()},
             verdict=one.verdict,
-            reasons=said(one.reasons),
+            reasons=sentences_of(one.reasons),
         )
         for wheel, one in zip(inspection.wheels, grades, strict=True)
     )
     found = {one.quantity: one.to_dict() for one in differences}
-    axle = {**inspection.axle, "differences": found, "verdict": verdict, "reasons": list(said(reasons))}
+    axle = {**inspection.axle, "differences": found, "verdict": verdict, "reasons": list(sentences_of(reasons))}
     return replace(inspection, wheels=wheels, axle=axle)
 
 
-def said(reasons: Iterable[Reason], language: Language = "en") -> tuple[str, ...]:
+def sentences_of(reasons: Iterable[Reason], language: Language = "en") -> tuple[str, ...]:
     """Say reasons as sentences."""
     return tuple(reason.text(language) for reason in reasons)
 
@@ -447,7 +448,7 @@ def _by_method(wheel: WheelResult, method: str, limits: Limits) -> tuple[Band | 
     criterion = limits.methods.get(method)
     if criterion is None:
         return None, [Reason("unlimited", NOT_GRADED, {"method": method})]
-    value = getattr(wheel, criterion.quantity)
+    value = wheel.value(criterion.quantity)
     about = {"criterion": criterion, "method": method}
     if value is None or value != value:  # noqa: PLR0124 - not a number
         return None, [Reason("missing", NOT_GRADED, about)]
@@ -480,7 +481,7 @@ def _conditions(wheel: WheelResult, limits: Limits, used: Sequence[str]) -> list
     """What does not hold of what the methods used need."""
     found = []
     for condition in limits.conditions.values():
-        value = getattr(wheel, condition.quantity)
+        value = wheel.value(condition.quantity)
         if value is None or not set(condition.methods) & set(used):
             continue
         band, half = condition.band_of(value), wheel.uncertainty.get(condition.quantity)

@@ -14,11 +14,11 @@ from pydantic import Field, model_validator
 from jounce.core.description import Description, misplaced, read_description
 from jounce.core.errors import DescriptionError, nearest
 from jounce.core.units import Number, to_si
-from jounce.inspection.quantities import QUANTITIES, Language, Quantity
+from jounce.inspection.methods import METHODS, QUANTITIES
+from jounce.inspection.quantities import Language, Quantity
 
 SCHEMA = "jounce.limits/1"
 SHIPPED = "jounce"
-METHODS = ("eusama", "egea", "theta", "boge")
 Verdict = Literal["pass", "advise", "fail"]
 Colour = Literal["green", "yellow", "orange", "red"]
 VERDICTS: tuple[Verdict, ...] = ("pass", "advise", "fail")

@@ -1,10 +1,18 @@
-"""The methods of inspection: what each of them measures on a tester, and how it is evaluated."""
+"""The methods of inspection: what each of them measures on a tester, how it is evaluated, and what it has to say.
+
+A method is one row of ``METHODS``: its key and name, the shipped tester and the plates it works on, the values it gives
+with their units and words, the function that finds them in a test, and the sentences of its findings. Choices of
+commands, schemas, tables and grades follow from these rows; bands are given in ``limits.toml``, since a lane may have
+others.
+"""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,18 +20,111 @@ from numpy.typing import NDArray
 from jounce.core.constants import NORMAL_95
 from jounce.core.findings import Finding
 from jounce.core.types import Array
-from jounce.inspection.checks import warning
+from jounce.inspection.findings import SENTENCES, remark, warning
+from jounce.inspection.quantities import Quantity, Sentence
 from jounce.inspection.quarter_car import Corner, ResponseFit, force_response, rig_poles, road_poles, wheel_damping
 from jounce.inspection.signals import Turns, WheelSignals
 from jounce.inspection.sweep import Sweep
 from jounce.inspection.turn_forces import UNDERFLOW, Analysis, corrected_curve
+from jounce.parts.testers import Tester
 from jounce.testers.plates import RIGIDITY, RIGIDITY_FREQUENCY, phase_angle, tyre_rigidity
 
-if TYPE_CHECKING:
-    from jounce.parts.testers import Tester
-
-_ADHESION_LENGTH = 1.2
+_ADHESION_LENGTH, _PHASE_LENGTH = 1.2, 2.0  # Hz over which what the model misses may change
 _NEAR = 4.0  # Hz
+_END, _BESIDE = 0.05, 2.0  # Hz
+_TOLERANCE = 1.0  # Hz
+_FEWEST_TURNS = 6
+_LOWEST, _HIGHEST, _POINTS = 1.5, 15.0, 541
+_FEWEST_EXTREMES = 4
+_EVEN = 0.2
+_LOWEST_RESONANCE = 2.0  # Hz; below it is the body's
+
+
+@dataclass(frozen=True)
+class WheelTest:
+    """One wheel's test as the methods are given it.
+
+    Attributes
+    ----------
+    signals : WheelSignals
+        Of the part in which the plate moves.
+    sweep : Sweep
+        Turns of the plate.
+    load : float
+        Static load, N.
+    tester : Tester or None
+        On which it was made; None for a rigid plate of which nothing else is known.
+    fit : ResponseFit or None
+        Quarter car fitted to it.
+    analysis : Analysis or None
+        Forces of every turn; on a rigid plate only.
+    """
+
+    signals: WheelSignals
+    sweep: Sweep
+    load: float
+    tester: Tester | None
+    fit: ResponseFit | None
+    analysis: Analysis | None = None
+
+    @cached_property
+    def strokes(self) -> Array | None:
+        """Stroke of the plate (m) in each turn; None without its height."""
+        return stroke_by_turn(self.signals.height, self.signals.time, self.sweep.turns)
+
+    @cached_property
+    def adhesion(self) -> Adhesion | None:
+        """Least and greatest force on a rigid plate; None where no turn could be evaluated."""
+        return None if self.analysis is None else find_adhesion(self.analysis, self.sweep.highest)
+
+
+@dataclass
+class Found:
+    """What a method found in a test.
+
+    Attributes
+    ----------
+    values : dict
+        By key, SI or as the key says; ``half_widths`` of their 95 % intervals, None where they are not known.
+    findings : list of Finding
+        What weakens them.
+    phase_deg : ndarray or None
+        Phase angle of every turn in degrees, for the curves.
+    """
+
+    values: dict[str, Any] = field(default_factory=dict)
+    half_widths: dict[str, float | None] = field(default_factory=dict)
+    findings: list[Finding] = field(default_factory=list)
+    phase_deg: Array | None = None
+
+
+@dataclass(frozen=True)
+class Method:
+    """A method of inspection.
+
+    Attributes
+    ----------
+    key, name : str
+        In files and results, and as people write it.
+    tester : str
+        Shipped tester that stands for it.
+    plates : tuple of str
+        Kinds of testers on which it can be evaluated.
+    quantities : tuple of Quantity
+        Its values that may be graded, the main one first.
+    evaluate : callable
+        Finds its values in a test.
+    sentences : mapping
+        What its findings say, by their code.
+    """
+
+    key: str
+    name: str
+    tester: str
+    plates: tuple[str, ...]
+    quantities: tuple[Quantity, ...]
+    evaluate: Callable[[WheelTest], Found]
+    sentences: Mapping[str, Sentence] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -52,7 +153,7 @@ class Adhesion:
 
 
 def find_adhesion(analysis: Analysis, highest: float) -> Adhesion | None:
-    """Find the adhesion of a run-down up to the ``highest`` frequency in Hz; None where no turn could be evaluated."""
+    """Find the adhesion of a sweep up to the ``highest`` frequency in Hz; None where no turn could be evaluated."""
     least, load = analysis.measured[:, 0], analysis.load
     known = np.isfinite(least)
     if np.count_nonzero(known) < 4:
@@ -81,8 +182,17 @@ def find_adhesion(analysis: Analysis, highest: float) -> Adhesion | None:
     return Adhesion(max(share, 0.0), min(float(at), highest), lifted, amplitude, half)
 
 
-_PHASE_LENGTH = 2.0
-_END, _BESIDE = 0.05, 2.0  # Hz
+def _eusama(test: WheelTest) -> Found:
+    """Adhesion, where the force is least, and the relative force amplitude of EGEA, which is made of the same force."""
+    one = test.adhesion
+    if one is None:
+        return Found()
+    values = {
+        "adhesion": one.adhesion,
+        "adhesion_frequency_hz": one.frequency_hz,
+        "relative_force_amplitude": one.relative_force_amplitude,
+    }
+    return Found(values, {"adhesion": one.half_width, "relative_force_amplitude": one.half_width})
 
 
 @dataclass(frozen=True)
@@ -163,10 +273,6 @@ def find_phase_minimum(analysis: Analysis, band: tuple[float, float]) -> tuple[P
     return PhaseMinimum(angle, at, half, min(at - band[0], band[1] - at) < _END, hopping), measured
 
 
-_TOLERANCE = 1.0  # Hz
-_FEWEST_TURNS = 6
-
-
 @dataclass(frozen=True)
 class Rigidity:
     """Tyre rigidity (N/m), half width of its 95 % interval (N/m), and the force amplitude behind it (N)."""
@@ -199,19 +305,86 @@ def find_rigidity(signals: WheelSignals, sweep: Sweep, load: float) -> tuple[Rig
     return Rigidity(tyre_rigidity(amplitude, stroke), NORMAL_95 * RIGIDITY[0] * error / stroke, amplitude), []
 
 
-def rigidity_findings(value: float, wheel: str, low: float, high: float) -> list[Finding]:
-    """Say whether a rigidity (N/m) means a tyre inflated too little or too much, by limits in N/m."""
-    place = f"{wheel}.tyre"
-    if value < low:
-        return [warning(place, "tyre_soft", value, rigidity=1e-3 * value, limit=1e-3 * low)]
-    if value > high:
-        return [warning(place, "tyre_stiff", value, rigidity=1e-3 * value, limit=1e-3 * high)]
-    return []
+_EGEA_SENTENCES = {
+    "no_height_no_phase": Sentence(
+        "without the plate height the phase angle is not known.",
+        "Ohne die Höhe der Platte ist der Phasenwinkel nicht bekannt.",
+    ),
+    "phase_not_covered": Sentence(
+        "the turns do not cover {low:g} to {high:g} Hz: no least phase angle.",
+        "Die Hübe überdecken {low:g} bis {high:g} Hz nicht: kein kleinster Phasenwinkel.",
+    ),
+    "phase_in_lift_off": Sentence(
+        "the tyre leaves the plate where the phase angle is least; the angle given is that of the fitted quarter car.",
+        "Der Reifen hebt dort ab, wo der Phasenwinkel am kleinsten ist; angegeben ist der des angepassten "
+        "Viertelfahrzeugs.",
+    ),
+    "phase_below_zero": Sentence(
+        "a phase angle below 0 belongs to no steady state: the wheel is still swinging from lift-off, or the sweep is "
+        "too fast for so little damping.",
+        "Ein Phasenwinkel unter 0 gehört zu keinem eingeschwungenen Zustand: Das Rad schwingt noch vom Abheben, oder "
+        "der Auslauf ist für so wenig Dämpfung zu schnell.",
+    ),
+    "phase_at_end": Sentence(
+        "the least phase angle lies at the end of the band, {frequency:.3g} Hz: outside it may be less.",
+        "Der kleinste Phasenwinkel liegt am Rand des Bereichs, {frequency:.3g} Hz: Außerhalb kann er kleiner sein.",
+    ),
+    "no_rigidity_height": Sentence(
+        "without the plate height the tyre rigidity is not known.",
+        "Ohne die Höhe der Platte ist die Reifensteifigkeit nicht bekannt.",
+    ),
+    "no_rigidity_hold": Sentence(
+        "the plate is not held at 25 Hz ({count} turns at {frequency:.3g} Hz): no tyre rigidity.",
+        "Die Platte wird nicht bei 25 Hz gehalten ({count} Hübe bei {frequency:.3g} Hz): keine Reifensteifigkeit.",
+    ),
+    "tyre_soft": Sentence(
+        "the tyre rigidity of {rigidity:.0f} N/mm is below {limit:.0f} N/mm: inflate the tyre and repeat the test.",
+        "Die Reifensteifigkeit {rigidity:.0f} N/mm liegt unter {limit:.0f} N/mm: aufpumpen, Prüfung wiederholen.",
+    ),
+    "tyre_stiff": Sentence(
+        "the tyre rigidity of {rigidity:.0f} N/mm is above {limit:.0f} N/mm: the tyre pressure is too high; correct "
+        "it and repeat the test.",
+        "Die Reifensteifigkeit {rigidity:.0f} N/mm liegt über {limit:.0f} N/mm: zu viel Druck; berichtigen und "
+        "Prüfung wiederholen.",
+    ),
+}
 
 
-_LOWEST, _HIGHEST, _POINTS = 1.5, 15.0, 541
-_FEWEST_EXTREMES = 4
-_EVEN = 0.2
+def rigidity_findings(value: float, tester: Tester | None, place: str) -> list[Finding]:
+    """Say whether a rigidity (N/m) means a tyre inflated too little or too much, by the limits of a tester."""
+    low, high = (160e3, 400e3) if tester is None else (tester.limits.tyre_rigidity_min, tester.limits.tyre_rigidity_max)
+    if low <= value <= high:
+        return []
+    code, limit = ("tyre_soft", low) if value < low else ("tyre_stiff", high)
+    return [warning(place, code, value, rigidity=1e-3 * value, limit=1e-3 * limit)]
+
+
+def _egea(test: WheelTest) -> Found:
+    """Least phase angle and tyre rigidity beside what the least force gives."""
+    found, wheel, analysis = _eusama(test), test.signals.wheel, test.analysis
+    tyre, found.findings = find_rigidity(test.signals, test.sweep, test.load)
+    if tyre is not None:
+        found.values["tyre_rigidity"], found.half_widths["tyre_rigidity"] = tyre.rigidity, tyre.half_width
+        found.findings += rigidity_findings(tyre.rigidity, test.tester, f"{wheel}.tyre")
+    if test.signals.height is None or analysis is None:
+        found.findings.append(warning(f"{wheel}.plate.z", "no_height_no_phase"))
+        return found
+    limits = None if test.tester is None else test.tester.limits
+    band = (6.0, 18.0) if limits is None else (limits.frequency_min, limits.frequency_max)
+    minimum, found.phase_deg = find_phase_minimum(analysis, band)
+    if minimum is None:
+        found.findings.append(warning(f"{wheel}.phase", "phase_not_covered", low=band[0], high=band[1]))
+        return found
+    found.values |= {"phase_angle_min_deg": minimum.angle_deg, "phase_frequency_hz": minimum.frequency_hz}
+    found.half_widths["phase_angle_min_deg"] = minimum.half_width_deg
+    if minimum.in_lift_off:
+        found.findings.append(warning(f"{wheel}.phase", "phase_in_lift_off"))
+    if minimum.angle_deg < 0.0:
+        found.findings.append(warning(f"{wheel}.phase", "phase_below_zero", minimum.angle_deg))
+    if minimum.at_end:
+        at = minimum.frequency_hz
+        found.findings.append(warning(f"{wheel}.phase", "phase_at_end", at, frequency=at))
+    return found
 
 
 @dataclass(frozen=True)
@@ -293,8 +466,6 @@ def theta_by_amplification(gain: float, corner: Corner, tester: Tester) -> float
 
     Of the corner everything but the damper counts. None where no damper gives this amplification.
     """
-    from dataclasses import replace
-
     from scipy.optimize import brentq
 
     frequency = np.linspace(_LOWEST, _HIGHEST, _POINTS)
@@ -352,7 +523,47 @@ def _even_turns(turns: NDArray[np.intp], away: Array) -> NDArray[np.intp]:
     return np.array(kept[::-1], dtype=np.intp)
 
 
-LOWEST_RESONANCE = 2.0  # Hz; below it is the body's
+_THETA_SENTENCES = {
+    "overdamped": Sentence(
+        "the wheel does not oscillate, its damping ratio is 1 or more: is the damper stuck, or the suspension locked?",
+        "Das Rad schwingt nicht, sein Dämpfungsgrad ist 1 oder mehr: Sitzt der Dämpfer fest, oder ist die Federung "
+        "blockiert?",
+    ),
+    "plate_estimated": Sentence(
+        "the tester's {names} are estimated: the damping ratio on the tester depends on them, the graded one on the "
+        "road does not.",
+        "Geschätzt sind am Prüfstand: {names}. Der Dämpfungsgrad auf dem Prüfstand hängt davon ab, der bewertete auf "
+        "der Straße nicht.",
+    ),
+}
+
+
+def _theta(test: WheelTest) -> Found:
+    """Damping ratios by the fitted quarter car; on a sprung plate by the older methods as well."""
+    found, wheel = Found(), test.signals.wheel
+    if test.fit is not None:
+        theta = theta_by_fit(test.fit, test.tester)
+        found.values = {"theta_rig": theta.rig, "theta_road": theta.road, "theta_methods": {"fit": theta.rig}}
+        found.half_widths = {"theta_rig": theta.rig_half_width, "theta_road": theta.road_half_width}
+        if theta.road >= 1.0:
+            found.findings.append(warning(f"{wheel}.theta", "overdamped", theta.road))
+    height, strokes, tester = test.signals.height, test.strokes, test.tester
+    if test.analysis is not None or tester is None or height is None or strokes is None:
+        return found
+    frequency = test.sweep.turns.frequency
+    above = frequency > _LOWEST_RESONANCE
+    gain = float(strokes[above].max(initial=0.0)) / tester.stroke
+    decay = theta_by_decay(height, test.signals.sample_rate)
+    found.values["theta_methods"] = {
+        "fit": found.values.get("theta_rig"),
+        "half_power": half_power(frequency[above], strokes[above]),
+        "amplification": theta_by_amplification(gain, test.fit.corner, tester) if test.fit is not None else None,
+        "free_decay": decay[0] if decay is not None else None,
+    }
+    guessed = [name.replace("_", " ") for name in tester.estimated if name.startswith("plate_")]
+    if guessed:
+        found.findings.append(remark(f"{wheel}.theta", "note", "plate_estimated", names=", ".join(guessed)))
+    return found
 
 
 @dataclass(frozen=True)
@@ -364,8 +575,10 @@ class BogeAmplitude:
     frequency_hz: float
 
 
-def stroke_by_turn(height: Array, time: Array, turns: Turns) -> Array:
+def stroke_by_turn(height: Array | None, time: Array, turns: Turns) -> Array | None:
     """Highest less lowest height (m) of each turn, by the upward crossings; height (n,) in m on time (n,) in s."""
+    if height is None:
+        return None
     starts = np.searchsorted(time, turns.crossing[::2])
     starts = np.minimum(starts, height.size - 1)
     count = turns.top.size
@@ -376,12 +589,88 @@ def stroke_by_turn(height: Array, time: Array, turns: Turns) -> Array:
     return np.asarray(high - low)
 
 
-def find_boge(signals: WheelSignals, turns: Turns) -> BogeAmplitude | None:
-    """Find the greatest movement of a plate; None without its height."""
-    if signals.height is None:
+def find_boge(test: WheelTest) -> BogeAmplitude | None:
+    """Find the greatest movement of a plate while the exciter passes the resonance of the wheel."""
+    height, strokes, frequency = test.signals.height, test.strokes, test.sweep.turns.frequency
+    if height is None or strokes is None:
         return None
-    stroke = stroke_by_turn(signals.height, signals.time, turns)
-    at = int(np.argmax(np.where(turns.frequency > LOWEST_RESONANCE, stroke, 0.0)))
-    third = np.diff(signals.height, 3)
+    at = int(np.argmax(np.where(frequency > _LOWEST_RESONANCE, strokes, 0.0)))
+    third = np.diff(height, 3)
     noise = float(np.median(np.abs(third))) / (0.6745 * np.sqrt(20.0))
-    return BogeAmplitude(float(stroke[at]), NORMAL_95 * noise * np.sqrt(2.0), float(turns.frequency[at]))
+    return BogeAmplitude(float(strokes[at]), NORMAL_95 * noise * np.sqrt(2.0), float(frequency[at]))
+
+
+def _boge(test: WheelTest) -> Found:
+    one = find_boge(test)
+    if one is None:
+        return Found()
+    return Found({"boge_amplitude": one.amplitude}, {"boge_amplitude": one.half_width})
+
+
+_RIGID, _SPRUNG = "rigid-plate", "sprung-plate"
+METHODS: dict[str, Method] = {
+    method.key: method
+    for method in (
+        Method(
+            "eusama", "EUSAMA", "eusama", (_RIGID,),
+            (Quantity("adhesion", "1", "%", 100.0, 1, "adhesion (EUSAMA)", "Bodenhaftung (EUSAMA)"),),
+            _eusama,
+        ),
+        Method(
+            "egea", "EGEA", "egea-specsus2018", (_RIGID,),
+            (
+                Quantity(
+                    "phase_angle_min_deg", "deg", "°", 1.0, 1,
+                    "least phase angle (EGEA)", "kleinster Phasenwinkel (EGEA)",
+                ),
+                Quantity(
+                    "relative_force_amplitude", "1", "%", 100.0, 1,
+                    "relative force amplitude", "relative Kraftamplitude",
+                ),
+                Quantity("tyre_rigidity", "N/m", "N/mm", 1e-3, 0, "tyre rigidity", "Reifensteifigkeit"),
+            ),
+            _egea,
+            _EGEA_SENTENCES,
+        ),
+        Method(
+            "theta", "THETA", "theta-msd3000", (_RIGID, _SPRUNG),
+            (
+                Quantity(
+                    "theta_road", "1", "", 1.0, 3,
+                    "damping ratio on the road (THETA)", "Dämpfungsgrad, Straße (THETA)",
+                ),
+                Quantity(
+                    "theta_rig", "1", "", 1.0, 3, "damping ratio on the tester", "Dämpfungsgrad, Prüfstand"
+                ),
+            ),
+            _theta,
+            _THETA_SENTENCES,
+        ),
+        Method(
+            "boge", "BOGE", "boge", (_SPRUNG,),
+            (
+                Quantity(
+                    "boge_amplitude", "m", "mm", 1e3, 1, "greatest plate movement (BOGE)", "größter Ausschlag (BOGE)"
+                ),
+            ),
+            _boge,
+        ),
+    )
+}  # fmt: skip
+"""Methods by their key, in the order in which they are listed and evaluated."""
+
+QUANTITIES = {quantity.name: quantity for method in METHODS.values() for quantity in method.quantities}
+"""Values that limits may be given for, by their key in results."""
+
+for _method in METHODS.values():
+    SENTENCES.update(_method.sentences)
+
+
+def methods_on(plate: str) -> tuple[str, ...]:
+    """Give the keys of the methods that can be evaluated on a kind of plate."""
+    return tuple(key for key, method in METHODS.items() if plate in method.plates)
+
+
+def method_names(keys: tuple[str, ...]) -> str:
+    """Write methods as people do: ``EUSAMA, EGEA``."""
+    return ", ".join(METHODS[key].name if key in METHODS else key for key in keys)

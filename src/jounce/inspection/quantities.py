@@ -1,15 +1,26 @@
-"""What an inspection measures and grades: unit, words and how it is written, in English and German."""
+"""How values and sentences of an inspection are written, in English and German."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, NamedTuple
 
 Language = Literal["en", "de"]
 LANGUAGES: tuple[Language, ...] = ("en", "de")
 _MOST_DECIMALS = 6
+
+
+class Sentence(NamedTuple):
+    """What is said in each language; ``{names}`` in braces are filled in."""
+
+    en: str
+    de: str
+
+    def said(self, language: Language) -> str:
+        """Give it in a language."""
+        return self.de if language == "de" else self.en
 
 
 @dataclass(frozen=True)
@@ -72,6 +83,7 @@ class Quantity:
 
         Examples
         --------
+        >>> from jounce.inspection.methods import QUANTITIES
         >>> adhesion = QUANTITIES["adhesion"]
         >>> adhesion.text(0.399), adhesion.text(0.39999, apart_from=[0.4]), adhesion.text(0.5, "de")
         ('39.9 %', '39.999 %', '50,0 %')
@@ -106,20 +118,3 @@ class Quantity:
     def _written(self, value: float, decimals: int) -> str:
         text = f"{value * self.factor:.{decimals}f}"
         return text.lstrip("-") if float(text) == 0.0 else text
-
-
-QUANTITIES = {
-    quantity.name: quantity
-    for quantity in (
-        Quantity("adhesion", "1", "%", 100.0, 1, "adhesion (EUSAMA)", "Bodenhaftung (EUSAMA)"),
-        Quantity(
-            "phase_angle_min_deg", "deg", "°", 1.0, 1, "least phase angle (EGEA)", "kleinster Phasenwinkel (EGEA)"
-        ),
-        Quantity("relative_force_amplitude", "1", "%", 100.0, 1, "relative force amplitude", "relative Kraftamplitude"),
-        Quantity("tyre_rigidity", "N/m", "N/mm", 1e-3, 0, "tyre rigidity", "Reifensteifigkeit"),
-        Quantity("theta_road", "1", "", 1.0, 3, "damping ratio on the road (THETA)", "Dämpfungsgrad, Straße (THETA)"),
-        Quantity("theta_rig", "1", "", 1.0, 3, "damping ratio on the tester", "Dämpfungsgrad, Prüfstand"),
-        Quantity("boge_amplitude", "m", "mm", 1e3, 1, "greatest plate movement (BOGE)", "größter Ausschlag (BOGE)"),
-    )
-}
-"""Values that limits may be given for, by their key in results."""

@@ -6,144 +6,113 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from jounce.inspection.findings import said
+from jounce.inspection.findings import sentence_of
 from jounce.inspection.limits import Band, Criterion
-from jounce.inspection.quantities import QUANTITIES, Language
+from jounce.inspection.methods import METHODS, QUANTITIES, method_names
+from jounce.inspection.quantities import Language, Sentence
 from jounce.inspection.result import NOT_GRADED
 
-METHOD_NAMES = {"eusama": "EUSAMA", "egea": "EGEA", "theta": "THETA", "boge": "BOGE"}
-VERDICT_WORDS: dict[str, dict[Language, str]] = {
-    "pass": {"en": "pass", "de": "bestanden"},
-    "advise": {"en": "advise", "de": "Hinweis"},
-    "fail": {"en": "fail", "de": "nicht bestanden"},
-    NOT_GRADED: {"en": "not graded", "de": "nicht bewertet"},
+VERDICT_WORDS = {
+    "pass": Sentence("pass", "bestanden"),
+    "advise": Sentence("advise", "Hinweis"),
+    "fail": Sentence("fail", "nicht bestanden"),
+    NOT_GRADED: Sentence("not graded", "nicht bewertet"),
 }
-_SENTENCES: dict[str, dict[Language, str]] = {
-    "band": {
-        "en": "{quantity} {value} is {label} ({range}): {verdict}.{limits}",
-        "de": "{quantity} {value}: {label} ({range}), {verdict}.{limits}",
-    },
-    "condition": {
-        "en": "{quantity} {value} is {label} ({range}): {verdict}.{limits}",
-        "de": "{quantity} {value}: {label} ({range}), {verdict}.{limits}",
-    },
-    "difference": {
-        "en": ("difference {across} of {quantity} {value}, {definition}, is {label} ({range}): {verdict}.{limits}"),
-        "de": ("Unterschied {across}, {quantity}: {value}, {definition}, {label} ({range}), {verdict}.{limits}"),
-    },
-    "over_range": {
-        "en": "{quantity} {value} is above the optimal band, which ends at {limit}; the source says nothing about it.",
-        "de": "{quantity} {value} liegt über dem Bestbereich, der bei {limit} endet; die Quelle sagt darüber nichts.",
-    },
-    "near": {
-        "en": (
-            "the 95 % interval of {quantity}, {low} to {high}, reaches over the limit of {limit}: "
-            "the class is uncertain."
-        ),
-        "de": (
-            "Das 95-%-Intervall, {quantity} {low} bis {high}, reicht über den Grenzwert {limit}: "
-            "Die Einstufung ist unsicher."
-        ),
-    },
-    "unverified": {
-        "en": (
-            "{quantity} {value} would be {label} ({range}), but nobody has verified the limits of {method}: it decides "
-            "nothing. Give the maker's limits.{limits}"
-        ),
-        "de": (
-            "{quantity} {value} wäre {label} ({range}), aber die Grenzwerte für {method} sind nicht belegt: Das "
-            "entscheidet nichts. Grenzwerte des Herstellers angeben.{limits}"
-        ),
-    },
-    "missing": {
-        "en": "{quantity} is not known: no grade by {method}.",
-        "de": "{quantity} ist nicht bekannt: keine Bewertung nach {method}.",
-    },
-    "outside": {
-        "en": "{quantity} {value} lies in no band: no grade by {method}.{limits}",
-        "de": "{quantity} {value} liegt in keiner Klasse: keine Bewertung nach {method}.{limits}",
-    },
-    "unlimited": {
-        "en": "the limits say nothing about {method}: no grade by it.",
-        "de": "Die Grenzwerte sagen nichts über {method}: keine Bewertung danach.",
-    },
-    "deciding": {
-        "en": "{methods} decides; other grades are for information.",
-        "de": "{methods} entscheidet; weitere Einstufungen dienen der Information.",
-    },
-    "disagree": {"en": "the methods disagree: {grades}.", "de": "Die Verfahren widersprechen sich: {grades}."},
-    "mass": {
-        "en": (
-            "adhesion depends on the load: the force varies by {force} N about {load} N; with the same damper a "
-            "wheel that carries {needed} N would reach the limit of {limit}. Phase angle and damping ratio hardly "
-            "depend on the load."
-        ),
-        "de": (
-            "Die Bodenhaftung hängt von der Last ab: Die Kraft schwankt um {force} N bei {load} N; mit demselben "
-            "Dämpfer läge ein Rad mit {needed} N am Grenzwert {limit}. Phasenwinkel und Dämpfungsgrad hängen kaum "
-            "davon ab."
-        ),
-    },
-    "lifted": {
-        "en": "the tyre leaves the plate: light wheels and stiff tyres do so with sound dampers, too.",
-        "de": "Der Reifen hebt von der Platte ab: Das tun leichte Räder und steife Reifen auch mit guten Dämpfern.",
-    },
-    "tyre": {
-        "en": (
-            "adhesion depends on the tyre: with a tyre of {usual} N/mm instead of {stiffness} N/mm it would be "
-            "{adhesion}, the least phase angle {phase} (linear model of this record)."
-        ),
-        "de": (
-            "Die Bodenhaftung hängt vom Reifen ab: Mit {usual} N/mm statt {stiffness} N/mm wäre sie {adhesion}, "
-            "der kleinste Phasenwinkel {phase} (lineares Modell dieser Messung)."
-        ),
-    },
-    "rigidity": {
-        "en": "adhesion falls with the tyre's rigidity (here {rigidity} N/mm); the other values fall less.",
-        "de": "Die Bodenhaftung sinkt mit der Reifensteifigkeit (hier {rigidity} N/mm), andere Werte weniger.",
-    },
-    "limits_differ": {
-        "en": (
-            "the limits of EGEA and THETA are not the same damping: on a car of usual size a phase angle of 35° is a "
-            "damping ratio of about 0.10, and a fast sweep or a soft tyre shifts it."
-        ),
-        "de": (
-            "Die Grenzwerte von EGEA und THETA meinen nicht dieselbe Dämpfung: Bei einem üblichen Wagen sind 35° ein "
-            "Dämpfungsgrad von etwa 0,10; schneller Durchlauf oder weicher Reifen verschieben das."
-        ),
-    },
-    "one_wheel": {
-        "en": "the {missing} wheel was not tested: the verdict is of the other wheel alone.",
-        "de": "Das Rad {missing} wurde nicht geprüft: Das Urteil gilt nur für das andere Rad.",
-    },
-    "wheel_unfit": {
-        "en": "the {wheel} wheel is not graded.",
-        "de": "Das Rad {wheel} ist nicht bewertet.",
-    },
-    "wheel": {"en": "{wheel} wheel: {verdict}.", "de": "Rad {wheel}: {verdict}."},
-    "axle": {"en": "{axle} axle: {verdict}.", "de": "{axle}: {verdict}."},
-    "no_difference": {
-        "en": "the difference of {quantity} is not known.",
-        "de": "Der Unterschied ist nicht bekannt: {quantity}.",
-    },
-    "finding": {"en": "{finding}", "de": "{finding}"},
+_SENTENCES = {
+    "band": Sentence(
+        "{quantity} {value} is {label} ({range}): {verdict}.{limits}",
+        "{quantity} {value}: {label} ({range}), {verdict}.{limits}",
+    ),
+    "condition": Sentence(
+        "{quantity} {value} is {label} ({range}): {verdict}.{limits}",
+        "{quantity} {value}: {label} ({range}), {verdict}.{limits}",
+    ),
+    "difference": Sentence(
+        "difference {across} of {quantity} {value}, {definition}, is {label} ({range}): {verdict}.{limits}",
+        "Unterschied {across}, {quantity}: {value}, {definition}, {label} ({range}), {verdict}.{limits}",
+    ),
+    "over_range": Sentence(
+        "{quantity} {value} is above the optimal band, which ends at {limit}; the source says nothing about such "
+        "values.",
+        "{quantity} {value} liegt über dem Bestbereich, der bei {limit} endet; die Quelle sagt darüber nichts.",
+    ),
+    "near": Sentence(
+        "the 95 % interval of {quantity}, {low} to {high}, includes the limit of {limit}: the class is uncertain.",
+        "Das 95-%-Intervall, {quantity} {low} bis {high}, schließt den Grenzwert {limit} ein: Die Einstufung ist "
+        "unsicher.",
+    ),
+    "unverified": Sentence(
+        "{quantity} {value} would be {label} ({range}), but the limits of {method} are unverified and decide nothing. "
+        "Use the manufacturer's limits.{limits}",
+        "{quantity} {value} wäre {label} ({range}), aber die Grenzwerte für {method} sind nicht belegt: Das "
+        "entscheidet nichts. Grenzwerte des Herstellers angeben.{limits}",
+    ),
+    "missing": Sentence(
+        "{quantity} is not known: no grade by {method}.",
+        "{quantity} ist nicht bekannt: keine Bewertung nach {method}.",
+    ),
+    "outside": Sentence(
+        "{quantity} {value} lies in no band: no grade by {method}.{limits}",
+        "{quantity} {value} liegt in keiner Klasse: keine Bewertung nach {method}.{limits}",
+    ),
+    "unlimited": Sentence(
+        "there are no limits for {method}: no grade by it.",
+        "Es gibt keine Grenzwerte für {method}: keine Bewertung danach.",
+    ),
+    "deciding": Sentence(
+        "{methods} decides; other grades are for information.",
+        "{methods} entscheidet; weitere Einstufungen dienen der Information.",
+    ),
+    "disagree": Sentence("the methods disagree: {grades}.", "Die Verfahren widersprechen sich: {grades}."),
+    "mass": Sentence(
+        "adhesion depends on the load: the force varies by {force} N about {load} N; with the same damper a wheel "
+        "that carries {needed} N would reach the limit of {limit}. Phase angle and damping ratio hardly depend on the "
+        "load.",
+        "Die Bodenhaftung hängt von der Last ab: Die Kraft schwankt um {force} N bei {load} N; mit demselben Dämpfer "
+        "läge ein Rad mit {needed} N am Grenzwert {limit}. Phasenwinkel und Dämpfungsgrad hängen kaum davon ab.",
+    ),
+    "lifted": Sentence(
+        "the tyre leaves the plate: light wheels and stiff tyres do so even with sound dampers.",
+        "Der Reifen hebt von der Platte ab: Das tun leichte Räder und steife Reifen auch mit guten Dämpfern.",
+    ),
+    "tyre": Sentence(
+        "adhesion depends on the tyre: with a tyre of {usual} N/mm instead of {stiffness} N/mm it would be "
+        "{adhesion}, and the least phase angle {phase} (linear model of this record).",
+        "Die Bodenhaftung hängt vom Reifen ab: Mit {usual} N/mm statt {stiffness} N/mm wäre sie {adhesion}, der "
+        "kleinste Phasenwinkel {phase} (lineares Modell dieser Messung).",
+    ),
+    "rigidity": Sentence(
+        "adhesion falls as the tyre becomes stiffer (here {rigidity} N/mm); the other values fall less.",
+        "Die Bodenhaftung sinkt mit der Reifensteifigkeit (hier {rigidity} N/mm), andere Werte weniger.",
+    ),
+    "limits_differ": Sentence(
+        "the limits of EGEA and THETA do not stand for the same damping: on a car of usual size a phase angle of 35° "
+        "is a damping ratio of about 0.10, and a fast sweep or a soft tyre shifts it.",
+        "Die Grenzwerte von EGEA und THETA meinen nicht dieselbe Dämpfung: Bei einem üblichen Wagen entsprechen 35° "
+        "einem Dämpfungsgrad von etwa 0,10; ein schneller Auslauf oder ein weicher Reifen verschieben das.",
+    ),
+    "one_wheel": Sentence(
+        "the {missing} wheel was not tested: the verdict holds for the other wheel alone.",
+        "Das Rad {missing} wurde nicht geprüft: Das Urteil gilt nur für das andere Rad.",
+    ),
+    "wheel": Sentence("{wheel} wheel: {verdict}.", "Rad {wheel}: {verdict}."),
+    "axle": Sentence("{axle} axle: {verdict}.", "{axle}: {verdict}."),
+    "no_difference": Sentence(
+        "the difference of {quantity} is not known.",
+        "Der Unterschied ist nicht bekannt: {quantity}.",
+    ),
+    "finding": Sentence("{finding}", "{finding}"),
 }
-SIDES: dict[str, dict[Language, str]] = {
-    "left": {"en": "left", "de": "links"},
-    "right": {"en": "right", "de": "rechts"},
+SIDES = {"left": Sentence("left", "links"), "right": Sentence("right", "rechts")}
+AXLES = {
+    "front": Sentence("front", "Vorderachse"),
+    "rear": Sentence("rear", "Hinterachse"),
+    "": Sentence("only", "Achse"),
 }
-AXLES: dict[str, dict[Language, str]] = {
-    "front": {"en": "front", "de": "Vorderachse"},
-    "rear": {"en": "rear", "de": "Hinterachse"},
-    "": {"en": "only", "de": "Achse"},
-}
-_ACROSS: dict[str, dict[Language, str]] = {
-    "wheels": {"en": "left to right", "de": "links zu rechts"},
-    "axles": {"en": "front to rear", "de": "vorn zu hinten"},
-}
-_DEFINITIONS: dict[str, dict[Language, str]] = {
-    "relative": {"en": "relative to the greater", "de": "bezogen auf den größeren Wert"},
-    "absolute": {"en": "absolute", "de": "absolut"},
+_ACROSS = {"wheels": Sentence("left to right", "links zu rechts"), "axles": Sentence("front to rear", "vorn zu hinten")}
+_DEFINITIONS = {
+    "relative": Sentence("relative to the greater value", "bezogen auf den größeren Wert"),
+    "absolute": Sentence("absolute", "absolut"),
 }
 
 
@@ -171,7 +140,7 @@ class Reason:
         Examples
         --------
         >>> Reason("unlimited", values={"method": "boge"}).text("de")
-        'Die Grenzwerte sagen nichts über BOGE: keine Bewertung danach.'
+        'Es gibt keine Grenzwerte für BOGE: keine Bewertung danach.'
         """
         words = {name: _word(name, value, language) for name, value in self.values.items()}
         criterion = self.values.get("criterion")
@@ -179,7 +148,7 @@ class Reason:
             words |= _criterion_words(criterion, self.values, language)
             before = "Grenzwerte" if language == "de" else "Limits"
             words["limits"] = f" {before}: {criterion.cited(language)}." if with_source else ""
-        sentence = _SENTENCES[self.kind][language].format(**words)
+        sentence = _SENTENCES[self.kind].said(language).format(**words)
         return sentence[0].upper() + sentence[1:] if language == "de" else sentence
 
 
@@ -188,16 +157,16 @@ def _word(name: str, value: Any, language: Language) -> str:
         return _WRITTEN[name](value, language)
     tables = {"wheel": SIDES, "missing": SIDES, "axle": AXLES, "across": _ACROSS, "definition": _DEFINITIONS}
     if name in tables:
-        return tables[name].get(value, {}).get(language, str(value))
+        return tables[name][value].said(language) if value in tables[name] else str(value)
     return f"{value:.0f}" if isinstance(value, float) else str(value)
 
 
 def _methods(value: Any, _: Language) -> str:
-    return ", ".join(METHOD_NAMES.get(one, one) for one in ([value] if isinstance(value, str) else value))
+    return method_names((value,) if isinstance(value, str) else tuple(value))
 
 
 def _grades(value: Any, language: Language) -> str:
-    shown = (f"{METHOD_NAMES[m]} {band.words(language)} ({verdict_words(band.verdict, language)})" for m, band in value)
+    shown = (f"{METHODS[m].name} {band.words(language)} ({verdict_words(band.verdict, language)})" for m, band in value)
     return "; ".join(shown)
 
 
@@ -240,14 +209,14 @@ def range_words(criterion: Criterion, band: Band, language: Language = "en") -> 
 
 def verdict_words(verdict: str, language: Language = "en") -> str:
     """Say ``pass``, ``advise``, ``fail`` or ``not graded`` in a language; another text is given as it is."""
-    return VERDICT_WORDS.get(verdict, {}).get(language, verdict)
+    return VERDICT_WORDS[verdict].said(language) if verdict in VERDICT_WORDS else verdict
 
 
 _WRITTEN: Mapping[str, Callable[[Any, Language], str]] = {
     "method": _methods,
     "methods": _methods,
     "grades": _grades,
-    "finding": said,
+    "finding": sentence_of,
     "verdict": verdict_words,
     "quantity": lambda value, language: QUANTITIES[value].words(language),
     "adhesion": QUANTITIES["adhesion"].text,

@@ -149,7 +149,7 @@ def read_facts(facts: Mapping[str, Any], *, where: str = "record") -> tuple[dict
         else:
             found[key] = value.isoformat() if isinstance(value, (datetime.date, datetime.time)) else str(value)
             if key == "date" and found[key] and not _is_day(found[key]):
-                findings.append(remark(where, "warning", "no_day", date=found[key]))
+                findings.append(remark(where, "warning", "not_a_date", date=found[key]))
             if key not in TEXTS and key not in ("schema", "jounce", "source", "Conventions"):
                 hint = nearest(key, known)
                 meant = f" {hint}" if hint else ""

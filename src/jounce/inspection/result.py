@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from typing import Any
 
 from jounce.core.findings import Finding
@@ -25,7 +25,7 @@ _KEYS = (
 
 @dataclass(frozen=True)
 class WheelCurves:
-    """Course of a test over the frequency, by turns of the exciter in the order of time.
+    """What a test shows over the frequency, by turns of the exciter in the order of time.
 
     Attributes
     ----------
@@ -94,7 +94,9 @@ class WheelResult:
     findings : tuple of Finding
         What weakens the values.
     curves : WheelCurves or None
-        Course over frequency.
+        What the plate and the tyre force do over frequency.
+    more : mapping of str to float or None
+        Values of methods that have no attribute of their own here, by key.
     """
 
     wheel: str
@@ -118,6 +120,12 @@ class WheelResult:
     reasons: tuple[str, ...] = ()
     findings: tuple[Finding, ...] = ()
     curves: WheelCurves | None = field(default=None, repr=False)
+    more: Mapping[str, float | None] = field(default_factory=dict)
+
+    def value(self, key: str) -> float | None:
+        """Give a value by its key in results, SI or as the key says; None where it is not known."""
+        found: float | None = getattr(self, key) if key in FIELDS else self.more.get(key)
+        return found
 
     @property
     def is_gradable(self) -> bool:
@@ -131,7 +139,7 @@ class WheelResult:
         ``boge_amplitude``, ``theta_methods`` and ``theta_graded``.
         """
         table: dict[str, Any] = {"wheel": self.wheel, "static_load": self.static_load}
-        table |= {key: getattr(self, key) for key in _KEYS}
+        table |= {key: getattr(self, key) for key in _KEYS} | dict(self.more)
         table |= {
             "lift_off": self.lift_off,
             "adhesion_frequency_hz": self.adhesion_frequency_hz,
@@ -147,6 +155,9 @@ class WheelResult:
         }
         plain: dict[str, Any] = to_plain(table)
         return plain
+
+
+FIELDS = frozenset(one.name for one in fields(WheelResult))
 
 
 @dataclass(frozen=True)

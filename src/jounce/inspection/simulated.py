@@ -11,6 +11,7 @@ from jounce.core.errors import SimulationError, unknown
 from jounce.core.findings import Finding
 from jounce.inspection.evaluation import evaluate
 from jounce.inspection.grading import GradedInspection, grade
+from jounce.inspection.methods import METHODS, methods_on
 from jounce.inspection.result import Inspection, WheelResult
 from jounce.parts import QuarterCar, Rig
 from jounce.parts.elements import LinearDamper
@@ -30,9 +31,6 @@ from jounce.testers.testing import findings_of_test, simulate_test
 if TYPE_CHECKING:
     import xarray as xr
 
-METHODS = {"eusama": "eusama", "egea": "egea-specsus2018", "theta": "theta-msd3000", "boge": "boge"}
-"""Methods, and the shipped tester of each."""
-_OF_RIGID = "eusama", "egea", "theta"
 _RESOLUTION = 0.005  # Hz
 
 
@@ -66,7 +64,7 @@ def tester_for(method: str) -> Tester:
     """
     if method not in METHODS:
         raise unknown(method, METHODS, what="method", where="method")
-    return load_tester(METHODS[method])
+    return load_tester(METHODS[method].tester)
 
 
 def on_plates(rig: Rig, axle: Literal["front", "rear"] = "front") -> Rig:
@@ -140,7 +138,7 @@ def simulate_inspection(
     road, on_rig = (None if mode is None else mode.damping_ratio for mode in modes)
     record = None
     if steady:
-        methods = _OF_RIGID if tester.kind == "rigid-plate" else (deciding,)
+        methods = methods_on(tester.kind) if tester.kind == "rigid-plate" else (deciding,)
         found = Inspection((_steady_wheel(stood, tester, wheel, road, on_rig),), methods=methods)
     else:
         about = {"axle": axle, "vehicle": vehicle}

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from jounce.core.findings import Finding
 from jounce.core.types import Array
-from jounce.inspection.checks import problem, warning
+from jounce.inspection.findings import problem, warning
 from jounce.inspection.signals import FEWEST_TURNS, Turns, WheelSignals, find_turns
 
 if TYPE_CHECKING:
@@ -93,10 +93,10 @@ def find_sweep(signals: WheelSignals, tester: Tester | None, *, rigid: bool) -> 
     falls = _falls(frequency, begin, low)
     if falls == 0:
         rises = _falls(frequency[::-1], begin, low)
-        code = "no_run_down" if lowest > high else "run_up" if rises else "run_down_cut"
+        code = "no_sweep" if lowest > high else "sweep_up" if rises else "sweep_cut_off"
         return None, [problem(place, code, lowest, **words)]
     if falls > 1:
-        return None, [problem(place, "several", float(falls), count=falls)]
+        return None, [problem(place, "several_sweeps", float(falls), count=falls)]
     first = int(np.flatnonzero(frequency >= HIGHEST_SHARE * top)[-1])
     last = first + int(np.argmin(frequency[first:]))
     begun = first
@@ -113,10 +113,10 @@ def _sprung_findings(frequency: Array, top: float, place: str) -> list[Finding]:
     low = min(_BELOW_RESONANCE, 0.4 * top)
     falls, rises = (_falls(_lasting(one, 0.75 * top, low), 0.75 * top, low) for one in (middle, middle[::-1]))
     if falls > 1:
-        return [problem(place, "several", float(falls), count=falls)]
+        return [problem(place, "several_sweeps", float(falls), count=falls)]
     lowest = float(middle.min())
     if falls + rises == 0 and lowest > min(_RESONANCE, 0.6 * top):
-        code = "no_run_down" if lowest > 0.75 * top else "run_down_cut"
+        code = "no_sweep" if lowest > 0.75 * top else "sweep_cut_off"
         return [problem(place, code, lowest, low=lowest, top=top)]
     return []
 
@@ -192,7 +192,7 @@ def _sweep_findings(sweep: Sweep, tester: Tester | None, place: str) -> list[Fin
     top = sweep.turns.top
     length = float(top[sweep.last] - top[sweep.first])
     if length < 0.98 * least and sweep.turns.frequency[sweep.last] < 2.0:
-        findings.append(warning(place, "run_down_short", length, length=length, least=least))
+        findings.append(warning(place, "sweep_short", length, length=length, least=least))
     return findings
 
 
@@ -200,7 +200,7 @@ _ONE_TURN, _BESIDE, _BACK = 0.25, 0.15, 1.02
 _FEWEST_TURNS = 5
 
 
-def run_down(frequency: Array, time: Array) -> NDArray[np.bool_]:
+def turns_of_sweep(frequency: Array, time: Array) -> NDArray[np.bool_]:
     """Find the turns of the run-down (or run-up): whole ones, from the highest frequency on, each slower than the last.
 
     Parameters
@@ -218,7 +218,7 @@ def run_down(frequency: Array, time: Array) -> NDArray[np.bool_]:
     Examples
     --------
     >>> frequency = np.concatenate([np.full(3, 2.0), np.linspace(10.0, 6.0, 21)])  # it swings before the motor starts
-    >>> run_down(frequency, np.cumsum(1.0 / frequency)).tolist() == [False] * 3 + [True] * 21
+    >>> turns_of_sweep(frequency, np.cumsum(1.0 / frequency)).tolist() == [False] * 3 + [True] * 21
     True
     """
     whole = np.flatnonzero(_whole_turns(frequency, time))

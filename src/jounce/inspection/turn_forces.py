@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding
 from jounce.core.types import Array, Complex
-from jounce.inspection.checks import problem, warning
+from jounce.inspection.findings import problem, warning
 from jounce.inspection.quarter_car import ResponseFit, Stretch, fit_response, predicted_force, stretch_of
 from jounce.inspection.signals import WheelSignals, plate_acceleration
 from jounce.inspection.sweep import Sweep

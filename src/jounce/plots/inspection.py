@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from jounce.core.types import Array
-from jounce.inspection.sweep import run_down
+from jounce.inspection.sweep import turns_of_sweep
 from jounce.plots.style import MUTED, PALETTE, legend_above, new_figure, styled
 
 if TYPE_CHECKING:
@@ -137,7 +137,7 @@ def _over_frequency(axes: Axes, wheels: list[WheelResult], kind: str, words: dic
             values = 1e-3 * _amplitude(wheel)
         else:
             values = np.where(
-                run_down(wheel.curves.frequency, wheel.curves.time), 1e3 * wheel.curves.plate_amplitude, np.nan
+                turns_of_sweep(wheel.curves.frequency, wheel.curves.time), 1e3 * wheel.curves.plate_amplitude, np.nan
             )
         _curve(axes, wheel.curves, values, wheel.wheel, words)
     axes.set_ylim(bottom=0.0)

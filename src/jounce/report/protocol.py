@@ -14,11 +14,12 @@ from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import unknown
 from jounce.core.serialise import check_writable, to_json, to_plain, write_atomically
-from jounce.inspection.findings import said as remark_text
+from jounce.inspection.findings import sentence_of
 from jounce.inspection.grading import Difference, GradedInspection, VehicleGrade, WheelGrade, grade_vehicle
 from jounce.inspection.limits import Band, Criterion, Limits
-from jounce.inspection.quantities import LANGUAGES, QUANTITIES, Language, Quantity
-from jounce.inspection.reasons import METHOD_NAMES, Reason, verdict_words
+from jounce.inspection.methods import METHODS, QUANTITIES, method_names
+from jounce.inspection.quantities import LANGUAGES, Language, Quantity
+from jounce.inspection.reasons import Reason, verdict_words
 from jounce.inspection.record import day_of
 from jounce.inspection.result import NOT_GRADED, WheelResult
 from jounce.plots import rendered
@@ -335,7 +336,7 @@ def protocol_content(
         "head": [{"label": words[name], "text": _head_text(name, about, language)} for name in HEAD],
         "date": about.get("date", ""),
         "comment": {"label": words["comment"], "text": _head_text("comment", about, language)},
-        "deciding": ", ".join(METHOD_NAMES[method] for method in vehicle.axles[0].deciding) or "–",
+        "deciding": method_names(vehicle.axles[0].deciding) or "–",
         "verdict": _verdict(vehicle.verdict, language),
         "axles": [_axle(one, i, language) for i, one in enumerate(vehicle.axles)],
         "front_rear": _front_rear(vehicle, language),
@@ -415,7 +416,7 @@ def _value_rows(graded: GradedInspection, wheels: Mapping[str, WheelResult], lan
     for name, quantity in QUANTITIES.items():
         methods = {m: one for m, one in graded.limits.methods.items() if one.quantity == name}
         asked = set(methods) & {*graded.deciding, *graded.inspection.methods}
-        if not asked and all(getattr(wheel, name) is None for wheel in wheels.values()):
+        if not asked and all(wheel.value(name) is None for wheel in wheels.values()):
             continue
         if not asked and name == "theta_rig" and _same(wheels):
             continue  # a rigid plate has no value of its own
@@ -446,7 +447,7 @@ def _same(wheels: Mapping[str, WheelResult]) -> bool:
 def _value_cell(graded: GradedInspection, wheel: WheelResult | None, quantity: Quantity, language: Language) -> Plain:
     if wheel is None:
         return _cell("–")
-    value, half = getattr(wheel, quantity.name), wheel.uncertainty.get(quantity.name)
+    value, half = wheel.value(quantity.name), wheel.uncertainty.get(quantity.name)
     grade = graded.grade_of(wheel.wheel)
     band, criterion = _band_of(graded.limits, grade, quantity.name, value)
     edges = criterion.edges() if criterion is not None else ()
@@ -589,11 +590,11 @@ def _remarks(vehicle: VehicleGrade, language: Language) -> list[Plain]:
         title = words_in(language).get(graded.axle, words_in(language)["axle"])
         for finding in graded.inspection.findings:
             if finding.severity != "problem":
-                found.setdefault(remark_text(finding, language), []).append(title)
+                found.setdefault(sentence_of(finding, language), []).append(title)
         for wheel in graded.wheels:
             for finding in wheel.findings:
                 if finding.severity != "problem":
-                    found.setdefault(remark_text(finding, language), []).append(_places(graded, wheel.wheel, language))
+                    found.setdefault(sentence_of(finding, language), []).append(_places(graded, wheel.wheel, language))
     return [
         {"place": _joined(places, vehicle, language), "text": _capital(shortened(text, 400)), "tone": ""}
         for text, places in found.items()
@@ -602,7 +603,7 @@ def _remarks(vehicle: VehicleGrade, language: Language) -> list[Plain]:
 
 def _front_rear(vehicle: VehicleGrade, language: Language) -> list[Plain]:
     """Differences between front and rear of the values that are graded, one line for each side."""
-    names = {one.quantity: METHOD_NAMES[method] for method, one in vehicle.axles[0].limits.methods.items()}
+    names = {one.quantity: METHODS[method].name for method, one in vehicle.axles[0].limits.methods.items()}
     lines = []
     for side in _SIDES:
         found = [one for one in vehicle.differences if one.place == side and one.quantity in names]
@@ -620,7 +621,7 @@ def _sources(vehicle: VehicleGrade, limits: Limits, language: Language) -> list[
         others = [*limits.conditions.values(), *limits.differences.values()]
         using = [limits.methods[method], *(one for one in others if method in one.methods)]
         texts = [one.cited(language) for one in using]
-        lines.append(f"{METHOD_NAMES[method]}: {shortened('; '.join(dict.fromkeys(texts)), 300)}.")
+        lines.append(f"{METHODS[method].name}: {shortened('; '.join(dict.fromkeys(texts)), 300)}.")
     return lines
 
 

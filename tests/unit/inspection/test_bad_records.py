@@ -61,18 +61,21 @@ CHANGES = {
     "metres for millimetres": (lambda t, z, f: (t, 1e-3 * z, f), "metres"),
     "another stroke": (lambda t, z, f: (t, 2.0 * z, f), "wrong tester"),
     "force offset": (lambda t, z, f: (t, z, f + 600.0), "offset of +600 N"),
-    "inverted height": (lambda t, z, f: (t, -z, f), "the plate's height has the wrong sign"),
+    "inverted height": (lambda t, z, f: (t, -z, f), "the plate height has the wrong sign"),
     "jitter": (lambda t, z, f: (t + 3e-4 * np.sin(1e5 * t), z, f), "the time step jitters"),
     "time that falls": (lambda t, z, f: (np.where(t > 3.0, t - 1.0, t), z, f), "time does not ascend"),
-    "no run-down": (lambda t, z, f: (t[:2450], 1.0 * z[:2450], f[:2450]), "run-down is missing"),
-    "cut off": (lambda t, z, f: (t[:7000], z[:7000], f[:7000]), "the record is too short: the run-down is cut off"),
+    "no sweep": (lambda t, z, f: (t[:2450], 1.0 * z[:2450], f[:2450]), "sweep is missing"),
+    "cut off": (lambda t, z, f: (t[:7000], z[:7000], f[:7000]), "the record is too short, the sweep is cut off"),
     "too short": (lambda t, z, f: (t[:500], z[:500], f[:500]), "the record is too short"),
     "dropout": (lambda t, z, f: (t, z, np.where((t > 6.0) & (t < 6.05), 0.0, f)), "a dropout of the signal"),
     "saturated": (lambda t, z, f: (t, z, np.minimum(f, 5400.0)), "saturated"),
-    "not a number": (lambda t, z, f: (t, z, np.where(np.arange(t.size) == 4000, np.nan, f)), "1 sample is no number"),
+    "not a number": (
+        lambda t, z, f: (t, z, np.where(np.arange(t.size) == 4000, np.nan, f)),
+        "1 sample is not a number",
+    ),
     "two sweeps": (
         lambda t, z, f: (np.arange(2 * t.size) * 1e-3, np.tile(z, 2), np.tile(f, 2)),
-        "2 run-downs in one record",
+        "2 sweeps in one record",
     ),
     "wrong weight": (lambda t, z, f: (t, z, 0.85 * f), "the static weight contradicts the signal"),
     "dead plate": (lambda t, z, f: (t, 0.0 * z, f), "the plate never moves"),
@@ -89,10 +92,10 @@ def test_unfit_records_say_why(name, car_run, load, left_record, eusama):
 
 
 WEAKER = {
-    "load off": (lambda t, z, f: (t, z, f + 150.0), "+3.5 %, allowed are 2 %"),
+    "load off": (lambda t, z, f: (t, z, f + 150.0), "+3.5 %, where 2 % is allowed"),
     "sampling": (lambda t, z, f: (t[::2], z[::2], f[::2]), "500 samples per second"),
     "a few clipped": (lambda t, z, f: (t, z, np.minimum(f, np.sort(f)[-25])), "the force is clipped"),
-    "stroke off": (lambda t, z, f: (t, 1.15 * z, f), "allowed are 0.6 mm of difference"),
+    "stroke off": (lambda t, z, f: (t, 1.15 * z, f), "they may differ by 0.6 mm"),
     "slips": (lambda t, z, f: (t, z, f - 500.0 * ((t > 5.0) & (t < 7.0))), "the wheel slips"),
     "another machine": (lambda t, z, f: (t, z, f + 120.0 * np.sin(2 * np.pi * 14.3 * t)), "vibrates at 14.3 Hz"),
 }
@@ -120,7 +123,7 @@ def test_sweep_that_is_too_fast(twin, load, left_record, eusama):
 
 def test_tyre_and_weight_out_of_range(twin, left_record, eusama):
     soft, light = twin.Car(kt=120e3), twin.Car(ms=75.0, mu=14.0, k=5e3, c=900.0, kt=120e3)
-    for car, message in ((soft, "below 160 N/mm"), (light, "outside the weights")):
+    for car, message in ((soft, "below 160 N/mm"), (light, "outside the wheel loads")):
         time, height, force, _ = twin.rigid_record(car, twin.Programme(), mp=20.0, fine=4)
         assert_weakened(left_record(time, height, force, car.static_load), eusama, message)
 
@@ -129,7 +132,7 @@ def test_static_load_from_the_signal_is_said(car_run, load, left_record, eusama)
     time, height, force, _ = car_run
     found = evaluate(left_record(time, height, force), eusama).wheel("left")
     assert found.static_load == pytest.approx(load, rel=1e-3)
-    assert "the header does not give the static load" in found.findings[0].message
+    assert "the header gives no static load" in found.findings[0].message
     assert_unfit(left_record(time, height, 0.0224809 * force), eusama, "which is no wheel load")
 
 
@@ -178,7 +181,7 @@ class TestBothWheels:
         found = evaluate(self.build(time, heights, [forces[0], broken], loads), eusama)
         assert found.wheel("left").is_gradable
         assert found.wheel("left").adhesion == pytest.approx(0.611, abs=2e-3)
-        assert found.wheel("right").reasons[0].startswith("1 sample is no number, the first at 15 s")
+        assert found.wheel("right").reasons[0].startswith("1 sample is not a number, the first at 15 s")
 
     def test_other_plate_left_running(self, axle, eusama):
         time, heights, forces, loads = axle

@@ -13,7 +13,7 @@ import jounce.inspection
 from jounce.core.findings import Finding
 from jounce.inspection import Inspection, WheelResult, evaluate, read_record
 from jounce.inspection.archive.entries import pack, unpack
-from jounce.inspection.findings import SENTENCES, Remark, remark, said
+from jounce.inspection.findings import SENTENCES, Remark, remark, sentence_of
 from jounce.inspection.grading import grade, grade_vehicle
 from jounce.inspection.record import read_facts
 from jounce.parts import load
@@ -31,7 +31,7 @@ def _names(template: str) -> set[str]:
 
 @pytest.mark.parametrize("code", SENTENCES)
 def test_each_code_is_said_in_both_languages(code: str) -> None:
-    english, german = SENTENCES[code]["en"], SENTENCES[code]["de"]
+    english, german = SENTENCES[code].en, SENTENCES[code].de
     more = {"value", "percent"} if code.startswith("reading_") else set()
     assert _names(german) <= _names(english) | more
     assert german[0].isupper() or german[0] == "{"
@@ -61,9 +61,9 @@ def test_every_code_is_used_and_known() -> None:
 def test_german_numbers_have_commas_and_german_words() -> None:
     found = remark("left.plate.z", "problem", "height_unit", 0.04, stroke=0.2362, expected=6.0, unit="inches")
     assert found.message.endswith("the heights seem to be in inches; correct the unit in the header.")
-    assert said(found, "de").startswith("Die Platte bewegt sich um 0,2362 mm, der Hub des Prüfstands ist 6 mm")
-    assert "in Zoll" in said(found, "de")
-    assert said(Finding("file", "note", "only English"), "de") == "only English"
+    assert sentence_of(found, "de").startswith("Die Platte bewegt sich um 0,2362 mm, der Hub des Prüfstands ist 6 mm")
+    assert "in Zoll" in sentence_of(found, "de")
+    assert sentence_of(Finding("file", "note", "only English"), "de") == "only English"
 
 
 def test_findings_and_reasons_are_german_on_a_german_page() -> None:
@@ -100,13 +100,15 @@ def test_findings_of_the_reader_are_german_too(tmp_path: Path) -> None:
     (tmp_path / "lane.csv").write_text(text, encoding="utf-8")
     _, findings = read_record(tmp_path / "lane.csv")
     assert len(findings) == 2
-    german = [said(one, "de") for one in findings]
+    german = [sentence_of(one, "de") for one in findings]
     assert german[0].startswith("Nicht alle Spalten der Datei wurden verwendet")
     assert german[1].startswith("Der Kanal ist unverändert (0,0005)")
-    assert [said(one) for one in findings] == [one.message for one in findings]
+    assert [sentence_of(one) for one in findings] == [one.message for one in findings]
 
 
-@pytest.mark.parametrize(("date", "codes"), [("2026-11-21", []), ("21.11.2026", []), ("soon", ["no_day"]), ("", [])])
+@pytest.mark.parametrize(
+    ("date", "codes"), [("2026-11-21", []), ("21.11.2026", []), ("soon", ["not_a_date"]), ("", [])]
+)
 def test_a_date_that_is_no_day_is_said(date: str, codes: list[str]) -> None:
     facts, findings = read_facts({"date": date})
     assert facts["date"] == date
@@ -121,4 +123,4 @@ def test_codes_outlive_the_store(tmp_path: Path) -> None:
     record, findings = read_record(tmp_path / "lane.csv")
     again = unpack(pack(record, findings))[1]
     assert again == findings
-    assert "ist nicht bekannt" in said(again[0], "de")
+    assert "ist nicht bekannt" in sentence_of(again[0], "de")

@@ -13,7 +13,7 @@ from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.findings import Finding
 from jounce.inspection.grading import difference_of, grade, grade_vehicle, worst
 from jounce.inspection.limits import Limits, load_limits
-from jounce.inspection.quantities import QUANTITIES
+from jounce.inspection.methods import QUANTITIES
 from jounce.inspection.quarter_car import Corner, steady_state
 from jounce.inspection.result import Inspection, WheelCurves, WheelResult
 

@@ -45,7 +45,7 @@ def test_unknown_keys_and_lines_are_said(tmp_path):
     text = ['# left.static_lod = "4 kN"', "# operator = Jan Novak", '# humidity = "40 %"']
     _, findings = read_record(write(tmp_path, text))
     assert [one.severity for one in findings] == ["warning", "warning", "note"]
-    assert "'operator = Jan Novak' was left out" in findings[0].message
+    assert "'operator = Jan Novak' was ignored" in findings[0].message
     assert "Did you mean 'left.static_load'?" in findings[1].message
 
 

@@ -101,7 +101,7 @@ def test_a_wheel_without_its_force_is_not_left_out(both, eusama) -> None:
     found = evaluate(both("left, right", second=True, leave_out="right.plate.force"), eusama)
     assert found.wheel("left").is_gradable
     assert found.wheel("right").reasons == (
-        "right.plate.z is in the record, but right.plate.force is not: check the names of the columns.",
+        "right.plate.z is in the record, but right.plate.force is not: check the column names.",
     )
     alone = evaluate(both("left", second=True, leave_out="right.plate.force"), eusama)
     assert [wheel.wheel for wheel in alone.wheels] == ["left"]
@@ -126,7 +126,7 @@ def test_another_tester_in_the_header_is_said(both, eusama) -> None:
     record = both("left", second=False)
     record.attrs["tester"] = "FooTester"
     assert [one.message for one in evaluate(record, eusama).findings] == [
-        "the header names the tester 'FooTester'; the record is evaluated as one of 'EUSAMA'."
+        "the header names the tester 'FooTester'; the record is evaluated as one from 'EUSAMA'."
     ]
     record.attrs["tester"] = "egea-specsus2018"  # another one that is shipped
     assert [one.code for one in evaluate(record, eusama).findings] == ["other_tester"]
@@ -153,8 +153,8 @@ def test_a_record_of_a_sprung_plate_is_not_taken_for_one_of_a_rigid_plate(both, 
     record.attrs["tester"] = "theta-msd3000"
     (wheel,) = evaluate(record, eusama).wheels
     assert wheel.reasons == (
-        "the header names the tester 'theta-msd3000' (sprung-plate); the record cannot be evaluated as one of 'EUSAMA' "
-        "(rigid-plate).",
+        "the header names the tester 'theta-msd3000' (sprung-plate); the record cannot be evaluated as one from "
+        "'EUSAMA' (rigid-plate).",
     )
     assert wheel.adhesion is None
 
@@ -196,7 +196,7 @@ def sprung_run(sprung):
 def test_a_sprung_plate_must_run_down_through_the_resonance_once(sprung, sprung_run) -> None:
     assert evaluate(sprung_run, sprung).is_gradable
     end = float(sprung_run["time"][-1])
-    for length, message in ((0.5 * end, "the run-down is cut off"), (0.2 * end, "the run-down is missing")):
+    for length, message in ((0.5 * end, "the sweep is cut off"), (0.2 * end, "the sweep is missing")):
         cut = sprung_run.sel(time=slice(0.0, length))
         (wheel,) = evaluate(cut, sprung).wheels
         assert [message in reason for reason in wheel.reasons] == [True]
@@ -208,7 +208,7 @@ def test_a_sprung_plate_must_run_down_through_the_resonance_once(sprung, sprung_
         attributes=sprung_run.attrs,
     )
     (wheel,) = evaluate(twice, sprung).wheels
-    assert wheel.reasons == ("2 run-downs in one record: cut them apart.",)
+    assert wheel.reasons == ("2 sweeps in one record: evaluate them separately.",)
 
 
 def test_a_run_up_of_a_sprung_plate_is_a_test_too(sprung) -> None:

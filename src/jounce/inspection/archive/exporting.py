@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from jounce.core.optional import require
 from jounce.core.serialise import check_writable, replacing, write_atomically
+from jounce.inspection.methods import METHODS, QUANTITIES
 
 if TYPE_CHECKING:
     from jounce.inspection.archive.entries import StoredRecord
@@ -20,17 +21,16 @@ VALUES = {
     "static_load": "N", "adhesion": "1", "adhesion_frequency_hz": "Hz", "phase_angle_min_deg": "deg",
     "phase_frequency_hz": "Hz", "relative_force_amplitude": "1", "tyre_rigidity": "N/m", "theta_rig": "1",
     "theta_road": "1", "resonance_frequency_hz": "Hz", "boge_amplitude": "m",
-}  # fmt: skip
+} | {name: quantity.si for name, quantity in QUANTITIES.items()}  # fmt: skip
 """Values of a wheel that are exported, with their unit; ``<name>_half_width`` is half their 95 % interval."""
-_METHODS = ("eusama", "egea", "theta", "boge")
 _OF_RECORD = ("number", "name", "plate", "vehicle", "date", "axle", "tester", "accepted")
 TEXTS = (
-    *_OF_RECORD[1:], "wheel", *(f"grade_{method}" for method in _METHODS), "verdict", "reasons", "axle_verdict",
+    *_OF_RECORD[1:], "wheel", *(f"grade_{method}" for method in METHODS), "verdict", "reasons", "axle_verdict",
     "limits", "software",
 )  # fmt: skip
 COLUMNS = (
     *_OF_RECORD, "wheel", *(column for name in VALUES for column in (name, f"{name}_half_width")), "lift_off",
-    *(f"grade_{method}" for method in _METHODS), "verdict", "reasons", "axle_verdict", "limits", "software",
+    *(f"grade_{method}" for method in METHODS), "verdict", "reasons", "axle_verdict", "limits", "software",
 )  # fmt: skip
 
 
@@ -53,7 +53,7 @@ def _of_wheel(wheel: Mapping[str, Any]) -> Row:
     row: Row = {"wheel": wheel.get("wheel"), "lift_off": wheel.get("lift_off"), "verdict": wheel["verdict"]}
     for name in VALUES:
         row |= {name: wheel.get(name), f"{name}_half_width": uncertainty.get(name)}
-    row |= {f"grade_{method}": grade.get(method) for method in _METHODS}
+    row |= {f"grade_{method}": grade.get(method) for method in METHODS}
     return {**row, "reasons": " ".join(wheel["reasons"])}
 
 
