@@ -114,7 +114,7 @@ def test_methods_without_limits_are_said() -> None:
     only = Limits.model_construct(**{**dict(limits), "methods": {"egea": limits.methods["egea"]}, "differences": {}})
     graded = grade(axle(), only)
     assert graded.wheels[0].grade == {"egea": "sufficient"}
-    assert any("say nothing about THETA" in reason for reason in graded.wheels[0].reasons)
+    assert any("there are no limits for THETA" in reason for reason in graded.wheels[0].reasons)
     assert graded.wheels[0].verdict == "pass"
 
 
@@ -146,7 +146,7 @@ def test_a_value_just_below_a_limit_is_not_written_as_the_limit() -> None:
 
 def test_over_range_is_noted() -> None:
     graded = grade(axle(wheel(theta_road=0.395)))
-    assert any("the source says nothing about it" in reason for reason in graded.wheels[0].reasons)
+    assert any("the source says nothing about such values" in reason for reason in graded.wheels[0].reasons)
     assert graded.wheels[0].verdict == "pass"
 
 
@@ -213,7 +213,7 @@ def test_one_wheel_alone_is_said() -> None:
     graded = grade(alone)
     assert (graded.wheels[0].verdict, graded.verdict) == ("pass", "pass")
     assert (
-        "the right wheel was not tested: the verdict is of the other wheel alone"
+        "the right wheel was not tested: the verdict holds for the other wheel alone"
         in graded.inspection.axle["reasons"][0]
     )
     assert graded.differences == ()
@@ -330,7 +330,7 @@ def test_lift_off_and_unequal_limits_are_explained() -> None:
     graded = grade(axle(wheel(adhesion=0.0, lift_off=True, theta_road=0.12), methods=("eusama", "egea", "theta")))
     said = " ".join(graded.wheels[0].reasons)
     assert "the tyre leaves the plate" in said
-    assert "limits of EGEA and THETA are not the same damping" in said
+    assert "limits of EGEA and THETA do not stand for the same damping" in said
 
 
 def test_reasons_are_said_in_german_too() -> None:

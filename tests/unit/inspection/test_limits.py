@@ -28,8 +28,8 @@ def changed(tmp_path: Path, old: str, new: str) -> Path:
         ("theta", 0.1299999, "yellow", "advise", ""),
         ("theta", 0.13, "green", "pass", ""),
         ("theta", 0.30, "green", "pass", ""),
-        ("theta", 0.3000001, "green (above stated optimal band)", "pass", "over_range"),
-        ("theta", 5.0, "green (above stated optimal band)", "pass", "over_range"),
+        ("theta", 0.3000001, "green, above the optimal band", "pass", "over_range"),
+        ("theta", 5.0, "green, above the optimal band", "pass", "over_range"),
         # EUSAMA classes 0-19 bad, 20-39 insufficient, 40-59 sufficient, from 60 good
         ("eusama", 0.0, "bad", "fail", ""),
         ("eusama", 0.1999, "bad", "fail", ""),

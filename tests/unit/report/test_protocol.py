@@ -11,8 +11,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray as xr
-from jounce.inspection.methods.steady import steady_state
-from jounce.inspection.signals.response import Corner, force_response
+from jounce.inspection.quarter_car import steady_state
+from jounce.inspection.quarter_car import Corner, force_response
 
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.findings import Finding
