@@ -7,12 +7,13 @@ from collections.abc import Iterator
 import numpy as np
 
 from jounce.core.findings import Finding, Severity
-from jounce.core.types import Array
 from jounce.parts.corners import LARGE, Corner
 from jounce.parts.elements import MapDamper, VelocityTable
 from jounce.parts.leverage import motion_ratio, spring_force, static_spring_force, static_tyre_deflection
 from jounce.parts.rig import Rig
 from jounce.parts.vehicles import Axle, FullAxle, FullCar, FullCar3D, HalfCar, HalfCar4DOF, WheeledAxle
+
+AnyVehicle = HalfCar | HalfCar4DOF | FullCar | FullCar3D
 
 STEEP_STRUT = np.radians(30.0)
 """Strut angle to the vertical in front view above which the literature rejects a strut."""
@@ -27,6 +28,14 @@ BODY_POINTS = {
     **{f"link_{i}": (f"link_{i}_inner", f"link_{i}_outer") for i in range(1, 6)},
 }
 """Hardpoints of each body; those of an upright are the outer ones."""
+LONGEST = 6.0
+"""m; no axle is that far from the centre of gravity, nothing of a car is that wide or high."""
+INDICES = (0.4, 2.0)
+"""Dynamic indices (pitch inertia over mass and both distances, 1) that road vehicles have."""
+FREQUENCIES = (0.6, 6.0)
+"""Hz, of the body on one axle: from the softest coach to a race car."""
+RATIOS = (0.05, 1.5)
+"""Damping ratios (1) of the body on one axle."""
 
 
 def rig_findings(rig: Rig, where: str = "") -> list[Finding]:
@@ -54,11 +63,11 @@ def rig_findings(rig: Rig, where: str = "") -> list[Finding]:
     >>> found[0].place, round(found[0].value, 3)   # rad
     ('hardpoints.strut_top', 0.575)
     """
-    if isinstance(rig, Corner):
-        checks = (_estimated, _order, _wheel, _strut, _damper, _bodies, _sprung, _statics)
+    if isinstance(rig, Corner):  # where a size is wrong, everything else would be found wrong as well
+        checks = (_estimated, _order, _wheel, _strut, _bodies, _sprung, _statics)
         found = list(_size(rig)) or [finding for check in checks for finding in check(rig)]
     else:
-        found = [*_estimated(rig), *(vehicle_findings(rig) if isinstance(rig, AnyVehicle) else ())]
+        found = [*_estimated(rig), *(_vehicle(rig) if isinstance(rig, AnyVehicle) else ())]
     start = f"{where}: " if where else ""
     return [Finding(start + item.place, item.severity, item.message, item.value) for item in found]
 
@@ -79,22 +88,14 @@ def _size(rig: Corner) -> Iterator[Finding]:
     name = max(points, key=lambda key: float(np.abs(points[key]).max()))
     largest = float(np.abs(points[name]).max())
     if largest > LARGE:
-        yield _warn(
-            "hardpoints",
-            f"{name} lies {largest:g} m from the origin: millimetres given as metres? A bare number is in m; "
-            'write "150 mm".',
-            largest,
-        )
+        text = f"{name} lies {largest:g} m from the origin: millimetres given as metres? A bare number is in m; "
+        yield _warn("hardpoints", text + 'write "150 mm".', largest)
     if largest < 5e-3:
-        yield _warn(
-            "hardpoints",
-            f"all points lie within {1e3 * largest:g} mm of the origin: metres given as millimetres?",
-            largest,
-        )
-    if rig.wheel.radius > 2.0 or rig.wheel.radius < 0.02:
-        yield _warn(
-            "wheel.radius", f"{rig.wheel.radius:g} m is no wheel of a car or kart; is the unit right?", rig.wheel.radius
-        )
+        text = f"all points lie within {1e3 * largest:g} mm of the origin: metres given as millimetres?"
+        yield _warn("hardpoints", text, largest)
+    radius = rig.wheel.radius
+    if radius > 2.0 or radius < 0.02:
+        yield _warn("wheel.radius", f"{radius:g} m is no wheel of a car or kart; is the unit right?", radius)
 
 
 def _order(rig: Corner) -> Iterator[Finding]:
@@ -102,34 +103,28 @@ def _order(rig: Corner) -> Iterator[Finding]:
     points = rig.hardpoints.given()
     for arm in ("lower_arm", "upper_arm"):
         if f"{arm}_front" in points and points[f"{arm}_front"][0] < points[f"{arm}_rear"][0]:
-            yield _warn(
-                f"hardpoints.{arm}_front", f"lies behind {arm}_rear; x points forward. Are the two swapped?", None
-            )
+            yield _warn(f"hardpoints.{arm}_front", f"lies behind {arm}_rear; x points forward. Are the two swapped?")
     if "upper_ball_joint" in points and points["upper_ball_joint"][2] < points["lower_ball_joint"][2]:
         yield _warn("hardpoints.upper_ball_joint", "lies below lower_ball_joint; z points up. Are the two swapped?")
-    for inner, outer in (
-        ("tie_rod_inner", "tie_rod_outer"),
-        *((f"link_{i}_inner", f"link_{i}_outer") for i in range(1, 6)),
-    ):
+    for rod in ("tie_rod", *(f"link_{i}" for i in range(1, 6))):
+        inner, outer = f"{rod}_inner", f"{rod}_outer"
         if inner in points and rig.sign * points[inner][1] > rig.sign * points[outer][1]:
             yield _warn(f"hardpoints.{inner}", f"lies further out than {outer}. Are the two swapped?", severity="note")
     for name, point in points.items():
         if rig.sign * point[1] < 0.0 and name not in ("rocker_axis", "arb_pivot"):
-            yield _warn(
-                f"hardpoints.{name}", "lies just across the middle of the car; is the sign of y right?", point[1]
-            )
+            text = "lies just across the middle of the car; is the sign of y right?"
+            yield _warn(f"hardpoints.{name}", text, point[1])
 
 
 def _wheel(rig: Corner) -> Iterator[Finding]:
     height, radius = rig.hardpoints.wheel_centre[2], rig.undeformed_radius
     if abs(height - radius) > 0.2 * radius:
         state = "pressed in by" if height < radius else "above the road by"
-        yield _warn(
-            "hardpoints.wheel_centre",
+        text = (
             f"at design position the tyre is {state} {1e3 * abs(radius - height):.4g} mm: the wheel centre is "
-            f"{1e3 * height:.4g} mm above the road (z = 0), the undeformed radius is {1e3 * radius:.4g} mm.",
-            radius - height,
+            f"{1e3 * height:.4g} mm above the road (z = 0), the undeformed radius is {1e3 * radius:.4g} mm."
         )
+        yield _warn("hardpoints.wheel_centre", text, radius - height)
     for name in ("camber", "toe"):
         angle = getattr(rig.wheel, name)
         if abs(angle) > 0.2:
@@ -138,27 +133,26 @@ def _wheel(rig: Corner) -> Iterator[Finding]:
 
 def _strut(rig: Corner) -> Iterator[Finding]:
     bottom, top = np.array(rig.hardpoints.at("strut_bottom")), np.array(rig.hardpoints.at("strut_top"))
-    along = top - bottom
-    if rig.strut.on != "rocker":
+    along, strut = top - bottom, rig.strut
+    if strut.on != "rocker":
         if along[2] <= 0.0:
             yield _warn("hardpoints.strut_top", "does not lie above strut_bottom; z points up. Are the two swapped?")
         elif (angle := float(np.arctan2(abs(along[1]), along[2]))) > STEEP_STRUT:
-            yield _warn(
-                "hardpoints.strut_top",
+            text = (
                 f"the strut leans {np.degrees(angle):.1f} deg from the vertical in front view; struts over 30 deg are "
-                "rejected in the literature, because wheel rate and damping fall with the square of the motion ratio.",
-                angle,
+                "rejected in the literature, because wheel rate and damping fall with the square of the motion ratio."
             )
+            yield _warn("hardpoints.strut_top", text, angle)
     for name in ("bump_stop", "rebound_stop"):
-        stop = getattr(rig.strut, name)
+        stop = getattr(strut, name)
         if stop is not None and stop.gap < 0.0:
-            yield _warn(
-                f"strut.{name}.gap", f"the stop is pressed in by {-1e3 * stop.gap:.4g} mm at design position.", stop.gap
-            )
+            text = f"the stop is pressed in by {-1e3 * stop.gap:.4g} mm at design position."
+            yield _warn(f"strut.{name}.gap", text, stop.gap)
+    yield from _driving("strut.damper", strut.damper)
 
 
-def _damper(rig: Corner) -> Iterator[Finding]:
-    damper = rig.strut.damper
+def _driving(place: str, damper: object) -> Iterator[Finding]:
+    """The first point at which a table drives the motion instead of damping it."""
     if isinstance(damper, VelocityTable):
         rows = {"": damper.force}
     elif isinstance(damper, MapDamper):
@@ -168,12 +162,8 @@ def _damper(rig: Corner) -> Iterator[Finding]:
     for index, row in rows.items():
         for velocity, force in zip(damper.velocity, row, strict=True):
             if velocity * force < 0.0:
-                yield _warn(
-                    f"strut.damper.force{index}",
-                    f"{force:g} N at {velocity:g} m/s drives the motion, it does not damp it; bump and compression are "
-                    "positive.",
-                    force,
-                )
+                text = f"{force:g} N at {velocity:g} m/s drives the motion, it does not damp it; "
+                yield _warn(f"{place}.force{index}", text + "bump and compression are positive.", force)
                 return
 
 
@@ -182,27 +172,19 @@ def _bodies(rig: Corner) -> Iterator[Finding]:
     for name, body in rig.body_masses().items():
         names = BODY_POINTS.get(name, rig.hardpoints.outer)
         own = np.array([points[point] for point in names if point in points])
-        reach = max(_extent(own), rig.wheel.radius if name in ("upright", "wheel", "arm") else 0.0)
+        extent = float(np.linalg.norm(own[:, np.newaxis] - own, axis=2).max())
+        reach = max(extent, rig.wheel.radius if name in ("upright", "wheel", "arm") else 0.0)
         away = float(np.linalg.norm(np.array(body.centre_of_mass) - own, axis=1).min())
         if away > 1.5 * reach:
-            yield _warn(
-                f"bodies.{name}.centre_of_mass",
-                f"lies {1e3 * away:.4g} mm from the nearest of its hardpoints, which are {1e3 * reach:.4g} mm apart.",
-                away,
-            )
+            text = f"lies {1e3 * away:.4g} mm from the nearest of its hardpoints, which are {1e3 * reach:.4g} mm apart."
+            yield _warn(f"bodies.{name}.centre_of_mass", text, away)
         gyration = float(np.sqrt(body.inertia.principal_moments[-1] / body.mass))
         if gyration > 1.5 * reach:
-            yield _warn(
-                f"bodies.{name}.inertia",
+            text = (
                 f"its radius of gyration is {1e3 * gyration:.4g} mm, more than the body can reach "
-                f"({1e3 * reach:.4g} mm); are the units right (kg m^2, about the centre of mass)?",
-                gyration,
+                f"({1e3 * reach:.4g} mm); are the units right (kg m^2, about the centre of mass)?"
             )
-
-
-def _extent(points: Array) -> float:
-    """Largest distance between two of the points in m."""
-    return float(np.linalg.norm(points[:, np.newaxis] - points, axis=2).max())
+            yield _warn(f"bodies.{name}.inertia", text, gyration)
 
 
 def _sprung(rig: Corner) -> Iterator[Finding]:
@@ -210,13 +192,12 @@ def _sprung(rig: Corner) -> Iterator[Finding]:
         return
     unused = [name for name in ("centre_of_mass", "inertia", "joint") if getattr(rig.sprung, name) is not None]
     if unused:
-        yield _warn(
-            "sprung", f'{", ".join(unused)} not used: only guide = "vertical+spherical" lets it turn.', severity="note"
-        )
+        text = f'{", ".join(unused)} not used: only guide = "vertical+spherical" lets it rotate.'
+        yield _warn("sprung", text, severity="note")
 
 
 def _statics(rig: Corner) -> Iterator[Finding]:
-    """Whether the spring can hold the car, and how far from design it does."""
+    """Whether the spring can carry the car, and how far from design it does."""
     try:
         ratio = motion_ratio(rig)
         needed = 0.0 if rig.guide == "fixed" else static_spring_force(rig)
@@ -224,101 +205,49 @@ def _statics(rig: Corner) -> Iterator[Finding]:
         yield _warn("hardpoints", "the joints do not let the wheel rise at design position, or not in one way only.")
         return
     if ratio < 0.1:
-        yield _warn(
-            "strut",
-            f"the spring shortens by only {ratio:.3g} of the wheel's rise; is the strut on the right body?",
-            ratio,
-        )
+        text = f"the spring shortens by only {ratio:.3g} of the wheel's rise; is the strut on the right body?"
+        yield _warn("strut", text, ratio)
         return
     if rig.guide == "fixed":
         return
     present, length = spring_force(rig), rig.hardpoints.length("spring")
-    deflection = _deflection(rig, needed)
+    low, high = -length, length
+    if spring_force(rig, low) <= needed <= spring_force(rig, high):
+        for _ in range(60):
+            middle = 0.5 * (low + high)
+            low, high = (middle, high) if spring_force(rig, middle) < needed else (low, middle)
+    deflection = 0.5 * (low + high) if high < length or low > -length else None
     if deflection is None or deflection > 0.6 * length:
-        yield _warn(
-            "strut.spring",
+        text = (
             f"cannot hold the weight: equilibrium needs {needed:.4g} N, and it has {present:.4g} N at its design "
-            f"length of {1e3 * length:.4g} mm. Make it stiffer, or give it more preload or a longer free length.",
-            needed,
+            f"length of {1e3 * length:.4g} mm. Make it stiffer, or give it more preload or a longer free length."
         )
+        yield _warn("strut.spring", text, needed)
         return
     travel = deflection / ratio
     if abs(travel) > 0.25 * rig.wheel.radius:
-        yield _warn(
-            "strut.spring",
+        text = (
             f"static equilibrium is about {1e3 * abs(travel):.3g} mm of wheel travel into "
             f"{'bump' if travel > 0.0 else 'rebound'} from design: the spring has {present:.4g} N there and needs "
-            f"{needed:.4g} N.",
-            travel,
+            f"{needed:.4g} N."
         )
+        yield _warn("strut.spring", text, travel)
     pressed = static_tyre_deflection(rig)
     if pressed > 0.3 * rig.wheel.radius:
-        yield _warn(
-            "tyre", f"is pressed in by {1e3 * pressed:.4g} mm under the weight; is the stiffness right?", pressed
-        )
+        text = f"is pressed in by {1e3 * pressed:.4g} mm under the weight; is the stiffness right?"
+        yield _warn("tyre", text, pressed)
 
 
-def _deflection(rig: Corner, force: float) -> float | None:
-    """Deflection from design in m at which spring and stops give a force in N; None where they never do."""
-    length = rig.hardpoints.length("spring")
-    low, high = -length, length
-    if not spring_force(rig, low) <= force <= spring_force(rig, high):
-        return None
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if spring_force(rig, middle) < force else (low, middle)
-    return 0.5 * (low + high)
-
-
-AnyVehicle = HalfCar | HalfCar4DOF | FullCar | FullCar3D
-
-LONGEST = 6.0
-"""m; no axle lies that far from the centre of gravity, nothing of a car is that wide or high."""
-INDICES = (0.4, 2.0)
-"""Dynamic indices (pitch inertia over mass and both distances, 1) that road vehicles have."""
-FREQUENCIES = (0.6, 6.0)
-"""Hz, of the body over one axle: from the softest coach to a race car."""
-RATIOS = (0.05, 1.5)
-"""Damping ratios (1) of the body over one axle."""
-
-
-def vehicle_findings(car: AnyVehicle) -> list[Finding]:
-    """List what a careful colleague would ask about a vehicle; values in SI.
-
-    Parameters
-    ----------
-    car : Vehicle
-        Any vehicle; the corners of a 3-D car are examined as rigs.
-
-    Examples
-    --------
-    >>> from jounce.parts import load
-    >>> car = load("audi-a6-half-car")
-    >>> vehicle_findings(car)
-    []
-    >>> [found.place for found in vehicle_findings(car.with_changes({"front.spring_rate": "28 N/m"}))]
-    ['front.spring_rate']
-    """
-    sizes = list(_sizes(car))
-    return sizes or [found for check in (_index, _axles, _roll_centres) for found in check(car)]
-
-
-def _axles_of(car: AnyVehicle) -> dict[str, Axle | WheeledAxle]:
-    """Axles that hold their own springs, by name; none of a 3-D car."""
-    named = {name: getattr(car, name) for name in ("front", "rear")}
-    return {name: axle for name, axle in named.items() if isinstance(axle, Axle | WheeledAxle)}
-
-
-def _sizes(car: AnyVehicle) -> Iterator[Finding]:
+def _vehicle(car: AnyVehicle) -> Iterator[Finding]:
     lengths = {path: value for path, value in car.parameters().items() if path.count(".") == 1}
-    for path, value in lengths.items():
-        if path.endswith((".distance", ".track", ".height", ".roll_centre_height")) and abs(value) > LONGEST:
-            yield _warn(
-                path, f'{value:g} m: millimetres given as metres? A bare number is in m; write "1290 mm".', value
-            )
-
-
-def _index(car: AnyVehicle) -> Iterator[Finding]:
+    wrong = [
+        _warn(path, f'{value:g} m: millimetres given as metres? A bare number is in m; write "1290 mm".', value)
+        for path, value in lengths.items()
+        if path.endswith((".distance", ".track", ".height", ".roll_centre_height")) and abs(value) > LONGEST
+    ]
+    if wrong:
+        yield from wrong
+        return
     body = car.body
     index = body.pitch_inertia / (body.mass * car.front.distance * car.rear.distance)
     if not INDICES[0] <= index <= INDICES[1]:
@@ -327,24 +256,21 @@ def _index(car: AnyVehicle) -> Iterator[Finding]:
             "to 1.1. Is the inertia that of the body about its centre of gravity?"
         )
         yield _warn("body.pitch_inertia", text, index)
-
-
-def _carried(car: AnyVehicle) -> dict[str, float]:
-    """Mass of the body that one wheel carries, kg."""
-    return {
-        name: 0.5 * car.body.mass * getattr(car, other).distance / car.wheelbase
-        for name, other in (("front", "rear"), ("rear", "front"))
-    }
-
-
-def _axles(car: AnyVehicle) -> Iterator[Finding]:
-    carried = _carried(car)
-    for name, axle in _axles_of(car).items():
-        mass = carried[name]
+    for name, other in (("front", car.rear), ("rear", car.front)):
+        axle = getattr(car, name)
+        if not isinstance(axle, Axle | WheeledAxle):
+            continue  # axles of 3-D corners have no springs of their own
+        mass = 0.5 * body.mass * other.distance / car.wheelbase  # of the body on one wheel, kg
         if axle.spring_rate is not None:
             yield from _frequency(name, axle, mass, axle.spring_rate)
         if isinstance(axle, WheeledAxle):
-            yield from _axle_wheel(name, axle, mass, car.gravity)
+            yield from _axle(name, axle, mass, car.gravity)
+        if isinstance(axle, FullAxle) and body.height is not None and axle.roll_centre_height > body.height:
+            text = (
+                f"{axle.roll_centre_height:g} m lies above the centre of gravity, {body.height:g} m: "
+                "the body leans into the turn."
+            )
+            yield _warn(f"{name}.roll_centre_height", text, axle.roll_centre_height)
 
 
 def _frequency(name: str, axle: Axle | WheeledAxle, mass: float, rate: float) -> Iterator[Finding]:
@@ -352,7 +278,7 @@ def _frequency(name: str, axle: Axle | WheeledAxle, mass: float, rate: float) ->
     frequency = angular / (2.0 * np.pi)
     if not FREQUENCIES[0] <= frequency <= FREQUENCIES[1]:
         text = (
-            f"the body over this axle would swing at {frequency:.3g} Hz, {mass:.4g} kg on {rate:.4g} N/m; cars have 1 "
+            f"the body on this axle would bounce at {frequency:.3g} Hz, {mass:.4g} kg on {rate:.4g} N/m; cars have 1 "
             "to 2 Hz, race cars up to 5 Hz. The rate is that of one wheel; is its unit right?"
         )
         yield _warn(f"{name}.spring_rate", text, frequency)
@@ -360,13 +286,13 @@ def _frequency(name: str, axle: Axle | WheeledAxle, mass: float, rate: float) ->
         ratio = axle.damping_coefficient / (2.0 * mass * angular)
         if not RATIOS[0] <= ratio <= RATIOS[1]:
             text = (
-                f"the body over this axle would have the damping ratio {ratio:.3g}; cars have 0.2 to 0.5. "
+                f"the body on this axle would have the damping ratio {ratio:.3g}; cars have 0.2 to 0.5. "
                 "The coefficient is that of one wheel; is its unit right?"
             )
             yield _warn(f"{name}.damping_coefficient", text, ratio)
 
 
-def _axle_wheel(name: str, axle: WheeledAxle, mass: float, gravity: float) -> Iterator[Finding]:
+def _axle(name: str, axle: WheeledAxle, mass: float, gravity: float) -> Iterator[Finding]:
     if axle.unsprung_mass > 0.5 * mass:
         text = (
             f"{axle.unsprung_mass:g} kg is more than half of the {mass:.4g} kg that the wheel carries; "
@@ -375,29 +301,9 @@ def _axle_wheel(name: str, axle: WheeledAxle, mass: float, gravity: float) -> It
         yield _warn(f"{name}.unsprung_mass", text, axle.unsprung_mass)
     if axle.spring_rate is not None:
         rest = mass * gravity / axle.spring_rate
-        closed = (
-            f"the stop is closed at rest, where the deflection from undeformed springs is about {1e3 * rest:.4g} mm."
-        )
+        text = f"the stop is closed at rest, where the springs are deflected by about {1e3 * rest:.4g} mm."
         if axle.bump_stop is not None and axle.bump_stop.gap < rest:
-            yield _warn(f"{name}.bump_stop.gap", closed, axle.bump_stop.gap)
+            yield _warn(f"{name}.bump_stop.gap", text, axle.bump_stop.gap)
         if axle.rebound_stop is not None and -axle.rebound_stop.gap > rest:
-            yield _warn(f"{name}.rebound_stop.gap", closed, axle.rebound_stop.gap)
-    damper = axle.damper
-    if isinstance(damper, VelocityTable):
-        for velocity, force in zip(damper.velocity, damper.force, strict=True):
-            if velocity * force < 0.0:
-                text = (
-                    f"{force:g} N at {velocity:g} m/s drives the motion, it does not damp it; compression is positive."
-                )
-                yield _warn(f"{name}.damper.force", text, force)
-                return
-
-
-def _roll_centres(car: AnyVehicle) -> Iterator[Finding]:
-    for name, axle in _axles_of(car).items():
-        if isinstance(axle, FullAxle) and car.body.height is not None and axle.roll_centre_height > car.body.height:
-            text = (
-                f"{axle.roll_centre_height:g} m lies above the centre of gravity, {car.body.height:g} m: "
-                "over it the body leans into the turn."
-            )
-            yield _warn(f"{name}.roll_centre_height", text, axle.roll_centre_height)
+            yield _warn(f"{name}.rebound_stop.gap", text, axle.rebound_stop.gap)
+    yield from _driving(f"{name}.damper", axle.damper)

@@ -21,6 +21,9 @@ SAME_POINT = 1e-6
 """Distance in m below which two points are one."""
 ON_ONE_LINE = 1e-3
 """Share of its triangle's size that a point must keep away from the axis it is to turn about."""
+Groups = tuple[tuple[str, ...], ...]
+Axes = tuple[tuple[str, str, str], ...]
+Rods = tuple[tuple[str, str], ...]
 
 
 class Hardpoints(Description):
@@ -42,7 +45,7 @@ class Hardpoints(Description):
 
     outer: ClassVar[tuple[str, ...]] = ("wheel_centre",)
     """Points that stand on the wheel's side of the arms."""
-    different: ClassVar[tuple[tuple[str, ...], ...]] = (
+    different: ClassVar[Groups] = (
         ("strut_bottom", "strut_top"),
         ("spring_bottom", "spring_top"),
         ("damper_bottom", "damper_top"),
@@ -50,23 +53,27 @@ class Hardpoints(Description):
         ("arb_arm_end", "arb_link_end"),
     )
     """Groups in which no two points may be the same."""
-    turning: ClassVar[tuple[tuple[str, str, str], ...]] = ()
+    turning: ClassVar[Axes] = ()
     """Two points of an axis, and a point that turns about it."""
-    together: ClassVar[tuple[tuple[str, ...], ...]] = (("arb_pivot", "arb_arm_end", "arb_link_end"),)
+    together: ClassVar[Groups] = (("arb_pivot", "arb_arm_end", "arb_link_end"),)
     """Groups of which all points are given or none."""
-    rods: ClassVar[tuple[tuple[str, str], ...]] = ()
+    rods: ClassVar[Rods] = ()
     """Points of the wheel's body that keep their distance from a point of the car's body: outer and inner one."""
 
     @model_validator(mode="after")
     def _can_move(self) -> Self:
         self._refuse_lost_points()
-        for group in self.together:
-            self._refuse_half(group)
-        for group in self.different:
-            for one, other in combinations(group, 2):
-                self._refuse_equal(one, other)
-        for one, other, turned in self.turning:
-            self._refuse_one_line(one, other, turned)
+        kinds = [kind for kind in reversed(type(self).__mro__) if issubclass(kind, Hardpoints)]
+        for kind in kinds:  # each with its own rules on top of those of its bases
+            for group in vars(kind).get("together", ()):
+                self._refuse_half(group)
+        for kind in kinds:
+            for group in vars(kind).get("different", ()):
+                for one, other in combinations(group, 2):
+                    self._refuse_equal(one, other)
+        for kind in kinds:
+            for one, other, turned in vars(kind).get("turning", ()):
+                self._refuse_one_line(one, other, turned)
         return self
 
     def at(self, name: str) -> Triple | None:
@@ -199,32 +206,16 @@ class Corner(Rig):
         def on(key: str, bodies: tuple[str, ...]) -> dict[str, Any]:
             return {key: (Literal[bodies], bodies[0])} if bodies else {}
 
-        bodies: dict[str, Any] = dict.fromkeys(cls.needed_bodies, (RigidBody, ...))
-        bodies |= dict.fromkeys(cls.further_bodies, (RigidBody | None, None))
-        bushings = part(
-            "Bushings",
-            Description,
-            "Bushings in place of ideal joints on the car's body.",
-            dict.fromkeys(cls.bushed, (Bushing | None, None)),
-        )
-        strut = {**on("on", cls.strut_on), **on("pushrod_on", cls.pushrod_on)}
+        needed = dict.fromkeys(cls.needed_bodies, (RigidBody, ...))
+        further = dict.fromkeys(cls.further_bodies, (RigidBody | None, None))
+        text = "Bodies of the suspension; without ``wheel`` the wheel belongs to the body that carries it."
+        bodies = part("Bodies", Description, text, {**needed, **further})
+        text = "Strut from the body ``on``, or the rocker of a push rod on ``pushrod_on``, to the car's body."
+        strut = part("Strut", SpatialStrut, text, {**on("on", cls.strut_on), **on("pushrod_on", cls.pushrod_on)})
         bar = part("Bar", AntiRollBar, "Anti-roll bar, linked to the body ``on``.", on("on", cls.bar_on))
-        cls.__annotations__ |= {
-            "bodies": part(
-                "Bodies",
-                Description,
-                "Bodies of the suspension; without ``wheel`` the wheel belongs to the body that carries it.",
-                bodies,
-            ),
-            "strut": part(
-                "Strut",
-                SpatialStrut,
-                "Strut from the body ``on``, or the rocker of a push rod on ``pushrod_on``, to the car's body.",
-                strut,
-            ),
-            "anti_roll_bar": bar | None,
-            "bushings": bushings,
-        }
+        text = "Bushings in place of ideal joints on the car's body."
+        bushings = part("Bushings", Description, text, dict.fromkeys(cls.bushed, (Bushing | None, None)))
+        cls.__annotations__ |= {"bodies": bodies, "strut": strut, "anti_roll_bar": bar | None, "bushings": bushings}
         cls.anti_roll_bar, cls.bushings = None, bushings()
 
     @property
@@ -359,54 +350,63 @@ def _mirrored_points(table: dict[str, Any]) -> dict[str, Any]:
     return {name: (x, -y, z) for name, (x, y, z) in table.items()}
 
 
-class DoubleWishboneHardpoints(Hardpoints):
-    """Two arms, each on an axis through two points of the body, an upright between their ball joints, a tie rod."""
+class ArmHardpoints(Hardpoints):
+    """A lower arm on an axis through two points of the body, and a tie rod."""
 
     lower_arm_front: Point
     lower_arm_rear: Point
     lower_ball_joint: Point
-    upper_arm_front: Point
-    upper_arm_rear: Point
-    upper_ball_joint: Point
     tie_rod_inner: Point
     tie_rod_outer: Point
+
+    different: ClassVar[Groups] = (
+        ("lower_arm_front", "lower_arm_rear", "lower_ball_joint", "tie_rod_inner", "tie_rod_outer"),
+    )
+    turning: ClassVar[Axes] = (("lower_arm_front", "lower_arm_rear", "lower_ball_joint"),)
+    rods: ClassVar[Rods] = (
+        ("lower_ball_joint", "lower_arm_front"),
+        ("lower_ball_joint", "lower_arm_rear"),
+        ("tie_rod_outer", "tie_rod_inner"),
+    )
+
+
+class RockerHardpoints(Hardpoints):
+    """A rocker on an axis through two points of the body, moved by a push rod; the strut's lower end is on it."""
+
     pushrod_outer: Point | None = None
     pushrod_inner: Point | None = None
     rocker_pivot: Point | None = None
     rocker_axis: Point | None = None
 
-    outer: ClassVar[tuple[str, ...]] = ("wheel_centre", "lower_ball_joint", "upper_ball_joint", "tie_rod_outer")
-    different: ClassVar[tuple[tuple[str, ...], ...]] = (
+    different: ClassVar[Groups] = (("pushrod_outer", "pushrod_inner"), ("rocker_pivot", "rocker_axis"))
+    turning: ClassVar[Axes] = (("rocker_pivot", "rocker_axis", "pushrod_inner"),)
+    together: ClassVar[Groups] = (("pushrod_outer", "pushrod_inner", "rocker_pivot", "rocker_axis"),)
+
+
+class DoubleWishboneHardpoints(RockerHardpoints, ArmHardpoints):
+    """Two arms, each on an axis through two points of the body, an upright between their ball joints, a tie rod."""
+
+    upper_arm_front: Point
+    upper_arm_rear: Point
+    upper_ball_joint: Point
+
+    outer = ("wheel_centre", "lower_ball_joint", "upper_ball_joint", "tie_rod_outer")
+    different = (
         (
-            "lower_arm_front",
-            "lower_arm_rear",
-            "lower_ball_joint",
+            *ArmHardpoints.different[0],
             "upper_arm_front",
             "upper_arm_rear",
             "upper_ball_joint",
-            "tie_rod_inner",
-            "tie_rod_outer",
         ),
-        *Hardpoints.different,
-        ("pushrod_outer", "pushrod_inner"),
-        ("rocker_pivot", "rocker_axis"),
     )
-    turning: ClassVar[tuple[tuple[str, str, str], ...]] = (
-        ("lower_arm_front", "lower_arm_rear", "lower_ball_joint"),
+    turning = (
         ("upper_arm_front", "upper_arm_rear", "upper_ball_joint"),
         ("lower_ball_joint", "upper_ball_joint", "tie_rod_outer"),
-        ("rocker_pivot", "rocker_axis", "pushrod_inner"),
     )
-    rods: ClassVar[tuple[tuple[str, str], ...]] = (
-        ("lower_ball_joint", "lower_arm_front"),
-        ("lower_ball_joint", "lower_arm_rear"),
+    rods = (
+        *ArmHardpoints.rods,
         ("upper_ball_joint", "upper_arm_front"),
         ("upper_ball_joint", "upper_arm_rear"),
-        ("tie_rod_outer", "tie_rod_inner"),
-    )
-    together: ClassVar[tuple[tuple[str, ...], ...]] = (
-        *Hardpoints.together,
-        ("pushrod_outer", "pushrod_inner", "rocker_pivot", "rocker_axis"),
     )
 
 
@@ -425,36 +425,12 @@ class DoubleWishbone(Corner):
     bushed = ("lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear", "tie_rod_inner")
 
 
-class McPhersonHardpoints(Hardpoints):
+class McPhersonHardpoints(ArmHardpoints):
     """One arm, a strut that guides the upright along the line from ``strut_bottom`` to ``strut_top``, a tie rod."""
 
-    lower_arm_front: Point
-    lower_arm_rear: Point
-    lower_ball_joint: Point
-    tie_rod_inner: Point
-    tie_rod_outer: Point
-
-    outer: ClassVar[tuple[str, ...]] = ("wheel_centre", "lower_ball_joint", "tie_rod_outer", "strut_bottom")
-    different: ClassVar[tuple[tuple[str, ...], ...]] = (
-        (
-            "lower_arm_front",
-            "lower_arm_rear",
-            "lower_ball_joint",
-            "tie_rod_inner",
-            "tie_rod_outer",
-            "strut_top",
-        ),
-        *Hardpoints.different,
-    )
-    turning: ClassVar[tuple[tuple[str, str, str], ...]] = (
-        ("lower_arm_front", "lower_arm_rear", "lower_ball_joint"),
-        ("lower_ball_joint", "strut_top", "tie_rod_outer"),
-    )
-    rods: ClassVar[tuple[tuple[str, str], ...]] = (
-        ("lower_ball_joint", "lower_arm_front"),
-        ("lower_ball_joint", "lower_arm_rear"),
-        ("tie_rod_outer", "tie_rod_inner"),
-    )
+    outer = ("wheel_centre", "lower_ball_joint", "tie_rod_outer", "strut_bottom")
+    different = ((*ArmHardpoints.different[0], "strut_top"),)
+    turning = (("lower_ball_joint", "strut_top", "tie_rod_outer"),)
 
 
 class McPherson(Corner):
@@ -474,7 +450,7 @@ class McPherson(Corner):
     bushed = ("lower_arm_front", "lower_arm_rear", "tie_rod_inner", "strut_top")
 
 
-class FiveLinkHardpoints(Hardpoints):
+class FiveLinkHardpoints(RockerHardpoints):
     """Five links with a joint at either end between body (inner) and upright (outer); link 5 is the toe link."""
 
     link_1_inner: Point
@@ -487,19 +463,10 @@ class FiveLinkHardpoints(Hardpoints):
     link_4_outer: Point
     link_5_inner: Point
     link_5_outer: Point
-    pushrod_outer: Point | None = None
-    pushrod_inner: Point | None = None
-    rocker_pivot: Point | None = None
-    rocker_axis: Point | None = None
 
-    outer: ClassVar[tuple[str, ...]] = ("wheel_centre", *(f"link_{i}_outer" for i in range(1, 6)))
-    different: ClassVar[tuple[tuple[str, ...], ...]] = (
-        *((f"link_{i}_inner", f"link_{i}_outer") for i in range(1, 6)),
-        *DoubleWishboneHardpoints.different[1:],
-    )
-    turning: ClassVar[tuple[tuple[str, str, str], ...]] = (("rocker_pivot", "rocker_axis", "pushrod_inner"),)
-    rods: ClassVar[tuple[tuple[str, str], ...]] = tuple((f"link_{i}_outer", f"link_{i}_inner") for i in range(1, 6))
-    together: ClassVar[tuple[tuple[str, ...], ...]] = DoubleWishboneHardpoints.together
+    outer = ("wheel_centre", *(f"link_{i}_outer" for i in range(1, 6)))
+    different = tuple((f"link_{i}_inner", f"link_{i}_outer") for i in range(1, 6))
+    rods = tuple((f"link_{i}_outer", f"link_{i}_inner") for i in range(1, 6))
 
     @model_validator(mode="after")
     def _no_rod_twice(self) -> Self:
@@ -536,11 +503,8 @@ class TrailingArmHardpoints(Hardpoints):
     arm_inner: Point
     arm_outer: Point
 
-    different: ClassVar[tuple[tuple[str, ...], ...]] = (
-        ("arm_inner", "arm_outer", "wheel_centre"),
-        *Hardpoints.different,
-    )
-    turning: ClassVar[tuple[tuple[str, str, str], ...]] = (("arm_inner", "arm_outer", "wheel_centre"),)
+    different = (("arm_inner", "arm_outer", "wheel_centre"),)
+    turning = (("arm_inner", "arm_outer", "wheel_centre"),)
 
 
 class TrailingArm(Corner):

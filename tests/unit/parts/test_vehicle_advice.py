@@ -14,7 +14,7 @@ CASES = {
     "rear.track": ({"rear.track": 1540.0}, "millimetres given as metres?", 1540.0),
     "body.height": ({"body.height": 550.0}, "millimetres given as metres?", 550.0),
     "body.pitch_inertia": ({"body.pitch_inertia": 250.0}, "dynamic index", 250.0 / (1636.0 * 1.29 * 1.62)),
-    "front.spring_rate": ({"front.spring_rate": "28 N/m"}, "would swing at 0.0395 Hz", 0.039462),
+    "front.spring_rate": ({"front.spring_rate": "28 N/m"}, "would bounce at 0.0395 Hz", 0.039462),
     "rear.damping_coefficient": ({"rear.damping_coefficient": "2500 N*s/mm"}, "damping ratio 453", 453.0),
     "front.unsprung_mass": ({"front.unsprung_mass": 450.0}, "more than half of the 455.4 kg", 450.0),
     "front.bump_stop.gap": ({"front.bump_stop": {"gap": 0.02, "rate": 1e5}}, "closed at rest.*159.5 mm", 0.02),
