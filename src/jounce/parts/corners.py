@@ -351,23 +351,14 @@ def _mirrored_points(table: dict[str, Any]) -> dict[str, Any]:
 
 
 class ArmHardpoints(Hardpoints):
-    """A lower arm on an axis through two points of the body, and a tie rod."""
+    """A lower arm on an axis through two points of the body."""
 
     lower_arm_front: Point
     lower_arm_rear: Point
     lower_ball_joint: Point
-    tie_rod_inner: Point
-    tie_rod_outer: Point
 
-    different: ClassVar[Groups] = (
-        ("lower_arm_front", "lower_arm_rear", "lower_ball_joint", "tie_rod_inner", "tie_rod_outer"),
-    )
     turning: ClassVar[Axes] = (("lower_arm_front", "lower_arm_rear", "lower_ball_joint"),)
-    rods: ClassVar[Rods] = (
-        ("lower_ball_joint", "lower_arm_front"),
-        ("lower_ball_joint", "lower_arm_rear"),
-        ("tie_rod_outer", "tie_rod_inner"),
-    )
+    rods: ClassVar[Rods] = (("lower_ball_joint", "lower_arm_front"), ("lower_ball_joint", "lower_arm_rear"))
 
 
 class RockerHardpoints(Hardpoints):
@@ -389,14 +380,20 @@ class DoubleWishboneHardpoints(RockerHardpoints, ArmHardpoints):
     upper_arm_front: Point
     upper_arm_rear: Point
     upper_ball_joint: Point
+    tie_rod_inner: Point
+    tie_rod_outer: Point
 
     outer = ("wheel_centre", "lower_ball_joint", "upper_ball_joint", "tie_rod_outer")
     different = (
         (
-            *ArmHardpoints.different[0],
+            "lower_arm_front",
+            "lower_arm_rear",
+            "lower_ball_joint",
             "upper_arm_front",
             "upper_arm_rear",
             "upper_ball_joint",
+            "tie_rod_inner",
+            "tie_rod_outer",
         ),
     )
     turning = (
@@ -407,6 +404,7 @@ class DoubleWishboneHardpoints(RockerHardpoints, ArmHardpoints):
         *ArmHardpoints.rods,
         ("upper_ball_joint", "upper_arm_front"),
         ("upper_ball_joint", "upper_arm_rear"),
+        ("tie_rod_outer", "tie_rod_inner"),
     )
 
 
@@ -428,9 +426,15 @@ class DoubleWishbone(Corner):
 class McPhersonHardpoints(ArmHardpoints):
     """One arm, a strut that guides the upright along the line from ``strut_bottom`` to ``strut_top``, a tie rod."""
 
+    tie_rod_inner: Point
+    tie_rod_outer: Point
+
     outer = ("wheel_centre", "lower_ball_joint", "tie_rod_outer", "strut_bottom")
-    different = ((*ArmHardpoints.different[0], "strut_top"),)
+    different = (
+        ("lower_arm_front", "lower_arm_rear", "lower_ball_joint", "tie_rod_inner", "tie_rod_outer", "strut_top"),
+    )
     turning = (("lower_ball_joint", "strut_top", "tie_rod_outer"),)
+    rods = (*ArmHardpoints.rods, ("tie_rod_outer", "tie_rod_inner"))
 
 
 class McPherson(Corner):

@@ -25,6 +25,7 @@ from jounce.core.units import (
     PositiveStiffness,
     Unit,
 )
+from jounce.parts.rig import change_table
 
 SCHEMA = "jounce.tester/1"
 _Seconds = Annotated[float, Unit("s", at_least=0.0)]
@@ -38,7 +39,7 @@ _Viscous = Annotated[float, Unit("N*m*s/rad", at_least=0.0)]
 
 
 class Programme(Description):
-    """What the exciter does over one test of one wheel.
+    """Frequency of the exciter over the test of one wheel.
 
     Attributes
     ----------
@@ -49,9 +50,9 @@ class Programme(Description):
     sweep_rate : float
         Hz/s, the size only.
     run_down : {"controlled", "free"}
-        Whether the drive follows the programme, or is switched off after the hold and runs down by itself.
+        Whether the drive follows the programme (sweep-down), or is switched off after the hold (coast-down).
     duration : float
-        s; length of a free run-down, which stops earlier only if the exciter does.
+        s; length of a coast-down, which ends earlier only if the exciter stops.
     pause : float
         s between the wheels of an axle.
     """
@@ -158,7 +159,7 @@ class Tester(Description):
     programme : Programme
         Speed of the exciter.
     drive : Drive or None
-        Needed where the exciter runs down freely.
+        Needed for a coast-down.
     limits : TesterLimits
         What a test must keep to.
     columns : dict
@@ -204,7 +205,9 @@ class Tester(Description):
         if self.plate_damping_coefficient is not None and not sprung:
             raise misplaced(("plate_damping_coefficient",), 'a rigid plate has none; found kind = "rigid-plate"')
         if self.programme.run_down == "free" and self.drive is None:
-            raise misplaced(("drive",), "a free run-down needs the drive's inertia; the table [drive] is missing")
+            raise misplaced(
+                ("drive",), 'a coast-down (run_down = "free") needs the drive\'s inertia; [drive] is missing'
+            )
         return self
 
     def with_changes(self, changes: dict[str, Any]) -> Tester:
@@ -215,8 +218,6 @@ class Tester(Description):
         DescriptionError
             For an unknown path or a value out of range.
         """
-        from jounce.parts.rig import change_table
-
         return Tester.from_table(change_table(self, changes), where="tester")
 
 
@@ -282,20 +283,33 @@ def findings_of_tester(tester: Tester, where: str = "") -> list[Finding]:
     >>> [str(finding) for finding in findings_of_tester(tester.with_changes({"sampling_frequency": "500 Hz"}))]
     ['warning: sampling_frequency: 500 Hz is less than its own limits.sampling_frequency_min, 1000 Hz.']
     """
-    start = f"{where}: " if where else ""
-    found = [*_estimated(tester), *_columns(tester), *_programme(tester)]
-    return [Finding(f"{start}{place}", severity, text) for place, severity, text in found]
-
-
-_Found = tuple[str, Severity, str]
-
-
-def _estimated(tester: Tester) -> Iterator[_Found]:
+    found: list[tuple[str, Severity, str]] = []
     known = set(_paths(tester.model_dump(by_alias=True)))
     for entry in tester.estimated:
         if entry not in known:
-            hint = nearest(entry, known)
-            yield "estimated", "note", f"{entry!r} names no number and no part of this tester. {hint}".rstrip()
+            text = f"{entry!r} names no number and no part of this tester. {nearest(entry, known)}"
+            found.append(("estimated", "note", text.rstrip()))
+    for name in tester.columns:
+        if name not in (*CHANNELS, "time"):
+            hint = nearest(name, CHANNELS)
+            text = f"no channel that an evaluation uses. {hint}"
+            found.append((f"columns.{name}", "warning" if hint else "note", text.rstrip()))
+    programme, limits = tester.programme, tester.limits
+    if tester.sampling_frequency < limits.sampling_frequency_min:
+        text = f"{tester.sampling_frequency:g} Hz is less than its own limits.sampling_frequency_min, "
+        found.append(("sampling_frequency", "warning", f"{text}{limits.sampling_frequency_min:g} Hz."))
+    if programme.run_down == "controlled" and programme.sweep_rate > limits.sweep_rate_max:
+        text = f"{programme.sweep_rate:g} Hz/s is more than its own limits.sweep_rate_max, "
+        found.append(("programme.sweep_rate", "warning", f"{text}{limits.sweep_rate_max:g} Hz/s."))
+    low, high = sorted((programme.start_frequency, programme.end_frequency))
+    if tester.method == "egea" and not low <= limits.frequency_min < limits.frequency_max <= high:
+        text = (
+            f"the exciter sweeps from {high:g} to {low:g} Hz, but the minimum phase angle is searched for between "
+            f"{limits.frequency_min:g} and {limits.frequency_max:g} Hz."
+        )
+        found.append(("programme", "warning", text))
+    start = f"{where}: " if where else ""
+    return [Finding(f"{start}{place}", severity, text) for place, severity, text in found]
 
 
 def _paths(table: dict[str, Any], before: str = "") -> Iterator[str]:
@@ -303,25 +317,3 @@ def _paths(table: dict[str, Any], before: str = "") -> Iterator[str]:
         yield f"{before}{key}"
         if isinstance(value, dict):
             yield from _paths(value, f"{before}{key}.")
-
-
-def _columns(tester: Tester) -> Iterator[_Found]:
-    for name in tester.columns:
-        hint = nearest(name, CHANNELS)
-        if name not in (*CHANNELS, "time"):
-            severity: Severity = "warning" if hint else "note"
-            yield f"columns.{name}", severity, f"no channel that an evaluation uses. {hint}".rstrip()
-
-
-def _programme(tester: Tester) -> Iterator[_Found]:
-    programme, limits = tester.programme, tester.limits
-    if tester.sampling_frequency < limits.sampling_frequency_min:
-        text = f"{tester.sampling_frequency:g} Hz is less than its own limits.sampling_frequency_min, "
-        yield "sampling_frequency", "warning", f"{text}{limits.sampling_frequency_min:g} Hz."
-    if programme.run_down == "controlled" and programme.sweep_rate > limits.sweep_rate_max:
-        text = f"{programme.sweep_rate:g} Hz/s is more than its own limits.sweep_rate_max, "
-        yield "programme.sweep_rate", "warning", f"{text}{limits.sweep_rate_max:g} Hz/s."
-    low, high = sorted((programme.start_frequency, programme.end_frequency))
-    if tester.method == "egea" and not low <= limits.frequency_min < limits.frequency_max <= high:
-        text = f"the exciter goes from {high:g} to {low:g} Hz, the least phase angle is searched for"
-        yield "programme", "warning", f"{text} between {limits.frequency_min:g} and {limits.frequency_max:g} Hz."

@@ -15,6 +15,7 @@ from jounce.core.units import conversion_factor
 
 _SECTION = re.compile(r"\[\s*([A-Za-z0-9_ ]+?)\s*\]")
 _VALUE = re.compile(r"([A-Za-z_]\w*)\s*=\s*(.*)")
+_BEFORE_COMMENT = re.compile(r"(?:[^'$!]|'[^']*')*")  # $ and ! begin one, but not within quotes
 _UNITS = {
     "LENGTH": {"meter metre m": "m", "millimeter millimetre mm": "mm", "centimeter centimetre cm": "cm",
                "kilometer kilometre km": "km", "inch in": "inch", "foot feet ft": "foot"},
@@ -189,12 +190,15 @@ def read_tir(path: Path | str) -> TyreProperties:
     conditions = ("TIRE_CONDITIONS", "OPERATING_CONDITIONS", "INFLATION_PRESSURE", "VERTICAL", "MODEL")
     pressures = [entries.pressure(conditions, names) for names in (("IP", "INFLPRES"), ("IP_NOM", "NOMPRES"))]
     deflection, load = entries.curve("DEFLECTION_LOAD_CURVE", length, force)
-    tyre = TyreProperties(
+    found: dict[str, Any] = {
+        "stiffness": (stiffness or 0.0) * (scale or 1.0),
+        "damping_coefficient": damping or 0.0,
+        "radius": radius or 0.0,
+    }
+    return TyreProperties(
         name=entries.file.stem,
         file_format=entries.text("MODEL", "PROPERTY_FILE_FORMAT") or entries.text("MODEL", "FITTYP") or "",
-        stiffness=(stiffness or 0.0) * (scale or 1.0),
-        damping_coefficient=damping or 0.0,
-        radius=radius or 0.0,
+        **found,
         nominal_load=entries.number(("VERTICAL",), "FNOMIN", force, above=0.0),
         load_scale=entries.number(("SCALING_COEFFICIENTS", "SCALING"), "LFZO", 1.0, above=0.0) or 1.0,
         pressure=pressures[0],
@@ -205,8 +209,17 @@ def read_tir(path: Path | str) -> TyreProperties:
         load_curvature=entries.number(("VERTICAL",), "Q_FZ2", 1.0) or 0.0,
         bottoming_radius=entries.number(("DIMENSION", "VERTICAL"), "BOTTOMING_RADIUS", length) or None,
         bottoming_stiffness=entries.number(("VERTICAL",), "BOTTOM_STIFF", rate) or None,
+        findings=_unusual(entries.file.stem, found),
     )
-    return _with_findings(tyre)
+
+
+def _unusual(name: str, found: dict[str, float]) -> tuple[Finding, ...]:
+    text = "the {} {:g} {} is unusual for a tyre; check [UNITS]."
+    return tuple(
+        Finding(name, "warning", text.format(key, found[key], unit), found[key])
+        for key, (low, high, unit) in _USUAL.items()
+        if not low <= found[key] <= high
+    )
 
 
 def tyre_from_tir(path: Path | str, *, pressure: float | None = None) -> dict[str, Any]:
@@ -243,16 +256,6 @@ def tyre_from_tir(path: Path | str, *, pressure: float | None = None) -> dict[st
     return read_tir(path).tyre(pressure)
 
 
-def _with_findings(tyre: TyreProperties) -> TyreProperties:
-    found = [
-        Finding(tyre.name, "warning", f"the {name} {value:g} {unit} is unusual for a tyre; check [UNITS].", value)
-        for name, (low, high, unit) in _USUAL.items()
-        if not low <= (value := getattr(tyre, name)) <= high
-    ]
-    object.__setattr__(tyre, "findings", tuple(found))
-    return tyre
-
-
 class _Entries:
     """Keys and tables of a file by section, with their lines."""
 
@@ -261,8 +264,12 @@ class _Entries:
         self.values: dict[tuple[str, str], tuple[str, int]] = {}
         self.rows: dict[str, list[tuple[list[str], int]]] = {}
         section = ""
-        for number, line in enumerate(_lines(file), 1):
-            bare = _without_comment(line)
+        content = existing_file(file).read_bytes()
+        if b"\0" in content:
+            raise DescriptionError("not a text file", where=str(file), allowed="a tyre property file")
+        for number, line in enumerate(content.decode("cp1252", errors="replace").splitlines(), 1):
+            text = _BEFORE_COMMENT.match(line)
+            bare = text[0].strip() if text else ""
             if match := _SECTION.fullmatch(bare):
                 section = match[1].upper()
             elif match := _VALUE.fullmatch(bare):
@@ -324,9 +331,8 @@ class _Entries:
             if (section, key) in self.values:
                 text, line = self.values[section, key]
                 value = _number(text, f"{self.file}, line {line}: {key}")
-                bound = above if above is not None else at_least
+                word, bound = ("above", above) if above is not None else ("at least", at_least)
                 if bound is not None and (value < bound or (value == bound and above is not None)):
-                    word = "above" if above is not None else "at least"
                     where = f"{self.file}, line {line}: {key}"
                     raise DescriptionError("out of range", where=where, found=text, allowed=f"{word} {bound:g}")
                 return value * unit
@@ -364,19 +370,6 @@ class _Entries:
         if len(pairs) == 1:
             raise DescriptionError("the curve has one point", where=f"{self.file}: [{section}]", allowed="2 or more")
         return tuple(x for x, _ in pairs), tuple(y for _, y in pairs)
-
-
-def _lines(file: Path) -> list[str]:
-    content = existing_file(file).read_bytes()
-    if b"\0" in content:
-        raise DescriptionError("not a text file", where=str(file), allowed="a tyre property file")
-    return content.decode("cp1252", errors="replace").splitlines()
-
-
-def _without_comment(line: str) -> str:
-    """Text before the first ``$`` or ``!`` that stands outside quotes."""
-    found = re.match(r"(?:[^'$!]|'[^']*')*", line)
-    return found[0].strip() if found else ""
 
 
 def _number(text: str, where: str) -> float:
