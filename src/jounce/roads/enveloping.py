@@ -31,7 +31,7 @@ _NEEDED = {
 
 
 class Enveloped(Road):
-    """What a tyre of finite size feels of the road ``of``: its effective height.
+    """Effective height of the road ``of`` under a tyre of finite size.
 
     ``start`` and ``recurrence`` are those of ``of``. The effective height begins and ends beyond the obstacle, by up to
     `reach`: a wheel that rolls over a step of height h as a circle of radius R begins to rise sqrt(2 R h - h^2) before
@@ -91,7 +91,7 @@ class Enveloped(Road):
     tolerance: PositiveLength = 1e-6
 
     def check(self) -> None:
-        """Refuse what the method lacks or does not use; take over what belongs to the road."""
+        """Refuse missing and superfluous fields; take ``start`` and ``recurrence`` from the road inside."""
         for name in ("start", "recurrence"):
             if name in self.model_fields_set and getattr(self, name) != getattr(self.of, name):
                 raise ValueError(f"{name} belongs to the road inside; write it in the table of")
@@ -110,7 +110,7 @@ class Enveloped(Road):
         return self  # the loop is that of the road inside, which has checked it
 
     def reach(self) -> float:
-        """Distance in m to which the road is felt ahead of the wheel's centre and behind it."""
+        """Distance in m to which the road is felt ahead of the wheel centre and behind it."""
         if self.method == "moving-average":
             return 0.5 * _given(self.contact_length)
         cam = self._cam()
@@ -125,7 +125,7 @@ class Enveloped(Road):
         return Profile(felt.edges, felt.kind, felt.coefficients, inner.before, inner.after)
 
     def end(self) -> float:
-        """Distance in m at which the wheel has left the road inside for good."""
+        """Distance in m at which the tyre has left the road inside for good."""
         return self.of.end() + self.reach()
 
     def is_course(self) -> bool:
@@ -257,7 +257,7 @@ _REMEMBERED = _Remembered(4)
 Numbers = NDArray[np.int64]
 _SHARES = (0.2928932188134524, 0.7071067811865476)  # where in a cubic that is looked at: no waves can hide from both
 SHORTEST = 1e-9  # m; borders nearer to each other are one
-_STEEPEST = 50.0  # slope at which a wheel stands before a wall
+_STEEPEST = 50.0  # slope at which a wheel meets a wall
 _GRADED = [side * 4.0**-k for k in (1, 2, 3) for side in (-1.0, 1.0)]
 """Shares of a step at which there are borders beside a place where a curve has no curvature that is finite."""
 _SHARP = 0.02  # jump of the place of contact, over a, that makes an edge

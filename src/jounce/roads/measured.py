@@ -40,7 +40,7 @@ Times = Annotated[tuple[Annotated[float, Unit("s")], ...], BeforeValidator(_plai
 class Table(SampledRoad):
     """Heights at given points, with lines or a cubic spline between them.
 
-    Before the first point its height holds, after the last point the last one's (`end` says where that is).
+    The first height extends before the first point, the last one behind the last (`end` says where that is).
 
     Attributes
     ----------
@@ -51,7 +51,7 @@ class Table(SampledRoad):
     interpolation : {"linear", "cubic"}
         Lines, or a not-a-knot cubic spline (at least 4 points).
     start : float
-        Distance in m at which x = 0 lies; negative when the drive begins inside the table.
+        Distance in m at which x = 0 lies; negative when the run begins inside the table.
 
     Examples
     --------
@@ -98,7 +98,7 @@ class Crg(SampledRoad):
     v : float
         Lateral offset in m from the reference line, left positive.
     start : float
-        Distance in m at which the course begins; negative when the drive begins inside it.
+        Distance in m at which the course begins; negative when the run begins inside it.
     """
 
     kind: Literal["crg"] = "crg"
@@ -107,7 +107,7 @@ class Crg(SampledRoad):
     v: Length = 0.0
 
     def check(self) -> None:
-        """Read the file, so that whatever is wrong with it is said at once."""
+        """Read the file, so that whatever is wrong with it is reported at once."""
         if self.is_endless() and self.recurrence is not None:
             raise ValueError("the options of the file say that the course repeats; leave out recurrence")
 
@@ -121,11 +121,11 @@ class Crg(SampledRoad):
         Raises
         ------
         DescriptionError
-            When the file says that there is no road beyond its ends and the drive goes there.
+            When the file says that there is no road beyond its ends and the run goes there.
         """
         if self._course().beyond == "nothing" and not self.start <= -behind <= distance - behind <= self.end():
             raise DescriptionError(
-                "the drive leaves the course, and the option BORDER_MODE_U = 0 says that there is no road",
+                "the run leaves the course, and the option BORDER_MODE_U = 0 says that there is no road",
                 where=str(self.file),
                 found=f"{0.0 - behind:g} to {distance - behind:g} m",
                 allowed=f"{self.start:g} to {self.end():g} m",
@@ -142,7 +142,7 @@ class Crg(SampledRoad):
         return course.s.copy(), course.height.copy()
 
     def known_length(self) -> float:
-        """Distance in m of the last cross section; without end where the course repeats."""
+        """Distance in m of the last cross section; infinite where the course repeats."""
         return math.inf if self.is_endless() else super().known_length()
 
     def is_endless(self) -> bool:
@@ -224,7 +224,7 @@ def _file_points(key: _Key) -> tuple[Array, Array]:
             f"{name} runs backwards",
             where=f"{file}: column {table[name].label!r}",
             found=f"{x[0]:g} to {x[-1]:g} {unit}",
-            hint="Reverse the order of the rows; the drive goes towards larger values.",
+            hint="Reverse the order of the rows: the run goes towards larger values.",
         )
     stays = np.flatnonzero(steps <= 0.0)
     if len(stays):
@@ -247,7 +247,7 @@ def _check_jumps(x: Array, height: Array, where: str) -> None:
     if len(wild):
         i = int(wild[0])
         raise RecordingError(
-            f"the height jumps from row {i + 1} to row {i + 2} as no road does",
+            f"the height jumps from row {i + 1} to row {i + 2} as it does on no road",
             where=where,
             found=f"{height[i]:g} m, then {height[i + 1]:g} m",
             hint="Fill the gap or remove the padding, and check the unit of the heights.",
@@ -352,7 +352,7 @@ def _course(file: str, offset: float, _changed: int, _size: int) -> Course:
 
 
 def _read(file: str) -> Any:
-    """Read and check; everything the reader would guess is refused."""
+    """Read and check; wherever the reader would guess, the file is refused."""
     import pyopencrg
 
     try:
@@ -439,13 +439,13 @@ def _grid_height(road: Any, offset: float) -> Array:
 
 
 def _check_heights(road: Any, height: Array, offset: float, file: str) -> None:
-    """Refuse gaps, and numbers that no survey gives."""
+    """Refuse gaps, and numbers that no survey yields."""
     grid = np.abs(np.asarray(road.z, dtype=float))
     damage = ""
     if max(np.nanmax(np.abs(height), initial=0.0), np.nanmax(grid, initial=0.0)) > HIGHEST:
         damage = "heights above 10 km"
     elif ((grid > 0.0) & (grid < _SMALLEST)).any():
-        damage = f"heights below {_SMALLEST:g} m, as a wrong order of bytes gives them"
+        damage = f"heights below {_SMALLEST:g} m, as a wrong byte order produces"
     elif len(height) > 2:
         out = np.abs(height[1:-1] - height[:-2]), np.abs(height[1:-1] - height[2:])
         spikes = np.flatnonzero((out[0] > _SPIKE) & (out[1] > _SPIKE) & (np.abs(height[2:] - height[:-2]) < _SPIKE))
@@ -480,7 +480,7 @@ def _steps(road: Any, offset: float, file: str) -> Array:
 
 
 def _smoothed(road: Any, s: Array, height: Array, file: str) -> Profile:
-    """Lines between the cross sections; at smoothed ends they go over into the level of the reference line."""
+    """Lines between the cross sections; smoothed ends blend into the level of the reference line."""
     first, last = (float(road.get_option(f"border_smooth_{end}")) for end in ("ubeg", "uend"))
     if first <= 0.0 and last <= 0.0:
         return linear_profile(s, height)
@@ -490,7 +490,7 @@ def _smoothed(road: Any, s: Array, height: Array, file: str) -> Profile:
             "the smoothed ends overlap",
             where=file,
             found=f"{first:g} m and {last:g} m of {u[-1]:g} m",
-            hint="Programs differ in what they make of that; make BORDER_SMOOTH_UBEG or BORDER_SMOOTH_UEND smaller.",
+            hint="Programs treat this differently; make BORDER_SMOOTH_UBEG or BORDER_SMOOTH_UEND smaller.",
         )
     marks = [mark for mark in (first, float(u[-1]) - last) if 0.0 < mark < u[-1]]
     nodes = np.unique(np.concatenate([u, marks]))

@@ -32,7 +32,7 @@ class Flat(Road):
     kind: Literal["flat"] = "flat"
 
     def profile(self) -> Profile:
-        """No piece at all: nothing but level."""
+        """No piece: level throughout."""
         return profile()
 
 
@@ -302,7 +302,7 @@ class Kerb(Road):
     edge_radius: NonNegativeLength = 0.0
 
     def check(self) -> None:
-        """Refuse an edge that is rounder than the kerb is high."""
+        """Refuse an edge radius above the height of the kerb."""
         _check_edge(self.edge_radius, self.height, "height")
 
     def profile(self) -> Profile:
@@ -333,7 +333,7 @@ class Pothole(Road):
     edge_radius: NonNegativeLength = 0.0
 
     def check(self) -> None:
-        """Refuse edges that are rounder than the hole is deep or long."""
+        """Refuse edge radii above the depth, or above half the length."""
         _check_edge(self.edge_radius, self.depth, "depth")
         if 2.0 * self.edge_radius > self.length * (1.0 + 1e-9):
             raise ValueError(
@@ -351,13 +351,13 @@ class Pothole(Road):
 class Train(Road):
     """The obstacle ``of``, ``count`` times, with a ``pitch`` from start to start.
 
-    Steps and ramps climb: each stands on the level that the one before left. ``start`` and ``recurrence`` are those of
-    ``of`` unless the train has its own; the positions within the train do not depend on them.
+    Steps and ramps climb: each stands on the level at which the one before ended. ``start`` and ``recurrence`` are
+    those of ``of`` unless the train has its own; the positions within the train do not depend on them.
 
     Attributes
     ----------
     of : Road
-        The obstacle, itself a train if you like.
+        The obstacle; it may be a train itself.
     count : int
         How many.
     pitch : float
@@ -376,7 +376,7 @@ class Train(Road):
     pitch: PositiveLength
 
     def check(self) -> None:
-        """Refuse overlaps; take over what belongs to the obstacle."""
+        """Refuse overlaps; take ``start`` and ``recurrence`` from the obstacle."""
         for name in ("start", "recurrence"):
             if name not in self.model_fields_set:
                 object.__setattr__(self, name, getattr(self.of, name))
@@ -396,7 +396,7 @@ class Train(Road):
         return self.of.is_course()
 
     def known_length(self) -> float:
-        """Distance in m up to which it is known: without end if what it repeats is."""
+        """Distance in m up to which it is known: infinite if what it repeats is."""
         return math.inf if self.recurrence is not None or math.isinf(self.of.known_length()) else self.end()
 
     def point_spacing(self) -> float | None:

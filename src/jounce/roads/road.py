@@ -26,7 +26,7 @@ class Road(Description, ABC):
     """Height against driven distance for one wheel: an obstacle on a level road.
 
     Distance 0 is where the wheel stands at time 0. The height is z of the road in m, up positive, 0 at nominal road
-    level; before the obstacle its first height holds, after it its last.
+    level. The first height of the obstacle extends before it, the last one behind it.
 
     Attributes
     ----------
@@ -35,7 +35,7 @@ class Road(Description, ABC):
     start : float
         Distance driven before the obstacle begins, in m.
     recurrence : float or None
-        Length of the belt loop in m: the obstacle comes again each time this distance has been driven.
+        Length of the belt loop in m: the obstacle returns each time this distance has been driven.
     """
 
     kinds: ClassVar[Kinds] = Kinds("kind", package="jounce.roads", schema="road.schema.json")
@@ -64,7 +64,7 @@ class Road(Description, ABC):
         distance : float
             Driven distance in m, above 0.
         behind : float
-            How far the wheel follows behind the one at distance 0, m: it meets everything so much later.
+            How far the wheel follows behind the one at distance 0, m: it meets everything that much later.
 
         Returns
         -------
@@ -100,7 +100,7 @@ class Road(Description, ABC):
         return self._evaluated(x)[0]
 
     def slope_at(self, x: ArrayLike) -> Array:
-        """Slope dh/dx (1) at the distances ``x`` in m, any shape; at an edge that of the piece after it.
+        """Slope dh/dx (1) at the distances ``x`` in m, any shape; at an edge, that of the piece behind it.
 
         A jump of height has no slope: it is an edge of `segments`.
 
@@ -132,8 +132,8 @@ class Road(Description, ABC):
     def known_length(self) -> float:
         """Distance in m up to which the road is known.
 
-        Obstacles stand on a level road and are known without end, and so is what repeats; a table, a measured course
-        or a random road is known up to its last point.
+        Obstacles stand on a level road and are known to infinity, and so is whatever repeats; a table, a measured
+        course or a random road is known up to its last point.
 
         Examples
         --------
@@ -150,14 +150,14 @@ class Road(Description, ABC):
         return None
 
     def ends_level(self) -> bool:
-        """Whether it ends at the height at which it begins, as an obstacle does: a drive may go on beyond it."""
+        """Whether it ends at the height at which it begins, as an obstacle does: a run may continue beyond it."""
         profile = self.profile()
         return abs(profile.after - profile.before) <= LEVEL
 
     def check_covers(
-        self, distance: float, *, behind: float = 0.0, where: str = "", level_goes_on: bool = False
+        self, distance: float, *, behind: float = 0.0, where: str = "", continue_level: bool = False
     ) -> None:
-        """Refuse a drive over more than the road holds.
+        """Refuse a run that is longer than the road.
 
         Parameters
         ----------
@@ -167,13 +167,13 @@ class Road(Description, ABC):
             How far the first wheel that matters follows behind distance 0, m.
         where : str
             Place that the error names.
-        level_goes_on : bool
-            Accept a road that ends as high as it begins.
+        continue_level : bool
+            Accept a road that ends as high as it begins: it continues level.
 
         Raises
         ------
         DescriptionError
-            When the road ends before the run does, or all of it lies before the start.
+            When the road ends before the run does, or lies entirely before the start.
 
         Examples
         --------
@@ -181,7 +181,7 @@ class Road(Description, ABC):
         >>> Iso8608(class_="C", length="500 m").check_covers(400.0)
         """
         known = self.known_length()
-        if level_goes_on and self.ends_level():
+        if continue_level and self.ends_level():
             return
         if distance - behind > known * (1.0 + 1e-9) + 1e-9:
             raise DescriptionError(
@@ -205,7 +205,7 @@ class Road(Description, ABC):
 
 
 class SampledRoad(Road):
-    """A road given by points: a course that is known up to the last of them, or without end where it repeats."""
+    """A road given by points: known up to the last of them, or to infinity where it repeats."""
 
     @abstractmethod
     def points(self) -> tuple[Array, Array]:

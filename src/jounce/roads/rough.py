@@ -147,7 +147,7 @@ def _one_roughness(class_: str | None, roughness: float | None) -> float:
 
 
 class Iso8608(SampledRoad):
-    """Random road of an ISO 8608 class, the same for the same seed.
+    """Random road of an ISO 8608 class; the same seed gives the same road.
 
     The height is a sum of cosines with equally spaced spatial frequencies, random phases and amplitudes
     A = sqrt(2 G_d(n) dn), so every road has the level of its class exactly; its mean is zero. Over ``run_in`` at either
@@ -165,13 +165,13 @@ class Iso8608(SampledRoad):
     step : float
         Distance of the points in m, 5 cm; made a little smaller where the length is no multiple of it.
     seed : int
-        Which of all roads of that class.
+        Seed of the random phases: which of the roads of that class.
     waviness : float
         Exponent w (1) of the spectrum, 2.
     band : tuple of float
         Lowest and highest spatial frequency in 1/m, 0.011 to 2.83; never more than half the rate of the points.
     run_in : float or None
-        Length in m of the fades; 10 m, or a tenth of the length where that is less. Metrics may leave it out.
+        Length in m of the fades; 10 m, or a tenth of the length where that is less. Metrics may exclude it.
     side : {"left", "right"}
         Track.
     track : float
@@ -363,14 +363,14 @@ def _iso_profile(*key: Any) -> Profile:
 
 
 class SineSum(Road):
-    """Rough road without chance: cosines at multiples of one spatial frequency, phases from the golden ratio.
+    """Rough road that is not random: cosines at multiples of one spatial frequency, phases from the golden ratio.
 
     z(x) = sum of A_i cos(2 pi n_i x + phi_i) with n_i = i ``spacing``, A_i = sqrt(2 G_d(n_i) spacing) and
-    phi_i = 2 pi frac(0.6180339887498949 i), for i from ``first`` to ``last``. It repeats after 1 / ``spacing``, without
-    an end on either side, so steady values can be taken over one period. The defaults are the benchmark of class C
-    against which controllers are compared. Their phases grow in proportion to i, so all waves meet in one sharp peak of
-    every period: in effect a train of pulses. Mean squares are those of the class, peaks and lift-off are not those of
-    a random road (use `Iso8608` where they matter).
+    phi_i = 2 pi frac(0.6180339887498949 i), for i from ``first`` to ``last``. It repeats after 1 / ``spacing`` and has
+    no end on either side, so that steady-state values can be taken over one period. The defaults are the benchmark of
+    class C on which controllers are compared. Their phases grow in proportion to i, so all waves meet in one sharp peak
+    per period: in effect a train of pulses. Mean squares are those of the class; peaks and lift-off are not those of a
+    random road (use `Iso8608` where they matter).
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""Trials: what is driven over, how fast and how long, the loads of driving, and what looks wrong in them."""
+"""Trials: what is driven over, how fast and how long, the manoeuvre loads, and what looks wrong in them."""
 
 from __future__ import annotations
 
@@ -32,18 +32,18 @@ Moment = Annotated[float, Unit("N*m")]
 
 
 class Load(Description):
-    """A load that begins at ``start`` and stays, or goes along lines through points.
+    """A load that sets in at ``start`` and stays, or follows straight lines through points.
 
-    On from the very start (``start`` 0 without a ramp) it is part of the equilibrium that the run starts from.
+    A load that is on from the outset (``start`` 0, no ramp) is part of the equilibrium from which the run starts.
 
     Attributes
     ----------
     value : float or None
-        What it grows to, in the unit of its kind (N m or m/s^2).
+        Its final value, in the unit of its kind (N m or m/s^2).
     start, ramp : float
-        When it begins, and how long it takes to grow along a line; 0 for a step. s.
+        When it sets in, and how long it takes to rise linearly, s; 0 for a step.
     time, values : tuple of float
-        In place of them: points, times strictly ascending, s; level before the first and after the last.
+        Instead: points at strictly ascending times, s; constant before the first and after the last.
     """
 
     value: Number | None = None
@@ -118,12 +118,12 @@ FEWEST_SAMPLES = 4
 class Excitation(Description):
     """Height of the support under the tyre against time: a shaker, a test stand, a profile measured over time.
 
-    Before the first sample its height holds, after the last sample the last one's.
+    The first height holds before the first sample, the last one after the last.
 
     Attributes
     ----------
     time : tuple of float
-        Samples in s, strictly ascending, at least 4; time 0 is the start of the trial. Arrays are taken, too.
+        Samples in s, strictly ascending, at least 4; time 0 is the start of the trial. Arrays are accepted.
     height : tuple of float
         Height in m at these times, up positive.
     file : Path or None
@@ -168,7 +168,7 @@ def _from_file(value: object) -> object:
 
 
 class Trial(Description):
-    """One run: a road driven over at a constant speed, or an excitation in time; for vehicles also loads of driving.
+    """One run: a road driven over at a constant speed, or an excitation in time; for vehicles also manoeuvre loads.
 
     Attributes
     ----------
@@ -253,13 +253,13 @@ class Trial(Description):
         return laid_out(self.excitation.profile(), [(0.0, 0.0)], 0.0, self.duration)
 
     def load(self, name: str) -> Segments:
-        """Give one of the loads of driving over [0, ``duration``] (s), zero where the trial has none."""
+        """Give one of the manoeuvre loads over [0, ``duration``] (s), zero where the trial has none."""
         given: PitchMoment | DrivingAcceleration | None = getattr(self, name)
         return flat(self.duration) if given is None else given.segments(self.duration)
 
     @property
     def loads(self) -> tuple[str, ...]:
-        """Names of the loads of driving that are given."""
+        """Names of the manoeuvre loads that are given."""
         return tuple(name for name in LOADS if getattr(self, name) is not None)
 
     def obstacle_end(self) -> float:
@@ -276,21 +276,21 @@ class Trial(Description):
 
 
 FASTEST = 15.0
-"""Hz, what points of a road should at least show the wheels: about where they hop."""
+"""Hz that the points of a road should at least resolve: about where wheels hop."""
 FEWEST_OUTPUTS = 4
-"""Samples of the result while an obstacle passes; with less its peaks are not seen."""
+"""Samples of the result while an obstacle passes; with fewer its peaks are missed."""
 _JUMP = 1e-6  # m
 
 
 def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float | None = None) -> list[Finding]:
-    """Say what a reader of the run must know about its road and its loads.
+    """Report what a reader of the run must know about its road and its loads.
 
     Parameters
     ----------
     trial : Trial
         What is driven.
     rig : Rig, optional
-        With it also what its axles do not feel.
+        Its axles are examined, too.
     output_step : float, optional
         Distance of the result's samples, s.
 
@@ -315,8 +315,8 @@ def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float |
         found += _rear(trial, behind)
         if isinstance(rig, HalfCar) and rig.compat == "physical" and _jumps(trial.segments()):
             text = (
-                "the road jumps, and the dampers of massless axles do not feel it; "
-                'an edge is a ramp of some length, e.g. the shape "cosine" over a tyre\'s contact'
+                "the road jumps, which the dampers of massless axles cannot feel; "
+                'model an edge as a ramp, e.g. of the shape "cosine" over the length of a tyre\'s contact patch'
             )
             found.append(Finding("trial: road", "warning", text))
         if isinstance(trial.road, Iso8608) and trial.right is None and _has_sides(rig):
@@ -348,13 +348,13 @@ def _road(road: Road, speed: float, duration: float, place: str, output_step: fl
         if speed / (2.0 * apart) < FASTEST:
             text = (
                 f"its points, {apart:.3g} m apart, show nothing above {speed / (2.0 * apart):.3g} Hz at {speed:g} m/s; "
-                f"wheels hop at about {FASTEST:g} Hz. Take a finer profile."
+                f"wheel hop lies at about {FASTEST:g} Hz. Use a finer profile."
             )
             yield Finding(place, "warning", text, apart)
     elif output_step is not None and 0.0 < span < FEWEST_OUTPUTS * output_step * speed:
         text = (
             f"the obstacle passes in {1e3 * span / speed:.3g} ms and the result has a sample every "
-            f"{1e3 * output_step:g} ms; its peaks are not seen. Take a finer output step."
+            f"{1e3 * output_step:g} ms; its peaks are not seen. Use a finer output step."
         )
         yield Finding(place, "warning", text, span / speed)
 
@@ -375,7 +375,7 @@ def _loads(trial: Trial) -> Iterator[Finding]:
         heights = load.evaluate(np.linspace(0.0, trial.duration, 2 * len(load.edges) + 1))[0]
         given = getattr(trial, name)
         if not np.any(heights) and (given.value or any(given.values)):
-            text = f"it begins after the run of {trial.duration:g} s is over."
+            text = f"it sets in after the run of {trial.duration:g} s is over."
             yield Finding(f"trial: {name}", "warning", text, trial.duration)
 
 

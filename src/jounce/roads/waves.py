@@ -22,7 +22,7 @@ MOST_WAVES = 20_000
 
 
 class Sine(Road):
-    """Waves ``a sin(2 pi x / wavelength + phase)``; the last height holds afterwards.
+    """Waves ``a sin(2 pi x / wavelength + phase)``; the road continues at the last height.
 
     Attributes
     ----------
@@ -31,7 +31,7 @@ class Sine(Road):
     length : float
         Length of the waves in m.
     phase : float
-        Phase in rad at their begin; the road before it has the height there.
+        Phase in rad where the waves begin; the road before them has the height at that point.
 
     Examples
     --------
@@ -60,7 +60,7 @@ class Sine(Road):
 
 
 class SineSweep(Road):
-    """Waves of one amplitude whose wavelength changes along the road; the last height holds afterwards.
+    """Waves ``a sin(2 pi integral of n dx)`` whose wavelength 1/n changes along the road, at one amplitude.
 
     The spatial frequency n = 1 / wavelength goes from the first to the last one linearly or logarithmically (equal
     ratios over equal distances); the height is ``a sin(2 pi integral of n dx)``.
@@ -70,7 +70,7 @@ class SineSweep(Road):
     amplitude : float
         Half the height from trough to crest, in m.
     first_wavelength, last_wavelength : float
-        Wavelengths in m at the begin and at the end.
+        Wavelengths in m at the beginning and at the end.
     length : float
         Length of the sweep in m.
     law : {"logarithmic", "linear"}
@@ -91,7 +91,7 @@ class SineSweep(Road):
     law: Law = "logarithmic"
 
     def check(self) -> None:
-        """Refuse more waves than anybody drives over."""
+        """Refuse more waves than can sensibly be driven over."""
         waves = _cycles(1.0 / self.first_wavelength, 1.0 / self.last_wavelength, self.length, self.law)
         if waves > MOST_WAVES:
             raise ValueError(f"{waves:.0f} waves; allowed: up to {MOST_WAVES}; make the sweep shorter")
@@ -118,7 +118,7 @@ def swept_sine(
     amplitude : str or float
         Half the stroke, in m or with a unit.
     first_frequency, last_frequency : str or float
-        Frequencies at the begin and at the end, above 0 Hz, in Hz or with a unit; either may be the higher one.
+        Frequencies at the beginning and at the end, above 0 Hz, in Hz or with a unit; either may be the higher one.
     duration : str or float
         Length of the sweep, above 0 s, in s or with a unit.
     law : {"logarithmic", "linear"}

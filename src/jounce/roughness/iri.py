@@ -122,7 +122,7 @@ def iri(
     ------
     RecordingError
         For distances that are not uniform or run backwards, values that are not finite, samples too far apart, a
-        profile too short, and heights that are no road's in the unit given.
+        profile too short, and heights that no road has in the unit given.
 
     Notes
     -----
@@ -253,7 +253,7 @@ def _segments(
 
 
 def _checked_spacing(x: Array, z: Array, place: str) -> float:
-    """Refuse distances and heights that are no profile; give the distance of the samples, m."""
+    """Refuse distances and heights that are not a profile; give the sample spacing, m."""
     if x.ndim != 1 or x.shape != z.shape:
         problem = "distance and height are not two columns of the same length"
         raise RecordingError(problem, where=place, found=f"shapes {x.shape} and {z.shape}")
@@ -263,7 +263,7 @@ def _checked_spacing(x: Array, z: Array, place: str) -> float:
         _check_finite(values, f"{place}: {name}")
     steps = np.diff(x)
     if np.all(steps < 0.0):
-        raise RecordingError("distance runs backwards", where=place, hint="Turn the order of the rows round.")
+        raise RecordingError("distance runs backwards", where=place, hint="Reverse the order of the rows.")
     if np.any(steps <= 0.0):
         row = int(np.argmax(steps <= 0.0)) + 1
         raise RecordingError(
@@ -339,7 +339,7 @@ def _findings(whole: float, spacing: float, place: str) -> tuple[Finding, ...]:
         text = f"IRI {whole:.3g} m/km is rougher than any road that is driven at 80 km/h; are the units right?"
         found.append(Finding(place, "warning", text, whole))
     if 0.0 < whole < SMOOTHEST:
-        text = f"IRI {whole:.3g} m/km is smoother than any road is built; are the units right?"
+        text = f"IRI {whole:.3g} m/km is smoother than any road that is built; are the units right?"
         found.append(Finding(place, "warning", text, whole))
     if spacing > COARSE:
         text = f"samples every {spacing:g} m; ASTM E1926 asks for 0.3 m or less, so the index comes out too low"

@@ -105,7 +105,7 @@ def white_noise_intensity(road: str | float, speed: float) -> float:
 
 
 def filtered_noise(road: str | float, speed: float, *, cutoff: float = BAND[0]) -> tuple[float, float]:
-    """First-order filter that makes the height of a road with waviness 2 from white noise.
+    """First-order filter that shapes white noise into the height of a road with waviness 2.
 
     Parameters
     ----------
@@ -175,7 +175,7 @@ def estimate_roughness(
     height : array_like, shape (n,)
         Height in m.
     band : tuple of float
-        Lowest and highest spatial frequency in 1/m for the fit; what the profile does not hold is left out.
+        Lowest and highest spatial frequency in 1/m for the fit; what the profile does not contain is left out.
     waviness : float, optional
         Exponent (1) kept fixed, 2 for a class by the standard; fitted when left out.
 

@@ -51,7 +51,7 @@ class LinearModel:
         output : str
             Channel name.
         track : str
-            Input track: the road under a wheel (m), or a load of driving (N m, m/s^2).
+            Input track: the road under a wheel (m), or a manoeuvre load (N m, m/s^2).
 
         Returns
         -------

@@ -1,4 +1,4 @@
-"""What a trial makes of the inputs of a model: the road under each wheel, the loads of driving."""
+"""What a trial makes of the inputs of a model: the road under each wheel, the manoeuvre loads."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def _refuse_unknown_ground(trial: Trial) -> None:
     """Refuse a drive beyond the end of a road that does not end as high as it begins: nobody knows how it goes on."""
     for name, road in (("road", trial.road), ("right", trial.right)):
         if road is not None and trial.speed is not None:
-            road.check_covers(trial.speed * trial.duration, where=f"trial: {name}", level_goes_on=True)
+            road.check_covers(trial.speed * trial.duration, where=f"trial: {name}", continue_level=True)
 
 
 def _refuse_unfelt(facts: Facts, rig: Rig, trial: Trial) -> None:
