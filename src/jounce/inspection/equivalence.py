@@ -36,27 +36,13 @@ _RIGID, _SPRUNG = "egea-specsus2018", "theta-msd3000"
 
 @dataclass(frozen=True)
 class Factor:
-    """Something beside the damper that a test may feel.
-
-    Attributes
-    ----------
-    name : str
-        In results.
-    label : str
-        On pictures, with its unit.
-    scale : float
-        Shown value for one SI unit.
-    values : tuple of float
-        SI, ascending.
-    changes : callable
-        Changes of the rig for a value.
-    """
+    """Something beside the damper that a test may feel."""
 
     name: str
-    label: str
-    scale: float
-    values: tuple[float, ...]
-    changes: Callable[[QuarterCar, float], dict[str, Any]]
+    label: str  # on pictures, with its unit
+    scale: float  # shown value for one SI unit
+    values: tuple[float, ...]  # SI, ascending
+    changes: Callable[[QuarterCar, float], dict[str, Any]]  # changes of the rig for a value
 
 
 def usual_factors(points: int = 28) -> tuple[Factor, ...]:
@@ -87,30 +73,16 @@ def usual_factors(points: int = 28) -> tuple[Factor, ...]:
 
 @dataclass(frozen=True)
 class Disagreement:
-    """Cars that a method misjudges, within one plane of the study.
-
-    Attributes
-    ----------
-    factor, method : str
-        Which.
-    sound, worn : int
-        Cars with a sound, and with a worn damper.
-    rejected_sound, passed_worn : int
-        How many of them the method rejects, and passes.
-    rejected_at : tuple of float or None
-        Range of the factor (SI) in which sound ones are rejected.
-    passed_at : tuple of float or None
-        Range of the factor (SI) in which worn ones pass.
-    """
+    """Cars that a method misjudges, within one plane of the study."""
 
     factor: str
     method: str
-    sound: int
-    worn: int
-    rejected_sound: int
-    passed_worn: int
-    rejected_at: tuple[float, float] | None
-    passed_at: tuple[float, float] | None
+    sound: int  # cars with a sound damper
+    worn: int  # cars with a worn damper
+    rejected_sound: int  # how many sound ones the method rejects
+    passed_worn: int  # how many worn ones it passes
+    rejected_at: tuple[float, float] | None  # range of the factor (SI) in which sound ones are rejected
+    passed_at: tuple[float, float] | None  # range of the factor (SI) in which worn ones pass
 
 
 @dataclass(frozen=True)

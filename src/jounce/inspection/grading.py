@@ -22,37 +22,17 @@ from jounce.inspection.result import NOT_GRADED, Inspection, WheelResult
 
 @dataclass(frozen=True)
 class Difference:
-    """Difference of one value between two wheels.
-
-    Attributes
-    ----------
-    quantity : str
-        Which value.
-    first, second : float
-        Of both wheels, in the unit of the quantity.
-    absolute : float
-        |first - second|, same unit.
-    relative : float or None
-        |first - second| / max(first, second) (1); None where the greater value is not above 0.
-    uncertainty : float or None
-        Half width of the 95 % interval of the absolute difference, same unit.
-    smaller : str
-        Which wheel has the smaller value; empty for equal values.
-    place : str
-        Side of the car, for front and rear.
-    bands : dict of str to Band
-        By name of the limit.
-    """
+    """Difference of one value between two wheels."""
 
     quantity: str
-    first: float
-    second: float
-    absolute: float
-    relative: float | None
-    uncertainty: float | None
-    smaller: str
-    place: str = ""
-    bands: dict[str, Band] = field(default_factory=dict)
+    first: float  # of one wheel, in the unit of the quantity
+    second: float  # of the other
+    absolute: float  # |first - second|, same unit
+    relative: float | None  # |first - second| / max(first, second) (1); None where the greater value is not above 0
+    uncertainty: float | None  # half width of the 95 % interval of the absolute difference, same unit
+    smaller: str  # which wheel has the smaller value; empty for equal values
+    place: str = ""  # side of the car, for front and rear
+    bands: dict[str, Band] = field(default_factory=dict)  # by name of the limit
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values and, by the name of the limit, label and verdict."""
@@ -91,25 +71,9 @@ def difference_of(
 def grade_differences(
     differences: Sequence[Difference], limits: Limits, used: Sequence[str], across: str
 ) -> tuple[tuple[Difference, ...], list[Reason]]:
-    """Find the bands of differences.
+    """Find the bands of differences across ``"wheels"`` or ``"axles"``, and the reasons of the limits that count.
 
-    Parameters
-    ----------
-    differences : sequence of Difference
-        Between two wheels.
-    limits : Limits
-        Their criteria.
-    used : sequence of str
-        Methods that decide; limits that belong to none of them only name their band.
-    across : {"wheels", "axles"}
-        What is compared.
-
-    Returns
-    -------
-    differences : tuple of Difference
-        With their bands.
-    reasons : list of Reason
-        Of the limits that count.
+    ``used`` are the methods that decide; limits that belong to none of them only name their band.
     """
     graded = {one.quantity: one for one in differences}
     reasons: list[Reason] = []
@@ -140,22 +104,7 @@ _ALIKE = 0.05
 
 
 def explain(wheel: WheelResult, bands: Mapping[str, Band], limits: Limits) -> list[Reason]:
-    """Say why methods disagree about a wheel.
-
-    Parameters
-    ----------
-    wheel : WheelResult
-        Its values.
-    bands : mapping of str to Band
-        By method.
-    limits : Limits
-        Where the bands are from.
-
-    Returns
-    -------
-    list of Reason
-        Empty where all verdicts are the same.
-    """
+    """Say why methods disagree about a wheel, from its values and bands by method; nothing where they agree."""
     if len({band.verdict for band in bands.values()}) < 2:
         return []
     found = [Reason("disagree", "", {"grades": tuple(bands.items())})]
@@ -202,24 +151,12 @@ _SIDES = ("left", "right")
 
 @dataclass(frozen=True)
 class WheelGrade:
-    """Grading of one wheel.
+    """Grading of one wheel."""
 
-    Attributes
-    ----------
-    wheel : str
-        ``left`` or ``right``.
-    bands : dict of str to Band
-        By method; methods without a value or limits are missing.
-    verdict : str
-        ``pass``, ``advise``, ``fail`` or ``not graded``.
-    reasons : tuple of Reason
-        What decides first.
-    """
-
-    wheel: str
-    bands: dict[str, Band]
-    verdict: str
-    reasons: tuple[Reason, ...]
+    wheel: str  # ``left`` or ``right``
+    bands: dict[str, Band]  # by method; methods without a value or limits are missing
+    verdict: str  # ``pass``, ``advise``, ``fail`` or ``not graded``
+    reasons: tuple[Reason, ...]  # what decides first
 
 
 @dataclass(frozen=True)

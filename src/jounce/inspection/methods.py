@@ -42,30 +42,14 @@ _LOWEST_RESONANCE = 2.0  # Hz; below it is the body's
 
 @dataclass(frozen=True)
 class WheelTest:
-    """One wheel's test as the methods are given it.
+    """One wheel's test as the methods are given it."""
 
-    Attributes
-    ----------
-    signals : WheelSignals
-        Of the part in which the plate moves.
-    sweep : Sweep
-        Turns of the plate.
-    load : float
-        Static load, N.
-    tester : Tester or None
-        On which it was made; None for a rigid plate of which nothing else is known.
-    fit : ResponseFit or None
-        Quarter car fitted to it.
-    analysis : Analysis or None
-        Forces of every turn; on a rigid plate only.
-    """
-
-    signals: WheelSignals
-    sweep: Sweep
-    load: float
-    tester: Tester | None
-    fit: ResponseFit | None
-    analysis: Analysis | None = None
+    signals: WheelSignals  # of the part in which the plate moves
+    sweep: Sweep  # turns of the plate
+    load: float  # static load, N
+    tester: Tester | None  # on which it was made; None for a rigid plate of which nothing else is known
+    fit: ResponseFit | None  # quarter car fitted to it
+    analysis: Analysis | None = None  # forces of every turn; on a rigid plate only
 
     @cached_property
     def strokes(self) -> Array | None:
@@ -80,22 +64,13 @@ class WheelTest:
 
 @dataclass
 class Found:
-    """What a method found in a test.
+    """What a method found in a test."""
 
-    Attributes
-    ----------
-    values : dict
-        By key, SI or as the key says; ``half_widths`` of their 95 % intervals, None where they are not known.
-    findings : list of Finding
-        What weakens them.
-    phase_deg : ndarray or None
-        Phase angle of every turn in degrees, for the curves.
-    """
-
+    # by key, SI or as the key says; ``half_widths`` of their 95 % intervals, None where they are not known
     values: dict[str, Any] = field(default_factory=dict)
     half_widths: dict[str, float | None] = field(default_factory=dict)
-    findings: list[Finding] = field(default_factory=list)
-    phase_deg: Array | None = None
+    findings: list[Finding] = field(default_factory=list)  # what weakens them
+    phase_deg: Array | None = None  # phase angle of every turn in degrees, for the curves
 
 
 @dataclass(frozen=True)
@@ -129,27 +104,13 @@ class Method:
 
 @dataclass(frozen=True)
 class Adhesion:
-    """Least and greatest force of a test.
+    """Least and greatest force of a test."""
 
-    Attributes
-    ----------
-    adhesion : float
-        Least over static force (1); 0 with lift-off.
-    frequency_hz : float
-        Where the force is least, Hz.
-    lift_off : bool
-        Whether the tyre left the plate.
-    relative_force_amplitude : float
-        Static less least force over static force (1); with lift-off greatest less static.
-    half_width : float or None
-        Of the 95 % intervals of both (1); None where it is not known.
-    """
-
-    adhesion: float
-    frequency_hz: float
-    lift_off: bool
-    relative_force_amplitude: float
-    half_width: float | None
+    adhesion: float  # least over static force (1); 0 with lift-off
+    frequency_hz: float  # where the force is least, Hz
+    lift_off: bool  # whether the tyre left the plate
+    relative_force_amplitude: float  # static less least force over static force (1); with lift-off greatest less static
+    half_width: float | None  # of the 95 % intervals of both (1); None where it is not known
 
 
 def find_adhesion(analysis: Analysis, highest: float) -> Adhesion | None:
@@ -197,24 +158,13 @@ def _eusama(test: WheelTest) -> Found:
 
 @dataclass(frozen=True)
 class PhaseMinimum:
-    """Least phase angle.
+    """Least phase angle."""
 
-    Attributes
-    ----------
-    angle_deg, frequency_hz : float
-        In degrees, and where (Hz).
-    half_width_deg : float or None
-        Of its 95 % interval, degrees.
-    at_end : bool
-        Whether it lies at an end of the band.
-    in_lift_off : bool
-        Whether the tyre leaves the plate there, so that the angle is that of the fitted quarter car.
-    """
-
-    angle_deg: float
-    frequency_hz: float
-    half_width_deg: float | None
-    at_end: bool
+    angle_deg: float  # degrees
+    frequency_hz: float  # where, Hz
+    half_width_deg: float | None  # of its 95 % interval, degrees
+    at_end: bool  # whether it lies at an end of the band
+    # whether the tyre leaves the plate there, so that the angle is that of the fitted quarter car
     in_lift_off: bool = False
 
 
@@ -230,21 +180,9 @@ def phase_angles(analysis: Analysis, rows: Array) -> Array:
 
 
 def find_phase_minimum(analysis: Analysis, band: tuple[float, float]) -> tuple[PhaseMinimum | None, Array]:
-    """Find the least phase angle within a band.
+    """Find the least phase angle within a band (Hz, ends included), and the angles of the turns (n,) in degrees.
 
-    Parameters
-    ----------
-    analysis : Analysis
-        Turns of the test.
-    band : (float, float)
-        Hz, ends included.
-
-    Returns
-    -------
-    minimum : PhaseMinimum or None
-        None where the turns do not reach over the band.
-    angles : ndarray, shape (n,)
-        Of the turns, degrees, as measured.
+    There is no least one where the turns do not cover the band.
     """
     measured = phase_angles(analysis, analysis.measured)
     frequency = analysis.turn_frequency
@@ -398,19 +336,10 @@ class Theta:
 
 
 def theta_by_fit(fit: ResponseFit, tester: Tester | None) -> Theta:
-    """Damping ratios of the wheel from a fitted quarter car.
+    """Damping ratios of the wheel from the poles of a fitted quarter car.
 
-    Parameters
-    ----------
-    fit : ResponseFit
-        Quarter car of the record.
-    tester : Tester or None
-        Its plate and plate spring stand under the wheel on the rig; on a rigid plate rig and road are the same.
-
-    Returns
-    -------
-    Theta
-        From the poles of the three-mass model (rig), and of the quarter car on a plate at rest (road).
+    On the rig plate and plate spring of the tester stand under the wheel; on the road, and on a rigid plate, the plate
+    is at rest.
     """
 
     def on_road(corner: Corner) -> float:
@@ -429,17 +358,10 @@ def theta_by_fit(fit: ResponseFit, tester: Tester | None) -> Theta:
 
 
 def half_power(frequency: Array, amplitude: Array) -> float | None:
-    """Damping ratio (1) from the width of a resonance at 0.707 of its height.
+    """Damping ratio (1) from the width of a resonance at 0.707 of its height: (f2 - f1) / (2 f_r).
 
-    Parameters
-    ----------
-    frequency, amplitude : ndarray, shape (n,)
-        Hz in any order, and amplitudes in any unit.
-
-    Returns
-    -------
-    float or None
-        (f2 - f1) / (2 f_r) (1); None where one of the two points does not exist, as above some 0.2 of damping.
+    Frequencies (n,) in Hz in any order, amplitudes (n,) in any unit. None where one of the two points does not exist,
+    as above some 0.2 of damping.
     """
     order = np.argsort(frequency)
     f, a = frequency[order], amplitude[order]

@@ -239,23 +239,10 @@ def normal_equations(
 ) -> tuple[float, Array, Array, Complex]:
     """Compare a quarter car with the bins of a stretch; what the stretch began and ended with is projected out.
 
-    Parameters
-    ----------
-    parameters : ndarray, shape (6,)
-        Unsprung mass, spring rate, damping, tyre stiffness, tyre damping, sprung mass, SI.
-    speed : ndarray, shape (n,)
-        Angular frequency of the bins, rising, rad/s.
-    height, force : ndarray of complex, shape (n,)
-        Plate height (m) and dynamic tyre force (N), both of one scale.
-
-    Returns
-    -------
-    cost : float
-        Sum of the squares of what is left.
-    normal, right : ndarray, shapes (6, 6) and (6,)
-        J' J and J' r of the Gauss-Newton step by the parameters.
-    left : ndarray of complex, shape (n,)
-        What neither the quarter car nor a transient explains, N.
+    Parameters (6,): unsprung mass, spring rate, damping, tyre stiffness, tyre damping, sprung mass, SI; angular
+    frequencies (n,), rising, rad/s; plate height (m) and dynamic tyre force (N) in these bins, of one scale. Gives the
+    sum of the squares of what is left, J' J (6, 6) and J' r (6,) of the Gauss-Newton step, and what neither the quarter
+    car nor a transient explains (n,), N.
     """
     cost, normal, right, gap = _equations(
         parameters, np.ascontiguousarray(speed), np.ascontiguousarray(height), np.ascontiguousarray(force)
@@ -280,44 +267,24 @@ _TYRE_DAMPING, _TYRE_DAMPING_SPREAD = 50.0, 60.0  # N s/m: what a record with li
 
 @dataclass(frozen=True)
 class Stretch:
-    """Bins of one stretch of a record.
+    """Bins of one stretch of a record."""
 
-    Attributes
-    ----------
-    s : ndarray of complex, shape (n,)
-        Laplace variable of the bins, 1/s.
-    height, force : ndarray of complex, shape (n,)
-        Sums over the samples of plate height (m) and dynamic tyre force (N).
-    samples : int
-        Of the stretch.
-    """
-
-    s: Complex
-    height: Complex
-    force: Complex
+    s: Complex  # (n,): laplace variable of the bins, 1/s
+    height: Complex  # (n,): sum over the samples of plate height, m
+    force: Complex  # (n,): sum over the samples of dynamic tyre force, N
     samples: int
 
 
 @dataclass(frozen=True)
 class ResponseFit:
-    """Quarter car fitted to a record.
+    """Quarter car fitted to a record."""
 
-    Attributes
-    ----------
-    corner : Corner
-        Fitted masses, rates and dampings.
-    covariance : ndarray, shape (6, 6)
-        Of unsprung mass, spring rate, damping, tyre stiffness, tyre damping and sprung mass, SI.
-    noise : float
-        Standard deviation of what the model leaves, N per sample, between the lowest and the highest frequency.
-    explained : float
-        Share (1) of the force in these bins that the model explains.
-    """
-
-    corner: Corner
+    corner: Corner  # fitted masses, rates and dampings
+    # (6, 6): of unsprung mass, spring rate, damping, tyre stiffness, tyre damping and sprung mass, SI
     covariance: Array
+    # standard deviation of what the model leaves, N per sample, between the lowest and the highest frequency
     noise: float
-    explained: float
+    explained: float  # share (1) of the force in these bins that the model explains
 
     def spread(self, quantity: Callable[[Corner], float]) -> float:
         """Standard error of a number that follows from the corner, in the number's unit."""
@@ -343,21 +310,9 @@ class ResponseFit:
 
 
 def stretch_of(height: Array, force: Array, sample_rate: float, low: float, high: float) -> Stretch:
-    """Transform a stretch of a record.
+    """Transform a stretch of plate height (n,) in m and dynamic tyre force (n,) in N, sampled at a rate in Hz.
 
-    Parameters
-    ----------
-    height, force : ndarray, shape (n,)
-        Plate height (m) and dynamic tyre force (N).
-    sample_rate : float
-        Hz.
-    low, high : float
-        Hz; bins outside are left out.
-
-    Returns
-    -------
-    Stretch
-        Heights and forces with half weight for the first and the last sample (trapezoidal sums).
+    Bins outside ``low`` to ``high`` Hz are left out; the first and the last sample count half (trapezoidal sums).
     """
     from scipy.fft import next_fast_len, rfft
 
@@ -376,28 +331,12 @@ def stretch_of(height: Array, force: Array, sample_rate: float, low: float, high
 
 
 def fit_response(stretches: Sequence[Stretch], static_load: float, *, where: str = "wheel") -> ResponseFit:
-    """Fit a quarter car to stretches of a record.
+    """Fit a quarter car to stretches of one record without lift-off; the static load (N) says what it weighs.
 
-    Parameters
-    ----------
-    stretches : sequence of Stretch
-        Parts of one record without lift-off.
-    static_load : float
-        N; says what sum of the masses to expect.
-    where : str
-        Place named in errors.
-
-    Returns
-    -------
-    ResponseFit
-        Least-squares estimate with its covariance. The mass that acts on the wheel is expected within 20 % of what the
-        plate carries, and the damping of the tyre, which hardly shows below the resonance of the wheel, at
-        (50 +- 60) N s/m; both count only as far as the noise leaves them open.
-
-    Raises
-    ------
-    FitError
-        When there is too little signal, or no quarter car resembles it.
+    A least-squares estimate with its covariance. The mass that acts on the wheel is expected within 20 % of what the
+    plate carries, and the damping of the tyre, which hardly shows below the resonance of the wheel, at
+    (50 +- 60) N s/m; both count only as far as the noise leaves them open. Raises FitError where there is too little
+    signal, or no quarter car resembles it.
     """
     bins = sum(one.s.size for one in stretches)
     if bins < _FEWEST_BINS:

@@ -118,20 +118,11 @@ _DEFINITIONS = {
 
 @dataclass(frozen=True)
 class Reason:
-    """One reason of a verdict.
+    """One reason of a verdict."""
 
-    Attributes
-    ----------
-    kind : str
-        What it says, e.g. ``"band"``, ``"near"``, ``"disagree"``.
-    verdict : str
-        What it asks for by itself; empty where it only explains.
-    values : mapping
-        Numbers in SI (angles in degrees), names and bands behind it.
-    """
-
-    kind: str
-    verdict: str = ""
+    kind: str  # what it says, e.g. ``"band"``, ``"near"``, ``"disagree"``
+    verdict: str = ""  # what it asks for by itself; empty where it only explains
+    # numbers in SI (angles in degrees), names and bands behind it
     values: Mapping[str, Any] = field(default_factory=dict)
 
     def text(self, language: Language = "en", *, with_source: bool = True) -> str:

@@ -30,33 +30,15 @@ _STANDSTILL, _LONG_STANDSTILL = 0.2, 2.0
 
 @dataclass(frozen=True)
 class WheelSignals:
-    """Signals of one wheel in SI.
+    """Signals of one wheel in SI."""
 
-    Attributes
-    ----------
-    wheel : str
-        ``left`` or ``right``.
-    time : ndarray, shape (n,)
-        In constant steps, s.
-    force : ndarray, shape (n,)
-        Of the plate on the tyre, without the plate's inertia, N.
-    height : ndarray or None, shape (n,)
-        Of the plate, m.
-    tacho : ndarray or None, shape (n,)
-        Frequency of the exciter, Hz.
-    static_load : float or None
-        From the header, N.
-    plate_mass : float
-        That was taken off, kg.
-    """
-
-    wheel: str
-    time: Array
-    force: Array
-    height: Array | None
-    tacho: Array | None
-    static_load: float | None
-    plate_mass: float
+    wheel: str  # ``left`` or ``right``
+    time: Array  # (n,): in constant steps, s
+    force: Array  # (n,): of the plate on the tyre, without the plate's inertia, N
+    height: Array | None  # (n,): of the plate, m
+    tacho: Array | None  # (n,): frequency of the exciter, Hz
+    static_load: float | None  # from the header, N
+    plate_mass: float  # that was taken off, kg
 
     @property
     def sample_rate(self) -> float:
@@ -315,24 +297,13 @@ FEWEST_TURNS = 8
 
 @dataclass(frozen=True)
 class Turns:
-    """Turns of a plate that moves up and down.
+    """Turns of a plate that moves up and down."""
 
-    Attributes
-    ----------
-    crossing : ndarray, shape (n,)
-        Times (s) at which the plate passes its middle, upwards and downwards in turn, upwards first.
-    top : ndarray, shape (m,)
-        Times (s) at which it is highest.
-    frequency : ndarray, shape (m,)
-        Frequency (Hz) at these times.
-    angle : callable
-        Angle (rad) at times (s): 0 at the first upward crossing, tops at pi / 2 and every 2 pi on.
-    """
-
+    # (n,): times (s) at which the plate passes its middle, upwards and downwards in turn, upwards first
     crossing: Array
-    top: Array
-    frequency: Array
-    angle: Any
+    top: Array  # (m,): times (s) at which it is highest
+    frequency: Array  # (m,): frequency (Hz) at these times
+    angle: Any  # angle (rad) at times (s): 0 at the first upward crossing, tops at pi / 2 and every 2 pi on
 
     def frequency_at(self, time: Array) -> Array:
         """Frequency in Hz at times in s."""
@@ -340,21 +311,9 @@ class Turns:
 
 
 def middle_crossings(time: Array, height: Array, middle: float, amplitude: float) -> tuple[Array, bool]:
-    """Find when a signal passes its middle, and whether the first time is upwards.
+    """Find when (s) a height (m) passes its ``middle`` (m), and whether the first time is upwards.
 
-    Parameters
-    ----------
-    time, height : ndarray, shape (n,)
-        s and m.
-    middle, amplitude : float
-        Of the signal, m; excursions under 0.3 of the amplitude do not count.
-
-    Returns
-    -------
-    times : ndarray, shape (k,)
-        s.
-    upwards : bool
-        Whether the first one is.
+    Excursions under 0.3 of the amplitude (m) do not count.
     """
     away = height - middle
     far = np.flatnonzero(np.abs(away) > _HYSTERESIS * amplitude)
@@ -371,19 +330,9 @@ def middle_crossings(time: Array, height: Array, middle: float, amplitude: float
 
 
 def find_turns(time: Array, height: Array, middle: float, amplitude: float) -> Turns | None:
-    """Read the turns of an eccentric exciter from the height of its plate.
+    """Read the turns of an eccentric exciter from the height of its plate (m) on uniform time (s).
 
-    Parameters
-    ----------
-    time, height : ndarray, shape (n,)
-        Uniform time (s) and height (m).
-    middle, amplitude : float
-        Of the height, m.
-
-    Returns
-    -------
-    Turns or None
-        None where the plate makes fewer than 8 turns.
+    None where the plate makes fewer than 8 turns about its middle with the amplitude (m).
     """
     from scipy.interpolate import CubicSpline
 

@@ -25,25 +25,13 @@ _QUIET_SHARE = 0.12
 
 @dataclass(frozen=True)
 class Sweep:
-    """Turns of a test and its run-down (or run-up).
+    """Turns of a test and its run-down (or run-up)."""
 
-    Attributes
-    ----------
-    turns : Turns
-        Of the exciter.
-    first, last : int
-        Turns between which the frequency goes through the range; ``first`` is the last one of the hold.
-    hold : slice
-        Turns of the hold.
-    sweep_rate : float
-        Greatest rate of the frequency within 6 to 18 Hz (or all of it), Hz/s.
-    """
-
-    turns: Turns
-    first: int
-    last: int
-    hold: slice
-    sweep_rate: float
+    turns: Turns  # of the exciter
+    first: int  # turn at which the hold ends and the frequency begins to fall
+    last: int  # turn at which it is lowest
+    hold: slice  # turns of the hold
+    sweep_rate: float  # greatest rate of the frequency within 6 to 18 Hz (or all of it), Hz/s
 
     @property
     def highest(self) -> float:
@@ -57,23 +45,10 @@ class Sweep:
 
 
 def find_sweep(signals: WheelSignals, tester: Tester | None, *, rigid: bool) -> tuple[Sweep | None, list[Finding]]:
-    """Find turns and run-down of a test.
+    """Find turns and sweep of a test; None with the reason where there is none, and what is wrong with it otherwise.
 
-    Parameters
-    ----------
-    signals : WheelSignals
-        From shortly before to shortly after the plate moves.
-    tester : Tester or None
-        Whose limits count.
-    rigid : bool
-        Whether the plate is rigid: then the run-down must go through 18 to 6 Hz, downwards.
-
-    Returns
-    -------
-    sweep : Sweep or None
-        None where there is no run-down.
-    findings : list of Finding
-        Why not, and what is wrong with it.
+    The signals reach from shortly before to shortly after the plate moves. On a rigid plate the frequency must fall
+    through the tester's band (18 to 6 Hz); a sprung plate may be swept either way.
     """
     turns = turns_of(signals, None if rigid else tester)
     place = f"{signals.wheel}.plate.z" if signals.height is not None else f"{signals.wheel}.plate.frequency"

@@ -33,17 +33,8 @@ FIELDS = ("least", "least_time", "greatest", "down", "up", "mean", "half_amplitu
 
 @cache
 def prototype() -> tuple[Array, float]:
-    """Give one half of the filter's impulse response against time in periods, and the length of that half.
+    """Give one half of the filter's impulse response against time in periods (weight per period, 1), and its length.
 
-    Returns
-    -------
-    taps : ndarray, shape (1025,)
-        Weight per period (1) from the middle to the end.
-    half : float
-        Length of a half in periods (1).
-
-    Notes
-    -----
     A Kaiser window on a sinc between pass band (2 f) and stop band (4 f) with a ripple of 0.01 (EGEA SPECSUS2018), and
     within that ripple moved so that the gain is exactly 1 at 0, f and 2 f: amplitudes are not biased by the filter.
     """
@@ -188,25 +179,12 @@ def force_in_periods(
 ) -> Array:
     """Find what forces do in each period of the plate, after the low pass that goes with the period.
 
-    Parameters
-    ----------
-    signals : ndarray, shape (rows, n)
-        Forces in N.
-    rate, start : float
-        Samples per second (Hz), and time (s) of the first one.
-    tops, frequencies : ndarray, shape (periods,)
-        When the plate is highest (s), and its frequency then (Hz).
-    level : float
-        N; crossings of this level around the least force are looked for (of the middle, where it is never crossed).
-    window : (float, float)
-        Where the least force is looked for, in periods (1) after the top.
-
-    Returns
-    -------
-    ndarray, shape (rows, periods, 7)
-        Least force (N) and its time (s), greatest force (N) in the period around it, times (s) at which the force
-        falls below the level before and rises above it after the least force, mean force (N), half of greatest less
-        least (N). NaN where the record does not reach or the least force lies at the window's end.
+    Forces (rows, n) in N, sampled at ``rate`` Hz from ``start`` s; ``tops`` (s) are when the plate is highest, with its
+    frequencies (Hz) then. The least force is looked for in a ``window`` of periods after the top, and the crossings of
+    a ``level`` (N) around it (of the middle, where the level is never crossed). Gives (rows, periods, 7), as ``FIELDS``
+    names them: least force (N) and its time (s), greatest force (N) in the period around it, times (s) at which the
+    force falls below the level before and rises above it after the least force, mean force (N), half of greatest less
+    least (N); NaN where the record does not reach or the least force lies at the window's end.
     """
     taps, half = prototype()
     block = np.ascontiguousarray(signals)
@@ -224,21 +202,11 @@ _SAME = 0.06  # Hz
 
 @dataclass(frozen=True)
 class FrequencyCurve:
-    """A quantity over frequency.
+    """A quantity over frequency."""
 
-    Attributes
-    ----------
-    frequency : ndarray, shape (n,)
-        Rising, Hz.
-    value : ndarray, shape (n,)
-        The quantity.
-    error : ndarray, shape (n,)
-        Standard error of what was added to the model, unit of the quantity.
-    """
-
-    frequency: Array
-    value: Array
-    error: Array
+    frequency: Array  # (n,): rising, Hz
+    value: Array  # (n,): the quantity
+    error: Array  # (n,): standard error of what was added to the model, unit of the quantity
 
     def with_turns(self, frequency: Array, value: Array) -> FrequencyCurve:
         """Add turns (Hz, unit of the quantity) of which nothing was measured."""
@@ -271,23 +239,10 @@ class FrequencyCurve:
 
 
 def corrected_curve(frequency: Array, measured: Array, modelled: Array, spread: Array, length: float) -> FrequencyCurve:
-    """Put a modelled curve right by a measured one.
+    """Put a modelled curve right by a measured one; frequencies in Hz in any order, NaN where not known.
 
-    Parameters
-    ----------
-    frequency : ndarray, shape (n,)
-        Hz, in any order.
-    measured, modelled : ndarray, shape (n,)
-        The quantity; NaN where it is not known.
-    spread : ndarray, shape (n,)
-        How the noise of the measured values goes from one to the other; its size does not matter.
-    length : float
-        Hz over which what the model misses may change.
-
-    Returns
-    -------
-    FrequencyCurve
-        Sorted by frequency, frequencies once.
+    ``spread`` says how the noise of the measured values goes from one to the other, its size does not matter; what the
+    model misses may change over ``length`` Hz. The curve is sorted, and has each frequency once.
     """
     known = np.isfinite(measured) & np.isfinite(modelled) & (spread > 0.0)
     order = np.argsort(frequency[known], kind="stable")
@@ -356,35 +311,17 @@ _TYRES = (5e4, 1.2e6)
 
 @dataclass(frozen=True)
 class Analysis:
-    """What every turn shows, measured and modelled.
+    """What every turn shows, measured and modelled."""
 
-    Attributes
-    ----------
-    load : float
-        Static load, N.
-    fit : ResponseFit or None
-        Quarter car; None where none could be fitted.
-    top, frequency : ndarray, shape (n,)
-        When the plate was at the top (s), and its frequency then (Hz).
-    turn_frequency : ndarray, shape (n,)
-        One over the time to the next top, Hz.
-    measured, modelled : ndarray, shape (n, 7)
-        See ``force_in_periods``; the model's are NaN where the tyre lifts off.
-    lifted : ndarray of bool, shape (n,)
-        Turns in which the tyre leaves the plate, or which are not yet over it.
-    amplitude : float
-        Of the plate, m; NaN where it is not known.
-    """
-
-    load: float
-    fit: ResponseFit | None
-    top: Array
-    frequency: Array
-    turn_frequency: Array
-    measured: Array
-    modelled: Array
-    lifted: NDArray[np.bool_]
-    amplitude: float
+    load: float  # static load, N
+    fit: ResponseFit | None  # quarter car; None where none could be fitted
+    top: Array  # (n,): when the plate was at the top, s
+    frequency: Array  # (n,): frequency then, Hz
+    turn_frequency: Array  # (n,): one over the time to the next top, Hz
+    measured: Array  # (n, 7): see ``force_in_periods``
+    modelled: Array  # (n, 7): the same of the model, NaN where the tyre lifts off
+    lifted: NDArray[np.bool_]  # (n,): turns in which the tyre leaves the plate, or which are not yet over it
+    amplitude: float  # of the plate, m; NaN where it is not known
 
 
 def find_lift_off(force: Array, load: float, sample_rate: float) -> NDArray[np.bool_]:
@@ -409,23 +346,9 @@ def stretches_between(lifted: NDArray[np.bool_], first: int, last: int, sample_r
 
 
 def analyse(signals: WheelSignals, sweep: Sweep, load: float) -> tuple[Analysis, list[Finding]]:
-    """Fit a quarter car to one wheel's test on a rigid plate, and evaluate every turn.
+    """Fit a quarter car to one wheel's test on a rigid plate, and evaluate every turn under a static load (N).
 
-    Parameters
-    ----------
-    signals : WheelSignals
-        The test.
-    sweep : Sweep
-        Its turns.
-    load : float
-        Static load, N.
-
-    Returns
-    -------
-    analysis : Analysis
-        Turns from 1 s before the run-down on, down to 3 Hz.
-    findings : list of Finding
-        What is wrong with the fit.
+    The turns are those from 1 s before the sweep on, down to 3 Hz; findings say what is wrong with the fit.
     """
     rate, start = signals.sample_rate, float(signals.time[0])
     lifted = find_lift_off(signals.force, load, rate)
@@ -461,25 +384,9 @@ def _turns_hit(flags: NDArray[np.bool_], top: Array, frequency: Array, rate: flo
 def fit_test(
     signals: WheelSignals, parts: list[tuple[int, int]], load: float, highest: float, model: Array
 ) -> tuple[ResponseFit | None, list[Finding]]:
-    """Fit a quarter car to parts of a test and write its force into ``model``.
+    """Fit a quarter car to parts (samples from, up to) of a test with heights, and write its force into ``model`` (N).
 
-    Parameters
-    ----------
-    signals : WheelSignals
-        The test; heights are needed.
-    parts : list of (int, int)
-        Samples, from and up to.
-    load, highest : float
-        Static load (N) and highest frequency (Hz).
-    model : ndarray, shape (n,)
-        Is given the modelled force (N) in these parts.
-
-    Returns
-    -------
-    fit : ResponseFit or None
-        None where nothing resembles a quarter car.
-    findings : list of Finding
-        What is wrong.
+    Static load in N, highest frequency in Hz. None where nothing resembles a quarter car; findings say what is wrong.
     """
     height, place = signals.height, f"{signals.wheel}.plate.force"
     if height is None:

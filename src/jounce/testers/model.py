@@ -36,17 +36,10 @@ _LIFTED = 0.02  # m: the search for equilibrium begins with the plate against th
 
 @dataclass(frozen=True)
 class PlateForm:
-    """How the plates are built; all that matters of a tester for the equations.
+    """How the plates are built; all that matters of a tester for the equations."""
 
-    Attributes
-    ----------
-    sprung : bool
-        Whether a spring stands between exciter and plate.
-    free : tuple of str
-        Places of the wheels (``""``, ``"left"``, ``"right"``) whose exciter the drive's inertia moves; else tracks.
-    """
-
-    sprung: bool = False
+    sprung: bool = False  # whether a spring stands between exciter and plate
+    # places of the wheels (``""``, ``"left"``, ``"right"``) whose exciter the drive's inertia moves; else tracks
     free: tuple[str, ...] = ()
 
 
@@ -67,23 +60,8 @@ class Plate:
 def tester_model(rig: Rig, form: PlateForm) -> Model:
     """Write the equations of a rig on a tester; the values in ``rig`` matter only through its structure.
 
-    Parameters
-    ----------
-    rig : QuarterCar, Corner or FrontViewAxle
-        What stands on the plates.
-    form : PlateForm
-        How they are built.
-
-    Returns
-    -------
-    Model
-        Tracks ``[<side>.]excenter.angle`` (rad) where driven, ``[<side>.]motor.on`` where free; parameters are
-        those of the rig and, with ``tester.`` before them, those of the tester.
-
-    Raises
-    ------
-    AssemblyError
-        For a rig that has no tyre to stand on.
+    Tracks are ``[<side>.]excenter.angle`` (rad) where driven, ``[<side>.]motor.on`` where free; parameters are those of
+    the rig and, with ``tester.`` before them, those of the tester. Raises AssemblyError for a rig without a tyre.
     """
     builders: dict[type[Rig], Callable[[Rig, PlateForm], System]] = {
         QuarterCar: _quarter_car,

@@ -29,32 +29,17 @@ _FINE = 0.01
 
 @dataclass(frozen=True)
 class Periodic:
-    """A steady state at one frequency.
+    """A steady state at one frequency."""
 
-    Attributes
-    ----------
-    frequency : float
-        Hz.
-    settled : bool
-        Whether the motion repeats with every turn; otherwise the values are the least of several turns.
-    force_min, force_max : float
-        Of the contact force, N.
-    phase_angle : float
-        EGEA phase angle, rad: from the plate's top to the middle of the turn's low-force half; where the motion does
-        not repeat, from the parts of plate and force that turn with the exciter.
-    values : dict
-        Outputs over one turn (512 samples), SI; the plate's mean height comes first.
-    state : dict
-        At the turn's begin.
-    """
-
-    frequency: float
-    settled: bool
-    force_min: float
-    force_max: float
+    frequency: float  # Hz
+    settled: bool  # whether the motion repeats with every turn; otherwise the values are the least of several turns
+    force_min: float  # least contact force, N
+    force_max: float  # greatest contact force, N
+    # EGEA phase angle, rad: from the plate's top to the middle of the turn's low-force half; where the motion does
+    # not repeat, from the parts of plate and force that turn with the exciter
     phase_angle: float
-    values: Mapping[str, Array]
-    state: Mapping[str, float]
+    values: Mapping[str, Array]  # outputs over one turn (512 samples), SI; the plate's mean height comes first
+    state: Mapping[str, float]  # at the turn's begin
 
 
 def periodic(
@@ -161,47 +146,21 @@ def _greatest_at(signal: Array, turns: int) -> float:
 
 @dataclass(frozen=True)
 class SteadySweep:
-    """Steady states of one wheel over the tester's frequencies.
+    """Steady states of one wheel over the tester's frequencies."""
 
-    Attributes
-    ----------
-    adhesion, adhesion_frequency : float
-        Least over static contact force (1), and where (Hz, to 0.01 Hz).
-    phase_angle, phase_frequency : float
-        Least EGEA phase angle (rad) in the tester's band, and where (Hz).
-    force_amplitude_25 : float
-        Half of the force's range at 25 Hz, N.
-    lift_off : bool
-        Whether the wheel leaves the plate.
-    states : tuple of Periodic
-        All that were computed, by frequency.
-    """
-
-    adhesion: float
-    adhesion_frequency: float
-    phase_angle: float
-    phase_frequency: float
-    force_amplitude_25: float
-    lift_off: bool
-    states: tuple[Periodic, ...]
+    adhesion: float  # least over static contact force (1)
+    adhesion_frequency: float  # where, Hz, to 0.01 Hz
+    phase_angle: float  # least EGEA phase angle in the tester's band, rad
+    phase_frequency: float  # where, Hz
+    force_amplitude_25: float  # half of the force's range at 25 Hz, N
+    lift_off: bool  # whether the wheel leaves the plate
+    states: tuple[Periodic, ...]  # all that were computed, by frequency
 
 
 def steady_sweep(rig: Rig, tester: Tester, *, wheel: str = "left") -> SteadySweep:
-    """Sweep periodic steady states from the highest frequency down, each from the one before.
+    """Sweep periodic steady states of a wheel from the highest frequency down, each from the one before.
 
-    Parameters
-    ----------
-    rig : QuarterCar, Corner or FrontViewAxle
-        What stands on the plates.
-    tester : Tester
-        Stroke, plate, highest frequency, band of the phase angle.
-    wheel : {"left", "right"}
-        Of an axle.
-
-    Returns
-    -------
-    SteadySweep
-        Adhesion (1), phase angle (rad), refined to 0.01 Hz.
+    The least adhesion (1) and the least phase angle (rad) in the tester's band are refined to 0.01 Hz.
     """
     on, limits = rig_on_tester(rig, tester), tester.limits
     highest = max(tester.programme.start_frequency, tester.programme.end_frequency)

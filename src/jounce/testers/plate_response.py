@@ -19,18 +19,10 @@ _ALIKE = 1.3  # ratio of frequencies below which two wheel modes of an axle coun
 
 @dataclass(frozen=True)
 class LinearTesterRig:
-    """Small motions about rest: ``dx/dt = A x + B u``, outputs ``C x + D u``; ``u`` is the exciters' angles and rates.
-
-    Attributes
-    ----------
-    on : TesterRig
-        What it is of.
-    A, B, C, D : ndarray
-        Matrices; inputs are for each track its value and its first derivatives.
-    """
+    """Small motions about rest: ``dx/dt = A x + B u``, outputs ``C x + D u``; ``u`` are angles and rates of exciters."""
 
     on: TesterRig
-    A: Array
+    A: Array  # inputs are for each track its value and its first derivatives
     B: Array
     C: Array
     D: Array

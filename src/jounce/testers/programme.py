@@ -26,18 +26,10 @@ _RUN_OUT = 10.0  # Hz/s: how fast an eccentric exciter is stopped that has not r
 
 @dataclass(frozen=True)
 class SweptAngle:
-    """Angle of an eccentric exciter over one controlled test: held, swept, stopped.
+    """Angle of an eccentric exciter over one controlled test: held, swept, stopped."""
 
-    Attributes
-    ----------
-    edges : ndarray, shape (4,)
-        Begin of hold, sweep, stop, and its end, s.
-    coefficients : ndarray, shape (3, 3)
-        Angle (rad), rate (rad/s) and half the acceleration (rad/s^2) at the begin of each.
-    """
-
-    edges: Array
-    coefficients: Array
+    edges: Array  # (4,): begin of hold, sweep, stop, and its end, s
+    coefficients: Array  # (3, 3): angle (rad), rate (rad/s) and half the acceleration (rad/s^2) at the begin of each
 
     @property
     def end(self) -> float:
@@ -50,21 +42,7 @@ class SweptAngle:
 def swept_angle(programme: Programme, static_load: float, begin: float = 0.0, angle: float = 0.0) -> SweptAngle:
     """Give the exciter's angle over a programme, exact: a quadratic in time where the frequency changes.
 
-    Parameters
-    ----------
-    programme : Programme
-        Hold and sweep.
-    static_load : float
-        Of the wheel, N.
-    begin : float
-        When it starts to turn, s.
-    angle : float
-        Where it starts, rad.
-
-    Returns
-    -------
-    SweptAngle
-        Pieces.
+    The hold depends on the static load (N); it starts to turn at ``begin`` (s) from an angle in rad.
 
     Examples
     --------
@@ -105,24 +83,12 @@ Other = Literal["still", "excited"]
 
 @dataclass(frozen=True)
 class ProgrammeRun:
-    """Arrays of a simulated test.
+    """Arrays of a simulated test."""
 
-    Attributes
-    ----------
-    time : ndarray, shape (n,)
-        s.
-    values : dict
-        Output of the model to its samples, SI, shape (n,).
-    static : dict
-        Output to its value at rest.
-    outputs : tuple of Output
-        Names, units and labels.
-    """
-
-    time: Array
-    values: dict[str, Array]
-    static: dict[str, float]
-    outputs: tuple[Output, ...]
+    time: Array  # (n,): s
+    values: dict[str, Array]  # output of the model to its samples, SI, shape (n,)
+    static: dict[str, float]  # output to its value at rest
+    outputs: tuple[Output, ...]  # names, units and labels
 
 
 def run_programme(rig: Rig, tester: Tester, *, wheel: Wheel = "both", other: Other = "still") -> ProgrammeRun:

@@ -28,28 +28,14 @@ _LONGEST = 0.8  # radians of the exciter in one step at a tolerance of 1e-5
 
 @dataclass(frozen=True)
 class TesterRig:
-    """A rig on a tester, ready to run.
-
-    Attributes
-    ----------
-    rig, tester : Rig, Tester
-        What stands on what.
-    form : PlateForm
-        How the plates are built.
-    compiled : Compiled
-        Native code.
-    prepared : Prepared
-        A run laid out; only its numbers are used.
-    rest : Equilibrium
-        Static equilibrium with exciters at angle 0.
-    """
+    """A rig on a tester, ready to run."""
 
     rig: Rig
     tester: Tester
-    form: PlateForm
-    compiled: Compiled
-    prepared: Prepared
-    rest: Equilibrium
+    form: PlateForm  # how the plates are built
+    compiled: Compiled  # native code
+    prepared: Prepared  # a run laid out; only its numbers are used
+    rest: Equilibrium  # static equilibrium with exciters at angle 0
 
     @property
     def places(self) -> tuple[str, ...]:
@@ -83,23 +69,8 @@ class TesterRig:
     ) -> Solution:
         """Run with given exciter angles (rad against s; of free exciters the motor's share), from rest or ``start``.
 
-        Parameters
-        ----------
-        angles : mapping
-            Place of a wheel to its exciter's angle; exciters that are not named stand still at mean height.
-        times : ndarray, shape (n,)
-            Output times, s.
-        start : mapping, optional
-            States that do not start from equilibrium, SI.
-        fastest : float
-            Greatest rate of the angles, rad/s.
-        tolerance : float
-            Relative error of the displacements.
-
-        Returns
-        -------
-        Solution
-            Arrays of the run.
+        Angles go by the place of the wheel; exciters that are not named stand still at mean height. Output times are in
+        s, states of ``start`` in SI; ``fastest`` is the greatest rate of the angles, rad/s.
         """
         prepared, facts = self.prepared, self.compiled.facts
         signals = [angles.get(_place_of(track), constant(0.0)) for track in facts.tracks]
@@ -128,28 +99,11 @@ _TOLERANCE = 1e-5
 
 
 def rig_on_tester(rig: Rig, tester: Tester, free: tuple[str, ...] = (), *, blocked: bool = False) -> TesterRig:
-    """Put a rig on a tester; the exciters of the wheels in ``free`` are moved by their drive's inertia.
+    """Put a rig on a tester, ready to run.
 
-    Parameters
-    ----------
-    rig : QuarterCar, Corner or FrontViewAxle
-        What is tested.
-    tester : Tester
-        What it stands on.
-    free : tuple of str
-        Places of wheels: ``""``, ``"left"``, ``"right"``.
-    blocked : bool
-        Without the springs of sprung plates, as on the road.
-
-    Returns
-    -------
-    TesterRig
-        Ready to run.
-
-    Raises
-    ------
-    SimulationError
-        For a rig that no tester takes, or where there is no equilibrium.
+    The exciters of the wheels in ``free`` (places ``""``, ``"left"``, ``"right"``) are moved by their drive's inertia;
+    ``blocked`` leaves out the springs of sprung plates, as on the road. Raises SimulationError for a rig that no tester
+    takes, or where there is no equilibrium.
     """
     check_rig(rig)
     form = PlateForm(tester.kind == "sprung-plate" and not blocked, free)

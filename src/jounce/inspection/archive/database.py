@@ -10,7 +10,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from sqlalchemy import (
     BigInteger,
@@ -23,14 +23,18 @@ from sqlalchemy import (
     String,
     Table,
     Text,
+    create_engine,
+    event,
+    func,
     insert,
+    inspect,
     select,
+    text,
 )
+from sqlalchemy.engine import Connection, Engine, make_url
+from sqlalchemy.exc import ArgumentError, DBAPIError, IntegrityError, NoSuchModuleError
 
 from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError
-
-if TYPE_CHECKING:
-    from sqlalchemy.engine import Connection, Engine
 
 SCHEMA_VERSION = "jounce.store/1"
 _TABLES = MetaData()
@@ -147,16 +151,9 @@ def file_of(location: str) -> Path | None:
 
 
 def open_database(location: str, *, read_only: bool, damaged: bool = False) -> Engine:
-    """Open a database, which is made where there is none; a damaged one is refused before it is written to.
+    """Open a database (a file, or a URL of SQLAlchemy), which is made where there is none.
 
-    Parameters
-    ----------
-    location : str
-        File, or URL of SQLAlchemy.
-    read_only : bool
-        Never write.
-    damaged : bool
-        Open it for reading although it is damaged.
+    A damaged one is refused before anything is written to it, unless it is opened as ``damaged``, for reading only.
     """
     file = file_of(location)
     if file is None:
@@ -174,7 +171,7 @@ def open_database(location: str, *, read_only: bool, damaged: bool = False) -> E
     _check_file(file)
     looking = _sqlite(file, read_only=True)
     try:
-        with complaints(location), looking.begin() as connection:
+        with reported_errors(location), looking.begin() as connection:
             _check_tables(connection, location)
     except JounceError:
         looking.dispose()
@@ -195,10 +192,8 @@ def problems_of(connection: Connection) -> list[str]:
 
 
 @contextmanager
-def complaints(location: str) -> Iterator[None]:
-    """Turn what the database complains of into one message."""
-    from sqlalchemy.exc import DBAPIError, IntegrityError
-
+def reported_errors(location: str) -> Iterator[None]:
+    """Turn errors of the database into one message."""
     try:
         yield
     except (JounceError, IntegrityError):
@@ -217,10 +212,6 @@ def complaints(location: str) -> Iterator[None]:
 
 def _open_other(location: str, *, read_only: bool) -> Engine:
     """Another database, or a SQLite database named by its driver."""
-    from sqlalchemy import create_engine
-    from sqlalchemy.engine import make_url
-    from sqlalchemy.exc import ArgumentError, NoSuchModuleError
-
     allowed = "a file, or e.g. postgresql+psycopg://user@host/lane"
     try:
         url = make_url(location)
@@ -243,7 +234,7 @@ def _open_other(location: str, *, read_only: bool) -> Engine:
         what, hint = "the driver of this database is not installed", f"Install it with: pip install '{package}'"
         raise RecordingError(what, where=shown(location), hint=hint) from None
     try:
-        with complaints(shown(location)), engine.begin() as connection:
+        with reported_errors(shown(location)), engine.begin() as connection:
             if not read_only:
                 _make_tables(connection, shown(location))
             _check_tables(connection, shown(location))
@@ -255,8 +246,6 @@ def _open_other(location: str, *, read_only: bool) -> Engine:
 
 def _make_tables(connection: Connection, location: str) -> None:
     """Make the tables in a database of a server, unless others with one of their names are there."""
-    from sqlalchemy import func, inspect, select
-
     if connection.dialect.name == "postgresql":  # two that make the same table at once get in each other's way
         connection.execute(select(func.pg_advisory_xact_lock(_MAKING)))
     there = set(inspect(connection).get_table_names()) & NAMES
@@ -269,8 +258,6 @@ def _make_tables(connection: Connection, location: str) -> None:
 def _sqlite(file: Path, *, read_only: bool, damaged: bool = False) -> Engine:
     """Engine of a file; what is written is on the disk before a transaction counts."""
     from urllib.parse import quote
-
-    from sqlalchemy import create_engine, event
 
     mode = "ro" if read_only else "rw"
     if read_only and not os.access(file.parent, os.W_OK) and not _log_of(file).exists():
@@ -352,8 +339,6 @@ def _check_file(file: Path) -> None:
 
 def _check_tables(connection: Connection, location: str) -> None:
     """Refuse a database that is damaged or holds something else; contents are checked when they are read."""
-    from sqlalchemy import inspect, text
-
     is_file = connection.dialect.name == "sqlite"
     names = set(inspect(connection).get_table_names())
     if not names >= NAMES or (is_file and names - NAMES):

@@ -28,46 +28,21 @@ _NO_TEXT = re.compile("[\0\ud800-\udfff]")
 
 @dataclass(frozen=True)
 class RecordEntry:
-    """What comes in: the file as it is, and what is known of it.
-
-    Attributes
-    ----------
-    name : str
-        Name of the file.
-    content : bytes
-        The file.
-    sidecar : bytes or None
-        The TOML file beside it, where there is one.
-    plate : str
-        Number plate of the vehicle; empty where nothing says it.
-    vehicle : str
-        What vehicle it is.
-    date : str
-        Day of the inspection, ISO 8601.
-    axle : str
-        ``"front"``, ``"rear"`` or empty.
-    tester : str
-        Name of the tester.
-    tester_table, vehicle_table : mapping or None
-        Description of tester and vehicle as tables, for evaluating the record again.
-    methods : tuple of str
-        What to evaluate and what decides; empty for all.
-    signals : bytes or None
-        Signals as ``pack`` gives them.
-    """
+    """What comes in: the file as it is, and what is known of it."""
 
     name: str
     content: bytes = field(repr=False)
-    sidecar: bytes | None = field(default=None, repr=False)
-    plate: str = ""
+    sidecar: bytes | None = field(default=None, repr=False)  # the TOML file beside it, where there is one
+    plate: str = ""  # number plate of the vehicle; empty where nothing says it
     vehicle: str = ""
-    date: str = ""
-    axle: str = ""
+    date: str = ""  # day of the inspection, ISO 8601
+    axle: str = ""  # ``"front"``, ``"rear"`` or empty
     tester: str = ""
+    # description of tester and vehicle as tables, for evaluating the record again
     tester_table: Mapping[str, Any] | None = field(default=None, repr=False)
     vehicle_table: Mapping[str, Any] | None = field(default=None, repr=False)
-    methods: tuple[str, ...] = ()
-    signals: bytes | None = field(default=None, repr=False)
+    methods: tuple[str, ...] = ()  # what to evaluate and what decides; empty for all
+    signals: bytes | None = field(default=None, repr=False)  # signals as ``pack`` gives them
 
     @property
     def digest(self) -> str:
@@ -105,41 +80,17 @@ def plate_key(plate: str) -> str:
 
 @dataclass(frozen=True)
 class Grading:
-    """One grading of a record.
-
-    Attributes
-    ----------
-    verdict : str
-        One word.
-    limits : str
-        Version of the limits.
-    software : str
-        Version of what graded it.
-    result : mapping
-        Plain values, SI.
-    """
+    """One grading of a record."""
 
     verdict: str
-    limits: str
-    software: str
-    result: Mapping[str, Any]
+    limits: str  # version of the limits
+    software: str  # version of what graded it
+    result: Mapping[str, Any]  # plain values, SI
 
 
 @dataclass(frozen=True)
 class StoredRecord:
-    """A record as it lies in the store, with its newest grading.
-
-    Attributes
-    ----------
-    number : int
-        Its number.
-    name, plate, vehicle, date, axle, tester : str
-        As it came in.
-    accepted : str
-        When it came in, ISO 8601, UTC.
-    grading : Grading or None
-        The newest one.
-    """
+    """A record as it lies in the store, with its newest grading."""
 
     number: int
     name: str
@@ -148,8 +99,8 @@ class StoredRecord:
     date: str
     axle: str
     tester: str
-    accepted: str
-    grading: Grading | None
+    accepted: str  # when it came in, ISO 8601, UTC
+    grading: Grading | None  # the newest one
 
 
 _FORMAT = "signals/1"

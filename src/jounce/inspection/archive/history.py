@@ -19,49 +19,29 @@ _DAYS_OF_A_YEAR = 365.25
 
 @dataclass(frozen=True)
 class WheelVisit:
-    """One wheel at one inspection.
+    """One wheel at one inspection."""
 
-    Attributes
-    ----------
-    record : int
-        Number of the record in the store.
-    date, plate, axle, wheel : str
-        When, of which vehicle, and where.
-    values : mapping of str to float or None
-        ``adhesion`` (fraction), ``phase_angle_min_deg`` (degrees), ``theta_road`` (dimensionless).
-    verdict, limits : str
-        Of the wheel, by the newest grading.
-    """
-
-    record: int
+    record: int  # number of the record in the store
     date: str
     plate: str
     axle: str
     wheel: str
+    # ``adhesion`` (fraction), ``phase_angle_min_deg`` (degrees), ``theta_road`` (dimensionless)
     values: Mapping[str, float | None]
-    verdict: str
-    limits: str
+    verdict: str  # of the wheel, by the newest grading
+    limits: str  # of the wheel, by the newest grading
 
 
 @dataclass(frozen=True)
 class Trend:
-    """How one value of one wheel changes.
-
-    Attributes
-    ----------
-    axle, wheel, quantity : str
-        Which.
-    change_per_year : float
-        Slope of the straight line through all visits (least squares), unit of the quantity per year.
-    visits : int
-        With this value and a date.
-    """
+    """How one value of one wheel changes."""
 
     axle: str
     wheel: str
     quantity: str
+    # slope of the straight line through all visits (least squares), unit of the quantity per year
     change_per_year: float
-    visits: int
+    visits: int  # with this value and a date
 
 
 def history_of(store: Store, plate: str) -> list[WheelVisit]:

@@ -32,21 +32,11 @@ _HEADER_BYTES = 65536
 
 @dataclass(frozen=True)
 class InspectedRecord:
-    """A record with what came of it.
+    """A record with what came of it."""
 
-    Attributes
-    ----------
-    path : Path
-        Its file.
-    record : xarray.Dataset
-        Plate heights (m) and forces (N) on ``time`` (s).
-    graded : GradedInspection
-        Values, grades, verdicts, reasons.
-    """
-
-    path: Path
-    record: xr.Dataset
-    graded: GradedInspection
+    path: Path  # its file
+    record: xr.Dataset  # plate heights (m) and forces (N) on ``time`` (s)
+    graded: GradedInspection  # values, grades, verdicts, reasons
 
     @property
     def facts(self) -> dict[str, str]:
@@ -123,18 +113,8 @@ def entry_of(
 ) -> RecordEntry:
     """Give a record's file, and the TOML file beside it, as they are, with what is known of them.
 
-    Parameters
-    ----------
-    path : Path or str
-        The record.
-    facts : mapping, optional
-        Plate number, vehicle, date, axle and tester; what is missing is taken from the header.
-    tester : Tester, optional
-        By which it is evaluated, now and again.
-    vehicle : Rig or Vehicle, optional
-        Under test.
-    methods : sequence of str, optional
-        What is evaluated and decides; all by default.
+    What ``facts`` do not say (plate number, vehicle, date, axle, tester) is taken from the header. Tester, vehicle and
+    methods are those by which it is evaluated, now and again.
     """
     from jounce.inspection.archive.entries import RecordEntry
 
@@ -203,27 +183,13 @@ def refusal_of(error: Exception, limits: Limits | None = None) -> Grading:
 
 @dataclass(frozen=True)
 class ImportedRecord:
-    """What became of a file that came in.
-
-    Attributes
-    ----------
-    file : str
-        Its path.
-    number : int
-        Of the record in the store.
-    is_new : bool
-        False where the same file was in the store already.
-    verdict : str
-        Of the axle; ``"not graded"`` where the record does not allow it.
-    problem : str
-        Why it could not be graded; empty where it could.
-    """
+    """What became of a file that came in."""
 
     file: str
-    number: int
-    is_new: bool
-    verdict: str
-    problem: str = ""
+    number: int  # of the record in the store
+    is_new: bool  # false where the same file was in the store already
+    verdict: str  # of the axle; ``"not graded"`` where the record does not allow it
+    problem: str = ""  # why it could not be graded; empty where it could
 
 
 def import_record(

@@ -30,29 +30,15 @@ _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA
 
 @dataclass(frozen=True)
 class Reevaluation:
-    """What came of evaluating all records again.
-
-    Attributes
-    ----------
-    records : int
-        How many there are.
-    added : int
-        New gradings.
-    unchanged : int
-        Records whose newest grading says the same already, by the same limits and software.
-    changes : dict of tuple of str to int
-        How many verdicts went from one word to another.
-    changed : tuple of int
-        Numbers of these records.
-    failed : dict of int to str
-        Records that could not be read again, and why; their gradings stay.
-    """
+    """What came of evaluating all records again."""
 
     records: int
-    added: int = 0
-    unchanged: int = 0
+    added: int = 0  # new gradings
+    unchanged: int = 0  # records whose newest grading says the same already, by the same limits and software
+    # how many verdicts went from one word to another
     changes: Mapping[tuple[str, str], int] = field(default_factory=dict)
-    changed: tuple[int, ...] = ()
+    changed: tuple[int, ...] = ()  # numbers of these records
+    # records that could not be read again, and why; their gradings stay
     failed: Mapping[int, str] = field(default_factory=dict)
 
 

@@ -13,7 +13,11 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
+
+from sqlalchemy import Column, Select, and_, delete, func, insert, select
+from sqlalchemy.engine import Connection
+from sqlalchemy.exc import IntegrityError
 
 from jounce.core.errors import OutputError, RecordingError
 from jounce.core.serialise import to_json
@@ -26,16 +30,12 @@ from jounce.inspection.archive.database import (
     VEHICLES,
     WATCHED,
     DamagedStoreError,
-    complaints,
     open_database,
     problems_of,
+    reported_errors,
     shown,
 )
 from jounce.inspection.archive.entries import Grading, RecordEntry, StoredRecord, digest_of, plate_key, storable
-
-if TYPE_CHECKING:
-    from sqlalchemy import Column, Select
-    from sqlalchemy.engine import Connection
 
 T = TypeVar("T")
 _RESULT_COLUMNS = (
@@ -110,8 +110,6 @@ class Store:
 
     def _again(self, write: Callable[[], T]) -> T:
         """Write, once more where another process put the same record, vehicle, tester or file in meanwhile."""
-        from sqlalchemy.exc import IntegrityError
-
         for _ in range(_ATTEMPTS):
             try:
                 return write()
@@ -120,8 +118,6 @@ class Store:
         raise OutputError("the record could not be stored: others keep writing the same", where=self.location)
 
     def _accept(self, entry: RecordEntry, grading: Grading | None) -> tuple[int, bool]:
-        from sqlalchemy import insert, select
-
         packed = {
             "content": zlib.compress(entry.content, 6),
             "sidecar": None if entry.sidecar is None else zlib.compress(entry.sidecar, 6),
@@ -156,16 +152,12 @@ class Store:
 
     def number_of(self, digest: str) -> int | None:
         """Number of the record with a digest, if it is in the store."""
-        from sqlalchemy import select
-
         with self._reading() as connection:
             found = connection.execute(select(RECORDS.c.number).where(RECORDS.c.digest == digest)).scalar()
         return None if found is None else int(found)
 
     def add_gradings(self, gradings: Sequence[tuple[int, Grading]]) -> None:
         """Add gradings to records by their numbers, all of them or none."""
-        from sqlalchemy import insert
-
         if not gradings:
             return
         with self._writing() as connection:
@@ -179,8 +171,6 @@ class Store:
         RecordingError
             When there is no such record, or its bytes are not those that came in.
         """
-        from sqlalchemy import select
-
         wanted = select(CONTENTS.c.content, CONTENTS.c.sidecar, RECORDS.c.digest).join(
             RECORDS, RECORDS.c.number == CONTENTS.c.record
         )
@@ -198,15 +188,11 @@ class Store:
 
     def signals(self, number: int) -> bytes | None:
         """Give the packed signals of a record; None where it could not be read when it came in."""
-        from sqlalchemy import select
-
         with self._reading() as connection:
             return connection.execute(select(CONTENTS.c.signals).where(CONTENTS.c.record == number)).scalar()
 
     def entry(self, number: int) -> RecordEntry:
         """Give what is known of a record, without its file."""
-        from sqlalchemy import select
-
         tester, vehicle = DESCRIPTIONS.alias("tester_of"), DESCRIPTIONS.alias("vehicle_of")
         joined = RECORDS.outerjoin(tester, tester.c.digest == RECORDS.c.tester_digest)
         joined = joined.outerjoin(vehicle, vehicle.c.digest == RECORDS.c.vehicle_digest)
@@ -222,8 +208,6 @@ class Store:
 
     def numbers(self) -> list[int]:
         """Numbers of all records, ascending."""
-        from sqlalchemy import select
-
         with self._reading() as connection:
             return list(connection.execute(select(RECORDS.c.number).order_by(RECORDS.c.number)).scalars())
 
@@ -247,8 +231,6 @@ class Store:
         since, until : str, optional
             Days, ISO 8601, both included.
         """
-        from sqlalchemy import and_, func, select
-
         newest = select(func.max(RESULTS.c.number)).group_by(RESULTS.c.record).scalar_subquery()
         joined = RECORDS.outerjoin(RESULTS, and_(RESULTS.c.record == RECORDS.c.number, RESULTS.c.number.in_(newest)))
         asked = select(*_SHOWN_COLUMNS, *_RESULT_COLUMNS)
@@ -266,8 +248,6 @@ class Store:
 
     def readable_records(self) -> tuple[list[StoredRecord], list[str]]:
         """Give the records that can be read of a damaged store, row by row, and what was in the way of the others."""
-        from sqlalchemy import select
-
         lost: list[str] = []
         gradings: dict[int, Grading] = {}
         for row in self._rows(select(*_RESULT_COLUMNS), RESULTS.c.number, lost):
@@ -305,24 +285,18 @@ class Store:
             lost.append(f"the {number.table.name} cannot be read from row {unread[0]} on")
 
     def _record(self, number: int) -> StoredRecord:
-        from sqlalchemy import select
-
         with self._reading() as connection:
             row = connection.execute(select(*_SHOWN_COLUMNS).where(RECORDS.c.number == number)).one()
         return _stored(row, self.newest_grading(number))
 
     def gradings(self, number: int) -> list[Grading]:
         """All gradings of a record, the oldest first."""
-        from sqlalchemy import select
-
         asked = select(*_RESULT_COLUMNS).where(RESULTS.c.record == number).order_by(RESULTS.c.number)
         with self._reading() as connection:
             return [grading for row in connection.execute(asked) if (grading := _grading(row)) is not None]
 
     def newest_grading(self, number: int) -> Grading | None:
         """Give the newest grading of a record."""
-        from sqlalchemy import select
-
         asked = select(*_RESULT_COLUMNS).where(RESULTS.c.record == number).order_by(RESULTS.c.number.desc()).limit(1)
         with self._reading() as connection:
             row = connection.execute(asked).one_or_none()
@@ -330,8 +304,6 @@ class Store:
 
     def note_watched(self, path: str, size: int, modified: int, message: str = "") -> None:
         """Remember a file of a watched folder: its size in bytes, its time in ns, what was wrong with it."""
-        from sqlalchemy import delete, insert
-
         row = _storable({"path": path, "size": size, "modified": modified, "message": message})
 
         def write() -> None:
@@ -343,8 +315,6 @@ class Store:
 
     def watched(self) -> dict[str, tuple[int, int]]:
         """Size (bytes) and time (ns) of the files that were looked at, by path."""
-        from sqlalchemy import select
-
         with self._reading() as connection:
             rows = connection.execute(select(WATCHED.c.path, WATCHED.c.size, WATCHED.c.modified))
             return {row.path: (row.size, row.modified) for row in rows}
@@ -370,18 +340,16 @@ class Store:
     def _writing(self) -> Iterator[Connection]:
         if self.read_only:
             raise OutputError("the store is open for reading only", where=self.location)
-        with complaints(self.location), self._engine.begin() as connection:
+        with reported_errors(self.location), self._engine.begin() as connection:
             yield connection
 
     @contextmanager
     def _reading(self) -> Iterator[Connection]:
-        with complaints(self.location), self._engine.connect() as connection:
+        with reported_errors(self.location), self._engine.connect() as connection:
             yield connection.execution_options(**{READS: True})
 
 
 def _note_vehicle(connection: Connection, entry: RecordEntry) -> None:
-    from sqlalchemy import insert, select
-
     key = plate_key(entry.plate)
     if not key or connection.execute(select(VEHICLES.c.plate).where(VEHICLES.c.plate_key == key)).first():
         return
@@ -391,8 +359,6 @@ def _note_vehicle(connection: Connection, entry: RecordEntry) -> None:
 
 def _note_description(connection: Connection, table: Mapping[str, Any] | None) -> str | None:
     """Digest of a description, which is kept once."""
-    from sqlalchemy import insert, select
-
     if table is None:
         return None
     text = storable(json.dumps(json.loads(to_json(table)), sort_keys=True))

@@ -30,21 +30,11 @@ def record_suffixes() -> tuple[str, ...]:
 
 @dataclass(frozen=True)
 class Seen:
-    """What became of a file of the folder.
+    """What became of a file of the folder."""
 
-    Attributes
-    ----------
-    file : Path
-        Where it is, and stays.
-    imported : ImportedRecord or None
-        What is in the store; None where the file could not be read.
-    problem : str
-        Why it could not be read, or not be graded; empty where all is well.
-    """
-
-    file: Path
-    imported: ImportedRecord | None
-    problem: str = ""
+    file: Path  # where it is, and stays
+    imported: ImportedRecord | None  # what is in the store; None where the file could not be read
+    problem: str = ""  # why it could not be read, or not be graded; empty where all is well
 
 
 class FolderWatch:
@@ -102,7 +92,7 @@ class FolderWatch:
         self._suffixes = record_suffixes()
         self._done: dict[str, _Stamp] = store.watched()
         self._waiting: dict[str, tuple[_Stamp, float]] = {}
-        self._complaint = self._busy = ""
+        self._reported = self._busy = ""
 
     @property
     def is_waiting(self) -> bool:
@@ -118,11 +108,11 @@ class FolderWatch:
         now = self._clock()
         try:
             files = sorted(file for file in self.folder.iterdir() if self._may_be_record(file))
-            self._complaint = ""
+            self._reported = ""
         except OSError as error:  # a share that went away may come back
-            if not self._complaint:
-                self._complaint = f"the folder cannot be read: {error.strerror}"
-                yield Seen(self.folder, None, self._complaint)
+            if not self._reported:
+                self._reported = f"the folder cannot be read: {error.strerror}"
+                yield Seen(self.folder, None, self._reported)
             return
         there = {_path_of(file) for file in files}
         self._waiting = {path: waiting for path, waiting in self._waiting.items() if path in there}
