@@ -19,7 +19,7 @@ _ALIKE = 1.3  # ratio of frequencies below which two wheel modes of an axle coun
 
 @dataclass(frozen=True)
 class LinearTesterRig:
-    """Small motions about rest: ``dx/dt = A x + B u``, outputs ``C x + D u``; ``u`` are angles and rates of exciters."""
+    """Small motions about rest: ``dx/dt = A x + B u``, outputs ``C x + D u``; ``u``: angles and rates of the exciters."""
 
     on: TesterRig
     A: Array  # inputs are for each track its value and its first derivatives
