@@ -42,24 +42,7 @@ _TURNS = 0.4  # s
 
 @styled
 def case_curve(study: AudiCase, channel: str = "bounce.displacement") -> Figure:
-    r"""Draw one signal of a case against time: one set of axes for each moment, one line for each variant.
-
-    Parameters
-    ----------
-    study : AudiCase
-        As :func:`jounce.papers.audi_a6.run_audi_a6` gives it.
-    channel : str
-        ``bounce.displacement`` (m), ``pitch.angle`` (rad) or another signal of its runs.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        In mm, mrad, kN.
-
-    Raises
-    ------
-    RecordingError
-        For a channel that the runs do not hold.
+    r"""Draw one signal of a case (mm, mrad, kN): one set of axes for each moment, one line for each variant.
 
     Examples
     --------
@@ -84,25 +67,7 @@ def case_curve(study: AudiCase, channel: str = "bounce.displacement") -> Figure:
 
 @styled
 def case_overview(study: AudiCase, moment: float) -> Figure:
-    """Draw what the paper's last figure shows, one above the other: bounce, pitch, forces, road and moment.
-
-    Parameters
-    ----------
-    study : AudiCase
-        As :func:`jounce.papers.audi_a6.run_audi_a6` gives it.
-    moment : float
-        Which of its pitch moments, N m.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        One set of axes for each signal, one line for each variant.
-
-    Raises
-    ------
-    RecordingError
-        For a moment that the study did not run.
-    """
+    """Draw all signals of the runs with one pitch moment (N m): bounce, pitch, forces, road and moment."""
     runs = [run for run in study.runs if run.moment == moment]
     if not runs:
         allowed = ", ".join(f"{one:g}" for one in sorted({run.moment for run in study.runs}))
@@ -117,18 +82,7 @@ def case_overview(study: AudiCase, moment: float) -> Figure:
 
 @styled
 def start_up_transient(study: AudiCase) -> Figure:
-    """Draw how the paper's vehicle settles to its equilibrium from the initial state of the demo.
-
-    Parameters
-    ----------
-    study : AudiCase
-        As :func:`jounce.papers.audi_a6.run_audi_a6` gives it.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        Height of the body (mm) against time (s).
-    """
+    """Draw how the paper's vehicle settles (mm) from the initial state of the demo to its equilibrium."""
     found = study.start_up
     figure = new_figure(2.6)
     axes = figure.subplots()
@@ -149,20 +103,7 @@ def start_up_transient(study: AudiCase) -> Figure:
 
 @styled
 def exciter_spring(study: EccentricExciter, duration: float = 3.0) -> Figure:
-    """Draw length and force of the spring over time for all models of the corner on its exciter.
-
-    Parameters
-    ----------
-    study : EccentricExciter
-        As :func:`jounce.papers.audi_a6_exciter.run_eccentric_exciter` gives it.
-    duration : float
-        How long, s.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        Plate (mm), length of the spring (mm) with the paper's two lengths, and its force (kN) against time (s).
-    """
+    """Draw plate, spring length (mm) and spring force (kN) over time for all models of the corner on its exciter."""
     figure = new_figure(6.4)
     rows = figure.subplots(3, 1, sharex=True, gridspec_kw={"height_ratios": [0.5, 1.6, 1.2]})
     plate = study.runs[0].signals.isel(time=study.runs[0].signals["time"] <= duration)
@@ -191,18 +132,7 @@ def exciter_spring(study: EccentricExciter, duration: float = 3.0) -> Figure:
 
 @styled
 def exciter_torque_curve(study: EccentricExciter) -> Figure:
-    """Draw the torque that the exciter asks for over two turns of steady motion, beside what eq. (5) gives.
-
-    Parameters
-    ----------
-    study : EccentricExciter
-        As :func:`jounce.papers.audi_a6_exciter.run_eccentric_exciter` gives it.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        Torque (N m) and force of the exciter on the plate (kN) against time (s).
-    """
+    """Draw torque (N m) and plate force (kN) over two turns of steady motion, beside the torque of eq. (5)."""
     figure = new_figure(4.6)
     rows = figure.subplots(2, 1, sharex=True)
     for run in study.runs:

@@ -119,20 +119,7 @@ def _caption(channel: ChannelComparison) -> str:
 
 
 def lively_window(signals: dict[str, Signals], obstacle: tuple[float, float] | None = None) -> tuple[float, float]:
-    """Choose what part of the time is worth a closer look.
-
-    Parameters
-    ----------
-    signals : dict
-        Channel to signals; those measured decide.
-    obstacle : (float, float), optional
-        Times in s that the window must contain.
-
-    Returns
-    -------
-    (float, float)
-        Begin and end in s, within the record.
-    """
+    """Choose the part of the time (s) that is worth a closer look: where measured signals move, and the obstacle."""
     begins, ends = [], []
     for signal in signals.values():
         away = np.abs(signal.measured - np.median(signal.measured))

@@ -166,19 +166,7 @@ class Uncertain(Protocol):
 
 
 def estimate_cells(found: Uncertain | None, si: str) -> tuple[str, str, str, str]:
-    """Value, standard error, 95 % interval and unit of an estimate as table cells.
-
-    Parameters
-    ----------
-    found : Uncertain or None
-        In the SI unit ``si``.
-    si : str
-        As written in recordings, e.g. ``"N/m"``.
-
-    Returns
-    -------
-    tuple of str
-        En dashes where there is nothing to say.
+    """Value, standard error, 95 % interval and unit of an estimate in the SI unit ``si``, as table cells.
 
     Examples
     --------

@@ -207,19 +207,9 @@ def _leave_out_jolts(axes: Axes, ends: Array) -> None:
 
 
 def envelope(time: Array, values: Array, bins: int = _ENVELOPE) -> tuple[Array, Array, Array]:
-    """Least and greatest value in equal parts of a signal.
+    """Give the middle (s), least and greatest value of at most ``bins`` equal parts of a signal over time (s).
 
-    Parameters
-    ----------
-    time, values : ndarray, shape (n,)
-        Ascending time (s) and any values; what is not finite is left out.
-    bins : int
-        Parts.
-
-    Returns
-    -------
-    centre, low, high : ndarray, shape (m,)
-        Middle of each part (s), its least and greatest value; m is at most ``bins``.
+    What is not finite is left out.
 
     Examples
     --------
@@ -255,19 +245,9 @@ _MARKS = {"left": ("o", "-"), "right": ("s", (0, (4, 1.5)))}
 
 @styled
 def vehicle_history(visits: Sequence[WheelVisit], *, height: float = 5.4) -> Figure:
-    """Draw adhesion, phase angle and damping ratio of every wheel against the date.
+    """Draw adhesion (%), phase angle (degrees) and damping ratio of every wheel against the date.
 
-    Parameters
-    ----------
-    visits : sequence of WheelVisit
-        As ``jounce.inspection.archive.history.history_of`` gives them; those without a date are left out.
-    height : float
-        Inches.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        One panel for each value (%, degrees, dimensionless), one line for each wheel.
+    Visits without a date are left out.
 
     Examples
     --------
@@ -307,18 +287,9 @@ _SOUND, _WORN = "#dceedd", "#f6ddd4"
 
 @styled
 def equivalence(study: Equivalence) -> Figure:
-    """Draw for each factor the damper wear from which each method rejects.
+    """Draw for each factor the damper wear (%) from which each method rejects.
 
-    Parameters
-    ----------
-    study : Equivalence
-        Of :func:`jounce.inspection.equivalence.compare_tests`.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        One set of axes a factor: wear (%) over the factor; above its line a method rejects, where it has dots at the
-        top it never does. Sound dampers are shaded green, worn ones red.
+    Above its line a method rejects; dots at the top: it never does. Sound dampers are shaded green, worn ones red.
     """
     from matplotlib.lines import Line2D
 

@@ -26,18 +26,9 @@ def column_width(names: Mapping[str, object]) -> float:
 
 
 def write_names(axes: Axes, places: Mapping[str, Array], scale: float, floor: float = 0.0) -> None:
-    """Write names at the left and right edges of axes whose scale is equal in both directions.
+    """Write names at the left and right edges of axes, each with a line to its place, shape (2,), mm.
 
-    Parameters
-    ----------
-    axes : Axes
-        Where; its limits are set.
-    places : mapping of str to ndarray, shape (2,)
-        Where each name belongs, mm.
-    scale : float
-        mm per inch of paper.
-    floor : float
-        Height above the lower edge that stays free, inches.
+    The axes have their limits; ``scale`` is in mm per inch of paper, ``floor`` (inches) stays free at the lower edge.
     """
     (left, right), (low, high) = sorted(axes.get_xlim()), sorted(axes.get_ylim())
     gap, width = 1.35 * COLUMN_SIZE / 72.0 * scale, column_width(places) * scale
@@ -138,16 +129,7 @@ _OUTSIDE, _COVERED, _HIDDEN, _CROSSED, _THROUGH = 200.0, 2000.0, 800.0, 300.0, 4
 def name_points(axes: Axes, names: Sequence[str], places: Array, radii: Array) -> None:
     """Write a name beside each point, as near as there is room; a thin line leads to those further away.
 
-    Parameters
-    ----------
-    axes : Axes
-        With everything else drawn and its limits set.
-    names : sequence of str
-        One for each point.
-    places : ndarray, shape (n, 2)
-        Where the points lie, in the units of the axes.
-    radii : ndarray, shape (n,)
-        How large they are drawn, points of paper.
+    The axes are complete; places, shape (n, 2), are in their units, radii, shape (n,), in points of paper.
     """
     from matplotlib.patheffects import withStroke
 
@@ -175,25 +157,13 @@ def name_points(axes: Axes, names: Sequence[str], places: Array, radii: Array) -
 
 @dataclass(frozen=True)
 class Layout:
-    """Discs to be named within a frame; everything in one unit, points of paper.
+    """Discs to be named within a frame; everything in one unit, points of paper."""
 
-    Attributes
-    ----------
-    points : ndarray, shape (n, 2)
-        Centres of the discs.
-    radii : ndarray, shape (n,)
-        Of the discs.
-    sizes : ndarray, shape (n, 2)
-        Width and height of the names.
-    low, high : ndarray, shape (2,)
-        Lower left and upper right corner of where names may stand.
-    """
-
-    points: Array
-    radii: Array
-    sizes: Array
-    low: Array
-    high: Array
+    points: Array  # centres of the discs, shape (n, 2)
+    radii: Array  # of the discs, shape (n,)
+    sizes: Array  # width and height of the names, shape (n, 2)
+    low: Array  # lower left corner of where names may stand, shape (2,)
+    high: Array  # upper right corner
 
     def placed(self) -> Array:
         """Centres of the names, shape (n, 2): each in turn goes where it costs least, until none wants to move.

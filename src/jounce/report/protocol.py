@@ -98,13 +98,7 @@ def write_protocol(
 
 
 def check_protocol(path: Path | str, *, force: bool = False) -> Path:
-    """Refuse, before the work, a protocol that could not be written after it; give its path.
-
-    Raises
-    ------
-    OutputError
-        For a wrong suffix, an existing page or JSON file beside it without ``force``, a missing folder.
-    """
+    """Refuse, before the work, a protocol or the JSON file beside it that could not be written; give its path."""
     file = check_writable(path, what="protocols", suffixes=SUFFIXES, force=force)
     check_writable(file.with_suffix(".json"), force=force)
     return file
@@ -302,26 +296,9 @@ def words_in(language: Language) -> Mapping[str, str]:
 def protocol_content(
     vehicle: VehicleGrade, about: Mapping[str, str], *, language: Language = "en", software: str = "", most: int = 99
 ) -> Plain:
-    """Put the texts of a protocol together.
+    """Put the texts of a protocol together, with their tones (``green``, ``yellow``, ``orange``, ``red``, ``grey``).
 
-    Parameters
-    ----------
-    vehicle : VehicleGrade
-        One or two graded axles.
-    about : mapping of str to str
-        Texts by ``vehicle``, ``plate_number``, ``date``, ``tester``, ``place``, ``operator``, ``comment``,
-        ``record``.
-    language : {"en", "de"}
-        Of all words; German numbers have a comma.
-    software : str
-        Name and version.
-    most : int
-        How many reasons and remarks are shown; the rest is counted.
-
-    Returns
-    -------
-    dict
-        Texts, lists and tones (``green``, ``yellow``, ``orange``, ``red``, ``grey``).
+    At most ``most`` reasons and remarks are shown; the rest is counted.
     """
     words = words_in(language)
     reasons, remarks = _reasons(vehicle, language), _remarks(vehicle, language)

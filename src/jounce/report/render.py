@@ -126,12 +126,9 @@ def alignments(table: Table) -> list[str]:
 
 
 def grouped(findings: Findings) -> list[tuple[str, str, list[tuple[str, str]]]]:
-    """Group findings by severity, worst first; the same sentence about many places becomes one.
+    """Group findings by severity, worst first: (severity, heading, (places, message) of each).
 
-    Returns
-    -------
-    list of (severity, heading, list of (places, message))
-        Only severities that occur.
+    The same sentence about many places becomes one.
     """
     messages: dict[tuple[str, str], list[str]] = {}
     ordered = worst_first(findings.items)
@@ -160,21 +157,9 @@ _SIZE = re.compile(r' (?:width|height)="[\d.]+pt"')
 
 
 def inline_svg(svg: bytes, name: str, alternative: str) -> str:
-    """Make an SVG file part of an HTML page.
+    """Make an SVG file of matplotlib one ``<svg>`` element that scales with its HTML page.
 
-    Parameters
-    ----------
-    svg : bytes
-        The file as matplotlib writes it.
-    name : str
-        Unique on the page; every name inside the figure begins with it.
-    alternative : str
-        Text for readers who cannot see the figure.
-
-    Returns
-    -------
-    str
-        One ``<svg>`` element that scales with the page.
+    Every name inside the figure begins with ``name``; ``alternative`` is for readers who cannot see.
     """
     text = svg.decode()
     text = text[text.index("<svg") :]
@@ -197,13 +182,7 @@ def inline_svg(svg: bytes, name: str, alternative: str) -> str:
 
 
 def check_folder(out: Path | str, *, force: bool = False) -> Path:
-    """Refuse a folder that holds something (without ``force``) or a file of that name; give its resolved path.
-
-    Raises
-    ------
-    OutputError
-        With the path and what to do.
-    """
+    """Refuse a folder that holds something (without ``force``) or a file of that name; give its resolved path."""
     folder = Path(out).expanduser().resolve()
     if folder.exists() and not folder.is_dir():
         raise OutputError("the output is a file, not a folder", where=str(folder), hint="Choose another name.")

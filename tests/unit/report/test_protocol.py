@@ -11,12 +11,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray as xr
-from jounce.inspection.quarter_car import steady_state
-from jounce.inspection.quarter_car import Corner, force_response
 
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.findings import Finding
 from jounce.inspection.grading import VehicleGrade, grade, grade_vehicle
+from jounce.inspection.quarter_car import Corner, force_response, steady_state
 from jounce.inspection.result import Inspection, WheelCurves, WheelResult
 from jounce.report.protocol import (
     protocol_content,

@@ -343,25 +343,9 @@ _SLOWER = (1.0, 2.0, 4.0, 10.0, 20.0, 50.0)
 
 
 def viewer_page(scene: Scene, poses: Poses, road: Roadway | None, title: str, slow: float) -> str:
-    """Write the page.
+    """Write the page; the same input gives the same text.
 
-    Parameters
-    ----------
-    scene : Scene
-        What moves.
-    poses : Poses
-        Its poses, in the order in which they are played.
-    road : Roadway, optional
-        What passes under the wheel.
-    title : str
-        Heading of the page.
-    slow : float
-        How many times slower than in reality a run plays at first [1].
-
-    Returns
-    -------
-    str
-        HTML; the same input gives the same text.
+    Poses are played in their order, a run at first ``slow`` times slower than in reality.
     """
     data = json.dumps(_data(scene, poses, road, slow), ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     page = _template().replace("{{title}}", html.escape(title))
@@ -442,7 +426,7 @@ def _track(track: Array) -> dict[str, Any]:
 
 
 def _road(road: Roadway) -> dict[str, Any]:
-    return {"x": _millimetres(road.distance), "z": _millimetres(road.height), "way": _millimetres(road.way)}
+    return {"x": _millimetres(road.distance), "z": _millimetres(road.height), "way": _millimetres(road.driven)}
 
 
 def _signals(poses: Poses) -> list[dict[str, Any]]:

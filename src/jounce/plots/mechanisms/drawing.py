@@ -29,15 +29,7 @@ COILS = 8.0
 
 @dataclass(frozen=True)
 class View:
-    """A direction to look in, without perspective.
-
-    Attributes
-    ----------
-    name : str
-        What the picture is called.
-    right, up : ndarray, shape (3,)
-        Unit vectors of ground axes that point to the right and up on paper.
-    """
+    """A direction to look in, without perspective: unit vectors, shape (3,), that point right and up on paper."""
 
     name: str
     right: Array
@@ -134,18 +126,10 @@ DAMPER_BODY = 0.5  # of its design length
 
 @dataclass(frozen=True)
 class Look:
-    """How a pose is drawn.
+    """How a pose is drawn."""
 
-    Attributes
-    ----------
-    colour : str, optional
-        One colour for everything instead of each part's own.
-    ghost : bool
-        Drawn thinly behind another pose, without surfaces and points, the strut as a line.
-    """
-
-    colour: str | None = None
-    ghost: bool = False
+    colour: str | None = None  # one for everything instead of each part's own
+    ghost: bool = False  # thinly behind another pose, without surfaces and points, the strut as a line
 
     @property
     def strength(self) -> float:
@@ -156,21 +140,7 @@ class Look:
 def draw_pose(
     axes: Axes, view: View, scene: Scene, pose: Pose, look: Look | None = None, *, pressed: bool = False
 ) -> None:
-    """Draw everything that moves.
-
-    Parameters
-    ----------
-    axes : Axes
-        Where; one unit is a millimetre.
-    view : View
-        Where it is looked from.
-    scene, pose : Scene, Pose
-        What is drawn.
-    look : Look, optional
-        Its own colours by default.
-    pressed : bool
-        Draw the unloaded tyre, pressed flat by the road, instead of the wheel at its design radius.
-    """
+    """Draw everything that moves, in mm; ``pressed`` draws the unloaded tyre, flattened by the road."""
     look = look or Look()
     _draw_wheel(axes, view, scene, pose, look, pressed=pressed)
     for order, part in enumerate(scene.parts):
@@ -268,19 +238,7 @@ def draw_steering_axis(axes: Axes, view: View, scene: Scene, pose: Pose) -> None
 
 
 def draw_ground(axes: Axes, view: View, scene: Scene, pose: Pose, line: Array | None = None) -> None:
-    """Draw the road below the wheel as a strip with some depth.
-
-    Parameters
-    ----------
-    axes : Axes
-        Where; one unit is a millimetre.
-    view : View
-        Where it is looked from.
-    scene, pose : Scene, Pose
-        Where the wheel is.
-    line : ndarray, shape (n, 2), optional
-        x and z of the road in m; level by default.
-    """
+    """Draw the road below the wheel, in mm, as a strip with some depth; ``line`` is its x and z, shape (n, 2), m."""
     corners = ground_corners(scene, pose)
     if line is None:
         line = corners[:2, [0, 2]]
@@ -329,22 +287,12 @@ def views_of(scene: Scene) -> tuple[View, View, View, View]:
 
 @dataclass(frozen=True)
 class Sheet:
-    """Scale and middle of each view; the three views along the axes share one scale and stand in line.
+    """Scale and middle of each view; the three views along the axes share one scale and stand in line."""
 
-    Attributes
-    ----------
-    views : tuple of View
-        Front, side, top, and in space.
-    middles : tuple of ndarray, shape (2,)
-        What stands in the middle of each, mm.
-    scale, oblique_scale : float
-        mm per inch of the first three and of the last.
-    """
-
-    views: tuple[View, View, View, View]
-    middles: tuple[Array, ...]
-    scale: float
-    oblique_scale: float
+    views: tuple[View, View, View, View]  # front, side, top, and in space
+    middles: tuple[Array, ...]  # what stands in the middle of each, shape (2,), mm
+    scale: float  # mm per inch of the first three
+    oblique_scale: float  # mm per inch of the last
 
     @classmethod
     def for_poses(cls, scene: Scene, poses: Sequence[Pose], *, names: bool) -> Sheet:

@@ -58,21 +58,11 @@ _USUAL_WIDTH = 0.6  # of the radius
 
 @dataclass(frozen=True)
 class Part:
-    """A part as a line along hardpoints, or as a plate with corners at three or more of them.
-
-    Attributes
-    ----------
-    name : str
-        As descriptions call it.
-    points : tuple of str
-        Hardpoints along it.
-    colour : str
-        As ``#rrggbb``.
-    """
+    """A part as a line along hardpoints, or as a plate with corners at three or more of them."""
 
     name: str
     points: tuple[str, ...]
-    colour: str
+    colour: str  # as #rrggbb
 
     @property
     def words(self) -> str:
@@ -87,62 +77,28 @@ class Part:
 
 @dataclass(frozen=True)
 class Bracket:
-    """A thin line from a hardpoint to the nearest place on the part that carries it.
-
-    Attributes
-    ----------
-    point : str
-        The hardpoint.
-    first, second : str
-        The place lies between these two.
-    share : float
-        How far from the first to the second [1].
-    colour : str
-        As ``#rrggbb``.
-    """
+    """A thin line from a hardpoint to the nearest place on the part that carries it."""
 
     point: str
     first: str
     second: str
-    share: float
+    share: float  # the place lies so far from the first hardpoint to the second
     colour: str
 
 
 @dataclass(frozen=True)
 class Scene:
-    """What does not change from pose to pose.
-
-    Attributes
-    ----------
-    title : str
-        Model and side.
-    side : float
-        1 on the left, -1 on the right.
-    parts : tuple of Part
-        Links, arms, upright, in the order of drawing; not the strut.
-    brackets : tuple of Bracket
-        How points that lie beside their part are held.
-    on_body : frozenset of str
-        Hardpoints that stand on the car's body.
-    spring, damper : tuple of str
-        Hardpoints at its bottom and its top.
-    steering_axis : tuple of str, or None
-        Lower and upper hardpoint; None where no two points mark the axis.
-    radius, undeformed_radius, width : float
-        Of the wheel at design, of the unloaded tyre, and across, m.
-    design : Pose
-        The pose that the description gives.
-    """
+    """What does not change from pose to pose; lengths in m."""
 
     title: str
-    side: float
-    parts: tuple[Part, ...]
+    side: float  # 1 on the left, -1 on the right
+    parts: tuple[Part, ...]  # links, arms, upright in the order of drawing; not the strut
     brackets: tuple[Bracket, ...]
-    on_body: frozenset[str]
-    spring: tuple[str, str]
+    on_body: frozenset[str]  # hardpoints that stand on the car's body
+    spring: tuple[str, str]  # hardpoints at its bottom and its top
     damper: tuple[str, str]
-    steering_axis: tuple[str, str] | None
-    radius: float
+    steering_axis: tuple[str, str] | None  # lower and upper hardpoint; None where no two points mark the axis
+    radius: float  # of the wheel at design
     undeformed_radius: float
     width: float
     design: Pose
@@ -167,30 +123,14 @@ class Scene:
 
 @dataclass(frozen=True)
 class Pose:
-    """Where everything is at one moment.
-
-    Attributes
-    ----------
-    points : mapping of str to ndarray, shape (3,)
-        Hardpoints, m.
-    spin_axis : ndarray, shape (3,)
-        Unit vector along the wheel's axis, outboard.
-    contact : ndarray, shape (3,)
-        Where the wheel meets the road or, in flight, would meet it, m.
-    ground : float
-        Height of the road there, m.
-    touches : bool
-        Whether the tyre carries anything.
-    label : str
-        What pose this is, e.g. ``"wheel travel 20 mm"``.
-    """
+    """Where everything is at one moment: places of shape (3,), m."""
 
     points: Mapping[str, Array]
-    spin_axis: Array
-    contact: Array
-    ground: float
-    touches: bool = True
-    label: str = ""
+    spin_axis: Array  # unit vector along the wheel's axis, outboard
+    contact: Array  # where the wheel meets the road or, in flight, would meet it
+    ground: float  # height of the road there
+    touches: bool = True  # whether the tyre carries anything
+    label: str = ""  # e.g. "wheel travel 20 mm"
 
 
 def require_corner(rig: object) -> Corner:
@@ -207,23 +147,7 @@ def require_corner(rig: object) -> Corner:
 
 
 def scene_of(rig: Corner) -> Scene:
-    """Say what there is to draw of a 3-D rig.
-
-    Parameters
-    ----------
-    rig : Corner
-        Its description.
-
-    Returns
-    -------
-    Scene
-        Parts and wheel; which points stand on the body comes from the equations.
-
-    Raises
-    ------
-    DescriptionError
-        For a rig without hardpoints.
-    """
+    """Give what there is to draw of a 3-D rig; which points stand on the body comes from its equations."""
     require_corner(rig)
     from jounce.mechanics import Mechanism
     from jounce.models.corner import suspension
@@ -308,40 +232,18 @@ def contact_points(centre: Array, axis: Array, radius: float) -> Array:
 
 @dataclass(frozen=True)
 class Poses:
-    """Many poses, over travel or over time.
-
-    Attributes
-    ----------
-    points : mapping of str to ndarray, shape (n, 3)
-        Hardpoints, m.
-    spin_axis, contact : ndarray, shape (n, 3)
-        As in :class:`Pose`.
-    ground : ndarray, shape (n,)
-        Height of the road under the wheel, m.
-    touches : ndarray of bool, shape (n,)
-        Whether the tyre carries anything.
-    over : ndarray, shape (n,)
-        What the poses are counted by, SI.
-    words, unit : str
-        What ``over`` is, and its SI unit.
-    in_time : bool
-        A run over time rather than a sweep.
-    signals : mapping of str to ndarray, shape (n,)
-        Everything else known of each pose, by name, SI.
-    signal_units, signal_words : mapping of str to str
-        SI unit and long name of each.
-    """
+    """Many poses, over travel or over time: places of shape (n, 3), m, and values of shape (n,), SI."""
 
     points: Mapping[str, Array]
     spin_axis: Array
     contact: Array
     ground: Array
     touches: NDArray[np.bool_]
-    over: Array
-    words: str
-    unit: str
-    in_time: bool
-    signals: Mapping[str, Array] = field(default_factory=dict)
+    over: Array  # what the poses are counted by
+    words: str  # what that is
+    unit: str  # its SI unit
+    in_time: bool  # a run over time rather than a sweep
+    signals: Mapping[str, Array] = field(default_factory=dict)  # everything else known of each pose
     signal_units: Mapping[str, str] = field(default_factory=dict)
     signal_words: Mapping[str, str] = field(default_factory=dict)
 
@@ -395,27 +297,9 @@ class Poses:
 
 
 def poses_of(rig: Corner, scene: Scene, data: xr.Dataset) -> Poses:
-    """Read poses from a sweep or a run.
+    """Read all poses in which everything is known from a sweep or a run.
 
-    Parameters
-    ----------
-    rig : Corner
-        What moves.
-    scene : Scene
-        Of that rig.
-    data : xarray.Dataset
-        Variables ``<hardpoint>.x``, ``.y`` and ``.z`` (m, ground axes) and the wheel's camber and steer (rad), over one
-        dimension.
-
-    Returns
-    -------
-    Poses
-        All poses in which everything is known.
-
-    Raises
-    ------
-    RecordingError
-        Without hardpoints, or with more than one dimension.
+    It holds ``<hardpoint>.x``, ``.y``, ``.z`` (m, ground axes), camber and steer (rad) over one dimension.
     """
     dimension = _dimension(data)
     in_time = dimension == "time"
@@ -521,51 +405,26 @@ _VISIBLE = 2e-5  # m
 
 @dataclass(frozen=True)
 class Roadway:
-    """Height of a road over distance, and where on it the wheel is in each pose.
+    """Height of a road over distance, and the distance driven at each pose; m."""
 
-    Attributes
-    ----------
-    distance, height : ndarray, shape (m,)
-        Corners of the line, m, ascending in distance; jumps stand upright.
-    way : ndarray, shape (n,)
-        Distance driven at each pose, m.
-    """
-
-    distance: Array
+    distance: Array  # corners of the line, ascending; jumps stand upright
     height: Array
-    way: Array
+    driven: Array
 
     def line(self, k: int, reach: float, x: float) -> Array:
         """Give x and z (m), shape (m, 2), of the road within ``reach`` (m) of a wheel at ``x`` (m) in pose ``k``."""
-        first, last = self.way[k] - reach, self.way[k] + reach
+        first, last = self.driven[k] - reach, self.driven[k] + reach
         inside = (self.distance > first) & (self.distance < last)
         ends = np.interp([first, last], self.distance, self.height)
         distance = np.concatenate([[first], self.distance[inside], [last]])
         height = np.concatenate([ends[:1], self.height[inside], ends[1:]])
-        return np.column_stack([distance - self.way[k] + x, height])
+        return np.column_stack([distance - self.driven[k] + x, height])
 
 
 def roadway_of(trial: Trial, time: Array, radius: float) -> Roadway | None:
-    """Lay the road of a trial under a wheel.
+    """Lay the road of a trial under a wheel of this radius (m) at the times (s) of its poses.
 
-    Parameters
-    ----------
-    trial : Trial
-        What was driven.
-    time : ndarray, shape (n,)
-        Of the poses, s.
-    radius : float
-        Of the wheel, m: how much road is needed around it.
-
-    Returns
-    -------
-    Roadway or None
-        None for an excitation: its plate only goes up and down.
-
-    Raises
-    ------
-    DescriptionError
-        When the poses go on after the trial has ended.
+    None for an excitation: its plate only goes up and down.
     """
     if trial.road is None or trial.speed is None:
         return None
