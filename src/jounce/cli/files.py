@@ -74,18 +74,6 @@ def _draw_checked(out: Console, plain: dict[str, Any]) -> None:
             out.print(table(f"{item['file']}: parameters", ("path", "value", "unit"), numbers, text=(0, 2)))
 
 
-_OTHER_COLUMNS = ("no column", "no channel")  # what readers say of a file of another kind
-_TOML_KINDS = {
-    "jounce.rig/1": "rig",
-    "jounce.vehicle/1": "vehicle",
-    "jounce.campaign/1": "campaign",
-    "jounce.road/1": "road",
-    "jounce.control/1": "control",
-    "jounce.tester/1": "tester",
-    "jounce.limits/1": "limits",
-}
-
-
 @dataclass
 class Checked:
     """Outcome for one file: what it is, in words, everything wrong with it, and the numbers that ``--set`` changes."""
@@ -119,20 +107,21 @@ def check_file(file: Path) -> Checked:
 
 def _check_toml(checked: Checked) -> None:
     from jounce.core.description import read_toml
+    from jounce.inspection.record import NUMBERS, SIDES, TEXTS, flat_facts
 
     table, text = read_toml(checked.file)
-    if "schema" not in table and _is_header(table):
-        _check_header(checked, table, text)
+    of_header = {*TEXTS, *(f"{side}.{name}" for side in SIDES for name in NUMBERS)}
+    if "schema" not in table and not of_header.isdisjoint(flat_facts(table)):
+        _check_header(checked, flat_facts(table), text)
         return
     schema = table.get("schema", "jounce.road/1" if "kind" in table else None)
-    checked.kind = _TOML_KINDS.get(str(schema), "unknown")
-    if checked.kind == "unknown":
-        if schema is None:
-            raise DescriptionError(
-                "the schema line is missing", where=str(checked.file), allowed=", ".join(_TOML_KINDS)
-            )
-        raise unknown(str(schema), _TOML_KINDS, what="schema", where=str(checked.file))
-    _CHECKS[checked.kind](checked)
+    if schema is None:
+        raise DescriptionError("the schema line is missing", where=str(checked.file), allowed=", ".join(_SCHEMAS))
+    schema = str(schema)
+    if schema not in _SCHEMAS:
+        raise unknown(schema, _SCHEMAS, what="schema", where=str(checked.file))
+    checked.kind = schema.removeprefix("jounce.").removesuffix("/1")
+    _SCHEMAS[schema](checked)
 
 
 def _check_rig(checked: Checked) -> None:
@@ -184,21 +173,12 @@ def _check_limits(checked: Checked) -> None:
     checked.what = f"{limits.label}: {', '.join([*limits.methods, *further])}"
 
 
-def _is_header(table: dict[str, Any]) -> bool:
-    """Whether a file says anything that stands in the header of a tester's record."""
-    from jounce.inspection.record import NUMBERS, SIDES, TEXTS, flat_facts
-
-    known = {*TEXTS, *(f"{side}.{name}" for side in SIDES for name in NUMBERS)}
-    return not known.isdisjoint(flat_facts(table))
-
-
-def _check_header(checked: Checked, table: dict[str, Any], text: str) -> None:
-    """Facts about the car in the file beside a record; each mistake is said with its line."""
+def _check_header(checked: Checked, facts: dict[str, Any], text: str) -> None:
+    """Facts about the car in the file beside a record; each mistake is reported with its line."""
     from jounce.core.description import line_of
-    from jounce.inspection.record import flat_facts, read_facts
+    from jounce.inspection.record import read_facts
 
-    checked.kind, facts = "header of a record", flat_facts(table)
-    checked.what = ", ".join(facts)
+    checked.kind, checked.what = "header of a record", ", ".join(facts)
     for key, value in facts.items():
         line = line_of(text, tuple(key.split("."))) or line_of(text, (key,))
         with checked.step():
@@ -208,14 +188,21 @@ def _check_header(checked: Checked, table: dict[str, Any], text: str) -> None:
 
 def _check_measured(checked: Checked) -> None:
     """A recording, a force-deflection trial or a road table: the first whose columns the file has."""
+    from jounce.recordings import read_columns
+
+    tables = {"force-deflection trial": {"displacement": "m", "force": "N"}, "road table": {"x": "m", "z": "m"}}
     missing: list[JounceError] = []
-    kinds = {"recording": _check_recording, "force-deflection trial": _check_trial, "road table": _road_table}
-    for kind, read in kinds.items():
+    for kind in ("recording", *tables):
         checked.kind = kind
         try:
-            read(checked)
+            if kind == "recording":
+                _check_recording(checked)
+            else:
+                values, findings = read_columns(checked.file, tables[kind])
+                checked.what = f"{len(next(iter(values.values())))} rows"
+                checked.notes += map(str, findings)
         except RecordingError as error:
-            if not error.what.startswith(_OTHER_COLUMNS):
+            if not error.what.startswith(("no column", "no channel")):  # what readers say of a file of another kind
                 raise
             missing.append(error)
         else:
@@ -238,28 +225,14 @@ def _check_recording(checked: Checked) -> None:
     checked.notes += map(str, findings)
 
 
-def _check_trial(checked: Checked) -> None:
-    _check_table(checked, {"displacement": "m", "force": "N"})
-
-
-def _road_table(checked: Checked) -> None:
-    _check_table(checked, {"x": "m", "z": "m"})
-
-
-def _check_table(checked: Checked, wanted: dict[str, str]) -> None:
-    from jounce.recordings import read_columns
-
-    values, findings = read_columns(checked.file, wanted)
-    checked.what = f"{len(next(iter(values.values())))} rows"
-    checked.notes += map(str, findings)
-
-
 def _check_campaign(checked: Checked) -> None:
     """The campaign, its rig and roads, and every file of bench and trials."""
     from jounce.campaign import load_campaign
+    from jounce.campaign.characterise import files_of, read_force_deflection
     from jounce.campaign.run import check_strut_angles
     from jounce.parts import load, rig_path
-    from jounce.roads import read_roads
+    from jounce.recordings import read_recording
+    from jounce.roads import Excitation, read_roads
 
     campaign, text = load_campaign(checked.file)
     folder, where = checked.file.parent, str(checked.file)
@@ -275,47 +248,33 @@ def _check_campaign(checked: Checked) -> None:
         if entry.road is not None and entry.road not in roads:
             checked.problems.append(str(unknown(entry.road, roads, what="road", where=place)))
         with checked.step():
-            _check_columns(folder / entry.recording, entry.columns, place)
+            try:
+                read_recording(folder / entry.recording, columns=entry.columns or None)
+            except JounceError as error:
+                raise RecordingError(f"{place}: {error}") from None
         if entry.excitation is not None:
             with checked.step():
-                from jounce.roads import Excitation
-
                 Excitation(file=folder / entry.excitation)
-    _check_bench(checked, campaign.bench, folder)
-
-
-def _check_columns(file: Path, columns: dict[str, str], place: str) -> None:
-    from jounce.recordings import read_recording
-
-    try:
-        read_recording(file, columns=columns or None)
-    except JounceError as error:
-        raise RecordingError(f"{place}: {error}") from None
-
-
-def _check_bench(checked: Checked, bench: Any, folder: Path) -> None:
-    from jounce.campaign.characterise import files_of, read_force_deflection
-    from jounce.recordings import read_recording
-
+    bench = campaign.bench
     tables = {"bench.spring": bench.spring, **{f'bench.tyre."{name}"': item for name, item in bench.tyre.items()}}
     for name, asked in tables.items():
         if asked is not None:
             with checked.step():
-                read_force_deflection(files_of(asked.files, folder, f"{checked.file}: {name}"), asked.columns)
+                read_force_deflection(files_of(asked.files, folder, f"{where}: {name}"), asked.columns)
     if bench.decay is not None:
         with checked.step():
-            for file in files_of(bench.decay.files, folder, f"{checked.file}: bench.decay"):
+            for file in files_of(bench.decay.files, folder, f"{where}: bench.decay"):
                 read_recording(file, columns=bench.decay.columns or None)
 
 
-_CHECKS: dict[str, Callable[[Checked], None]] = {
-    "rig": _check_rig,
-    "vehicle": _check_rig,
-    "road": _check_road,
-    "campaign": _check_campaign,
-    "control": _check_control,
-    "tester": _check_tester,
-    "limits": _check_limits,
+_SCHEMAS: dict[str, Callable[[Checked], None]] = {
+    "jounce.rig/1": _check_rig,
+    "jounce.vehicle/1": _check_rig,
+    "jounce.campaign/1": _check_campaign,
+    "jounce.road/1": _check_road,
+    "jounce.control/1": _check_control,
+    "jounce.tester/1": _check_tester,
+    "jounce.limits/1": _check_limits,
 }
 
 
@@ -347,43 +306,27 @@ def library(
     for shipped, about in ((shipped_rigs, _rig), (shipped_testers, _tester), (limits, _limits)):
         if name in shipped:
             return _printed(about(name, shipped[name]), as_json=as_json)
-    if name in shipped_roads:
-        road = _road(name, shipped_roads[name])
-        return Reply(road, lambda out: _draw_road(out, road), as_json)
-    raise unknown(name, [*shipped_rigs, *shipped_roads, *shipped_testers, *limits], what="name", where="NAME")
-
-
-def _printed(about: dict[str, Any], *, as_json: bool) -> Reply:
-    text = Path(about["file"]).read_text(encoding="utf-8")
-    return Reply({**about, "text": text}, lambda _: _print_raw(text), as_json)
+    if name not in shipped_roads:
+        raise unknown(name, [*shipped_rigs, *shipped_roads, *shipped_testers, *limits], what="name", where="NAME")
+    road = _road(name, shipped_roads[name])
+    lines = f"{name}: {road['what']}\nfile: {road['file']}\n\n{road['source']}"
+    return Reply(road, lambda out: out.print(lines), as_json)
 
 
 def _rig(name: str, file: Path) -> dict[str, Any]:
     from jounce.parts import Vehicle, load
 
     rig = load(file)
-    return {
-        "name": name,
-        "kind": "vehicle" if isinstance(rig, Vehicle) else "rig",
-        "what": getattr(rig, "model", ""),
-        "source": rig.source,
-        "estimated": list(rig.estimated),
-        "file": str(file),
-    }
+    about = {"name": name, "kind": "vehicle" if isinstance(rig, Vehicle) else "rig", "what": getattr(rig, "model", "")}
+    return {**about, "source": rig.source, "estimated": list(rig.estimated), "file": str(file)}
 
 
 def _tester(name: str, file: Path) -> dict[str, Any]:
     from jounce.parts.testers import load_tester
 
     tester = load_tester(file)
-    return {
-        "name": name,
-        "kind": "tester",
-        "what": f"{tester.kind}, {tester.method}",
-        "source": tester.source,
-        "estimated": list(tester.estimated),
-        "file": str(file),
-    }
+    about = {"name": name, "kind": "tester", "what": f"{tester.kind}, {tester.method}"}
+    return {**about, "source": tester.source, "estimated": list(tester.estimated), "file": str(file)}
 
 
 def _limits(name: str, file: Path) -> dict[str, Any]:
@@ -411,8 +354,13 @@ def _road(name: str, file: Path) -> dict[str, Any]:
     }
 
 
-def _print_raw(text: str) -> None:
-    sys.stdout.write(text)
+def _printed(about: dict[str, Any], *, as_json: bool) -> Reply:
+    text = Path(about["file"]).read_text(encoding="utf-8")
+
+    def draw(_: Console) -> None:
+        sys.stdout.write(text)
+
+    return Reply({**about, "text": text}, draw, as_json)
 
 
 def _draw_list(out: Console, plain: dict[str, Any]) -> None:
@@ -420,10 +368,6 @@ def _draw_list(out: Console, plain: dict[str, Any]) -> None:
         rows = [(item["name"], item["what"], item["source"]) for item in plain[title.lower()]]
         out.print(table(title, ("name", "what", "source"), rows, text=(0, 1, 2)))
     out.print("`jounce library NAME` prints one of them; the names are accepted wherever a file is.")
-
-
-def _draw_road(out: Console, road: dict[str, Any]) -> None:
-    out.print(f"{road['name']}: {road['what']}\nfile: {road['file']}\n\n{road['source']}")
 
 
 import_app = typer.Typer(no_args_is_help=True, help="Convert models of other programs to rig files.")

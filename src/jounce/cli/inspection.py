@@ -6,8 +6,9 @@ import signal
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import closing, contextmanager, suppress
+from contextlib import closing, contextmanager, nullcontext, suppress
 from dataclasses import replace
+from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -35,9 +36,10 @@ if TYPE_CHECKING:
     from jounce.inspection.archive.history import Trend, WheelVisit
     from jounce.inspection.archive.lane import ImportedRecord, InspectedRecord
     from jounce.inspection.archive.reevaluation import Reevaluation
+    from jounce.inspection.archive.store import Store
     from jounce.inspection.grading import GradedInspection, VehicleGrade
     from jounce.inspection.limits import Limits
-    from jounce.inspection.quantities import Language, Quantity
+    from jounce.inspection.quantities import Quantity
     from jounce.inspection.result import WheelResult
     from jounce.parts.testers import Tester
 
@@ -103,9 +105,14 @@ def simulate(
 
     Example: jounce inspect simulate audi-a6-quarter-car --method egea --wear 0:1:0.1
     """
-    _check_words(wheel, axle)
-    if record is not None:
-        _check_record(record, steady=steady, several=wear is not None and ":" in wear, force=force)
+    for option, value, allowed in (("--wheel", wheel, (*_SIDES, _BOTH)), ("--axle", axle, _AXLES)):
+        if value not in allowed:
+            raise DescriptionError("unknown", where=option, found=value, allowed=", ".join(allowed))
+    several = wear is not None and ":" in wear
+    if record is not None and (steady or several):
+        what = "steady states have no record" if steady else "a record holds a single test"
+        raise OutputError(what, where=f"--record {record}", hint="Leave out --steady, and give a single --wear.")
+    check_outputs(recording=record, force=force)
     wanted = changes(set_)
     of_rig = {path: value for path, value in wanted.items() if not path.startswith(_OF_TESTER)}
     of_tester = {path.removeprefix(_OF_TESTER): value for path, value in wanted.items() if path not in of_rig}
@@ -116,14 +123,17 @@ def simulate(
 
     chosen = load(rig).with_changes(of_rig) if of_rig else load(rig)
     warn_of(chosen, rig)
+    name = Path(rig).stem if rig.endswith(".toml") else rig
     share = quantity(noise, "1", "--noise")
     wears = sweep_wear(wear) if wear is not None else [0.0]
     about = {"rig": rig, "tester": chosen_tester.name, "method": method or chosen_tester.method, "steady": steady}
     if wheel == _BOTH:
-        _check_both(steady=steady, several=len(wears) > 1)
+        if steady or len(wears) > 1:
+            what = "steady states need a single wheel" if steady else "a range of wear needs a single wheel"
+            raise DescriptionError(what, where="--wheel", found=_BOTH, allowed=", ".join(_SIDES))
         graded, measured = simulate_axle(
             worn(chosen, wears[0]) if wears[0] else chosen, chosen_tester, method=method,
-            axle=axle, noise=share, seed=seed, vehicle=_name(rig),  # type: ignore[arg-type]
+            axle=axle, noise=share, seed=seed, vehicle=name,  # type: ignore[arg-type]
         )  # fmt: skip
         if record is not None:
             _write_record(measured, record, truth=truth, force=force)
@@ -135,21 +145,20 @@ def simulate(
             say(f"testing {number} of {len(wears)}" if len(wears) > 1 else "testing")
             found = simulate_inspection(
                 worn(chosen, lost) if lost else chosen, chosen_tester, method=method, steady=steady,
-                wheel=wheel, axle=axle, noise=share, seed=seed, vehicle=_name(rig),  # type: ignore[arg-type]
+                wheel=wheel, axle=axle, noise=share, seed=seed, vehicle=name,  # type: ignore[arg-type]
             )  # fmt: skip
             runs.append(found)
     if record is not None and runs[0].record is not None:
         _write_record(runs[0].record, record, truth=truth, force=force)
-    tables = [_plain_wheel(found.wheel.to_dict(), found.theta_road, found.theta_rig, steady=steady) for found in runs]
-    if wear is None or ":" not in wear:
+    tables = [found.wheel.to_dict() for found in runs]
+    if not steady:
+        for one, found in zip(tables, runs, strict=True):
+            one["truth"] = {"theta_road": found.theta_road, "theta_rig": found.theta_rig}
+    if not several:
         plain: dict[str, Any] = {**tables[0], **about, "record": record and str(record)}
         return Reply(plain, lambda out: _draw_wheel(out, plain, runs[0].wheel.findings), as_json)
     swept = {**about, "wear": wears, "wheels": [{"wear": lost, **one} for lost, one in zip(wears, tables, strict=True)]}
     return Reply(swept, lambda out: _draw_wear(out, swept), as_json)
-
-
-def _plain_wheel(wheel: dict[str, Any], road: float | None, on_rig: float | None, *, steady: bool) -> dict[str, Any]:
-    return wheel if steady else {**wheel, "truth": {"theta_road": road, "theta_rig": on_rig}}
 
 
 def _chosen_tester(
@@ -177,35 +186,11 @@ def _chosen_tester(
     return found.with_changes(made) if made else found
 
 
-def _check_both(*, steady: bool, several: bool) -> None:
-    if steady or several:
-        what = "steady states need a single wheel" if steady else "a range of wear needs a single wheel"
-        raise DescriptionError(what, where="--wheel", found=_BOTH, allowed=", ".join(_SIDES))
-
-
-def _check_words(wheel: str, axle: str) -> None:
-    for option, value, allowed in (("--wheel", wheel, (*_SIDES, _BOTH)), ("--axle", axle, _AXLES)):
-        if value not in allowed:
-            raise DescriptionError("unknown", where=option, found=value, allowed=", ".join(allowed))
-
-
-def _check_record(record: Path, *, steady: bool, several: bool, force: bool) -> None:
-    """Refuse before the work a record that could not be written after it."""
-    if steady or several:
-        what = "steady states have no record" if steady else "a record holds a single test"
-        raise OutputError(what, where=f"--record {record}", hint="Leave out --steady, and give a single --wear.")
-    check_outputs(recording=record, force=force)
-
-
 def _write_record(record: Any, file: Path, *, truth: bool, force: bool) -> None:
     from jounce.testers.testing import write_test
 
     kept = record if truth else record[[name for name in record.data_vars if not str(name).startswith("truth.")]]
     write_test(kept, file, force=force)
-
-
-def _name(rig: str) -> str:
-    return Path(rig).stem if rig.endswith(".toml") else rig
 
 
 def _draw_both(out: Console, graded: GradedInspection, plain: dict[str, Any]) -> None:
@@ -239,7 +224,6 @@ def _draw_wear(out: Console, plain: dict[str, Any]) -> None:
     out.print(table(f"{plain['rig']} on {plain['tester']}, {how}, over damper wear", header, rows, text=(last,)))
 
 
-_MOST_RECORDS = 2
 _VERDICT_STYLES = {"pass": "green", "advise": "yellow", "fail": "bold red", "not graded": "bold"}
 
 
@@ -276,116 +260,86 @@ def evaluate(
 
     Example: jounce inspect evaluate front.csv rear.csv --tester egea-specsus2018 --protocol car.pdf
     """
-    wanted = _Wanted(record, tester, vehicle, method, limits, protocol or [], language, force=force)
-    open_store = None if store is None else _open(store)
-    try:
-        with progress() as say:
-            inspected = [_inspect(file, wanted, open_store, say) for file in record]
-    finally:
-        if open_store is not None:
-            open_store.close()
+    from jounce.inspection.archive.store import Store
     from jounce.inspection.grading import grade_vehicle
+    from jounce.inspection.limits import load_limits
+    from jounce.inspection.quantities import LANGUAGES
+    from jounce.parts import load
+    from jounce.parts.testers import load_tester
+    from jounce.report.protocol import check_protocol, facts_of, write_protocol
 
-    whole = grade_vehicle([one.graded for one, _ in inspected])
-    written = _write_protocols(whole, [one for one, _ in inspected], wanted)
-    plain = _plain_vehicle(whole, [one for one, _ in inspected]) | {"protocol": [str(file) for file in written]}
-    plain["store"] = (
-        None
-        if open_store is None
-        else {"location": open_store.location, "records": [number for _, number in inspected]}
-    )
-    unfit = _unfit(inspected)
-    if unfit is not None:
-        plain["error"] = {"kind": "RecordingError", "message": str(unfit), "where": unfit.where, "what": unfit.what}
-        sys.stderr.write(f"jounce: {unfit}\n")
-    return Reply(
-        plain, lambda console: _draw_vehicle(console, whole, plain), as_json, DONE if unfit is None else REFUSED
-    )
-
-
-class _Wanted:
-    """What is asked for, checked and loaded before any work is done."""
-
-    def __init__(
-        self,
-        records: list[Path],
-        tester: str,
-        vehicle: str | None,
-        methods: list[str] | None,
-        limits: str | None,
-        protocols: list[Path],
-        language: str,
-        *,
-        force: bool,
-    ) -> None:
-        from jounce.inspection.limits import load_limits
-        from jounce.inspection.methods import METHODS
-        from jounce.inspection.quantities import LANGUAGES
-        from jounce.parts.testers import load_tester
-
-        if len(records) > _MOST_RECORDS:
-            raise DescriptionError("too many records", where="RECORD", found=len(records), allowed="one of each axle")
-        for file in records:
-            existing_file(file, RecordingError)
-        for one in methods or ():
-            if one not in METHODS:
-                raise unknown(one, METHODS, what="method", where="--method")
-        if language not in LANGUAGES:
-            raise unknown(language, LANGUAGES, what="language", where="--language")
-        self.methods, self.force = list(dict.fromkeys(methods or ())) or None, force
-        self.language: Language = "de" if language == "de" else "en"
-        self.protocols = _checked(protocols, force=force)
-        self.tester: Tester = load_tester(tester)
-        self.limits: Limits = load_limits(limits)
-        self.vehicle = None if vehicle is None else _vehicle(vehicle)
-        self.vehicle_name = "" if vehicle is None else Path(vehicle).stem
-        self.task: dict[str, Any] = {"tester": self.tester, "vehicle": self.vehicle, "methods": self.methods}
-
-
-def _checked(protocols: list[Path], *, force: bool) -> list[Path]:
-    if not protocols:
-        return []
-    from jounce.report.protocol import check_protocol
-
+    if len(record) > len(_AXLES):
+        raise DescriptionError("too many records", where="RECORD", found=len(record), allowed="one of each axle")
+    for file in record:
+        existing_file(file, RecordingError)
+    _check_methods(method)
+    if language not in LANGUAGES:
+        raise unknown(language, LANGUAGES, what="language", where="--language")
+    protocols = protocol or []
     for file in protocols:
         check_protocol(file, force=force)
     if len(set(protocols)) < len(protocols):
         raise DescriptionError("the same protocol is given twice", where="--protocol")
-    return protocols
+    methods = list(dict.fromkeys(method or ())) or None
+    chosen, graded_by = load_tester(tester), load_limits(limits)
+    task = {"tester": chosen, "vehicle": None if vehicle is None else load(vehicle), "methods": methods}
+    name = "" if vehicle is None else Path(vehicle).stem
+    inspected: list[InspectedRecord] = []
+    numbers: list[int] = []
+    with nullcontext() if store is None else closing(Store(store)) as opened, progress() as say:
+        for file in record:
+            say(f"evaluating {file.name}")
+            inspected.append(_inspect(file, task, graded_by, name, opened, numbers))
+    whole = grade_vehicle([one.graded for one in inspected])
+    about = {"vehicle": name, "tester": chosen.name, **facts_of(whole)}
+    about["record"] = ", ".join(
+        f"{one.path.name} (sha256 {sha256(one.path.read_bytes()).hexdigest()[:12]})" for one in inspected
+    )
+    records = {one.graded.axle: one.record for one in inspected}
+    written: list[Path] = []
+    for file in protocols:
+        written += write_protocol(
+            whole, file, records=records, language=language, about=about, force=force or bool(written),  # type: ignore[arg-type]
+        )  # fmt: skip
+    plain = _plain_vehicle(whole, inspected) | {"protocol": list(dict.fromkeys(map(str, written)))}
+    plain["store"] = None if opened is None else {"location": opened.location, "records": numbers}
+    unfit = _unfit(inspected)
+    if unfit is not None:
+        plain["error"] = {"kind": "RecordingError", "message": str(unfit), "where": unfit.where, "what": unfit.what}
+        sys.stderr.write(f"jounce: {unfit}\n")
+    code = DONE if unfit is None else REFUSED
+    return Reply(plain, lambda console: _draw_vehicle(console, whole, plain), as_json, code)
 
 
-def _vehicle(name: str) -> Any:
-    from jounce.parts import load
+def _check_methods(methods: list[str] | None) -> None:
+    from jounce.inspection.evaluation import METHODS
 
-    return load(name)
-
-
-def _open(location: str) -> Any:
-    from jounce.inspection.archive.store import Store
-
-    return Store(location)
+    for one in methods or ():
+        if one not in METHODS:
+            raise unknown(one, METHODS, what="method", where="--method")
 
 
-def _inspect(file: Path, wanted: _Wanted, store: Any, say: Any) -> tuple[InspectedRecord, int | None]:
+def _inspect(
+    file: Path, task: dict[str, Any], limits: Limits, vehicle: str, store: Store | None, numbers: list[int]
+) -> InspectedRecord:
     """Read, evaluate and grade one record and keep it; what cannot be read is kept, too, before it is refused."""
     from jounce.inspection.archive.entries import pack
     from jounce.inspection.archive.lane import entry_of, grading_of, inspect_record, refusal_of
     from jounce.inspection.record import read_record
 
-    say(f"evaluating {file.name}")
     read = None
     try:
-        read = read_record(file, wanted.tester)
-        found = inspect_record(file, wanted.tester, wanted.vehicle, wanted.methods, wanted.limits, read=read)
+        read = read_record(file, task["tester"])
+        found = inspect_record(file, task["tester"], task["vehicle"], task["methods"], limits, read=read)
     except Exception as error:
-        if store is not None and not (read is not None and isinstance(error, DescriptionError)):  # that is the request
-            _keep(store, entry_of(file, **wanted.task), refusal_of(error, wanted.limits))
+        # a description that does not fit a readable record is a wrong request, no property of the record
+        if store is not None and not (read is not None and isinstance(error, DescriptionError)):
+            _keep(store, entry_of(file, **task), refusal_of(error, limits))
         raise
-    if store is None:
-        return found, None
-    facts = {"vehicle": wanted.vehicle_name, **found.facts}
-    entry = replace(entry_of(file, facts, **wanted.task), signals=pack(*read))
-    return found, _keep(store, entry, grading_of(found.graded))
+    if store is not None:
+        entry = replace(entry_of(file, {"vehicle": vehicle, **found.facts}, **task), signals=pack(*read))
+        numbers.append(_keep(store, entry, grading_of(found.graded)))
+    return found
 
 
 def _keep(store: Any, entry: Any, grading: Any) -> int:
@@ -394,28 +348,6 @@ def _keep(store: Any, entry: Any, grading: Any) -> int:
     if not is_new:
         store.add_gradings([(number, grading)])
     return int(number)
-
-
-def _write_protocols(whole: VehicleGrade, inspected: list[InspectedRecord], wanted: _Wanted) -> list[Path]:
-    if not wanted.protocols:
-        return []
-    from jounce.report.protocol import facts_of, write_protocol
-
-    about = {"vehicle": wanted.vehicle_name, "tester": wanted.tester.name, **facts_of(whole)}
-    about["record"] = ", ".join(f"{one.path.name} {_digest(one.path)}" for one in inspected)
-    records = {one.graded.axle: one.record for one in inspected}
-    files: list[Path] = []
-    for file in wanted.protocols:
-        files += write_protocol(
-            whole, file, records=records, language=wanted.language, about=about, force=wanted.force or bool(files)
-        )
-    return list(dict.fromkeys(files))
-
-
-def _digest(file: Path) -> str:
-    import hashlib
-
-    return f"(sha256 {hashlib.sha256(file.read_bytes()).hexdigest()[:12]})"
 
 
 def _plain_vehicle(whole: VehicleGrade, inspected: list[InspectedRecord]) -> dict[str, Any]:
@@ -437,9 +369,9 @@ def _plain_vehicle(whole: VehicleGrade, inspected: list[InspectedRecord]) -> dic
     }
 
 
-def _unfit(inspected: list[tuple[InspectedRecord, int | None]]) -> RecordingError | None:
+def _unfit(inspected: list[InspectedRecord]) -> RecordingError | None:
     """The first reason why a wheel is not graded, as an error; None where all are."""
-    for one, _ in inspected:
+    for one in inspected:
         for grade in one.graded.grades:
             if grade.verdict == "not graded":
                 reason = grade.reasons[0].text() if grade.reasons else "nothing is known"
@@ -478,14 +410,14 @@ def draw_axle(console: Console, graded: GradedInspection) -> None:
 
 def _rows(graded: GradedInspection) -> list[list[object]]:
     """Values with their uncertainties, grades and verdicts; one column for each wheel."""
-    from jounce.inspection.methods import QUANTITIES
+    from jounce.inspection.quantities import QUANTITIES
 
     wheels = graded.wheels
     rows: list[list[object]] = [
         ["static load", *("–" if one.static_load is None else f"{one.static_load:.0f} N" for one in wheels)]
     ]
     for name, shown in QUANTITIES.items():
-        if any(wheel.value(name) is not None for wheel in wheels):
+        if any(getattr(wheel, name) is not None for wheel in wheels):
             rows.append([shown.words(), *(_cell(wheel, shown) for wheel in wheels)])
     methods = dict.fromkeys(method for wheel in wheels for method in wheel.grade)
     rows += [[f"grade {method}", *(wheel.grade.get(method, "–") for wheel in wheels)] for method in methods]
@@ -493,7 +425,7 @@ def _rows(graded: GradedInspection) -> list[list[object]]:
 
 
 def _cell(wheel: WheelResult, quantity: Quantity) -> str:
-    text, half = quantity.text(wheel.value(quantity.name)), wheel.uncertainty.get(quantity.name)
+    text, half = quantity.text(getattr(wheel, quantity.name)), wheel.uncertainty.get(quantity.name)
     return text if half is None or text == "–" else f"{text} ± {quantity.rounded_up(half)}"
 
 
@@ -535,13 +467,10 @@ def import_(
     from jounce.inspection.archive.lane import import_record
     from jounce.inspection.archive.store import Store
     from jounce.inspection.limits import load_limits
-    from jounce.inspection.methods import METHODS
 
     for file in files:
         existing_file(file, RecordingError)
-    for one in method or ():
-        if one not in METHODS:
-            raise unknown(one, METHODS, what="method", where="--method")
+    _check_methods(method)
     chosen, graded_by = _given_tester(tester), load_limits(limits)
     kept: list[ImportedRecord] = []
     failed: dict[str, str] = {}
