@@ -146,7 +146,7 @@ def test_interrupted_run_leaves_nothing(cli, bump: Path, tmp_path: Path, monkeyp
     monkeypatch.setattr("jounce.simulation.simulate", interrupt)
     outcome = cli("simulate", "kart-quarter-car", "--road", bump, "--speed", 2, "--duration", 1, "--out", "run.nc")
     assert outcome.exit_code == 130
-    assert "nothing was left half-written" in outcome.err
+    assert "no file is left half-written" in outcome.err
     assert [file.name for file in tmp_path.iterdir()] == ["bump.toml"]
 
 

@@ -146,8 +146,8 @@ def optimise(
     Example: jounce design optimise kart-quarter-car --free strut.damper.coefficient="50..500" --objective sprung.az
     """
     check_outputs(rig=out, figure=figure, force=force)
-    bounds = {path: _bounds(text) for path, text in pairs(free, "--free", 'front.spring_rate="±30 %"').items()}
-    limits = {name: _limit(text) for name, text in pairs(limit, "--limit", 'strut.deflection="20 mm"').items()}
+    bounds = {path: _pair(text) or text for path, text in pairs(free, "--free", 'front.spring_rate="±30 %"').items()}
+    limits = {name: _pair(text) or text for name, text in pairs(limit, "--limit", 'strut.deflection="20 mm"').items()}
     weights = _weights(objective)
     wanted = changes(set_)
     with progress() as say:
@@ -186,8 +186,8 @@ def pareto(
     Example: jounce design pareto audi-a6-quarter-car --free strut.damper.coefficient="300..6000" --figure front.png
     """
     check_outputs(figure=figure, force=force)
-    bounds = {path: _bounds(text) for path, text in pairs(free, "--free", 'front.spring_rate="±30 %"').items()}
-    limits = {name: _limit(text) for name, text in pairs(limit, "--limit", 'strut.deflection="20 mm"').items()}
+    bounds = {path: _pair(text) or text for path, text in pairs(free, "--free", 'front.spring_rate="±30 %"').items()}
+    limits = {name: _pair(text) or text for name, text in pairs(limit, "--limit", 'strut.deflection="20 mm"').items()}
     velocity, waves = positive_quantity(speed, "m/s", "--speed"), _band(band)
     wanted = changes(set_)
     with progress() as say:
@@ -232,14 +232,6 @@ def _pair(text: str) -> tuple[str | float, str | float] | None:
         unit = second.lstrip("+-0123456789.eE ")
         return f"{low.strip()} {unit}", second
     return first, second
-
-
-def _bounds(text: str) -> Any:
-    return _pair(text) or text
-
-
-def _limit(text: str) -> Any:
-    return _pair(text) or text
 
 
 def _band(text: str | None) -> Any:

@@ -13,7 +13,16 @@ import typer
 
 from jounce.cli import bench, campaign, design, files, fit, inspection, kinematics, pictures, ride, simulate, study
 from jounce.cli.options import AsJson
-from jounce.cli.reply import FAILED, PIPE_CLOSED, REFUSED, STOPPED, Reply, complain, refuse, replace_unknown_characters
+from jounce.cli.reply import (
+    FAILED,
+    PIPE_CLOSED,
+    REFUSED,
+    STOPPED,
+    Reply,
+    refuse,
+    replace_unknown_characters,
+    report_error,
+)
 from jounce.core.errors import JounceError, OutputError, nearest
 
 EPILOG = 'Values carry their units: --speed "1.95 m/s"; bare numbers are SI. --debug shows the traceback of a crash.'
@@ -92,17 +101,27 @@ def main(arguments: Sequence[str] | None = None) -> int:
         sys.stderr.write("jounce: interrupted; no file is left half-written.\n")
         return STOPPED
     except BrokenPipeError:
-        return _silence()
+        # nobody reads any more: what Python flushes at its end goes nowhere
+        with contextlib.suppress(OSError, ValueError, AttributeError):
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return PIPE_CLOSED
     except _CLICK_ERROR as error:
         return _misused(error, as_json=as_json)
     except JounceError as error:
         return refuse(error, as_json=as_json)
     except OSError as error:
-        return refuse(_file_error(error), as_json=as_json)
+        hint = "Check the path, the permissions and the disk space."
+        found = OutputError(error.strerror or str(error), where=str(error.filename or ""), hint=hint)
+        return refuse(found, as_json=as_json)
     except MemoryError:
         return refuse(JounceError("out of memory", hint=_TOO_LARGE), as_json=as_json)
     except Exception as error:  # noqa: BLE001 - the last resort says how to report it
-        return _crashed(error, as_json=as_json, debug=debug)
+        if debug:
+            traceback.print_exc()
+        what = f"internal error: {type(error).__name__}: {error}"
+        hint = "Please report it with the command and its files; --debug shows the traceback."
+        plain = {"kind": "unexpected", "message": f"{what}. {hint}", "what": what, "hint": hint}
+        return report_error(plain, FAILED, as_json=as_json)
     return exit_code
 
 
@@ -133,7 +152,7 @@ def _misused(error: Any, *, as_json: bool) -> int:
     hint = f"See `{path} --help`."
     message = message if message.endswith((".", "?")) else f"{message}."
     plain = {"kind": "UsageError", "message": f"{message} {hint}", "where": path, "what": message, "hint": hint}
-    return complain(plain, REFUSED, as_json=as_json)
+    return report_error(plain, REFUSED, as_json=as_json)
 
 
 def _instead(option: str, parameters: list[Any]) -> str:
@@ -143,28 +162,3 @@ def _instead(option: str, parameters: list[Any]) -> str:
     if not hint and nearest(option.lstrip("-"), [name for name in names if not name.startswith("-")]):
         return f"Give the value without {option}."
     return hint
-
-
-def _file_error(error: OSError) -> OutputError:
-    return OutputError(
-        error.strerror or str(error),
-        where=str(error.filename or ""),
-        hint="Check the path, the permissions and the disk space.",
-    )
-
-
-def _crashed(error: Exception, *, as_json: bool, debug: bool) -> int:
-    if debug:
-        traceback.print_exc()
-    what = f"internal error: {type(error).__name__}: {error}"
-    hint = "Please report it with the command and its files; --debug shows the traceback."
-    return complain(
-        {"kind": "unexpected", "message": f"{what}. {hint}", "what": what, "hint": hint}, FAILED, as_json=as_json
-    )
-
-
-def _silence() -> int:
-    """Leave quietly when nobody reads any more; what Python flushes at its end goes nowhere."""
-    with contextlib.suppress(OSError, ValueError, AttributeError):
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-    return PIPE_CLOSED

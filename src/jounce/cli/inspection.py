@@ -299,7 +299,7 @@ def evaluate(
     written: list[Path] = []
     for file in protocols:
         written += write_protocol(
-            whole, file, records=records, language=language, about=about, force=force or bool(written),  # type: ignore[arg-type]
+            whole, file, records=records, language=language, about=about, force=force or bool(written),
         )  # fmt: skip
     plain = _plain_vehicle(whole, inspected) | {"protocol": list(dict.fromkeys(map(str, written)))}
     plain["store"] = None if opened is None else {"location": opened.location, "records": numbers}

@@ -19,10 +19,9 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
     from rich.console import Console
 
-    from jounce.core.findings import Finding
-    from jounce.design.adjustments import Effect, Lengths, WheelState
+    from jounce.design.adjustment_effects import Effect, Lengths, WheelState
     from jounce.kinematics.sweeps import AxleLayout
-    from jounce.parts import DoubleWishbone, Rig
+    from jounce.parts import Rig
 
 
 _SHOWN = 7
@@ -99,8 +98,9 @@ def _sweep(
     points: bool,
 ) -> xr.Dataset:
     from jounce.kinematics import sweep_rack, sweep_travel
+    from jounce.kinematics.sweeps import text_range
 
-    steered = None if rack is None else swept_range(rack, "m", "--rack")
+    steered = None if rack is None else text_range(rack, "m", "--rack")
     if roll is not None or axle:
         if points:
             raise DescriptionError("a sweep of an axle has no hardpoints", where="--points", hint="Leave it out.")
@@ -110,7 +110,7 @@ def _sweep(
             example = '--travel "-80 mm:80 mm:4 mm", --rack or --roll'
             raise DescriptionError("nothing to sweep", where="jounce kinematics", allowed=example)
         return sweep_rack(rig, steered, vehicle=vehicle, points=points)
-    lifted = swept_range(travel, "m", "--travel")
+    lifted = text_range(travel, "m", "--travel")
     if steered is not None and len(steered) > 1 and len(lifted) == 1:
         return sweep_rack(rig, steered, float(lifted[0]), vehicle=vehicle, points=points)
     pair = steered if steered is None or len(steered) > 1 else float(steered[0])
@@ -121,11 +121,12 @@ def _sweep_axle(
     rig: Rig, travel: str | None, rack: NDArray[np.float64] | None, roll: str | None, vehicle: AxleLayout | None
 ) -> xr.Dataset:
     from jounce.kinematics import sweep_roll, sweep_steering
+    from jounce.kinematics.sweeps import text_range
 
     if roll is None:
         if rack is None:
             raise DescriptionError("nothing to sweep", where="--axle", allowed='--rack "-20 mm:20 mm:5 mm", or --roll')
-        lifted = 0.0 if travel is None else _one_value(swept_range(travel, "m", "--travel"), "--travel", "with --axle")
+        lifted = 0.0 if travel is None else _one_value(text_range(travel, "m", "--travel"), "--travel", "with --axle")
         return sweep_steering(rig, rack, lifted, vehicle=vehicle)
     if travel is not None:
         raise DescriptionError(
@@ -136,14 +137,7 @@ def _sweep_axle(
             "a roll sweep has no anti-dive percentages", where="--vehicle", hint="Leave it out, or sweep --travel."
         )
     at = 0.0 if rack is None else _one_value(rack, "--rack", "with --roll")
-    return sweep_roll(rig, swept_range(roll, "rad", "--roll"), at)
-
-
-def swept_range(text: str, unit: str, option: str) -> NDArray[np.float64]:
-    """Read ``"first:last:step"`` or one value into SI."""
-    from jounce.kinematics.sweeps import text_range
-
-    return text_range(text, unit, option)
+    return sweep_roll(rig, text_range(roll, "rad", "--roll"), at)
 
 
 def _one_value(values: NDArray[np.float64], option: str, why: str) -> float:
@@ -178,10 +172,6 @@ def plain_sweep(sweep: xr.Dataset) -> dict[str, Any]:
     return found
 
 
-def _finite(value: float) -> float | None:
-    return float(value) if isfinite(value) else None
-
-
 def _draw(out: Console, rig: str, sweep: xr.Dataset, written: list[str]) -> None:
     import numpy as np
 
@@ -196,7 +186,13 @@ def _draw(out: Console, rig: str, sweep: xr.Dataset, written: list[str]) -> None
     for name, variable in shown.data_vars.items():
         values = variable.to_numpy()
         own = display_unit(str(variable.attrs["units"]), float(np.nanmax(np.abs(values), initial=0.0)))
-        rows.append([str(name), own.name or "1", *(_finite(value * own.factor) for value in values[at])])
+        rows.append(
+            [
+                str(name),
+                own.name or "1",
+                *(float(value * own.factor) if isfinite(value) else None for value in values[at]),
+            ]
+        )
     header = ("quantity", "unit", *(f"{value * unit.factor:.4g} {unit.name}" for value in shown[along].to_numpy()[at]))
     out.print(table(f"Kinematics of {rig} over {along.replace('_', ' ')}", header, rows, text=(0, 1)))
     many = "".join(f" at each of {sweep.sizes[name]} values of {name.replace('_', ' ')}" for name in others)
@@ -228,15 +224,21 @@ def adjust(
 
     Example: jounce adjust kart-double-wishbone --camber "-2 deg" --toe "0.5 deg" --out cambered.toml
     """
-    from jounce.core.serialise import check_writable, write_atomically
-    from jounce.design.adjustments import adjust_report, lengths_for
+    from jounce.campaign.rig_text import updated_text
+    from jounce.core.serialise import check_writable, to_plain, write_atomically
+    from jounce.design.adjustment_effects import adjust_report, lengths_for
+    from jounce.design.adjustments import SETTINGS
+    from jounce.parts import rig_path
 
     given = {name: bare_number(value) for name, value in pairs(set_, "--set", 'upper_arm_length="10 mm"').items()}
     if out is not None:
         check_writable(out, force=force)
     chosen, lengths = chosen_rig(rig, {}), None
     if camber is not None or toe is not None:
-        _refuse_both(given)
+        for name in ("lower_arm_length", "upper_arm_length", "tie_rod_length"):
+            if name in given:
+                hint = "Leave it out, or --camber and --toe."
+                raise DescriptionError("a length to be found is also given", where=f"--set {name}", hint=hint)
         wished = (None if value is None else bare_number(value) for value in (camber, toe))
         lengths = lengths_for(chosen, *wished)
         given |= lengths.settings()
@@ -244,36 +246,9 @@ def adjust(
         raise DescriptionError("nothing to adjust", where="--out", allowed="--set, --camber or --toe beside it")
     report = adjust_report(chosen, given, effects=not given)
     if out is not None:
-        write_atomically(out, _adjusted_text(rig, report.rig), force=force)
-    plain = _plain_adjusted(rig, report, lengths, out)
-    return Reply(plain, lambda console: _draw_adjusted(console, plain, report, lengths), as_json)
-
-
-def _refuse_both(given: dict[str, Any]) -> None:
-    """Lengths that are looked for cannot be given, too."""
-    for name in ("lower_arm_length", "upper_arm_length", "tie_rod_length"):
-        if name in given:
-            raise DescriptionError(
-                "a length to be found is also given",
-                where=f"--set {name}",
-                hint="Leave it out, or --camber and --toe.",
-            )
-
-
-def _adjusted_text(name: str, rig: DoubleWishbone) -> str:
-    """The rig's file with the new values."""
-    from jounce.campaign.run import updated_text
-    from jounce.parts import rig_path
-
-    return updated_text(rig_path(name).read_text(encoding="utf-8"), rig)
-
-
-def _plain_adjusted(rig: str, report: Any, lengths: Lengths | None, out: Path | None) -> dict[str, Any]:
-    from jounce.core.serialise import to_plain
-    from jounce.design.adjustments import SETTINGS
-
+        write_atomically(out, updated_text(rig_path(rig).read_text(encoding="utf-8"), report.rig), force=force)
     sources = {name: {"text": item.text, "source": item.source} for name, item in SETTINGS.items()}
-    return {
+    plain = {
         "rig": rig,
         "settings": report.settings,
         "lengths": to_plain(lengths),
@@ -283,27 +258,27 @@ def _plain_adjusted(rig: str, report: Any, lengths: Lengths | None, out: Path | 
         "findings": to_plain(list(report.findings)),
         "out": None if out is None else str(out),
     }
+    return Reply(plain, lambda console: _draw_adjusted(console, plain, report, lengths), as_json)
 
 
 def _draw_adjusted(console: Console, plain: dict[str, Any], report: Any, lengths: Lengths | None) -> None:
-    findings: tuple[Finding, ...] = report.findings
+    from jounce.design.adjustments import SETTINGS, shown
+
     if plain["settings"]:
-        made = ", ".join(f"{name} {_shown(name, value)}" for name, value in plain["settings"].items())
-        title = f"{plain['rig']} with {made}"
-        console.print(
-            table(title, ("quantity", "unit", "before", "after"), _states(report.before, report.after), text=(0, 1))
-        )
+        made = ", ".join(f"{name} {shown(value, SETTINGS[name].unit)}" for name, value in plain["settings"].items())
+        rows = _states(report.before, report.after)
+        console.print(table(f"{plain['rig']} with {made}", ("quantity", "unit", "before", "after"), rows, text=(0, 1)))
     else:
         console.print(table(plain["rig"], ("quantity", "unit", "present"), _states(report.before), text=(0, 1)))
         _draw_effects(console, report.effects)
     if lengths is not None:
-        console.print(f"reached: camber {_degrees(lengths.camber)}, toe {_degrees(lengths.toe)}")
-    show_findings(console, findings)
+        console.print(f"reached: camber {shown(lengths.camber, 'rad')}, toe {shown(lengths.toe, 'rad')}")
+    show_findings(console, report.findings)
     show_written(console, plain)
 
 
 def _states(*states: WheelState) -> list[tuple[object, ...]]:
-    from jounce.design.adjustments import QUANTITIES
+    from jounce.design.adjustment_effects import QUANTITIES
 
     rows = []
     for name, unit in QUANTITIES.items():
@@ -315,7 +290,7 @@ def _states(*states: WheelState) -> list[tuple[object, ...]]:
 
 def _draw_effects(console: Console, effects: tuple[Effect, ...]) -> None:
     """One table: what each setting changes from the lowest to the highest value of its range, and per mm, deg or N."""
-    from jounce.design.adjustments import QUANTITIES
+    from jounce.design.adjustment_effects import QUANTITIES
 
     units = {name: _FACTORS.get(unit, (1.0, unit)) for name, unit in QUANTITIES.items()}
     rows: list[tuple[object, ...]] = []

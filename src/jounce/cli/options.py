@@ -14,7 +14,6 @@ import typer
 from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
-    from jounce.core.findings import Finding
     from jounce.parts import Rig
     from jounce.roads import Trial
 
@@ -264,10 +263,3 @@ def _load(name: str, text: str) -> dict[str, float]:
         if found["start"] < 0.0:
             raise DescriptionError("out of range", where=option, found=start.strip(), allowed="a time of at least 0 s")
     return found
-
-
-def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float | None = None) -> list[Finding]:
-    """Say what looks wrong with a trial: a road that ends before the run does, a load that never comes, ..."""
-    from jounce.roads.trial import trial_findings as found
-
-    return found(trial, rig, output_step=output_step)

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.kinematics import swept_range
 from jounce.cli.options import (
     AsJson,
     Changes,
@@ -23,7 +22,6 @@ from jounce.cli.options import (
     columns,
     positive_quantity,
     quantity,
-    trial_findings,
     trial_of,
 )
 from jounce.cli.reply import DONE, REFUSED, Reply, progress, show_findings, show_written
@@ -148,6 +146,7 @@ def animate(
     """
     from jounce.plots.mechanisms.animation import animate as write_animation
     from jounce.plots.mechanisms.animation import check_animation
+    from jounce.roads.trial import trial_findings
 
     check_animation(out, force=force)
     slower = positive_quantity(slow, "1", "--slow")
@@ -156,7 +155,9 @@ def animate(
         say("loading")
         chosen, wanted = _rig(rig, set_)
         say("simulating" if driven else "sweeping")
-        poses = _poses(chosen, travel, rack, driven)
+        from jounce.simulation import simulate
+
+        poses = simulate(chosen, driven, detail=True) if driven else _sweep(chosen, _ranges(travel, rack))
         part = None if between is None else _ends(between, "s" if driven else "m")
         write_animation(
             chosen,
@@ -215,20 +216,11 @@ def _driven(
     return None if swept else trial_of(road, excitation, speed, duration, where="jounce animate")
 
 
-def _poses(rig: Corner, travel: str | None, rack: str | None, trial: Trial | None) -> xr.Dataset:
-    if trial is not None:
-        from jounce.simulation import simulate
-
-        return simulate(rig, trial, detail=True)
-    along = None if travel is None else swept_range(travel, "m", "--travel")
-    turned = None if rack is None else swept_range(rack, "m", "--rack")
-    return _sweep(rig, along, turned)
-
-
-def _sweep(rig: Corner, travel: NDArray[np.float64] | None, rack: NDArray[np.float64] | None) -> xr.Dataset:
-    """Sweep one of the two; the other one stays where it is."""
+def _sweep(rig: Corner, ranges: dict[str, NDArray[np.float64]]) -> xr.Dataset:
+    """Sweep one of --travel and --rack; the other one stays where it is."""
     from jounce.kinematics import sweep_rack, sweep_travel
 
+    travel, rack = ranges.get("--travel"), ranges.get("--rack")
     if travel is not None and rack is not None and min(len(travel), len(rack)) > 1:
         raise DescriptionError(
             "only one motion can be swept", where="--travel, --rack", hint="Give a single value for one of them."
@@ -239,12 +231,18 @@ def _sweep(rig: Corner, travel: NDArray[np.float64] | None, rack: NDArray[np.flo
     return sweep_travel(rig, travel, None if rack is None else float(rack[0]), points=True)
 
 
+def _ranges(travel: str | None, rack: str | None) -> dict[str, NDArray[np.float64]]:
+    from jounce.kinematics.sweeps import text_range
+
+    texts = {"--travel": travel, "--rack": rack}
+    return {option: text_range(text, "m", option) for option, text in texts.items() if text is not None}
+
+
 def _few_poses(rig: Corner, travel: str | None, rack: str | None) -> tuple[xr.Dataset, NDArray[np.float64]]:
     """Sweep finely, for the paths of wheel centre and contact point, and say which poses are to be drawn."""
     import numpy as np
 
-    ranges = {"--travel": travel, "--rack": rack}
-    values = {option: swept_range(text, "m", option) for option, text in ranges.items() if text is not None}
+    values = _ranges(travel, rack)
     moved = "--travel" if len(values.get("--travel", ())) > 1 or rack is None else "--rack"
     at = values[moved]
     if len(at) > _MOST_POSES:
@@ -256,8 +254,7 @@ def _few_poses(rig: Corner, travel: str | None, rack: str | None) -> tuple[xr.Da
             hint="Take larger steps, or use jounce animate.",
         )
     fine = np.unique(np.round([*at, *np.linspace(at[0], at[-1], _WAY)], 9)) if len(at) > 1 else at
-    swept = {**values, moved: fine}
-    sweep = _sweep(rig, swept.get("--travel"), swept.get("--rack"))
+    sweep = _sweep(rig, {**values, moved: fine})
     reached = sweep["rack_travel" if moved == "--rack" else "wheel_travel"].to_numpy()
     return sweep, at[(at >= reached.min() - 1e-9) & (at <= reached.max() + 1e-9)]
 

@@ -103,7 +103,7 @@ def refuse(error: JounceError, *, as_json: bool) -> int:
     if list(parts.values())[1:] == [None] * 3:  # a validator's message is one text
         parts = _parts(error.what)
     first = {"kind": type(error).__name__, "message": str(error), "where": error.where or None}
-    return complain({**first, **parts}, REFUSED, as_json=as_json)
+    return report_error({**first, **parts}, REFUSED, as_json=as_json)
 
 
 def _parts(text: str) -> dict[str, Any]:
@@ -122,7 +122,7 @@ def _parts(text: str) -> dict[str, Any]:
     return parts
 
 
-def complain(error: Mapping[str, Any], exit_code: int, *, as_json: bool) -> int:
+def report_error(error: Mapping[str, Any], exit_code: int, *, as_json: bool) -> int:
     """Print an error as one message on stderr and, when asked for, as ``{"error": ...}`` on stdout."""
     sys.stderr.write(f"jounce: {error['message']}\n")
     if as_json:
@@ -181,18 +181,13 @@ def number(value: float) -> str:
     return f"{value:.0f}" if 1e5 <= abs(value) < 1e7 else f"{value:.5g}"
 
 
-def estimate_row(name: str, found: Estimate | None, unit: str) -> tuple[object, ...]:
-    """Name, value, standard error, 95 % interval and unit of an estimate."""
-    if found is None:
-        return name, None, None, None, unit
-    interval = None if found.interval is None else f"{number(found.interval[0])} … {number(found.interval[1])}"
-    return name, found.value, found.standard_error, interval, unit
-
-
 def estimates(title: str, rows: Iterable[tuple[str, Estimate | None, str]]) -> Table:
     """Table of estimates: name, estimate and unit in each row."""
-    header = ("quantity", "value", "standard error", "95 % interval", "unit")
-    return table(title, header, (estimate_row(*row) for row in rows), text=(0, 4))
+    cells: list[tuple[object, ...]] = []
+    for name, found, unit in rows:
+        value, error, ends = (None,) * 3 if found is None else (found.value, found.standard_error, found.interval)
+        cells.append((name, value, error, ends and f"{number(ends[0])} … {number(ends[1])}", unit))
+    return table(title, ("quantity", "value", "standard error", "95 % interval", "unit"), cells, text=(0, 4))
 
 
 def show_written(out: Console, plain: Mapping[str, Any]) -> None:

@@ -24,7 +24,6 @@ from jounce.cli.options import (
     check_outputs,
     chosen_rig,
     positive_quantity,
-    trial_findings,
     trial_of,
 )
 from jounce.cli.reply import Reply, progress, show_findings, show_written, table
@@ -72,6 +71,7 @@ def simulate(
     with progress() as say:
         say("loading")
         from jounce.recordings import write_recording
+        from jounce.roads.trial import trial_findings
         from jounce.simulation import simulate as run_simulation
 
         wanted = changes(set_)

@@ -28,17 +28,7 @@ _BAR = 0.55
 
 @styled
 def pareto_front(front: ParetoFront) -> Figure:
-    """Draw a front: comfort against road holding coloured by travel, and the numbers of the designs along it.
-
-    Parameters
-    ----------
-    front : ParetoFront
-        Designs of which none is better in both.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        Left: both metrics, r.m.s., with the best dampers; right: free numbers and travel over comfort.
+    """Draw a front: both metrics (r.m.s.) coloured by travel, with the best dampers; beside it the design variables.
 
     Examples
     --------
@@ -149,18 +139,10 @@ def _handles(front: ParetoFront) -> list[Any]:
 
 @styled
 def optimisation(result: Optimisation) -> Figure:
-    """Draw what an optimisation changed: the free numbers within their bounds, the metrics against the start.
+    """Draw what an optimisation changed.
 
-    Parameters
-    ----------
-    result : Optimisation
-        The best design found.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        Left: each number between its bounds (0 to 100 %), with the range in which the objective rises by 1 %. Right:
-        each metric and limited channel relative to the start (%), limits as strokes.
+    Left: each design variable between its bounds (0 to 100 %), with the range in which the objective rises by 1 %.
+    Right: each metric and limited channel relative to the start (%), limits as strokes.
 
     Examples
     --------
@@ -253,19 +235,7 @@ _POINT_SIZES = (40.0, 260.0)  # points^2
 
 @styled
 def ride_spectra(rides: Sequence[Ride]) -> Figure:
-    r"""Draw the spectra of body acceleration and wheel load, one line for each ride.
-
-    Parameters
-    ----------
-    rides : sequence of Ride
-        Runs over the same road.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        Power spectral densities over frequency (Hz): acceleration ((m/s^2)^2/Hz) above, wheel load (N^2/Hz) below
-        where the rig has a tyre.
-    """
+    """Draw the spectra of body acceleration ((m/s²)²/Hz) and wheel load (N²/Hz) over frequency, a line per ride."""
     spectra = [ride.spectra() for ride in rides]
     channels = list(spectra[0])
     figure = new_figure(2.9 * len(channels))
@@ -291,15 +261,7 @@ def ride_spectra(rides: Sequence[Ride]) -> Figure:
 def trade_off(study: RideStudy) -> Figure:
     """Draw comfort against road holding (travel, where the rig has no tyre), the size of a point showing the travel.
 
-    Parameters
-    ----------
-    study : RideStudy
-        Rides of one rig over one road.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        One point for each controller; better is to the lower left. Lines mark the passive rig.
+    Better is to the lower left; lines mark the passive rig.
     """
     from jounce.ride.study import MERITS
 

@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Protocol
+from typing import TYPE_CHECKING
 
 from jounce.recordings.schema import QUANTITIES, quantity_of
+
+if TYPE_CHECKING:
+    from jounce.identify.estimate import Estimate
+    from jounce.identify.update import UpdatedParameter
 
 
 @dataclass(frozen=True)
@@ -149,23 +153,7 @@ def digits_for(value: float, error: float | None, most: int = 7, default: int = 
     return max(2, min(most, math.floor(math.log10(abs(value))) - math.floor(math.log10(error)) + 2))
 
 
-class Uncertain(Protocol):
-    """A value with its standard error and 95 % interval, None where the data cannot tell; one SI unit for all."""
-
-    @property
-    def value(self) -> float:
-        """The estimate, in its SI unit."""
-
-    @property
-    def standard_error(self) -> float | None:
-        """Its standard deviation, same unit."""
-
-    @property
-    def interval(self) -> tuple[float, float] | None:
-        """Ends of the 95 % interval, same unit."""
-
-
-def estimate_cells(found: Uncertain | None, si: str) -> tuple[str, str, str, str]:
+def estimate_cells(found: Estimate | UpdatedParameter | None, si: str) -> tuple[str, str, str, str]:
     """Value, standard error, 95 % interval and unit of an estimate in the SI unit ``si``, as table cells.
 
     Examples
@@ -188,7 +176,7 @@ def estimate_cells(found: Uncertain | None, si: str) -> tuple[str, str, str, str
     return number(value, digits), number(error, 2), interval, unit.name
 
 
-def estimate_text(found: Uncertain | None, si: str) -> str:
+def estimate_text(found: Estimate | UpdatedParameter | None, si: str) -> str:
     """Write an estimate in a sentence: ``22.731 N/mm (95 %: 22.705 to 22.757)``; ``si`` is its SI unit."""
     if found is None:
         return "–"

@@ -626,8 +626,7 @@ _DEFINITIONS = (
 _SOURCES = (
     "ISO/TS 18571:2014, Road vehicles: Objective rating metric for non-ambiguous signals.",
     "J. P. Den Hartog, Forced vibrations with combined Coulomb and viscous friction, "
-    "Transactions of the ASME 53 (1931) "
-    "107–115.",
+    "Transactions of the ASME 53 (1931) 107–115.",
     "W. K. Newey, K. D. West, A simple, positive semi-definite, heteroskedasticity and autocorrelation "
     "consistent covariance "
     "matrix, Econometrica 55 (1987) 703–708.",

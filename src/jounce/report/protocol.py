@@ -183,7 +183,12 @@ def _fitted(
         most = (fits + too_many) // 2 if too_many <= _MOST else _MOST
         content = protocol_content(vehicle, said, language=language, software=_software(), most=most)
         day = _day(content["date"])
-        files = _typst_files({**content, "day": day}, figures)
+        data = json.dumps(_breakable({**content, "day": day}), ensure_ascii=False)
+        files = {
+            "main.typ": (TEMPLATES / "protocol.typ").read_bytes(),
+            "protocol.json": data.encode("utf-8", "replace"),
+            **figures,
+        }
         if len(compiled(files, "png", ppi=_COUNTING)) == 1:
             fits = most
             if most == _MOST or too_many - fits == 1:
@@ -196,27 +201,13 @@ def _fitted(
 
 def compiled(files: Mapping[str, bytes], form: str, **options: Any) -> Any:
     """Let typst set a document: PDF as bytes, pictures as a list of pages."""
+    import matplotlib as mpl
     import typst
 
+    fonts = Path(mpl.get_data_path()) / "fonts" / "ttf"
     compile_files: Any = typst.compile  # its types do not know files by name
-    made = compile_files(dict(files), format=form, font_paths=[str(_fonts())], ignore_system_fonts=True, **options)
+    made = compile_files(dict(files), format=form, font_paths=[str(fonts)], ignore_system_fonts=True, **options)
     return [made] if form == "png" and isinstance(made, bytes) else made
-
-
-def _fonts() -> Path:
-    import matplotlib as mpl
-
-    return Path(mpl.get_data_path()) / "fonts" / "ttf"
-
-
-def _typst_files(content: Mapping[str, Any], figures: Mapping[str, bytes]) -> dict[str, bytes]:
-
-    data = json.dumps(_breakable(content), ensure_ascii=False)
-    return {
-        "main.typ": (TEMPLATES / "protocol.typ").read_bytes(),
-        "protocol.json": data.encode("utf-8", "replace"),
-        **figures,
-    }
 
 
 def _breakable(value: Any) -> Any:
@@ -227,11 +218,10 @@ def _breakable(value: Any) -> Any:
         return [_breakable(item) for item in value]
     if not isinstance(value, str):
         return value
-    return " ".join(_pieces(word) if len(word) > _LONGEST_WORD else word for word in value.split(" "))
-
-
-def _pieces(word: str) -> str:
-    return "\u200b".join(word[i : i + _PIECE] for i in range(0, len(word), _PIECE))
+    return " ".join(
+        "\u200b".join(word[i : i + _PIECE] for i in range(0, len(word), _PIECE)) if len(word) > _LONGEST_WORD else word
+        for word in value.split(" ")
+    )
 
 
 def _figures(vehicle: VehicleGrade, records: Mapping[str, xr.Dataset] | None, language: Language) -> dict[str, bytes]:
@@ -395,7 +385,7 @@ def _value_rows(graded: GradedInspection, wheels: Mapping[str, WheelResult], lan
         asked = set(methods) & {*graded.deciding, *graded.inspection.methods}
         if not asked and all(wheel.value(name) is None for wheel in wheels.values()):
             continue
-        if not asked and name == "theta_rig" and _same(wheels):
+        if not asked and name == "theta_rig" and all(one.theta_rig == one.theta_road for one in wheels.values()):
             continue  # a rigid plate has no value of its own
         cells = [_value_cell(graded, wheels.get(side), quantity, language) for side in _SIDES]
         limiting = next(iter(methods.values()), None) or _condition(graded.limits, name)
@@ -415,10 +405,6 @@ def _value_rows(graded: GradedInspection, wheels: Mapping[str, WheelResult], lan
 
 def _capital(text: str) -> str:
     return text[:1].upper() + text[1:]
-
-
-def _same(wheels: Mapping[str, WheelResult]) -> bool:
-    return all(wheel.theta_rig == wheel.theta_road for wheel in wheels.values())
 
 
 def _value_cell(graded: GradedInspection, wheel: WheelResult | None, quantity: Quantity, language: Language) -> Plain:
