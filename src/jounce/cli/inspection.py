@@ -598,9 +598,9 @@ def history(
     trends = trends_of(visits)
     if figure is not None:
         from jounce.plots.inspection import vehicle_history
-        from jounce.plots.style import write_figure
+        from jounce.plots.style import FIGURES
 
-        write_figure(vehicle_history(visits), figure, force=force)
+        FIGURES.write(vehicle_history(visits), figure, force=force)
     plain = {
         "plate": records[-1].plate, "vehicle": records[-1].vehicle, "records": [one.number for one in records],
         "wheels": [_visit(one) for one in visits], "trends": trends, "figure": figure,

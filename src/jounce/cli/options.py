@@ -146,18 +146,18 @@ def check_outputs(
 
         check_folder(folder, force=force)
     if figure is not None:
-        from jounce.plots.style import check_figure
+        from jounce.plots.style import FIGURES
 
-        check_figure(figure, force=force)
+        FIGURES.check(figure, force=force)
 
 
 def write_picture(result: object, figure: Path | None, *, force: bool) -> None:
     """Draw a result into the file, if one is asked for."""
     if figure is not None:
         from jounce.plots import figure_of
-        from jounce.plots.style import write_figure
+        from jounce.plots.style import FIGURES
 
-        write_figure(figure_of(result), figure, force=force)
+        FIGURES.write(figure_of(result), figure, force=force)
 
 
 def chosen_rig(name: str, wanted: dict[str, Any]) -> Rig:

@@ -53,15 +53,15 @@ def plot(
     Example: jounce plot run.nc sprung.az unsprung.az --out accelerations.png
     """
     from jounce.core.serialise import to_plain
-    from jounce.plots.style import check_figure, write_figure
+    from jounce.plots.style import FIGURES
 
-    check_figure(out, force=force)
+    FIGURES.check(out, force=force)
     from jounce.plots.signals import time_history
     from jounce.recordings import read_recording
 
     data, findings = read_recording(run, columns=columns(columns_))
     figure = time_history(data, channels or None)
-    write_figure(figure, out, force=force)
+    FIGURES.write(figure, out, force=force)
     drawn = channels or [axes.get_title("left") for axes in figure.axes]
     plain = {"run": str(run), "channels": drawn, "out": str(out), "findings": to_plain(findings)}
 
@@ -98,9 +98,9 @@ def draw(
 
     Example: jounce draw kart-double-wishbone --travel "-20 mm:20 mm:20 mm" --out kart.png
     """
-    from jounce.plots.style import check_figure, write_figure
+    from jounce.plots.style import FIGURES
 
-    file = check_figure(f"{Path(rig).stem}.png" if out is None else out, force=force)
+    file = FIGURES.check(f"{Path(rig).stem}.png" if out is None else out, force=force)
     with progress() as say:
         say("loading")
         chosen, wanted = _rig(rig, set_)
@@ -108,13 +108,13 @@ def draw(
 
         title = Path(rig).stem
         if travel is None and rack is None:
-            write_figure(mechanism(chosen, names=names, title=title), file, force=force)
+            FIGURES.write(mechanism(chosen, names=names, title=title), file, force=force)
             plain = {"rig": rig, "changes": wanted, "poses": [], "out": str(file)}
             return Reply(plain, lambda console: show_written(console, plain), as_json)
         say("sweeping")
         sweep, at = _few_poses(chosen, travel, rack)
         say("drawing")
-        write_figure(mechanism(chosen, sweep, list(at), names=names, title=title), file, force=force)
+        FIGURES.write(mechanism(chosen, sweep, list(at), names=names, title=title), file, force=force)
     plain = {"rig": rig, "changes": wanted, "poses": at.tolist(), "out": str(file)}
     return Reply(plain, lambda console: show_written(console, plain), as_json, _stopped(sweep))
 

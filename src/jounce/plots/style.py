@@ -9,7 +9,7 @@ from functools import wraps
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec
 
-from jounce.core.serialise import check_writable, write_atomically
+from jounce.core.serialise import Formats
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -127,7 +127,6 @@ def limits(axes: Axes, low: float, high: float) -> None:
         axes.set_xlim(low, high)
 
 
-SUFFIXES = (".svg", ".png", ".pdf")
 _DOTS_PER_INCH = 130
 
 
@@ -162,14 +161,15 @@ def write_figure(figure: Figure, path: Path | str, *, force: bool = False) -> Pa
     >>> write_figure(figure, pathlib.Path(tempfile.mkdtemp()) / "road.svg").name
     'road.svg'
     """
-    file = check_figure(path, force=force)
+    return FIGURES.write(figure, path, force=force)
+
+
+def _write(figure: Figure, file: Path) -> None:
     suffix = file.suffix.lower()
-    return write_atomically(file, rendered(figure, [suffix])[suffix], force=force)
+    file.write_bytes(rendered(figure, [suffix])[suffix])
 
 
-def check_figure(path: Path | str, *, force: bool = False) -> Path:
-    """Refuse, before the work, a file that no figure could be written to; give the path."""
-    return check_writable(path, what="figures", suffixes=SUFFIXES, force=force)
+FIGURES = Formats("figures", dict.fromkeys((".svg", ".png", ".pdf"), _write))
 
 
 def rendered(figure: Figure, suffixes: Sequence[str] = (".svg", ".png"), salt: str = "jounce") -> dict[str, bytes]:

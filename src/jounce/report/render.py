@@ -222,26 +222,6 @@ def write_folder(out: Path | str, files: Mapping[str, bytes | str], *, force: bo
     ['report.html', 'one.svg']
     """
     folder = check_folder(out, force=force)
-    _check_targets(folder, files)
-    try:
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        built = Path(tempfile.mkdtemp(dir=folder.parent, prefix=f".{folder.name}."))
-    except OSError as error:
-        raise _refused(folder, error) from error
-    try:
-        for name, content in files.items():
-            target = built / name
-            target.parent.mkdir(parents=True, exist_ok=True)
-            target.write_bytes(content.encode() if isinstance(content, str) else content)
-        _put_in_place(built, folder, files)
-    except OSError as error:
-        raise _refused(folder, error) from error
-    finally:
-        shutil.rmtree(built, ignore_errors=True)
-    return [folder / name for name in files]
-
-
-def _check_targets(folder: Path, files: Mapping[str, bytes | str]) -> None:
     for name in files:
         target = folder / name
         if not target.resolve().is_relative_to(folder):
@@ -250,6 +230,26 @@ def _check_targets(folder: Path, files: Mapping[str, bytes | str]) -> None:
             raise OutputError("a file cannot be written where a folder is", where=str(target))
         if any(parent.is_file() for parent in target.parents if parent.is_relative_to(folder)):
             raise OutputError("a folder cannot be made where a file is", where=str(target.parent))
+    built: Path | None = None
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        built = Path(tempfile.mkdtemp(dir=folder.parent, prefix=f".{folder.name}."))
+        for name, content in files.items():
+            target = built / name
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(content.encode() if isinstance(content, str) else content)
+        _put_in_place(built, folder, files)
+    except OSError as error:
+        raise OutputError(
+            "the folder cannot be written",
+            where=str(folder),
+            found=error.strerror or str(error),
+            hint="Check the path, the permissions and the space on the disk.",
+        ) from error
+    finally:
+        if built is not None:
+            shutil.rmtree(built, ignore_errors=True)
+    return [folder / name for name in files]
 
 
 def _put_in_place(built: Path, folder: Path, files: Mapping[str, bytes | str]) -> None:
@@ -264,15 +264,6 @@ def _put_in_place(built: Path, folder: Path, files: Mapping[str, bytes | str]) -
         target = folder / name
         target.parent.mkdir(parents=True, exist_ok=True)
         os.replace(built / name, target)  # noqa: PTH105 - replaces in one step on every system
-
-
-def _refused(folder: Path, error: OSError) -> OutputError:
-    return OutputError(
-        "the folder cannot be written",
-        where=str(folder),
-        found=error.strerror or str(error),
-        hint="Check the path, the permissions and the space on the disk.",
-    )
 
 
 def curve_files(name: str, signals: xr.Dataset) -> tuple[tuple[str, bytes], ...]:

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import html
-import io
 import json
 import re
 import shutil
 import subprocess
 from collections.abc import Callable, Iterator
-from functools import cache
+from dataclasses import dataclass, replace
 from importlib import import_module, resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,8 +17,9 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.optional import MissingPackageError
-from jounce.core.serialise import check_writable, replacing, write_atomically
+from jounce.core.serialise import Formats
 from jounce.core.types import Array
+from jounce.core.units import to_si
 from jounce.plots.display import display_unit
 from jounce.plots.mechanisms.drawing import (
     COILS,
@@ -33,7 +33,7 @@ from jounce.plots.mechanisms.drawing import (
     everything,
     views_of,
 )
-from jounce.plots.mechanisms.scene import REACH, Pose, Poses, Roadway, Scene, poses_of, roadway_of, scene_of
+from jounce.plots.mechanisms.scene import REACH, Poses, Roadway, Scene, poses_of, roadway_of, scene_of
 from jounce.plots.style import INK, MUTED, style
 
 if TYPE_CHECKING:
@@ -46,7 +46,6 @@ if TYPE_CHECKING:
     from jounce.roads import Trial
 
 
-ANIMATIONS = (".html", ".gif", ".mp4")
 _MOST_IN_PAGE, _MOST_IN_FILM = 1000, 300
 _SAME_HEIGHT = 1e-4  # m
 _AT_JUMPS = 0.02  # share of the samples
@@ -123,45 +122,29 @@ def animate(
     if frames is not None and frames < 1:
         raise DescriptionError("out of range", where="frames", found=frames, allowed="at least 1")
     scene = scene_of(rig)
-    tracks = _part(poses_of(rig, scene, poses), between)
-    kept = _thinned(tracks, file.suffix.lower(), slow, frames)
-    road = _roadway(trial, tracks, kept, scene)
-    heading = title or scene.title[0].upper() + scene.title[1:]
-    if file.suffix.lower() == ".html":
-        return write_atomically(file, viewer_page(scene, kept, road, heading, slow), force=force)
-    length = film_length(kept, slow)
-    if file.suffix.lower() == ".gif":
-        return write_atomically(file, gif(scene, kept, road, heading, length, progress), force=force)
-    with replacing(file) as temporary:
-        mp4(scene, kept, road, heading, length, progress, temporary)
-    return file
+    tracks = poses_of(rig, scene, poses)
+    if between is not None:
+        ends = (tracks.nearest(to_si(value, tracks.unit, where="between"), "between") for value in between)
+        first, last = sorted(ends)
+        tracks = tracks.taken(slice(first, last + 1))
+    motion = Motion(scene, tracks, None, title or scene.title[0].upper() + scene.title[1:], slow, progress)
+    is_page = file.suffix.lower() == ".html"
+    most = frames or (_MOST_IN_PAGE if is_page else _MOST_IN_FILM)
+    if tracks.in_time and not is_page:
+        most = min(most, max(2, round(FRAMES_A_SECOND * motion.seconds) + 1))
+    kept = tracks
+    if len(tracks) > most:  # evenly chosen
+        kept = tracks.taken(np.unique(np.round(np.linspace(0, len(tracks) - 1, most)).astype(int)))
+    motion = replace(motion, poses=kept, road=_roadway(trial, tracks, kept, scene))
+    return ANIMATIONS.write(motion, file, force=force)
 
 
 def check_animation(path: Path | str, *, force: bool = False) -> Path:
     """Refuse, before the work, a file that could not be written: its suffix, its folder, what stands there, ffmpeg."""
-    file = check_writable(path, what="animations", suffixes=ANIMATIONS, force=force)
+    file = ANIMATIONS.check(path, force=force)
     if file.suffix.lower() == ".mp4":
         ffmpeg()
     return file
-
-
-def _part(poses: Poses, between: tuple[float | str, float | str] | None) -> Poses:
-    from jounce.core.units import to_si
-
-    if between is None:
-        return poses
-    first, last = sorted(poses.nearest(to_si(value, poses.unit, where="between"), "between") for value in between)
-    return poses.taken(slice(first, last + 1))
-
-
-def _thinned(poses: Poses, suffix: str, slow: float, frames: int | None) -> Poses:
-    """No more poses than can be shown, evenly chosen."""
-    most = frames or (_MOST_IN_PAGE if suffix == ".html" else _MOST_IN_FILM)
-    if suffix != ".html" and poses.in_time:
-        most = min(most, max(2, round(FRAMES_A_SECOND * film_length(poses, slow)) + 1))
-    if len(poses) <= most:
-        return poses
-    return poses.taken(np.unique(np.round(np.linspace(0, len(poses) - 1, most)).astype(int)))
 
 
 def _roadway(trial: Trial | None, poses: Poses, kept: Poses, scene: Scene) -> Roadway | None:
@@ -179,7 +162,33 @@ def _roadway(trial: Trial | None, poses: Poses, kept: Poses, scene: Scene) -> Ro
     return roadway_of(trial, kept.over, scene.undeformed_radius)
 
 
-Say = Callable[[str], None]
+@dataclass(frozen=True)
+class Motion:
+    """What an animation shows."""
+
+    scene: Scene
+    poses: Poses
+    road: Roadway | None
+    title: str
+    slow: float = 5.0  # how many times slower than in reality a run is played
+    say: Callable[[str], None] = lambda _: None
+
+    @property
+    def order(self) -> list[int]:
+        """Poses in the order in which a film shows them: a sweep there and back."""
+        there = list(range(len(self.poses)))
+        return there if self.poses.in_time else there + there[-2:0:-1]
+
+    @property
+    def seconds(self) -> float:
+        """How long a film plays, s."""
+        if self.poses.in_time:
+            return max(self.slow * float(np.ptp(self.poses.over)), 0.1)
+        return len(self.order) / _SWEEP_FRAMES_A_SECOND
+
+
+# --- films: GIF, or MP4 through ffmpeg -------------------------------------------------------------------------
+
 _SIZE, _DOTS = (8.8, 4.6), 100  # inches, per inch
 _HEAD = 0.55
 _COLOURS = 96
@@ -187,43 +196,33 @@ FRAMES_A_SECOND = 25.0
 _SWEEP_FRAMES_A_SECOND = 20.0
 
 
-def gif(scene: Scene, poses: Poses, road: Roadway | None, title: str, seconds: float, say: Say) -> bytes:
-    """Draw all poses as a GIF that plays for ``seconds`` (s) and begins again; a sweep goes back the way it came."""
+def _write_gif(motion: Motion, file: Path) -> None:
+    """Write all poses; the film begins again, a sweep goes back the way it came."""
     from PIL import Image
 
-    frames = [
-        frame.convert("RGB").quantize(_COLOURS, dither=Image.Dither.NONE)
-        for frame in _frames(scene, poses, road, title, say)
-    ]
-    length = max(20, 10 * round(100.0 * seconds / len(frames)))  # browsers slow down what is shorter
-    stream = io.BytesIO()
-    frames[0].save(stream, "GIF", save_all=True, append_images=frames[1:], duration=length, loop=0, optimize=True)
-    return stream.getvalue()
+    frames = [frame.convert("RGB").quantize(_COLOURS, dither=Image.Dither.NONE) for frame in _frames(motion)]
+    length = max(20, 10 * round(100.0 * motion.seconds / len(frames)))  # browsers slow down what is shorter
+    frames[0].save(file, "GIF", save_all=True, append_images=frames[1:], duration=length, loop=0, optimize=True)
 
 
-def mp4(scene: Scene, poses: Poses, road: Roadway | None, title: str, seconds: float, say: Say, file: Path) -> None:
-    """Let ffmpeg write all poses into a file that plays for ``seconds`` (s)."""
-    program = ffmpeg()
-    order = _order(poses)
-    rate = f"{len(order) / seconds:.4f}"
+def _write_mp4(motion: Motion, file: Path) -> None:
+    rate = f"{len(motion.order) / motion.seconds:.4f}"
     width, height = (round(_DOTS * inches) for inches in _SIZE)
     picture = ["-f", "rawvideo", "-pix_fmt", "rgba", "-s", f"{width}x{height}", "-r", rate, "-i", "-"]
     film = ["-an", "-c:v", "libx264", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-fflags", "+bitexact"]
-    words = [program, "-hide_banner", "-loglevel", "error", "-y", *picture, *film, "-f", "mp4", str(file)]
+    words = [ffmpeg(), "-hide_banner", "-loglevel", "error", "-y", *picture, *film, "-f", "mp4", str(file)]
     with subprocess.Popen(words, stdin=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         assert process.stdin is not None
         assert process.stderr is not None
         try:
-            for frame in _frames(scene, poses, road, title, say):
+            for frame in _frames(motion):
                 process.stdin.write(frame.tobytes())
             process.stdin.close()
         except BrokenPipeError:
             pass  # it says why below
-        complaint = process.stderr.read().decode(errors="replace").strip()
+        message = process.stderr.read().decode(errors="replace").strip()
     if process.returncode:
-        raise OutputError(
-            "ffmpeg could not write the film", found=complaint[-300:], hint="Write .gif or .html instead."
-        )
+        raise OutputError("ffmpeg could not write the film", found=message[-300:], hint="Write .gif or .html instead.")
 
 
 def ffmpeg() -> str:
@@ -241,35 +240,22 @@ def ffmpeg() -> str:
     return program
 
 
-def film_length(poses: Poses, slow: float) -> float:
-    """How long a film of these poses plays, s; a run ``slow`` times (1) longer than in reality."""
-    if poses.in_time:
-        return max(slow * float(np.ptp(poses.over)), 0.1)
-    return len(_order(poses)) / _SWEEP_FRAMES_A_SECOND
-
-
-def _order(poses: Poses) -> list[int]:
-    """Poses in the order in which they are shown: a sweep there and back."""
-    there = list(range(len(poses)))
-    return there if poses.in_time else there + there[-2:0:-1]
-
-
-def _frames(scene: Scene, poses: Poses, road: Roadway | None, title: str, say: Say) -> Iterator[Pictures.Image]:
+def _frames(motion: Motion) -> Iterator[Pictures.Image]:
     """Draw one picture after the other; on the way back a sweep's are those of the way there."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from PIL import Image
 
     drawn: dict[int, Pictures.Image] = {}
     with style():
-        film = _Film(scene, poses, road, title)
+        film = _Film(motion)
         canvas = FigureCanvasAgg(film.figure)
-        for k in _order(poses):
+        for k in motion.order:
             if k not in drawn:
-                say(f"drawing picture {k + 1} of {len(poses)}")
+                motion.say(f"drawing picture {k + 1} of {len(motion.poses)}")
                 film.show(k)
                 canvas.draw()  # type: ignore[no-untyped-call]
                 picture = Image.fromarray(np.asarray(canvas.buffer_rgba()).copy())  # type: ignore[no-untyped-call]
-                if poses.in_time:
+                if motion.poses.in_time:
                     yield picture
                     continue
                 drawn[k] = picture
@@ -279,14 +265,15 @@ def _frames(scene: Scene, poses: Poses, road: Roadway | None, title: str, say: S
 class _Film:
     """A figure whose content changes from pose to pose: in space, and from the side (a run) or the front (a sweep)."""
 
-    def __init__(self, scene: Scene, poses: Poses, road: Roadway | None, title: str) -> None:
+    def __init__(self, motion: Motion) -> None:
         from matplotlib.figure import Figure
 
-        self.scene, self.poses, self.road = scene, poses, road
+        self.scene, self.poses, self.road = motion.scene, motion.poses, motion.road
+        scene, poses = motion.scene, motion.poses
         front, side, _, space = views_of(scene)
         self.views = (space, side if poses.in_time else front)
         self.figure = Figure(figsize=_SIZE, dpi=_DOTS)
-        self.figure.text(0.02, 1.0 - 0.12 / _SIZE[1], title, ha="left", va="top", fontsize=11, fontweight="bold")
+        self.figure.text(0.02, 1.0 - 0.12 / _SIZE[1], motion.title, ha="left", va="top", fontsize=11, fontweight="bold")
         self.state = self.figure.text(0.98, 1.0 - 0.12 / _SIZE[1], "", ha="right", va="top", fontsize=11, color=INK)
         sample = [poses.pose(int(k)) for k in np.unique(np.linspace(0, len(poses) - 1, 9).astype(int))]
         cloud = np.vstack([everything(scene, pose) for pose in sample])
@@ -299,20 +286,18 @@ class _Film:
         if self.road is not None:
             reach = REACH * self.scene.undeformed_radius
             line = self.road.line(k, reach, float(pose.points["wheel_centre"][0]))
+        tracks = ((self.poses.points["wheel_centre"], "-"), (self.poses.contact, (0, (3, 1.2))))
         for axes, view in zip(self.axes, self.views, strict=True):
             for artist in [*axes.lines, *axes.patches, *axes.texts]:
                 artist.remove()
-            self._draw(axes, view, pose, line)
+            draw_ground(axes, view, self.scene, pose, line)
+            for track, dash in tracks:
+                axes.plot(*(MM * view.flat(track)).T, color=MUTED, linewidth=0.7, linestyle=dash, zorder=0.9)
+            draw_pose(axes, view, self.scene, pose, pressed=self.poses.in_time)
+            draw_steering_axis(axes, view, self.scene, pose)
         draw_directions(self.axes[0], self.views[0])
         self.state.set_text(pose.label if pose.touches else f"no contact · {pose.label}")
         self.state.set_color(INK if pose.touches else "#97330f")
-
-    def _draw(self, axes: Axes, view: View, pose: Pose, line: Array | None) -> None:
-        draw_ground(axes, view, self.scene, pose, line)
-        for track, dash in ((self.poses.points["wheel_centre"], "-"), (self.poses.contact, (0, (3, 1.2)))):
-            axes.plot(*(MM * view.flat(track)).T, color=MUTED, linewidth=0.7, linestyle=dash, zorder=0.9)
-        draw_pose(axes, view, self.scene, pose, pressed=self.poses.in_time)
-        draw_steering_axis(axes, view, self.scene, pose)
 
 
 def _film_panel(figure: Figure, view: View, cloud: Array, k: int) -> Axes:
@@ -332,7 +317,8 @@ def _film_panel(figure: Figure, view: View, cloud: Array, k: int) -> Axes:
     return axes
 
 
-_MM = 1e3
+# --- the page: one file for any browser, nothing from a network -------------------------------------------------
+
 _REACTIONS = tuple(f".{kind}{axis}" for kind in "ft" for axis in "xyz")
 _FIRST = ("tyre.force", "camber")
 _SWEEP_SPEEDS = (("slow", 8.0), ("normal", 20.0), ("fast", 50.0))
@@ -342,22 +328,16 @@ _MOST_DIGITS = 4
 _SLOWER = (1.0, 2.0, 4.0, 10.0, 20.0, 50.0)
 
 
-def viewer_page(scene: Scene, poses: Poses, road: Roadway | None, title: str, slow: float) -> str:
-    """Write the page; the same input gives the same text.
-
-    Poses are played in their order, a run at first ``slow`` times slower than in reality.
-    """
-    data = json.dumps(_data(scene, poses, road, slow), ensure_ascii=False, allow_nan=False, separators=(",", ":"))
-    page = _template().replace("{{title}}", html.escape(title))
-    return page.replace("{{data}}", data.replace("<", "\\u003c"))
+def _write_page(motion: Motion, file: Path) -> None:
+    """Write the page; the same input gives the same text."""
+    template = resources.files("jounce.plots.mechanisms").joinpath("viewer.html").read_text(encoding="utf-8")
+    data = json.dumps(_data(motion), ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    page = template.replace("{{title}}", html.escape(motion.title))
+    file.write_text(page.replace("{{data}}", data.replace("<", "\\u003c")), encoding="utf-8", newline="\n")
 
 
-@cache
-def _template() -> str:
-    return resources.files("jounce.plots.mechanisms").joinpath("viewer.html").read_text(encoding="utf-8")
-
-
-def _data(scene: Scene, poses: Poses, road: Roadway | None, slow: float) -> dict[str, Any]:
+def _data(motion: Motion) -> dict[str, Any]:
+    scene, poses, road = motion.scene, motion.poses, motion.road
     names = list(poses.points)
     index = {name: i for i, name in enumerate(names)}
     parts = [part for part in scene.parts if all(name in index for name in part.points)]
@@ -407,26 +387,26 @@ def _data(scene: Scene, poses: Poses, road: Roadway | None, slow: float) -> dict
         "contact": _millimetres(poses.contact),
         "ground": _millimetres(poses.ground),
         "touches": poses.touches.astype(int).tolist(),
-        "road": None if road is None else _road(road),
+        "road": None
+        if road is None
+        else {
+            name: _millimetres(line) for name, line in (("x", road.distance), ("z", road.height), ("way", road.driven))
+        },
         "signals": _signals(poses),
         "first": next((name for name in _FIRST if name in poses.signals), ""),
-        **_speeds(poses, slow),
+        **_speeds(poses, motion.slow),
     }
 
 
 def _millimetres(values: Array) -> Any:
     """Lengths in mm to a hundredth."""
-    return np.round(_MM * values, 2).tolist()
+    return np.round(MM * values, 2).tolist()
 
 
 def _track(track: Array) -> dict[str, Any]:
     """Places of a point, or its place where it stands still."""
     still = bool(np.ptp(track, axis=0).max() < 5e-6)
     return {"at": _millimetres(track[0])} if still else {"track": _millimetres(track)}
-
-
-def _road(road: Roadway) -> dict[str, Any]:
-    return {"x": _millimetres(road.distance), "z": _millimetres(road.height), "way": _millimetres(road.driven)}
 
 
 def _signals(poses: Poses) -> list[dict[str, Any]]:
@@ -461,3 +441,6 @@ def _speeds(poses: Poses, slow: float) -> dict[str, Any]:
     choices = sorted({*_SLOWER, slow})
     speeds = [("real time" if one == 1.0 else f"1/{one:g}", round(rate / one, 4)) for one in choices]
     return {"speeds": speeds, "speed": round(rate / slow, 4)}
+
+
+ANIMATIONS = Formats("animations", {".html": _write_page, ".gif": _write_gif, ".mp4": _write_mp4})
