@@ -312,7 +312,7 @@ def evaluate(
 
 
 def _check_methods(methods: list[str] | None) -> None:
-    from jounce.inspection.evaluation import METHODS
+    from jounce.inspection.methods import METHODS
 
     for one in methods or ():
         if one not in METHODS:
@@ -410,14 +410,14 @@ def draw_axle(console: Console, graded: GradedInspection) -> None:
 
 def _rows(graded: GradedInspection) -> list[list[object]]:
     """Values with their uncertainties, grades and verdicts; one column for each wheel."""
-    from jounce.inspection.quantities import QUANTITIES
+    from jounce.inspection.methods import QUANTITIES
 
     wheels = graded.wheels
     rows: list[list[object]] = [
         ["static load", *("–" if one.static_load is None else f"{one.static_load:.0f} N" for one in wheels)]
     ]
     for name, shown in QUANTITIES.items():
-        if any(getattr(wheel, name) is not None for wheel in wheels):
+        if any(wheel.value(name) is not None for wheel in wheels):
             rows.append([shown.words(), *(_cell(wheel, shown) for wheel in wheels)])
     methods = dict.fromkeys(method for wheel in wheels for method in wheel.grade)
     rows += [[f"grade {method}", *(wheel.grade.get(method, "–") for wheel in wheels)] for method in methods]
@@ -425,7 +425,7 @@ def _rows(graded: GradedInspection) -> list[list[object]]:
 
 
 def _cell(wheel: WheelResult, quantity: Quantity) -> str:
-    text, half = quantity.text(getattr(wheel, quantity.name)), wheel.uncertainty.get(quantity.name)
+    text, half = quantity.text(wheel.value(quantity.name)), wheel.uncertainty.get(quantity.name)
     return text if half is None or text == "–" else f"{text} ± {quantity.rounded_up(half)}"
 
 

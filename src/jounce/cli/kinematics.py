@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
     from rich.console import Console
 
-    from jounce.design.adjustment_effects import Effect, Lengths, WheelState
+    from jounce.design.adjustments import Effect, Lengths, WheelState
     from jounce.kinematics.sweeps import AxleLayout
     from jounce.parts import Rig
 
@@ -224,10 +224,9 @@ def adjust(
 
     Example: jounce adjust kart-double-wishbone --camber "-2 deg" --toe "0.5 deg" --out cambered.toml
     """
-    from jounce.campaign.rig_text import updated_text
+    from jounce.campaign.run import updated_text
     from jounce.core.serialise import check_writable, to_plain, write_atomically
-    from jounce.design.adjustment_effects import adjust_report, lengths_for
-    from jounce.design.adjustments import SETTINGS
+    from jounce.design.adjustments import SETTINGS, adjust_report, lengths_for
     from jounce.parts import rig_path
 
     given = {name: bare_number(value) for name, value in pairs(set_, "--set", 'upper_arm_length="10 mm"').items()}
@@ -278,7 +277,7 @@ def _draw_adjusted(console: Console, plain: dict[str, Any], report: Any, lengths
 
 
 def _states(*states: WheelState) -> list[tuple[object, ...]]:
-    from jounce.design.adjustment_effects import QUANTITIES
+    from jounce.design.adjustments import QUANTITIES
 
     rows = []
     for name, unit in QUANTITIES.items():
@@ -290,7 +289,7 @@ def _states(*states: WheelState) -> list[tuple[object, ...]]:
 
 def _draw_effects(console: Console, effects: tuple[Effect, ...]) -> None:
     """One table: what each setting changes from the lowest to the highest value of its range, and per mm, deg or N."""
-    from jounce.design.adjustment_effects import QUANTITIES
+    from jounce.design.adjustments import QUANTITIES
 
     units = {name: _FACTORS.get(unit, (1.0, unit)) for name, unit in QUANTITIES.items()}
     rows: list[tuple[object, ...]] = []
