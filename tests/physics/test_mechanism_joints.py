@@ -10,9 +10,10 @@ import pytest
 
 import jounce as jn
 
-KINDS = ("revolute", "universal", "spherical", "cylindrical", "prismatic")
+KINDS = ("revolute", "universal", "spherical", "cylindrical", "prismatic", "screw", "link")
 AXIS, SECOND, AT = (0.2, 0.9, -0.3), (0.9, -0.2, 0.0), (0.3, 0.1, 0.2)
 HINGE = (0.3, 1.0, 0.1)
+PITCH, BALL = 0.4, (0.75, 0.2, 0.3)  # m a turn; the other end of the link
 CENTRE, INERTIA = (0.7, 0.25, 0.35), (0.05, 0.08, 0.06, 0.01, -0.005, 0.008)
 
 
@@ -24,12 +25,21 @@ def give(mechanism, kind, carrier, body, swapped):
         mechanism.universal("J", *bodies, at=AT, axis=axes[0], second_axis=axes[1])
     elif kind == "spherical":
         mechanism.spherical("J", *bodies, at=AT)
+    elif kind == "screw":
+        mechanism.screw("J", *bodies, at=AT, axis=AXIS, pitch=PITCH)
+    elif kind == "link":
+        mechanism.link("J", *bodies, at=AT, axis=AXIS, second_at=BALL)
     else:
         getattr(mechanism, kind)("J", *bodies, at=AT, axis=AXIS)
 
 
 def unit(vector):
     return np.array(vector) / np.linalg.norm(vector)
+
+
+def reach_of(carrier, body):
+    """From the hinge of a link to its ball."""
+    return body.point(BALL).value - carrier.point(AT).value
 
 
 @cache
@@ -45,9 +55,10 @@ def model(kind: str, closing: bool, swapped: bool) -> jn.mechanics.Mechanism:
     mechanism.spring_damper("spring", mechanism.ground, body, (0.7, 0.2, 1.2), CENTRE, stiffness=40.0)
     mechanism.watch_body(body)
     mechanism.watch_energy()
-    mechanism.watch_reaction("J")
+    mechanism.watch_reaction("J", at={"link": BALL, "screw": AT}.get(kind))  # the same point of both bodies
     mechanism.watch_reaction("hinge")
     found, along = mechanism.reaction("J"), carrier.direction(casadi.SX(unit(AXIS))).value
+    mechanism.output("across.force", casadi.dot(found.force, casadi.cross(along, reach_of(carrier, body))), "N*m", "-")
     mechanism.output("along.force", casadi.dot(found.force, along), "N", "force along the joint's axis")
     mechanism.output("along.torque", casadi.dot(found.torque, along), "N*m", "torque along the joint's axis")
     return mechanism
@@ -60,15 +71,15 @@ def run_of(kind: str, closing: bool, swapped: bool = False):
     start = {"hinge.angle rate": 1.0}
     if closing:
         start |= {f"flight.{axis} rate": speed for axis, speed in zip("xyz", np.cross(spin, CENTRE), strict=True)}
-    if closing or kind == "spherical":  # its speeds are against the ground
+    if closing or kind in ("spherical", "link"):  # its speeds are against the ground
         start |= {f"{'flight' if closing else 'J'}.w{axis}": part for axis, part in zip("xyz", spin, strict=True)}
     mechanism = model(kind, closing, swapped)
     return jn.simulate_mechanism(mechanism, 1.0, start=start, output_step=0.05, tolerance=1e-9)
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_closing_joint_moves_as_the_joint_of_the_tree(kind: str):
-    tree, loop = run_of(kind, False), run_of(kind, True)
+@pytest.mark.parametrize(("kind", "swapped"), [*((kind, False) for kind in KINDS), ("screw", True), ("link", True)])
+def test_closing_joint_moves_as_the_joint_of_the_tree(kind: str, swapped: bool):
+    tree, loop = run_of(kind, False, swapped), run_of(kind, True, swapped)
     for name in tree.data_vars:
         if name.startswith(("body.", "carrier.", "energy.", "hinge.", "J.")):
             np.testing.assert_allclose(loop[name], tree[name], rtol=1e-7, atol=2e-7, err_msg=name)
@@ -97,9 +108,53 @@ def test_energy_is_kept(kind: str, closing: bool):
 def test_joint_holds_nothing_along_what_it_frees(kind: str, closing: bool):
     run = run_of(kind, closing)
     size = max(float(abs(run[f"J.f{axis}"]).max()) for axis in "xyz")
-    turns, slides = kind != "prismatic", kind in ("prismatic", "cylindrical")
+    turns, slides = kind not in ("prismatic", "screw"), kind in ("prismatic", "cylindrical")
     assert size > 1.0
+    if kind == "screw":
+        lead = run["along.torque"] + PITCH / (2.0 * np.pi) * run["along.force"]
+        assert float(abs(lead).max()) < 1e-9 * size
+    if kind == "link":
+        assert float(abs(run["across.force"]).max()) < 1e-9 * size
     assert (float(abs(run["along.torque"]).max()) < 1e-9 * size) == turns
     assert (float(abs(run["along.force"]).max()) < 1e-9 * size) == slides
-    if kind == "spherical":
+    if kind in ("spherical", "link"):
         assert max(float(abs(run[f"J.t{axis}"]).max()) for axis in "xyz") < 1e-9 * size
+
+
+def nut(pitch):
+    """2 kg on a vertical thread without friction, 0.03 kg m^2 about it."""
+    mechanism = jn.mechanics.Mechanism()
+    body = mechanism.body("nut", 2.0, (0.0, 0.0, 0.3), (0.02, 0.02, 0.03))
+    mechanism.screw("thread", mechanism.ground, body, at=(0.0, 0.0, 0.0), axis=(0.0, 0.0, 1.0), pitch=pitch)
+    mechanism.watch_coordinates()
+    mechanism.watch_body(body)
+    mechanism.watch_reaction("thread")
+    return mechanism
+
+
+def test_nut_falls_down_its_thread():
+    """With the lead h = pitch / 2 pi it turns at -m g h / (J + m h^2); the thread carries m g J / (J + m h^2)."""
+    run = jn.simulate_mechanism(nut("50 mm"), 1.0, output_step=0.1, tolerance=1e-10)
+    lead = 0.05 / (2.0 * np.pi)
+    turning = -2.0 * 9.81 * lead / (0.03 + 2.0 * lead**2)
+    np.testing.assert_allclose(run["thread.angle"], 0.5 * turning * run["time"] ** 2, rtol=0.0, atol=1e-9)
+    np.testing.assert_allclose(run["nut.z"] - 0.3, lead * run["thread.angle"], rtol=0.0, atol=1e-12)
+    np.testing.assert_allclose(run["thread.fz"], 2.0 * 9.81 * 0.03 / (0.03 + 2.0 * lead**2), rtol=1e-10)
+    np.testing.assert_allclose(run["thread.tz"], 0.03 * turning, rtol=1e-10)
+
+
+def test_closing_screw_counts_its_turns():
+    """A spindle that a motor turns many times pushes a carriage, which a guide keeps from turning with it."""
+    mechanism = jn.mechanics.Mechanism()
+    spindle = mechanism.body("spindle", 1.0, (0.0, 0.0, 0.0), (0.01, 0.02, 0.02))
+    carriage = mechanism.body("carriage", 3.0, (0.1, 0.1, 0.0), (0.01, 0.01, 0.01))
+    turn = mechanism.revolute("bearing", mechanism.ground, spindle, at=(0.0, 0.0, 0.0), axis=(1.0, 0.0, 0.0))
+    mechanism.prismatic("guide", mechanism.ground, carriage, axis=(1.0, 0.0, 0.0), at=(0.0, 0.2, 0.0))
+    mechanism.screw("thread", spindle, carriage, at=(0.1, 0.0, 0.0), axis=(1.0, 0.0, 0.0), pitch="-4 mm")
+    mechanism.motion("motor", turn, mechanism.track("angle"))
+    mechanism.watch_coordinates()
+    drive = {"angle": jn.mechanics.constant_rate(40.0)}
+    run = jn.simulate_mechanism(mechanism, 2.0, motions=drive, redundant="remove", output_step=0.1)
+    np.testing.assert_allclose(run["guide.distance"], 0.004 * 40.0 * run["time"] / (2.0 * np.pi), rtol=0.0, atol=1e-9)
+    with pytest.raises(jn.AssemblyError, match="lead: a screw without pitch"):
+        mechanism.screw("lead", mechanism.ground, mechanism.body("other"), (0, 0, 0), (1, 0, 0), pitch=0.0)

@@ -67,7 +67,13 @@ class Description(BaseModel, metaclass=_DescriptionType):
 
 
 def read_toml(path: Path | str) -> tuple[dict[str, Any], str]:
-    """Read a TOML file; give its table and its text. What is missing, empty or not TOML (with the line) is refused."""
+    """Read a TOML file; give its table and its text.
+
+    Raises
+    ------
+    DescriptionError
+        When the file is missing, empty, not text, or not TOML (with the line).
+    """
     file = existing_file(path)
     try:
         text = file.read_text(encoding="utf-8")

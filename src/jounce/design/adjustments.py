@@ -336,7 +336,7 @@ def _upright_on_rods() -> tuple[Model, ca.Function, dict[str, float]]:
     points = {name: mechanism.vector(name, origin) for name in _UPRIGHT}
     for inner, outer in _RODS.items():
         mechanism.rod(inner, mechanism.ground, upright, origin, points[outer], length=1.0)
-    places = [upright.point(points[name]).value for name in _UPRIGHT]
+    places = [upright.frame.point(points[name]).value for name in _UPRIGHT]
     mechanism.condition("wheel_centre_height", places[-1][2] - mechanism.number("height", 0.0))
     model = mechanism.finish()
     return model, ca.Function("places", [model.x, model.p], [ca.horzcat(*places)]), mechanism.values

@@ -19,7 +19,7 @@ from jounce.kinematics.loads import ContactLoad
 from jounce.kinematics.model import check_corner, has_rack
 from jounce.kinematics.sweeps import Values, no_pose, prepare_sweep, sweep_values
 from jounce.kinematics.view import CornerView, Quasistatic, Statics
-from jounce.mechanics.system import Track
+from jounce.mechanics import Track
 from jounce.models.attachments import push
 from jounce.models.corner import suspension
 from jounce.parts import Corner, Rig

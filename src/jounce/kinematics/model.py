@@ -19,8 +19,8 @@ from jounce.core.types import Array
 from jounce.kernel.native import Native, compile_functions
 from jounce.kinematics.catalogue import Quantity, quantities
 from jounce.kinematics.view import CornerView, Quasistatic
+from jounce.mechanics import Track
 from jounce.mechanics.linear_algebra import Ldl
-from jounce.mechanics.system import Track
 from jounce.models.corner import suspension
 from jounce.parts import Corner, FullCar3D, Rig
 from jounce.parts.rig import structure_of
@@ -174,7 +174,7 @@ class Driven:
         residual = ca.sqrt(ca.dot(statics.constraint, statics.constraint))
         slopes = [self.along(which)(statics.rates) for which in range(len(self.tracks))]
         start = ca.SX(statics.q)
-        for first in (i for i, name in enumerate(self.mechanism.coordinate_names()) if name.endswith(".e0")):
+        for first in self.mechanism.collection.quaternions.values():
             e = statics.q[first : first + 4]
             start[first : first + 4] = e / ca.sqrt(ca.dot(e, e))
         return ca.substitute(ca.vertcat(moved, residual, *slopes), statics.q, start)
@@ -212,6 +212,6 @@ def _places(view: CornerView) -> list[tuple[str, ca.SX]]:
     places = []
     for name in names:
         owner, place = linkage.owners.get(name), linkage.hardpoint(name)
-        places.append((name, own.get(name, place if owner is None else owner.point(place).value)))
+        places.append((name, own.get(name, place if owner is None else owner.frame.point(place).value)))
     mirror = ca.SX([1.0, view.side, 1.0])
     return [*places, ("contact_point", mirror * view.contact)]

@@ -12,12 +12,11 @@ from functools import cached_property
 
 import casadi as ca
 
-from jounce.mechanics import Mechanism
+from jounce.mechanics import Mechanism, Track
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.elements import curve_force, damper_force, damper_map_force
 from jounce.mechanics.frames import Moving
 from jounce.mechanics.rotations import unit
-from jounce.mechanics.system import Track
 from jounce.models.attachments import Line, line_of, spring_law, stop_law, undeformed_radius
 from jounce.models.linkage import Linkage
 from jounce.parts.elements import MapDamper
@@ -60,37 +59,33 @@ class Quasistatic(Mechanism):
 
     def derivative(self, expression: ca.SX) -> ca.SX:
         """Give the time derivative of an expression of coordinates, tracks, their rates and speeds."""
-        return self._bias_of(expression) + self.accelerated(expression)
+        return self.collection.bias_of(expression) + self.accelerated(expression)
 
     def with_accelerations(self, expression: ca.SX, accelerations: ca.SX) -> ca.SX:
         """Put the accelerations of the speeds into an expression of them."""
-        return ca.substitute(expression, ca.vertcat(*self._accelerations.values()), ca.densify(accelerations))
-
-    def coordinate_names(self) -> tuple[str, ...]:
-        """Give the names in the order of the symbols; quaternions are four, ``.e0`` to ``.e3``."""
-        return tuple(self._coordinates)
+        return ca.substitute(expression, self.collection.a, ca.densify(accelerations))
 
     def parameter_symbols(self) -> dict[str, ca.SX]:
         """Symbols of all numbers by path."""
-        return dict(self._parameters)
+        return dict(self.collection.parameters)
 
     def statics(self) -> Statics:
         """Give forces and loop equations without masses and weights."""
-        v = ca.vertcat(*self._speeds.values())
-        loops = self._all_constraints()
+        collected = self.collection
+        loops = collected.constraint()
         return Statics(
-            q=ca.vertcat(*self._coordinates.values()),
-            v=v,
-            p=ca.vertcat(*self._parameters.values()),
-            parameters=tuple(self._parameters),
-            start=tuple(self._start.values()),
-            rates=ca.vertcat(*self._rates),
-            load=self._load(v),
-            constraints=loops.names,
+            q=collected.q,
+            v=collected.v,
+            p=ca.vertcat(*collected.parameters.values()),
+            parameters=tuple(collected.parameters),
+            start=tuple(collected.start.values()),
+            rates=ca.vertcat(*collected.rates),
+            load=collected.force_on(collected.v),
+            constraints=tuple(equation.name for equation in loops.equations),
             constraint=loops.value,
             constraint_rate=loops.rate,
             constraint_bias=loops.bias,
-            moved=self._moved,
+            moved=collected.displaced,
         )
 
 
@@ -297,7 +292,7 @@ class CornerView:
         hardpoint = self.linkage.hardpoint
         pivot, arm_end, link_end = (hardpoint(f"arb_{name}") for name in ("pivot", "arm_end", "link_end"))
         arm, link = arm_end - pivot, link_end - arm_end
-        away, away_design = self._bar_carrier.point(link_end).value - pivot, link_end - pivot
+        away, away_design = self._bar_carrier.frame.point(link_end).value - pivot, link_end - pivot
 
         def parts(d: ca.SX) -> tuple[ca.SX, ca.SX]:
             return arm[0] * d[0] + arm[2] * d[2], arm[2] * d[0] - arm[0] * d[2]
@@ -314,7 +309,7 @@ class CornerView:
         pivot = hardpoint("arb_pivot")
         x, y, z = ca.vertsplit(hardpoint("arb_arm_end") - pivot)
         turned = ca.vertcat(x * ca.cos(angle) + z * ca.sin(angle), y, z * ca.cos(angle) - x * ca.sin(angle))
-        link_end = self._bar_carrier.point(hardpoint("arb_link_end")).value
+        link_end = self._bar_carrier.frame.point(hardpoint("arb_link_end")).value
         return {"arb_arm_end": pivot + turned, "arb_link_end": link_end}
 
     @property

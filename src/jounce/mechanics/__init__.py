@@ -12,18 +12,21 @@ from jounce.mechanics.elements import (
     spring_force,
     tyre_force,
 )
+from jounce.mechanics.equations import Track
+from jounce.mechanics.joints import Joint
 from jounce.mechanics.mass import box, combined, cylinder, mesh, sphere, tube
 from jounce.mechanics.mechanism import Mechanism
 from jounce.mechanics.model import Facts, Model, Output
 from jounce.mechanics.motions import constant, constant_rate, harmonic, interpolated, step
 from jounce.mechanics.reactions import Reaction
-from jounce.mechanics.system import System, Track
+from jounce.mechanics.system import System
 
 __all__ = [
     "Assembly",
     "Body",
     "Displacement",
     "Facts",
+    "Joint",
     "Mechanism",
     "Model",
     "Output",

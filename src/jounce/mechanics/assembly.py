@@ -5,7 +5,6 @@ Works on the symbolic model with CasADi's own evaluation, before anything is com
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -15,8 +14,7 @@ import numpy as np
 from jounce.core.errors import AssemblyError, unknown
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.mechanics.model import Model
-from jounce.mechanics.reactions import joint_of
+from jounce.mechanics.model import Equation, Model
 
 _ITERATIONS = 100
 _CLOSED = 1e-12  # m or rad
@@ -26,8 +24,10 @@ _FIRM = 1e-2  # singular value above which equations without those that repeat t
 _PART = 1e-6  # share of an equation in a dependence that is worth naming
 _NUDGE = 1e-3  # m or rad, to tell a singular pose from equations that repeat each other everywhere
 _MOVED = 1e-9
-_PLACE, _TURN = r"\.(x|y|z|across|across_2)$", r"\.(tilt|tilt_2|twist|cross)$"  # ends of equations' names
 _KEPT = 1e-10  # what the loops may still open by a second, relative to the speeds
+
+_Groups = tuple[tuple[Equation, ...], ...]
+"""Loop equations of which one in each group follows from the others."""
 
 
 @dataclass(frozen=True)
@@ -78,7 +78,6 @@ class _Evaluator:
         self.n_q, self.n_v = n_q, n_v
         q, v = model.x[:n_q], model.x[n_q : n_q + n_v]
         kinematics = ca.jacobian(model.rate[:n_q], v)
-        slope = ca.jacobian(model.constraint, q)
         slope = ca.jacobian(model.constraint, q)
         drift, order = ca.SX(model.constraint.shape[0], 1), model.track_order
         for i in range(order - 1 if model.tracks else 0):
@@ -143,39 +142,32 @@ def assemble(
     evaluator = _Evaluator(model, p, u)
     pose, weights = _closed_near(evaluator, first, given)
     _, slope, _, drift = evaluator.at(pose)
-    groups = _dependences(slope, model.constraints)
+    groups = _dependences(slope, model.equations)
     if groups and redundant == "refuse":
         _explain(evaluator, pose, groups)
     pose = _with_speeds(evaluator, pose, slope, drift, weights)
-    return Assembly(
-        pose, _displacements(model, first, pose), groups, slope.shape[1] - int(np.linalg.matrix_rank(slope))
-    )
+    named = tuple(tuple(equation.name for equation in group) for group in groups)
+    freedom = slope.shape[1] - int(np.linalg.matrix_rank(slope))
+    return Assembly(pose, _displacements(model, first, pose), named, freedom)
 
 
 def _given(model: Model, start: Mapping[str, float | str]) -> dict[str, float]:
     """Start values in SI."""
-    given = {}
+    units, given = dict(zip(model.states, model.units, strict=False)), {}
     for name, value in start.items():
         if name not in model.states:
             raise unknown(name, model.states, what="coordinate or speed", where="start")
-        base = name.removesuffix(" rate")
-        unit = "1" if re.search(r"\.e[0-3]$", name) else "rad" if base.endswith("angle") else "m"
-        unit = "rad/s" if re.search(r"\.w[xyz]$", name) else unit
-        given[name] = to_si(value, unit if name == base else f"{unit}/s", where=f"start: {name}")
+        given[name] = to_si(value, units.get(name, "1"), where=f"start: {name}")
     return given
 
 
 def _normalise(model: Model, x: Array) -> None:
     """Give all quaternions of a state length one, in place."""
-    for i, name in enumerate(model.coordinates):
-        if name.endswith(".e0"):
-            length = np.linalg.norm(x[i : i + 4])
-            if not length > 0.0:
-                joint = name.removesuffix(".e0")
-                raise AssemblyError(
-                    "no orientation", where=joint, found="a quaternion of zeros", allowed="e0 to e3 of it"
-                )
-            x[i : i + 4] /= length
+    for joint, i in model.quaternions.items():
+        length = np.linalg.norm(x[i : i + 4])
+        if not length > 0.0:
+            raise AssemblyError("no orientation", where=joint, found="a quaternion of zeros", allowed="e0 to e3 of it")
+        x[i : i + 4] /= length
 
 
 def orientation(joint: str, axis: Sequence[float], angle: float | str) -> dict[str, float]:
@@ -249,7 +241,7 @@ def removable(
     x = assemble(model, p, u, start, redundant="keep").x
     evaluator = _Evaluator(model, p, u)
     slope = evaluator.at(x)[1]
-    groups = _dependences(slope, model.constraints)
+    groups = _dependences(slope, model.equations)
     if not groups:
         return frozenset()
     scaled = slope / np.maximum(np.linalg.norm(slope, axis=1), 1e-300)[:, None]
@@ -316,7 +308,7 @@ def _refuse_undefined(model: Model, value: Array, slope: Array) -> None:
     """Refuse loop equations that are no numbers, such as those with an axis that a parameter made zero."""
     broken = ~(np.isfinite(value) & np.all(np.isfinite(slope), axis=1))
     if np.any(broken):
-        joints = dict.fromkeys(joint_of(name) for name, no in zip(model.constraints, broken, strict=True) if no)
+        joints = dict.fromkeys(equation.joint for equation, no in zip(model.equations, broken, strict=True) if no)
         hint = "Check the axes and places of the joints around its loop, and the motions."
         raise AssemblyError("the loop cannot be computed", where=", ".join(joints), found="not a number", hint=hint)
 
@@ -324,10 +316,10 @@ def _refuse_undefined(model: Model, value: Array, slope: Array) -> None:
 def _open(model: Model, value: Array) -> AssemblyError:
     """Say which loops stay open, the widest first."""
     order = np.argsort(-np.abs(value))
-    worst = [model.constraints[i] for i in order if abs(value[i]) > 0.05 * abs(value[order[0]])][:6]
-    joints = list(dict.fromkeys(joint_of(name) for name in worst))
-    rows = {joint: [i for i, name in enumerate(model.constraints) if joint_of(name) == joint] for joint in joints}
-    shown = [_gap(joint, [(model.constraints[i], value[i]) for i in rows[joint]]) for joint in joints]
+    worst = [model.equations[i] for i in order if abs(value[i]) > 0.05 * abs(value[order[0]])][:6]
+    joints = list(dict.fromkeys(equation.joint for equation in worst))
+    pairs = list(zip(model.equations, value, strict=True))
+    shown = [_gap(joint, [(e.unit, float(x)) for e, x in pairs if e.joint == joint]) for joint in joints]
     return AssemblyError(
         "the mechanism cannot be assembled",
         where=", ".join(joints),
@@ -338,9 +330,8 @@ def _open(model: Model, value: Array) -> AssemblyError:
 
 
 def _gap(joint: str, rows: list[tuple[str, float]]) -> str:
-    """How far a joint stays open: a distance, else an angle, else what is left of its equation."""
-    place = float(np.linalg.norm([value for name, value in rows if re.search(_PLACE, name)]))
-    turn = float(np.linalg.norm([value for name, value in rows if re.search(_TURN, name)]))
+    """How far a joint stays open, by units and values: a distance, else an angle, else what is left of its equation."""
+    place, turn = (float(np.linalg.norm([value for own, value in rows if own == unit])) for unit in ("m", "rad"))
     if place > 0.05 * turn:
         return f"{joint} stays open by {place:.4g} m"
     if turn > 0.0:
@@ -350,10 +341,10 @@ def _gap(joint: str, rows: list[tuple[str, float]]) -> str:
     )
 
 
-def _dependences(slope: Array, names: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:
+def _dependences(slope: Array, equations: tuple[Equation, ...]) -> _Groups:
     """Groups of equations of which one follows from the others."""
     scale = np.linalg.norm(slope, axis=1)
-    groups = [(names[i],) for i in np.flatnonzero(scale <= 1e-12)]
+    groups = [(equations[i],) for i in np.flatnonzero(scale <= 1e-12)]
     rows = np.flatnonzero(scale > 1e-12)
     if not len(rows):
         return tuple(groups)
@@ -364,21 +355,21 @@ def _dependences(slope: Array, names: tuple[str, ...]) -> tuple[tuple[str, ...],
         row = int(np.argmax(np.max(np.abs(null), axis=1)))
         column = int(np.argmax(np.abs(null[row])))
         direction = null[:, column] / null[row, column]
-        groups.append(tuple(names[rows[i]] for i in np.flatnonzero(np.abs(direction) > _PART)))
+        groups.append(tuple(equations[rows[i]] for i in np.flatnonzero(np.abs(direction) > _PART)))
         null = np.delete(null - np.outer(direction, null[row]), column, axis=1)
         if null.shape[1]:
             null = np.linalg.qr(null)[0]
     return tuple(groups)
 
 
-def _explain(evaluator: _Evaluator, pose: Array, groups: tuple[tuple[str, ...], ...]) -> None:
+def _explain(evaluator: _Evaluator, pose: Array, groups: _Groups) -> None:
     """Refuse a singular pose and equations that repeat each other."""
     if _is_singular_here_only(evaluator, pose, len(groups)):
         raise _singular(groups)
     loops, joints = evaluator.model.loops, _joints_of(groups)
-    around = dict.fromkeys(other for group in groups for name in group for other in loops.get(joint_of(name), ()))
+    around = dict.fromkeys(other for group in groups for one in group for other in loops.get(one.joint, ()))
     place = f" in the loop of {', '.join(around)}" if around else ""
-    listed = "; ".join(", ".join(group) for group in groups)
+    listed = "; ".join(", ".join(one.name for one in group) for group in groups)
     raise AssemblyError(
         "redundant joints: they repeat each other",
         where="; ".join(joints),
@@ -387,7 +378,7 @@ def _explain(evaluator: _Evaluator, pose: Array, groups: tuple[tuple[str, ...], 
     )
 
 
-def _singular(groups: tuple[tuple[str, ...], ...]) -> AssemblyError:
+def _singular(groups: _Groups) -> AssemblyError:
     return AssemblyError(
         "the mechanism is in a singular configuration: its loops do not determine how it moves on from here",
         where="; ".join(_joints_of(groups)),
@@ -396,12 +387,12 @@ def _singular(groups: tuple[tuple[str, ...], ...]) -> AssemblyError:
     )
 
 
-def _joints_of(groups: tuple[tuple[str, ...], ...]) -> list[str]:
+def _joints_of(groups: _Groups) -> list[str]:
     """Joints of each group of equations, once."""
-    return list(dict.fromkeys(", ".join(dict.fromkeys(joint_of(name) for name in group)) for group in groups))
+    return list(dict.fromkeys(", ".join(dict.fromkeys(one.joint for one in group)) for group in groups))
 
 
-def _count(groups: tuple[tuple[str, ...], ...], what: str) -> str:
+def _count(groups: _Groups, what: str) -> str:
     return f"{len(groups)} {what}{'s' if len(groups) > 1 else ''}"
 
 
@@ -418,7 +409,7 @@ def _is_singular_here_only(evaluator: _Evaluator, pose: Array, count: int) -> bo
                 return True
             if np.linalg.norm(near - pose) < 0.1 * _NUDGE:
                 continue
-            fewer = len(_dependences(evaluator.at(near)[1], evaluator.model.constraints))
+            fewer = len(_dependences(evaluator.at(near)[1], evaluator.model.equations))
             if fewer < count:
                 return True
     return False

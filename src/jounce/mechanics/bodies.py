@@ -1,15 +1,21 @@
-"""Rigid bodies: mass, centre of mass, inertia, and how they move."""
+"""Rigid bodies: their mass, where the joints put them, and the points of them that expressions name.
+
+A point that a user asks of a body (:meth:`Body.point`) has *symbols* for its place, known with the body they belong to.
+So a force along an expression of such points can be divided among the bodies: what the expression gains when the point
+moves is the force there. Before equations are formed, the symbols are replaced by what the joints make of them.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
 import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
 
 from jounce.core.errors import AssemblyError
-from jounce.mechanics.carrier import GROUND_AXES, Carrier
-from jounce.mechanics.frames import Frame, Moving
+from jounce.mechanics.frames import GROUND, Carrier, Frame, Moving
 from jounce.mechanics.rotations import skew
 
 
@@ -22,50 +28,116 @@ class MassProperties:
     inertia: ca.SX
 
 
-@dataclass(eq=False)
+@dataclass(frozen=True)
+class Named:
+    """A point or a direction of a body that some expression may name, by the symbols that stand for it."""
+
+    body: Body
+    symbol: ca.SX
+    value: ca.SX
+    is_point: bool
+
+
+@dataclass
+class Poses:
+    """Frames of the bodies of one mechanism by name, and what expressions name of them."""
+
+    frames: dict[str, Frame] = field(default_factory=lambda: {"ground": GROUND})
+    named: dict[int, tuple[Named, int]] = field(default_factory=dict)
+
+    def name(self, body: Body, moving: Moving, *, is_point: bool) -> Moving:
+        """Give symbols for a point or direction; what does not move, or moves in a moving frame, needs none."""
+        if body.frame is GROUND or body.carrier.moves:
+            return moving
+        symbol = ca.SX.sym(f"{body.name} {'point' if is_point else 'direction'}", 3)
+        made = Named(body, symbol, ca.densify(moving.value), is_point)
+        self.named.update({part.element_hash(): (made, i) for i, part in enumerate(ca.vertsplit(symbol))})
+        return replace(moving, value=symbol)
+
+    def occurring(self, expression: ca.SX) -> list[Named]:
+        """What an expression names."""
+        found = [self.named.get(symbol.element_hash()) for symbol in ca.symvar(expression)]
+        return list({id(one[0]): one[0] for one in found if one is not None}.values())
+
+    def resolved(self, expression: ca.SX) -> ca.SX:
+        """Put what the joints say in place of all that an expression names."""
+        named = self.occurring(expression)
+        if not named:
+            return expression
+        symbols, values = ([getattr(one, part) for one in named] for part in ("symbol", "value"))
+        return ca.substitute(expression, ca.vertcat(*symbols), ca.vertcat(*values))
+
+
+@dataclass(frozen=True, eq=False)
 class Body:
-    """A rigid body; its frame's origin is where its joint is.
+    """A rigid body of a mechanism.
 
     Attributes
     ----------
     name : str
         For messages and channels.
+    poses : Poses
+        Where the joints of its mechanism put the bodies.
     mass_properties : MassProperties, optional
         None for a body that only carries points.
-    frame : Frame, optional
-        Set by the joint that hangs it into the tree.
-    carrier : Carrier
-        What the axes of the frame belong to, the ground or a body that moves; "ground axes" are its axes then.
     """
 
     name: str
+    poses: Poses = field(repr=False)
     mass_properties: MassProperties | None = None
-    frame: Frame | None = None
-    carrier: Carrier = GROUND_AXES
+
+    @property
+    def is_placed(self) -> bool:
+        """Whether a joint hangs it on something."""
+        return self.name in self.poses.frames
+
+    @property
+    def frame(self) -> Frame:
+        """Its frame, with its origin at its joint."""
+        if not self.is_placed:
+            raise AssemblyError("the body hangs on nothing yet", where=self.name, hint="Give its joint first.")
+        return self.poses.frames[self.name]
+
+    @property
+    def carrier(self) -> Carrier:
+        """What the axes of its frame belong to, the ground or a body that moves; "ground axes" are its axes then."""
+        return self.frame.carrier
 
     def point(self, design: ca.SX | Sequence[float]) -> Moving:
-        """Follow the point of the body that lies at ``design`` (m) in the design pose."""
-        return self._frame.point(as_vector(design))
+        """Follow the point of the body that lies at ``design`` (m) in the design pose.
+
+        Its ``value`` is for expressions that a mechanism takes: they know whose point it is. To differentiate one, use
+        ``rate_of``.
+        """
+        return self.poses.name(self, self.frame.point(as_vector(design)), is_point=True)
 
     def direction(self, design: ca.SX | Sequence[float]) -> Moving:
-        """Follow the direction of the body that is ``design`` (of any length, m) in the design pose."""
-        return self._frame.direction(as_vector(design))
+        """Follow the direction of the body that is ``design`` (of any length, m) in the design pose; see ``point``."""
+        return self.poses.name(self, self.frame.direction(as_vector(design)), is_point=False)
 
     @property
     def spin(self) -> ca.SX:
         """Angular velocity, rad/s, ground axes."""
-        return self.carrier.spin(self._frame.orientation)
-
-    @property
-    def _frame(self) -> Frame:
-        if self.frame is None:
-            raise AssemblyError("the body hangs on nothing yet", where=self.name, hint="Give its joint first.")
-        return self.frame
+        return self.carrier.spin(self.frame.orientation)
 
 
 def as_vector(numbers: ca.SX | Sequence[float]) -> ca.SX:
     """Three numbers as an expression; an expression is taken as it is."""
     return numbers if isinstance(numbers, ca.SX) else ca.SX([float(part) for part in numbers])
+
+
+def tensor_elements(path: str, inertia: Sequence[float | str] | NDArray[np.float64]) -> list[float | str]:
+    """Elements xx, yy, zz, xy, xz, yz of a tensor given by three or six of them or as a matrix."""
+    elements = list(inertia)
+    if np.shape(np.asarray(inertia, dtype=object)) == (3, 3):
+        tensor = np.asarray(inertia, dtype=float)
+        if not np.allclose(tensor, tensor.T, rtol=1e-9, atol=1e-12 * float(np.max(np.abs(tensor)))):
+            raise AssemblyError("not a tensor of inertia", where=path, found="not symmetric")
+        elements = [tensor[i, j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
+    if len(elements) not in (3, 6):
+        found, allowed = f"{len(elements)} numbers", "xx, yy, zz, or also xy, xz, yz, or a symmetric (3, 3) tensor"
+        raise AssemblyError("not a tensor of inertia", where=path, found=found, allowed=allowed)
+    return elements + [0.0] * (6 - len(elements))
 
 
 class RigidMass:
@@ -80,11 +152,11 @@ class RigidMass:
 
     def matrix(self, v: ca.SX) -> ca.SX:
         """Mass matrix for the speeds ``v``."""
-        orientation = self._frame.orientation
+        rotate = self._frame.orientation.rotate
         linear = ca.jacobian(self._frame.origin.rate, v)
-        angular = ca.jacobian(orientation.spin, v)
-        swept = -skew(self._moment) @ angular
-        turned = ca.horzcat(*(self._rotated(swept[:, i]) for i in range(swept.shape[1])))
+        angular = ca.jacobian(self._frame.orientation.spin, v)
+        swept = ca.horzsplit(-skew(self._moment) @ angular)
+        turned = ca.horzcat(*(rotate(column) if column.nnz() else column for column in swept))
         coupling = linear.T @ turned
         return self._mass * (linear.T @ linear) + coupling + coupling.T + angular.T @ (self._tensor @ angular)
 
@@ -101,6 +173,3 @@ class RigidMass:
             + ca.cross(self._moment, orientation.unrotate(origin.bias))
         )
         return linear.T @ force + angular.T @ torque
-
-    def _rotated(self, column: ca.SX) -> ca.SX:
-        return self._frame.orientation.rotate(column) if column.nnz() else column

@@ -1,22 +1,18 @@
-"""Bushings: elastic joints in six directions, and rods that end in one.
-
-A bushing lies between a point of each of two bodies and pushes them back along and about the axes of the first body.
-Its forces on both act at one and the same place, and they follow from an energy, so a motion of both bodies together
-does no work on it and an undamped bushing gives back all it took.
-"""
+"""Bushings: elastic joints in six directions, and rods that end in one, put into a mechanism."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import casadi as ca
 
 from jounce.mechanics.bodies import Body
+from jounce.mechanics.descriptions import Given, Vector, place
+from jounce.mechanics.frames import Frame
+from jounce.mechanics.loads import Action, Between
+from jounce.mechanics.mechanism import Mechanism
 from jounce.mechanics.rotations import unit
-
-if TYPE_CHECKING:
-    from jounce.mechanics.tree import Tree, Vector
+from jounce.mechanics.system import System
 
 _NONE = ca.SX(3, 1)
 _SOFTEST = 1e-9  # N/m: a direction without stiffness lets a rod go, and one that the rod does not use does not count
@@ -44,8 +40,92 @@ class Deflection:
     power: ca.SX
 
 
+@dataclass(frozen=True, eq=False)
+class Bushing(Between):
+    """An elastic joint in six directions along the axes of its first body, unloaded in the design pose.
+
+    Its forces on both bodies act at one and the same place, and they follow from an energy: a motion of both bodies
+    together does no work on it, and an undamped bushing gives back all it took.
+    """
+
+    at: Given = place()
+    stiffness: Given = place(unit="N/m")
+    damping: Given = place(unit="N*s/m")
+    rotational_stiffness: Given = place(unit="N*m/rad")
+    rotational_damping: Given = place(unit="N*m*s/rad")
+    kind = "bushing"
+
+    def action(self, system: System) -> Action:
+        """Give displacement, rotation, force, torque, energy and power to the maker."""
+        del system
+        first, second = self.first.frame, self.second.frame
+        displacement, rate = _displacement(first, second, self.at)
+        rotation, turning = _rotation(first, second)
+        force = -self.stiffness * displacement - self.damping * rate
+        spin = first.orientation.unrotate(second.orientation.ground_spin) - first.orientation.spin
+        twist = -self.rotational_stiffness * rotation - self.rotational_damping * (turning @ spin)
+        torque = turning.T @ twist
+        energy = 0.5 * (
+            ca.dot(displacement, self.stiffness * displacement) + ca.dot(rotation, self.rotational_stiffness * rotation)
+        )
+        power = -ca.dot(force, rate) - ca.dot(torque, spin)
+        outward = first.orientation.rotate
+        wrenches = self.pair(second.point(self.at).value, outward(force), outward(torque))
+        shown = (displacement, rotation, force, torque, energy, power)
+        return Action(((rate, force), (spin, torque)), wrenches, shown=shown)
+
+
+@dataclass(frozen=True, eq=False)
+class ElasticRod(Between):
+    """A massless rod with a bushing at its first end."""
+
+    at: Given = place()
+    second_at: Given = place()
+    stiffness: Given = place(unit="N/m")
+    damping: Given = place(unit="N*s/m")
+    kind = "elastic rod"
+
+    def action(self, system: System) -> Action:
+        """Give tension (N) and the power taken up (W) to the maker."""
+        del system
+        other = self.second.frame.point(self.second_at)
+        reach, design = other - self.first.frame.point(self.at), self.second_at - self.at
+        length = ca.sqrt(ca.dot(reach.value, reach.value))
+        rate = ca.dot(reach.value, reach.rate) / length
+        firm = self.stiffness + _SOFTEST
+        shares = unit(design) ** 2 / firm
+        along = 1.0 / ca.sum1(shares)
+        loss = along**2 * ca.dot(shares, self.damping / firm)
+        tension = along * (length - ca.sqrt(ca.dot(design, design))) + loss * rate
+        wrenches = self.pair(other.value, -tension * reach.value / length)
+        return Action(((rate, -tension),), wrenches, shown=(tension, tension * rate))
+
+
+@dataclass(frozen=True, eq=False)
+class SlidingBushing(Between):
+    """A bushing on the second body, with its axes, that slides freely along a line of the first."""
+
+    at: Given = place()
+    axis: Given = place(unit="1")
+    point: Given = place()
+    stiffness: Given = place(unit="N/m")
+    damping: Given = place(unit="N*s/m")
+    kind = "sliding bushing"
+
+    def action(self, system: System) -> Action:
+        """Give the force on the second body (N, its axes) and the power taken up (W) to the maker."""
+        fixed, own = self.second.frame.point(self.point), self.second.frame.orientation
+        apart = own.unrotate(fixed.value - self.first.frame.point(self.at).value)
+        along = own.unrotate(self.first.frame.direction(self.axis).value)
+        slid = ca.dot(along, self.stiffness * apart) / ca.dot(along, self.stiffness * along)
+        gap = apart - slid * along
+        rate = system.rate_of(gap)
+        force = -self.stiffness * gap - self.damping * rate
+        return Action(((rate, force),), self.pair(fixed.value, own.rotate(force)), shown=(force, -ca.dot(force, rate)))
+
+
 def add_bushing(
-    tree: Tree,
+    mechanism: Mechanism,
     name: str,
     first: Body,
     second: Body,
@@ -60,7 +140,7 @@ def add_bushing(
 
     Parameters
     ----------
-    tree : Tree
+    mechanism : Mechanism
         The mechanism.
     name : str
         Its name.
@@ -87,27 +167,12 @@ def add_bushing(
     >>> soft = add_bushing(mount, "mount", mount.ground, engine, (0.0, 0.0, -0.2), (1e5, 1e5, 3e5))
     >>> mount.output("mount.force", soft.force[2], "N", "force of the mount on the engine, up positive")
     """
-    at = tree.vector(f"{name}.at", at)
-    stiffness = tree.vector(f"{name}.stiffness", stiffness, "N/m")
-    damping = tree.vector(f"{name}.damping", damping, "N*s/m")
-    rotational_stiffness = tree.vector(f"{name}.rotational_stiffness", rotational_stiffness, "N*m/rad")
-    rotational_damping = tree.vector(f"{name}.rotational_damping", rotational_damping, "N*m*s/rad")
-    displacement, rate = _displacement(first, second, at)
-    rotation, turning = _rotation(first, second)
-    force = -stiffness * displacement - damping * rate
-    spin = _relative_spin(first, second)
-    twist = -rotational_stiffness * rotation - rotational_damping * (turning @ spin)
-    torque = turning.T @ twist
-    tree.load(rate, force)
-    tree.load(spin, torque)
-    _note_pair(tree, first, second, second.point(at).value, force, torque)
-    energy = 0.5 * (ca.dot(displacement, stiffness * displacement) + ca.dot(rotation, rotational_stiffness * rotation))
-    power = -ca.dot(force, rate) - ca.dot(torque, spin)
-    return Deflection(displacement, rotation, force, torque, energy, power)
+    law = Bushing(name, first, second, at, stiffness, damping, rotational_stiffness, rotational_damping)
+    return Deflection(*mechanism.act(law).shown)
 
 
 def add_elastic_rod(
-    tree: Tree,
+    mechanism: Mechanism,
     name: str,
     first: Body,
     second: Body,
@@ -124,7 +189,7 @@ def add_elastic_rod(
 
     Parameters
     ----------
-    tree : Tree
+    mechanism : Mechanism
         The mechanism.
     name : str
         Its name.
@@ -135,31 +200,25 @@ def add_elastic_rod(
     stiffness, damping : sequence of float, shape (3,)
         Of the bushing along the axes of the design pose, N/m and N s/m.
     """
-    at, second_at = tree.vector(f"{name}.at", at), tree.vector(f"{name}.second_at", second_at)
-    stiffness = tree.vector(f"{name}.stiffness", stiffness, "N/m")
-    damping = tree.vector(f"{name}.damping", damping, "N*s/m")
-    one, other = first.point(at), second.point(second_at)
-    reach, design = other - one, second_at - at
-    length = ca.sqrt(ca.dot(reach.value, reach.value))
-    rate = ca.dot(reach.value, reach.rate) / length
-    firm = stiffness + _SOFTEST
-    shares = unit(design) ** 2 / firm
-    along = 1.0 / ca.sum1(shares)
-    loss = along**2 * ca.dot(shares, damping / firm)
-    tension = along * (length - ca.sqrt(ca.dot(design, design))) + loss * rate
-    tree.load(rate, -tension)
-    _note_pair(tree, first, second, other.value, -tension * reach.value / length, _NONE, in_ground=True)
-    return tension, tension * rate
+    tension, power = mechanism.act(ElasticRod(name, first, second, at, second_at, stiffness, damping)).shown
+    return tension, power
 
 
 def add_sliding_bushing(
-    tree: Tree, first: Body, second: Body, at: ca.SX, axis: ca.SX, point: ca.SX, stiffness: ca.SX, damping: ca.SX
+    mechanism: Mechanism,
+    first: Body,
+    second: Body,
+    at: ca.SX,
+    axis: ca.SX,
+    point: ca.SX,
+    stiffness: ca.SX,
+    damping: ca.SX,
 ) -> tuple[ca.SX, ca.SX]:
     """Hold a point of the second body by a bushing on a line of the first, along which it slides freely.
 
     Parameters
     ----------
-    tree : Tree
+    mechanism : Mechanism
         The mechanism.
     first, second : Body
         Body with the line, and body with the bushing, whose axes the bushing has.
@@ -175,51 +234,21 @@ def add_sliding_bushing(
     tuple of casadi.SX
         Force on the second body, N, in its axes, shape (3,), and the power taken up, W.
     """
-    held, along = second.point(point), first.direction(axis)
-    own = second.frame
-    assert own is not None
-    apart = own.orientation.unrotate(held.value - first.point(at).value)
-    direction = own.orientation.unrotate(along.value)
-    slid = ca.dot(direction, stiffness * apart) / ca.dot(direction, stiffness * direction)
-    gap = apart - slid * direction
-    rate = tree.rate_of(gap)
-    force = -stiffness * gap - damping * rate
-    tree.load(rate, force)
-    _note_pair(tree, first, second, held.value, own.orientation.rotate(force), _NONE, in_ground=True)
-    return force, -ca.dot(force, rate)
+    law = SlidingBushing("sliding bushing", first, second, at, axis, point, stiffness, damping)
+    force, power = mechanism.act(law).shown
+    return force, power
 
 
-def _displacement(first: Body, second: Body, at: ca.SX) -> tuple[ca.SX, ca.SX]:
+def _displacement(first: Frame, second: Frame, at: ca.SX) -> tuple[ca.SX, ca.SX]:
     """Displacement of the second body's point in the axes of the first, and its rate there."""
-    assert first.frame is not None
-    orientation = first.frame.orientation
+    orientation = first.orientation
     gap = second.point(at) - first.point(at)
     displacement = orientation.unrotate(gap.value)
     return displacement, orientation.unrotate(gap.rate) - ca.cross(orientation.spin, displacement)
 
 
-def _relative_spin(first: Body, second: Body) -> ca.SX:
-    """Angular velocity of the second body against the first, in the axes of the first."""
-    assert first.frame is not None
-    assert second.frame is not None
-    return first.frame.orientation.unrotate(second.frame.orientation.ground_spin) - first.frame.orientation.spin
-
-
-def _rotation(first: Body, second: Body) -> tuple[ca.SX, ca.SX]:
+def _rotation(first: Frame, second: Frame) -> tuple[ca.SX, ca.SX]:
     """Antisymmetric part of the relative rotation as a vector, and the matrix that turns the spin into its rate."""
-    assert first.frame is not None
-    assert second.frame is not None
-    matrix = first.frame.orientation.matrix.T @ second.frame.orientation.matrix
+    matrix = first.orientation.matrix.T @ second.orientation.matrix
     rotation = 0.5 * ca.vertcat(matrix[2, 1] - matrix[1, 2], matrix[0, 2] - matrix[2, 0], matrix[1, 0] - matrix[0, 1])
     return rotation, 0.5 * (ca.trace(matrix) * ca.SX.eye(3) - matrix)
-
-
-def _note_pair(
-    tree: Tree, first: Body, second: Body, place: ca.SX, force: ca.SX, torque: ca.SX, *, in_ground: bool = False
-) -> None:
-    """Note force and torque on the second body and their opposites on the first, at one place."""
-    assert first.frame is not None
-    turn = first.frame.orientation.rotate
-    push, twist = (force, torque) if in_ground else (turn(force), turn(torque))
-    for body, sign in ((first, -1.0), (second, 1.0)):
-        tree.note(body, sign * push, place, sign * twist)

@@ -1,4 +1,4 @@
-"""Moving axes: a mechanism on a body that moves is written in that body's axes, as if the body stood still.
+"""Moving frames: a mechanism on a body that moves is written in that body's axes, as if the body stood still.
 
 Joints, loops and inner forces do not see the motion of what carries them; only masses and outer forces do. A point
 at ``r`` that moves at ``u`` in the axes of a body with origin velocity ``v``, spin ``w`` and angular acceleration
@@ -15,43 +15,8 @@ from dataclasses import dataclass
 import casadi as ca
 
 from jounce.mechanics.equations import Inertia
-from jounce.mechanics.frames import Frame, Moving, Orientation, symmetric
+from jounce.mechanics.frames import Carrier, Frame, Moving, Orientation, symmetric
 from jounce.mechanics.rotations import skew
-
-
-class Carrier:
-    """The ground: axes that stand still.
-
-    Attributes
-    ----------
-    up : casadi.SX, shape (3,)
-        The ground's z axis in the axes of the carrier.
-    moves : bool
-        Whether the axes move.
-    """
-
-    up = ca.SX([0.0, 0.0, 1.0])
-    moves = False
-
-    def height(self, place: ca.SX) -> ca.SX:
-        """Height of a place over z = 0 of the ground, m."""
-        return place[2]
-
-    def outward(self, vector: ca.SX) -> ca.SX:
-        """Turn a vector into ground axes."""
-        return vector
-
-    def inward(self, vector: ca.SX) -> ca.SX:
-        """Turn a vector of the ground into these axes."""
-        return vector
-
-    def velocity(self, point: Moving) -> ca.SX:
-        """Velocity of a point against the ground, m/s, in these axes."""
-        return point.rate
-
-    def spin(self, orientation: Orientation) -> ca.SX:
-        """Angular velocity of an orientation against the ground, rad/s, in these axes."""
-        return orientation.ground_spin
 
 
 class MovingCarrier(Carrier):
@@ -164,6 +129,3 @@ class CarriedMasses:
         spin = turning + seen
         rate = self._carrier.turning_bias + ca.cross(turning, seen) + one.orientation.rotate(one.orientation.spin_bias)
         return tensor @ rate + ca.cross(spin, tensor @ spin)
-
-
-GROUND_AXES = Carrier()

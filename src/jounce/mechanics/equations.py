@@ -1,17 +1,22 @@
-"""Equations of motion ``M a = Q + G^T lambda``, ``G a + gamma = 0``, solved in the graph; projection onto constraints.
+"""Equations of motion of what was collected: ``M a = Q + G^T lambda``, ``G a + gamma = 0``, solved in the graph.
 
-``v`` are the speeds, ``a`` their rates; the coordinates follow ``dq/dt = N(q) v``.
+``v`` are the speeds, ``a`` their rates; the coordinates follow ``dq/dt = N(q) v``. ``form`` is the whole way from a
+:class:`Collection` to a :class:`Model`; it changes nothing of what it reads, so a collection can be formed again with
+other loop equations left out.
 """
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Protocol
 
 import casadi as ca
 
+from jounce.core.errors import AssemblyError
 from jounce.mechanics.linear_algebra import Ldl
+from jounce.mechanics.model import Alike, Balance, Equation, Model, Output, with_numbers
 
 
 class Inertia(Protocol):
@@ -46,11 +51,230 @@ class PointMass:
 class Constraint:
     """Equations ``value = 0`` with their rate and the part of the second rate that no acceleration makes."""
 
-    names: tuple[str, ...]
+    equations: tuple[Equation, ...]
     value: ca.SX
     rate: ca.SX
     bias: ca.SX
     multipliers: ca.SX
+
+
+@dataclass(frozen=True)
+class Track:
+    """A prescribed motion: its value and its first two time derivatives as symbols."""
+
+    value: ca.SX
+    rate: ca.SX
+    acceleration: ca.SX
+
+
+@dataclass
+class Collection:
+    """All that equations of motion are formed of: symbols by name, masses, forces, constraints, signals.
+
+    Attributes
+    ----------
+    coordinates, speeds, accelerations : dict
+        Name to symbol; accelerations by the names of their speeds.
+    units : dict
+        Unit of each coordinate and speed.
+    rates : list of casadi.SX
+        Rates of the coordinates, in groups.
+    quaternions : dict
+        Joint to the index of the first of the four coordinates that say how it is turned.
+    start : dict
+        Coordinate to its value in the design pose (m, rad; 1 for quaternions).
+    internal : dict
+        First-order state to its symbol and its rate.
+    tracks, parameters, switches : dict
+        Name to symbols; a switch to its mode and the expression whose sign decides it.
+    inertias, loads, constraints : list
+        Masses; rates with the forces that do power on them; loop equations.
+    outputs : dict
+        Signal to expression.
+    constants : dict
+        Symbols that stand for numbers, with the numbers.
+    shared : tuple of str
+        Speeds of a body that carries several suspensions.
+    alike : tuple, optional
+        Which parts are built alike (see :class:`Model`).
+    loops : dict
+        Joint that closes a loop to the joints around it, itself first.
+    """
+
+    coordinates: dict[str, ca.SX] = field(default_factory=dict)
+    speeds: dict[str, ca.SX] = field(default_factory=dict)
+    accelerations: dict[str, ca.SX] = field(default_factory=dict)
+    units: dict[str, str] = field(default_factory=dict)
+    rates: list[ca.SX] = field(default_factory=list)
+    quaternions: dict[str, int] = field(default_factory=dict)
+    start: dict[str, float] = field(default_factory=dict)
+    internal: dict[str, tuple[ca.SX, ca.SX | None]] = field(default_factory=dict)
+    tracks: dict[str, Track] = field(default_factory=dict)
+    parameters: dict[str, ca.SX] = field(default_factory=dict)
+    switches: dict[str, tuple[ca.SX, ca.SX]] = field(default_factory=dict)
+    inertias: list[Inertia] = field(default_factory=list)
+    loads: list[tuple[ca.SX, ca.SX]] = field(default_factory=list)
+    constraints: list[Constraint] = field(default_factory=list)
+    outputs: dict[Output, ca.SX] = field(default_factory=dict)
+    constants: dict[str, tuple[ca.SX, float]] = field(default_factory=dict)
+    shared: tuple[str, ...] = ()
+    alike: Alike | None = None
+    loops: dict[str, tuple[str, ...]] = field(default_factory=dict)
+
+    def copy(self) -> Collection:
+        """Give a collection of the same things, to which more can be added."""
+        found = copy.copy(self)
+        for name, value in vars(self).items():
+            if isinstance(value, dict | list):
+                setattr(found, name, value.copy())
+        return found
+
+    @property
+    def q(self) -> ca.SX:
+        """All coordinates."""
+        return ca.vertcat(*self.coordinates.values())
+
+    @property
+    def v(self) -> ca.SX:
+        """All speeds."""
+        return ca.vertcat(*self.speeds.values())
+
+    @property
+    def a(self) -> ca.SX:
+        """All accelerations."""
+        return ca.vertcat(*self.accelerations.values())
+
+    def rate_of(self, expression: ca.SX) -> ca.SX:
+        """Time derivative of an expression of coordinates and tracks."""
+        tracks = self.tracks.values()
+        values = ca.vertcat(*self.coordinates.values(), *(track.value for track in tracks))
+        return ca.jtimes(expression, values, ca.vertcat(*self.rates, *(track.rate for track in tracks)))
+
+    def bias_of(self, rate: ca.SX) -> ca.SX:
+        """Time derivative of a rate with all speeds kept."""
+        tracks = self.tracks.values()
+        moving = ca.vertcat(
+            *self.coordinates.values(), *(track.value for track in tracks), *(track.rate for track in tracks)
+        )
+        rates = ca.vertcat(*self.rates, *(track.rate for track in tracks), *(track.acceleration for track in tracks))
+        return ca.jtimes(rate, moving, rates)
+
+    def accelerated(self, rate: ca.SX) -> ca.SX:
+        """What the accelerations make of a rate."""
+        return ca.jtimes(rate, self.v, self.a)
+
+    def force_on(self, v: ca.SX) -> ca.SX:
+        """Generalised force of all loads on the speeds ``v``."""
+        load = ca.SX(v.shape[0], 1)
+        together: dict[tuple[int, ...], tuple[ca.SX, ca.SX]] = {}  # forces on one point are added first
+        for rate, magnitude in self.loads:
+            key = tuple(element.element_hash() for element in ca.vertsplit(ca.densify(rate)))
+            _, before = together.get(key, (rate, ca.SX(0.0)))
+            together[key] = rate, before + magnitude
+        for rate, magnitude in together.values():
+            load += ca.jacobian(rate, v).T @ magnitude
+        return load
+
+    def constraint(self, dropped: frozenset[str] = frozenset()) -> Constraint:
+        """All loop equations in one, without those named."""
+        equations = [equation for constraint in self.constraints for equation in constraint.equations]
+        kept = [i for i, equation in enumerate(equations) if equation.name not in dropped]
+        if not kept:
+            return Constraint((), *[ca.SX(0, 1)] * 4)
+        columns = zip(*((c.value, c.rate, c.bias, c.multipliers) for c in self.constraints), strict=True)
+        return Constraint(tuple(equations[i] for i in kept), *(ca.vertcat(*column)[kept] for column in columns))
+
+    def displaced(self, displacement: ca.SX) -> ca.SX:
+        """Coordinates after a small displacement in terms of the speeds; quaternions have length one again."""
+        moved = self.q + ca.substitute(ca.vertcat(*self.rates), self.v, ca.densify(displacement))
+        for first in self.quaternions.values():
+            e = moved[first : first + 4]
+            moved[first : first + 4] = e / ca.sqrt(ca.dot(e, e))
+        return moved
+
+
+def form(collection: Collection, dropped: frozenset[str] = frozenset()) -> Model:
+    """Form the equations of motion.
+
+    Parameters
+    ----------
+    collection : Collection
+        Symbols, masses, forces, constraints, signals.
+    dropped : frozenset of str
+        Loop equations to leave out, because others say the same.
+
+    Returns
+    -------
+    Model
+        The equations.
+
+    Raises
+    ------
+    AssemblyError
+        Without coordinates, and where an internal state has no rate.
+    """
+    if not collection.coordinates:
+        raise AssemblyError("a system without coordinates", hint="Add one with coordinate(name).")
+    internal_rates = [slope for _, slope in collection.internal.values() if slope is not None]
+    if len(internal_rates) < len(collection.internal):
+        names = ", ".join(name for name, (_, slope) in collection.internal.items() if slope is None)
+        raise AssemblyError("an internal state has no rate", where=names, hint="Call set_internal_rate.")
+    q, v, a = collection.q, collection.v, collection.a
+    internal = ca.vertcat(*(symbol for symbol, _ in collection.internal.values()))
+    constraint = collection.constraint(dropped)
+    shared = [list(collection.speeds).index(name) for name in collection.shared]
+    solved = solve(v, collection.inertias, collection.force_on(v), constraint, collection.displaced, shared)
+    gone = [c.multipliers[i] for c in collection.constraints for i, e in enumerate(c.equations) if e.name in dropped]
+    lacking = ca.SX(len(gone), 1)  # what is left out holds nothing
+    unknown = ca.vertcat(a, constraint.multipliers, *gone)
+    found = ca.densify(ca.vertcat(solved.acceleration, solved.multipliers, lacking))
+    balance = Balance(
+        unknown=unknown,
+        found=found,
+        residual=solved.residual(a, constraint.multipliers),
+        answer=lambda change: ca.vertcat(solved.answer(change), lacking),
+        rate=ca.vertcat(*collection.rates, a, *internal_rates),
+        output=ca.vertcat(*collection.outputs.values()),
+        moved=collection.displaced,
+        correction=solved.correction,
+        constraint_rate=constraint.rate,
+    )
+    rate, output = (ca.substitute(part, unknown, found) for part in (balance.rate, balance.output))
+    accelerations = ca.vertcat(*(track.acceleration for track in collection.tracks.values()))
+    order = 3 if collection.tracks and ca.depends_on(ca.vertcat(rate, output), accelerations) else 2
+    projection = ca.SX(0, 1)  # nothing can drift
+    if constraint.equations or collection.quaternions:
+        left = ca.sqrt(ca.dot(constraint.value, constraint.value)) if constraint.equations else ca.SX(0.0)
+        projection = ca.vertcat(solved.coordinates, solved.speeds, internal, left, solved.conditioning)
+    inputs = (ca.vertcat(t.value, t.rate, t.acceleration)[:order] for t in collection.tracks.values())
+    model = Model(
+        coordinates=tuple(collection.coordinates),
+        speeds=tuple(collection.speeds),
+        internal=tuple(collection.internal),
+        constraints=tuple(equation.name for equation in constraint.equations),
+        tracks=tuple(collection.tracks),
+        track_order=order,
+        parameters=tuple(collection.parameters),
+        switches=tuple(collection.switches),
+        outputs=tuple(collection.outputs),
+        start=tuple(collection.start.values()),
+        loops=collection.loops,
+        units=tuple(collection.units[name] for name in (*collection.coordinates, *collection.speeds)),
+        quaternions=collection.quaternions,
+        equations=constraint.equations,
+        x=ca.vertcat(q, v, internal),
+        u=ca.vertcat(*inputs),
+        p=ca.vertcat(*collection.parameters.values()),
+        m=ca.vertcat(*(mode for mode, _ in collection.switches.values())),
+        rate=ca.cse(rate),
+        output=ca.cse(output),
+        switch=ca.vertcat(*(expression for _, expression in collection.switches.values())),
+        constraint=ca.cse(constraint.value),
+        projection=ca.cse(projection),
+        balance=balance,
+        alike=collection.alike,
+    )
+    return with_numbers(model, collection.constants) if collection.constants else model
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""Moving frames: where the points and directions of a body are, how fast, and their acceleration at rest of the speeds.
+"""Frames that move: where points and directions of a body are, how fast, and their acceleration for steady speeds.
 
 Every point is named by where it lies in the design pose (ground axes, m); the axes of every frame are the ground's
 in that pose. "Bias" is the part of an acceleration that is left when all speeds keep their values.
@@ -6,7 +6,7 @@ in that pose. "Bias" is the part of an acceleration that is left when all speeds
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import casadi as ca
 
@@ -25,6 +25,34 @@ class Moving:
 
     def __sub__(self, other: Moving) -> Moving:
         return Moving(self.value - other.value, self.rate - other.rate, self.bias - other.bias)
+
+    def dot(self, other: Moving) -> Moving:
+        """Scalar product, as a moving scalar."""
+        return Moving(
+            ca.dot(self.value, other.value),
+            ca.dot(self.rate, other.value) + ca.dot(self.value, other.rate),
+            ca.dot(self.bias, other.value) + 2.0 * ca.dot(self.rate, other.rate) + ca.dot(self.value, other.bias),
+        )
+
+    def scaled(self, factor: Moving) -> Moving:
+        """Multiply with a moving scalar."""
+        return Moving(
+            factor.value * self.value,
+            factor.rate * self.value + factor.value * self.rate,
+            factor.bias * self.value + 2.0 * factor.rate * self.rate + factor.value * self.bias,
+        )
+
+    @property
+    def sine(self) -> Moving:
+        """Sine of a moving angle."""
+        s, c = ca.sin(self.value), ca.cos(self.value)
+        return Moving(s, c * self.rate, c * self.bias - s * self.rate**2)
+
+    @property
+    def cosine(self) -> Moving:
+        """Cosine of a moving angle."""
+        s, c = ca.sin(self.value), ca.cos(self.value)
+        return Moving(c, -s * self.rate, -s * self.bias - c * self.rate**2)
 
 
 class Orientation:
@@ -63,20 +91,16 @@ class FixedOrientation(Orientation):
     def __init__(self) -> None:
         super().__init__(ca.SX.eye(3), _ZERO, _ZERO)
 
-    def rotate(self, vector: ca.SX) -> ca.SX:
-        """Nothing turns."""
+    def rotate(self, vector: ca.SX) -> ca.SX:  # noqa: D102
         return vector
 
-    def unrotate(self, vector: ca.SX) -> ca.SX:
-        """Nothing turns."""
+    def unrotate(self, vector: ca.SX) -> ca.SX:  # noqa: D102
         return vector
 
-    def turned(self, tensor: ca.SX) -> ca.SX:
-        """Nothing turns."""
+    def turned(self, tensor: ca.SX) -> ca.SX:  # noqa: D102
         return tensor
 
-    def moving(self, vector: ca.SX) -> Moving:
-        """Nothing moves."""
+    def moving(self, vector: ca.SX) -> Moving:  # noqa: D102
         return Moving(vector, _ZERO, _ZERO)
 
 
@@ -138,13 +162,52 @@ def by_quaternion(e: ca.SX, spin: ca.SX) -> Orientation:
     return Orientation(quaternion_matrix(e), spin, _ZERO)
 
 
+class Carrier:
+    """What the axes of a frame belong to: here the ground, axes that stand still (see ``carrier`` for those that move).
+
+    Attributes
+    ----------
+    up : casadi.SX, shape (3,)
+        The ground's z axis in the axes of the carrier.
+    moves : bool
+        Whether the axes move.
+    """
+
+    up = ca.SX([0.0, 0.0, 1.0])
+    moves = False
+
+    def height(self, place: ca.SX) -> ca.SX:
+        """Height of a place over z = 0 of the ground, m."""
+        return place[2]
+
+    def outward(self, vector: ca.SX) -> ca.SX:
+        """Turn a vector into ground axes."""
+        return vector
+
+    def inward(self, vector: ca.SX) -> ca.SX:
+        """Turn a vector of the ground into these axes."""
+        return vector
+
+    def velocity(self, point: Moving) -> ca.SX:
+        """Velocity of a point against the ground, m/s, in these axes."""
+        return point.rate
+
+    def spin(self, orientation: Orientation) -> ca.SX:
+        """Angular velocity of an orientation against the ground, rad/s, in these axes."""
+        return orientation.ground_spin
+
+
+GROUND_AXES = Carrier()
+
+
 @dataclass(frozen=True)
 class Frame:
-    """A rigid frame: the design place of its origin, the motion of that origin, and its orientation."""
+    """A rigid frame: the design place of its origin, the motion of that origin, its orientation, and whose axes."""
 
     design: ca.SX
     origin: Moving
     orientation: Orientation
+    carrier: Carrier = GROUND_AXES
 
     def point(self, design: ca.SX) -> Moving:
         """Follow the point that lies at ``design`` in the design pose."""
@@ -158,7 +221,7 @@ class Frame:
 
     def at(self, design: ca.SX) -> Frame:
         """The same frame with its origin elsewhere."""
-        return Frame(design, self.point(design), self.orientation)
+        return replace(self, design=design, origin=self.point(design))
 
     def translated(self, axis: ca.SX, distance: ca.SX, speed: ca.SX, acceleration: ca.SX | float = 0.0) -> Frame:
         """A frame that slides along an axis of this one; ``acceleration`` is a prescribed one."""
@@ -168,22 +231,22 @@ class Frame:
             self.origin.rate + along.rate * distance + along.value * speed,
             self.origin.bias + along.bias * distance + 2.0 * along.rate * speed + along.value * acceleration,
         )
-        return Frame(self.design, origin, self.orientation)
+        return replace(self, origin=origin)
 
     def turned(self, axis: ca.SX, angle: ca.SX, speed: ca.SX) -> Frame:
         """A frame that turns about an axis of this one through its origin."""
         parent = self.orientation
         if isinstance(parent, FixedOrientation):
-            return Frame(self.design, self.origin, AxisRotation(axis, angle, speed))
+            return self.oriented(AxisRotation(axis, angle, speed))
         turn = AxisRotation(axis, angle, speed)
         carried = turn.unrotate(parent.spin)
         spin = carried + axis * speed
         bias = turn.unrotate(parent.spin_bias) + ca.cross(carried, axis * speed)
-        return Frame(self.design, self.origin, Orientation(parent.matrix @ turn.matrix, spin, bias))
+        return self.oriented(Orientation(parent.matrix @ turn.matrix, spin, bias))
 
     def oriented(self, orientation: Orientation) -> Frame:
         """A frame with the same origin and an orientation of its own."""
-        return Frame(self.design, self.origin, orientation)
+        return replace(self, orientation=orientation)
 
 
 GROUND = Frame(_ZERO, Moving(_ZERO, _ZERO, _ZERO), FixedOrientation())

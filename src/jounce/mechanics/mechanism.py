@@ -1,35 +1,93 @@
-"""Mechanisms in space: bodies, joints, loops and forces by name, in the ground axes of the design pose."""
+"""Mechanisms in space: a builder that collects bodies, joints, loads and what is watched, and checks them.
+
+Every place and direction is given where it lies in the design pose: x, y, z in metres in the ground's axes. The first
+joint of a body hangs it into the tree; a joint between two bodies that have their places closes a loop. What the
+builder has collected it lists (``str``, ``to_dict``); ``finish`` forms the equations of it and changes nothing.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import copy
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
 
 import casadi as ca
 import numpy as np
+from numpy.typing import NDArray
 
 from jounce.core.constants import GRAVITY
 from jounce.core.errors import AssemblyError, unknown
 from jounce.core.types import Array
+from jounce.core.units import to_si
+from jounce.mechanics import joints, listing, loads, outputs
 from jounce.mechanics.assembly import removable
-from jounce.mechanics.bodies import Body
-from jounce.mechanics.loads import Loaded
-from jounce.mechanics.model import Model
-from jounce.mechanics.reactions import Reaction, kinetic_energy, tree_reaction, weight_energy
-from jounce.mechanics.rotations import normals
-from jounce.mechanics.tree import Number, Vector
+from jounce.mechanics.bodies import Body, MassProperties, Poses, RigidMass, as_vector, tensor_elements
+from jounce.mechanics.carrier import Carried, MovingCarrier
+from jounce.mechanics.descriptions import Number, Vector
+from jounce.mechanics.equations import Collection, Track, form
+from jounce.mechanics.frames import GROUND, Moving
+from jounce.mechanics.joints import Joint, Motion, Row
+from jounce.mechanics.loads import Action, Load
+from jounce.mechanics.model import Equation, Model
+from jounce.mechanics.outputs import Watch
+from jounce.mechanics.reactions import Reaction, reaction_of
+from jounce.mechanics.rotations import unit
+from jounce.mechanics.system import System
 
 BALANCE = "energy.balance"
 """Work of all forces as a state; kinetic energy less that as an output, in mechanisms with loops."""
 _NONE = ca.SX(3, 1)
+_EMPTY = ca.SX(0, 1)
 
 
-class Mechanism(Loaded):
+@dataclass(frozen=True)
+class Hanging:
+    """A joint of the tree with the body it hangs on another, and the names and symbols of its coordinates."""
+
+    joint: Joint
+    parent: Body
+    child: Body
+    motion: Motion
+    coordinates: tuple[str, ...]
+    quaternion: tuple[str, ...]
+    speeds: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Closing:
+    """A joint that closes a loop, its equations and their multipliers."""
+
+    joint: Joint
+    rows: tuple[Row, ...]
+    multipliers: ca.SX
+
+
+@dataclass(frozen=True)
+class Condition:
+    """An expression that is kept at zero: a ``condition``, a ``coupler`` of coordinates or a ``motion`` of one."""
+
+    name: str
+    kind: str
+    expression: ca.SX
+
+
+class Mechanism(System):
     """A mechanism under construction: bodies, joints, loops, forces, outputs, then ``finish``.
 
     Parameters
     ----------
     gravity : float or casadi.SX
         m/s^2, along -z.
+
+    Attributes
+    ----------
+    ground : Body
+        What everything hangs on.
+    gravity : casadi.SX
+        m/s^2, along -z.
+    values, units : dict
+        Parameter path to the number it was built with (SI), and to its unit.
 
     Examples
     --------
@@ -41,57 +99,556 @@ class Mechanism(Loaded):
     >>> _ = pendulum.revolute("pivot", pendulum.ground, bob, at=(0.0, 0.0, 0.0), axis=(0.0, 1.0, 0.0))
     >>> pendulum.finish().coordinates
     ('pivot.angle',)
+    >>> print(pendulum)
+    bodies
+      bob: mass 1 kg, centre of mass (1, 0, 0) m, inertia xx 0.01, yy 0.01, zz 0.01, xy 0, xz 0, yz 0 kg m^2
+    joints
+      pivot: revolute, ground - bob, at (0, 0, 0) m, axis (0, 1, 0); pivot.angle [rad]
     """
 
     def __init__(self, gravity: Number = GRAVITY) -> None:
-        super().__init__(gravity)
-        self._watched: dict[str, Callable[[], None]] = {}
+        super().__init__()
+        self.poses = Poses()
+        self.ground = Body("ground", self.poses)
+        self.values: dict[str, float] = {}
+        self.units: dict[str, str] = {}
+        self.bodies: dict[str, Body] = {"ground": self.ground}
+        self.hanging: dict[str, Hanging] = {}
+        self.closing: dict[str, Closing] = {}
+        self.conditions: dict[str, tuple[Condition, ca.SX]] = {}
+        self.loads: list[tuple[Load, Action]] = []
+        self.watched: dict[str, Watch] = {}
         self._finished: dict[tuple[object, ...], Model] = {}
+        self.gravity = self.number("gravity", gravity, "m/s^2")
 
-    def reaction(self, joint: str) -> Reaction:
-        """Give force (N) and torque (N m) of a joint on its second body, in ground axes; for outputs only.
+    # numbers ---------------------------------------------------------------------------------------------------
 
-        They are given at the joint (for a closure, at its point on the second body). What drives a coordinate is
-        counted as the joint's; springs, dampers and friction of a joint are not. Ask when all forces and joints are in.
+    def number(self, path: str, value: Number, unit: str = "1") -> ca.SX:
+        """Give the parameter at ``path`` with a value of its own (SI ``unit``); an expression is taken as it is."""
+        if isinstance(value, ca.SX):
+            return value
+        whole = self._scope[1] + path
+        if whole in self.values:
+            hint = "Give every joint, force and watched point a name of its own."
+            raise AssemblyError("the name is used twice", where=whole, hint=hint)
+        self.units[whole] = unit
+        self.values[whole] = to_si(value, unit, where=path)
+        return self.parameter(path)
+
+    def vector(self, path: str, value: Vector, unit: str = "m") -> ca.SX:
+        """Give three parameters ``path[0]`` to ``path[2]`` with values of their own (SI ``unit``)."""
+        shape = value.shape if isinstance(value, ca.SX) else (np.size(np.asarray(value, dtype=object)), 1)
+        if shape != (3, 1):
+            raise AssemblyError("not a vector", where=path, found=f"{shape[0]} numbers", allowed="three: x, y, z")
+        if isinstance(value, ca.SX):
+            return value
+        return ca.vertcat(*(self.number(f"{path}[{i}]", part, unit) for i, part in enumerate(value)))
+
+    def direction(self, path: str, value: Vector) -> ca.SX:
+        """Give the unit vector along three numbers."""
+        if not isinstance(value, ca.SX):
+            found = [to_si(part, "1", where=path) for part in value]
+            if not any(found):
+                raise AssemblyError("an axis without direction", where=path, found=tuple(found), allowed="not all zero")
+        return unit(self.vector(path, value, "1"))
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """Paths of all parameters."""
+        return tuple(self.collection.parameters)
+
+    @property
+    def tracks(self) -> tuple[str, ...]:
+        """Names of all prescribed inputs."""
+        return tuple(self.collection.tracks)
+
+    # bodies ----------------------------------------------------------------------------------------------------
+
+    def body(
+        self,
+        name: str,
+        mass: Number | None = None,
+        centre_of_mass: Vector | None = None,
+        inertia: Sequence[float | str] | NDArray[np.float64] | ca.SX | None = None,
+    ) -> Body:
+        """Add a rigid body.
+
+        Parameters
+        ----------
+        name : str
+            Its name.
+        mass : float, optional
+            kg; without one the body only carries points, and must be welded to bodies with mass or moved by a track.
+        centre_of_mass : sequence of float, shape (3,), optional
+            m, in the design pose.
+        inertia : sequence of float, shape (3,), (6,) or (3, 3), optional
+            xx, yy, zz (, xy, xz, yz) of the tensor about the centre of mass in design axes, kg m^2, or the tensor. A
+            point mass without it.
+
+        Returns
+        -------
+        Body
+            For joints, points and forces.
         """
-        self.settle()
-        self._refuse_carried(f"reaction of {joint}", *self._bodies.values())
-        if joint in self._joints:
-            hung = self._joints[joint]
-            bodies = self._hanging(hung.child)
-            wrenches = [wrench for wrench in self._wrenches if any(wrench.body is body for body in bodies)]
-            found = tree_reaction(self, hung.child, bodies, wrenches)
-            return found if not hung.reversed else Reaction(-found.force, -found.torque, found.point)
-        own = [wrench for wrench in self._wrenches if wrench.joint == joint]
-        if not own:
-            raise unknown(joint, [*self._joints, *self.closures], what="joint", where="reaction")
-        own = [wrench for wrench in own if wrench.body is own[0].body]
-        at = next((wrench.point for wrench in own if wrench.force.nnz()), _NONE)
-        torque = sum((w.torque + ca.cross(w.point - at, w.force) for w in own if w.force.nnz()), ca.SX(3, 1))
-        torque += sum((w.torque for w in own if not w.force.nnz()), ca.SX(3, 1))
-        return Reaction(sum((w.force for w in own), ca.SX(3, 1)), torque, at)
+        placed = self._unused(name, self.bodies)
+        properties = None
+        if mass is not None:
+            if centre_of_mass is None:
+                raise AssemblyError("a mass without its place", where=name, hint="Give centre_of_mass.")
+            properties = MassProperties(
+                self.number(f"{name}.mass", mass, "kg"),
+                self.vector(f"{name}.centre_of_mass", centre_of_mass),
+                self._tensor(f"{name}.inertia", inertia),
+            )
+        elif inertia is not None or centre_of_mass is not None:
+            raise AssemblyError("a centre of mass or an inertia without a mass", where=name, hint="Give mass.")
+        self.bodies[placed] = Body(placed, self.poses, properties)
+        return self.bodies[placed]
+
+    def _tensor(self, path: str, inertia: Sequence[float | str] | NDArray[np.float64] | ca.SX | None) -> ca.SX:
+        if inertia is None:
+            return ca.SX(3, 3)
+        if isinstance(inertia, ca.SX):
+            return inertia
+        names, elements = ("xx", "yy", "zz", "xy", "xz", "yz"), tensor_elements(path, inertia)
+        pairs = zip(names, elements, strict=True)
+        xx, yy, zz, xy, xz, yz = (self.number(f"{path}.{name}", value, "kg*m^2") for name, value in pairs)
+        return ca.vertcat(ca.horzcat(xx, xy, xz), ca.horzcat(xy, yy, yz), ca.horzcat(xz, yz, zz))
+
+    def moving_frame(self, body: Body, field: ca.SX) -> Body:
+        """Give moving axes on a body, for a mechanism that hangs on it: cheaper than joints to the body itself.
+
+        Parameters
+        ----------
+        body : Body
+            A body with a joint.
+        field : casadi.SX, shape (3,)
+            Acceleration that acts on all that hangs there, m/s^2, ground axes: gravity, inertia of driving.
+
+        Returns
+        -------
+        Body
+            It moves with the body; joints to it and between what hangs on it do not see that motion.
+        """
+        self._require_placed("moving frame", body)
+        name = f"{body.name} axes"
+        if name in self.bodies:
+            raise AssemblyError("the name is used twice", where=name)
+        self.bodies[name] = Body(name, self.poses)
+        self.poses.frames[name] = replace(GROUND, carrier=MovingCarrier(body.frame, field))
+        return self.bodies[name]
+
+    # joints ----------------------------------------------------------------------------------------------------
+
+    def add(self, joint: Joint) -> ca.SX:
+        """Add a joint of any class.
+
+        Parameters
+        ----------
+        joint : Joint
+            Its description; the methods below write one for you.
+
+        Returns
+        -------
+        casadi.SX
+            Coordinates (m, rad, 1) of a joint that hangs a body; forces (N) and torques (N m) on the second body of
+            one that closes a loop.
+        """
+        name, first, second = joint.name, joint.first, joint.second
+        self._check(name, first, second)
+        if not joint.hangs:
+            self._require_placed(name, first, second)
+        elif not (first.is_placed or second.is_placed):
+            found, hint = f"{first.name}, {second.name}", "Give the joints in an order that starts at the ground."
+            raise AssemblyError("neither body hangs on anything yet", where=name, found=found, hint=hint)
+        self._refuse_apart(name, first, second)
+        closes = first.is_placed and second.is_placed
+        if closes and not joint.closes:
+            text, hint = joint.refusal
+            raise AssemblyError(text, where=self.placed(name), found=second.name, hint=hint)
+        made = joint.with_symbols(self)
+        joint.check()
+        placed = self._unused(name, (*self.hanging, *self.closing, *self.conditions))
+        return self._close(replace(made, name=placed)) if closes else self._hang(name, replace(made, name=placed))
+
+    def _hang(self, name: str, joint: Joint) -> ca.SX:
+        """Put the body that has no place yet where the joint says."""
+        parent, child, sign = joint.first, joint.second, 1.0
+        if child.is_placed:
+            parent, child, sign = child, parent, -1.0
+        names, units = [f"{name}.{tag}" for tag, _ in joint.coordinates], [unit for _, unit in joint.coordinates]
+        q, v = self.coordinates(names, [f"{text} rate" for text in names], units=units) if names else (_EMPTY, _EMPTY)
+        e, w = self.quaternion(name) if joint.has_quaternion else (_EMPTY, _EMPTY)
+        motion = Motion(q, v, e, w)
+        self.poses.frames[child.name] = joint.hang(parent.frame, motion, sign)
+        coordinates, quaternion = (
+            tuple(symbol.name() for symbol in ca.vertsplit(part)) if part.numel() else () for part in (q, e)
+        )
+        speeds = tuple(symbol.name() for part in (v, w) if part.numel() for symbol in ca.vertsplit(part))
+        self.hanging[joint.name] = Hanging(joint, parent, child, motion, coordinates, quaternion, speeds)
+        return ca.vertcat(q, e)
+
+    def _close(self, joint: Joint) -> ca.SX:
+        """Keep two bodies together that have their places."""
+        rows = tuple(joint.rows())
+        equations = [
+            Equation(f"{joint.name}.{row.tag}" if row.tag else joint.name, joint.name, row.unit) for row in rows
+        ]
+        columns = zip(*((row.residual.value, row.residual.rate, row.residual.bias) for row in rows), strict=True)
+        multipliers = self.constrain(equations, *(ca.vertcat(*column) for column in columns))
+        self.closing[joint.name] = Closing(joint, rows, multipliers)
+        return joint.shown(multipliers)
+
+    def fixed(self, name: str, parent: Body, child: Body) -> None:
+        """Weld two bodies together."""
+        self.add(joints.Fixed(name, parent, child))
+
+    def prismatic(self, name: str, parent: Body, child: Body, axis: Vector, at: Vector = _NONE) -> ca.SX:
+        """Let a body slide along an axis; give the distance (m), positive where the child moves along ``axis``."""
+        return self.add(joints.Prismatic(name, parent, child, at, axis))
+
+    def revolute(self, name: str, parent: Body, child: Body, at: Vector, axis: Vector) -> ca.SX:
+        """Let a body turn about an axis; give the angle (rad), right-handed about ``axis`` from parent to child."""
+        return self.add(joints.Revolute(name, parent, child, at, axis))
+
+    def cylindrical(self, name: str, parent: Body, child: Body, at: Vector, axis: Vector) -> ca.SX:
+        """Let a body slide along an axis and turn about it; give distance (m) and angle (rad)."""
+        return self.add(joints.Cylindrical(name, parent, child, at, axis))
+
+    def screw(self, name: str, parent: Body, child: Body, at: Vector, axis: Vector, pitch: Number) -> ca.SX:
+        """Let a body turn on a thread; give the angle (rad). A turn takes it by ``pitch`` (m, not 0) along ``axis``."""
+        return self.add(joints.Screw(name, parent, child, at, axis, pitch))
+
+    def universal(self, name: str, parent: Body, child: Body, at: Vector, axis: Vector, second_axis: Vector) -> ca.SX:
+        """Cross of two axes at right angles, the first on the first body; give the angles about them (rad)."""
+        return self.add(joints.Universal(name, parent, child, at, axis, second_axis))
+
+    def spherical(self, name: str, parent: Body, child: Body, at: Vector) -> ca.SX:
+        """Let a body turn about a point; give the quaternion of its orientation against the ground."""
+        return self.add(joints.Spherical(name, parent, child, at))
+
+    def link(self, name: str, parent: Body, child: Body, at: Vector, axis: Vector, second_at: Vector) -> ca.SX:
+        """Join two bodies by a link without mass, on a hinge of the first and a ball joint of the second.
+
+        Parameters
+        ----------
+        name : str
+            Its name.
+        parent, child : Body
+            The bodies.
+        at, axis : sequence of float, shape (3,)
+            A point of the hinge (m) and its direction, on the first body.
+        second_at : sequence of float, shape (3,)
+            The ball joint on the second body, m, not on the hinge's axis.
+
+        Returns
+        -------
+        casadi.SX
+            Where it hangs a body: angle of the hinge (rad) and quaternion of that body against the ground.
+        """
+        return self.add(joints.Link(name, parent, child, at, axis, second_at))
+
+    def free(self, name: str, child: Body, at: Vector | None = None, moving_frame: Body | None = None) -> ca.SX:
+        """Let a body fly: place (m, from the design pose) and quaternion, against the ground or a moving frame."""
+        self._check(name, child)
+        if child.mass_properties is None and at is None:
+            raise AssemblyError("a free body without mass", where=child.name, hint="Give mass and centre_of_mass.")
+        centre = child.mass_properties.centre if child.mass_properties is not None else _NONE
+        return self.add(joints.Free(name, moving_frame or self.ground, child, centre if at is None else at))
+
+    def driven(self, name: str, parent: Body, child: Body, axis: Vector, travel: Track | Number) -> None:
+        """Let a body slide along an axis by a prescribed travel (m): a track, or a parameter."""
+        self.add(joints.Driven(name, parent, child, axis, travel))
+
+    def coincident(self, name: str, first: Body, second: Body, at: Vector, second_at: Vector | None = None) -> ca.SX:
+        """Keep a point of one body on a point of another; give the force on the second (N, ground axes)."""
+        if second_at is None:
+            self._require_placed(name, first, second)
+            at = second_at = self.vector(f"{name}.at", at)
+        return self.add(joints.PointToPoint(name, first, second, at, second_at))
+
+    def rod(
+        self, name: str, first: Body, second: Body, at: Vector, second_at: Vector, length: Number | None = None
+    ) -> ca.SX:
+        """Keep two points at a distance (m, by default as designed); give the rod's force (N, tension positive)."""
+        return self.add(joints.Rod(name, first, second, at, second_at, length))
+
+    def point_on_line(self, name: str, first: Body, second: Body, at: Vector, axis: Vector, point: Vector) -> ca.SX:
+        """Keep a point of the second body on a line of the first; give the two forces across the line (N)."""
+        return self.add(joints.PointOnLine(name, first, second, at, axis, point))
+
+    def perpendicular(self, name: str, first: Body, second: Body, axis: Vector, second_axis: Vector) -> ca.SX:
+        """Keep two directions at right angles; give the torque that does it (N m)."""
+        return self.add(joints.Perpendicular(name, first, second, axis, second_axis))
+
+    def parallel(self, name: str, first: Body, second: Body, axis: Vector) -> ca.SX:
+        """Keep a direction of two bodies parallel; give the two torques that do it (N m)."""
+        return self.add(joints.Parallel(name, first, second, axis))
+
+    def coupler(self, name: str, expression: ca.SX) -> ca.SX:
+        """Keep a linear combination of coordinates at zero, such as ``rack - radius * pinion``; give its force."""
+        return self._condition(name, "coupler", expression)
+
+    def motion(self, name: str, coordinate: ca.SX, track: Track) -> ca.SX:
+        """Drive a coordinate (m or rad) along a prescribed input; give the force or torque that it takes."""
+        return self._condition(name, "motion", coordinate - track.value)
+
+    def condition(self, name: str, expression: ca.SX) -> ca.SX:
+        """Keep any expression of coordinates, points of bodies and tracks at zero; give its multiplier."""
+        return self._condition(name, "condition", expression)
+
+    def _condition(self, name: str, kind: str, expression: ca.SX) -> ca.SX:
+        expression = ca.SX(expression)
+        self._check_expression(name, expression)
+        placed = self._unused(name, (*self.hanging, *self.closing, *self.conditions))
+        value = self.poses.resolved(expression)
+        rate = self.rate_of(value)
+        multiplier = self.constrain([Equation(placed, placed, "")], value, rate, self.collection.bias_of(rate))
+        self.conditions[placed] = Condition(placed, kind, expression), multiplier
+        return multiplier
+
+    def _check_expression(self, name: str, expression: ca.SX) -> None:
+        """Refuse what is not one expression of coordinates, such as the force that a closing joint gives."""
+        if expression.shape != (1, 1):
+            hint = "Take one of them, as joint[0]; a closing joint gives its forces and has no coordinate."
+            raise AssemblyError("not one coordinate", where=name, found=f"{expression.shape[0]} expressions", hint=hint)
+        expression = self.poses.resolved(expression)
+        given = [*self.collection.coordinates.values(), *self.collection.parameters.values()]
+        for track in self.collection.tracks.values():
+            given += [track.value, track.rate, track.acceleration]
+        known = {symbol.name() for symbol in given}
+        strange = [symbol.name() for symbol in ca.symvar(expression) if symbol.name() not in known]
+        if strange or not ca.depends_on(expression, self.collection.q):
+            found = f"an expression of {', '.join(strange)}" if strange else "an expression of no coordinate"
+            hint = "Let the joint that is to be driven come before the one that closes the loop." if strange else ""
+            raise AssemblyError("not a condition on coordinates", where=name, found=found, hint=hint)
+
+    def _check(self, name: str, *bodies: Body) -> None:
+        """Refuse bodies of another mechanism, and one body twice."""
+        for body in bodies:
+            if self.bodies.get(body.name) is not body:
+                raise AssemblyError("the body belongs to another mechanism", where=name, found=body.name)
+        if len(bodies) == 2 and bodies[0] is bodies[1]:
+            raise AssemblyError("a body cannot be joined to itself", where=name, found=bodies[0].name)
+
+    def _require_placed(self, name: str, *bodies: Body) -> None:
+        """Refuse bodies that hang on nothing yet."""
+        self._check(name, *bodies)
+        for body in bodies:
+            if not body.is_placed:
+                hint = "Give the joint that carries it first."
+                raise AssemblyError("the body hangs on nothing yet", where=name, found=body.name, hint=hint)
+        self._refuse_apart(name, *bodies)
+
+    def _refuse_apart(self, name: str, *bodies: Body) -> None:
+        """Refuse bodies whose places are in different axes."""
+        carriers = {body.name: body.carrier for body in bodies if body.is_placed}
+        if len(set(map(id, carriers.values()))) > 1:
+            hint = "Join what hangs in a moving frame to that frame, not to its body or the ground."
+            found = ", ".join(carriers)
+            raise AssemblyError("the bodies hang in different moving frames", where=name, found=found, hint=hint)
+
+    def _refuse_moving(self, name: str, *bodies: Body) -> None:
+        """Refuse what is for places in ground axes only."""
+        for body in bodies:
+            if body.carrier.moves:
+                raise AssemblyError("not for what hangs in a moving frame", where=name, found=body.name)
+
+    # loads -----------------------------------------------------------------------------------------------------
+
+    def act(self, load: Load) -> Action:
+        """Add a load of any class; what it gives to its maker is ``shown``."""
+        bodies = [value for value in vars(load).values() if isinstance(value, Body)]
+        self._require_placed(load.name or load.kind, *bodies)
+        made = load.with_symbols(self)
+        action = made.action(self)
+        self.collection.loads.extend(action.power)
+        self.loads.append((replace(made, name=self.placed(load.name)), action))
+        return action
+
+    def force(self, along: ca.SX, magnitude: ca.SX) -> None:
+        """Let ``magnitude`` (N, N m) push ``along`` (m, rad), an expression of coordinates and points of bodies."""
+        self.act(loads.GeneralForce("", ca.SX(along), ca.SX(magnitude)))
+
+    def load(self, rate: ca.SX, magnitude: ca.SX) -> None:
+        """Add a force that does the power ``magnitude * rate``; both may be vectors.
+
+        For reactions it acts on coordinates only; ``force`` and ``apply_force`` know the points, too.
+        """
+        self.act(loads.PowerOnRate("", rate, magnitude))
+
+    def apply_force(self, body: Body, force: ca.SX | Sequence[float], point: Moving | ca.SX | Sequence[float]) -> None:
+        """Let a force (N, ground axes) act on a point of a body, given by ``body.point`` or its design place (m).
+
+        In a moving frame, force and point are in its axes.
+        """
+        self._require_placed("force", body)
+        where = point if isinstance(point, Moving) else body.frame.point(as_vector(point))
+        self.act(loads.PointForce("", body, as_vector(force), where))
+
+    def apply_torque(self, body: Body, torque: ca.SX | Sequence[float]) -> None:
+        """Let a torque (N m, ground axes; in a moving frame its axes) act on a body."""
+        self.act(loads.Torque("", body, as_vector(torque)))
+
+    def push_apart(self, first: Body, second: Body, at: Moving, second_at: Moving, force: ca.SX) -> None:
+        """Let a force (N) push two points apart along the line between them."""
+        self.act(loads.PushApart("", first, second, at, second_at, force))
+
+    def spring_damper(
+        self,
+        name: str,
+        first: Body,
+        second: Body,
+        at: Vector,
+        second_at: Vector,
+        *,
+        stiffness: Number = 0.0,
+        damping: Number = 0.0,
+        free_length: Number | None = None,
+        force: ca.SX | None = None,
+    ) -> tuple[ca.SX, ca.SX]:
+        """Put a spring and damper between two points; give its length (m) and force (N, compression positive).
+
+        Parameters
+        ----------
+        name : str
+            Its name.
+        first, second : Body
+            The bodies it pushes apart.
+        at, second_at : sequence of float, shape (3,)
+            Its ends in the design pose, m.
+        stiffness : float
+            N/m.
+        damping : float
+            N s/m.
+        free_length : float, optional
+            m; by default the length in the design pose.
+        force : casadi.SX, optional
+            A law of your own in place of stiffness and damping, N, positive in compression.
+
+        Returns
+        -------
+        tuple of casadi.SX
+            Length and force.
+        """
+        law = loads.SpringDamper(name, first, second, at, second_at, free_length, stiffness, damping)
+        if force is not None:
+            law = replace(law, free_length=None, stiffness=None, damping=None, force=force)
+        length, force = self.act(law).shown
+        return length, force
+
+    def rotational_spring_damper(
+        self,
+        name: str,
+        joint: str,
+        *,
+        stiffness: Number = 0.0,
+        damping: Number = 0.0,
+        free_angle: Number = 0.0,
+        torque: ca.SX | None = None,
+    ) -> ca.SX:
+        """Put a spring and damper on the angle of a joint of the tree; give its torque (N m).
+
+        Parameters
+        ----------
+        name : str
+            Its name.
+        joint : str
+            The joint: one with the coordinate ``<joint>.angle``.
+        stiffness : float
+            N m/rad.
+        damping : float
+            N m s/rad.
+        free_angle : float
+            Angle without torque, rad.
+        torque : casadi.SX, optional
+            A law of your own (use ``coordinate_named`` and ``rate_of``), N m, positive along the angle.
+
+        Returns
+        -------
+        casadi.SX
+            Torque along the angle.
+        """
+        turning = {text: f"{text}.angle" for text, hung in self.hanging.items() if f"{text}.angle" in hung.coordinates}
+        if joint not in turning:
+            raise unknown(joint, turning, what="joint with an angle in the tree", where=name)
+        angle = self.collection.coordinates[turning[joint]]
+        law = loads.RotationalSpringDamper(name, joint, angle, stiffness, free_angle, damping)
+        if torque is not None:
+            law = replace(law, stiffness=None, free_angle=None, damping=None, torque=torque)
+        return self.act(law).shown[0]
+
+    def stop(
+        self,
+        name: str,
+        coordinate: ca.SX,
+        *,
+        lower: Number | None = None,
+        upper: Number | None = None,
+        stiffness: Number,
+        damping: Number = 0.0,
+    ) -> ca.SX:
+        """Put elastic stops at the ends of a coordinate's travel; give their force or torque on it (N or N m).
+
+        Parameters
+        ----------
+        name : str
+            Its name.
+        coordinate : casadi.SX
+            What the joint gave, such as its angle or distance, or an expression of such and of points of bodies.
+        lower, upper : float, optional
+            Where they are touched, m or rad.
+        stiffness : float
+            N/m or N m/rad.
+        damping : float
+            N s/m or N m s/rad while touched; a stop does not pull, so the loss ends where it would.
+        """
+        self._check_expression(name, coordinate)
+        length = self._length_of(coordinate)
+        return self.act(loads.Stop(name, coordinate, length, stiffness, damping, lower, upper)).shown[0]
+
+    def friction(self, name: str, coordinate: ca.SX, force: Number, *, regularisation_rate: Number = 2e-3) -> ca.SX:
+        """Put Coulomb friction on a coordinate; give its force or torque on it (N or N m).
+
+        Parameters
+        ----------
+        name : str
+            Its name.
+        coordinate : casadi.SX
+            What the joint gave, such as its angle or distance.
+        force : float
+            N or N m, whatever the joint carries.
+        regularisation_rate : float
+            m/s or rad/s: below about that rate the force turns over smoothly, so a joint that should stick creeps.
+        """
+        self._check_expression(name, coordinate)
+        law = loads.Friction(name, coordinate, self._length_of(coordinate), regularisation_rate, force)
+        return self.act(law).shown[0]
+
+    def _length_of(self, expression: ca.SX) -> str:
+        """``rad`` for what is made of angles only, ``m`` otherwise."""
+        units = {self.collection.units.get(symbol.name()) for symbol in ca.symvar(expression)} - {None}
+        return "rad" if units == {"rad"} and not self.poses.occurring(expression) else "m"
+
+    # what is watched -------------------------------------------------------------------------------------------
 
     def watch_point(self, name: str, body: Body, at: Vector) -> None:
         """Let a point of a body be seen: ``<name>.x, .vx, .ax`` and so on, ground axes (m, m/s, m/s^2)."""
-        self._refuse_carried(name, body)
-        point = body.point(self.vector(f"{name}.place", at))
-        acceleration = point.bias + self.accelerated(point.rate)
-        for i, axis in enumerate("xyz"):
-            self.output(f"{name}.{axis}", point.value[i], "m", f"{name}, {axis}")
-            self.output(f"{name}.v{axis}", point.rate[i], "m/s", f"{name}, velocity along {axis}")
-            self.output(f"{name}.a{axis}", acceleration[i], "m/s^2", f"{name}, acceleration along {axis}")
+        self._refuse_moving(name, body)
+        self._see(outputs.WatchedPoint(name, body, at))
 
     def watch_body(self, body: Body) -> None:
-        """Let a body be seen: its centre of mass, angular velocity (rad/s) and acceleration (rad/s^2), ground axes."""
-        if body.mass_properties is None or body.frame is None:
+        """Let a body be seen, in ground axes.
+
+        Its centre of mass as a point; angular velocity ``<body>.wx`` (rad/s) and acceleration ``.alpha_x`` (rad/s^2);
+        how it is turned out of the design pose: quaternion ``.q0`` to ``.q3`` (1; the scalar part ``q0`` is never
+        negative) and ``.roll``, ``.pitch``, ``.yaw`` (rad): turns about the ground's z axis (yaw), then the new y axis
+        (pitch), then the new x axis (roll), as ISO 8855 has them.
+        """
+        if body.mass_properties is None or not body.is_placed:
             raise AssemblyError("a body without mass or joint has nothing to show", where=body.name)
-        self.watch_point(body.name, body, body.mass_properties.centre)
-        orientation = body.frame.orientation
-        spin_rate = orientation.rotate(orientation.spin_bias + self.accelerated(orientation.spin))
-        for i, axis in enumerate("xyz"):
-            self.output(f"{body.name}.w{axis}", body.spin[i], "rad/s", f"{body.name}, angular velocity about {axis}")
-            text = f"{body.name}, angular acceleration about {axis}"
-            self.output(f"{body.name}.alpha_{axis}", spin_rate[i], "rad/s^2", text)
+        self._refuse_moving(body.name, body)
+        self._see(outputs.WatchedBody(body.name, body, body.mass_properties.centre))
 
     def watch_angle(self, name: str, first: Body, second: Body, axis: Vector) -> None:
         """Let the turn of a body against another be seen: ``<name>`` (rad), ``<name> rate``, ``<name> acceleration``.
@@ -106,11 +663,8 @@ class Mechanism(Loaded):
             Fixed to the first body, given in the design pose; the turn is right-handed about it, from -pi to pi, zero
             in the design pose. Where the second body also tilts, it is the turn seen along the axis.
         """
-        self._held(name, first, second)
-        across, sideways = normals(self.direction(f"{name}.axis", axis))
-        turned = second.direction(across).value
-        angle = ca.atan2(ca.dot(turned, first.direction(sideways).value), ca.dot(turned, first.direction(across).value))
-        self._show(name, angle, self.rate_of(angle), self.acceleration_of(angle), "rad")
+        self._require_placed(name, first, second)
+        self._see(outputs.WatchedAngle(name, first, second, axis))
 
     def watch_coordinates(self) -> None:
         """Let all coordinates and speeds be seen, with accelerations.
@@ -118,48 +672,34 @@ class Mechanism(Loaded):
         A distance (m) or angle (rad) comes with ``<name> rate`` and ``<name> acceleration``; an orientation as its
         quaternion ``<joint>.e0`` to ``.e3`` and its angular velocity ``<joint>.wx`` to ``.wz`` (rad/s, body axes).
         """
-        self._watched["coordinates"] = self._show_coordinates
+        self._see(outputs.WatchedCoordinates("coordinates"))
 
-    def _show_coordinates(self) -> None:
-        for name, symbol in self._coordinates.items():
-            speed = f"{name} rate"
-            if speed in self._speeds:
-                unit = "rad" if name.endswith("angle") else "m"
-                self._show(name, symbol, self._speeds[speed], self._accelerations[speed], unit)
-            else:
-                self.output(name, symbol, "1", f"{name}, quaternion")
-        for name, symbol in self._speeds.items():
-            if name.removesuffix(" rate") not in self._coordinates:
-                self.output(name, symbol, "rad/s", f"{name}, angular velocity in the body's axes")
-
-    def _show(self, name: str, value: ca.SX, rate: ca.SX, acceleration: ca.SX, unit: str) -> None:
-        self.output(name, value, unit, name)
-        self.output(f"{name} rate", rate, f"{unit}/s", f"{name}, rate")
-        self.output(f"{name} acceleration", acceleration, f"{unit}/s^2", f"{name}, acceleration")
-
-    def watch_reaction(self, joint: str, frame: str = "ground") -> None:
-        """Let a joint's reaction on its second body be seen: ``<joint>.fx`` to ``.tz``, N and N m.
+    def watch_reaction(
+        self, joint: str, frame: str = "ground", *, at: Vector | None = None, on: str | None = None
+    ) -> None:
+        """Let a joint's reaction be seen: ``<joint>.fx`` to ``.tz``, N and N m.
 
         Parameters
         ----------
         joint : str
-            A joint of the tree or a closure. What is added to the mechanism later counts, too.
+            A joint of the tree, a closure, or a condition, coupler or motion. What is added later counts, too.
         frame : str
             ``"ground"``, or the name of a body whose axes are used.
+        at : sequence of float, shape (3,), optional
+            Point for which the torque is given: its place in the design pose (m) on the body that feels the reaction.
+            By default the joint; for a closure its point on the second body.
+        on : str, optional
+            The body that feels the reaction: by default the joint's second; of a condition, of all bodies that it acts
+            on the one that comes last in the mechanism.
         """
-        if joint not in (*self._joints, *self.closures):
-            raise unknown(joint, [*self._joints, *self.closures], what="joint", where="reaction")
-        if frame not in self._bodies:
-            raise unknown(frame, self._bodies, what="body", where=f"reaction of {joint}")
-        self._watched[f"reaction of {joint}"] = lambda: self._show_reaction(joint, self._bodies[frame])
-
-    def _show_reaction(self, joint: str, carrier: Body) -> None:
-        found = self.reaction(joint)
-        for symbol, vector, unit in (("f", found.force, "N"), ("t", found.torque, "N*m")):
-            turned = self._frame_of(carrier).orientation.unrotate(vector)
-            for i, axis in enumerate("xyz"):
-                what = "force" if symbol == "f" else "torque"
-                self.output(f"{joint}.{symbol}{axis}", turned[i], unit, f"{joint}, reaction {what} along {axis}")
+        known = [*self.joints, *self.closures, *self.conditions]
+        if joint not in known:
+            raise unknown(joint, known, what="joint", where="reaction")
+        for body in (frame, *([on] if on else [])):
+            if body not in self.bodies:
+                raise unknown(body, self.bodies, what="body", where=f"reaction of {joint}")
+        place = None if at is None else self.vector(f"{joint}.reaction_at", at)
+        self.watched[f"reaction of {joint}"] = outputs.WatchedReaction(joint, on, self.bodies[frame], place)
 
     def watch_energy(self) -> None:
         """Let energies be seen (J), and what is left open of the loops.
@@ -169,87 +709,137 @@ class Mechanism(Loaded):
         by laws of your own and bushings are not among them. ``energy.balance``, where there are loops, is the kinetic
         energy less the work of all forces: constant but for errors. ``constraint.residual`` is in m and rad.
         """
-        self._watched["energy"] = self._show_energy
+        self._see(outputs.WatchedEnergy("energy"))
 
-    def _show_energy(self) -> None:
-        self.output("energy.kinetic", self.kinetic_energy(), "J", "kinetic energy")
-        self.output("energy.weight", self.weight_energy(), "J", "potential energy of the weights")
-        self.output("constraint.residual", self.residual(), "m", "what is left open of the loops")
-        if self._stored:
-            self.output("energy.elastic", _total(self._stored), "J", "energy of the springs")
-        for name, powers, text in (
-            ("energy.dissipated", self._lost, "energy lost in dampers since the start"),
-            ("energy.supplied", self._supplied, "energy put in by motions since the start"),
-        ):
-            if powers:
-                taken = self._internal[name][0] if name in self._internal else self.internal_state(name)
-                self.set_internal_rate(name, _total(powers))
-                self.output(name, taken, "J", text)
+    def _see(self, watch: Watch) -> None:
+        """Watch something; coordinates and energies once, however often that is said."""
+        key = watch.kind if watch.name == watch.kind else f"{watch.kind} of {self.placed(watch.name)}"
+        if key in self.watched and watch.name != watch.kind:
+            raise AssemblyError("the name is used twice", where=self.placed(watch.name))
+        made = watch.with_symbols(self)
+        self.watched[key] = replace(made, name=made.name if made.name == made.kind else self.placed(made.name))
+
+    def reaction(self, joint: str, on: str | None = None) -> Reaction:
+        """Give force (N) and torque (N m) of a joint, closure or condition in ground axes; for outputs only.
+
+        They are given at the joint (for a closure, at its point on the second body), as they act on ``on``, by default
+        the joint's second body. What holds a coordinate itself (a motion, coupler or condition on it) is transmitted by
+        its joint and counted there; springs, dampers, stops, friction and forces on it are not. Ask when all forces and
+        joints are in.
+        """
+        return reaction_of(self.complete(), joint, on)
 
     def kinetic_energy(self) -> ca.SX:
         """Kinetic energy of all bodies, J."""
-        return kinetic_energy(self._bodies.values())
+        return outputs.kinetic_energy(self.bodies.values())
 
     def weight_energy(self) -> ca.SX:
         """Potential energy of the weights, J, zero in the design pose."""
-        return weight_energy(self._bodies.values(), self.gravity)
+        return outputs.weight_energy(self.bodies.values(), self.gravity)
 
-    def residual(self) -> ca.SX:
-        """Size of what is left open of all loops (m and rad)."""
-        values = ca.vertcat(*(constraint.value for constraint in self._constraints))
-        return ca.sqrt(ca.dot(values, values)) if values.numel() else ca.SX(0.0)
-
-    @property
-    def parameters(self) -> tuple[str, ...]:
-        """Paths of all parameters."""
-        return tuple(self._parameters)
-
-    @property
-    def tracks(self) -> tuple[str, ...]:
-        """Names of all prescribed inputs."""
-        return tuple(self._tracks)
-
-    @property
-    def bodies(self) -> dict[str, Body]:
-        """All bodies by name, the ground first."""
-        return dict(self._bodies)
+    # what there is ---------------------------------------------------------------------------------------------
 
     @property
     def joints(self) -> tuple[str, ...]:
         """Names of the joints of the tree, from the ground outwards."""
-        return tuple(self._joints)
+        return tuple(self.hanging)
 
     @property
     def closures(self) -> tuple[str, ...]:
-        """Names of what closes the loops."""
-        return tuple(dict.fromkeys(wrench.joint for wrench in self._wrenches if wrench.source))
+        """Names of the joints that close loops."""
+        return tuple(self.closing)
 
     def loops(self) -> dict[str, tuple[str, ...]]:
         """Joint that closes a loop to the joints around that loop, itself first."""
-        ends: dict[str, dict[str, list[str]]] = {}
-        for wrench in self._wrenches:
-            if wrench.source:
-                branches = ends.setdefault(wrench.joint, {})
-                branches[wrench.body.name] = self._branch(wrench.body)
         found = {}
-        for name, branches in ends.items():
-            joints = [joint for branch in branches.values() for joint in branch]
-            found[name] = (name, *(joint for joint in joints if joints.count(joint) == 1))
+        for name, closed in self.closing.items():
+            around = [*self._branch(closed.joint.second), *self._branch(closed.joint.first)]
+            found[name] = (name, *(joint for joint in around if around.count(joint) == 1))
         return found
 
     def _branch(self, body: Body) -> list[str]:
         """Joints from the ground to a body."""
-        for joint in self._joints.values():
-            if joint.child is body:
-                return [*self._branch(joint.parent), joint.name]
+        for name, hung in self.hanging.items():
+            if hung.child is body:
+                return [*self._branch(hung.parent), name]
         return []
 
-    def _hanging(self, root: Body) -> list[Body]:
+    def hanging_on(self, root: Body) -> list[Body]:
         """A body and all that hangs on it."""
         found = [root]
-        for joint in self._joints.values():
-            if any(joint.parent is body for body in found):
-                found.append(joint.child)
+        for hung in self.hanging.values():
+            if any(hung.parent is body for body in found):
+                found.append(hung.child)
+        return found
+
+    def to_dict(self, values: Mapping[str, float] | None = None) -> dict[str, Any]:
+        """List bodies, joints, loops, conditions, loads and what is watched, with their numbers.
+
+        Parameters
+        ----------
+        values : mapping, optional
+            Parameter path to value (SI), in place of or besides those it was built with.
+
+        Returns
+        -------
+        dict
+            Strictly plain data (SI); None for a number that is not known.
+        """
+        return listing.as_data(self, {**self.values, **(values or {})})
+
+    def __str__(self) -> str:
+        return listing.as_text(self.to_dict())
+
+    # the equations ---------------------------------------------------------------------------------------------
+
+    def rate_of(self, expression: ca.SX) -> ca.SX:
+        """Give the time derivative of an expression of coordinates, points of bodies and tracks."""
+        return super().rate_of(self.poses.resolved(ca.SX(expression)))
+
+    def complete(self) -> Mechanism:
+        """Give the same with masses and weights of all its bodies; what is added to that does not change this one."""
+        whole = copy.copy(self)
+        whole.collection, whole.loads, whole.watched = self.collection.copy(), list(self.loads), dict(self.watched)
+        whole._scope = ("", "")
+        carriers: dict[int, MovingCarrier] = {}
+        for body in self.bodies.values():
+            if not body.is_placed:
+                raise AssemblyError("the body hangs on nothing", where=body.name, hint="Give it a joint, or free().")
+            properties, carrier = body.mass_properties, body.carrier
+            if isinstance(carrier, MovingCarrier):
+                carriers[id(carrier)] = carrier
+            elif properties is not None:
+                whole.inertia(RigidMass(body.frame, properties))
+                weight = ca.vertcat(0.0, 0.0, -properties.mass * self.gravity)
+                whole.act(loads.PointForce("", body, weight, body.frame.point(properties.centre)))
+        for carrier in carriers.values():
+            for group in _by_place(body for body in self.bodies.values() if body.carrier is carrier):
+                whole.inertia(carrier.masses([_carried(body) for body in group]))
+        whole.collection.loops = self.loops()
+        return whole
+
+    def supplied(self) -> list[ca.SX]:
+        """Powers of the motions that tracks prescribe, W."""
+        tracks = self.collection.tracks.values()
+        values, rates = (ca.vertcat(*(getattr(track, part) for track in tracks)) for part in ("value", "rate"))
+        driven = [pair for pair in self.conditions.values() if tracks and ca.depends_on(pair[0].expression, values)]
+        return [-multiplier * ca.jtimes(one.expression, values, rates) for one, multiplier in driven]
+
+    def mass_matrix(self, model: Model) -> ca.Function:
+        """Give the mass matrix (kg, kg m, kg m^2) of the speeds as a function of the model's x, u and p."""
+        whole, v = self.complete(), self.collection.v
+        matrix = sum((inertia.matrix(v) for inertia in whole.collection.inertias), ca.SX(v.shape[0], v.shape[0]))
+        return ca.Function("mass", [model.x, model.u, model.p], [matrix])
+
+    def mass_values(self, values: Mapping[str, float]) -> dict[str, tuple[float, Array]]:
+        """Mass (kg) and inertia (kg m^2, (3, 3)) of every body at parameter values."""
+        p, numbers = ca.vertcat(*self.collection.parameters.values()), [values[path] for path in self.parameters]
+        found = {}
+        for body in self.bodies.values():
+            if body.mass_properties is not None:
+                properties = [body.mass_properties.mass, body.mass_properties.inertia]
+                mass, inertia = ca.Function("mass", [p], properties)(numbers)
+                found[body.name] = float(mass), inertia.full()
         return found
 
     def finish(
@@ -279,27 +869,11 @@ class Mechanism(Loaded):
         Model
             The equations.
         """
-        model = self._formed(frozenset())
+        model = self._formed(frozenset(), balance=False)
         if redundant == "remove" and model.constraints:
             dropped = removable(model, *self._numbers(model, values or {}, inputs or {}), start)
-            return self._formed(dropped) if dropped else model
+            return self._formed(dropped, balance=False) if dropped else model
         return model
-
-    def _formed(self, dropped: frozenset[str]) -> Model:
-        """Form the equations without some of the loops'."""
-        self.settle()
-        for show in self._watched.values():
-            show()
-        self._dropped: frozenset[str] = dropped
-        return super().finish()
-
-    def _numbers(self, model: Model, values: Mapping[str, float], inputs: Mapping[str, float]) -> tuple[Array, Array]:
-        """Parameters and inputs of a model."""
-        every = {**self.values, **values}
-        u = np.zeros(model.u.shape[0])
-        for i, name in enumerate(model.tracks):
-            u[i * model.track_order] = inputs.get(name, 0.0)
-        return np.array([every[name] for name in model.parameters]), u
 
     def model(
         self,
@@ -309,7 +883,7 @@ class Mechanism(Loaded):
         values: Mapping[str, float] | None = None,
         inputs: Mapping[str, float] | None = None,
     ) -> Model:
-        """Give the finished model, formed anew only when something was added.
+        """Give the finished model for a run, formed anew only when something was added.
 
         Parameters
         ----------
@@ -327,26 +901,79 @@ class Mechanism(Loaded):
 
     def _kept(self, dropped: frozenset[str]) -> Model:
         """The model without some of the loop equations, formed once."""
-        if (dropped, *self._size()) not in self._finished:
-            self._account()
-            model = self._formed(dropped)  # what is watched may add to the size
-            self._finished[dropped, *self._size()] = model
-        return self._finished[dropped, *self._size()]
-
-    def _account(self) -> None:
-        """Let a run see what its loops make of the energy: none of it may come or go there."""
-        self.settle()
-        power = self.power()
-        if self._constraints and power is not None:
-            taken = self._internal[BALANCE][0] if BALANCE in self._internal else self.internal_state(BALANCE)
-            self.set_internal_rate(BALANCE, power)
-            self.output(BALANCE, self.kinetic_energy() - taken, "J", "kinetic energy less the work of all forces")
+        key = (dropped, *self._size())
+        if key not in self._finished:
+            self._finished[key] = self._formed(dropped, balance=True)
+        return self._finished[key]
 
     def _size(self) -> tuple[object, ...]:
         """What grows with everything that is added."""
-        each = (self._bodies, self._joints, self._constraints, self._loads, self._parameters, self._outputs)
-        return (*(len(part) for part in each), *self._watched)
+        each = (self.bodies, self.hanging, self.closing, self.conditions, self.loads, *vars(self.collection).values())
+        return (*(len(part) for part in each if isinstance(part, dict | list)), *self.watched.values())
+
+    def _formed(self, dropped: frozenset[str], *, balance: bool) -> Model:
+        """Form the equations without some of the loops'; with what a run's loops make of the energy, if asked."""
+        whole = self.complete()
+        if balance and whole.collection.constraints:
+            whole.watch_balance()
+        for watch in self.watched.values():
+            watch.show(whole)
+        return form(_resolved(whole.collection, self.poses), dropped)
+
+    def watch_balance(self) -> None:
+        """Show what the loops make of the energy: none may come or go there. Unknown where a track moves a body."""
+        moved = any(isinstance(hung.joint, joints.Driven) for hung in self.hanging.values())
+        if moved and self.tracks:
+            return
+        power = outputs.total(ca.dot(rate, force) for rate, force in self.collection.loads)
+        taken = self.internal_state(BALANCE)
+        self.set_internal_rate(BALANCE, power + outputs.total(self.supplied()))
+        self.output(BALANCE, self.kinetic_energy() - taken, "J", "kinetic energy less the work of all forces")
+
+    def _numbers(self, model: Model, values: Mapping[str, float], inputs: Mapping[str, float]) -> tuple[Array, Array]:
+        """Parameters and inputs of a model."""
+        every = {**self.values, **values}
+        u = np.zeros(model.u.shape[0])
+        for i, name in enumerate(model.tracks):
+            u[i * model.track_order] = inputs.get(name, 0.0)
+        return np.array([every[name] for name in model.parameters]), u
 
 
-def _total(terms: list[ca.SX]) -> ca.SX:
-    return sum(terms, ca.SX(0.0))
+def _resolved(collection: Collection, poses: Poses) -> Collection:
+    """Put what the joints say in place of all points that expressions name."""
+    loads = [part for pair in collection.loads for part in pair]
+    rates = [rate for _, rate in collection.internal.values()]
+    switches = [expression for _, expression in collection.switches.values()]
+    parts = [*loads, *(rate for rate in rates if rate is not None), *switches, *collection.outputs.values()]
+    named = poses.occurring(ca.veccat(*parts)) if parts else []
+    if not named:
+        return collection
+    symbols, values = ([getattr(one, part) for one in named] for part in ("symbol", "value"))
+    found = iter(ca.substitute(parts, symbols, values))
+    return replace(
+        collection,
+        loads=[(next(found), next(found)) for _ in collection.loads],
+        internal={
+            name: (symbol, None if rate is None else next(found))
+            for name, (symbol, rate) in collection.internal.items()
+        },
+        switches={name: (mode, next(found)) for name, (mode, _) in collection.switches.items()},
+        outputs={output: next(found) for output in collection.outputs},
+    )
+
+
+def _by_place(bodies: Iterable[Body]) -> list[list[Body]]:
+    """Bodies with mass by the place they belong to, as their names say."""
+    found: dict[str, list[Body]] = {}
+    for body in bodies:
+        if body.mass_properties is not None:
+            found.setdefault(body.name.rpartition(".")[0], []).append(body)
+    return list(found.values())
+
+
+def _carried(body: Body) -> Carried:
+    """A body with mass, in moving axes."""
+    assert body.mass_properties is not None
+    properties, frame = body.mass_properties, body.frame
+    alone = RigidMass(frame, properties)
+    return Carried(properties.mass, frame.point(properties.centre), frame.orientation, properties.inertia, alone)

@@ -73,6 +73,19 @@ class Output:
 
 
 @dataclass(frozen=True)
+class Equation:
+    """One equation that closes a loop: its name, the joint it belongs to, and the unit of its value.
+
+    ``m`` is a distance, ``rad`` the sine of an angle; half the square of a length is in ``m^2``, and a condition of
+    coordinates, which may mix units, in ``""``.
+    """
+
+    name: str
+    joint: str
+    unit: str
+
+
+@dataclass(frozen=True)
 class Facts:
     """Names and counts of a model: all that is known of it without its equations (see :class:`Model`).
 
@@ -173,6 +186,12 @@ class Model:
         Expressions of the symbols.
     loops : dict
         Joint that closes a loop to the joints around that loop.
+    units : tuple of str
+        Units of coordinates and speeds.
+    quaternions : dict
+        Joint to the index of the first of four coordinates that are its quaternion.
+    equations : tuple of Equation
+        The loop equations named in ``constraints``, with their joints and units.
     constraint : casadi.SX
         Loop equations, zero where the loops are closed.
     projection : casadi.SX
@@ -197,6 +216,9 @@ class Model:
     outputs: tuple[Output, ...]
     start: tuple[float, ...]
     loops: dict[str, tuple[str, ...]]
+    units: tuple[str, ...]
+    quaternions: dict[str, int]
+    equations: tuple[Equation, ...]
     x: ca.SX
     u: ca.SX
     p: ca.SX

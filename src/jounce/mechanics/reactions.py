@@ -1,39 +1,24 @@
-"""Reactions of joints: the force and torque that hold a joint together, by Newton and Euler on what hangs on it."""
+"""Reactions of joints, by Newton and Euler on what hangs on them, and of all that holds a mechanism otherwise.
+
+Whatever acts is a force and a torque on bodies. A load or condition along an expression pushes every point that the
+expression names along what the expression gains when that point moves; on a coordinate that it names, it acts between
+the two bodies of its joint. So all that acts on what hangs on a joint is known, and what lacks is the joint's.
+"""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import casadi as ca
 
+from jounce.core.errors import AssemblyError, unknown
 from jounce.mechanics.bodies import Body, MassProperties
+from jounce.mechanics.loads import Wrench
 
-if TYPE_CHECKING:
-    from jounce.mechanics.tree import Tree
-
-
-@dataclass(frozen=True)
-class Wrench:
-    """A force (N) at a point and a torque (N m) on a body, in ground axes; ``source`` names the equation behind it."""
-
-    body: Body
-    force: ca.SX
-    point: ca.SX
-    torque: ca.SX
-    source: str = ""
-
-    @property
-    def joint(self) -> str:
-        """The joint that closes a loop by it; empty for applied forces."""
-        return joint_of(self.source)
-
-
-def joint_of(equation: str) -> str:
-    """Joint that a loop equation, named ``<joint>.<direction>``, belongs to."""
-    return re.sub(r"\.(x|y|z|across|across_2|tilt|tilt_2|twist|cross)$", "", equation)
+if TYPE_CHECKING:  # it only reads what the mechanism has collected
+    from jounce.mechanics.mechanism import Mechanism
 
 
 @dataclass(frozen=True)
@@ -43,67 +28,152 @@ class Reaction:
     force: ca.SX
     torque: ca.SX
     point: ca.SX
+    body: Body
+    """The body that feels it."""
+
+    def at(self, point: ca.SX) -> Reaction:
+        """Give the same at another point."""
+        return Reaction(self.force, self.torque + ca.cross(self.point - point, self.force), point, self.body)
 
 
-def tree_reaction(tree: Tree, child: Body, bodies: Iterable[Body], wrenches: Iterable[Wrench]) -> Reaction:
-    """Reaction of the joint that carries ``child``: inertia of all that hangs on it, less what else acts there.
+@dataclass(frozen=True)
+class Acting:
+    """A wrench, the closure or condition it comes from (empty for loads), and the joint whose coordinate that holds."""
+
+    wrench: Wrench
+    source: str = ""
+    through: str = ""
+
+
+def reaction_of(mechanism: Mechanism, name: str, on: str | None = None) -> Reaction:
+    """Reaction of a joint or condition of a mechanism with all its masses and weights.
 
     Parameters
     ----------
-    tree : Tree
-        Gives the accelerations.
-    child : Body
-        The body the joint carries; the reaction is given at its frame's origin.
-    bodies : iterable of Body
-        ``child`` and everything that hangs on it.
-    wrenches : iterable of Wrench
-        All that acts on those bodies but tree joints.
+    mechanism : Mechanism
+        All that acts must be in it.
+    name : str
+        A joint of the tree, a closure or a condition.
+    on : str, optional
+        The body that feels it: by default the joint's second, or of all that a condition acts on the last in the tree.
     """
-    assert child.frame is not None
+    for body in mechanism.bodies.values():
+        if body.carrier.moves:
+            hint = "Reactions are known where everything hangs on the ground."
+            raise AssemblyError("not for what hangs in a moving frame", where=f"reaction of {name}", hint=hint)
+    acting = all_acting(mechanism)
+    if name in mechanism.joints:
+        hung = mechanism.hanging[name]
+        hanging = {body.name for body in mechanism.hanging_on(hung.child)}
+        # what holds a coordinate is transmitted by its joint, as by a motor in the hinge
+        found = _newton_euler(
+            mechanism,
+            hung.child,
+            [body for body in mechanism.bodies.values() if body.name in hanging],
+            [one.wrench for one in acting if one.wrench.body.name in hanging and one.through != name],
+        )
+        bodies, felt = [hung.joint.first.name, hung.joint.second.name], hung.child.name
+        on = on or bodies[1]
+    else:
+        own = [one.wrench for one in acting if one.source == name]
+        if not own:
+            raise unknown(
+                name, [*mechanism.joints, *mechanism.closures, *mechanism.conditions], what="joint", where="reaction"
+            )
+        bodies = list(dict.fromkeys(one.body.name for one in own))
+        if name in mechanism.closures:
+            bodies = [mechanism.closing[name].joint.first.name, mechanism.closing[name].joint.second.name]
+        ordered = [body for body in mechanism.bodies if body in bodies]
+        felt = on = on or (bodies[1] if name in mechanism.closures else ordered[-1])
+        found = _summed(own, on, mechanism.bodies)
+    if on not in bodies:
+        raise unknown(on, bodies, what="body it acts on", where=f"reaction of {name}")
+    force, torque, point = found if on == felt else (-found[0], -found[1], found[2])
+    return Reaction(force, torque, point, mechanism.bodies[on])
+
+
+def _summed(wrenches: Iterable[Wrench], on: str, bodies: dict[str, Body]) -> tuple[ca.SX, ca.SX, ca.SX]:
+    """Wrenches on one body, at the point of the first force; at the body's origin where none is a force."""
+    own = [one for one in wrenches if one.body.name == on]
+    at = next((one.point for one in own if one.force.nnz()), None)
+    if at is None:
+        at = bodies[on].frame.origin.value if on in bodies else ca.SX(3, 1)
+    torque = sum((one.torque + ca.cross(one.point - at, one.force) for one in own if one.force.nnz()), ca.SX(3, 1))
+    torque += sum((one.torque for one in own if not one.force.nnz()), ca.SX(3, 1))
+    return sum((one.force for one in own), ca.SX(3, 1)), torque, at
+
+
+def all_acting(mechanism: Mechanism) -> list[Acting]:
+    """All that acts on the bodies of a mechanism but the joints of its tree."""
+    found = []
+    for _, action in mechanism.loads:
+        found += [Acting(wrench) for wrench in action.wrenches]
+        for expression, force in action.along:
+            found += [Acting(wrench) for wrench, _ in _along(mechanism, expression, force)]
+        for rate, force in action.efforts:
+            found += [Acting(wrench) for wrench, _ in _efforts(mechanism, rate, force)]
+    for closed in mechanism.closing.values():
+        for row, multiplier in zip(closed.rows, ca.vertsplit(closed.multipliers), strict=True):
+            for body, sign in ((closed.joint.second, 1.0), (closed.joint.first, -1.0)):
+                push = sign * multiplier
+                found.append(Acting(Wrench(body, push * row.force, row.point, push * row.torque), closed.joint.name))
+    for name, (condition, multiplier) in mechanism.conditions.items():
+        wrenches = _along(mechanism, condition.expression, multiplier)
+        found += [Acting(wrench, name, through) for wrench, through in wrenches]
+    return found
+
+
+def _along(mechanism: Mechanism, expression: ca.SX, force: ca.SX) -> list[tuple[Wrench, str]]:
+    """What a force along an expression is on bodies; for a coordinate with the joint it belongs to."""
+    found = []
+    for named in mechanism.poses.occurring(expression):
+        push = force * ca.gradient(expression, named.symbol)
+        if named.is_point:
+            found.append((Wrench(named.body, push, named.symbol), ""))
+        else:
+            found.append((Wrench(named.body, torque=ca.cross(named.symbol, push)), ""))
+    own = ca.jtimes(expression, mechanism.collection.q, ca.vertcat(*mechanism.collection.rates))
+    return found + _efforts(mechanism, own, force)
+
+
+def _efforts(mechanism: Mechanism, rate: ca.SX, force: ca.SX) -> list[tuple[Wrench, str]]:
+    """What a force on a rate is on the bodies of the joints by whose speeds it is made."""
+    collection = mechanism.collection
+    share = ca.jacobian(rate, collection.v).T @ force
+    each, found = dict(zip(collection.speeds, ca.vertsplit(share), strict=True)), []
+    for name, hung in mechanism.hanging.items():
+        if not any(each[speed].nnz() for speed in hung.speeds):
+            continue
+        for speed, effort in zip(hung.speeds, hung.joint.efforts(hung.child, mechanism.ground), strict=True):
+            for body, sign in ((effort.body, 1.0), (effort.other, -1.0)):
+                push = sign * each[speed]
+                found.append((Wrench(body, push * effort.force, effort.point, push * effort.torque), name))
+    return found
+
+
+def _newton_euler(
+    mechanism: Mechanism, child: Body, bodies: Iterable[Body], wrenches: Iterable[Wrench]
+) -> tuple[ca.SX, ca.SX, ca.SX]:
+    """What must act at the origin of ``child`` for all that hangs there to move as it does."""
     origin = child.frame.origin.value
     force, torque = ca.SX(3, 1), ca.SX(3, 1)
     for body in bodies:
         if body.mass_properties is not None:
-            centre, push, twist = _inertial(tree, body, body.mass_properties)
+            centre, push, twist = _inertial(mechanism, body, body.mass_properties)
             force += push
             torque += ca.cross(centre - origin, push) + twist
     for wrench in wrenches:
         force -= wrench.force
         torque -= ca.cross(wrench.point - origin, wrench.force) + wrench.torque
-    return Reaction(force, torque, origin)
+    return force, torque, origin
 
 
-def _inertial(tree: Tree, body: Body, properties: MassProperties) -> tuple[ca.SX, ca.SX, ca.SX]:
+def _inertial(mechanism: Mechanism, body: Body, properties: MassProperties) -> tuple[ca.SX, ca.SX, ca.SX]:
     """Centre of mass, mass times its acceleration, and rate of the angular momentum about it."""
-    assert body.frame is not None
     orientation, inertia = body.frame.orientation, properties.inertia
-    centre = body.point(properties.centre)
-    acceleration = centre.bias + tree.accelerated(centre.rate)
+    centre = body.frame.point(properties.centre)
+    acceleration = centre.bias + mechanism.accelerated(centre.rate)
     spin = orientation.spin
-    spin_rate = orientation.spin_bias + tree.accelerated(spin)
+    spin_rate = orientation.spin_bias + mechanism.accelerated(spin)
     twist = orientation.rotate(inertia @ spin_rate + ca.cross(spin, inertia @ spin))
     return centre.value, properties.mass * acceleration, twist
-
-
-def kinetic_energy(bodies: Iterable[Body]) -> ca.SX:
-    """Kinetic energy, J."""
-    energy = ca.SX(0.0)
-    for body in bodies:
-        properties = body.mass_properties
-        if properties is not None and body.frame is not None:
-            velocity = body.carrier.velocity(body.point(properties.centre))
-            turn = body.frame.orientation
-            spin = turn.unrotate(body.spin) if body.carrier.moves else turn.spin
-            energy += 0.5 * (properties.mass * ca.dot(velocity, velocity) + ca.dot(spin, properties.inertia @ spin))
-    return energy
-
-
-def weight_energy(bodies: Iterable[Body], gravity: ca.SX) -> ca.SX:
-    """Potential energy of the weights against the design pose, J."""
-    energy = ca.SX(0.0)
-    for body in bodies:
-        properties = body.mass_properties
-        if properties is not None:
-            rise = body.carrier.height(body.point(properties.centre).value) - properties.centre[2]
-            energy += properties.mass * gravity * rise
-    return energy

@@ -46,3 +46,30 @@ def normals(axis: ca.SX) -> tuple[ca.SX, ca.SX]:
     is_y = ca.logic_and(ca.logic_not(is_x), y <= z)
     second = unit(ca.cross(axis, ca.vertcat(is_x, is_y, 1 - is_x - is_y)))
     return ca.cross(second, axis), second
+
+
+def matrix_quaternion(matrix: ca.SX) -> ca.SX:
+    """Unit quaternion of a rotation matrix, its scalar part first and never negative.
+
+    Of the four ways to compute it, the one with the largest divisor is taken.
+    """
+    m, trace = matrix, ca.trace(matrix)
+    sizes = [trace, *(2.0 * m[i, i] - trace for i in range(3))]
+    ways = [
+        ca.vertcat(1.0 + trace, m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1]),
+        ca.vertcat(m[2, 1] - m[1, 2], 1.0 + sizes[1], m[0, 1] + m[1, 0], m[0, 2] + m[2, 0]),
+        ca.vertcat(m[0, 2] - m[2, 0], m[0, 1] + m[1, 0], 1.0 + sizes[2], m[1, 2] + m[2, 1]),
+        ca.vertcat(m[1, 0] - m[0, 1], m[0, 2] + m[2, 0], m[1, 2] + m[2, 1], 1.0 + sizes[3]),
+    ]
+    best, found = sizes[0], ways[0]
+    for size, way in zip(sizes[1:], ways[1:], strict=True):
+        found = ca.if_else(size > best, way, found)
+        best = ca.fmax(size, best)
+    found = ca.if_else(found[0] < 0.0, -found, found)
+    return found / ca.sqrt(ca.dot(found, found))
+
+
+def roll_pitch_yaw(matrix: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
+    """Angles (rad) about z, the new y and the new x (intrinsic z-y'-x'', ISO 8855) that make a rotation matrix."""
+    pitch = -ca.asin(ca.fmin(ca.fmax(matrix[2, 0], -1.0), 1.0))
+    return ca.atan2(matrix[2, 1], matrix[2, 2]), pitch, ca.atan2(matrix[1, 0], matrix[0, 0])

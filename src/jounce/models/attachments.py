@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
+from jounce.mechanics import Track
 from jounce.mechanics.elements import (
     bump_stop_force,
     curve_force,
@@ -16,7 +17,6 @@ from jounce.mechanics.elements import (
 )
 from jounce.mechanics.frames import Moving
 from jounce.mechanics.rotations import unit
-from jounce.mechanics.system import Track
 from jounce.models.linkage import Linkage
 from jounce.parts.elements import MapDamper
 
@@ -40,7 +40,7 @@ class Line:
 def line_of(linkage: Linkage, element: str) -> Line:
     """Give the line of ``"spring"`` or ``"damper"``."""
     bottom, top = linkage.end_of(element, "bottom"), linkage.end_of(element, "top")
-    lower, upper = linkage.carriers[linkage.rig.strut.on].point(bottom), linkage.chassis.point(top)
+    lower, upper = linkage.carriers[linkage.rig.strut.on].frame.point(bottom), linkage.chassis.frame.point(top)
     reach = upper - lower
     length = ca.sqrt(ca.dot(reach.value, reach.value))
     design = top - bottom

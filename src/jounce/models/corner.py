@@ -10,10 +10,9 @@ from collections.abc import Callable
 import casadi as ca
 
 from jounce.control.actuators import AnyActuator
-from jounce.mechanics import Mechanism, Model
+from jounce.mechanics import Mechanism, Model, Track
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.elements import friction_force
-from jounce.mechanics.system import Track
 from jounce.models.actuation import controlled_force
 from jounce.models.attachments import (
     add_rocker,

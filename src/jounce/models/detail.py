@@ -12,7 +12,7 @@ _AXES = ("x", "y", "z")
 def show_hardpoints(linkage: Linkage) -> None:
     """Let every hardpoint be seen, m, ground axes."""
     for name, body in linkage.owners.items():
-        place = body.point(linkage.hardpoint(name)).value
+        place = body.frame.point(linkage.hardpoint(name)).value
         for i, axis in enumerate(_AXES):
             linkage.mechanism.output(f"{name}.{axis}", place[i], "m", f"{name.replace('_', ' ')}, {axis}")
 

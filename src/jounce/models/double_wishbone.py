@@ -15,5 +15,5 @@ def double_wishbone(linkage: Linkage) -> None:
     mechanism.coincident("upper_ball_joint", upper, upright, at=top)
     linkage.carry("upright", upright)
     linkage.rod("tie_rod", "tie_rod_inner", "tie_rod_outer", upright, steered=True)
-    linkage.steering_axis = upright.point(bottom), upright.point(top)
+    linkage.steering_axis = upright.frame.point(bottom), upright.frame.point(top)
     linkage.lines["upright"] = ("lower_ball_joint", "wheel_centre", "upper_ball_joint", "tie_rod_outer")

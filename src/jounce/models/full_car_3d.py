@@ -71,8 +71,7 @@ def _body(mechanism: Mechanism, vehicle: FullCar3D) -> Body:
         return body
     joint = ca.vertcat(*(number(f"body.joint[{i}]") for i in range(3)))
     mechanism.spherical("guide_joint", carriage, body, at=joint)
-    assert body.frame is not None
-    up, place = body.frame.orientation.unrotate(_UP), body.point(centre).value
+    up, place = body.frame.orientation.unrotate(_UP), body.frame.point(centre).value
     _show_body(mechanism, place[2] - centre[2], -ca.asin(up[0]), ca.atan2(up[1], up[2]))
     for i, axis in enumerate("xy"):
         mechanism.output(

@@ -9,8 +9,7 @@ import casadi as ca
 from jounce.mechanics import Mechanism
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.bushings import add_bushing, add_elastic_rod
-from jounce.mechanics.carrier import Carrier
-from jounce.mechanics.frames import Moving
+from jounce.mechanics.frames import Carrier, Moving
 from jounce.mechanics.rotations import normals, unit
 from jounce.parts.corners import Corner
 
@@ -122,7 +121,6 @@ class Linkage:
     def cushion(self, point: str, first: Body, second: Body) -> None:
         """Put the bushing at a hardpoint between two bodies."""
         bushing = add_bushing(self.mechanism, point, first, second, self.hardpoint(point), **self.bushing_of(point))
-        assert first.frame is not None
         self.bushings[point] = first.frame.orientation.rotate(bushing.force), bushing.power
 
     def has_bushing(self, point: str) -> bool:
@@ -143,7 +141,7 @@ class Linkage:
         massless, soft = getattr(self.rig.bodies, name, None) is None, self.has_bushing(inner)
         if massless and soft:
             law = self.bushing_of(inner)
-            ends = carrier.point(end) - holder.point(start)
+            ends = carrier.frame.point(end) - holder.frame.point(start)
             tension, power = add_elastic_rod(
                 self.mechanism, name, holder, carrier, start, end, law["stiffness"], law["damping"]
             )
@@ -187,12 +185,12 @@ class Linkage:
     @property
     def wheel_centre(self) -> Moving:
         """The wheel's centre."""
-        return self.upright.point(self.hardpoint("wheel_centre"))
+        return self.upright.frame.point(self.hardpoint("wheel_centre"))
 
     @property
     def spin_direction(self) -> Moving:
         """The wheel's axis, pointing outboard, as it moves with the upright."""
-        return self.upright.direction(self.spin_axis)
+        return self.upright.frame.direction(self.spin_axis)
 
 
 def guided(mechanism: Mechanism, guide: str) -> Body:

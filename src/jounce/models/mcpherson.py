@@ -21,7 +21,7 @@ def mcpherson(linkage: Linkage) -> None:
     _slide(linkage, upright, foot, top)
     linkage.carry("upright", upright)
     linkage.rod("tie_rod", "tie_rod_inner", "tie_rod_outer", upright, steered=True)
-    linkage.steering_axis = upright.point(ball), linkage.chassis.point(top)
+    linkage.steering_axis = upright.frame.point(ball), linkage.chassis.frame.point(top)
     linkage.lines["upright"] = ("lower_ball_joint", "wheel_centre", "strut_bottom", "tie_rod_outer")
 
 

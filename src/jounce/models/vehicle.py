@@ -33,8 +33,8 @@ class Body:
 
 def add_body(system: System, vehicle: Vehicle, *, rolls: bool = False) -> Body:
     """Add the body with its weight, the moments of driving, and what is to be seen of it."""
-    z, pitch = system.coordinate("body.z"), system.coordinate("body.pitch")
-    roll = system.coordinate("body.roll") if rolls else ca.SX(0.0)
+    z, pitch = system.coordinate("body.z"), system.coordinate("body.pitch", "rad")
+    roll = system.coordinate("body.roll", "rad") if rolls else ca.SX(0.0)
     mass = system.parameter("body.mass")
     system.point_mass(mass, z)
     system.force(z, -mass * system.parameter("gravity"))

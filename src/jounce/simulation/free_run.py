@@ -14,18 +14,20 @@ from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.kernel.explicit import Control, Problem
+from jounce.kernel.status import Status
 from jounce.kernel.tracks import flatten
 from jounce.mechanics import Mechanism, Model, assemble, constant
 from jounce.mechanics.assembly import Assembly
 from jounce.mechanics.mass import check_inertia
 from jounce.mechanics.mechanism import BALANCE
+from jounce.mechanics.model import moved_by
 from jounce.recordings.schema import recording
 from jounce.simulation.compiled import Compiled, compile_model
 from jounce.simulation.prepare import IMPLICIT_SHARE, STEP_SHARE, Prepared, longest_step_of, room
-from jounce.simulation.result import samples_reached
+from jounce.simulation.result import Solution, samples_reached
 from jounce.simulation.settings import MAX_STEPS, Method, RunSettings
-from jounce.simulation.singular_configurations import run_through
-from jounce.simulation.statics import find_equilibrium
+from jounce.simulation.singular_configurations import Begin, run_through
+from jounce.simulation.statics import free_motions
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -37,6 +39,13 @@ _DECAYING = 0.9  # share of its decay in how fast a motion is, above which it is
 _STIFF, _LONG_RUN = 20.0, 1e4  # decay over oscillation, and decays in a run, beyond which the implicit method pays
 _MASSLESS = 1e-12  # mass that a motion moves, relative to that of the coordinates by themselves
 _MOVING = 1e-3  # share of a coordinate in a motion that is worth naming
+_MANY_STEPS, _PROBED, _STRETCHES = 1000, 600, 3  # steps that are worth a second look, and where that looks
+_ROUNDED, _LOOSEST_PROBE = 4.0, 1e-6  # times more steps for a tenth of the tolerance that no order of a method explains
+_ITERATIONS, _PROJECTIONS = 200, 3
+_STRIDE, _FAR = 0.05, 1e3  # m or rad: a step of a mechanism on its way to rest, and one that says that nothing holds it
+_NOISE, _UNDECIDED = 1e-11, 1e-9  # slopes that are rounding beside the largest, and motions that no force decides
+_SETTLED, _UNBALANCED, _SHARE_OF_NEUTRAL = 1e-10, 1e-6, 0.1
+_HINT = "Check masses, springs, stops and where it starts: something must carry every weight."
 
 
 def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a default
@@ -78,15 +87,17 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     redundant : {"refuse", "remove"}
         What to do about loop equations that repeat each other.
     at_rest : bool
-        Start in a static equilibrium near the start, with the tracks held.
+        Start in equilibrium near the start, with the tracks held. Speeds given in ``start`` are kept, and the
+        equilibrium is that of all else; what nothing decides (a car's place on a level road) stays where it starts.
     check : bool
         Raise when the run does not reach its end.
 
     Returns
     -------
     xarray.Dataset
-        The outputs on ``time`` (s), SI. ``attrs["findings"]`` says what assembly moved, and where a singular
-        configuration was passed only with other steps.
+        The outputs on ``time`` (s), SI. ``attrs["findings"]`` says what assembly moved, what no
+        equilibrium decides, where a singular configuration was passed only with other steps, and whether rounding
+        forbids the tolerance.
 
     Raises
     ------
@@ -120,17 +131,34 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     pose = assemble(model, p, u, start, redundant="refuse" if redundant == "refuse" else "keep")
     _check_masses(mechanism, model, pose.x, u, p)
     compiled = compile_model(model)
-    first = find_equilibrium(compiled, p, u, pose.x[: len(model.coordinates)]).x if at_rest else pose.x
+    first, notes = pose.x, [_moved(pose)]
+    if at_rest:
+        running = {name for name in start or {} if name in model.speeds}
+        first, neutral = _at_rest(compiled, p, u, pose.x, running)
+        if neutral:
+            notes.append(
+                [Finding(", ".join(neutral), "note", "nothing decides where it rests; it stays where it started")]
+            )
 
     def begin(x: Array, after: Array, error: float) -> Prepared:
         u = _inputs(model.facts.track_order, tracks, float(after[0]))
         return _prepare(compiled, p, tracks, x, u, after, error, method)
 
-    crossings: tuple[float, ...] = ()
     if model.constraints:
         solution, crossings = run_through(begin, first, times, tolerance, tracks)
+        text = "a singular configuration, passed with other steps"
+        notes.append([Finding(f"{time:.6g} s", "note", text) for time in crossings])
     else:
         solution = begin(first, times, tolerance).run()
+    attainable = _attainable(begin, solution, tolerance)
+    if attainable is not None:
+        steps = solution.steps + solution.rejected
+        text = f"{tolerance:g} is below what rounding allows here and took {steps} steps; {attainable:g} is as exact"
+        if check and solution.status is Status.TOO_MANY_STEPS:
+            raise SimulationError(
+                "a tolerance below what rounding allows", where="tolerance", found=tolerance, hint=text
+            )
+        notes.append([Finding("tolerance", "warning", text)])
     reach = samples_reached(solution, compiled.facts, check=check)
     channels = {
         output.name: (solution.outputs[i, :reach], output.unit, output.long_name)
@@ -140,7 +168,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     run = recording(solution.time[:reach], channels)
     run.attrs["status"] = solution.status.name.lower()
     run.attrs["method"], run.attrs["steps"], run.attrs["events"] = solution.method, solution.steps, solution.events
-    run.attrs["findings"] = _findings(pose, crossings)
+    run.attrs["findings"] = [str(finding) for group in notes for finding in group]
     return run
 
 
@@ -241,12 +269,99 @@ def _prepare(
     return replace(prepared, stiff=lambda: stiff, method="implicit" if implicitly else "explicit")
 
 
-def _findings(pose: Assembly, crossings: tuple[float, ...]) -> list[str]:
-    moved = [
-        Finding(move.coordinate, "note", f"assembly moved it from {move.before:.6g} to {move.after:.6g}")
-        for move in pose.displacements
+def _moved(pose: Assembly) -> list[Finding]:
+    """What assembly moved."""
+    return [
+        Finding(one.coordinate, "note", f"assembly moved it from {one.before:.6g} to {one.after:.6g}")
+        for one in pose.displacements
     ]
-    passed = [
-        Finding(f"{time:.6g} s", "note", "a singular configuration, passed with other steps") for time in crossings
-    ]
-    return [str(finding) for finding in (*moved, *passed)]
+
+
+def _attainable(begin: Begin, solution: Solution, tolerance: float) -> float | None:
+    """A larger tolerance that is as exact, where rounding is what makes steps short; None where it is not.
+
+    A tolerance ten times larger takes about half the steps less of a method of any order; where it takes a small part
+    of them, the error that steps are held to is not theirs. That is tried on a few stretches of a run with many steps.
+    """
+    taken, reached = solution.steps + solution.rejected, int(np.sum(np.isfinite(solution.states[0])))
+    if taken < _MANY_STEPS or reached < 2:
+        return None
+    length = max(2, int(np.ceil(_PROBED / taken * reached)))
+    begins = range(0, max(reached - length, 1), max(1, (reached - length) // _STRETCHES))
+
+    def steps(error: float) -> int:
+        stretches = [solution.time[i : i + length] for i in begins]
+        runs = [begin(solution.states[:, i], part, error) for i, part in zip(begins, stretches, strict=True)]
+        found = [replace(run, control=run.control._replace(max_steps=4 * _MANY_STEPS)).run() for run in runs]
+        return sum(run.steps + run.rejected for run in found)
+
+    error, taken = tolerance, steps(tolerance)
+    while error < _LOOSEST_PROBE:
+        fewer = steps(10.0 * error)
+        if taken < _ROUNDED * fewer:
+            break
+        error, taken = 10.0 * error, fewer
+    return error if error > tolerance else None
+
+
+def _at_rest(compiled: Compiled, p: Array, u: Array, x: Array, running: set[str]) -> tuple[Array, list[str]]:
+    """Equilibrium near a state, the given speeds kept and the tracks held; and the coordinates that nothing decides.
+
+    Newton's method on the accelerations of all motions but those that run and on the loops. A motion that changes no
+    force has a zero column: the shortest step leaves it where it is.
+    """
+    facts, (n_q, n_v) = compiled.facts, compiled.facts.counts
+    still, end = np.zeros_like(u), n_q + n_v
+    still[:: facts.track_order] = u[:: facts.track_order]
+    p = compiled.plain.extended(p)
+    runs = np.array([name in running for name in facts.speeds], dtype=bool)
+    others = np.flatnonzero(~runs)
+    modes = (compiled.evaluate("switch", x, still, p, np.ones(len(facts.switches))) > 0.0).astype(float)
+    x = x.copy()
+    for _ in range(_ITERATIONS):
+        slopes = compiled.slopes("x", x, still, p, modes)
+        if facts.constraints:  # the other speeds follow by the loops
+            loops = slopes["constraint"][:, :n_q] @ slopes["rate"][:n_q, n_q:end]
+            x[n_q + others] = -np.linalg.lstsq(loops[:, others], loops[:, runs] @ x[n_q:end][runs], rcond=1e-12)[0]
+            slopes = compiled.slopes("x", x, still, p, modes) if runs.any() else slopes
+        else:
+            loops = np.zeros((0, n_v))
+            x[n_q + others] = 0.0
+        slope = slopes["rate"]
+        internal = [i for i in range(end, len(x)) if slope[i, i] != 0.0]  # others only move with what moves
+        moved = np.zeros((len(x), len(others) + len(internal)))
+        moved[:n_q, : len(others)] = slope[:n_q, n_q + others]
+        moved[internal, range(len(others), moved.shape[1])] = 1.0
+        free, _ = free_motions(loops[:, others], len(others))
+        rows = np.array([*(n_q + others[free]), *internal], dtype=np.intp)
+        rate = compiled.evaluate("rate", x, still, p, modes)[rows]
+        matrix, residual = slope[rows] @ moved, rate
+        if facts.constraints:
+            matrix = np.vstack([matrix, slopes["constraint"] @ moved])
+            residual = np.concatenate([residual, compiled.evaluate("constraint", x, still, p, modes)])
+        size = np.max(np.abs(matrix), axis=1, initial=0.0)
+        scale = np.maximum(size, _NOISE * (np.max(size, initial=0.0) or 1.0))[:, None]  # what is rounding stays small
+        left, values, right = np.linalg.svd(matrix / scale)
+        decided = int(np.sum(values > _UNDECIDED * np.max(values, initial=0.0)))
+        share = left.T[:decided] @ (residual / scale[:, 0])
+        step = -right[:decided].T @ (share / values[:decided])
+        longest = np.max(np.abs(step[: len(others)]), initial=_STRIDE if facts.projects else 0.0)
+        if not np.all(np.isfinite(step)) or longest > _FAR:
+            break
+        if facts.projects:  # a mechanism curves: go on in short steps, and close its loops after each
+            step = step * (_STRIDE / longest)
+        x = x + moved @ step
+        for _ in range(_PROJECTIONS if facts.projects else 0):
+            x = compiled.projected(x, still, p, modes)
+        before, modes = modes, (compiled.evaluate("switch", x, still, p, modes) > 0.0).astype(float)
+        if np.array_equal(before, modes) and np.max(np.abs(step), initial=0.0) < _SETTLED * (
+            1.0 + np.max(np.abs(x[:n_q]))
+        ):
+            rate = compiled.evaluate("rate", x, still, p, modes)
+            falling = [facts.states[i] for i in rows if abs(rate[i]) > _UNBALANCED * max(1.0, np.max(np.abs(rate)))]
+            if falling:
+                names = ", ".join(dict.fromkeys(moved_by(name) for name in falling))
+                raise SimulationError("no static equilibrium was found: nothing holds it", where=names, hint=_HINT)
+            neutral = np.any(np.abs(right[decided:, : len(others)]) > _SHARE_OF_NEUTRAL, axis=0)
+            return x, [moved_by(facts.speeds[i]) for i in others[neutral]]
+    raise SimulationError("no static equilibrium was found", where="the mechanism", hint=_HINT)

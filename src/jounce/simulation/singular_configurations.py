@@ -11,6 +11,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
+from scipy.interpolate import BarycentricInterpolator
 
 from jounce.core.segments import Segments
 from jounce.core.types import Array
@@ -23,24 +24,10 @@ _LOST = 1e-3  # share of the largest kinetic energy that no error may make come 
 _STILL = 1e-12  # J: less than that is nothing
 _KINK = 1e-9  # change of a rate that counts as one
 _BEFORE = (1, 2, 4, 8, 16, 32, 3, 6, 12, 24, 48, 5, 7, 14, 28)  # samples from which a pose is tried again
-_LOOSER = (
-    1.0,
-    1.0,
-    1.0,
-    10.0,
-    10.0,
-    10.0,
-    100.0,
-    100.0,
-    100.0,
-    1e3,
-    1e3,
-    1e3,
-    1e4,
-    1e4,
-    1e4,
-)  # times the tolerance, until past it
+_LOOSER = (*(1.0,) * 3, *(10.0,) * 3, *(100.0,) * 3, *(1e3,) * 3, *(1e4,) * 3)  # times the tolerance, until past it
 _LOOSEST = 1e-5
+_AHEAD, _WIDTH, _NODES = (2, 4, 8), 8, 13  # samples to be carried over a pose, those before it in them, points of those
+_ON_CURVE, _CLOSINGS = 1e-4, 4  # how far from closed loops, relative to the state, a curve may end
 _PAST = 2  # samples
 _CROSSINGS = 1000
 _LOST_WAY = (Status.LOCKED_UP, Status.STEP_TOO_SMALL, Status.NOT_FINITE)
@@ -96,7 +83,45 @@ def _passed(begin: Begin, run: Solution, reached: int, tolerance: float) -> Solu
         part = _judged(begin(run.states[:, at], run.time[at:end], loose), loose, strict=True)
         if part.status is Status.COMPLETED:
             return _joined(run, part, at)
-    return None
+    return next(filter(None, (_carried_over(begin, run, reached, ahead, tolerance) for ahead in _AHEAD)), None)
+
+
+def _carried_over(begin: Begin, run: Solution, reached: int, ahead: int, tolerance: float) -> Solution | None:
+    """The run carried over a pose along the smooth curve it was on; None where that leads nowhere.
+
+    Where two ways to move meet (two hinges of a loop come onto one line, so that what is between them could also swing
+    like a door), every state a little off the curve belongs to neither way, and no step gets through. The motion itself
+    is smooth there: a polynomial through what came before goes on where momentum takes it. It is only taken where it
+    closes the loops on the other side and keeps the energy.
+    """
+    last, target = reached - 1, reached - 1 + ahead
+    width = min(_WIDTH * ahead, last)
+    if target + _PAST >= len(run.time) or width < ahead:
+        return None
+    begins, ends = float(run.time[last - width]), float(run.time[last])
+    nodes = 0.5 * (begins + ends) - 0.5 * (ends - begins) * np.cos(np.pi * np.arange(_NODES) / (_NODES - 1))
+    before = begin(run.states[:, last - width], nodes, tolerance).run()
+    if _reached(before) < _NODES:
+        return None
+    curve = BarycentricInterpolator(nodes, before.states, axis=1)
+    states, outputs = run.states.copy(), run.outputs.copy()
+    for i in range(last + 1, target + 1):
+        x = curve(run.time[i])
+        there = begin(x, run.time[i : i + _PAST], tolerance)
+        compiled, fixed = there.compiled, (there.still, there.problem.p, there.problem.m)
+        closed = x
+        for _ in range(_CLOSINGS):
+            closed = compiled.projected(closed, *fixed)
+        if not np.max(np.abs(closed - x)) < _ON_CURVE * (1.0 + np.max(np.abs(x))):
+            return None
+        states[:, i], outputs[:, i] = closed, compiled.evaluate("output", closed, *fixed)
+    rest = _judged(begin(states[:, target], run.time[target : target + _PAST + 1], tolerance), tolerance, strict=True)
+    names = there.compiled.output_names
+    balance, taken = outputs[names.index(BALANCE)], states[there.compiled.facts.states.index(BALANCE)]
+    size = abs(balance[target] + taken[target]) + abs(taken[target] - taken[0]) + _STILL
+    if rest.status is not Status.COMPLETED or abs(balance[target] - balance[last]) > _LOST * size:
+        return None
+    return _joined(replace(run, states=states, outputs=outputs), rest, target)
 
 
 def _joined(run: Solution, part: Solution, at: int) -> Solution:

@@ -13,9 +13,8 @@ from dataclasses import dataclass
 import casadi as ca
 
 from jounce.core.errors import AssemblyError
-from jounce.mechanics import Mechanism, Model, System
+from jounce.mechanics import Mechanism, Model, System, Track
 from jounce.mechanics.elements import friction_force
-from jounce.mechanics.system import Track
 from jounce.models.attachments import add_tyre
 from jounce.models.channels import show_height, show_tyre
 from jounce.models.corner import TEMPLATES, add_strut, show_wheel, suspension
@@ -116,7 +115,7 @@ def _guide(linkage: Linkage) -> None:
 def _front_view(rig: Rig, form: PlateForm) -> System:
     assert isinstance(rig, FrontViewAxle)
     system = System()
-    z, roll = system.coordinate("body.z"), system.coordinate("body.roll")
+    z, roll = system.coordinate("body.z"), system.coordinate("body.roll", "rad")
     mass, gravity = system.parameter("mass"), system.parameter("gravity")
     system.point_mass(mass, z)
     system.force(z, -mass * gravity)
@@ -148,7 +147,7 @@ def _add_plate(system: System, form: PlateForm, place: str) -> Plate:
     begin = f"{place}." if place else ""
     free = place in form.free
     if free:
-        angle = system.coordinates([begin + ANGLE], [f"{begin}{ANGLE} rate"], [_BOTTOM])[0][0]
+        angle = system.coordinates([begin + ANGLE], [f"{begin}{ANGLE} rate"], [_BOTTOM], ["rad"])[0][0]
         _add_drive(system, angle, begin)
     else:
         angle = system.track(begin + ANGLE).value

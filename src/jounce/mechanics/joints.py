@@ -1,0 +1,507 @@
+"""Joints: one class each, with all there is to say of it.
+
+A joint *hangs* a body that has no place yet: then it has coordinates, and ``hang`` gives the frame of the body. Between
+two bodies that have their places it *closes* a loop: then it has equations, ``rows``, each with the force and torque on
+the second body that its multiplier is. ``efforts`` says what a force on each of its coordinates is on the bodies; the
+reaction of the joint lies across those directions. To add a joint, write a class with these three and give it to
+:meth:`jounce.mechanics.Mechanism.add`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import ClassVar
+
+import casadi as ca
+import numpy as np
+
+from jounce.core.errors import AssemblyError
+from jounce.core.types import Array
+from jounce.core.units import to_si
+from jounce.mechanics.bodies import Body
+from jounce.mechanics.descriptions import Description, Given, direction, place, quantity
+from jounce.mechanics.equations import Track
+from jounce.mechanics.frames import Frame, Moving, by_quaternion
+from jounce.mechanics.rotations import normals
+
+_NONE = ca.SX(3, 1)
+_SQUARE = 1e-3  # cosine of the axes of a universal joint that still counts as a right angle
+_TURN = 2.0 * np.pi
+
+
+@dataclass(frozen=True)
+class Motion:
+    """Symbols of a hanging joint: distances and angles with their rates, quaternion and angular velocity."""
+
+    q: ca.SX
+    v: ca.SX
+    e: ca.SX
+    w: ca.SX
+
+
+@dataclass(frozen=True)
+class Row:
+    """One equation of a closing joint; a multiplier of 1 is this force and torque on the second body, at ``point``.
+
+    The first body feels the opposite at the same place. ``residual`` is in ``unit``: ``m``, ``rad`` (the sine of an
+    angle) or ``m^2``.
+    """
+
+    tag: str
+    unit: str
+    residual: Moving
+    force: ca.SX = _NONE
+    torque: ca.SX = _NONE
+    point: ca.SX = _NONE
+
+
+@dataclass(frozen=True)
+class Effort:
+    """Force and torque on ``body`` (at ``point``), opposite on ``other``, that a unit force on a speed is."""
+
+    body: Body
+    other: Body
+    force: ca.SX = _NONE
+    torque: ca.SX = _NONE
+    point: ca.SX = _NONE
+
+
+@dataclass(frozen=True, eq=False)
+class Joint(Description):
+    """What joins two bodies. The first joint of a body hangs it; one between bodies with places closes a loop."""
+
+    first: Body
+    second: Body
+
+    coordinates: ClassVar[tuple[tuple[str, str], ...]] = ()
+    """Last words and units of its distances and angles."""
+    has_quaternion: ClassVar[bool] = False
+    """Whether the hung body's orientation against the ground is among its coordinates."""
+    hangs: ClassVar[bool] = True
+    closes: ClassVar[bool] = True
+    refusal: ClassVar[tuple[str, str]] = ("both bodies hang already", "")
+    """What to say, and to advise, where it should close a loop and cannot."""
+
+    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:
+        """Frame of the body it hangs on ``parent``; ``sign`` is -1 where that body is the first."""
+        raise NotImplementedError
+
+    def rows(self) -> list[Row]:
+        """Equations that keep it together."""
+        raise NotImplementedError
+
+    def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002 - for joints with coordinates
+        """What a unit force on each of its speeds is, in their order."""
+        return []
+
+    def shown(self, multipliers: ca.SX) -> ca.SX:
+        """What its maker gets where it closes a loop: forces (N) and torques (N m) on the second body."""
+        return multipliers
+
+    def _along(self, axis: ca.SX) -> ca.SX:
+        """A direction of the first body as it is now."""
+        return self.first.frame.direction(axis).value
+
+    def _push(self, axis: ca.SX, at: ca.SX) -> Effort:
+        return Effort(self.second, self.first, force=self._along(axis), point=self.second.frame.point(at).value)
+
+    def _twist(self, along: ca.SX) -> Effort:
+        return Effort(self.second, self.first, torque=along)
+
+    def _turns(self, hung: Body, ground: Body) -> list[Effort]:
+        """Efforts on the three speeds of a quaternion, which are against the ground."""
+        matrix = hung.frame.orientation.matrix
+        return [Effort(hung, ground, torque=matrix[:, i]) for i in range(3)]
+
+
+@dataclass(frozen=True, eq=False)
+class Fixed(Joint):
+    """Two bodies welded together."""
+
+    kind = "fixed"
+    closes = False
+    refusal = ("both bodies hang already", "Make them one body.")
+
+    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: ARG002, D102
+        return parent.at(parent.design)
+
+
+@dataclass(frozen=True, eq=False)
+class Prismatic(Joint):
+    """A slide along an axis."""
+
+    at: Given = place()
+    axis: Given = direction()
+    kind = "prismatic"
+    coordinates = (("distance", "m"),)
+
+    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: D102
+        return parent.at(self.at).translated(sign * self.axis, motion.q, motion.v)
+
+    def rows(self) -> list[Row]:  # noqa: D102
+        normal, other = normals(self.axis)
+        sleeve = [*_on_line(self, self.at, self.axis, self.at), *_parallel(self, self.axis)]
+        return [*sleeve, _square("twist", self.first.frame.direction(normal), self.second.frame.direction(other))]
+
+    def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002, D102
+        return [self._push(self.axis, self.at)]
+
+
+@dataclass(frozen=True, eq=False)
+class Revolute(Joint):
+    """A hinge."""
+
+    at: Given = place()
+    axis: Given = direction()
+    kind = "revolute"
+    coordinates = (("angle", "rad"),)
+
+    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: D102
+        return parent.at(self.at).turned(sign * self.axis, motion.q, motion.v)
+
+    def rows(self) -> list[Row]:  # noqa: D102
+        return [*_point_to_point(self, self.at, self.at), *_parallel(self, self.axis)]
+
+    def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002, D102
+        return [self._twist(self._along(self.axis))]
+
+
+@dataclass(frozen=True, eq=False)
+class Cylindrical(Joint):
+    """A sleeve that slides along an axis and turns about it."""
+
+    at: Given = place()
+    axis: Given = direction()
+    kind = "cylindrical"
+    coordinates = (("distance", "m"), ("angle", "rad"))
+
+    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: D102
+        along, (slide, turn), (speed, spin) = sign * self.axis, *(ca.vertsplit(part) for part in (motion.q, motion.v))
+        return parent.at(self.at).translated(along, slide, speed).turned(along, turn, spin)
+
+    def rows(self) -> list[Row]:  # noqa: D102
+        return [*_on_line(self, self.at, self.axis, self.at), *_parallel(self, self.axis)]
+
+    def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002, D102
+        return [self._push(self.axis, self.at), self._twist(self._along(self.axis))]
+
+
+@dataclass(frozen=True, eq=False)
+class Screw(Joint):
+    """A nut on a thread: a turn of the second body takes it along the axis by the pitch, m."""
+
+    at: Given = place()
+    axis: Given = direction()
+    pitch: Given = quantity("m")
+    kind = "screw"
+    coordinates = (("angle", "rad"),)
+
+    def check(self) -> None:
+        """Refuse a pitch of zero."""
+        if not isinstance(self.pitch, ca.SX) and to_si(self.pitch, "m", where=f"{self.name}.pitch") == 0.0:
+            hint = "Without pitch it is a revolute joint; a negative one is a left-hand thread."
+            raise AssemblyError("a screw without pitch", where=self.name, found="0 m a turn", hint=hint)
+
+    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: D102
+        along, lead = sign * self.axis, self.pitch / _TURN
+        return parent.at(self.at).translated(along, lead * motion.q, lead * motion.v).turned(along, motion.q, motion.v)
+
+    def rows(self) -> list[Row]:
+        """A sleeve, and a mark on the second body that stays on the thread however many turns that makes."""
+        first, second = self.first.frame, self.second.frame
+        across, sideways = (first.direction(normal) for normal in normals(self.axis))
+        mark, axis, foot = second.direction(normals(self.axis)[0]), first.direction(self.axis), second.point(self.at)
+        slide = (foot - first.point(self.at)).dot(axis)
+        turn = Moving(*(part * (_TURN / self.pitch) for part in (slide.value, slide.rate, slide.bias)))
+        thread = sideways.scaled(turn.cosine) - across.scaled(turn.sine)  # across the mark where turn and slide agree
+        climb = -ca.dot(mark.value, across.scaled(turn.cosine).value + sideways.scaled(turn.sine).value)
+        lead = Row(
+            "lead",
+            "rad",
+            mark.dot(thread),
+            force=climb * _TURN / self.pitch * axis.value,
+            torque=ca.cross(mark.value, thread.value),
+            point=foot.value,
+        )
+        return [*_on_line(self, self.at, self.axis, self.at), *_parallel(self, self.axis), lead]
+
+    def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002, D102
+        return [self._twist(self._along(self.axis))]
+
+
+@dataclass(frozen=True, eq=False)
+class Universal(Joint):
+    """A cross of two axes at right angles, the first on the first body."""
+
+    at: Given = place()
+    axis: Given = direction()
+    second_axis: Given = direction()
+    kind = "universal"
+    coordinates = (("angle", "rad"), ("second_angle", "rad"))
+
+    def check(self) -> None:
+        """Refuse axes that are not at right angles."""
+        one, other = (_given(self, field, "1") for field in ("axis", "second_axis"))
+        if one is None or other is None:
+            return
+        cosine = one @ other / np.sqrt(one @ one * (other @ other))
+        if abs(cosine) > _SQUARE:
+            degrees = float(np.degrees(np.arccos(np.clip(cosine, -1.0, 1.0))))
+            raise AssemblyError(
+                "the axes of a universal joint are not at right angles",
+                where=self.name,
+                found=f"{degrees:.4g} degrees between them",
+                hint="Take as second axis the cross product of the first with a direction across both.",
+            )
+
+    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: D102
+        turns = [(sign * axis, motion.q[i], motion.v[i]) for i, axis in enumerate((self.axis, self.second_axis))]
+        frame = parent.at(self.at)
+        for turn in turns if sign > 0.0 else turns[::-1]:  # from the second body to the first it is the other way round
+            frame = frame.turned(*turn)
+        return frame
+
+    def rows(self) -> list[Row]:  # noqa: D102
+        axes = self.first.frame.direction(self.axis), self.second.frame.direction(self.second_axis)
+        return [*_point_to_point(self, self.at, self.at), _square("cross", *axes)]
+
+    def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002, D102
+        second = self.second.frame.direction(self.second_axis).value
+        return [self._twist(self._along(self.axis)), self._twist(second)]
+
+
+@dataclass(frozen=True, eq=False)
+class Spherical(Joint):
+    """A ball joint."""
+
+    at: Given = place()
+    kind = "spherical"
+    has_quaternion = True
+
+    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: ARG002, D102
+        return parent.at(self.at).oriented(by_quaternion(motion.e, motion.w))
+
+    def rows(self) -> list[Row]:  # noqa: D102
+        return _point_to_point(self, self.at, self.at)
+
+    def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: D102
+        return self._turns(hung, ground)
+
+
+@dataclass(frozen=True, eq=False)
+class Link(Joint):
+    """A rigid link without mass, on a hinge of the first body and a ball joint of the second."""
+
+    at: Given = place()
+    axis: Given = direction()
+    second_at: Given = place()
+    kind = "link"
+    coordinates = (("angle", "rad"),)
+    has_quaternion = True
+
+    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:
+        """From the hinge out to the ball; or from the ball on the parent back to the hinge of the body."""
+        orientation = by_quaternion(motion.e, motion.w)
+        if sign > 0.0:
+            link = parent.at(self.at).turned(self.axis, motion.q, motion.v)
+            return link.at(self.second_at).oriented(orientation)
+        ball = parent.at(self.second_at).oriented(orientation)
+        return ball.turned(self.axis, motion.q, motion.v).at(self.at).oriented(orientation)
+
+    def rows(self) -> list[Row]:
+        """The ball stays on its circle: at its height along the axis, and at its distance from the hinge."""
+        reach, axis = self._reach, self.first.frame.direction(self.axis)
+        height, ball = reach.dot(axis), self.second.frame.point(self.second_at).value
+        design = self.second_at - self.at
+        level = Moving(height.value - ca.dot(design, self.axis), height.rate, height.bias)
+        return [
+            Row("along", "m", level, force=axis.value, point=ball),
+            Row("length", "m^2", _half_square(reach, ca.dot(design, design)), force=reach.value, point=ball),
+        ]
+
+    def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: D102
+        swept = ca.cross(self._along(self.axis), self._reach.value)
+        ball = self.second.frame.point(self.second_at).value
+        push = Effort(self.second, self.first, force=swept / ca.dot(swept, swept), point=ball)
+        return [push, *self._turns(hung, ground)]
+
+    @property
+    def _reach(self) -> Moving:
+        return self.second.frame.point(self.second_at) - self.first.frame.point(self.at)
+
+
+@dataclass(frozen=True, eq=False)
+class Free(Joint):
+    """No joint at all: the second body flies, against the ground or the moving frame that is the first."""
+
+    at: Given = place()
+    kind = "free"
+    coordinates = (("x", "m"), ("y", "m"), ("z", "m"))
+    has_quaternion = True
+    closes = False
+    refusal = ("the body hangs already", "It needs one joint only.")
+
+    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: ARG002, D102
+        origin = Moving(self.at + motion.q, motion.v, ca.SX(3, 1))
+        return Frame(self.at, origin, by_quaternion(motion.e, motion.w), parent.carrier)
+
+    def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: D102
+        origin = hung.frame.origin.value
+        pushes = [Effort(hung, ground, force=ca.SX.eye(3)[:, i], point=origin) for i in range(3)]
+        return [*pushes, *self._turns(hung, ground)]
+
+
+@dataclass(frozen=True, eq=False)
+class Driven(Joint):
+    """A slide along an axis by a prescribed travel: a track, or a parameter (m)."""
+
+    axis: Given = direction()
+    travel: Given = quantity("m")
+    kind = "driven"
+    closes = False
+    refusal = ("both bodies hang already", "Drive a body that has no joint yet.")
+
+    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: ARG002, D102
+        still = Track(self.travel, ca.SX(0.0), ca.SX(0.0))
+        track = self.travel if isinstance(self.travel, Track) else still
+        return parent.translated(sign * self.axis, track.value, track.rate, track.acceleration)
+
+
+@dataclass(frozen=True, eq=False)
+class PointToPoint(Joint):
+    """A point of the second body on a point of the first."""
+
+    at: Given = place()
+    second_at: Given = place()
+    kind = "point to point"
+    hangs = False
+
+    def rows(self) -> list[Row]:  # noqa: D102
+        return _point_to_point(self, self.at, self.second_at)
+
+
+@dataclass(frozen=True, eq=False)
+class Rod(Joint):
+    """Two points at a distance (m, by default as designed)."""
+
+    at: Given = place()
+    second_at: Given = place()
+    length: Given = quantity("m", None)
+    kind = "rod"
+    hangs = False
+
+    def check(self) -> None:
+        """Refuse a rod without length."""
+        one, other = (_given(self, field, "m") for field in ("at", "second_at"))
+        own = self.length
+        length = None if own is None or isinstance(own, ca.SX) else to_si(own, "m", where=f"{self.name}.length")
+        is_point = own is None and one is not None and other is not None and bool(np.all(one == other))
+        if is_point or (length is not None and length <= 0.0):
+            hint = "Use coincident() to keep two points in one place."
+            found = f"{length or 0.0:g} m"
+            raise AssemblyError("a rod without length", where=self.name, found=found, allowed="above 0 m", hint=hint)
+
+    @property
+    def _squared(self) -> ca.SX:
+        design = self.second_at - self.at
+        return ca.dot(design, design) if self.length is None else ca.SX(self.length**2)
+
+    def rows(self) -> list[Row]:
+        """The multiplier is the rod's force over its length, compression positive."""
+        other = self.second.frame.point(self.second_at)
+        reach = other - self.first.frame.point(self.at)
+        return [Row("", "m^2", _half_square(reach, self._squared), force=reach.value, point=other.value)]
+
+    def shown(self, multipliers: ca.SX) -> ca.SX:
+        """Give the rod's force, N, tension positive."""
+        return -multipliers * ca.sqrt(self._squared)
+
+
+@dataclass(frozen=True, eq=False)
+class PointOnLine(Joint):
+    """A point of the second body on a line of the first."""
+
+    at: Given = place()
+    axis: Given = direction()
+    point: Given = place()
+    kind = "point on line"
+    hangs = False
+
+    def rows(self) -> list[Row]:  # noqa: D102
+        return _on_line(self, self.at, self.axis, self.point)
+
+
+@dataclass(frozen=True, eq=False)
+class Perpendicular(Joint):
+    """Two directions at right angles."""
+
+    axis: Given = direction()
+    second_axis: Given = direction()
+    kind = "perpendicular"
+    hangs = False
+
+    def rows(self) -> list[Row]:  # noqa: D102
+        return [_square("", self.first.frame.direction(self.axis), self.second.frame.direction(self.second_axis))]
+
+
+@dataclass(frozen=True, eq=False)
+class Parallel(Joint):
+    """A direction of both bodies in parallel."""
+
+    axis: Given = direction()
+    kind = "parallel"
+    hangs = False
+
+    def rows(self) -> list[Row]:  # noqa: D102
+        return _parallel(self, self.axis)
+
+
+# equations that joints are made of ------------------------------------------------------------------------------
+
+
+def _point_to_point(joint: Joint, at: ca.SX, second_at: ca.SX) -> list[Row]:
+    """Two points in one place; the multipliers are the force on the second body."""
+    other = joint.second.frame.point(second_at)
+    gap = other - joint.first.frame.point(at)
+    return [
+        Row(axis, "m", Moving(gap.value[i], gap.rate[i], gap.bias[i]), force=ca.SX.eye(3)[:, i], point=other.value)
+        for i, axis in enumerate("xyz")
+    ]
+
+
+def _on_line(joint: Joint, at: ca.SX, axis: ca.SX, point: ca.SX) -> list[Row]:
+    """A point of the second body on a line of the first."""
+    other = joint.second.frame.point(point)
+    reach = other - joint.first.frame.point(at)
+    across = [joint.first.frame.direction(normal) for normal in normals(axis)]
+    return [
+        Row(tag, "m", normal.dot(reach), force=normal.value, point=other.value)
+        for tag, normal in zip(("across", "across_2"), across, strict=True)
+    ]
+
+
+def _parallel(joint: Joint, axis: ca.SX) -> list[Row]:
+    """A direction of both bodies in parallel."""
+    other = joint.second.frame.direction(axis)
+    across = [joint.first.frame.direction(normal) for normal in normals(axis)]
+    return [_square(tag, normal, other) for tag, normal in zip(("tilt", "tilt_2"), across, strict=True)]
+
+
+def _square(tag: str, one: Moving, other: Moving) -> Row:
+    """A direction of the first body at right angles to one of the second."""
+    return Row(tag, "rad", one.dot(other), torque=ca.cross(other.value, one.value))
+
+
+def _half_square(reach: Moving, squared: ca.SX) -> Moving:
+    """Half of what the square of a length is too much."""
+    product = reach.dot(reach)
+    return Moving(0.5 * (product.value - squared), 0.5 * product.rate, 0.5 * product.bias)
+
+
+def _given(joint: Joint, field: str, unit: str) -> Array | None:
+    """Three numbers of a joint as it is written; None for expressions."""
+    value: Sequence[float | str] | ca.SX = getattr(joint, field)
+    if isinstance(value, ca.SX):
+        return None
+    return np.array([to_si(part, unit, where=f"{joint.name}.{field}") for part in value])
