@@ -34,7 +34,7 @@ def _advance(u: float, distance: float, sigma: float, exponent: float) -> float:
 
 @kept()
 def bouc_wen_path(displacement: Array, rate: float, sigma: float, exponent: float, start: float) -> Array:
-    """Follow z' = rate (v - sigma |v| |z|^(n-1) z + (sigma - 1) v |z|^n) along a path of displacements.
+    """Follow ``z' = rate (v - sigma |v| |z|^(n-1) z + (sigma - 1) v |z|^n)`` along a path of displacements.
 
     The law does not depend on time, only on the path; between two samples the motion is taken as one-way, and the path
     is divided so that the state changes little per Runge-Kutta step.
