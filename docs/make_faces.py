@@ -22,6 +22,7 @@ from jounce.control import CONTROLS
 from jounce.core.kinds import FILE_REF
 from jounce.inspection.limits import Limits
 from jounce.inspection.methods import METHODS, QUANTITIES
+from jounce.inspection.quantities import Quantity as GradedQuantity
 from jounce.inspection.record import NUMBERS, SIDES, TEXTS
 from jounce.kinematics.catalogue import CATALOGUE as KINEMATIC_QUANTITIES
 from jounce.kinematics.catalogue import Quantity
@@ -261,11 +262,22 @@ def tables() -> dict[str, str]:
                 for row in KINEMATIC_QUANTITIES
             ],
         ),
+        "inspection-methods.md": _table(
+            ("method", "plates", "shipped tester", "graded values"),
+            [
+                (f"`{key}`", " and ".join(row.plates), f"`{row.tester}`", ", ".join(map(_graded, row.quantities)))
+                for key, row in METHODS.items()
+            ],
+        ),
         "controllers.md": _table(
             ("name", "class", "what it does"),
             [(f"`{name}`", f"`{control.law.__name__}`", control.summary) for name, control in CONTROLS.items()],
         ),
     }
+
+
+def _graded(row: GradedQuantity) -> str:
+    return f"{row.english} `{row.name}`" + (f" [{row.unit}]" if row.unit else "")
 
 
 def _road_rows() -> Iterator[tuple[str, str, str]]:

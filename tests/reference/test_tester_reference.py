@@ -1,6 +1,6 @@
 """Testers of shock absorbers against numbers that are written down elsewhere.
 
-Car A (400 kg, 40 kg, 25 kN/m, 200 kN/m, no tyre damping, plate +-3 mm): table of steady states, run-downs and the
+Car A (400 kg, 40 kg, 25 kN/m, 200 kN/m, no tyre damping, plate +-3 mm): table of steady states, sweeps and the
 3-DOF rig computed independently from the equations of the quarter car; paper 2's table 1 for the Audi corner.
 """
 

@@ -101,7 +101,7 @@ class Equivalence:
     limits : str
         Which limits.
     tests : int
-        Simulated run-downs.
+        Simulated sweeps.
     edges : dict
         Method to the value below which it rejects, in the unit of its quantity.
     """
@@ -172,7 +172,7 @@ def compare_tests(
 ) -> Equivalence:
     """Test a wheel on a rigid plate (adhesion, phase angle) and by its damping ratio on the road, worn and varied.
 
-    Adhesion and phase angle come from simulated run-downs of an EGEA tester, THETA from the poles of the model without
+    Adhesion and phase angle come from simulated sweeps of an EGEA tester, THETA from the poles of the model without
     friction: what friction adds at a tester's amplitude is not in it.
 
     Parameters

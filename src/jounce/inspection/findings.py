@@ -255,6 +255,11 @@ SENTENCES: dict[str, Sentence] = {
         "the tyre leaves the plate; these parts do not count.",
         "Der Reifen hebt von der Platte ab; diese Abschnitte zählen nicht.",
     ),
+    "not_periodic": Sentence(
+        "from {low:g} to {high:g} Hz the motion does not repeat every turn: values are the least of several turns.",
+        "Von {low:g} bis {high:g} Hz wiederholt sich die Bewegung nicht mit jedem Hub: Die Werte sind die kleinsten "
+        "aus mehreren Hüben.",
+    ),
     "not_fitted": Sentence(
         "{text}: the values come from the single turns alone.",
         "Kein Viertelfahrzeug ließ sich anpassen: Die Werte stammen nur aus den einzelnen Hüben.",

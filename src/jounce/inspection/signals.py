@@ -223,7 +223,7 @@ def calibrate_plate(record: xr.Dataset, tester: Tester | None = None, *, wheel: 
     Parameters
     ----------
     record : xarray.Dataset
-        Plate height (m) and force (N) over a run-down of the unloaded plate.
+        Plate height (m) and force (N) over a sweep of the unloaded plate.
     tester : Tester, optional
         Whose limits count: 4 N/Hz by default.
     wheel : {"left", "right"}, optional

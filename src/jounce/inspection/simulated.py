@@ -10,8 +10,9 @@ import numpy as np
 from jounce.core.errors import SimulationError, unknown
 from jounce.core.findings import Finding
 from jounce.inspection.evaluation import evaluate
+from jounce.inspection.findings import warning
 from jounce.inspection.grading import GradedInspection, grade
-from jounce.inspection.methods import METHODS, methods_on
+from jounce.inspection.methods import METHODS, methods_on, rigidity_findings
 from jounce.inspection.result import Inspection, WheelResult
 from jounce.parts import QuarterCar, Rig
 from jounce.parts.elements import LinearDamper
@@ -103,7 +104,7 @@ def simulate_inspection(
     method : {"eusama", "egea", "theta", "boge"}, optional
         Whose grade decides; the tester's own otherwise.
     steady : bool
-        Steady states in place of a run-down: what an infinitely slow sweep without noise would show.
+        Steady states instead of a sweep: what an infinitely slow sweep without noise would show.
     wheel : {"left", "right"}
         Of an axle; of a single wheel the plate it stands on.
     axle : {"front", "rear"}
@@ -241,7 +242,7 @@ def _steady_wheel(rig: Rig, tester: Tester, wheel: str, road: float | None, on_r
             findings += said
         values |= steady
         findings += _end_finding(values["phase_frequency_hz"], tester, wheel)
-        findings += _rigidity_findings(values["tyre_rigidity"], tester, wheel)
+        findings += rigidity_findings(values["tyre_rigidity"], tester, f"{wheel}.tyre_rigidity")
     uncertainty = dict.fromkeys((key for key, value in values.items() if isinstance(value, float)), 0.0)
     uncertainty |= {key: _RESOLUTION for key in uncertainty if key.endswith("_hz")}
     return WheelResult(wheel, static_load=load, uncertainty=uncertainty, findings=tuple(findings), **values)
@@ -290,13 +291,11 @@ def _swept(rig: Rig, tester: Tester, wheel: str) -> tuple[dict[str, Any], list[F
     }
     findings = []
     if sweep.lift_off:
-        findings.append(Finding(f"{wheel}.adhesion", "warning", "the tyre leaves the plate: adhesion counts as 0"))
+        findings.append(warning(f"{wheel}.adhesion", "lift_off"))
     restless = [state.frequency for state in sweep.states if not state.settled]
     if restless:
-        text = (
-            f"from {min(restless):g} to {max(restless):g} Hz the motion does not repeat: values are the least of turns"
-        )
-        findings.append(Finding(f"{wheel}.steady_states", "warning", text, float(len(restless))))
+        span = {"low": min(restless), "high": max(restless)}
+        findings.append(warning(f"{wheel}.steady_states", "not_periodic", float(len(restless)), **span))
     return values, findings
 
 
@@ -304,18 +303,7 @@ def _end_finding(frequency: float, tester: Tester, wheel: str) -> list[Finding]:
     low, high = tester.limits.frequency_min, tester.limits.frequency_max
     if low + _RESOLUTION < frequency < high - _RESOLUTION:
         return []
-    text = f"the least phase angle lies at an end of the band ({low:g} to {high:g} Hz): it is no minimum"
-    return [Finding(f"{wheel}.phase_angle", "warning", text, frequency)]
-
-
-def _rigidity_findings(rigidity: float, tester: Tester, wheel: str) -> list[Finding]:
-    low, high = tester.limits.tyre_rigidity_min, tester.limits.tyre_rigidity_max
-    if low <= rigidity <= high:
-        return []
-    pressure = "low" if rigidity < low else "high"
-    allowed = f"{low / 1e3:.0f} to {high / 1e3:.0f} N/mm"
-    text = f"tyre rigidity {rigidity / 1e3:.0f} N/mm ({allowed}): the tyre's pressure is too {pressure}"
-    return [Finding(f"{wheel}.tyre_rigidity", "warning", text, rigidity)]
+    return [warning(f"{wheel}.phase_angle", "phase_at_end", frequency, frequency=frequency)]
 
 
 def sweep_wear(text: str) -> list[float]:

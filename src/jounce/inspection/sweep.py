@@ -25,7 +25,7 @@ _QUIET_SHARE = 0.12
 
 @dataclass(frozen=True)
 class Sweep:
-    """Turns of a test and its run-down (or run-up)."""
+    """Turns of a test and its sweep, down or up."""
 
     turns: Turns  # of the exciter
     first: int  # turn at which the hold ends and the frequency begins to fall
@@ -40,7 +40,7 @@ class Sweep:
 
     @property
     def begin(self) -> float:
-        """Time from which the record is used: up to 1 s before the run-down, s."""
+        """Time from which the record is used: up to 1 s before the frequency falls, s."""
         return float(max(self.turns.top[self.hold][0], self.turns.top[self.first] - _WAIT))
 
 
@@ -83,7 +83,7 @@ def find_sweep(signals: WheelSignals, tester: Tester | None, *, rigid: bool) -> 
 
 
 def _sprung_findings(frequency: Array, top: float, place: str) -> list[Finding]:
-    """What is wrong with the run-down (or run-up) of a sprung plate: it must pass the wheel's resonance, once."""
+    """What is wrong with the sweep of a sprung plate: it must pass the wheel's resonance, once."""
     middle = np.median(np.lib.stride_tricks.sliding_window_view(np.pad(frequency, 2, mode="edge"), 5), axis=1)
     low = min(_BELOW_RESONANCE, 0.4 * top)
     falls, rises = (_falls(_lasting(one, 0.75 * top, low), 0.75 * top, low) for one in (middle, middle[::-1]))
@@ -176,7 +176,7 @@ _FEWEST_TURNS = 5
 
 
 def turns_of_sweep(frequency: Array, time: Array) -> NDArray[np.bool_]:
-    """Find the turns of the run-down (or run-up): whole ones, from the highest frequency on, each slower than the last.
+    """Find the turns of the sweep: whole ones, from the highest frequency on, each slower than the last.
 
     Parameters
     ----------

@@ -33,7 +33,7 @@ LARGEST = 0.095
 DURATION, STEADY = 12.0, 1.0
 """Length of a run, and of its last part that counts as steady, s."""
 TOP = 25.0
-"""Where a EUSAMA run-down begins, Hz."""
+"""Where a EUSAMA sweep begins, Hz."""
 _STEP, _TOLERANCE = 1e-3, 1e-9
 _TURNING = 2.0 * np.pi * FREQUENCY  # rad/s
 
@@ -116,7 +116,7 @@ class PlateRun(jn.Plain):
 
 @dataclass(frozen=True)
 class Eusama:
-    """Least contact force over the static one (1) in a run-down from 25 Hz, and where (Hz)."""
+    """Least contact force over the static one (1) in a sweep down from 25 Hz, and where (Hz)."""
 
     tyre_damping_coefficient: float
     adhesion: float
@@ -447,7 +447,7 @@ def _sizes(**values: complex) -> dict[str, float]:
 
 
 def eusama(rig: jn.QuarterCar, amplitude: float, tyre_damping: float) -> Eusama:
-    """Adhesion of a slow run-down from 25 Hz, from the linear model (no lift-off).
+    """Adhesion of a slow sweep down from 25 Hz, from the linear model (no lift-off).
 
     Parameters
     ----------

@@ -19,7 +19,7 @@ _ALIKE = 1.3  # ratio of frequencies below which two wheel modes of an axle coun
 
 @dataclass(frozen=True)
 class LinearTesterRig:
-    """Small motions about rest: ``dx/dt = A x + B u``, outputs ``C x + D u``; ``u``: angles and rates of the exciters."""
+    """Small motions about rest, ``dx/dt = A x + B u`` and ``y = C x + D u``; ``u`` are the exciters' angles and rates."""
 
     on: TesterRig
     A: Array  # inputs are for each track its value and its first derivatives
@@ -122,7 +122,7 @@ def place_of(on: TesterRig, wheel: str) -> str:
 
 
 def closed_form_adhesion(rig: Rig, tester: Tester, *, wheel: str = "left") -> tuple[float, float]:
-    """Least adhesion of a slow run-down without lift-off, in closed form.
+    """Least adhesion of a slow sweep without lift-off, in closed form.
 
     Parameters
     ----------
