@@ -599,4 +599,4 @@ def _linear(problem: DesignProblem, best: Rig) -> list[Finding]:
     moments = Analysis(family, problem.surface, tuple(Signal(i) for i in wanted)).at(slopes=False)
     there = [k for k in range(len(wanted)) if k not in moments.absent]
     sigma = {names[wanted[k]]: float(np.sqrt(max(moments.variances[k], 0.0))) for k in there}
-    return linear_findings(best, sigma, {names[wanted[k]]: float(moments.rest[k]) for k in there})
+    return linear_findings(best, sigma, {names[wanted[k]]: float(moments.static[k]) for k in there})

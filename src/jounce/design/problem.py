@@ -202,7 +202,7 @@ class StationaryEvaluator:
             i = self._layout[0][metric.text]
             sigma = np.sqrt(np.maximum(moments.variances[i], 1e-300))
             slopes = moments.variance_slopes[:, i] / (2.0 * sigma)
-            found[metric.text] = _of_kind(metric, sigma, slopes, moments.rest[i], moments.rest_slopes[:, i])
+            found[metric.text] = _of_kind(metric, sigma, slopes, moments.static[i], moments.static_slopes[:, i])
         return found
 
 

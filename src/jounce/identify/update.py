@@ -117,11 +117,11 @@ def is_stationary(problem: UpdateProblem, x: Array) -> bool:
     """Tell whether a Gauss-Newton step within the bounds would lower the objective by less than 1e-6 of it."""
     residuals = problem.residuals(x)
     gradient = residuals.jacobian.T @ residuals.vector
-    held = (np.abs(x) > 1.0 - 1e-5) & (gradient * x < 0.0)
-    if held.all():
+    clamped = (np.abs(x) > 1.0 - 1e-5) & (gradient * x < 0.0)
+    if clamped.all():
         return True
-    curvature = residuals.jacobian[:, ~held].T @ residuals.jacobian[:, ~held]
-    gain = gradient[~held] @ np.linalg.pinv(curvature, hermitian=True) @ gradient[~held]
+    curvature = residuals.jacobian[:, ~clamped].T @ residuals.jacobian[:, ~clamped]
+    gain = gradient[~clamped] @ np.linalg.pinv(curvature, hermitian=True) @ gradient[~clamped]
     objective = float(residuals.vector @ residuals.vector)
     return bool(gain <= _SMALL_GAIN * objective or objective <= _PERFECT * problem.data_energy)
 

@@ -329,7 +329,7 @@ def with_cut_off(model: Matrices, rate: float) -> Matrices:
     a = np.block([[model.A, model.B[0] - rate * model.B[1]], [np.zeros((wheels, n)), -rate * np.eye(wheels)]])
     c = np.hstack([model.C, model.D[0] - rate * model.D[1]])
     b = np.stack([np.zeros((n + wheels, wheels)), np.vstack([model.B[1], np.eye(wheels)])])
-    return Matrices(a, b, c, np.stack([np.zeros_like(model.D[0]), model.D[1]]), model.rest)
+    return Matrices(a, b, c, np.stack([np.zeros_like(model.D[0]), model.D[1]]), model.static)
 
 
 def cut_off_slope(along: Matrices, rate: float) -> Matrices:
@@ -569,9 +569,9 @@ class Moments:
     """
 
     variances: Array
-    rest: Array
+    static: Array
     variance_slopes: Array
-    rest_slopes: Array
+    static_slopes: Array
     absent: dict[int, str]
     model: Matrices
     slopes: tuple[Matrices, ...]
@@ -596,9 +596,9 @@ class Analysis:
         else:
             found = self._banded(chosen, moving, given)
         count = len(self.signals)
-        rest_slopes = np.array([part.rest for part in moving]).reshape(len(moving), count)
+        static_slopes = np.array([part.static for part in moving]).reshape(len(moving), count)
         variance_slopes = np.array(found[1]).reshape(len(moving), count)
-        return Moments(found[0], chosen.rest, variance_slopes, rest_slopes, found[2], model, along)
+        return Moments(found[0], chosen.static, variance_slopes, static_slopes, found[2], model, along)
 
     def _sources(self, values: Array) -> tuple[Source, ...]:
         delays = self.family.geometry_at(values)[:-1] / self.surface.speed

@@ -18,7 +18,7 @@ from jounce.parts.vehicles import Place, Vehicle
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.statics import Equilibrium, find_equilibrium
 
-_EDGE = 1e-12  # a switch this near to its edge at rest is on it: the mean of both sides counts
+_EDGE = 1e-12  # a switch this near to its edge in equilibrium is on it: the mean of both sides counts
 _STEP = 1e-3  # relative, of differences for mechanisms
 
 
@@ -27,7 +27,7 @@ class Matrices:
     """Linear model, or its slope along one number: ``dx/dt = A x + sum_j B_j d^j z/dt^j``, ``y = C x + D z ...``, SI.
 
     ``A`` (n, n) and ``C`` (outputs, n) act on the states, ``B`` (order, n, wheels) and ``D`` (order, outputs, wheels)
-    on the heights of the road under the wheels and their time derivatives; ``rest`` holds the static values of the
+    on the heights of the road under the wheels and their time derivatives; ``static`` holds the static values of the
     outputs.
     """
 
@@ -35,12 +35,12 @@ class Matrices:
     B: Array
     C: Array
     D: Array
-    rest: Array
+    static: Array
 
     def of_rows(self, rows: Sequence[int]) -> Matrices:
         """The model with some of its outputs only."""
         chosen = list(rows)
-        return Matrices(self.A, self.B, self.C[chosen], self.D[:, chosen], self.rest[chosen])
+        return Matrices(self.A, self.B, self.C[chosen], self.D[:, chosen], self.static[chosen])
 
 
 @dataclass(frozen=True)
@@ -127,25 +127,25 @@ class LinearFamily:
     def _exactly(self, p: Array, *, slopes: bool) -> tuple[Matrices, tuple[Matrices, ...]]:
         compiled = self.compiled
         graphs, u = _graphs(compiled, self.rig), compiled.inputs(0.0)
-        rest, modes = _at_rest(compiled, p, u)
-        parts = [np.asarray(part) for part in graphs.values(rest.x, u, p, modes)]
+        equilibrium, modes = _balanced(compiled, p, u)
+        parts = [np.asarray(part) for part in graphs.values(equilibrium.x, u, p, modes)]
         model = self._shaped(parts)
         found: list[Matrices] = []
         for path in self.paths if slopes else ():
             place, dp = self._used(path), np.zeros(len(p))
             if place is not None:
                 dp[place] = 1.0
-            push = np.asarray(graphs.push(rest.x, u, p, modes, dp)).ravel()
+            push = np.asarray(graphs.push(equilibrium.x, u, p, modes, dp)).ravel()
             dx = -np.linalg.lstsq(model.A, push, rcond=None)[0]
-            along = graphs.along(rest.x, u, p, modes, dx, dp)
+            along = graphs.along(equilibrium.x, u, p, modes, dx, dp)
             found.append(self._shaped([np.asarray(part) for part in along]))
         return model, tuple(found)
 
     def _shaped(self, parts: Sequence[Array]) -> Matrices:
-        a, b, c, d, rest = parts
+        a, b, c, d, static = parts
         order, wheels = self.compiled.facts.track_order, len(self.wheels)
         b3, d3 = (np.moveaxis(part.reshape(len(part), wheels, order), 2, 0) for part in (b, d))
-        return Matrices(a, b3, c, d3, rest.ravel())
+        return Matrices(a, b3, c, d3, static.ravel())
 
     def _by_differences(self, p: Array, *, slopes: bool) -> tuple[Matrices, tuple[Matrices, ...]]:
         model, pose = self._numeric(p)
@@ -160,7 +160,7 @@ class LinearFamily:
                     moved[place] += count * step
                 sides.append(self._numeric(moved, pose)[0])
             weights = (1.0, -8.0, 8.0, -1.0)
-            names = ("A", "B", "C", "D", "rest")
+            names = ("A", "B", "C", "D", "static")
             found.append(
                 Matrices(
                     *(
@@ -172,20 +172,20 @@ class LinearFamily:
         return model, tuple(found)
 
     def _numeric(self, p: Array, pose: Array | None = None) -> tuple[Matrices, Array]:
-        """Model about rest, sought from a pose, and the pose found."""
+        """Model about equilibrium, sought from a pose, and the pose found."""
         compiled, u = self.compiled, self.compiled.inputs(0.0)
-        rest, modes = _at_rest(compiled, p, u, pose)
-        where = (rest.x, u, p, modes)
+        equilibrium, modes = _balanced(compiled, p, u, pose)
+        where = (equilibrium.x, u, p, modes)
         across, along = compiled.slopes("x", *where), compiled.slopes("u", *where)
         columns = _road_columns(compiled)
         parts = [
-            rest.pick @ across["rate"] @ rest.lift,
-            rest.pick @ along["rate"][:, columns],
-            across["output"] @ rest.lift,
+            equilibrium.pick @ across["rate"] @ equilibrium.lift,
+            equilibrium.pick @ along["rate"][:, columns],
+            across["output"] @ equilibrium.lift,
             along["output"][:, columns],
             compiled.evaluate("output", *where),
         ]
-        return self._shaped(parts), rest.x[: compiled.facts.counts[0]]
+        return self._shaped(parts), equilibrium.x[: compiled.facts.counts[0]]
 
 
 def _places(rig: Rig, wheels: Sequence[str]) -> tuple[Place, ...]:
@@ -216,13 +216,13 @@ def _road_columns(compiled: Compiled) -> list[int]:
     return [i * order + j for i, track in enumerate(facts.tracks) if is_road(track) for j in range(order)]
 
 
-def _at_rest(compiled: Compiled, p: Array, u: Array, pose: Array | None = None) -> tuple[Equilibrium, Array]:
-    """State of rest and modes; what is on its edge there counts by the mean of both sides."""
-    rest = find_equilibrium(compiled, p, u, pose)
-    if not np.all(np.isfinite(rest.x)):
+def _balanced(compiled: Compiled, p: Array, u: Array, pose: Array | None = None) -> tuple[Equilibrium, Array]:
+    """Static equilibrium and modes; a switch on its edge there counts as the mean of both sides."""
+    equilibrium = find_equilibrium(compiled, p, u, pose)
+    if not np.all(np.isfinite(equilibrium.x)):
         raise SimulationError("no static equilibrium was found", where="linear model")
-    switch = compiled.evaluate("switch", rest.x, u, compiled.plain.extended(p), rest.modes)
-    return rest, np.where(np.abs(switch) < _EDGE, 0.5, rest.modes)
+    switch = compiled.evaluate("switch", equilibrium.x, u, compiled.plain.extended(p), equilibrium.modes)
+    return equilibrium, np.where(np.abs(switch) < _EDGE, 0.5, equilibrium.modes)
 
 
 @dataclass(frozen=True)
@@ -297,7 +297,7 @@ def without_unreached(model: Matrices, slopes: Sequence[Matrices]) -> tuple[Matr
 
 def _reduced(model: Matrices, kept: Array) -> Matrices:
     b = np.stack([kept.T @ part for part in model.B])
-    return Matrices(kept.T @ model.A @ kept, b, model.C @ kept, model.D, model.rest)
+    return Matrices(kept.T @ model.A @ kept, b, model.C @ kept, model.D, model.static)
 
 
 def _moved(model: Matrices, along: Matrices, form: Array, kept: Array, left: Array) -> Matrices:
@@ -308,4 +308,4 @@ def _moved(model: Matrices, along: Matrices, form: Array, kept: Array, left: Arr
     turn = solve_sylvester(form[count:, count:], -form[:count, :count], -left.T @ along.A @ kept)
     found = _reduced(along, kept)
     a, c = found.A + kept.T @ model.A @ left @ turn, found.C + model.C @ left @ turn
-    return Matrices(a, found.B, c, found.D, found.rest)
+    return Matrices(a, found.B, c, found.D, found.static)

@@ -192,7 +192,7 @@ def stationary(
     sigma = np.sqrt(np.maximum(found.variances, 0.0))
     slopes = found.variance_slopes / np.where(sigma > 0.0, 2.0 * sigma, np.inf)
     there = [i for i in range(count) if i not in found.absent]
-    static = dict(zip(names, map(float, found.rest[:count]), strict=True))
+    static = dict(zip(names, map(float, found.static[:count]), strict=True))
     values = {names[i]: float(sigma[i]) for i in there}
     return StationaryResponse(
         values,
