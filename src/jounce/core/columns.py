@@ -54,20 +54,7 @@ class Column:
         return f"{self.file}: column {self.label!r}" if self.file else f"column {self.label!r}"
 
     def in_si(self, si: str) -> Array:
-        """Give the values in ``si`` (e.g. ``"m"``; ``"1"`` for plain numbers).
-
-        Returns
-        -------
-        ndarray, shape (rows,)
-            Values in ``si``.
-
-        Raises
-        ------
-        RecordingError
-            When the header has no unit.
-        DescriptionError
-            When its unit does not convert to ``si``.
-        """
+        """Give the values in ``si`` (e.g. ``"m"``; ``"1"`` for plain numbers); refuse a missing or unfitting unit."""
         if not self.unit and si != "1":
             raise RecordingError(
                 "the header has no unit",
@@ -133,24 +120,10 @@ def read_columns_csv(path: Path | str) -> ColumnTable:
     The first line that is neither empty nor a ``#`` comment is the header: one ``name [unit]`` per column. A trailing
     separator is accepted only when the header and every row have it. Numbers use a decimal point.
 
-    Parameters
-    ----------
-    path : Path or str
-        File with a header and at least one row.
+    Gives raw numbers (not converted), all finite, and the comments before the header. A RecordingError with the line
+    refuses a missing, empty or binary file, a missing header, text or a blank or NaN in a number column, rows of
+    different lengths, trailing separators and decimal commas.
 
-    Returns
-    -------
-    ColumnTable
-        Columns with raw numbers (not converted), all finite, and the comments before the header.
-
-    Raises
-    ------
-    RecordingError
-        For a missing, empty or binary file, a missing header, text or a blank or NaN in a number column, rows of
-        different lengths, trailing separators and decimal commas; each with its line.
-
-    Examples
-    --------
     >>> import tempfile, pathlib
     >>> file = pathlib.Path(tempfile.mkdtemp()) / "spring.csv"
     >>> _ = file.write_text("displacement [mm], force [N]\n0, 0\n10, 227.3\n")

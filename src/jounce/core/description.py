@@ -67,13 +67,7 @@ class Description(BaseModel, metaclass=_DescriptionType):
 
 
 def read_toml(path: Path | str) -> tuple[dict[str, Any], str]:
-    """Read a TOML file; give its table and its text.
-
-    Raises
-    ------
-    DescriptionError
-        When the file is missing, empty, not text, or not TOML (with the line).
-    """
+    """Read a TOML file; give its table and its text. What is missing, empty or not TOML (with the line) is refused."""
     file = existing_file(path)
     try:
         text = file.read_text(encoding="utf-8")

@@ -13,27 +13,8 @@ class MissingPackageError(JounceError):
 
 
 def require(module: str, extra: str) -> ModuleType:
-    """Import a package of an optional extra.
+    """Import a package of an optional extra; where it is missing, a MissingPackageError says how to install it.
 
-    Parameters
-    ----------
-    module : str
-        Name to import, e.g. ``"nptdms"``.
-    extra : str
-        Extra of jounce that installs it, e.g. ``"io"``.
-
-    Returns
-    -------
-    module
-        The imported module.
-
-    Raises
-    ------
-    MissingPackageError
-        When it is not installed; the message holds the command that installs it.
-
-    Examples
-    --------
     >>> require("json", "io").dumps([1])
     '[1]'
     """

@@ -43,26 +43,10 @@ def _factor(unit: str, si: str) -> float:
 
 
 def conversion_factor(unit: str, si: str, *, where: str = "") -> float:
-    """Give the factor that turns a number in ``unit`` into ``si``.
+    """Give the SI value of one ``unit``, in ``si`` (``"1"``: a plain number).
 
-    Parameters
-    ----------
-    unit : str
-        Unit as written by the user, e.g. ``"mm"``, ``"N*s/m"``, ``"g"`` (standard gravity when ``si`` is m/s^2).
-    si : str
-        SI unit wanted, e.g. ``"m"``; ``"1"`` for a plain number.
-    where : str
-        Place named in the error.
-
-    Returns
-    -------
-    float
-        SI value of one ``unit``.
-
-    Raises
-    ------
-    DescriptionError
-        When ``unit`` is unknown or measures something else.
+    The unit is as the user writes it, e.g. ``"mm"``, ``"N*s/m"``, or ``"g"`` for standard gravity where ``si`` is
+    m/s^2. A DescriptionError at the place ``where`` refuses units that are unknown or measure something else.
     """
     try:
         return _factor(unit.strip(), si)
@@ -79,26 +63,9 @@ def _unit_hint(unit: str) -> str:
 
 
 def to_si(value: object, si: str, *, where: str = "") -> float:
-    """Read one physical value: text with its unit, or a bare number that is already SI.
+    """Read one physical value in ``si``: text with its unit (``"22.73 N/mm"``), or a bare number that is already SI.
 
-    Parameters
-    ----------
-    value : str, int or float
-        ``"22.73 N/mm"`` or ``22730.0``.
-    si : str
-        SI unit of the result; ``"1"`` for a plain number.
-    where : str
-        Place named in the error.
-
-    Returns
-    -------
-    float
-        The value in SI.
-
-    Raises
-    ------
-    DescriptionError
-        For a missing or wrong unit, or a value that is not a finite number.
+    A DescriptionError at the place ``where`` refuses a missing or wrong unit, and what is not a finite number.
     """
     if isinstance(value, bool) or not isinstance(value, (Real, str)):
         raise DescriptionError("not a physical value", where=where, found=value, allowed=f"'<number> <unit of {si}>'")

@@ -21,7 +21,7 @@ from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE, Segments
 from jounce.core.types import Array
 from jounce.core.units import Length, PositiveLength, PositiveNumber
 from jounce.roads.profile import Profile, hermite_pieces, laid_out
-from jounce.roads.road import Road
+from jounce.roads.road import RoadOf
 
 _NEEDED = {
     "moving-average": ("contact_length",),
@@ -30,7 +30,7 @@ _NEEDED = {
 }
 
 
-class Enveloped(Road):
+class Enveloped(RoadOf):
     """Effective height of the road ``of`` under a tyre of finite size.
 
     ``start`` and ``recurrence`` are those of ``of``. The effective height begins and ends beyond the obstacle, by up to
@@ -79,7 +79,6 @@ class Enveloped(Road):
 
     kind: Literal["enveloped"] = "enveloped"
     start: Length = 0.0
-    of: Road
     method: Literal["moving-average", "rigid-circle", "tandem-cam"]
     contact_length: PositiveLength | None = None
     radius: PositiveLength | None = None
@@ -127,18 +126,6 @@ class Enveloped(Road):
     def end(self) -> float:
         """Distance in m at which the tyre has left the road inside for good."""
         return self.of.end() + self.reach()
-
-    def is_course(self) -> bool:
-        """As the road inside."""
-        return self.of.is_course()
-
-    def known_length(self) -> float:
-        """That of the road inside, m."""
-        return self.of.known_length()
-
-    def point_spacing(self) -> float | None:
-        """That of the road inside, m."""
-        return self.of.point_spacing()
 
     def effective_slope_at(self, x: ArrayLike) -> Array:
         """Slope (1) of the road that the tyre feels at the distances ``x`` in m, any shape.

@@ -13,7 +13,7 @@ from pydantic import Field
 from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE
 from jounce.core.units import Length, NonNegativeLength, PositiveLength
 from jounce.roads.profile import Piece, Profile, profile, repeated
-from jounce.roads.road import Road
+from jounce.roads.road import Road, RoadOf
 
 
 def _line(length: float, height: float, slope: float) -> Piece:
@@ -348,7 +348,7 @@ class Pothole(Road):
         return profile(_edge(radius, 0.0, down=True), bottom, _edge(radius, 0.0, down=False))
 
 
-class Train(Road):
+class Train(RoadOf):
     """The obstacle ``of``, ``count`` times, with a ``pitch`` from start to start.
 
     Steps and ramps climb: each stands on the level at which the one before ended. ``start`` and ``recurrence`` are
@@ -371,7 +371,6 @@ class Train(Road):
     """
 
     kind: Literal["train"] = "train"
-    of: Road
     count: int = Field(ge=1, le=1_000_000, strict=True)
     pitch: PositiveLength
 
@@ -391,17 +390,9 @@ class Train(Road):
         """Pieces of the whole train."""
         return repeated(self.of.profile(), self.count, self.pitch)
 
-    def is_course(self) -> bool:
-        """As what it repeats."""
-        return self.of.is_course()
-
     def known_length(self) -> float:
         """Distance in m up to which it is known: infinite if what it repeats is."""
         return math.inf if self.recurrence is not None or math.isinf(self.of.known_length()) else self.end()
-
-    def point_spacing(self) -> float | None:
-        """Distance in m between the points of what it repeats."""
-        return self.of.point_spacing()
 
 
 def _half_wave(length: float, height: float, quarter: float) -> Piece:

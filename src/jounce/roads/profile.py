@@ -106,21 +106,10 @@ def repeated(one: Profile, count: int, pitch: float) -> Profile:
 
 
 def laid_out(one: Profile, places: Iterable[tuple[float, float]], low: float, high: float) -> Segments:
-    """Heights over [``low``, ``high``] of the profile laid at ascending ``places``.
+    """Heights over [``low``, ``high``] (m or s) of the profile laid at ascending ``places``.
 
-    Parameters
-    ----------
-    one : Profile
-        The obstacle.
-    places : iterable of (position, lift)
-        Where its coordinate 0 lies and how much it is raised, both in m (position in s for a motion).
-    low, high : float
-        Window, in m (or s).
-
-    Returns
-    -------
-    Segments
-        Level pieces fill the gaps; the level before the first place is the profile's own.
+    A place is where the profile's coordinate 0 lies, and how much it is raised in m. Level pieces fill the gaps; the
+    level before the first place is the profile's own.
     """
     starts: list[Array] = []
     kinds: list[NDArray[np.int64]] = []

@@ -224,6 +224,24 @@ class SampledRoad(Road):
         return float(np.median(np.diff(self.points()[0])))
 
 
+class RoadOf(Road):
+    """A road made of another one, ``of``: it is a course, known and sampled, as that one is."""
+
+    of: Road
+
+    def is_course(self) -> bool:
+        """As the road inside."""
+        return self.of.is_course()
+
+    def known_length(self) -> float:
+        """Distance in m up to which the road inside is known."""
+        return self.of.known_length()
+
+    def point_spacing(self) -> float | None:
+        """Distance in m between the points of the road inside."""
+        return self.of.point_spacing()
+
+
 ROADS = Road.kinds
 """Every kind of road by the word that stands for it in a file."""
 

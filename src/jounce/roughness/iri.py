@@ -181,17 +181,7 @@ def rectified_slope(height: Array, spacing: float, run_up: float = RUN_UP) -> Ar
 def state_transition(spacing: float) -> tuple[Array, Array]:
     """Matrices of one step along the profile: ``Z[i+1] = ST Z[i] + PR slope`` (slope form, s for the rates).
 
-    Parameters
-    ----------
-    spacing : float
-        Step in m.
-
-    Returns
-    -------
-    ST : ndarray, shape (4, 4)
-        Of the state: slopes (1) and their rates (1/s) of sprung and unsprung mass.
-    PR : ndarray, shape (4,)
-        Of the profile's slope (1).
+    ``Z`` holds the slopes (1) and their rates (1/s) of sprung and unsprung mass; ``spacing`` is the step in m.
     """
     values, vectors, inverse = _modes()
     factors = np.exp(values * spacing / SPEED)
