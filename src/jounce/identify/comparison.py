@@ -238,16 +238,21 @@ def iso18571(reference: ArrayLike, compared: ArrayLike, sample_rate: float, *, p
     """
     t, c = np.asarray(reference, dtype=float), np.asarray(compared, dtype=float)
     _check_rated(t, c, sample_rate, place)
-    findings: tuple[Finding, ...] = ()
+    findings = []
     if abs(sample_rate - SAMPLE_RATE) > 1e-6 * SAMPLE_RATE:
-        findings = _rate_findings(sample_rate, place)
+        if sample_rate < SAMPLE_RATE:
+            text = f"recorded at {sample_rate:g} Hz, below the 10 kHz of ISO/TS 18571; resampled, so the rating is "
+            findings.append(Finding(place, "note", text + "indicative", sample_rate))
         both = resample(np.arange(t.size) / sample_rate, np.stack((t, c), axis=1), SAMPLE_RATE)[1]
         t, c = np.ascontiguousarray(both[:, 0]), np.ascontiguousarray(both[:, 1])
     shift, rival = best_shift(t, c)
     if rival is not None:
-        findings += (_ambiguity(shift, rival, place),)
-    shifted_t = t[: t.size - shift] if shift >= 0 else t[-shift:]
-    shifted_c = c[shift:] if shift >= 0 else c[:shift]
+        text = (
+            f"the signals repeat: a shift of {rival / SAMPLE_RATE:g} s correlates nearly as well as the best one of "
+            f"{shift / SAMPLE_RATE:g} s; ISO/TS 18571 is for signals that do not, its phase score may be too low"
+        )
+        findings.append(Finding(place, "warning", text, rival / SAMPLE_RATE))
+    shifted_t, shifted_c = _shifted(t, c, shift)
     scores = (
         corridor_score(t, c),
         max(0.0, 1.0 - abs(shift) / (LARGEST_SHIFT * t.size)),
@@ -255,7 +260,7 @@ def iso18571(reference: ArrayLike, compared: ArrayLike, sample_rate: float, *, p
         slope_score(shifted_t, shifted_c),
     )
     rating = float(sum(w * score for w, score in zip(WEIGHTS, scores, strict=True)))
-    return Rating(*scores, rating, grade_of(rating), shift / SAMPLE_RATE, findings)
+    return Rating(*scores, rating, grade_of(rating), shift / SAMPLE_RATE, tuple(findings))
 
 
 def _check_rated(reference: Array, compared: Array, sample_rate: float, place: str) -> None:
@@ -274,13 +279,6 @@ def _check_rated(reference: Array, compared: Array, sample_rate: float, place: s
         raise FitError(
             "the reference is constant, ISO/TS 18571 defines no rating for it", where=place, found=float(reference[0])
         )
-
-
-def _rate_findings(sample_rate: float, place: str) -> tuple[Finding, ...]:
-    if sample_rate > SAMPLE_RATE:
-        return ()
-    text = f"recorded at {sample_rate:g} Hz, below the 10 kHz of ISO/TS 18571; resampled, so the rating is indicative"
-    return (Finding(place, "note", text, sample_rate),)
 
 
 def grade_of(rating: float) -> Grade:
@@ -331,17 +329,15 @@ def _rival(correlations: Array, best: int, middle: int) -> int | None:
     return None
 
 
-def _ambiguity(shift: int, rival: int, place: str) -> Finding:
-    text = (
-        f"the signals repeat: a shift of {rival / SAMPLE_RATE:g} s correlates nearly as well as the best one of "
-        f"{shift / SAMPLE_RATE:g} s; ISO/TS 18571 is for signals that do not, its phase score may be too low"
-    )
-    return Finding(place, "warning", text, rival / SAMPLE_RATE)
+def _shifted(reference: Array, compared: Array, shift: int) -> tuple[Array, Array]:
+    """What overlaps when the compared signal comes ``shift`` samples later."""
+    if shift >= 0:
+        return reference[: reference.size - shift], compared[shift:]
+    return reference[-shift:], compared[:shift]
 
 
 def _correlation(reference: Array, compared: Array, shift: int) -> float:
-    t = reference[: reference.size - shift] if shift >= 0 else reference[-shift:]
-    c = compared[shift:] if shift >= 0 else compared[:shift]
+    t, c = _shifted(reference, compared, shift)
     t, c = t - t.mean(), c - c.mean()
     size = float(np.sqrt((t @ t) * (c @ c)))
     return float(t @ c) / size if size > 0.0 else -1.0

@@ -14,7 +14,7 @@ from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, Severity
 from jounce.core.types import Array
 from jounce.identify.decay import zigzag
-from jounce.identify.estimate import Estimate, r_squared, uncertainty
+from jounce.identify.estimate import Estimate, central_differences, r_squared, uncertainty
 
 VelocityFrom = Literal["recorded", "displacement"]
 LawName = Literal["linear", "bilinear", "polynomial", "tanh-hysteretic", "bouc-wen"]
@@ -615,19 +615,17 @@ def _search(
 def _estimates(
     law: DamperLaw, motion: DamperMotion, used: slice, values: Array, residual: Array, free: NDArray[np.bool_]
 ) -> list[Estimate]:
-    count = len(law.weights)
+    weights, shapes = values[: len(law.weights)], values[len(law.weights) :]
 
     def force(point: Array) -> Array:
-        columns = law.columns(motion.displacement, motion.velocity, point[count:])
-        return np.asarray((columns @ point[:count])[used])
+        return np.asarray((law.columns(motion.displacement, motion.velocity, point) @ weights)[used])
 
-    jacobian = np.empty((len(residual), len(values)))
-    jacobian[:, :count] = law.columns(motion.displacement, motion.velocity, values[count:])[used]
-    for index in range(count, len(values)):
-        step = np.zeros(len(values))
-        reach = float(law.bounds[1][index - count]) if law.shapes[index - count][0] == "displacement_coupling" else 0.0
-        step[index] = 1e-3 * max(abs(float(values[index])), 1e-2 * reach)
-        jacobian[:, index] = (force(values + step) - force(values - step)) / (2.0 * step[index])
+    jacobian = law.columns(motion.displacement, motion.velocity, shapes)[used]
+    if len(shapes):
+        # the coupling, which has a sign, may be near zero: its step is then a share of its range
+        signed = np.array([key == "displacement_coupling" for key, _ in law.shapes])
+        steps = 1e-3 * np.maximum(np.abs(shapes), 1e-2 * np.where(signed, law.bounds[1], 0.0))
+        jacobian = np.column_stack([jacobian, central_differences(force, shapes, steps)])
     known = uncertainty(jacobian[:, free], residual).estimates(values[free])
     remaining = iter(known)
     return [next(remaining) if is_free else Estimate(float(v)) for v, is_free in zip(values, free, strict=True)]

@@ -17,6 +17,7 @@ from jounce.identify.estimate import (
     Estimate,
     Uncertainty,
     at_least_zero,
+    central_differences,
     combine,
     linear_least_squares,
     r_squared,
@@ -459,15 +460,12 @@ def _at_rest(t: Array, signal: Array, peaks: Peaks) -> NDArray[np.bool_]:
 def _rest_gap(t: Array, signal: Array, values: Array, spread: Uncertainty) -> tuple[float, float]:
     """Mean distance of the rest from where the response ends, and the standard error of that end."""
 
-    def end(point: Array) -> float:
-        return float(decay_response(t, _unpack(point), "displacement").mean())
+    def end(point: Array) -> Array:
+        return np.asarray(decay_response(t, _unpack(point), "displacement").mean())
 
-    gradient = np.zeros(len(values))
-    for index, value in enumerate(values):
-        step = np.zeros(len(values))
-        step[index] = 1e-6 * max(abs(value), 1e-3 * abs(values[5]))
-        gradient[index] = (end(values + step) - end(values - step)) / (2.0 * step[index])
-    return float(signal.mean()) - end(values), spread.derived(0.0, gradient).standard_error or 0.0
+    steps = 1e-6 * np.maximum(np.abs(values), 1e-3 * abs(values[5]))
+    gradient = central_differences(end, values, steps)
+    return float(signal.mean()) - float(end(values)), spread.derived(0.0, gradient).standard_error or 0.0
 
 
 # fit ------------------------------------------------------------------------------------------------------------------

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -219,3 +219,13 @@ def r_squared(measured: Array, residual: Array) -> float:
     spread = measured - measured.mean()
     total = float(spread @ spread)
     return 1.0 - float(residual @ residual) / total if total > 0.0 else 0.0
+
+
+def central_differences(function: Callable[[Array], Array], values: Array, steps: Array) -> Array:
+    """Derivatives of a function along each of some values, shape (..., values), by central differences."""
+    moves = np.diag(steps)
+    columns = [
+        (function(values + move) - function(values - move)) / (2.0 * step)
+        for move, step in zip(moves, steps, strict=True)
+    ]
+    return np.stack(columns, axis=-1)

@@ -639,21 +639,18 @@ class PressureStiffness:
         if not (math.isfinite(pressure) and pressure > 0.0):
             raise FitError("not an inflation pressure", found=f"{pressure} Pa", allowed="above 0 Pa")
         p = np.array(self.pressures)
-        findings = [] if p[0] <= pressure <= p[-1] else [self._outside(pressure)]
+        findings = []
+        if not p[0] <= pressure <= p[-1]:
+            text = (
+                f"{pressure / 1e6:.3g} MPa lies outside the measured pressures ({p[0] / 1e6:.3g} to "
+                f"{p[-1] / 1e6:.3g} MPa): the stiffness is extrapolated; measure there."
+            )
+            findings.append(Finding("tyre pressure", "warning", text, pressure))
         if len(p) == 1:
             return self.stiffnesses[0], findings
         right = int(np.clip(np.searchsorted(p, pressure), 1, len(p) - 1))
         share = float((pressure - p[right - 1]) / (p[right] - p[right - 1]))
         return _blend(self.stiffnesses[right - 1], self.stiffnesses[right], share), findings
-
-    def _outside(self, pressure: float) -> Finding:
-        return Finding(
-            "tyre pressure",
-            "warning",
-            f"{pressure / 1e6:.3g} MPa lies outside the measured pressures ({self.pressures[0] / 1e6:.3g} to "
-            f"{self.pressures[-1] / 1e6:.3g} MPa): the stiffness is extrapolated; measure there.",
-            pressure,
-        )
 
 
 def _blend(low: Estimate, high: Estimate, share: float) -> Estimate:

@@ -409,20 +409,9 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
     optima = minimise_from_many(problem, start, method, starts, seed)
     findings = [*known.findings, *_stall(name, optima[0], before), *_several_minima(name, optima)]
     findings += _common_factors(problem)
-    return _result(name, method, problem, known, before, optima[0], findings)
-
-
-def _result(
-    name: str,
-    method: str,
-    problem: UpdateProblem,
-    known: Identifiability,
-    before: float,
-    optimum: Optimum,
-    findings: list[Finding],
-) -> UpdateResult:
-    residuals = problem.residuals(optimum.scaled)
-    at_bound = np.abs(optimum.scaled) > 1.0 - 1e-5
+    best = optima[0]
+    residuals = problem.residuals(best.scaled)
+    at_bound = np.abs(best.scaled) > 1.0 - 1e-5
     inner = ~at_bound
     covariance = np.zeros((problem.size, problem.size))
     if inner.any():
@@ -430,29 +419,28 @@ def _result(
             residuals.vector, residuals.jacobian[:, inner], residuals.blocks
         )
     parameters = {}
-    for i, (free, value) in enumerate(zip(problem.free, problem.values(optimum.scaled), strict=True)):
-        error = None if at_bound[i] or covariance[i, i] <= 0.0 else float(np.sqrt(covariance[i, i])) * free.half_range
-        interval = None if error is None else (float(value) - 1.96 * error, float(value) + 1.96 * error)
-        parameters[free.path] = UpdatedParameter(
-            free.initial, float(value), error, interval, free.lower, free.upper, bool(at_bound[i])
+    for i, (item, found) in enumerate(zip(problem.free, problem.values(best.scaled), strict=True)):
+        value = float(found)
+        error = None if at_bound[i] or covariance[i, i] <= 0.0 else float(np.sqrt(covariance[i, i])) * item.half_range
+        interval = None if error is None else (value - 1.96 * error, value + 1.96 * error)
+        parameters[item.path] = UpdatedParameter(
+            item.initial, value, error, interval, item.lower, item.upper, bool(at_bound[i])
         )
         if at_bound[i]:
             text = "ends on its bound: the data call for a value beyond it, or the model lacks something"
-            findings.append(Finding(free.path, "warning", text, float(value)))
-    lags = problem.lags(optimum.scaled)
+            findings.append(Finding(item.path, "warning", text, value))
+    lags = zip(problem.trials, problem.lags(best.scaled), strict=True) if problem.align else ()
     return UpdateResult(
         name,
         method,
         before,
-        optimum.objective,
-        100.0 * (before - optimum.objective) / before if before > 0.0 else 0.0,
-        optimum.iterations,
+        best.objective,
+        100.0 * (before - best.objective) / before if before > 0.0 else 0.0,
+        best.iterations,
         problem.evaluations,
         parameters,
         tuple(tuple(float(v) for v in row) for row in correlation_of(covariance)),
-        {trial.source.name: float(lag) for trial, lag in zip(problem.trials, lags, strict=True)}
-        if problem.align
-        else {},
+        {trial.source.name: float(lag) for trial, lag in lags},
         known,
         tuple(findings),
     )

@@ -1,7 +1,7 @@
 """Loads of pickup points and joints for a load at the contact patch: rigid parts and the spring in equilibrium.
 
-The spring's force is what the load asks for, not what its law gives at that travel: so forces and virtual work agree.
-Weights of the parts and the anti-roll bar do not count.
+The spring's force is the one that the load requires, not what its law gives at that travel, so that forces and virtual
+work agree. Weights of the parts and the anti-roll bar do not count.
 """
 
 from __future__ import annotations
@@ -58,10 +58,6 @@ class Balance:
         """Add an unknown torque about a direction."""
         self._columns.append(self._turn(inner, direction) - self._turn(outer, direction))
         return len(self._columns) - 1
-
-    def joint(self, inner: str, outer: str, at: Array) -> list[int]:
-        """Add a ball joint: three unknown forces along the ground's axes."""
-        return [self.along(inner, outer, np.tile(axis, (self.poses, 1)), at) for axis in np.eye(3)]
 
     def share(self, axis: Array, one: list[int], other: list[int]) -> None:
         """Let two joints share the force along an axis equally; without that a shaft in two bearings has no answer."""
@@ -127,21 +123,20 @@ class Joints:
     """Unknowns of a corner with their names, collected while its parts are put into balance.
 
     ``points`` holds the place of every hardpoint, m, shape (n, 3); ``forces`` the hardpoints at which vectors are
-    reported, each with (direction, unknown) terms; ``scalars`` single forces with their sign.
+    reported, each with (direction, unknown) terms; ``scalars`` single forces.
     """
 
     rig: Corner
     points: dict[str, Array]
     balance: Balance
     forces: dict[str, list[tuple[Array, int]]] = field(default_factory=dict)
-    scalars: dict[str, tuple[float, int, str]] = field(default_factory=dict)
+    scalars: dict[str, tuple[int, str]] = field(default_factory=dict)
 
     def ball(self, name: str, inner: str, outer: str) -> list[int]:
-        """Ball joint at a hardpoint."""
-        found = self.balance.joint(inner, outer, self.points[name])
-        self.report(
-            name, [(np.tile(axis, (self.balance.poses, 1)), i) for axis, i in zip(np.eye(3), found, strict=True)]
-        )
+        """Ball joint at a hardpoint: three unknown forces along the ground's axes."""
+        axes = [np.tile(axis, (self.balance.poses, 1)) for axis in np.eye(3)]
+        found = [self.balance.along(inner, outer, axis, self.points[name]) for axis in axes]
+        self.report(name, list(zip(axes, found, strict=True)))
         return found
 
     def report(self, name: str, terms: list[tuple[Array, int]]) -> None:
@@ -159,11 +154,7 @@ class Joints:
         unknown = self.balance.along(*parts, -along, self.points[inner])
         self.report(inner, [(-along, unknown)])
         self.report(outer, [(-along, unknown)])
-        self.scalars[f"{name}.axial_force"] = (
-            1.0,
-            unknown,
-            f"{name.replace('_', ' ')}: force along it, tension positive",
-        )
+        self.scalars[f"{name}.axial_force"] = unknown, f"{name.replace('_', ' ')}: axial force, tension positive"
 
     def spring(self) -> None:
         """Spring between the body and what carries the strut."""
@@ -175,7 +166,7 @@ class Joints:
         unknown = self.balance.along(BODY, self.rig.strut.on, along, self.points[names[1]])
         for name in names:
             self.report(name, [(along, unknown)])
-        self.scalars["spring.force"] = 1.0, unknown, "spring force that the load asks for, compression positive"
+        self.scalars["spring.force"] = unknown, "spring force that the load requires, compression positive"
 
     def rocker(self) -> None:
         """Rocker on its pivot, pushed by its rod; its bearing takes three forces and two torques."""
@@ -332,8 +323,8 @@ def _dataset(sweep: PreparedSweep, joints: Joints, travel: Array, unknowns: Arra
         for k, axis in enumerate("xyz"):
             text = f"{name.replace('_', ' ')}: force along {axis} on the part nearer to the body"
             variables[f"{name}.f{axis}"] = ("wheel_travel", force[:, k], _attributes(text))
-    for name, (sign, i, text) in joints.scalars.items():
-        variables[name] = ("wheel_travel", sign * unknowns[:, i], _attributes(text))
+    for name, (i, text) in joints.scalars.items():
+        variables[name] = ("wheel_travel", unknowns[:, i], _attributes(text))
     at = {"wheel_travel": ("wheel_travel", travel, {"units": "m", "long_name": "vertical travel of the wheel centre"})}
     ends = sweep.ends() if len(travel) < len(sweep.layout.place) else []
     facts = {

@@ -21,6 +21,7 @@ from jounce.ride.stationary import StationaryResponse, stationary
 from jounce.roads import Crg, Iso8608, Road, Trial
 from jounce.roads.trial import FASTEST
 from jounce.simulation import simulate
+from jounce.simulation.compiled import compile_rig
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -98,10 +99,11 @@ def iso_trial(
     settling = _whole_samples((_RUN_IN + _wheelbase(rig)) / velocity)
     lasting = settling + _whole_samples(rough)
     left = Iso8608(class_=class_, length=velocity * lasting + _RUN_IN, step=step, seed=seed, run_in=_RUN_IN)
+    right: Road | None = None
     if isinstance(rig, FullCar | FullCar3D):
         left = left.model_copy(update={"track": _track(rig)})
-        return RideTrial(_trial(left, left.other_track(), velocity, lasting), settling)
-    return RideTrial(_trial(left, None, velocity, lasting), settling)
+        right = left.other_track()
+    return RideTrial(Trial(road=left, right=right, speed=velocity, duration=lasting), settling)
 
 
 def road_trial(rig: Rig, road: Road, speed: float | str, *, duration: float | str | None = None) -> RideTrial:
@@ -148,7 +150,8 @@ def road_trial(rig: Rig, road: Road, speed: float | str, *, duration: float | st
     lasting = whole if duration is None else positive_si(duration, "s", where="duration")
     road.check_covers(velocity * lasting, behind=beyond, where="duration")
     _check_fine_enough(road, velocity)
-    return RideTrial(_trial(left, right, velocity, _whole_samples(lasting)), behind / velocity)
+    trial = Trial(road=left, right=right, speed=velocity, duration=_whole_samples(lasting))
+    return RideTrial(trial, behind / velocity)
 
 
 def _check_fine_enough(road: Road, speed: float) -> None:
@@ -162,10 +165,6 @@ def _check_fine_enough(road: Road, speed: float) -> None:
             allowed=f"at most {speed / (2.0 * FASTEST):.3g} m: wheels hop at about {FASTEST:g} Hz",
             hint="Take a finer profile, or drive faster.",
         )
-
-
-def _trial(left: Road, right: Road | None, speed: float, duration: float) -> Trial:
-    return Trial(road=left, right=right, speed=speed, duration=duration)
 
 
 def _whole_samples(time: float) -> float:
@@ -456,11 +455,6 @@ def _stationary(rig: Rig, trial: RideTrial, names: Sequence[str]) -> StationaryR
     road, speed = trial.trial.road, trial.trial.speed
     if PASSIVE not in names or not isinstance(road, Iso8608) or speed is None:
         return None
-    weighting = {name: "Wk" for name in _BODY if channels_of(name, _channels(rig))}
+    channels = compile_rig(rig).output_names
+    weighting = {name: "Wk" for name in _BODY if channels_of(name, channels)}
     return stationary(rig, road.degree_of_roughness, speed, band="iso", weighting=weighting)
-
-
-def _channels(rig: Rig) -> tuple[str, ...]:
-    from jounce.simulation.compiled import compile_rig
-
-    return compile_rig(rig).output_names
