@@ -82,12 +82,14 @@ class Description:
         """Refuse numbers that make no sense together; called on the description as it is written."""
 
     def listed(self, evaluate: Callable[[ca.SX], Plain]) -> dict[str, Plain]:
-        """Name, kind, bodies and numbers as plain data; ``evaluate`` gives the numbers of symbols."""
-        found: dict[str, Plain] = {"name": self.name, "kind": self.kind}
+        """Name, kind, bodies, numbers and their units as plain data; ``evaluate`` gives the numbers of symbols."""
+        units: dict[str, Plain] = {}
+        found: dict[str, Plain] = {"name": self.name, "kind": self.kind, "units": units}
         for each in fields(self):
             value = getattr(self, each.name)
             if isinstance(value, Body):
                 found[each.name] = value.name
             elif "read" in each.metadata and isinstance(value, ca.SX):
                 found[each.name] = evaluate(value)
+                units[each.name] = each.metadata["unit"].format(**self.units())
         return found

@@ -14,7 +14,8 @@ if TYPE_CHECKING:  # it only reads what the mechanism has collected
     from jounce.mechanics.mechanism import Mechanism
 
 _ELEMENTS = {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
-_UNITS = {"at": "m", "second_at": "m", "point": "m", "length": "m", "pitch": "m a turn", "free_length": "m"}
+_NO_NUMBERS = {"name", "kind", "units", "first", "second", "body", "carries", "coordinates", "speeds", "loop"}
+_NO_NUMBERS |= {"equations", "tracks", "bodies", "frame"}
 
 
 def as_data(mechanism: Mechanism, values: Mapping[str, float]) -> dict[str, Any]:
@@ -113,7 +114,7 @@ def as_text(listed: Mapping[str, Any]) -> str:
         names = ", ".join(f"{one['name']} [{one['unit']}]" for one in joint["coordinates"])
         joints.append(f"{_line(joint)}{f'; {names}' if names else ''}")
     closures = [
-        f"{_line(one)}; {len(one['equations'])} equations; loop {', '.join(one['loop'])}" for one in listed["closures"]
+        f"{_line(one)}; equations {len(one['equations'])}; loop {', '.join(one['loop'])}" for one in listed["closures"]
     ]
     conditions = [f"{one['name']}: {one['kind']} of {_names(one)}" for one in listed["conditions"]]
     loads = [_line(one) + (f" of {_names(one)}" if _names(one) else "") for one in listed["loads"]]
@@ -126,11 +127,11 @@ def as_text(listed: Mapping[str, Any]) -> str:
 def _line(one: Mapping[str, Any]) -> str:
     """Name, kind, bodies and numbers."""
     ends = " - ".join(one[end] for end in ("first", "second", "body") if end in one)
-    kept = {"name", "kind", "first", "second", "body", "carries", "coordinates", "speeds", "loop", "equations"}
+    units = {name: "" if unit == "1" else f" {unit.replace('*', ' ')}" for name, unit in one["units"].items()}
     numbers = [
-        f"{name.replace('_', ' ')} {_shown(value)}{f' {_UNITS[name]}' if name in _UNITS else ''}"
+        f"{name.replace('_', ' ')} {_shown(value)}{units.get(name, '')}"
         for name, value in one.items()
-        if name not in kept | {"tracks", "bodies"}
+        if name not in _NO_NUMBERS
     ]
     name = f"{one['name']}: " if one["name"] else ""
     return name + ", ".join([one["kind"], *([ends] if ends else []), *numbers])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 
 import numpy as np
@@ -221,3 +222,48 @@ def test_orientation_turns_a_start():
     np.testing.assert_allclose(run["bob.z"], -1.0, rtol=0.0, atol=1e-12)  # it hangs
     with pytest.raises(jn.AssemblyError, match="ball: an axis without direction"):
         jn.mechanics.orientation("ball", axis=ORIGIN, angle=1.0)
+
+
+def test_a_mechanism_lists_itself():
+    mechanism = chain()
+    crank, rocker = mechanism.bodies["crank"], mechanism.bodies["rocker"]
+    mechanism.spring_damper("strut", crank, rocker, (0.0, 0.0, 0.1), (0.45, 0.0, 0.15), stiffness="2 N/mm")
+    angle = mechanism.coordinate_named("left.A.angle")
+    mechanism.stop("end", angle, upper="80 deg", stiffness=100.0)
+    mechanism.force(crank.point((0.0, 0.0, 0.2)).value[0], -3.0 * angle)
+    mechanism.motion("drive", angle, mechanism.track("turn"))
+    listed = json.loads(json.dumps(mechanism.to_dict(), allow_nan=False))
+    assert [one["name"] for one in listed["bodies"]] == ["crank", "coupler", "rocker"]
+    assert listed["bodies"][0]["inertia"]["zz"] == 0.01
+    hinge = listed["joints"][0]
+    assert (hinge["kind"], hinge["first"], hinge["carries"]) == ("revolute", "ground", "crank")
+    assert hinge["coordinates"] == [{"name": "left.A.angle", "unit": "rad"}]
+    (closure,) = listed["closures"]
+    assert closure["loop"] == ["right.C", "right.D", "left.A", "left.B"]
+    assert closure["at"] == [0.4, 0.0, 0.3]
+    assert [one["name"] for one in closure["equations"]][-2:] == ["right.C.tilt", "right.C.tilt_2"]
+    strut, end, push = listed["loads"]
+    assert (strut["stiffness"], strut["units"]["stiffness"]) == (2000.0, "N/m")
+    assert (end["upper"], end["units"]["upper"]) == (pytest.approx(np.radians(80.0)), "rad")
+    assert push["bodies"] == ["crank"]
+    assert listed["conditions"][0]["tracks"] == ["turn"]
+    text = str(mechanism)
+    assert "right.C: revolute, coupler - rocker, at (0.4, 0, 0.3) m, axis (0, 1, 0); equations 5" in text
+    assert "strut: spring and damper, crank - rocker" in text
+    assert mechanism.to_dict({"strut.stiffness": 5.0})["loads"][0]["stiffness"] == 5.0
+
+
+def test_the_point_at_which_a_torque_is_given_can_be_chosen():
+    """A beam held at one end carries its weight: no torque there where it is given at the centre of mass."""
+    mechanism = jn.mechanics.Mechanism()
+    beam = mechanism.body("beam", 2.0, (0.5, 0.0, 0.0), BALL)
+    mechanism.fixed("root", mechanism.ground, beam)
+    moving = mechanism.body("slider", 1.0, ORIGIN)
+    mechanism.prismatic("slide", mechanism.ground, moving, axis=X)
+    mechanism.watch_reaction("root")
+    run = jn.simulate_mechanism(mechanism, 0.1, output_step=0.1)
+    np.testing.assert_allclose(run["root.ty"], -0.5 * 2.0 * 9.81, rtol=1e-12)
+    mechanism.watch_reaction("root", at=(0.5, 0.0, 0.0), on="ground")
+    run = jn.simulate_mechanism(mechanism, 0.1, output_step=0.1)
+    np.testing.assert_allclose(run["root.ty"], 0.0, rtol=0.0, atol=1e-12)
+    np.testing.assert_allclose(run["root.fz"], -2.0 * 9.81, rtol=1e-12)
