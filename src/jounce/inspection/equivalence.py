@@ -13,10 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
-from jounce.core.serialise import to_plain
+from jounce.core.serialise import plain_table
 from jounce.core.types import Array
 from jounce.inspection.evaluation import evaluate
 from jounce.inspection.limits import Limits, load_limits
+from jounce.inspection.methods import METHODS as EVALUATED
 from jounce.parts import QuarterCar
 from jounce.parts.testers import load_tester
 from jounce.parts.variants import worn
@@ -27,8 +28,8 @@ if TYPE_CHECKING:
     import xarray as xr
 
 Progress = Callable[[float], None]
-METHODS = {"eusama": "adhesion", "egea": "phase_angle_min_deg", "theta": "theta_road"}
-"""Methods, and what each of them grades."""
+METHODS = {key: EVALUATED[key].quantities[0].name for key in ("eusama", "egea", "theta")}
+"""Methods that are compared, and what each of them grades."""
 SOUND, WORN = 0.2, 0.7
 """A damper that has lost up to this share is sound; one that has lost this share or more is worn (estimated)."""
 _RIGID, _SPRUNG = "egea-specsus2018", "theta-msd3000"
@@ -46,29 +47,19 @@ class Factor:
 
 
 def usual_factors(points: int = 28) -> tuple[Factor, ...]:
-    """Tyre stiffness from 140 to 300 kN/m, sprung mass from 0.5 to 1.5 times its own, strut friction up to 200 N."""
-    stiffness = Factor(
-        "tyre_stiffness",
-        "tyre stiffness [kN/m]",
-        1e-3,
-        _spaced(140e3, 300e3, points),
-        lambda _, value: {"tyre.stiffness": value},
-    )
-    load = Factor(
-        "load",
-        "sprung mass over its own [–]",
-        1.0,
-        _spaced(0.5, 1.5, points),
-        lambda rig, value: {"sprung.mass": value * rig.sprung.mass},
-    )
-    friction = Factor(
-        "friction",
-        "friction of the strut [N]",
-        1.0,
-        _spaced(0.0, 200.0, points),
-        lambda _, value: {"strut.friction": {"force": value}} if value > 0.0 else {},
-    )
-    return stiffness, load, friction
+    """Tyre stiffness 140 to 300 kN/m, sprung mass 0.5 to 1.5 times the nominal one, strut friction up to 200 N."""
+    rates, shares, forces = (_spaced(*ends, points) for ends in ((140e3, 300e3), (0.5, 1.5), (0.0, 200.0)))
+    return (
+        Factor("tyre_stiffness", "tyre stiffness [kN/m]", 1e-3, rates, lambda _, value: {"tyre.stiffness": value}),
+        Factor(
+            "load", "sprung mass / nominal sprung mass [–]", 1.0, shares,
+            lambda rig, value: {"sprung.mass": value * rig.sprung.mass},
+        ),
+        Factor(
+            "friction", "strut friction [N]", 1.0, forces,
+            lambda _, value: {"strut.friction": {"force": value}} if value > 0.0 else {},
+        ),
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -116,17 +107,7 @@ class Equivalence:
     def rejecting_wear(self, factor: str, method: str) -> Array:
         """Least wear at which a method rejects, over a factor: between two wears where its value meets the limit.
 
-        Parameters
-        ----------
-        factor : str
-            Name of the plane.
-        method : {"eusama", "egea", "theta"}
-            Whose value.
-
-        Returns
-        -------
-        ndarray, shape (n,)
-            Shares of damping lost (1) for each value of the factor; not a number where the method never rejects.
+        Shares of damping lost (1) for each value of the factor (n,); not a number where the method never rejects.
 
         Examples
         --------
@@ -157,8 +138,7 @@ class Equivalence:
         }
         found = {"limits": self.limits, "tests": self.tests, "sound_up_to": SOUND, "worn_from": WORN}
         found |= {"rejected_below": self.edges}
-        plain: dict[str, Any] = to_plain({**found, "planes": planes, "disagreements": self.disagreements})
-        return plain
+        return plain_table({**found, "planes": planes, "disagreements": self.disagreements})
 
 
 def compare_tests(

@@ -63,23 +63,9 @@ class Quantity:
         apart_from: Sequence[float] = (),
         with_unit: bool = True,
     ) -> str:
-        """Write a value.
+        """Write a value (``si``), or an en dash where there is none; German numbers have a comma.
 
-        Parameters
-        ----------
-        value : float or None
-            In the unit ``si``.
-        language : {"en", "de"}
-            German numbers have a comma.
-        apart_from : sequence of float
-            Limits (``si``): as many decimals are shown as tell the value from each of them.
-        with_unit : bool
-            Whether the unit stands behind it.
-
-        Returns
-        -------
-        str
-            An en dash where there is no value.
+        As many decimals are shown as tell the value from each of the limits (``si``) that it is ``apart_from``.
 
         Examples
         --------

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 from functools import cached_property, partial
+from itertools import product
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -412,21 +413,13 @@ def _surprise(here: Array, mass: float, variance: float) -> float:
 
 
 def _corner(parameters: Array) -> Corner:
-    mu, k, c, kt, ct, ms = (float(value) for value in parameters)
-    return Corner(ms, mu, k, c, kt, ct)
+    *others, sprung_mass = map(float, parameters)
+    return Corner(sprung_mass, *others)
 
 
 def _parameters(corner: Corner) -> Array:
-    return np.array(
-        [
-            corner.unsprung_mass,
-            corner.spring_rate,
-            corner.damping_coefficient,
-            corner.tyre_stiffness,
-            corner.tyre_damping_coefficient,
-            corner.sprung_mass,
-        ]
-    )
+    sprung_mass, *others = astuple(corner)
+    return np.array([*others, sprung_mass])
 
 
 def _within(parameters: Array, before: Array, mass: float) -> Array:
@@ -440,19 +433,11 @@ def _within(parameters: Array, before: Array, mass: float) -> Array:
 def _start(parts: Sequence[Stretch], mass: float) -> Array:
     """Best of a grid of quarter cars."""
     tyre = _tyre_stiffness(parts)
-    grid = [
-        (
-            share * mass,
-            (1.0 - share) * mass * 65.0,
-            ratio * 2.0 * math.sqrt(tyre * share * mass),
-            tyre * factor,
-            0.0,
-            (1.0 - share) * mass,
-        )
-        for share in (0.06, 0.1, 0.16)
-        for ratio in (0.05, 0.15, 0.4)
-        for factor in (0.8, 1.0, 1.25)
-    ]
+    grid = []
+    for share, ratio, factor in product((0.06, 0.1, 0.16), (0.05, 0.15, 0.4), (0.8, 1.0, 1.25)):
+        unsprung, sprung = share * mass, (1.0 - share) * mass
+        damping = ratio * 2.0 * math.sqrt(tyre * share * mass)
+        grid.append((unsprung, sprung * 65.0, damping, tyre * factor, 0.0, sprung))
     candidates = np.array(grid)
     misfit = np.zeros(len(grid))
     for one in parts:

@@ -113,27 +113,10 @@ def flat_facts(table: Mapping[str, Any], before: str = "") -> dict[str, Any]:
 
 
 def read_facts(facts: Mapping[str, Any], *, where: str = "record") -> tuple[dict[str, Any], list[Finding]]:
-    """Check what a header says and put it in SI.
+    """Check what a header says (see ``NUMBERS`` and ``TEXTS``) and put its numbers, text with a unit or SI, in SI.
 
-    Parameters
-    ----------
-    facts : mapping
-        ``"left.static_load"`` and the like (text with a unit, or SI), ``"axle"``, ``"wheel_order"``, ``"date"`` and so
-        on; see ``NUMBERS`` and ``TEXTS``.
-    where : str
-        Place named in errors.
-
-    Returns
-    -------
-    facts : dict
-        Numbers in SI, everything else as text.
-    findings : list of Finding
-        A warning for each key that is not known; it is kept.
-
-    Raises
-    ------
-    DescriptionError
-        For a value with a wrong unit or out of range.
+    Gives the facts, and a warning for each key that is not known; it is kept. Raises DescriptionError for a value with
+    a wrong unit or out of range; ``where`` is the place named in errors.
     """
     found: dict[str, Any] = {}
     findings: list[Finding] = []

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, fields
 from typing import Any
 
 from jounce.core.findings import Finding
-from jounce.core.serialise import to_plain
+from jounce.core.serialise import Plain, plain_table
 from jounce.core.types import Array
 from jounce.inspection.quarter_car import Corner
 
@@ -50,7 +50,7 @@ class WheelCurves:
 
 
 @dataclass(frozen=True)
-class WheelResult:
+class WheelResult(Plain):
     """What a record says about one wheel; None where it cannot be known, with the reason among the findings. SI.
 
     Attributes
@@ -153,15 +153,14 @@ class WheelResult:
             "reasons": self.reasons,
             "findings": self.findings,
         }
-        plain: dict[str, Any] = to_plain(table)
-        return plain
+        return plain_table(table)
 
 
 FIELDS = frozenset(one.name for one in fields(WheelResult))
 
 
 @dataclass(frozen=True)
-class Inspection:
+class Inspection(Plain):
     """What a record says about the wheels of one axle.
 
     Attributes
@@ -192,16 +191,3 @@ class Inspection:
     def is_gradable(self) -> bool:
         """Tell whether every wheel can be graded."""
         return bool(self.wheels) and all(wheel.is_gradable for wheel in self.wheels)
-
-    def to_dict(self) -> dict[str, Any]:
-        """Plain JSON object ``{wheels: [...], axle: {...}, ...}``."""
-        plain: dict[str, Any] = to_plain(
-            {
-                "wheels": [wheel.to_dict() for wheel in self.wheels],
-                "axle": self.axle,
-                "facts": self.facts,
-                "methods": self.methods,
-                "findings": self.findings,
-            }
-        )
-        return plain

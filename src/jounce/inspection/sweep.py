@@ -178,17 +178,7 @@ _FEWEST_TURNS = 5
 def turns_of_sweep(frequency: Array, time: Array) -> NDArray[np.bool_]:
     """Find the turns of the sweep: whole ones, from the highest frequency on, each slower than the last.
 
-    Parameters
-    ----------
-    frequency : ndarray, shape (n,)
-        Of each turn, Hz.
-    time : ndarray, shape (n,)
-        Its middle, s.
-
-    Returns
-    -------
-    ndarray of bool, shape (n,)
-        Which turns belong to it; none where there are too few.
+    Frequencies (n,) of the turns in Hz, and when they were (n,) in s. None belongs to it where there are too few.
 
     Examples
     --------

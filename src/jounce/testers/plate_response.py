@@ -19,7 +19,7 @@ _ALIKE = 1.3  # ratio of frequencies below which two wheel modes of an axle coun
 
 @dataclass(frozen=True)
 class LinearTesterRig:
-    """Small motions about rest, ``dx/dt = A x + B u`` and ``y = C x + D u``; ``u`` are the exciters' angles and rates."""
+    """Small motions about rest: ``dx/dt = A x + B u``, ``y = C x + D u``; ``u``: angles and rates of exciters."""
 
     on: TesterRig
     A: Array  # inputs are for each track its value and its first derivatives

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import partial
 from typing import Literal
 
 import numpy as np
@@ -17,7 +16,6 @@ from jounce.mechanics.motions import constant
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Programme, Tester
 from jounce.parts.vehicles import FrontViewAxle
-from jounce.simulation.result import samples_reached
 from jounce.testers.model import ANGLE
 from jounce.testers.rig import TesterRig, channel, rig_on_tester
 
@@ -122,13 +120,13 @@ def _controlled(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> Progr
     times = _times(0.0, end, tester.sampling_frequency)
     angles = {place: angle_of(found) for place, found in turns.items()}
     solution = on.run(angles, times, fastest=_fastest(programme))
-    samples_reached(solution, on.compiled.facts, check=True)
     return _course(on, times, solution.outputs)
 
 
 def _free(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> ProgrammeRun:
     """Test after test: brought to speed, then moved by the drive's inertia only."""
     programme, on = tester.programme, rig_on_tester(rig, tester)
+    rate = 2.0 * np.pi * programme.start_frequency
     state: dict[str, float] = {}
     pieces: list[tuple[Array, dict[str, Array]]] = []
     outputs: tuple[Output, ...] = ()
@@ -136,11 +134,13 @@ def _free(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> ProgrammeRu
     for number, test in enumerate(tests):
         hold = programme.hold(max(on.static_load(place) for place in test))
         rest = programme.duration + (programme.pause if number + 1 < len(tests) else 0.0)
-        for here, angles, length in _phases(on, rig_on_tester(rig, tester, test), test, hold, rest):
+        for here, kind, length in _phases(on, rig_on_tester(rig, tester, test), hold, rest):
             times = begin + _times(0.0, length, tester.sampling_frequency)
-            moved = {place: segments(begin, state) for place, segments in angles.items()}
+            moved = {
+                place: _track(kind if place in test else "still", state.get(channel(place, ANGLE), 0.0), rate, begin)
+                for place in on.places
+            }
             solution = here.run(moved, times, start=state or None, fastest=_fastest(programme))
-            samples_reached(solution, here.compiled.facts, check=True)
             state = _state(here, moved, solution.states[:, -1], times[-1:])
             values = dict(zip(here.compiled.output_names, solution.outputs[:, bool(pieces) :], strict=True))
             outputs = outputs or here.compiled.facts.outputs
@@ -152,39 +152,19 @@ def _free(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> ProgrammeRu
     return ProgrammeRun(time, joined, on.static, tuple(common))
 
 
-_Angles = Callable[[float, Mapping[str, float]], Segments]
+def _phases(driven: TesterRig, free: TesterRig, hold: float, rest: float) -> Iterator[tuple[TesterRig, str, float]]:
+    """Rig, what the exciters under test do, and length (s) of each part of one test."""
+    motor = driven.tester.drive is not None and driven.tester.drive.motor is not None
+    if hold > 0.0:
+        yield (free, "motor on", hold) if motor else (driven, "driven", hold)
+    yield free, "motor off", rest
 
 
-def _phases(
-    driven: TesterRig, free: TesterRig, test: tuple[str, ...], hold: float, rest: float
-) -> Iterator[tuple[TesterRig, dict[str, _Angles], float]]:
-    """TesterRig, tracks (for a begin in s and the state there) and length (s) of each part of one test."""
-    tester = driven.tester
-    rate = 2.0 * np.pi * tester.programme.start_frequency
-    still = {place: partial(_still, place) for place in driven.places if place not in test}
-    motor = tester.drive is not None and tester.drive.motor is not None
-    if hold > 0.0 and motor:
-        yield free, {**still, **dict.fromkeys(test, _motor_on)}, hold
-    elif hold > 0.0:
-        yield driven, {**still, **{place: partial(_turned, place, rate) for place in test}}, hold
-    yield free, {**still, **dict.fromkeys(test, _motor_off)}, rest
-
-
-def _motor_on(_begin: float, _state: Mapping[str, float]) -> Segments:
-    return constant(1.0)
-
-
-def _motor_off(_begin: float, _state: Mapping[str, float]) -> Segments:
-    return constant(0.0)
-
-
-def _still(place: str, _begin: float, state: Mapping[str, float]) -> Segments:
-    return constant(state.get(channel(place, ANGLE), 0.0))
-
-
-def _turned(place: str, rate: float, begin: float, state: Mapping[str, float]) -> Segments:
-    angle = state.get(channel(place, ANGLE), 0.0)
-    return Segments(np.array([begin, begin + 1.0]), np.zeros(1, np.int64), np.array([[angle, rate, 0.0, 0.0]]))
+def _track(kind: str, angle: float, rate: float, begin: float) -> Segments:
+    """Angle (rad) of an exciter that stands still or is driven (rad/s), or the share of its motor's torque."""
+    if kind == "driven":
+        return Segments(np.array([begin, begin + 1.0]), np.zeros(1, np.int64), np.array([[angle, rate, 0.0, 0.0]]))
+    return constant({"still": angle, "motor on": 1.0, "motor off": 0.0}[kind])
 
 
 def _state(on: TesterRig, tracks: Mapping[str, Segments], x: Array, at: Array) -> dict[str, float]:

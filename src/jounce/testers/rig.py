@@ -19,7 +19,7 @@ from jounce.parts.testers import Tester
 from jounce.parts.vehicles import FrontViewAxle, QuarterCar
 from jounce.simulation.compiled import Compiled, compile_described
 from jounce.simulation.prepare import Prepared, prepare, room
-from jounce.simulation.result import Solution
+from jounce.simulation.result import Solution, samples_reached
 from jounce.simulation.statics import Equilibrium, state_scale
 from jounce.testers.model import ANGLE, MOTOR, PlateForm, tester_model
 
@@ -90,9 +90,11 @@ class TesterRig:
             scale=0.1 * self.scale, longest=longest, tolerance=prepared.control.tolerance * tolerance / _TOLERANCE
         )
         problem = problem._replace(tracks=pieces, piece=pieces.first[:-1].copy(), m=modes.copy(), x0=x)
-        return replace(
+        solution = replace(
             prepared, problem=problem, control=control, modes=modes, out=room(self.compiled, times), exact=None
         ).run()
+        samples_reached(solution, facts, check=True)
+        return solution
 
 
 _TOLERANCE = 1e-5

@@ -120,12 +120,14 @@ def simulate_test(
     if isinstance(rig, (FullCar, HalfCar4DOF)):
         rig = axle_of(rig, facts["axle"])  # type: ignore[arg-type]  # it refuses other names
     run = run_programme(rig, tester, wheel=wheel, other=other)
-    sides = {"left": "left", "right": "right"} if isinstance(rig, FrontViewAxle) else {_side(wheel): ""}
+    single: str = "left" if wheel == "both" else wheel
+    sides = {"left": "left", "right": "right"} if isinstance(rig, FrontViewAxle) else {single: ""}
     generator = np.random.default_rng(seed)
     channels: dict[str, tuple[Array, str, str]] = {}
+    order = wheel if wheel in sides else ", ".join(sides)
     attributes: dict[str, object] = {
         "tester": tester.name,
-        "wheel_order": "together" if len(sides) > 1 and other == "excited" else _order(sides, wheel),
+        "wheel_order": order if len(sides) == 1 or other == "still" else "together",
         "comment": f"simulated, seed {seed}",
         **facts,
     }
@@ -166,23 +168,15 @@ def _noisy(values: Array, size: float, generator: np.random.Generator) -> Array:
 
 def _truth(run: ProgrammeRun, sides: Mapping[str, str]) -> dict[str, tuple[Array, str, str]]:
     """Every output of the model, the wheel's side in its name."""
-    single = dict.fromkeys([place for place in sides.values() if not place], next(iter(sides)))
+    single = next(iter(sides)) if "" in sides.values() else ""
     return {
-        f"truth.{channel(single.get('', ''), output.name)}": (
+        f"truth.{channel(single, output.name)}": (
             run.values[output.name],
             output.unit,
             f"{output.long_name} (truth)",
         )
         for output in run.outputs
     }
-
-
-def _order(sides: Mapping[str, str], wheel: str) -> str:
-    return wheel if wheel in sides else ", ".join(sides)
-
-
-def _side(wheel: Wheel) -> str:
-    return "left" if wheel == "both" else wheel
 
 
 def write_test(record: xr.Dataset, path: Path | str, *, force: bool = False) -> Path:
@@ -216,12 +210,8 @@ def write_test(record: xr.Dataset, path: Path | str, *, force: bool = False) -> 
         columns.append(factor * signal.values)
         header.append(f"{name} [{unit}]")
     facts = [f"# {key} = {_written(str(key), value)}" for key, value in record.attrs.items()]
-    rows = [", ".join(map(_number, row)) for row in np.column_stack(columns)]
+    rows = [", ".join(f"{value:.10g}" for value in row) for row in np.column_stack(columns)]
     return write_atomically(Path(path), "\n".join([*facts, ", ".join(header), *rows]) + "\n", force=force)
-
-
-def _number(value: float) -> str:
-    return f"{value:.10g}"
 
 
 def _written(key: str, value: object) -> str:
@@ -232,17 +222,7 @@ def _written(key: str, value: object) -> str:
 def findings_of_test(rig: Rig, tester: Tester) -> list[Finding]:
     """Say what a test of this rig on this tester would be worth less for.
 
-    Parameters
-    ----------
-    rig : QuarterCar, Corner or FrontViewAxle
-        What stands on the plates.
-    tester : Tester
-        Its limits and programme.
-
-    Returns
-    -------
-    list of Finding
-        Wheel loads (N) out of range, sweeps that are too fast or short, samples that are too rare.
+    Wheel loads (N) out of range, sweeps that are too fast or short, samples that are too rare.
     """
     on, limits, programme = rig_on_tester(rig, tester), tester.limits, tester.programme
     found = []

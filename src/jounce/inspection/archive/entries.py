@@ -110,19 +110,9 @@ _LARGEST = 2**31 - 1
 
 
 def pack(record: xr.Dataset, findings: Iterable[Finding] = ()) -> bytes:
-    """Pack a recording with what its reader found.
+    """Pack a recording, in SI and with plain attributes, with what its reader found.
 
-    Parameters
-    ----------
-    record : xarray.Dataset
-        Channels on ``time``, in SI, with plain attributes.
-    findings : iterable of Finding
-        Of its reader.
-
-    Returns
-    -------
-    bytes
-        For ``unpack``, which gives the very same numbers: decimal columns as integers, others as they are.
+    ``unpack`` gives the very same numbers: decimal columns are kept as integers, others as they are.
 
     Examples
     --------
@@ -149,13 +139,7 @@ def pack(record: xr.Dataset, findings: Iterable[Finding] = ()) -> bytes:
 
 
 def unpack(packed: bytes) -> tuple[xr.Dataset, list[Finding]]:
-    """Give back what was packed.
-
-    Raises
-    ------
-    RecordingError
-        For bytes that are damaged or of another version.
-    """
+    """Give back what was packed; raises RecordingError for bytes that are damaged or of another version."""
     from jounce.recordings.schema import recording
 
     try:

@@ -47,17 +47,8 @@ class Trend:
 def history_of(store: Store, plate: str) -> list[WheelVisit]:
     """Give what every wheel of a vehicle measured, by date.
 
-    Parameters
-    ----------
-    store : Store
-        Open for reading.
-    plate : str
-        Number plate; capitals, spaces and hyphens do not count.
-
-    Returns
-    -------
-    list of WheelVisit
-        Empty for a plate that was never here. Records that could not be read have no wheels and are left out.
+    Of its number plate capitals, spaces and hyphens do not count. The list is empty for a plate that was never here;
+    records that could not be read have no wheels and are left out.
     """
     return [visit for record in store.records(plate=plate) for visit in visits_of(record)]
 

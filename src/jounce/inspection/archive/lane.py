@@ -12,20 +12,20 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import JounceError, RecordingError
+from jounce.inspection.archive.entries import Grading, RecordEntry, pack
 from jounce.inspection.evaluation import evaluate
 from jounce.inspection.grading import GradedInspection, grade
 from jounce.inspection.limits import Limits, load_limits
 from jounce.inspection.record import SIDES, TEXTS, day_of, read_record
 from jounce.inspection.result import NOT_GRADED
+from jounce.parts.testers import Tester, library, load_tester
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from jounce.core.findings import Finding
-    from jounce.inspection.archive.entries import Grading, RecordEntry
     from jounce.inspection.archive.store import Store
     from jounce.inspection.result import Inspection
-    from jounce.parts.testers import Tester
 
 _HEADER_BYTES = 65536
 
@@ -116,8 +116,6 @@ def entry_of(
     What ``facts`` do not say (plate number, vehicle, date, axle, tester) is taken from the header. Tester, vehicle and
     methods are those by which it is evaluated, now and again.
     """
-    from jounce.inspection.archive.entries import RecordEntry
-
     file = Path(path)
     beside = file.with_suffix(".toml")
     content = file.read_bytes()
@@ -167,15 +165,11 @@ def _table_of(description: Any) -> dict[str, Any]:
 
 def grading_of(graded: GradedInspection) -> Grading:
     """Give what the store keeps of a graded axle."""
-    from jounce.inspection.archive.entries import Grading
-
     return Grading(graded.verdict, graded.limits.label, metadata.version("jounce"), graded.to_dict())
 
 
 def refusal_of(error: Exception, limits: Limits | None = None) -> Grading:
     """Give what the store keeps of a record that cannot be read: not graded, with the reason."""
-    from jounce.inspection.archive.entries import Grading
-
     label = (limits if limits is not None else load_limits()).label
     plain = {"wheels": [], "axle": {}, "verdict": NOT_GRADED, "reasons": [str(error)]}
     return Grading(NOT_GRADED, label, metadata.version("jounce"), plain)
@@ -283,8 +277,6 @@ def _known(file: str, number: int, store: Store) -> ImportedRecord:
 
 def _with_tester(entry: RecordEntry, tester: Tester | None) -> RecordEntry:
     """Take the tester that the header names where none is given; nothing is guessed."""
-    from jounce.parts.testers import library, load_tester
-
     if tester is not None:
         return entry
     shipped = {text: found for name in library() for found in (load_tester(name),) for text in (name, found.name)}
@@ -301,8 +293,6 @@ def _with_tester(entry: RecordEntry, tester: Tester | None) -> RecordEntry:
 
 def _evaluated(entry: RecordEntry, vehicle: Any, limits: Limits | None) -> tuple[RecordEntry, GradedInspection]:
     """Evaluate the very bytes of an entry; gives it with its signals."""
-    from jounce.inspection.archive.entries import pack
-
     tester = stored_tester(entry)
     record, findings = read_entry(entry, tester)
     found = inspect_record(entry.name, tester, vehicle, entry.methods or None, limits, read=(record, findings))
@@ -320,8 +310,6 @@ def _evaluated(entry: RecordEntry, vehicle: Any, limits: Limits | None) -> tuple
 
 def stored_tester(entry: RecordEntry) -> Tester:
     """Give the tester of a stored record from its description."""
-    from jounce.parts.testers import Tester
-
     if entry.tester_table is None:
         raise RecordingError("the tester of this record is not known", where=entry.name, hint="Name it with --tester.")
     return Tester.from_table(dict(entry.tester_table), where=entry.tester)

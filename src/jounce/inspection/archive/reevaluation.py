@@ -13,15 +13,17 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import JounceError, RecordingError
-from jounce.inspection.archive.entries import Grading
+from jounce.core.serialise import to_plain
+from jounce.inspection.archive.entries import Grading, RecordEntry, unpack
+from jounce.inspection.archive.lane import grading_of, inspect_record, read_entry, refusal_of, stored_tester
 from jounce.inspection.archive.store import Store
+from jounce.inspection.limits import Limits, load_limits
+from jounce.parts.files import rig_from_table
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from jounce.core.findings import Finding
-    from jounce.inspection.archive.entries import RecordEntry
-    from jounce.inspection.limits import Limits
     from jounce.parts.testers import Tester
 
 _BATCH = 20
@@ -86,8 +88,6 @@ def reevaluate(
     JounceError
         When the store cannot be written to, or a process was ended from outside.
     """
-    from jounce.inspection.limits import load_limits
-
     numbers = store.numbers()
     task = _Task(store.address, limits if limits is not None else load_limits(), tester, from_files)
     batches = [numbers[start : start + _BATCH] for start in range(0, len(numbers), _BATCH)]
@@ -174,8 +174,6 @@ def _work_on(store: Store, task: _Task, batch: list[int]) -> list[_Found]:
 
 def _again(store: Store, task: _Task, number: int) -> _Found:
     """Evaluate one record again; whatever it meets, the others go on."""
-    from jounce.inspection.archive.lane import grading_of, inspect_record, refusal_of, stored_tester
-
     try:
         newest = store.newest_grading(number)
         entry = store.entry(number)
@@ -202,9 +200,6 @@ class _Lost(Exception):
 def _signals(
     store: Store, number: int, entry: RecordEntry, tester: Tester, *, from_files: bool
 ) -> tuple[xr.Dataset, list[Finding]]:
-    from jounce.inspection.archive.entries import unpack
-    from jounce.inspection.archive.lane import read_entry
-
     try:
         packed = None if from_files else store.signals(number)
         if packed is not None:
@@ -219,12 +214,8 @@ def _signals(
 
 
 def _vehicle(entry: RecordEntry) -> Any:
-    from jounce.parts.files import rig_from_table
-
     return None if entry.vehicle_table is None else rig_from_table(dict(entry.vehicle_table), where=entry.vehicle)
 
 
 def _is_same(first: Grading, second: Grading) -> bool:
-    from jounce.core.serialise import to_plain
-
     return first == replace(second, result=to_plain(second.result))

@@ -46,7 +46,8 @@ _RESULT_COLUMNS = (
     RESULTS.c.result,
     RESULTS.c.seal.label("result_seal"),
 )
-_SHOWN = ("name", "plate", "vehicle", "date", "axle", "tester", "accepted")
+_OF_ENTRY = ("name", "plate", "vehicle", "date", "axle", "tester")
+_SHOWN = (*_OF_ENTRY, "accepted")
 _SHOWN_COLUMNS = (RECORDS.c.number, *(RECORDS.c[name] for name in _SHOWN), RECORDS.c.seal)
 _ATTEMPTS = 5
 _GAP = 100  # rows that may be missing in a row of a damaged table
@@ -90,21 +91,9 @@ class Store:
         self._engine = open_database(self.address, read_only=self.read_only, damaged=damaged)
 
     def accept(self, entry: RecordEntry, grading: Grading | None) -> tuple[int, bool]:
-        """Put a record in, with its grading, in one transaction.
+        """Put a record in, with its grading (None where it waits for one), in one transaction.
 
-        Parameters
-        ----------
-        entry : RecordEntry
-            The record.
-        grading : Grading or None
-            Its grading; None where it waits for one.
-
-        Returns
-        -------
-        number : int
-            Of the record in the store.
-        is_new : bool
-            False where the same file is in the store already: then nothing changes.
+        Gives its number, and whether it is new: where the same file is in the store already, nothing changes.
         """
         return self._again(lambda: self._accept(entry, grading))
 
@@ -130,13 +119,8 @@ class Store:
             _note_vehicle(connection, entry)
             values = {
                 "digest": entry.digest,
-                "name": entry.name,
-                "plate": entry.plate,
+                **{name: getattr(entry, name) for name in _OF_ENTRY},
                 "plate_key": plate_key(entry.plate),
-                "vehicle": entry.vehicle,
-                "date": entry.date,
-                "axle": entry.axle,
-                "tester": entry.tester,
                 "accepted": _now(),
                 "tester_digest": _note_description(connection, entry.tester_table),
                 "vehicle_digest": _note_description(connection, entry.vehicle_table),
@@ -164,13 +148,7 @@ class Store:
             connection.execute(insert(RESULTS), [_row_of(number, grading) for number, grading in gradings])
 
     def content(self, number: int) -> tuple[bytes, bytes | None]:
-        """Give file and sidecar of a record as they came in.
-
-        Raises
-        ------
-        RecordingError
-            When there is no such record, or its bytes are not those that came in.
-        """
+        """Give file and sidecar of a record as they came in; refuse them where these are not the bytes that came in."""
         wanted = select(CONTENTS.c.content, CONTENTS.c.sidecar, RECORDS.c.digest).join(
             RECORDS, RECORDS.c.number == CONTENTS.c.record
         )
@@ -201,7 +179,7 @@ class Store:
             row = connection.execute(asked.select_from(joined).where(RECORDS.c.number == number)).one_or_none()
         if row is None:
             raise RecordingError("no such record", where=self.location, found=number)
-        places = {name: getattr(row, name) for name in ("name", "plate", "vehicle", "date", "axle", "tester")}
+        places = {name: getattr(row, name) for name in _OF_ENTRY}
         tables = [None if text is None else json.loads(text) for text in (row.of_tester, row.of_vehicle)]
         methods = tuple(filter(None, row.methods.split(",")))
         return RecordEntry(content=b"", **places, tester_table=tables[0], vehicle_table=tables[1], methods=methods)
@@ -369,14 +347,8 @@ def _note_description(connection: Connection, table: Mapping[str, Any] | None) -
 
 
 def _row_of(record: int, grading: Grading) -> dict[str, Any]:
-    row = {
-        "record": record,
-        "verdict": grading.verdict,
-        "limits": grading.limits,
-        "software": grading.software,
-        "result": to_json(grading.result, indent=None),
-    }
-    row = _storable(row)
+    said = {name: getattr(grading, name) for name in ("verdict", "limits", "software")}
+    row = _storable({"record": record, **said, "result": to_json(grading.result, indent=None)})
     return {**row, "seal": _seal(*row.values()), "graded": _now()}
 
 
