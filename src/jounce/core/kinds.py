@@ -7,6 +7,7 @@ from functools import reduce
 from importlib import import_module
 from operator import or_
 from pkgutil import iter_modules
+from threading import RLock
 from typing import Annotated, Any, TypeVar
 
 from pydantic import BaseModel, Field, TypeAdapter
@@ -29,18 +30,19 @@ class Rows(Mapping[str, Row]):
     def __init__(self, package: str) -> None:
         self.package = package
         self._rows: dict[str, Row] = {}
-        self._complete = False
+        self._complete, self._lock = False, RLock()
 
     def add(self, name: str, row: Row) -> None:
         """Take a row in."""
         self._rows[name] = row
 
     def _all(self) -> dict[str, Row]:
-        if not self._complete:
-            self._complete = True
-            for module in iter_modules(import_module(self.package).__path__):
-                import_module(f"{self.package}.{module.name}")
-            self._rows = dict(sorted(self._rows.items(), key=self._order))  # however they came to be imported
+        with self._lock:  # nobody else looks while some of the modules are missing
+            if not self._complete:
+                self._complete = True
+                for module in iter_modules(import_module(self.package).__path__):
+                    import_module(f"{self.package}.{module.name}")
+                self._rows = dict(sorted(self._rows.items(), key=self._order))  # however they came to be imported
         return self._rows
 
     def _order(self, item: tuple[str, Row]) -> Any:
@@ -78,10 +80,14 @@ class Kinds(Rows[type[Any]]):
         self._adapter: tuple[int, TypeAdapter[Any]] | None = None
 
     def join(self, kind: type[BaseModel]) -> None:
-        """Take a class in, if it says which word selects it."""
-        field = kind.model_fields.get(self.key)
-        if field is not None and isinstance(field.default, str):
-            self.add(field.default, kind)
+        """Take a class in, if it says itself which word selects it."""
+        if self.key not in vars(kind).get("__annotations__", {}):
+            return
+        word = kind.model_fields[self.key].default
+        known = self._rows.get(word)
+        if known is not None and (known.__module__, known.__qualname__) != (kind.__module__, kind.__qualname__):
+            raise TypeError(f"{kind.__name__}: the {self.key} {word!r} is that of {known.__name__} already")
+        self.add(word, kind)
 
     def adapter(self) -> TypeAdapter[Any]:
         """Reader of any member of the family, told apart by ``key``."""

@@ -246,13 +246,7 @@ class Iso8608(SampledRoad):
         return self.model_copy(update={"side": "left" if self.side == "right" else "right"})
 
     def points(self) -> tuple[Array, Array]:
-        """Points of the road.
-
-        Returns
-        -------
-        x, height : ndarray, shape (n + 1,)
-            Distance from ``start`` and height in m.
-        """
+        """Points of the road: distance from ``start`` and height, both in m, each of shape (n + 1,)."""
         x, height, _ = self._sampled()
         return x, height
 

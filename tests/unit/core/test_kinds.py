@@ -59,6 +59,24 @@ def test_a_class_written_later_joins():
     assert Drawing.from_table({"shape": {"kind": "ring"}}).shape == Ring()
 
 
+def test_a_variant_of_a_class_does_not_take_its_place():
+    class LongBar(Bar):
+        length: Length = 5.0
+
+    assert Shape.kinds["bar"] is Bar
+    assert Drawing(shape=LongBar()).shape == LongBar()
+
+
+def test_a_word_is_given_once():
+    with pytest.raises(TypeError, match="Rod: the kind 'bar' is that of Bar already"):
+
+        class Rod(Shape):
+            kind: Literal["bar"] = "bar"
+
+            def size(self) -> float:
+                return 0.0
+
+
 @pytest.mark.parametrize(
     ("shape", "message"),
     [
