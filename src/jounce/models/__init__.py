@@ -8,10 +8,8 @@ from typing import Any
 from jounce.control.actuators import AnyActuator
 from jounce.mechanics import Model
 from jounce.models.corner import TEMPLATES, corner
-from jounce.models.full_car import full_car
 from jounce.models.full_car_3d import full_car_3d
-from jounce.models.half_car import half_car
-from jounce.models.half_car_4dof import half_car_4dof
+from jounce.models.lumped import full_car, half_car, half_car_4dof
 from jounce.models.quarter_car import quarter_car
 from jounce.parts import QuarterCar, Rig
 from jounce.parts.rig import structure_of

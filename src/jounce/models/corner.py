@@ -24,13 +24,17 @@ from jounce.models.attachments import (
     spring_law,
     stop_law,
 )
-from jounce.models.channels import show_height, show_strut, show_tyre
-from jounce.models.detail import show_bushings, show_energy, show_hardpoints, show_reactions
-from jounce.models.double_wishbone import double_wishbone
-from jounce.models.five_link import five_link
+from jounce.models.channels import (
+    show_bushings,
+    show_energy,
+    show_hardpoints,
+    show_height,
+    show_reactions,
+    show_strut,
+    show_tyre,
+)
 from jounce.models.linkage import Linkage, guided
-from jounce.models.mcpherson import mcpherson
-from jounce.models.trailing_arm import trailing_arm
+from jounce.models.templates import double_wishbone, five_link, mcpherson, trailing_arm
 from jounce.parts.corners import Corner, DoubleWishbone, FiveLink, McPherson, TrailingArm
 
 TEMPLATES: dict[type[Corner], Callable[[Linkage], None]] = {

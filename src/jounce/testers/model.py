@@ -19,8 +19,8 @@ from jounce.models.attachments import add_tyre
 from jounce.models.channels import show_height, show_tyre
 from jounce.models.corner import TEMPLATES, add_strut, show_wheel, suspension
 from jounce.models.linkage import Linkage
+from jounce.models.lumped import add_wheel
 from jounce.models.quarter_car import add_quarter_car
-from jounce.models.wheels import add_wheel
 from jounce.parts.corners import Corner
 from jounce.parts.rig import Rig
 from jounce.parts.vehicles import FrontViewAxle, QuarterCar, Side

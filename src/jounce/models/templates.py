@@ -1,4 +1,7 @@
-"""McPherson strut: one arm, and an upright whose strut slides through a ball joint on the body."""
+"""Suspension templates: bodies, joints and rods of double wishbone, McPherson strut, five links and trailing arm.
+
+Each hangs its bodies on the car's body, closes its loops, and says which body carries the upright's parts.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +11,20 @@ from jounce.mechanics.bodies import Body
 from jounce.mechanics.bushings import add_sliding_bushing
 from jounce.mechanics.rotations import unit
 from jounce.models.linkage import Linkage
+
+
+def double_wishbone(linkage: Linkage) -> None:
+    """Hang arms and upright, close the loops."""
+    mechanism = linkage.mechanism
+    lower, upper = linkage.arm("lower_arm"), linkage.arm("upper_arm")
+    upright = linkage.body("upright")
+    bottom, top = linkage.hardpoint("lower_ball_joint"), linkage.hardpoint("upper_ball_joint")
+    mechanism.spherical("lower_ball_joint", lower, upright, at=bottom)
+    mechanism.coincident("upper_ball_joint", upper, upright, at=top)
+    linkage.carry("upright", upright)
+    linkage.rod("tie_rod", "tie_rod_inner", "tie_rod_outer", upright, steered=True)
+    linkage.steering_axis = upright.frame.point(bottom), upright.frame.point(top)
+    linkage.lines["upright"] = ("lower_ball_joint", "wheel_centre", "upper_ball_joint", "tie_rod_outer")
 
 
 def mcpherson(linkage: Linkage) -> None:
@@ -40,3 +57,23 @@ def _slide(linkage: Linkage, upright: Body, foot: ca.SX, top: ca.SX) -> None:
         add_sliding_bushing(mechanism, upright, linkage.chassis, foot, along, top, law["stiffness"], law["damping"])
     else:
         mechanism.point_on_line("strut_slider", upright, linkage.chassis, at=foot, axis=along, point=top)
+
+
+def five_link(linkage: Linkage) -> None:
+    """Let the upright fly and tie it by its links."""
+    mechanism = linkage.mechanism
+    upright = linkage.body("upright")
+    mechanism.free("upright", upright, at=linkage.hardpoint("wheel_centre"), moving_frame=linkage.moving_frame)
+    linkage.carry("upright", upright)
+    for i in range(1, 6):
+        linkage.rod(f"link_{i}", f"link_{i}_inner", f"link_{i}_outer", upright, steered=i == 5)
+    linkage.lines["upright"] = tuple(f"link_{i}_outer" for i in range(1, 6))
+
+
+def trailing_arm(linkage: Linkage) -> None:
+    """Hang the arm, which carries the wheel."""
+    arm = linkage.body("arm")
+    linkage.pivot("arm", arm, ("arm_outer", "arm_inner"))
+    linkage.carry("arm", arm)
+    linkage.owners.update({"arm_inner": linkage.chassis, "arm_outer": linkage.chassis})
+    linkage.lines["arm"] = ("arm_inner", "wheel_centre", "arm_outer")
