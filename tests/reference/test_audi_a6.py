@@ -15,9 +15,8 @@ from scipy.linalg import expm
 
 import jounce as jn
 from jounce.core.errors import DescriptionError
-from jounce.papers.audi_a6 import CASES, VARIANTS, AudiCase, CaseRun, run_audi_a6
+from jounce.papers.audi_a6 import CASES, VARIANTS, AudiCase, CaseRun, Window, run_audi_a6
 from jounce.papers.audi_a6_paper import half_car_matrices
-from jounce.papers.extremes import Window
 
 ANY = None
 

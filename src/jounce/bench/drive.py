@@ -395,10 +395,10 @@ def _overload(margin: float, lasting: float, speed: float, frequency: float, dri
         )
         findings.append(Finding("bench drive", "warning", text, frequency))
     if margin < 0.0:
-        text = f"the belt asks for more than the rated torque at {speed:.3g} m/s: the motor will not hold the speed."
+        text = f"the belt needs more than the rated torque at {speed:.3g} m/s: the motor will not hold the speed."
         findings.append(Finding("bench drive", "problem", text, margin))
     elif lasting < 0.0:
-        text = f"at {speed:.3g} m/s the motor has the torque but not the cooling: it will overheat after a while."
+        text = f"at {speed:.3g} m/s the torque suffices but not the cooling: the motor will overheat after a while."
         findings.append(Finding("bench drive", "warning", text, lasting))
     return findings
 
@@ -494,7 +494,7 @@ def _limit(short: NDArray[np.bool_], lasting: NDArray[np.bool_]) -> Limit:
 def _implied(drive: BenchDrive, load: BeltLoad, ceiling: float) -> tuple[float, str]:
     there = drive_margin(drive, ceiling, load)
     text = (
-        f"a ceiling of {ceiling:.3g} m/s means that the belt resists with {there.continuous_force:.0f} N (motor "
+        f"a ceiling of {ceiling:.3g} m/s implies a belt resistance of {there.continuous_force:.0f} N (motor "
         f"overheats) to {there.available_force:.0f} N (rated torque reached); the load described here is "
         f"{there.required_force:.0f} N."
     )

@@ -16,22 +16,7 @@ def estimated(default: Any, why: str) -> Any:
 
 
 def estimates_used(description: Description, place: str, names: tuple[str, ...] | None = None) -> list[Finding]:
-    """Report the estimated defaults that a result rests on.
-
-    Parameters
-    ----------
-    description : Description
-        What the user gave.
-    place : str
-        Where the finding belongs.
-    names : tuple of str or None
-        Fields that matter for the result; None: all.
-
-    Returns
-    -------
-    list of Finding
-        Empty when the user gave every one of them, else one finding with names and values (SI).
-    """
+    """Report the estimated defaults that a result rests on: of the fields in ``names``, or of all."""
     fields = type(description).model_fields
     left = [
         f"{name} = {getattr(description, name):g}"
@@ -44,5 +29,5 @@ def estimates_used(description: Description, place: str, names: tuple[str, ...] 
     ]
     if not left:
         return []
-    text = f"estimated, because no source gives it: {', '.join(left)} (SI); give your own values."
+    text = f"estimated, as no source states it: {', '.join(left)} (SI); give your own values."
     return [Finding(place, "warning", text)]

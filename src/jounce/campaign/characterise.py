@@ -120,24 +120,7 @@ class Characterisation:
 
 
 def characterise(rig: Rig, bench: Bench, folder: Path) -> tuple[Characterisation, Knowledge]:
-    """Evaluate all bench tables of a campaign.
-
-    Parameters
-    ----------
-    rig : Rig
-        Values as described; the measured ones replace them.
-    bench : Bench
-        Tables of the campaign file.
-    folder : Path
-        Folder the file patterns are relative to.
-
-    Returns
-    -------
-    Characterisation
-        Results, SI.
-    Knowledge
-        The rig with measured values, and its tyre by pressure.
-    """
+    """Evaluate all bench tables (files relative to ``folder``); give results and the rig with what was measured."""
     found = Characterisation()
     knowledge = Knowledge(rig)
     steps: list[tuple[Callable[..., Knowledge], str, Any]] = [

@@ -58,15 +58,7 @@ class TrialComparison:
 def compare_trial(
     trial: FitTrial, lag: float | None = 0.0
 ) -> tuple[TrialComparison, dict[str, Signals], list[Finding]]:
-    """Simulate a trial with its rig's values and hold it against its recording.
-
-    Parameters
-    ----------
-    trial : FitTrial
-        Trial with rig, road and recording.
-    lag : float or None
-        Known lag of the recording, s; None: estimated from the signals by cross-correlation.
-    """
+    """Simulate a trial and compare it with its recording, which lags by ``lag`` (s; None: estimated by correlation)."""
     if lag is None:
         lag = _lag(readings(trial))
     curves = readings(trial, lag=lag)
@@ -152,7 +144,7 @@ class CampaignResult:
     findings : tuple of Finding
         What the reader must know; ``problem`` marks what failed.
     lumped : ModelComparison or None
-        For a 3-D rig: where the quarter car it amounts to differs from it, with the values of the last update.
+        For a 3-D rig: where the equivalent quarter car differs from it, with the values of the last update.
     """
 
     campaign: Campaign

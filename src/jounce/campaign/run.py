@@ -1,4 +1,4 @@
-"""Run a campaign: characterise, update strategy by strategy, hold every trial against the model."""
+"""Run a campaign: characterise, update strategy by strategy, compare every trial with the model."""
 
 from __future__ import annotations
 
@@ -246,7 +246,7 @@ class _Runner:
         return [self._compare(entry, start, final, lags, aligned) for entry in self.campaign.trial]
 
     def compare_with_lumped(self, knowledge: Knowledge) -> ModelComparison | None:
-        """Hold the quarter car that a 3-D rig amounts to against it; None for a lumped rig."""
+        """Compare a 3-D rig with the quarter car equivalent to it; None for a lumped rig."""
         if not isinstance(knowledge.rig, Corner) or knowledge.rig.guide == "fixed":
             return None
         self.progress("compare: lumped model")
@@ -308,18 +308,6 @@ def updated_text(text: str, rig: Rig) -> str:
 
     Numbers that changed are replaced in place. Where a law changed its kind (a tyre stiffness became a curve), its
     table is replaced; everything else stays as it was, comments included.
-
-    Parameters
-    ----------
-    text : str
-        Rig file as described.
-    rig : Rig
-        The rig it is to give when read again.
-
-    Returns
-    -------
-    str
-        Text of the new rig file.
     """
     import tomlkit
 

@@ -1,26 +1,4 @@
-"""Where can a misfit at some speeds come from? Response and sensitivity of a rig over speed, and residuals by speed.
-
-Notes
------
-The prototype paper found its updated model good at the lowest and the highest speed over a single obstacle and not
-representative in between, and could not say why. ``speed_sweep`` asks what the model itself knows about that range. On
-the shipped kart model over the single obstacle (10 mm x 60 mm):
-
-- The body moves most, is aloft longest and reacts most to spring rate and damping near 2.6 m/s, in the middle of the
-  trials at 1.95, 2.86 and 3.79 m/s. An error in spring or damper shows there first, but only by some per cent more than
-  at the ends: it cannot turn a good model into one that is not representative.
-- From 1.2 m/s up the wheel leaves the ground three times at every speed and the sensitivities change slowly: no
-  resonance, no change of contact hides between the tested speeds. Below, the number of landings changes with speed and
-  the sensitivity of the wheel to its mass and tyre rises steeply.
-- Over trains it is another matter. Where obstacles come every 65 to 68 ms, whatever their pitch (1.54 m/s at 0.10 m,
-  2.23 m/s at 0.15 m, 2.94 m/s at 0.20 m), the bouncing wheel falls in or out of step with them: a little faster it
-  lands on every rise and leaps higher from obstacle to obstacle, a little slower it lands before the rise and loses its
-  swing. There, over less than a tenth of a metre per second, it reacts 5 to 8 times more to the spring rate than at the
-  median speed. The trials with trains (10, 13 and 20 Hz) keep clear of these 15 Hz.
-
-So for single obstacles the data (speed, trigger, a repeated trial) are to be suspected before the parameters; for
-trains a single misfit at a single speed says little, and neighbouring speeds must be measured too.
-"""
+"""Where can a misfit at some speeds come from? Response and sensitivity of a rig over speed, and residuals by speed."""
 
 from __future__ import annotations
 

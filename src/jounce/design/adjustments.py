@@ -40,24 +40,9 @@ _UPRIGHT = ("lower_ball_joint", "upper_ball_joint", "tie_rod_outer", "wheel_cent
 
 @dataclass(frozen=True)
 class Setting:
-    """One adjustment.
+    """One adjustment: range in the SI ``unit``, what it is, and where the range comes from.
 
-    Attributes
-    ----------
-    name : str
-        As in ``adjusted`` and ``jounce adjust --set``.
-    unit : str
-        SI unit of its value.
-    lowest, highest : float
-        Range, SI; of the prototype where it depends on the rig.
-    text : str
-        What it is.
-    source : str
-        Where the range comes from: the paper, or an estimate.
-    base : callable
-        Value that a rig has as it is.
-    ends : callable or None
-        Range for a rig, where it depends on it.
+    ``base`` gives the value that a rig has as it is; ``ends`` the range for a rig where it depends on it.
     """
 
     name: str
@@ -86,7 +71,7 @@ def _preload(rig: DoubleWishbone) -> float:
         return spring.preload or 0.0
     if spring.rate is None:
         raise DescriptionError(
-            "a curved spring has no single preload", where="strut.spring", hint="Set its free_length."
+            "a spring curve has no single preload", where="strut.spring", hint="Set its free_length."
         )
     return spring.rate * (spring.free_length - rig.hardpoints.length("spring"))
 
@@ -149,20 +134,7 @@ SETTINGS: dict[str, Setting] = {
 
 
 def read_settings(rig: Rig, settings: Mapping[str, Value]) -> dict[str, float]:
-    """Check settings; give their values in SI.
-
-    Parameters
-    ----------
-    rig : Rig
-        The double wishbone that they are for.
-    settings : dict
-        Name to value, text with a unit or SI.
-
-    Raises
-    ------
-    DescriptionError
-        For another rig, an unknown setting, or a value out of its range. A strut angle only has to be possible.
-    """
+    """Check settings (a strut angle only has to be possible, all else lies in its range); give their values in SI."""
     corner = _double_wishbone(rig)
     found = {}
     for name, given in settings.items():
@@ -189,7 +161,7 @@ def shown(value: float, unit: str) -> str:
 
 
 def adjustment_findings(values: Mapping[str, float]) -> list[Finding]:
-    """What a careful colleague would say of settings (SI): angles that were not built or are too steep."""
+    """Doubts about settings (SI): angles that were not built or are too steep."""
     if "strut_angle" not in values:
         return []
     angle = values["strut_angle"]
@@ -197,7 +169,7 @@ def adjustment_findings(values: Mapping[str, float]) -> list[Finding]:
     if steep or any(abs(np.degrees(angle) - known) < 0.05 for known in PUBLISHED_ANGLES):
         return steep
     built = ", ".join(f"{known:g}" for known in PUBLISHED_ANGLES)
-    text = f"{np.degrees(angle):.4g} deg is none of the angles that were built ({built} deg)."
+    text = f"{np.degrees(angle):.4g} deg is not one of the angles that were built ({built} deg)."
     return [Finding("strut_angle", "note", text, float(angle))]
 
 
@@ -250,7 +222,7 @@ def adjusted(rig: Rig, settings: Mapping[str, Value]) -> DoubleWishbone:
 def _double_wishbone(rig: Rig) -> DoubleWishbone:
     if not isinstance(rig, DoubleWishbone):
         raise DescriptionError(
-            "these adjustments are those of a double wishbone",
+            "these adjustments are for a double wishbone",
             where="rig",
             found=f'model = "{getattr(rig, "model", "")}"',
             allowed='model = "double-wishbone", e.g. kart-double-wishbone of `jounce library`',
@@ -356,7 +328,7 @@ def _upright_places(places: Mapping[str, Triple], lengths: Mapping[str, float]) 
         pose = assemble(model, p, np.zeros(model.u.shape[0]))
     except AssemblyError as error:
         raise AssemblyError(
-            "arms, upright and tie rod do not go together with these settings",
+            "the linkage cannot be assembled with these settings",
             where=error.where,
             found=error.found,
             hint="Make smaller changes.",
@@ -523,7 +495,7 @@ def wheel_state(rig: DoubleWishbone) -> WheelState:
 
 
 def adjust_report(rig: Rig, settings: Mapping[str, Value] | None = None, *, effects: bool = True) -> AdjustReport:
-    """Say what settings do to a rig, and what each setting could do.
+    """Report what settings do to a rig, and what each setting could do.
 
     Parameters
     ----------
@@ -569,19 +541,19 @@ def adjust_report(rig: Rig, settings: Mapping[str, Value] | None = None, *, effe
 
 
 def lengths_for(rig: Rig, camber: Value | None = None, toe: Value | None = None) -> Lengths:
-    """Find the lengths of arms and tie rod that reach a wished camber and toe.
+    """Find the lengths of arms and tie rod that give a wanted camber and toe.
 
     One arm is lengthened, the upper one for more camber, the lower one for less, and the tie rod sets the toe. Without
-    a wished toe the tie rod is left alone, and the toe comes out as it does; without a wished camber the arms are.
+    a wanted toe the tie rod is left alone, and the toe comes out as it does; without a wanted camber the arms are.
 
     Parameters
     ----------
     rig : Rig
         A double wishbone; it is not changed.
     camber : str or float, optional
-        Wished static camber, text with a unit or rad, top outward positive.
+        Wanted static camber, text with a unit or rad, top outward positive.
     toe : str or float, optional
-        Wished static toe, text with a unit or rad, toe-in positive.
+        Wanted static toe, text with a unit or rad, toe-in positive.
 
     Returns
     -------
@@ -591,7 +563,7 @@ def lengths_for(rig: Rig, camber: Value | None = None, toe: Value | None = None)
     Raises
     ------
     DescriptionError
-        When nothing is wished, or when it is out of what the published lengths reach.
+        When no target is given, or when it is out of what the published lengths reach.
 
     Examples
     --------
@@ -601,7 +573,7 @@ def lengths_for(rig: Rig, camber: Value | None = None, toe: Value | None = None)
     (7.68, 0.0)
     """
     if camber is None and toe is None:
-        raise DescriptionError("nothing is wished", where="lengths_for", allowed="camber, toe, or both")
+        raise DescriptionError("no target is given", where="lengths_for", allowed="camber, toe, or both")
     read_settings(rig, {})
     assert isinstance(rig, DoubleWishbone)
     wished = {
@@ -661,7 +633,7 @@ def _out_of_reach(rig: DoubleWishbone, wished: Mapping[str, float]) -> Descripti
         texts.append(f"{name} from {shown(ends[0], 'rad')} to {shown(ends[1], 'rad')}")
     found = ", ".join(f"{name} {shown(value, 'rad')}" for name, value in wished.items())
     return DescriptionError(
-        "the published lengths do not reach this",
+        "the published adjustment range does not reach this",
         where=", ".join(wished),
         found=found,
         allowed=f"about {' and '.join(texts)}, each by itself (arms up to 20 mm longer, tie rod 20 mm to either side)",

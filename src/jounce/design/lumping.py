@@ -1,4 +1,4 @@
-"""The quarter car that a corner amounts to: rates, damping and masses at the wheel, from its kinematics at rest.
+"""The quarter car equivalent to a corner: rates, damping and masses at the wheel, from its kinematics at rest.
 
 With the body on a vertical guide, a corner has two free motions: heights of body and wheel centre. Small motions about
 rest obey ``M z'' + C z' + K z = tyre`` with
@@ -37,7 +37,7 @@ _NUDGE = 1e-4
 
 @dataclass(frozen=True)
 class BodyShare:
-    """What one body of the suspension is to body and wheel, about rest.
+    """How one suspension body divides between sprung and unsprung mass, about equilibrium.
 
     Attributes
     ----------
@@ -46,7 +46,7 @@ class BodyShare:
     wheel_share : float
         Rise of its centre of mass over that of the wheel centre [1].
     inertance : float
-        What it adds between body and wheel, kg.
+        Inertance that it adds between car body and wheel, kg.
     """
 
     mass: float
@@ -173,7 +173,7 @@ class Lumping:
 
 
 def lump(rig: Rig) -> Lumping:
-    """Give what a corner amounts to at the wheel, about static equilibrium.
+    """Reduce a corner to rates, damping and masses at the wheel, about static equilibrium.
 
     Parameters
     ----------
@@ -226,7 +226,7 @@ def lump(rig: Rig) -> Lumping:
 
 
 def lumped_from(rig: Rig) -> QuarterCar:
-    """Give the quarter car that a corner amounts to about static equilibrium.
+    """Give the quarter car equivalent to a corner about static equilibrium.
 
     Parameters
     ----------
@@ -334,7 +334,7 @@ def _weight_rate(below: Corner, above: Corner) -> float:
 def _tyre_slope(rig: Corner, deflection: float) -> float:
     """Stiffness of the tyre at a deflection (m), N/m."""
     if deflection <= 0.0:
-        raise SimulationError("the wheel does not stand on the road", where="tyre.deflection", found=f"{deflection} m")
+        raise SimulationError("the wheel is not on the road", where="tyre.deflection", found=f"{deflection} m")
     if rig.tyre.curve is None:
         assert rig.tyre.stiffness is not None
         return rig.tyre.stiffness

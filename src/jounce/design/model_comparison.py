@@ -1,4 +1,4 @@
-"""Where a lumped model and the corner it stands for differ, and why."""
+"""Where a lumped model differs from the corner that it represents, and why."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ class ModelComparison:
     Attributes
     ----------
     lumping : Lumping
-        What the corner amounts to at the wheel, and the share of each body.
+        The corner reduced to the wheel, and the share of each body.
     lumped : QuarterCar
         The lumped model.
     rows : tuple of Difference
@@ -135,14 +135,14 @@ class ModelComparison:
 def compare_models(
     spatial: Rig, lumped: Rig | None = None, trials: Mapping[str, Trial] | Sequence[Trial] = ()
 ) -> ModelComparison:
-    """Hold a lumped model against the corner it stands for.
+    """Compare a lumped model with the corner that it represents.
 
     Parameters
     ----------
     spatial : Rig
         A 3-D rig whose body is free along z.
     lumped : Rig, optional
-        A quarter car; by default the one that the corner amounts to about rest.
+        A quarter car; by default the one equivalent to the corner about equilibrium.
     trials : dict or sequence of Trial
         What to drive with both, by name.
 

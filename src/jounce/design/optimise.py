@@ -452,13 +452,7 @@ def optimise(
 
 
 def check_kept(problem: DesignProblem, found: Search) -> None:
-    """Refuse a search that ended where limits are broken.
-
-    Raises
-    ------
-    FitError
-        Naming the limit that is broken most where all are broken least, and what it would have to be.
-    """
+    """Refuse a search that ended where limits are broken: name the one broken most where all are broken least."""
     if found.violation <= _KEPT:
         return
     values = least_violation(problem)
@@ -572,18 +566,18 @@ def _constraints(
 def _findings(problem: DesignProblem, numbers: tuple[DesignNumber, ...], *, converged: bool) -> list[Finding]:
     found = []
     if not converged:
-        text = "the conditions of an optimum do not hold where the search ended; try more starts or narrower bounds."
+        text = "the search ended without meeting the conditions of an optimum; try more starts or narrower bounds."
         found.append(Finding("optimise", "warning", text))
     for number in numbers:
         if number.at:
-            text = f"ended at its {number.at} bound; the objective would fall further beyond it."
+            text = f"ended at its {number.at} bound; the objective would improve further beyond it."
             found.append(Finding(number.path, "warning", text, number.value))
         if number.flat == (number.lower, number.upper):
-            text = "matters little: the objective stays within 1 %, and every limit holds, over its whole range."
+            text = "has little influence: over its whole range the objective stays within 1 % and every limit holds."
             found.append(Finding(number.path, "note", text, number.value))
     value = problem.objective(np.array([number.value for number in numbers]))[0]
     if value > 1.0 - 1e-6:
-        found.append(Finding("optimise", "note", "the start is as good as anything that was found.", value))
+        found.append(Finding("optimise", "note", "nothing better than the start was found.", value))
     return found
 
 

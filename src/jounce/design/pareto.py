@@ -331,9 +331,9 @@ def _mark(
 def _findings(whole: dict[str, Array], *, converged: bool) -> list[Finding]:
     found = []
     if not converged:
-        text = "some points did not converge; narrow the bounds or ask for fewer points."
+        text = "some points did not converge; narrow the bounds or choose fewer points."
         found.append(Finding("pareto", "warning", text))
     if len(whole["comfort"]) == 1:
-        text = "one design is best in both: there is no trade between them within the bounds and limits."
+        text = "one design is best in both: within the bounds and limits there is nothing to trade."
         found.append(Finding("pareto", "note", text))
     return found

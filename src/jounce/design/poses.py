@@ -32,25 +32,10 @@ def rigs_along(rig: Corner, travels: Sequence[float]) -> list[Corner]:
 
 
 def moved_rig(rig: C, places: Mapping[str, Triple]) -> C:
-    """Give the rig with hardpoints in other places, as it would be described there.
+    """Give the rig with hardpoints in other ``places`` (m; the others stay), as it would be described there.
 
-    Parameters
-    ----------
-    rig : Corner
-        What is moved; it is not changed.
-    places : dict
-        Hardpoint to new place, m, shape (3,); points that are not named stay.
-
-    Returns
-    -------
-    Corner
-        Bodies follow their hardpoints as rigid ones; the wheel's camber and toe follow the body that carries it. The
-        spring keeps its free length and the stops their places: preload and gaps count from the new design length.
-
-    Raises
-    ------
-    DescriptionError
-        For a curved spring with a preload, whose load at another length has no description.
+    Bodies follow their hardpoints as rigid ones; the wheel's camber and toe follow the body that carries it. The spring
+    keeps its free length and the stops their places: preload and gaps count from the new design length.
     """
     table: dict[str, Any] = rig.model_dump(by_alias=True, exclude_none=True)
     before = rig.hardpoints.given()

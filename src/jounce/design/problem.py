@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,24 +39,10 @@ Numbers = tuple[Array, Array]
 
 @dataclass(frozen=True)
 class Metric:
-    """One metric, as asked for.
+    """One metric as it was written (``text``), with its SI unit (Hz for frequencies).
 
-    Attributes
-    ----------
-    text : str
-        As it was written.
-    channels : tuple of str
-        Channels it is made of, or the name of a mode's number.
-    kind : str
-        ``rms``, ``weighted``, ``coefficient``, ``static``, ``frequency`` or ``damping_ratio``.
-    unit : str
-        SI unit; Hz for frequencies.
-    weighting : str
-        Name of the weighting.
-    mode : int
-        Which mode, counted from 1.
-    is_worst : bool
-        Whether the largest of its channels counts.
+    ``channels`` are those it is made of, or the name of a mode's number; ``kind`` is one of `KINDS` or of `_MODE`;
+    ``mode`` counts from 1; ``is_worst`` tells whether the largest of its channels counts.
     """
 
     text: str
@@ -74,13 +60,7 @@ class Metric:
 
 
 def read_metric(text: str, units: Mapping[str, str], *, where: str) -> Metric:
-    """Read a metric; ``units`` has the SI unit of every channel of the model.
-
-    Raises
-    ------
-    DescriptionError
-        For a channel that the model does not have, or words that mean nothing.
-    """
+    """Read a metric; ``units`` has the SI unit of every channel of the model."""
     words = str(text).split()
     is_worst = words[:1] == ["worst"]
     words = words[1:] if is_worst else words
@@ -125,32 +105,9 @@ def _mode_metric(text: str, words: Sequence[str], where: str) -> Metric:
     return Metric(str(text), (" ".join(words),), words[2], _MODE[words[2]], mode=int(words[1]))
 
 
-class Evaluator(Protocol):
-    """Gives metrics at any values of the free numbers."""
-
-    @property
-    def is_exact(self) -> bool:
-        """Whether its slopes are exact."""
-        ...
-
-    def at(self, values: Array) -> dict[str, Numbers]:
-        """Give every metric by its text: values of its channels and their slopes, SI."""
-        ...
-
-
 @dataclass(frozen=True)
 class StationaryEvaluator:
-    """Metrics of the linear model on a random road.
-
-    Attributes
-    ----------
-    family : LinearFamily
-        The rig and its free numbers.
-    surface : Surface
-        Road and speed.
-    metrics : tuple of Metric
-        What is wanted.
-    """
+    """Metrics of the linear model with its free numbers on a random road."""
 
     family: LinearFamily
     surface: Surface
@@ -188,7 +145,7 @@ class StationaryEvaluator:
                 if i in found.absent:
                     reasons[metric.text] = found.absent[i]
                 elif np.any(np.isnan(found.variance_slopes[:, i])):
-                    reasons[metric.text] = "would follow the height of the road when a free number moves"
+                    reasons[metric.text] = "would depend on the height of the road when a free parameter changes"
         return reasons
 
     def at(self, values: Array) -> dict[str, Numbers]:
@@ -252,19 +209,7 @@ def _pairs(values: NDArray[np.complex128]) -> list[tuple[int, int]]:
 
 @dataclass(frozen=True)
 class TrialEvaluator:
-    """Metrics of a simulated trial: r.m.s. about the values at its start, where the rig is at rest.
-
-    Attributes
-    ----------
-    family : LinearFamily
-        The rig and its free numbers.
-    trial : Trial
-        What is simulated.
-    metrics : tuple of Metric
-        What is wanted.
-    output_step : float
-        Distance of the samples, s.
-    """
+    """Metrics of a simulated trial: r.m.s. about the values at its start, where the rig is at rest; step in s."""
 
     family: LinearFamily
     trial: Trial
@@ -319,6 +264,9 @@ class TrialEvaluator:
         return _of_kind(metric, sigma, change.T, rest, rest_slopes.T)
 
 
+Evaluator = StationaryEvaluator | TrialEvaluator
+
+
 def combined(metric: Metric, numbers: Numbers) -> tuple[float, Array]:
     """One number of all channels of a metric, and its slopes (numbers,): largest, or root mean square."""
     values, slopes = numbers
@@ -353,30 +301,10 @@ class Limit:
 
 @dataclass(frozen=True)
 class DesignProblem:
-    """A design task.
+    """A design task: the rig it starts from, what may vary, the weights of the objective and the limits.
 
-    Attributes
-    ----------
-    rig : Rig
-        Where it starts.
-    free : tuple of Free
-        What may vary.
-    weights : dict
-        Metric of the objective to its weight (1).
-    limits : tuple of Limit
-        Constraints.
-    evaluator : Evaluator
-        Gives the metrics.
-    metrics : dict
-        All metrics by their text.
-    surface : Surface or None
-        Road of a stationary response.
-    trial : Trial or None
-        What is simulated otherwise.
-    notes : tuple of Finding
-        What was decided on the way.
-    base : dict
-        Metric of the objective to its value at the start, SI.
+    ``metrics`` are all by their text; ``surface`` is the road of a stationary response, ``trial`` what is simulated
+    otherwise; ``notes`` say what was decided on the way; ``base`` has the objective's metrics at the start, SI.
     """
 
     rig: Rig
@@ -460,13 +388,7 @@ def design_problem(
     more: Sequence[str] = (),
     **settings: Any,
 ) -> DesignProblem:
-    """Read a design task; ``more`` are further metrics to be known, ``settings`` those of the road (SI or texts).
-
-    Raises
-    ------
-    DescriptionError, FitError
-        For anything that cannot be understood or does not fit the rig.
-    """
+    """Read a design task; ``more`` are further metrics to be known, ``settings`` those of the road (SI or texts)."""
     numbers = free_parameters(rig, {path: _relative(bounds) for path, bounds in free.items()}, where="free")
     units = units_of(rig)
     weights = _weights(objective)
@@ -492,9 +414,7 @@ def design_problem(
     for text in weights:
         base = problem.base_of(metrics[text])
         if not (np.isfinite(base) and base != 0.0):
-            raise FitError(
-                "is zero before anything is changed, so there is nothing to lower", where=f"objective: {text}"
-            )
+            raise FitError("is zero at the start, so there is nothing to reduce", where=f"objective: {text}")
         problem.base[text] = base
     return problem
 
@@ -549,7 +469,7 @@ def _check_used(family: LinearFamily) -> None:
     for path in family.paths:
         if path not in used:
             raise DescriptionError(
-                "the model does not feel this number", where=f"free: {path}", allowed=", ".join(sorted(used))
+                "the model does not depend on this parameter", where=f"free: {path}", allowed=", ".join(sorted(used))
             )
 
 
@@ -564,9 +484,7 @@ def _refuse_both(road: Any, speed: float | str | None, settings: Mapping[str, An
     given = {"road": road, "speed": speed, **settings}
     for name, value in given.items():
         if value is not None:
-            raise DescriptionError(
-                "a trial brings its own road", where=name, hint="Give either trial or road and speed."
-            )
+            raise DescriptionError("a trial has its own road", where=name, hint="Give either trial or road and speed.")
 
 
 def _stationary(

@@ -29,20 +29,8 @@ from jounce.ride.closed_forms import (
 class Wheel:
     """What one wheel carries, and where its spring and damper stand in the description, SI.
 
-    Attributes
-    ----------
-    place : str
-        ``front``, ``rear``; empty for a quarter car.
-    sprung_mass : float
-        On one wheel, kg.
-    spring, damper : str
-        Paths of rate and coefficient.
-    motion_ratio : float
-        Spring travel over wheel travel (1).
-    unsprung_mass, tyre_stiffness : float or None
-        kg and N/m; None where the model has none.
-    tyre_damping : float
-        N*s/m.
+    ``place`` is ``front``, ``rear``, or empty for a quarter car; ``spring`` and ``damper`` are the paths of rate and
+    coefficient; ``motion_ratio`` is spring travel over wheel travel (1); None where the model has no such part.
     """
 
     place: str
@@ -68,13 +56,7 @@ class Wheel:
 
 
 def wheels_of(rig: Rig) -> tuple[Wheel, ...]:
-    """Wheels of a quarter car, or one of each axle of a vehicle.
-
-    Raises
-    ------
-    DescriptionError
-        For rigs in 3-D, and springs and dampers with more than one number.
-    """
+    """Wheels of a quarter car, or one of each axle of a vehicle; refuses 3-D rigs and laws of more than one number."""
     if isinstance(rig, QuarterCar):
         tyre, ratio = rig.tyre, float(np.cos(rig.strut.angle))
         damper = _linear("strut.damper", rig.strut.damper)
@@ -86,10 +68,10 @@ def wheels_of(rig: Rig) -> tuple[Wheel, ...]:
         )  # fmt: skip
     if not isinstance(rig, Vehicle) or isinstance(rig, FullCar3D):
         raise DescriptionError(
-            "this is for quarter cars and lumped vehicles",
+            "only quarter cars and lumped vehicles are designed this way",
             where="design",
             found=getattr(rig, "model", type(rig).__name__),
-            hint="jn.lumped_from(rig) gives the quarter car that a corner in 3-D amounts to.",
+            hint="jn.lumped_from(rig) gives the quarter car equivalent to a corner in 3-D.",
         )
     vehicle: Any = rig
     masses = corner_masses(vehicle.body.mass, vehicle.front.distance, vehicle.rear.distance)
@@ -111,14 +93,14 @@ def _axle(rig: Rig, name: str, mass: float) -> Wheel:
 
 def _rate(path: str, rate: float | None) -> str:
     if rate is None:
-        raise DescriptionError("the spring is a curve, not one rate", where=path, allowed=f"{path}.rate")
+        raise DescriptionError("the spring is a curve without a single rate", where=path, allowed=f"{path}.rate")
     return f"{path}.rate"
 
 
 def _linear(path: str, damper: object) -> str:
     if not isinstance(damper, LinearDamper):
         kind = getattr(damper, "kind", type(damper).__name__)
-        raise DescriptionError("the damper has more than one number", where=path, found=str(kind), allowed="linear")
+        raise DescriptionError("the damper is not linear", where=path, found=str(kind), allowed="linear")
     return f"{path}.coefficient"
 
 
@@ -264,7 +246,7 @@ def _advice(rig: Rig, wheels: list[WheelDesign]) -> list[Finding]:
         if wheel.wanted.static_deflection > 0.25:
             text = (
                 f"the spring sags {1e3 * wheel.wanted.static_deflection:.0f} mm under the body; without preload or "
-                "levelling that is more travel than cars have."
+                "levelling that is more travel than a car has."
             )
             found.append(Finding(wheel.place or "spring", "note", text, wheel.wanted.static_deflection))
     if len(wheels) == 2:

@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 import jounce as jn
-from jounce.papers import Progress, no_progress
+from jounce.papers import Array, Progress, no_progress
 from jounce.papers.audi_a6_paper import Erratum, PrintedSign, StartUp, paper_errata, printed_sign, start_up
-from jounce.papers.extremes import Window, extremes_within
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -29,6 +28,46 @@ DECELERATION, CENTRE_HEIGHT = 3.0, 0.55
 """What a second pitch moment is made of: m/s^2 and the height of the centre of gravity in m; estimated."""
 _TOLERANCE = 1e-9
 _FINE = 1e-4  # s: accelerations have no derivative among the channels that could tell what is between samples
+
+
+@dataclass(frozen=True)
+class Window:
+    """Extremes of a signal (SI unit) within a closed window of time, and when (s) they occur first."""
+
+    start: float
+    end: float
+    min: float
+    t_min: float
+    max: float
+    t_max: float
+
+
+def extremes_within(time: Array, value: Array, rate: Array, start: float, end: float) -> Window:
+    """Find the extremes in a window (s) of a signal of which samples and their time derivatives are known (SI).
+
+    Between samples the signal is the cubic that has both: exact to the fourth power of the sample distance. The rate
+    has no jumps; the ends of the window count.
+
+    Examples
+    --------
+    >>> t = np.linspace(0.0, 1.0, 51)
+    >>> found = extremes_within(t, np.sin(6.0 * t), 6.0 * np.cos(6.0 * t), 0.0, 1.0)
+    >>> round(found.max, 5), round(found.t_max, 5), round(found.min, 5)
+    (1.0, 0.2618, -1.0)
+    """
+    from scipy.interpolate import CubicHermiteSpline
+
+    slack = 1e-9 * max(1.0, abs(end))
+    if not (start < end and time[0] - slack <= start and end <= time[-1] + slack):
+        raise jn.RecordingError(
+            "no such window", found=f"{start:g} to {end:g} s", allowed=f"within {time[0]:g} to {time[-1]:g} s"
+        )
+    signal = CubicHermiteSpline(time, value, rate)
+    level = signal.derivative().roots(extrapolate=False)  # NaN follows where it is level all along a piece
+    at = np.sort([start, end, *level[(level >= start) & (level <= end)]])
+    values = signal(at)
+    low, high = int(np.argmin(values)), int(np.argmax(values))
+    return Window(start, end, float(values[low]), float(at[low]), float(values[high]), float(at[high]))
 
 
 @dataclass(frozen=True)
@@ -72,23 +111,11 @@ class Statics:
 
 @dataclass(frozen=True)
 class CaseRun(jn.Plain):
-    """One moment in one variant.
+    """One pitch moment (N m from 3 s on, nose down positive) in one of the `VARIANTS`.
 
-    Attributes
-    ----------
-    moment : float
-        Pitch moment from 3 s on, N m, nose down positive.
-    variant : str
-        One of :data:`VARIANTS`.
-    statics : Statics
-        What the changes count from.
-    outputs : dict of str to tuple of Window
-        Extremes of ``z`` (m, up) and ``theta`` (rad, nose down), changes from static equilibrium.
-    peak_acceleration, least_wheel_force : float
-        Largest acceleration of the body's centre of gravity from 6 s to 8 s (m/s^2, up or down); least force on one
-        wheel (N), negative where the model pulls at the road.
-    signals : xarray.Dataset
-        Changes, axle forces, road and moment over time.
+    ``outputs`` has the extremes of ``z`` (m, up) and ``theta`` (rad, nose down) as changes from the ``statics``;
+    ``peak_acceleration`` is that of the body's centre of gravity from 6 s to 8 s (m/s^2, up or down);
+    ``least_wheel_force`` (N, on one wheel) is negative where the model pulls at the road.
     """
 
     moment: float

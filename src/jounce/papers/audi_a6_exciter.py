@@ -57,15 +57,7 @@ class Oscillation:
 
 @dataclass(frozen=True)
 class Drive:
-    """What the drive of the exciter has to give once the motion is steady.
-
-    Attributes
-    ----------
-    torque : Range
-        N m.
-    power, dissipated : float
-        Mean power of the drive, and mean power that the dampers turn to heat, W; they must be the same.
-    """
+    """What the exciter's drive gives in steady motion: torque (N m), mean power, and mean heat of the dampers (W)."""
 
     torque: Range
     power: float
@@ -74,30 +66,11 @@ class Drive:
 
 @dataclass(frozen=True)
 class PlateRun(jn.Plain):
-    """One model on the plate.
+    """One model on the plate, SI.
 
-    Attributes
-    ----------
-    variant : str
-        ``"summed"``, ``"series"`` or ``"two-mass"``.
-    statics : dict of str to float
-        Compression of the spring and of all springs together (m), length of the spring (m), force on the plate (N) at
-        the plate's mean height.
-    modes : tuple of Oscillation
-        By rising frequency.
-    amplitudes : dict of str to float
-        At the exciter's frequency for one metre of the plate: ``body``, ``wheel``, ``spring`` (compression; m/m),
-        ``contact`` (force on the plate, N/m), from the simulation.
-    closed_form : dict of str to float
-        The same by the formulas of linear oscillations.
-    spring_length, spring_force : Range
-        Once the motion is steady, m and N.
-    shortest : float
-        Length of the spring at its shortest while it takes up the load, m.
-    drive : Drive
-        Torque and power.
-    signals : xarray.Dataset
-        Over time, from the uncompressed spring on.
+    ``statics`` hold at the plate's mean height. ``amplitudes`` (from the simulation) and ``closed_form`` are those at
+    the exciter's frequency for one metre of the plate. ``spring_length`` and ``spring_force`` are those of the steady
+    motion, ``shortest`` is the least length while the spring takes up the load.
     """
 
     left_out = ("signals",)
@@ -416,17 +389,8 @@ def _range(values: Array) -> Range:
 def closed_form(variant: str, values: dict[str, float]) -> dict[str, float]:
     """Amplitudes at the exciter's frequency for one metre of the plate, by complex stiffnesses.
 
-    Parameters
-    ----------
-    variant : {"summed", "series", "two-mass"}
-        Which model.
-    values : dict of str to float
-        Parameters by path, SI.
-
-    Returns
-    -------
-    dict of str to float
-        ``body``, ``spring`` (m/m), ``contact`` (N/m), and ``wheel`` where there is one.
+    ``values`` are the parameters (SI); gives ``body``, ``spring`` (m/m), ``contact`` (N/m), and ``wheel`` where there
+    is one.
     """
     omega = 2.0 * np.pi * FREQUENCY
     inertia = values["sprung.mass"] * omega**2
@@ -447,17 +411,7 @@ def _sizes(**values: complex) -> dict[str, float]:
 
 
 def eusama(rig: jn.QuarterCar, amplitude: float, tyre_damping: float) -> Eusama:
-    """Adhesion of a slow sweep down from 25 Hz, from the linear model (no lift-off).
-
-    Parameters
-    ----------
-    rig : QuarterCar
-        What stands on the plate.
-    amplitude : float
-        Of the plate, m.
-    tyre_damping : float
-        Damping coefficient of the tyre, N s/m.
-    """
+    """Adhesion in a slow sweep down from 25 Hz, by the linear model (no lift-off); m of the plate, N s/m of the tyre."""
     model = jn.linearise(rig.with_changes({"tyre.damping_coefficient": tyre_damping}))
     frequency = np.linspace(0.01, TOP, 2500)
     size = np.abs(model.frequency_response(frequency, "tyre.force"))

@@ -28,21 +28,7 @@ _START_UP = 3.0
 
 @dataclass(frozen=True)
 class Erratum:
-    """One place where the paper is to be read with care.
-
-    Attributes
-    ----------
-    place : str
-        Where in the paper.
-    printed, correct : str
-        What it says, and what it should be, in words.
-    why : str
-        How one can tell.
-    printed_value, correct_value : float or None
-        The two numbers in the SI unit ``unit``, where there are numbers.
-    unit : str
-        SI unit.
-    """
+    """One place where the paper is to be read with care, how one can tell, and both numbers in the SI ``unit``."""
 
     place: str
     printed: str
@@ -57,14 +43,8 @@ class Erratum:
 class PrintedSign:
     """What the printed sign of eq. (9), M_rear = -L_r F_rear, makes of the half car.
 
-    Attributes
-    ----------
-    growth_rate : float
-        Largest real part of the eigenvalues with the printed sign, 1/s: above zero, pitch runs away.
-    pitch_at_rest : float
-        Pitch (rad) of the equilibrium that the printed equations have.
-    eigenvalues, correct_eigenvalues : tuple of (float, float)
-        Real and imaginary parts, 1/s, with the printed sign and with the correct one.
+    The largest real part of the eigenvalues (1/s; above zero, pitch runs away), the pitch of the printed equations'
+    equilibrium (rad), and the eigenvalues (real and imaginary part, 1/s) with the printed and with the correct sign.
     """
 
     growth_rate: float
@@ -75,18 +55,10 @@ class PrintedSign:
 
 @dataclass(frozen=True)
 class StartUp(jn.Plain):
-    """What the demo's initial height makes of the paper's vehicle.
+    """What the demo's initial height makes of the paper's vehicle, m.
 
-    Attributes
-    ----------
-    initial, equilibrium : float
-        Height of the body where the demo starts, and where the vehicle is in balance, m.
-    transient : float
-        Difference, m: how far the body falls before it has found its balance.
-    lowest : float
-        Lowest height on the way, m.
-    signals : xarray.Dataset
-        Height and pitch over time.
+    Height of the body where the demo starts and where the vehicle is in balance, the difference of both
+    (``transient``), and the lowest height on the way; ``signals`` over time.
     """
 
     left_out = ("signals",)
@@ -99,19 +71,10 @@ class StartUp(jn.Plain):
 
 
 def half_car_matrices(vehicle: jn.HalfCar, rear_sign: float = 1.0) -> tuple[Array, Array, Array]:
-    """Mass, damping and stiffness matrix of a half car by eqs. (6) to (11), coordinates height (m) and pitch (rad).
+    """Mass, damping and stiffness matrix (SI) of a half car by eqs. (6) to (11), coordinates height and pitch.
 
-    Parameters
-    ----------
-    vehicle : HalfCar
-        The vehicle.
-    rear_sign : float
-        Of the rear axle's moment, M_rear = rear_sign L_r F_rear: 1 is correct, -1 as eq. (9) is printed.
-
-    Returns
-    -------
-    tuple of ndarray, each (2, 2)
-        kg, N s/m and N/m in the first place; SI with metres and radians elsewhere.
+    ``rear_sign`` is that of the rear axle's moment, M_rear = rear_sign L_r F_rear: 1 is correct, -1 as eq. (9) is
+    printed.
     """
     front, rear = vehicle.front, vehicle.rear
     seen = np.array([[1.0, -front.distance], [1.0, rear.distance]])  # heights of the body above the axles

@@ -27,26 +27,10 @@ def campaign_texts() -> dict[str, str]:
 
 
 def prepare_demo(out: Path | str | None = None, *, force: bool = False, progress: Progress = no_progress) -> Path:
-    """Write the shipped campaign with its synthetic measurements.
+    """Write the shipped campaign with its synthetic measurements; give its ``campaign.toml``.
 
-    Parameters
-    ----------
-    out : path, optional
-        Folder; without it the first free of ``demo-1``, ``demo-2``, ... in the current one.
-    force : bool
-        Overwrite existing files.
-    progress : callable
-        Called with one line of text as the work goes on.
-
-    Returns
-    -------
-    Path
-        ``campaign/campaign.toml`` in that folder; the measurements and ``quick-look.toml`` lie beside it.
-
-    Raises
-    ------
-    OutputError
-        When one of the files exists, without ``force``; then nothing is written.
+    Without ``out`` it goes into the first free of the folders ``demo-1``, ``demo-2``, ... in the current one. Where a
+    file exists nothing is written, unless ``force`` allows it.
     """
     plan = BenchPlan()
     texts = {**campaign_texts(), **measurement_texts(plan, progress=progress), "truth.toml": truth_text(plan)}
@@ -58,26 +42,9 @@ def prepare_demo(out: Path | str | None = None, *, force: bool = False, progress
 def run_demo(
     out: Path | str | None = None, *, quick: bool = False, force: bool = False, progress: Progress = no_progress
 ) -> tuple[Path, jn.CampaignResult]:
-    """Prepare and evaluate the shipped campaign; the caller writes the report.
+    """Prepare and evaluate the shipped campaign, ``quick`` with a quarter car instead of the double wishbone in 3-D.
 
-    Parameters
-    ----------
-    out, force, progress
-        As for :func:`prepare_demo`.
-    quick : bool
-        Take the prototype for a quarter car instead of its double wishbone in 3-D.
-
-    Returns
-    -------
-    folder : Path
-        The demo's folder, for report and results.
-    result : CampaignResult
-        What the campaign found.
-
-    Raises
-    ------
-    OutputError
-        When one of the files exists, without ``force``.
+    Gives the demo's folder, for report and results, and what the campaign found; the caller writes the report.
     """
     file = prepare_demo(out, force=force, progress=progress).with_name(QUICK if quick else FULL)
     return file.parent.parent, jn.run_campaign(file, progress=progress)

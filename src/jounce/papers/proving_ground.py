@@ -67,21 +67,7 @@ _TYRE_DAMPING = "a tyre file of the same vehicle, scaled by its author from anot
 
 @dataclass(frozen=True)
 class Derived:
-    """One number of the model and where it comes from.
-
-    Attributes
-    ----------
-    name : str
-        In words.
-    value : float
-        In ``unit``.
-    unit : str
-        SI.
-    origin : str
-        Source, or formula.
-    is_estimated : bool
-        Neither measured nor stated by the vehicle's file.
-    """
+    """One number of the model (``value`` in the SI ``unit``) and where it comes from: a source, or a formula."""
 
     name: str
     value: float
@@ -285,17 +271,7 @@ def _about_axis(corner: jn.ChronoCorner, name: str, axis: Array, point: Array) -
 
 @dataclass(frozen=True)
 class MeasuredDamper:
-    """One record of the damper with the laws fitted to it.
-
-    Attributes
-    ----------
-    name : str
-        Voltage on the damper.
-    laws : dict of str to DamperResult
-        Fits of several laws by name.
-    curves : dict of str to DamperCurve
-        Measured and fitted force of each.
-    """
+    """One record of the damper (at the voltage in its name) with the laws fitted to it."""
 
     name: str
     laws: dict[str, jn.DamperResult]
@@ -317,16 +293,8 @@ class Similitude:
     """How a small damper becomes a large one on a vehicle.
 
     With r = motion_ratio / stroke_scale, the force at the wheel is
-    ``motion_ratio * force_scale * law(r * wheel displacement, r * wheel velocity)``: time is not scaled.
-
-    Attributes
-    ----------
-    stroke_scale : float
-        Displacement (and velocity) of the large damper over that of the small one [1].
-    force_scale : float
-        Force of the large damper over that of the small one [1].
-    motion_ratio : float
-        Damper travel over wheel travel [1].
+    ``motion_ratio * force_scale * law(r * wheel displacement, r * wheel velocity)``: time is not scaled. The scales are
+    those of the large damper over the small one (1).
     """
 
     stroke_scale: float
@@ -340,15 +308,7 @@ class Similitude:
 
 
 def measured_dampers() -> tuple[tuple[MeasuredDamper, ...], tuple[jn.Finding, ...]]:
-    """Read the shipped records and fit the laws; velocities are central differences of the displacement.
-
-    Returns
-    -------
-    tuple of MeasuredDamper
-        One per voltage.
-    tuple of Finding
-        Doubts about records and laws.
-    """
+    """Read the shipped records and fit the laws; velocities are central differences of the displacement."""
     folder = Path(str(resources.files("jounce"))) / "library" / "measurements" / "mr_damper"
     found, findings = [], list[jn.Finding]()
     for name, file in RECORDS.items():
@@ -375,23 +335,6 @@ def referred_to_wheel(table: Mapping[str, Any], similitude: Similitude) -> dict[
     ``rate`` in 1/m) with r = motion_ratio / stroke_scale; ``displacement_coupling`` (1/s), ``sigma`` and ``exponent``
     stay. The static ``offset`` is left out: the spring's preload carries the vehicle.
 
-    Parameters
-    ----------
-    table : mapping
-        ``strut.damper`` of kind linear, tanh or bouc-wen, SI.
-    similitude : Similitude
-        Scales and motion ratio.
-
-    Returns
-    -------
-    dict
-        The table at the wheel, SI.
-
-    Raises
-    ------
-    FitError
-        For another kind of law.
-
     Examples
     --------
     >>> referred_to_wheel({"coefficient": 1000.0}, Similitude(stroke_scale=2.0, force_scale=10.0, motion_ratio=0.5))
@@ -417,21 +360,7 @@ def referred_to_wheel(table: Mapping[str, Any], similitude: Similitude) -> dict[
 
 
 def harmonic_energy(table: Mapping[str, Any], amplitude: float, frequency: float) -> float:
-    """Work that a damper takes up per cycle of steady harmonic motion.
-
-    Parameters
-    ----------
-    table : mapping
-        ``strut.damper`` of kind linear, tanh or bouc-wen, SI.
-    amplitude : float
-        [m].
-    frequency : float
-        [Hz].
-
-    Returns
-    -------
-    float
-        [J].
+    """Work (J) that a damper (``strut.damper``, linear, tanh or bouc-wen) takes up per cycle of harmonic motion; m, Hz.
 
     Examples
     --------
@@ -708,23 +637,9 @@ def _derived(similitude: Similitude, equivalent: dict[str, float], length: float
 def ride_figures(
     run: xr.Dataset, rig: jn.QuarterCar, corner: LumpedCorner, fastest: float = np.inf
 ) -> dict[str, float]:
-    """Ride figures of one drive over the undulated part.
+    """Ride figures (see `FIGURES`, SI) of one drive over the undulated part.
 
-    Parameters
-    ----------
-    run : xarray.Dataset
-        As :func:`drive` gives it.
-    rig : QuarterCar
-        What was driven.
-    corner : LumpedCorner
-        Tells the travel that is there.
-    fastest : float
-        Wheel speed against the body that the damper's record covers [m/s].
-
-    Returns
-    -------
-    dict of str to float
-        See :data:`FIGURES`, SI.
+    ``fastest`` is the wheel speed against the body (m/s) that the damper's record covers.
     """
     time = run["time"].to_numpy()
     signal = {str(name): run[name].to_numpy() for name in run.data_vars}
@@ -795,12 +710,12 @@ def _advice(rows: dict[str, list[dict[str, float]]], speeds: tuple[float, ...]) 
                 worst = max(row[key] for row in lines)
                 text = (
                     f"the {kind} travel is used up from {over[0]:.0f} km/h on (up to {100 * worst:.0f} %): the real "
-                    "vehicle would strike its stop, which this model does not have."
+                    "vehicle would hit its stop, which this model does not have."
                 )
                 findings.append(jn.Finding(name, "warning", text, worst))
         beyond = max(row["beyond_record"] for row in lines)
         if beyond > 0.0:
             share = f"{100 * beyond:.1f} % of the time"
-            text = f"the damper runs faster than in its record for up to {share}: there the law is extrapolated."
+            text = f"the damper moves faster than in its record for up to {share}: there the law is extrapolated."
             findings.append(jn.Finding(name, "warning" if beyond > 0.05 else "note", text, beyond))
     return findings

@@ -59,19 +59,7 @@ _WEIGHT = 2.5  # kg; weights that press the sprung mass down before a free decay
 
 
 def true_rig(strut_angle: float = 0.4537856, tyre_pressure: float = 310e3) -> jn.DoubleWishbone:
-    """Give the rig that the virtual bench runs.
-
-    Parameters
-    ----------
-    strut_angle : float
-        Angle of the strut to the vertical in front view, rad; 26 degrees by default.
-    tyre_pressure : float
-        310e3 or 250e3 Pa.
-
-    Returns
-    -------
-    DoubleWishbone
-        The shipped one with tyre curve, degressive damper, friction and a heavier upright.
+    """Give the rig that the virtual bench runs, at a strut angle (rad, in front view) and a tyre pressure (Pa).
 
     Examples
     --------
@@ -105,22 +93,9 @@ def true_rig(strut_angle: float = 0.4537856, tyre_pressure: float = 310e3) -> jn
 
 
 def spring_cycle(stroke: float, points: int, rate: float) -> tuple[Array, Array]:
-    """Load and unload spring and strut on the test machine.
+    """Load spring and strut on the test machine to a ``stroke`` (m) and unload them: deflections (m) and forces (N).
 
-    Parameters
-    ----------
-    stroke : float
-        Largest deflection, m.
-    points : int
-        Samples of one branch.
-    rate : float
-        Spring rate of this trial, N/m.
-
-    Returns
-    -------
-    deflection, force : ndarray, shape (2 points - 1,)
-        m and N; the load cell was zeroed with the strut sliding, so its friction shows as a drop of twice its force
-        on the way back.
+    The load cell was zeroed with the strut sliding, so its friction shows as a drop of twice its force on the way back.
     """
     deflection, direction = _triangle(stroke, points)
     reversed_friction = 2.0 * STRUT_FRICTION * (1.0 - np.exp(-(stroke - deflection) / 0.1e-3))
@@ -128,23 +103,10 @@ def spring_cycle(stroke: float, points: int, rate: float) -> tuple[Array, Array]
 
 
 def tyre_cycle(stroke: float, points: int, pressure: float, scale: float) -> tuple[Array, Array]:
-    """Load and unload the standing tyre on the test machine.
+    """Load the standing tyre on the test machine to a ``stroke`` (m) and unload it: deflections (m) and forces (N).
 
-    Parameters
-    ----------
-    stroke : float
-        Largest deflection of the machine, m: tyre and settling together.
-    points : int
-        Samples of one branch.
-    pressure : float
-        310e3 or 250e3 Pa.
-    scale : float
-        Stiffness of this trial relative to the true curve.
-
-    Returns
-    -------
-    deflection, force : ndarray, shape (2 points - 1,)
-        m and N; softer than the rolling tyre at first, lower when unloading.
+    The deflection is that of the machine, tyre and settling together: the standing tyre is softer than the rolling one
+    at first, and lower when it is unloaded. ``scale`` is the stiffness of this trial over that of the true curve.
     """
     deflection, direction = _triangle(stroke, points)
     tyre = np.linspace(0.0, stroke, 4001)
@@ -162,24 +124,11 @@ def _triangle(stroke: float, points: int) -> tuple[Array, Array]:
 
 
 def wheel_path(road: jn.Road, speed: float, duration: float, *, points: int = 60) -> jn.Excitation:
-    """Height that the wheel really meets while the belt carries obstacles past it.
+    """Height (m) that the wheel really meets against time (s) while the belt carries obstacles past it.
 
-    Parameters
-    ----------
-    road : Road
-        One obstacle or a train of them.
-    speed : float
-        Speed of the belt before the first obstacle, m/s.
-    duration : float
-        Length of the recording, s.
-    points : int
-        Samples of an obstacle's length; between obstacles that lie apart the height stays level without any.
-
-    Returns
-    -------
-    Excitation
-        Height (m) against time (s): the mean of the obstacle's height over the contact patch, which begins half a
-        patch before the foot, at the distance that the slowed belt has reached.
+    It is the mean of the obstacle's height over the contact patch, which begins half a patch before the foot, at the
+    distance that the slowed belt has reached; ``speed`` (m/s) is that before the first obstacle. Between obstacles that
+    lie apart the height stays level without samples.
     """
     spacing = (road.end() - road.start) / points if not isinstance(road, jn.Train) else road.of.profile().span / points
     reach = 0.5 * CONTACT_LENGTH + 2.0 * spacing

@@ -282,7 +282,7 @@ def test_other_suspensions_are_refused(name):
 
 
 def test_nothing_wished_is_refused():
-    with pytest.raises(DescriptionError, match="nothing is wished"):
+    with pytest.raises(DescriptionError, match="no target is given"):
         lengths_for(KART)
 
 
