@@ -160,7 +160,7 @@ def test_the_observed_ceiling_implies_a_load():
     # rated pull 168.5 N; own-fan cooling at 3.87 m/s leaves 0.5 + 0.5 * 3.87 / 8.90125 of it
     found = attainable_speed(BARE, observed_ceiling=3.87)
     assert found.implied_force == pytest.approx(168.516 * (0.5 + 0.5 * 3.87 / 8.90125), rel=1e-4)
-    assert "a ceiling of 3.87 m/s means" in messages(found)
+    assert "a ceiling of 3.87 m/s implies" in messages(found)
     assert attainable_speed(BARE).implied_force is None
 
 
