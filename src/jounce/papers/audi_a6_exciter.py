@@ -411,7 +411,7 @@ def _sizes(**values: complex) -> dict[str, float]:
 
 
 def eusama(rig: jn.QuarterCar, amplitude: float, tyre_damping: float) -> Eusama:
-    """Adhesion in a slow sweep down from 25 Hz, by the linear model (no lift-off); m of the plate, N s/m of the tyre."""
+    """Adhesion in a slow sweep-down from 25 Hz by the linear model (no lift-off); plate in m, tyre in N s/m."""
     model = jn.linearise(rig.with_changes({"tyre.damping_coefficient": tyre_damping}))
     frequency = np.linspace(0.01, TOP, 2500)
     size = np.abs(model.frequency_response(frequency, "tyre.force"))
