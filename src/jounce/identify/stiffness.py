@@ -233,24 +233,11 @@ Intercept = Literal["drop", "shift", "keep"]
 
 @dataclass(frozen=True)
 class TrialStiffness:
-    """What one trial says by itself.
+    """What one trial shows by itself: ``stiffness`` [N/m] as in :class:`StiffnessResult`, from this trial alone.
 
-    Attributes
-    ----------
-    name : str
-        Name of the trial.
-    stiffness : Estimate
-        As in :class:`StiffnessResult`, from this trial alone [N/m].
-    intercept : Estimate or None
-        Force of the fitted line at zero deflection [N]; None for laws without one.
-    loss_factor : float or None
-        Energy lost / (2 pi work of loading) [1]; None without an unloading branch.
-    hysteresis_energy : float or None
-        Energy lost in the cycle [J].
-    rms_residual : float
-        Root mean square of measured minus fitted force [N].
-    points : int
-        Number of points used.
+    ``intercept`` [N] is the force of the fitted line at zero deflection, None for laws without one; ``loss_factor`` [1]
+    is energy lost / (2 pi work of loading), None without an unloading branch, as is the ``hysteresis_energy`` of the
+    cycle [J]; ``rms_residual`` [N] is that of measured minus fitted force over the ``points`` used.
     """
 
     name: str

@@ -20,24 +20,12 @@ _WEAK, _ALIKE = 1e-6, 0.98
 
 @dataclass(frozen=True)
 class Identifiability:
-    """Sensitivity of the data to each unknown, at the start values.
+    """Sensitivity of the data to each unknown, at the start values; arrays in the order of ``parameters``.
 
-    Attributes
-    ----------
-    parameters : tuple of str
-        Unknowns, in the order of the arrays.
-    sensitivity : tuple of float
-        Root mean square change of the weighted residuals for one scaled unit of each unknown.
-    singular_values : tuple of float
-        Of the scaled sensitivity matrix, descending.
-    rank : int
-        Number of directions the data can tell apart.
-    condition : float
-        Largest over smallest singular value.
-    correlation : tuple of tuple of float
-        Correlation of the estimates that the data allow.
-    findings : tuple of Finding
-        Parameters without influence and pairs that act alike.
+    ``sensitivity`` is the r.m.s. change of the weighted residuals for one scaled unit of each unknown;
+    ``singular_values`` are those of the scaled sensitivity matrix, descending, ``condition`` the largest over the
+    smallest, and ``rank`` the number of directions the data can tell apart. ``correlation`` is that of the estimates
+    that the data allow. Findings name parameters without influence and pairs that act alike.
     """
 
     parameters: tuple[str, ...]

@@ -224,25 +224,11 @@ _STRUT, _TYRE = "strut.deflection", "tyre.force"
 class Metric:
     """One row of the catalogue.
 
-    Attributes
-    ----------
-    name : str
-        How results call it.
-    unit : str
-        SI unit; "1" for ratios and counts.
-    label : str
-        What it is.
-    formula : callable
-        Its value for a view of the recording.
-    scope : {"motion", "rotation", "comfort", "point", "corner"}
-        Of what there is one value: each acceleration, each rotational one, each where people or goods are, all axes of
-        such a place together, each corner.
-    needs : tuple of str
-        Ends of the channels' names: one of them (motions, points), or all of them (corners).
-    source : str
-        Standard or definition.
-    is_not : str
-        What it is often confused with.
+    ``formula`` gives the value for a view of the recording, in the SI ``unit`` ("1" for ratios and counts). ``scope``
+    says of what there is one value: each acceleration ("motion"), each rotational one, each where people or goods are
+    ("comfort"), all axes of such a place together ("point"), each corner. ``needs`` are ends of the channels' names:
+    one of them (motions, points), or all of them (corners). ``source`` is a standard or a definition, ``is_not`` what
+    the metric is often confused with.
     """
 
     name: str
