@@ -239,7 +239,7 @@ def _balance(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> 
 def _rest(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> Equilibrium | None:
     now = _balance(compiled, x, u, p, modes)
     # Behind very stiff bushings the last bit of a place is worth more than the absolute limit. A mechanism's
-    # coordinates count from the design pose, so what is rounded there is not they but places about a metre from the origin.
+    # coordinates count from the design pose: what is rounded there is places about a metre from the origin.
     size = np.maximum(np.abs(x), _PLACES) if compiled.facts.projects else np.abs(x)
     rounding = np.finfo(float).eps * float(np.max(np.abs(now.slope[now.rows]) @ size, initial=0.0))
     if np.max(np.abs(now.residual)) > _UNBALANCED + _ROUNDINGS * rounding:

@@ -68,15 +68,18 @@ def _broken(word: str, rule: Any, value: Any, schema: Any, file: Path, path: str
             return [f"{path}.{key}".lstrip(".") + ": missing" for key in rule if key not in value]
         if word == "minProperties":
             return [] if len(value) >= rule else [f"{path}: fewer than {rule} keys"]
-        inside = {"properties": lambda key: rule.get(key, True), "propertyNames": lambda _: True}
-        inside["additionalProperties"] = lambda key: True if key in schema.get("properties", {}) else rule
+        known = schema.get("properties", {})
+        rules = {
+            "properties": {key: rule[key] for key in value if key in rule} if word == "properties" else {},
+            "additionalProperties": dict.fromkeys(value.keys() - known.keys(), rule),
+        }
         if word == "propertyNames":
             return [text for key in value for text in _problems(key, rule, file, f"{path}.{key}")]
-        if word in inside:
+        if word in rules:
             return [
                 text
-                for key, item in value.items()
-                for text in _problems(item, inside[word](key), file, f"{path}.{key}".lstrip("."))
+                for key, own in rules[word].items()
+                for text in _problems(value[key], own, file, f"{path}.{key}".lstrip("."))
             ]
     if isinstance(value, list):
         if word == "items":
