@@ -1,7 +1,8 @@
-"""Write what the registries say: names for type checkers, JSON schemas for editors, tables for the documentation.
+"""Write what registries and command line say: names for type checkers, JSON schemas for editors, tables for the docs.
 
 ``make faces`` runs this after a road, a controller or a description has changed: it writes the last part of the stubs
-(``__init__.pyi``) and ``docs/schemas``, which are committed. The tables are written when the documentation is built.
+(``__init__.pyi``) and ``docs/schemas``, which are committed. The tables and the reference of the commands are written
+when the documentation is built.
 """
 
 from __future__ import annotations
@@ -14,10 +15,12 @@ from operator import or_
 from pathlib import Path
 from typing import Any
 
+import typer
 from pydantic import TypeAdapter
 
 import jounce
 from jounce.campaign.description import Campaign
+from jounce.cli.entry import application
 from jounce.control import CONTROLS
 from jounce.core.kinds import FILE_REF
 from jounce.inspection.limits import Limits
@@ -306,10 +309,36 @@ def _table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
+def commands() -> dict[str, str]:
+    """Reference of every command by its full name, e.g. ``jounce fit decay``: its help, arguments and options."""
+    found: dict[str, str] = {}
+    pending: list[tuple[str, Any]] = [("jounce", typer.main.get_command(application()))]
+    while pending:
+        name, command = pending.pop()
+        inner = getattr(command, "commands", {})
+        pending += [(f"{name} {word}", item) for word, item in inner.items()]
+        if not inner:
+            text = inspect.cleandoc(command.help).partition("Example:")[0]
+            rows = [_option(item) for item in command.params if not {*item.opts} & {"--json", "--force", "--help"}]
+            found[name] = text + (_table(("option", "", "default"), rows) if rows else "")
+    return found
+
+
+def _option(item: Any) -> tuple[str, str, str]:
+    """Name with its value, help and default of an argument or option."""
+    is_flag = getattr(item, "is_flag", False)
+    names = "/".join([*item.opts, *item.secondary_opts]) if item.param_type_name == "option" else ""
+    value = item.metavar or (item.name.upper() if names == "" else "" if is_flag else "VALUE")
+    default = "" if item.default in (None, "") or is_flag or not item.show_default else f"`{item.default}`"
+    words = (getattr(item, "help", None) or "").replace("\\[", "[")
+    return f"`{' '.join(filter(None, (names, value)))}`", words, "required" if item.required else default
+
+
 def write_tables() -> None:
-    """Write the tables beside the pages, for the build of the documentation."""
+    """Write tables and references beside the pages, for the build of the documentation."""
     TABLES.mkdir(exist_ok=True)
-    for name, text in tables().items():
+    references = {f"{name.replace(' ', '-')}.md": text for name, text in commands().items()}
+    for name, text in {**tables(), **references}.items():
         if not (TABLES / name).is_file() or (TABLES / name).read_text(encoding="utf-8") != text:
             (TABLES / name).write_text(text, encoding="utf-8")
 

@@ -9,15 +9,13 @@ import io
 import re
 import shlex
 import tomllib
-from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
 
 import pytest
-import typer
 
 import jounce
-from jounce.cli.entry import application, main
+from jounce.cli import main
 from rules.schemas import schema_problems
 
 ROOT = Path(__file__).parents[2]
@@ -136,36 +134,6 @@ def test_docstrings_have_no_bars_outside_code(name: str):
     assert not re.findall(r"(?<![\w|])\|\w[^|\n]*\|", text)
 
 
-def commands() -> Iterator[str]:
-    """Full names of all commands, e.g. ``jounce fit decay``."""
-    pending = [("jounce", typer.main.get_command(application()))]
-    while pending:
-        name, command = pending.pop()
-        inner = getattr(command, "commands", {})
-        pending += [(f"{name} {word}", item) for word, item in inner.items()]
-        if not inner:
-            yield name
-
-
-def test_every_command_has_its_section_and_no_other():
-    text = PAGES["docs/command-line.md"].read_text(encoding="utf-8")
-    assert sorted(re.findall(r"^## `(.*)`$", text, re.MULTILINE)) == sorted(commands())
-
-
-@pytest.mark.parametrize("command", sorted(commands()))
-def test_every_section_shows_its_command_and_help_knows_it(command: str):
-    text = PAGES["docs/command-line.md"].read_text(encoding="utf-8")
-    section = text.split(f"## `{command}`\n")[1].split("\n## ")[0]
-    assert f"$ {command}" in section
-    *group, word = command.split()
-    code, shown = answer(" ".join([*group, "--help"]))
-    assert code == 0
-    assert re.search(rf"^\W*{word}\b", shown, re.MULTILINE)
-    code, shown = answer(f"{command} --help")
-    assert code == 0
-    assert f"Example: {command}" in squeezed(shown)
-
-
 @pytest.fixture(scope="module")
 def faces() -> ModuleType:
     """The script that writes what the registries say."""
@@ -175,6 +143,27 @@ def faces() -> ModuleType:
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
+
+
+def test_every_command_has_its_reference_and_examples(faces: ModuleType):
+    text = PAGES["docs/command-line.md"].read_text(encoding="utf-8")
+    for command, reference in faces.commands().items():
+        assert reference.strip(), command
+        section = text.split(f"## `{command}`\n")[1].split("\n## ")[0]
+        assert f"```{{include}} _generated/{command.replace(' ', '-')}.md\n```" in section
+        assert f"$ {command}" in section
+    assert text.count("\n## ") == len(faces.commands())
+
+
+def test_help_shows_every_command_with_an_example(faces: ModuleType):
+    for command in faces.commands():
+        *group, word = command.split()
+        code, shown = answer(" ".join([*group, "--help"]))
+        assert code == 0
+        assert re.search(rf"^\W*{word}\b", shown, re.MULTILINE)
+        code, shown = answer(f"{command} --help")
+        assert code == 0
+        assert f"Example: {command}" in squeezed(shown)
 
 
 def test_written_faces_are_what_the_registries_say(faces: ModuleType):
