@@ -160,7 +160,8 @@ def optimise(
         found = find_best(rig, bounds, weights, limits, **driven, starts=starts)
     _write_rig(found.rig, out, f"{vehicle}, best for {', '.join(weights)} over {found.driven}.", force=force)
     write_picture(found, figure, force=force)
-    plain = {"rig": vehicle, "set": wanted, **found.to_dict(), **_written(out, figure)}
+    plain = {"rig": vehicle, "set": wanted, **found.to_dict()}
+    plain |= {"out": out and str(out), "figure": figure and str(figure)}
     return Reply(plain, lambda console: draw_optimisation(console, plain, found), as_json)
 
 
@@ -262,10 +263,6 @@ def _write_rig(rig: Rig, out: Path | None, comment: str, *, force: bool) -> None
         from jounce.parts.files import rig_text
 
         write_atomically(out, rig_text(rig, [comment]), force=force)
-
-
-def _written(out: Path | None, figure: Path | None) -> dict[str, str | None]:
-    return {name: None if file is None else str(file) for name, file in (("out", out), ("figure", figure))}
 
 
 def draw_springs(console: Console, plain: dict[str, Any], design: SpringDesign) -> None:

@@ -138,7 +138,13 @@ def simulate(
         if record is not None:
             _write_record(measured, record, truth=truth, force=force)
         both = {**graded.to_dict(), **about, "record": record and str(record)}
-        return Reply(both, lambda out: _draw_both(out, graded, both), as_json)
+
+        def draw(out: Console) -> None:
+            out.print(f"{rig} on {chosen_tester.name}, frequency sweep of both wheels", style="bold")
+            draw_axle(out, graded)
+            show_written(out, both)
+
+        return Reply(both, draw, as_json)
     runs = []
     with progress() as say:
         for number, lost in enumerate(wears, 1):
@@ -191,12 +197,6 @@ def _write_record(record: Any, file: Path, *, truth: bool, force: bool) -> None:
 
     kept = record if truth else record[[name for name in record.data_vars if not str(name).startswith("truth.")]]
     write_test(kept, file, force=force)
-
-
-def _draw_both(out: Console, graded: GradedInspection, plain: dict[str, Any]) -> None:
-    out.print(f"{plain['rig']} on {plain['tester']}, frequency sweep of both wheels", style="bold")
-    draw_axle(out, graded)
-    show_written(out, plain)
 
 
 def _draw_wheel(out: Console, plain: dict[str, Any], findings: Any) -> None:
@@ -603,7 +603,14 @@ def history(
         FIGURES.write(vehicle_history(visits), figure, force=force)
     plain = {
         "plate": records[-1].plate, "vehicle": records[-1].vehicle, "records": [one.number for one in records],
-        "wheels": [_visit(one) for one in visits], "trends": trends, "figure": figure,
+        "wheels": [
+            {
+                "record": one.record, "date": one.date, "axle": one.axle, "wheel": one.wheel, **one.values,
+                "verdict": one.verdict, "limits": one.limits,
+            }
+            for one in visits
+        ],
+        "trends": trends, "figure": figure,
     }  # fmt: skip
     return Reply(plain, lambda out: _draw_history(out, plain, visits, trends), as_json)
 
@@ -770,11 +777,6 @@ def _summary(record: StoredRecord) -> dict[str, Any]:
     grading = record.grading
     about = {name: getattr(record, name) for name in (*_SHOWN, "accepted")}
     return {**about, "verdict": grading and grading.verdict, "limits": grading and grading.limits}
-
-
-def _visit(visit: WheelVisit) -> dict[str, Any]:
-    about = {"record": visit.record, "date": visit.date, "axle": visit.axle, "wheel": visit.wheel}
-    return {**about, **visit.values, "verdict": visit.verdict, "limits": visit.limits}
 
 
 def _draw_history(out: Console, plain: dict[str, Any], visits: list[WheelVisit], trends: list[Trend]) -> None:

@@ -244,18 +244,14 @@ def _draw_case(console: Console, plain: dict[str, Any], title: str) -> None:
     axles = [(name, *rest[name].values()) for name in ("front", "rear")]
     caption = f"Static: z {1e3 * rest['z']:.5f} mm, theta {1e3 * rest['theta']:.5f} mrad"
     console.print(table(caption, ("axle", "force N", "per wheel N", "compression m"), axles))
-    _draw_modes(console, plain["modes"])
+    rows = [(mode["frequency_hz"], mode["damped_frequency_hz"], mode["damping_ratio"]) for mode in plain["modes"]]
+    console.print(table("Modes", ("natural frequency Hz", "damped Hz", "damping ratio"), rows, text=()))
 
 
 def _extremes(window: dict[str, float]) -> Iterable[str]:
     for end in ("min", "max"):
         yield f"{1e3 * window[end] + 0.0:.3f}".replace("-0.000", "0.000")
         yield f"{window[f't_{end}']:.3f}"
-
-
-def _draw_modes(console: Console, modes: list[dict[str, Any]]) -> None:
-    rows = [(mode["frequency_hz"], mode["damped_frequency_hz"], mode["damping_ratio"]) for mode in modes]
-    console.print(table("Modes", ("natural frequency Hz", "damped Hz", "damping ratio"), rows, text=()))
 
 
 def _draw_exciter(console: Console, plain: dict[str, Any]) -> None:

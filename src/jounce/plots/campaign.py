@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from jounce.campaign.result import ChannelComparison, Signals, TrialComparison, TrialResult
+    from jounce.campaign.result import Signals, TrialComparison, TrialResult
 
 
 _LIVELY = 0.15  # of the largest excursion: what the zoom must show
@@ -80,7 +80,8 @@ def _draw_channel(rows: Any, name: str, trial: TrialResult) -> None:
     before, after = trial.signals_before.get(name), trial.signals.get(name)
     shown = after or before
     assert shown is not None
-    unit = _unit_of(name, shown)
+    known = quantity_of(name)
+    unit = display_unit(QUANTITIES[known][0] if known else "1", float(np.abs(shown.measured).max()))
     for axes in rows[0]:
         axes.plot(shown.time, shown.measured * unit.factor, color=MEASURED, linewidth=2.2, label="measured")
         _simulated(axes, before, unit, BEFORE, "before updating", dashed=True)
@@ -93,16 +94,11 @@ def _draw_channel(rows: Any, name: str, trial: TrialResult) -> None:
     rows[0][0].set_title(f"trial {trial.entry.number}: {name}")
     comparison = trial.after or trial.before
     if comparison is not None and name in comparison.channels:
-        rows[0][1].set_title(
-            _caption(comparison.channels[name]), loc="right", fontweight="normal", fontsize=8.5, color=INK
-        )
+        found = comparison.channels[name]
+        rating = f"ISO 18571 {found.iso18571:.2f} ({found.grade}), NRMSE {number(found.nrmse, 2)}, R² {found.r2:.2f}"
+        rows[0][1].set_title(rating, loc="right", fontweight="normal", fontsize=8.5, color=INK)
     rows[0][0].set_ylabel(f"{words_of(name)}\n[{unit.name or '–'}]")
     rows[1][0].set_ylabel(f"residual\n[{unit.name or '–'}]")
-
-
-def _unit_of(name: str, signals: Signals) -> DisplayUnit:
-    known = quantity_of(name)
-    return display_unit(QUANTITIES[known][0] if known else "1", float(np.abs(signals.measured).max()))
 
 
 def _simulated(
@@ -112,10 +108,6 @@ def _simulated(
         return
     line = {"linestyle": (0, (4, 1.6)), "linewidth": 1.0} if dashed else {"linewidth": 1.0}
     axes.plot(signals.time, signals.simulated * unit.factor, color=colour, label=label, **line)
-
-
-def _caption(channel: ChannelComparison) -> str:
-    return f"ISO 18571 {channel.iso18571:.2f} ({channel.grade}), NRMSE {number(channel.nrmse, 2)}, R² {channel.r2:.2f}"
 
 
 def lively_window(signals: dict[str, Signals], obstacle: tuple[float, float] | None = None) -> tuple[float, float]:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from jounce.design.optimise import DesignConstraint, DesignNumber, Optimisation
     from jounce.design.pareto import ParetoFront, ParetoMark
-    from jounce.ride.study import Merit, Ride, RideStudy
+    from jounce.ride.study import Ride, RideStudy
 
 
 _MARKERS = {"present": ("D", BEFORE), "closed form": ("o", "white"), "searched": ("x", INK)}
@@ -273,7 +273,8 @@ def trade_off(study: RideStudy) -> Figure:
     travel = np.array([ride.merits["travel"] for ride in study.rides])
     low, high = float(travel.min()), float(max(travel.max(), travel.min() * (1.0 + 1e-9)))
     sizes = np.interp(travel, (low, high), _POINT_SIZES)
-    places = np.array([(ride.merits[across.name], _shown(up, ride.merits[up.name])) for ride in study.rides])
+    factor = 1e3 if up.unit == "m" else 1.0
+    places = np.array([(ride.merits[across.name], factor * ride.merits[up.name]) for ride in study.rides])
     for i in np.argsort(-sizes, kind="stable"):  # small ones upon large ones
         is_passive = study.rides[i].control == "passive"
         x, y = places[i]
@@ -288,7 +289,3 @@ def trade_off(study: RideStudy) -> Figure:
     axes.autoscale_view()
     name_points(axes, [ride.control for ride in study.rides], places, np.sqrt(sizes / np.pi))
     return figure
-
-
-def _shown(merit: Merit, value: float) -> float:
-    return 1e3 * value if merit.unit == "m" else value

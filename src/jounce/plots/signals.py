@@ -170,7 +170,8 @@ def sweep(results: xr.Dataset, variables: Sequence[str] | None = None, along: st
         _draw_variable(axes, results[name], along)
     if rows[0].get_legend_handles_labels()[0]:
         legend_above(rows[0], 5)
-    rows[-1].set_xlabel(_label(results[along], along))
+    words = str(results[along].attrs.get("long_name", along)).replace("_", " ")
+    rows[-1].set_xlabel(display_unit(_unit(results[along])).label(words))
     figure.align_ylabels(rows)
     return figure
 
@@ -197,10 +198,6 @@ def _draw_variable(axes: Axes, variable: xr.DataArray, along: str) -> None:
 
 def _unit(variable: xr.DataArray) -> str:
     return str(variable.attrs.get("units", "1"))
-
-
-def _label(variable: xr.DataArray, name: str) -> str:
-    return display_unit(_unit(variable)).label(str(variable.attrs.get("long_name", name)).replace("_", " "))
 
 
 def _value(coordinate: xr.DataArray, value: Any) -> str:
@@ -314,16 +311,13 @@ def frequency_response(
         response = model.frequency_response(f, name, track)
         known = quantity_of(name)
         unit = display_unit(QUANTITIES[known][0] if known else "1")
+        per_mm = f"({unit.name})/mm" if "/" in unit.name else f"{unit.name or '1'}/mm"
         top, bottom = grid[:, column]
         top.loglog(f, np.abs(response) * unit.factor * 1e-3, color=PALETTE[0])
         bottom.semilogx(f, np.degrees(np.unwrap(np.angle(response))), color=PALETTE[0])
-        top.set(ylabel=f"{words_of(name)}\nper {track} [{_per_mm(unit.name)}]", title=name)
+        top.set(ylabel=f"{words_of(name)}\nper {track} [{per_mm}]", title=name)
         bottom.set(xlabel="frequency [Hz]", ylabel="phase [°]", xlim=(float(f[0]), float(f[-1])))
     return figure
-
-
-def _per_mm(unit: str) -> str:
-    return f"({unit})/mm" if "/" in unit else f"{unit or '1'}/mm"
 
 
 @styled

@@ -45,7 +45,7 @@ from jounce.roads import Road, Trial, read_roads
 
 if TYPE_CHECKING:
     from jounce.campaign.result import CampaignResult, StrategyResult, TrialResult
-    from jounce.design.model_comparison import Difference, ModelComparison, PeakDifference
+    from jounce.design.model_comparison import ModelComparison, PeakDifference
 
 
 SYNTHETIC_NOTE = "Synthetic data, not measurements"
@@ -398,9 +398,10 @@ def updates(result: CampaignResult) -> Section:
                 f"Objective before and after each update. {words}.",
             ),
         ]
+    files = unique_slugs([f"update {strategy.update.name}" for strategy in result.strategies])
     blocks += [
         Subsection(strategy.update.name, _strategy(strategy, file))
-        for file, strategy in zip(_figure_names(result), result.strategies, strict=True)
+        for file, strategy in zip(files, result.strategies, strict=True)
     ]
     return Section("Updates", tuple(blocks))
 
@@ -432,10 +433,6 @@ def _overview(result: CampaignResult) -> Table:
     )
     note = "Objective: weighted sum of squared differences over all channels and samples."
     return Table("Results of the updates", header, rows, "lllrrrrr", note)
-
-
-def _figure_names(result: CampaignResult) -> list[str]:
-    return unique_slugs([f"update {strategy.update.name}" for strategy in result.strategies])
 
 
 def _strategy(strategy: StrategyResult, file: str) -> tuple[Block, ...]:
@@ -526,17 +523,15 @@ def lumped(found: ModelComparison) -> Section:
 
 
 def _differences(found: ModelComparison) -> Table:
-    rows = tuple(_difference_row(item) for item in found.rows)
+    rows = []
+    for item in found.rows:
+        pair = (item.spatial, item.lumped)
+        unit = display_unit(item.unit, max((value for value in pair if value is not None), key=abs, default=0.0))
+        texts = ("–" if value is None else number(value * unit.factor) for value in pair)
+        rows.append((item.quantity, *texts, unit.name, item.why))
     header = ("quantity, about equilibrium", "3-D", "lumped", "unit", "reason")
     note = "Modes are computed without dry friction, which would suppress small motions."
-    return Table("Where the two models differ", header, rows, "lrrll", note)
-
-
-def _difference_row(item: Difference) -> tuple[str, ...]:
-    values = [value for value in (item.spatial, item.lumped) if value is not None]
-    unit = display_unit(item.unit, max(values, key=abs, default=0.0))
-    texts = ("–" if value is None else number(value * unit.factor) for value in (item.spatial, item.lumped))
-    return (item.quantity, *texts, unit.name, item.why)
+    return Table("Where the two models differ", header, tuple(rows), "lrrll", note)
 
 
 def _shares(found: ModelComparison) -> Table:

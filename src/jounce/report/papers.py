@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from jounce.core.serialise import to_json
-from jounce.papers.audi_a6 import RAMP, SPEED, AudiCase, CaseRun, Window
+from jounce.papers.audi_a6 import RAMP, SPEED, AudiCase
 from jounce.papers.audi_a6_exciter import EccentricExciter, Range
 from jounce.papers.audi_a6_paper import FREQUENCY, LOAD, POWER, Erratum
+from jounce.papers.extremes import Window
 from jounce.papers.proving_ground import FIGURES, LAW, SHOWN_SPEED, ProvingGround
 from jounce.plots import damper_loops, road_profile, sweep, time_history
 from jounce.plots.audi_a6 import case_curve, case_overview, exciter_spring, exciter_torque_curve, start_up_transient
@@ -46,7 +47,7 @@ def proving_ground_page(study: ProvingGround) -> Page:
             _course(study),
             _ride(study),
             _signals(study),
-            _findings(study),
+            Section("Findings", (Findings(study.findings),)),
         ),
         subtitle="Ride of a HMMWV's front corner as a quarter car",
         files=(("results.json", to_json(study.to_dict())),),
@@ -189,10 +190,6 @@ def _signals(study: ProvingGround) -> Section:
     return Section("Time histories", tuple(pictures))
 
 
-def _findings(study: ProvingGround) -> Section:
-    return Section("Findings", (Findings(study.findings),))
-
-
 _ABOUT_CASES = (
     "The half car of the paper (eqs. 6 to 11, Table 2): a body that bounces and pitches on massless axles with two "
     "wheels each. From 3 s on it brakes (case A) or accelerates (case B), which acts as a pitch moment; from 6 s to "
@@ -210,7 +207,7 @@ _SAME = "The paper's figures are scope screens without numerical values; these c
 
 def audi_case_page(study: AudiCase) -> Page:
     """Put a case's page together; nothing is computed here."""
-    curves = (file for run in study.runs for file in curve_files(f"{run.variant}-{_moment_name(run)}", run.signals))
+    curves = (file for run in study.runs for file in curve_files(f"{run.variant}-{abs(run.moment):.0f}Nm", run.signals))
     return Page(
         f"Audi A6, {study.case.title[0].lower()}{study.case.title[1:]}",
         (
@@ -234,10 +231,6 @@ def errata_table(errata: tuple[Erratum, ...]) -> Table:
     return Table(
         "Statements of the paper that need correction.", ("place", "printed", "correct", "reason"), rows, "llll", note
     )
-
-
-def _moment_name(run: CaseRun) -> str:
-    return f"{abs(run.moment):.0f}Nm"
 
 
 def _summary(study: AudiCase) -> Section:

@@ -485,7 +485,8 @@ def mechanism(
         for pose, look in zip(shown, looks, strict=True):
             draw_pose(axes, view, scene, pose, look)
         if tracks is not None:
-            _draw_ways(axes, view, tracks)
+            for track, style in ((tracks.points["wheel_centre"], "-"), (tracks.contact, DASHED)):
+                axes.plot(*(MM * view.flat(track)).T, color=INK, linewidth=0.9, linestyle=style, zorder=4.2)
         draw_pose(axes, view, scene, scene.design, Look() if tracks is None else Look(INK))
         draw_steering_axis(axes, view, scene, scene.design)
         if names:
@@ -522,8 +523,3 @@ def _colours(poses: Poses | None, chosen: Sequence[int]) -> list[str]:
     length = (values.max() - first if values.min() >= 0.0 else 2.0 * span) or 1.0
     colours = LinearSegmentedColormap.from_list("travel", [_LOW, _MIDDLE, _HIGH])
     return [to_hex(colours(float((value - first) / length))) for value in values]
-
-
-def _draw_ways(axes: Axes, view: View, poses: Poses) -> None:
-    for track, style in ((poses.points["wheel_centre"], "-"), (poses.contact, DASHED)):
-        axes.plot(*(MM * view.flat(track)).T, color=INK, linewidth=0.9, linestyle=style, zorder=4.2)
