@@ -147,7 +147,7 @@ def test_both_wheels_of_an_axle_make_a_record_of_an_axle(cli, tmp_path: Path) ->
     for mine, theirs in zip(found["wheels"], again["wheels"], strict=True):
         assert mine["phase_angle_min_deg"] == pytest.approx(theirs["phase_angle_min_deg"], abs=1e-3)
         assert mine["verdict"] == theirs["verdict"] == "pass"
-    assert "frequency sweep of both wheels" in cli(*said, "--wheel", "both").out
+    assert "sweep of both wheels" in cli(*said, "--wheel", "both").out
 
 
 def test_a_record_of_one_wheel_of_an_axle_is_one_of_this_wheel(cli, tmp_path: Path) -> None:

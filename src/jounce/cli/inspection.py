@@ -75,9 +75,9 @@ def simulate(
     tester: Annotated[
         str | None, typer.Option(help="A tester file, or the name of a shipped one; by default one for the method.")
     ] = None,
-    steady: Annotated[bool, typer.Option("--steady", help="Steady states instead of a frequency sweep.")] = False,
+    steady: Annotated[bool, typer.Option("--steady", help="Steady states instead of a sweep.")] = False,
     stroke: Annotated[str | None, typer.Option(help='Stroke of the exciter, peak to peak: "6 mm".')] = None,
-    sweep_rate: Annotated[str | None, typer.Option(help='Rate of the frequency sweep: "2.5 Hz/s".')] = None,
+    sweep_rate: Annotated[str | None, typer.Option(help='Rate of the sweep: "2.5 Hz/s".')] = None,
     wear: Annotated[
         str | None, typer.Option(help="Loss of damping, as a share: one number, or FIRST:LAST:STEP.")
     ] = None,
@@ -140,7 +140,7 @@ def simulate(
         both = {**graded.to_dict(), **about, "record": record and str(record)}
 
         def draw(out: Console) -> None:
-            out.print(f"{rig} on {chosen_tester.name}, frequency sweep of both wheels", style="bold")
+            out.print(f"{rig} on {chosen_tester.name}, sweep of both wheels", style="bold")
             draw_axle(out, graded)
             show_written(out, both)
 
@@ -200,7 +200,7 @@ def _write_record(record: Any, file: Path, *, truth: bool, force: bool) -> None:
 
 
 def _draw_wheel(out: Console, plain: dict[str, Any], findings: Any) -> None:
-    how = "steady states" if plain["steady"] else "frequency sweep"
+    how = "steady states" if plain["steady"] else "sweep"
     uncertainty = plain["uncertainty"]
     rows = [(text, plain[key], uncertainty.get(key), unit) for key, text, unit in _ROWS if plain.get(key) is not None]
     title = f"{plain['rig']} on {plain['tester']}, {how}: {plain['wheel']} wheel, {plain['static_load']:.0f} N"
@@ -219,7 +219,7 @@ def _draw_wear(out: Console, plain: dict[str, Any]) -> None:
     shown = [row for row in _ROWS if any(wheel.get(row[0]) is not None for wheel in plain["wheels"])]
     header = ("wear", *(f"{text.strip()} [{unit}]" if unit else text for _, text, unit in shown), "verdict")
     rows = [(wheel["wear"], *(wheel.get(key) for key, _, _ in shown), wheel["verdict"]) for wheel in plain["wheels"]]
-    how = "steady states" if plain["steady"] else "frequency sweep"
+    how = "steady states" if plain["steady"] else "sweep"
     last = len(header) - 1
     out.print(table(f"{plain['rig']} on {plain['tester']}, {how}, over damper wear", header, rows, text=(last,)))
 
