@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from jounce.core.serialise import to_json
-from jounce.papers.audi_a6 import RAMP, SPEED, AudiCase
+from jounce.papers.audi_a6 import RAMP, SPEED, AudiCase, Window
 from jounce.papers.audi_a6_exciter import EccentricExciter, Range
 from jounce.papers.audi_a6_paper import FREQUENCY, LOAD, POWER, Erratum
-from jounce.papers.extremes import Window
 from jounce.papers.proving_ground import FIGURES, LAW, SHOWN_SPEED, ProvingGround
 from jounce.plots import damper_loops, road_profile, sweep, time_history
 from jounce.plots.audi_a6 import case_curve, case_overview, exciter_spring, exciter_torque_curve, start_up_transient
