@@ -35,14 +35,14 @@ class KinematicModel:
     ``rows`` are the catalogue's rows that this corner has, in the order of the outputs; ``tracks`` what is driven:
     ``"travel"``, and ``"rack"`` where the wheel steers. ``functions`` holds, as CasADi evaluates them, ``pose`` and
     ``output`` (see ``kernel.poses``; ``native`` is their machine code), ``points`` (x, y, z of ``point_names``: all
-    hardpoints and the contact point) and ``gradient`` of the loop equations, named by ``constraints``, for the speeds.
-    They take the numbers of the description at the paths ``parameters``; ``start`` is the design pose.
+    hardpoints and the contact point) and ``gradient`` of the loop equations for the speeds; ``joints`` names the joint
+    of each equation. They take the numbers of the description at ``parameters``; ``start`` is the design pose.
     """
 
     rows: tuple[Quantity, ...]
     tracks: tuple[str, ...]
     parameters: tuple[str, ...]
-    constraints: tuple[str, ...]
+    joints: tuple[str, ...]
     start: Array
     functions: dict[str, ca.Function]
     native: Native
@@ -135,7 +135,7 @@ def _build(rig: Corner) -> KinematicModel:
         rows=rows,
         tracks=(_TRAVEL, _RACK)[: len(tracks)],
         parameters=tuple(parameters),
-        constraints=driven.statics.constraints,
+        joints=driven.statics.joints,
         start=np.array(driven.statics.start, dtype=float),
         functions=functions,
         native=compile_functions({name: functions[name] for name in ("pose", "output")}),

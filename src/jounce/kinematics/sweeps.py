@@ -253,8 +253,7 @@ def _holding(model: KinematicModel, walk: Walk, found: Found, i: int, last: Arra
     matrix = model.functions["gradient"](pose, at, walk.p, 0.0).full()
     shares = np.abs(np.linalg.svd(matrix)[0][:, -1])
     names: dict[str, float] = {}
-    for name, share in zip(model.constraints, shares * np.linalg.norm(matrix, axis=1), strict=True):
-        joint = name.partition(".")[0]
+    for joint, share in zip(model.joints, shares * np.linalg.norm(matrix, axis=1), strict=True):
         if joint != "wheel_travel":
             names[joint] = max(names.get(joint, 0.0), float(share))
     largest = max(names.values(), default=0.0)

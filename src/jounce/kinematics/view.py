@@ -36,7 +36,7 @@ class Statics:
     start: tuple[float, ...]
     rates: ca.SX
     load: ca.SX
-    constraints: tuple[str, ...]
+    joints: tuple[str, ...]
     constraint: ca.SX
     constraint_rate: ca.SX
     constraint_bias: ca.SX
@@ -81,7 +81,7 @@ class Quasistatic(Mechanism):
             start=tuple(collected.start.values()),
             rates=ca.vertcat(*collected.rates),
             load=collected.force_on(collected.v),
-            constraints=tuple(equation.name for equation in loops.equations),
+            joints=tuple(equation.joint for equation in loops.equations),
             constraint=loops.value,
             constraint_rate=loops.rate,
             constraint_bias=loops.bias,
