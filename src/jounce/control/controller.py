@@ -253,7 +253,7 @@ class Regulator(Protocol):
 
 @dataclass(frozen=True)
 class Setting:
-    """What a regulator knows of the run.
+    """What a controller in Python knows of the run.
 
     Attributes
     ----------

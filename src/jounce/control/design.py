@@ -216,7 +216,7 @@ H_INFINITY_ORDER = 6
 
 @dataclass(frozen=True)
 class Targets:
-    """What an H-infinity controller is to hold down, and what may disturb it.
+    """What an H-infinity controller is to keep small, and what may disturb it.
 
     Attributes
     ----------

@@ -31,19 +31,19 @@ _CHEAP = 1e-3  # price of a force behind a lag against that of the acceleration 
 class PreviewMPC(CallbackController):
     """Model predictive control that sees the road ahead; a library (casadi's QP interface) does the optimisation.
 
-    The cost is that of the regulator over ``preview``, the regulator's own from there on. A damper's force is bounded
-    by its limits at the velocities that the plan of the instant before expects, so the problem stays a quadratic
-    programme. Stroke and tyre load are kept as well as possible (soft constraints). The lag of an active actuator is
-    part of the prediction, that of a damper is not.
+    The cost is that of the regulator over ``preview``, with the regulator's own cost-to-go from there on. A damper's
+    force is bounded by its limits at the velocities that the previous plan predicts, so the problem stays a quadratic
+    programme. Stroke and tyre load are soft constraints. The lag of an active actuator is part of the prediction, that
+    of a damper is not.
 
     Attributes
     ----------
     preview : float
         Time the road is known ahead, and horizon, s.
     stroke : float or None
-        Largest suspension deflection from rest at the wheel, m; left out: no limit.
+        Largest suspension deflection from equilibrium at the wheel, m; left out: no limit.
     keep_contact : bool
-        Whether the tyre's load shall not fall below zero.
+        Whether the tyre's load is kept above zero.
     deflection_weight, tyre_weight : float or None
         Of suspension and tyre deflection against body acceleration, 1/s^4; left out: 1 and 10 times the fourth power of
         the body's natural angular frequency.
@@ -142,25 +142,21 @@ def _behind(
 
 def _limits(mpc: PreviewMPC, corner: CornerModel, steps: int, states: int) -> tuple[Array, Array]:
     """Rows that pick what is limited from all states, and how far it may go (m)."""
+    limited: list[tuple[int, float, float]] = []  # state, sign, limit
+    if mpc.stroke is not None:
+        limited += [(0, 1.0, mpc.stroke), (0, -1.0, mpc.stroke)]
+    if mpc.keep_contact:
+        weight = (corner.sprung_mass + corner.unsprung_mass) * corner.gravity
+        limited.append((2, 1.0, weight / corner.tyre_stiffness))
     rows, margin = [], []
     for i in range(1, steps + 1):
-        for state, sign, limit in _limited(mpc, corner):
+        for state, sign, limit in limited:
             row = np.zeros(states * (steps + 1) + 2)
             row[states * i + state] = sign
             row[-2 if state == 0 else -1] = -1.0
             rows.append(row)
             margin.append(limit)
     return np.array(rows).reshape(-1, states * (steps + 1) + 2), np.array(margin)
-
-
-def _limited(mpc: PreviewMPC, corner: CornerModel) -> list[tuple[int, float, float]]:
-    found = []
-    if mpc.stroke is not None:
-        found += [(0, 1.0, mpc.stroke), (0, -1.0, mpc.stroke)]
-    if mpc.keep_contact:
-        weight = (corner.sprung_mass + corner.unsprung_mass) * corner.gravity
-        found.append((2, 1.0, weight / corner.tyre_stiffness))
-    return found
 
 
 class _Planner:

@@ -13,7 +13,7 @@ from jounce.core.description import Description, misplaced
 from jounce.core.units import Acceleration, Angle, Mass, PositiveLength
 from jounce.parts.bodies import Inertia, Point, RigidBody, Triple, distance, distance_to_line
 from jounce.parts.elements import AntiRollBar, Bushing, CornerTyre, Friction, SpatialStrut, Steering
-from jounce.parts.rig import Rig, stop_to_strut
+from jounce.parts.rig import Rig
 
 LARGE = 10.0
 """Coordinate in m that no point of a corner has."""
@@ -252,11 +252,6 @@ class Corner(Rig):
         """
         table = _turned_over(self.model_dump(by_alias=True, exclude_none=True))
         return type(self).from_table({**table, "side": "right" if self.side == "left" else "left"})
-
-    @model_validator(mode="before")
-    @classmethod
-    def _stop_belongs_to_the_strut(cls, table: Any) -> Any:
-        return stop_to_strut(table)
 
     @model_validator(mode="after")
     def _is_complete(self) -> Self:

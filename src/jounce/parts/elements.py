@@ -74,7 +74,12 @@ def check_table(name: str, x: tuple[float, ...], force: tuple[float, ...]) -> No
     """Refuse tables of unequal length or with points that do not ascend."""
     if len(x) != len(force):
         raise ValueError(f"{name} has {len(x)} points and force has {len(force)}; give as many of both")
-    for i, (a, b) in enumerate(pairwise(x)):
+    check_ascending(name, x)
+
+
+def check_ascending(name: str, values: tuple[float, ...]) -> None:
+    """Refuse points that do not ascend."""
+    for i, (a, b) in enumerate(pairwise(values)):
         if b <= a:
             raise ValueError(f"{name}[{i + 1}] = {b:g} does not lie above {name}[{i}] = {a:g}; sort the points")
 
@@ -149,14 +154,14 @@ def damper_kind(value: Any) -> str:
     return "table" if {"velocity", "force"} & value.keys() else "linear"
 
 
-Damper = Annotated[
+_LumpedDamper = (
     Annotated[LinearDamper, Tag("linear")]
     | Annotated[BilinearDamper, Tag("bilinear")]
     | Annotated[VelocityTable, Tag("table")]
     | Annotated[TanhDamper, Tag("tanh")]
-    | Annotated[BoucWenDamper, Tag("bouc-wen")],
-    Discriminator(damper_kind),
-]
+    | Annotated[BoucWenDamper, Tag("bouc-wen")]
+)
+Damper = Annotated[_LumpedDamper, Discriminator(damper_kind)]
 
 
 class Friction(Description):
@@ -233,10 +238,8 @@ class MapDamper(Description):
 
     @model_validator(mode="after")
     def _is_a_grid(self) -> Self:
-        for name, values in (("length", self.length), ("velocity", self.velocity)):
-            for i, (a, b) in enumerate(pairwise(values)):
-                if b <= a:
-                    raise ValueError(f"{name}[{i + 1}] = {b:g} does not lie above {name}[{i}] = {a:g}; sort the points")
+        check_ascending("length", self.length)
+        check_ascending("velocity", self.velocity)
         if len(self.force) != len(self.length):
             raise ValueError(
                 f"force has {len(self.force)} rows and length {len(self.length)} points; give one row for each length"
@@ -257,15 +260,7 @@ def _strut_damper_kind(value: Any) -> str:
     return damper_kind(value)
 
 
-StrutDamper = Annotated[
-    Annotated[LinearDamper, Tag("linear")]
-    | Annotated[BilinearDamper, Tag("bilinear")]
-    | Annotated[VelocityTable, Tag("table")]
-    | Annotated[TanhDamper, Tag("tanh")]
-    | Annotated[BoucWenDamper, Tag("bouc-wen")]
-    | Annotated[MapDamper, Tag("map")],
-    Discriminator(_strut_damper_kind),
-]
+StrutDamper = Annotated[_LumpedDamper | Annotated[MapDamper, Tag("map")], Discriminator(_strut_damper_kind)]
 
 
 class SpatialStrut(Description):

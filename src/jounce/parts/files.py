@@ -34,22 +34,11 @@ _DIGITS = {"m": 9, "kg": 9, "kg*m^2": 6}
 
 
 def rig_text(rig: Rig, comments: Sequence[str] = ()) -> str:
-    """Write a rig as TOML, every value with its unit.
+    """Write a rig as TOML, every value with its unit; ``comments`` are paragraphs above it.
 
-    Parameters
-    ----------
-    rig : Rig
-        What it was made from is written; defaults that nobody gave are not.
-    comments : sequence of str
-        Paragraphs that stand above it.
+    Defaults that nobody gave are not written. The text describes the rig to at least six digits of inertias and nine of
+    lengths.
 
-    Returns
-    -------
-    str
-        Text of a rig file; what it describes is the rig, to at least six digits of inertias and nine of lengths.
-
-    Examples
-    --------
     >>> from jounce.parts import load
     >>> rig_text(load("kart-quarter-car"), ["A kart."]).splitlines()[:2]
     ['# A kart.', 'schema = "jounce.rig/1"']

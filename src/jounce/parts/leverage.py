@@ -20,22 +20,8 @@ Twist = tuple[Array, Array]
 
 
 def motion_ratio(rig: Corner, element: str = "spring") -> float:
-    """Give the shortening of an element over the rise of the wheel centre at design.
+    """Shortening of the ``"spring"`` or ``"damper"`` over the rise of the wheel centre at design [1], positive in bump.
 
-    Parameters
-    ----------
-    rig : Corner
-        Any 3-D rig.
-    element : str
-        ``"spring"`` or ``"damper"``.
-
-    Returns
-    -------
-    float
-        Shortening over rise [1], positive when bump compresses it.
-
-    Examples
-    --------
     >>> from jounce.parts import load
     >>> round(motion_ratio(load("reference-double-wishbone")), 4)
     0.6985
@@ -47,22 +33,10 @@ def motion_ratio(rig: Corner, element: str = "spring") -> float:
 
 
 def body_motion(rig: Corner, body: str) -> Twist:
-    """Give the motion of a suspension's body at design while the wheel centre rises at 1 m/s and the car's body stands.
+    """Motion of a suspension's body at design while the wheel centre rises at 1 m/s and the car's body is fixed.
 
-    Parameters
-    ----------
-    rig : Corner
-        Any 3-D rig.
-    body : str
-        A body of its description.
+    Gives the velocity of the body's point at the origin of the axes (m/s), and the body's angular velocity (rad/s).
 
-    Returns
-    -------
-    velocity, angular_velocity : ndarray, shape (3,)
-        Of the body's point at the origin of the axes (m/s), and of the body (rad/s).
-
-    Examples
-    --------
     >>> from jounce.parts import load
     >>> rig = load("reference-double-wishbone")
     >>> velocity, turn = body_motion(rig, "upright")

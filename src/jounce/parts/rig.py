@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable
 from typing import Any, ClassVar, Self
 
-from pydantic import BaseModel
+from pydantic import BaseModel, model_validator
 
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError
@@ -159,6 +159,15 @@ class Rig(Description):
             schema, model = (cls.model_fields[name].default for name in ("schema_", "model"))
             MODELS.setdefault(schema, {})[model] = cls
 
+    @model_validator(mode="before")
+    @classmethod
+    def _stop_belongs_to_the_strut(cls, table: Any) -> Any:
+        """A ``bump_stop`` at the top level of a file is the strut's."""
+        if isinstance(table, dict) and "bump_stop" in table and isinstance(table.get("strut"), dict):
+            table = dict(table)
+            table["strut"] = {"bump_stop": table.pop("bump_stop"), **table["strut"]}
+        return table
+
     def parameters(self) -> dict[str, float]:
         """Give every number of the rig by its path, SI: ``{"strut.spring.rate": 22730.0, ...}``."""
         return parameters_of(self)
@@ -177,11 +186,3 @@ class Rig(Description):
             For an unknown path (with the nearest one) or a value out of range.
         """
         return type(self).from_table(change_table(self, changes))
-
-
-def stop_to_strut(table: Any) -> Any:
-    """Give a rig's table with a ``bump_stop`` of its top level moved into ``strut``, where it belongs."""
-    if isinstance(table, dict) and "bump_stop" in table and isinstance(table.get("strut"), dict):
-        table = dict(table)
-        table["strut"] = {"bump_stop": table.pop("bump_stop"), **table["strut"]}
-    return table

@@ -260,23 +260,8 @@ CHANNELS = tuple(f"{side}.plate.{name}" for side in Tester.sides for name in ("z
 
 
 def findings_of_tester(tester: Tester, where: str = "") -> list[Finding]:
-    """List what a careful colleague would ask about a tester.
+    """List what a careful colleague would ask about a tester; ``where`` is the file it comes from.
 
-    Parameters
-    ----------
-    tester : Tester
-        Any tester.
-    where : str
-        File it comes from; named before the path of every finding.
-
-    Returns
-    -------
-    list of Finding
-        Empty when nothing looks wrong.
-
-    Examples
-    --------
-    >>> from jounce.parts.testers import load_tester
     >>> tester = load_tester("egea-specsus2018")
     >>> findings_of_tester(tester)
     []

@@ -24,26 +24,10 @@ _OWN_ENDS = ("spring_bottom", "spring_top", "damper_bottom", "damper_top")
 
 
 def strut_angle(rig: Rig) -> float:
-    """Give the angle of the strut to the vertical.
+    """Angle of the strut to the vertical, rad; of a 3-D rig in front view at design, positive where it leans inboard.
 
-    Parameters
-    ----------
-    rig : Rig
-        Lumped or 3-D.
+    A McPherson strut, a strut on a rocker, and spring and damper that are not on one line have none: they are refused.
 
-    Returns
-    -------
-    float
-        rad; of a 3-D rig the one seen from the front at design, positive where the upper end leans inboard.
-
-    Raises
-    ------
-    DescriptionError
-        For a rig whose strut has no angle of its own: a McPherson strut, a strut on a rocker, spring and damper apart.
-
-    Examples
-    --------
-    >>> import numpy as np
     >>> from jounce.parts import load
     >>> round(float(np.degrees(strut_angle(load("kart-double-wishbone")))), 2)
     26.0
@@ -119,32 +103,22 @@ def _ends(rig: Rig) -> tuple[Triple, Triple]:
     """Lower and upper end of a strut that can be turned; the reason where it cannot."""
     if not isinstance(rig, Corner):
         raise DescriptionError("this rig has no strut that could be turned", where="strut angle")
-    points = rig.hardpoints
+    points, moved, allowed = rig.hardpoints, "strut_top", ""
     own = [name for name in _OWN_ENDS if getattr(points, name) is not None]
-    hint = 'Move its hardpoints instead: changes = {"hardpoints.strut_top" = [...]} in a trial.'
     if isinstance(rig, McPherson):
-        raise DescriptionError(
-            "a McPherson strut guides the wheel: turning it would change the whole suspension",
-            where="strut angle",
-            found='model = "mcpherson"',
-            hint=hint,
-        )
-    if rig.strut.on == "rocker":
-        raise DescriptionError(
-            "the strut stands on a rocker: its angle in front view does not decide its leverage",
-            where="strut angle",
-            found='strut.on = "rocker"',
-            hint=hint,
-        )
-    if own:
-        raise DescriptionError(
-            "spring and damper are not on one line, so that no single angle says how they turn",
-            where="strut angle",
-            found=", ".join(f"hardpoints.{name}" for name in own),
-            allowed="rigs that give strut_bottom and strut_top only",
-            hint=hint.replace("strut_top", own[-1]),
-        )
-    return points.strut_bottom, points.strut_top
+        found = 'model = "mcpherson"'
+        problem = "a McPherson strut guides the wheel: turning it would change the whole suspension"
+    elif rig.strut.on == "rocker":
+        found = 'strut.on = "rocker"'
+        problem = "the strut is on a rocker: its angle in front view does not decide its leverage"
+    elif own:
+        found, moved = ", ".join(f"hardpoints.{name}" for name in own), own[-1]
+        problem = "spring and damper are not on one line, so that no single angle says how they turn"
+        allowed = "rigs that give strut_bottom and strut_top only"
+    else:
+        return points.strut_bottom, points.strut_top
+    hint = f'Move its hardpoints instead: changes = {{"hardpoints.{moved}" = [...]}} in a trial.'
+    raise DescriptionError(problem, where="strut angle", found=found, allowed=allowed, hint=hint)
 
 
 _LAW = re.compile(
@@ -154,27 +128,10 @@ _LAW = re.compile(
 
 
 def worn(rig: R, wear: float) -> R:
-    """Give a rig whose dampers have lost a share of their force.
+    """A copy of a rig or vehicle whose dampers have lost a share ``wear`` of their force: 0 new, 1 no damper at all.
 
-    Parameters
-    ----------
-    rig : Rig
-        A rig or a vehicle; tyres, springs and friction stay as they are.
-    wear : float
-        Share that is lost: 0 new, 1 no damper at all.
+    Tyres, springs and friction stay as they are.
 
-    Returns
-    -------
-    Rig
-        A copy.
-
-    Raises
-    ------
-    DescriptionError
-        For a wear outside of 0 to 1.
-
-    Examples
-    --------
     >>> from jounce.parts import load
     >>> worn(load("audi-a6-quarter-car"), 0.25).strut.damper.coefficient   # N s/m, of 2000
     1500.0

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, ClassVar, Literal, NamedTuple, Self
+from typing import Annotated, ClassVar, Literal, NamedTuple, Self
 
 from pydantic import Field, model_validator
 
@@ -23,7 +23,7 @@ from jounce.core.units import (
 from jounce.parts.bodies import Point
 from jounce.parts.corners import AnyCorner
 from jounce.parts.elements import BumpStop, Damper, Friction, LinearDamper, Spring, Tyre, require_one
-from jounce.parts.rig import Rig, stop_to_strut
+from jounce.parts.rig import Rig
 
 _StrutAngle = Annotated[float, Unit("rad", at_least=0.0, at_most=1.2)]
 
@@ -64,11 +64,6 @@ class QuarterCar(Rig):
     strut: Strut
     guide: Guide = Guide()
     tyre: Tyre
-
-    @model_validator(mode="before")
-    @classmethod
-    def _stop_belongs_to_the_strut(cls, table: Any) -> Any:
-        return stop_to_strut(table)
 
 
 Compat = Literal["physical", "sign-corrected", "simulink"]

@@ -16,7 +16,7 @@ from jounce.core.types import Array
 from jounce.parts.bodies import TRIANGLE_TOLERANCE, distance_to_line
 from jounce.parts.corners import Corner
 from jounce.parts.files import rig_from_table, rig_text
-from jounce.parts.importers.chrono_file import HARDPOINTS, ChronoFile, RigidPart, ascending, damper_map
+from jounce.parts.importers.chrono_file import HARDPOINTS, ChronoFile, ascending, damper_map
 from jounce.parts.leverage import motion_ratio, spring_force, static_spring_force, static_tyre_deflection
 
 DESIGN = np.eye(3)
@@ -34,17 +34,6 @@ def rod_frame(start: Array, end: Array, across: Array, where: str) -> Array:
     along = _unit(end - start, where)
     side = _unit(across - along * (along @ across), where)
     return np.column_stack([np.cross(side, along), side, along])
-
-
-def body_table(
-    file: ChronoFile, section: str, frame: Array, centre: Array | None = None
-) -> tuple[dict[str, Any], list[Finding]]:
-    """Table of one body and what was assumed; ``frame`` holds the axes of the file's inertia as columns."""
-    part = file.part(section, centre=centre)
-    tensor, found = _possible(part, file.at(section))
-    if file.table.get("Vehicle-Frame Inertia") is not True:
-        tensor = frame @ tensor @ frame.T
-    return as_table(part.mass, part.centre, tensor), found
 
 
 def as_table(mass: float, centre: Array, tensor: Array) -> dict[str, Any]:
@@ -78,33 +67,6 @@ def about_axis(table: dict[str, Any], one: Array, other: Array) -> float:
     axis = (other - one) / np.linalg.norm(other - one)
     away = np.linalg.norm(np.cross(axis, np.array(table["centre_of_mass"]) - one))
     return float(axis @ tensor_of(table) @ axis + table["mass"] * away**2)
-
-
-def wheel_tensor(mass: float, radius: float) -> Array:
-    """Inertia of rim and tyre, estimated: 0.6 m r^2 about the axle, 0.35 m r^2 across it."""
-    return np.asarray(mass * radius**2 * np.diag([0.35, 0.6, 0.35]))
-
-
-def _possible(part: RigidPart, where: str) -> tuple[Array, list[Finding]]:
-    """Tensor in the file's frame; a largest moment over the sum of the others, which no body has, is cut to it."""
-    xy, xz, yz = part.products
-    tensor = np.diag(part.moments) + np.array([[0.0, xy, xz], [xy, 0.0, yz], [xz, yz, 0.0]])
-    moments, axes = np.linalg.eigh(tensor)
-    if moments[0] <= 0.0:
-        raise DescriptionError(
-            "an inertia that no body has: a principal moment is not above 0",
-            where=where,
-            found=", ".join(f"{moment:.6g} kg m^2" for moment in moments),
-        )
-    if moments[2] <= (moments[0] + moments[1]) * (1.0 + TRIANGLE_TOLERANCE):
-        return tensor, []
-    cut = moments[0] + moments[1]
-    message = (
-        f"no body has the principal moments {moments[0]:.5g}, {moments[1]:.5g} and {moments[2]:.5g} kg m^2: the "
-        f"largest is cut to the sum of the others, {cut:.5g}."
-    )
-    moments = np.array([moments[0], moments[1], cut])
-    return axes @ np.diag(moments) @ axes.T, [Finding(where, "warning", message, float(cut))]
 
 
 def _unit(vector: Array, where: str) -> Array:
@@ -201,12 +163,33 @@ class Reading:
     estimated: list[str] = field(default_factory=list)
 
     def body(self, name: str, section: str, frame: Array, centre: Array | None = None) -> dict[str, Any]:
-        """Table of a body; an inertia that had to be changed is estimated."""
-        table, found = body_table(self.file, section, frame, centre)
-        self.findings += found
-        if found:
+        """Table of a body; ``frame`` holds the axes of the file's inertia as columns.
+
+        No body has a principal moment above the sum of the others: such a moment is cut to that sum, and the inertia
+        is estimated.
+        """
+        part, where = self.file.part(section, centre=centre), self.file.at(section)
+        xy, xz, yz = part.products
+        tensor = np.diag(part.moments) + np.array([[0.0, xy, xz], [xy, 0.0, yz], [xz, yz, 0.0]])
+        moments, axes = np.linalg.eigh(tensor)
+        if moments[0] <= 0.0:
+            raise DescriptionError(
+                "an inertia that no body has: a principal moment is not above 0",
+                where=where,
+                found=", ".join(f"{moment:.6g} kg m^2" for moment in moments),
+            )
+        cut = moments[0] + moments[1]
+        if moments[2] > cut * (1.0 + TRIANGLE_TOLERANCE):
+            message = (
+                f"no body has the principal moments {moments[0]:.5g}, {moments[1]:.5g} and {moments[2]:.5g} kg m^2: "
+                f"the largest is cut to the sum of the others, {cut:.5g}."
+            )
+            tensor = axes @ np.diag([moments[0], moments[1], cut]) @ axes.T
+            self.findings.append(Finding(where, "warning", message, float(cut)))
             self.estimated.append(f"bodies.{name}.inertia")
-        return table
+        if self.file.table.get("Vehicle-Frame Inertia") is not True:
+            tensor = frame @ tensor @ frame.T
+        return as_table(part.mass, part.centre, tensor)
 
     def arm(self, name: str, section: str, front: str, rear: str, outer: str) -> dict[str, Any]:
         """Table of an A-arm in Chrono's frame of it."""
@@ -421,7 +404,8 @@ def _add_wheel(
         "toe": file.angle("Toe Angle (deg)"),
     }
     centre = table["hardpoints"]["wheel_centre"]
-    table["bodies"]["wheel"] = joined(spindle, rolling, centre, wheel_tensor(rolling, radius))
+    # the inertia of rim and tyre is estimated: 0.6 m r^2 about the axle, 0.35 m r^2 across it
+    table["bodies"]["wheel"] = joined(spindle, rolling, centre, rolling * radius**2 * np.diag([0.35, 0.6, 0.35]))
     table["tyre"] = {"stiffness": TYRE_STIFFNESS if stiffness is None else stiffness}
 
 
@@ -458,14 +442,12 @@ def _carried(reading: Reading, rig: Corner) -> float:
 
 
 def _rig(reading: Reading, table: dict[str, Any]) -> Corner:
-    return cast(Corner, rig_from_table(_plain(table), where=str(reading.file.path)))
+    def plain(value: Any) -> Any:
+        if isinstance(value, dict):
+            return {key: plain(item) for key, item in value.items()}
+        return value.tolist() if isinstance(value, np.ndarray) else value
 
-
-def _plain(value: Any) -> Any:
-    """The same table with lists in place of arrays."""
-    if isinstance(value, dict):
-        return {key: _plain(item) for key, item in value.items()}
-    return value.tolist() if isinstance(value, np.ndarray) else value
+    return cast(Corner, rig_from_table(plain(table), where=str(reading.file.path)))
 
 
 def _raise(table: dict[str, Any], height: float) -> None:
