@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import ClassVar, Literal
 
 import pytest
 
@@ -19,6 +20,8 @@ from jounce.control import (
     as_controller,
     controller,
 )
+from jounce.control.actuators import Instant
+from jounce.control.controller import DamperLaw
 from jounce.control.program import program, sensor_noise, values
 from jounce.core.errors import DescriptionError
 
@@ -144,3 +147,24 @@ def test_noise_by_channel_and_corner() -> None:
     )
     assert noise.std(axis=0) == pytest.approx([0.1, 0.5, 0.0], rel=0.02)
     assert sensor_noise({}, 1, ("sprung.az",), 10).shape == (0, 1)
+
+
+def test_a_controller_is_one_class(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(CONTROLS, "_rows", {**CONTROLS})
+
+    class PowerDriven(DamperLaw):
+        """Firm where the spring gives energy to the body."""
+
+        law: Literal["power-driven"] = "power-driven"
+        catalogue: ClassVar = {"power-driven": ("firm where the spring gives energy to the body", SemiActiveDamper())}
+
+        def product(self, now: Instant) -> object:
+            return -now.seen("strut.deflection") * now.extension_rate
+
+    law = controller("power-driven", rate="500 Hz").resolved(CORNER)
+    assert isinstance(law, PowerDriven)
+    made = program(law, ("",))
+    assert made.channels == ("strut.deflection", "strut.velocity")
+    numbers = values({"": law}, {"": CORNER}, made.numbers)
+    command = made.function([0.0], [-0.01, -0.2, 0.0], numbers, [])
+    assert float(command[0]) == pytest.approx(4000.0), "the spring is extended, and the strut extends"

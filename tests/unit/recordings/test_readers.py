@@ -7,8 +7,17 @@ import numpy as np
 import pytest
 from scipy.io import savemat
 
+from jounce.core.columns import Column, ColumnTable
 from jounce.core.errors import DescriptionError, RecordingError
-from jounce.recordings import READERS, check_recording, read_columns, read_recording, recording, write_recording
+from jounce.recordings import (
+    READERS,
+    check_recording,
+    read_columns,
+    read_recording,
+    readers,
+    recording,
+    write_recording,
+)
 
 TIME = np.arange(40) * 0.001
 WAVE = np.sin(TIME * 200.0)
@@ -232,3 +241,20 @@ def test_registry_rows_are_complete() -> None:
     for reader in READERS:
         assert all((reader.name, reader.label, reader.source, reader.example))
         assert all(suffix.startswith(".") and suffix == suffix.lower() for suffix in reader.suffixes)
+
+
+def test_a_format_is_one_function(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(readers, "READERS", [*READERS])
+
+    @readers.reader("pairs", "pairs of numbers", (".pairs",), source="this test", example="0 1")
+    def read_pairs(path: Path, options: readers.ReaderOptions) -> readers.SignalTable:
+        time, values = np.loadtxt(path).T
+        columns = Column("time", "s", time), Column("sprung.az", "m/s^2", values)
+        return readers.SignalTable(ColumnTable(columns, (), str(path)))
+
+    file = tmp_path / "run.pairs"
+    np.savetxt(file, [[0.001 * i, i % 3] for i in range(20)])
+    run, _ = read_recording(file)
+    assert float(run["sprung.az"].max()) == 2.0
+    with pytest.raises(RecordingError, match=r"a variable cannot be chosen.*found 'x'"):
+        read_recording(file, variable="x")
