@@ -19,7 +19,7 @@ from jounce.parts.elements import BoucWenDamper, TanhDamper
 from jounce.parts.rig import parameters_of
 
 SOFTEST, FIRMEST = 0.2, 8.0 / 3.0
-"""Smallest and largest coefficient of a damper that says none, as shares of the corner's own damping coefficient."""
+"""Smallest and largest coefficient of a damper that gives none, as shares of the corner's own damping coefficient."""
 _REVERSAL = 0.02
 """Velocity (m/s) over which a hysteretic force reverses where its state is not measured."""
 _Lag = Annotated[float, Unit("s", at_least=0.0)]
@@ -79,7 +79,7 @@ class _Actuator(Description):
 
     @property
     def structure(self) -> str:
-        """Text that says which equations the actuator has; numbers do not matter."""
+        """Text that identifies the equations of the actuator, without their numbers."""
         raise NotImplementedError
 
     @property

@@ -168,7 +168,7 @@ class DamperLaw(Controller):
 
 
 def given(value: float | None, otherwise: float) -> float:
-    """A number, or what stands for it."""
+    """A number, or its default where it is not given."""
     return otherwise if value is None else value
 
 
@@ -180,7 +180,7 @@ def controller(name: str | Path, **changes: Any) -> Controller:
     name : str or Path
         One of :data:`CONTROLS`, or a path to a file of the schema ``jounce.control/1``.
     **changes
-        Fields that differ from what the name or the file says.
+        Fields that differ from those of the name or the file.
 
     Returns
     -------

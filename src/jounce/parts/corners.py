@@ -20,7 +20,7 @@ LARGE = 10.0
 SAME_POINT = 1e-6
 """Distance in m below which two points are one."""
 ON_ONE_LINE = 1e-3
-"""Share of its triangle's size that a point must keep away from the axis it is to turn about."""
+"""Share of its triangle's size by which a point must clear the axis that it rotates about."""
 Groups = tuple[tuple[str, ...], ...]
 Axes = tuple[tuple[str, str, str], ...]
 Rods = tuple[tuple[str, str], ...]
@@ -44,7 +44,7 @@ class Hardpoints(Description):
     arb_link_end: Point | None = None
 
     outer: ClassVar[tuple[str, ...]] = ("wheel_centre",)
-    """Points that stand on the wheel's side of the arms."""
+    """Points on the wheel's side of the links."""
     different: ClassVar[Groups] = (
         ("strut_bottom", "strut_top"),
         ("spring_bottom", "spring_top"),
@@ -54,11 +54,11 @@ class Hardpoints(Description):
     )
     """Groups in which no two points may be the same."""
     turning: ClassVar[Axes] = ()
-    """Two points of an axis, and a point that turns about it."""
+    """Two points of an axis, and a point that rotates about it."""
     together: ClassVar[Groups] = (("arb_pivot", "arb_arm_end", "arb_link_end"),)
     """Groups of which all points are given or none."""
     rods: ClassVar[Rods] = ()
-    """Points of the wheel's body that keep their distance from a point of the car's body: outer and inner one."""
+    """Links of constant length between wheel carrier and car body: outer and inner point."""
 
     @model_validator(mode="after")
     def _can_move(self) -> Self:
@@ -129,7 +129,7 @@ class Hardpoints(Description):
             raise misplaced(
                 (turned,),
                 f"lies on the line through {one} and {other}; found {written(c)}; allowed: a point away from it, "
-                "because nothing could turn it about that axis",
+                "because it could not rotate about that axis",
             )
 
 
@@ -163,7 +163,7 @@ class SprungBody(Description):
 class Corner(Rig):
     """What all 3-D rigs share. x forward, y left, z up; the hardpoints are the design position, z = 0 is the road.
 
-    ``guide`` says how the body is held: not free, free along z, or free along z and to turn about ``sprung.joint``.
+    ``guide`` says how the body is guided: fixed, free along z, or free along z and to rotate about ``sprung.joint``.
     """
 
     schema_: Literal["jounce.rig/1"] = Field(default="jounce.rig/1", alias="schema")
@@ -184,7 +184,7 @@ class Corner(Rig):
     further_bodies: ClassVar[tuple[str, ...]] = ()
     """Bodies that the suspension may have; without ``wheel`` the wheel belongs to the body that carries it."""
     strut_on: ClassVar[tuple[str, ...]] = ()
-    """Bodies that the strut may stand on, the usual one first; in the same way push rod and anti-roll bar."""
+    """Bodies that may carry the lower end of the strut, the default first; likewise for push rod and anti-roll bar."""
     pushrod_on: ClassVar[tuple[str, ...]] = ()
     bar_on: ClassVar[tuple[str, ...]] = ()
     bushed: ClassVar[tuple[str, ...]] = ()
@@ -261,7 +261,7 @@ class Corner(Rig):
         return self
 
     def _check_side(self) -> None:
-        """Refuse points that stand on the other side of the car, and wheels in the road."""
+        """Refuse points on the other side of the car, and wheels below the road."""
         centre = self.hardpoints.wheel_centre
         if self.sign * centre[1] <= 0.0:
             raise misplaced(
@@ -435,7 +435,7 @@ class McPhersonHardpoints(ArmHardpoints):
 class McPherson(Corner):
     """McPherson strut: one arm, a tie rod, and a strut that guides the upright.
 
-    The body ``strut`` is the part that slides in the upright and hangs on the car's body.
+    The body ``strut`` is the part that slides in the upright and is held at the car's body.
     """
 
     model: Literal["mcpherson"] = "mcpherson"

@@ -227,8 +227,8 @@ class CoilSpring(Description):
 class MapDamper(Description):
     """Damper force over its length and velocity: ``force[i][j]`` (N) at ``length[i]`` (m) and ``velocity[j]`` (m/s).
 
-    Velocity is positive in bump (shortening), force in compression. Straight lines between the points; beyond the ends
-    of velocity the lines go on, beyond the ends of length the force stays.
+    Velocity is positive in bump (shortening), force in compression. Straight lines between the points; extrapolated
+    beyond the velocities, constant beyond the lengths.
     """
 
     kind: Literal["map"] = "map"
@@ -283,7 +283,7 @@ class SpatialStrut(Description):
         if isinstance(table, dict) and "angle" in table:
             raise misplaced(
                 ("angle",),
-                f"a 3-D rig takes no strut angle, its geometry says it; found {table['angle']!r}. Move "
+                f"a 3-D rig takes no strut angle, which follows from its geometry; found {table['angle']!r}. Move "
                 "hardpoints.strut_top or hardpoints.strut_bottom instead",
             )
         return table

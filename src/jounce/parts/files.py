@@ -215,7 +215,7 @@ def changed_text(text: str, rig: Rig, values: dict[str, float]) -> str:
         for i, part in enumerate(parents):
             if isinstance(part, str) and part not in here:
                 here[part] = _written(rig, parents[: i + 1])
-            elif isinstance(here[part], str):  # a corner by its name: what it is stands in its place
+            elif isinstance(here[part], str):  # a corner by its name: its rig takes its place
                 here[part] = tomlkit.parse(rig_text(reduce(getattr, map(str, parents[: i + 1]), rig)))
             here = here[part]
         here[last] = _quantity(value, unit_of(rig, path))
@@ -223,7 +223,7 @@ def changed_text(text: str, rig: Rig, values: dict[str, float]) -> str:
 
 
 def _written(rig: Rig, parents: list[str | int]) -> Any:
-    """What stands for a part that the file leaves to its default: an empty table, or the whole list of numbers."""
+    """What a part is written as that the file leaves to its default: an empty table, or the whole list of numbers."""
     name = dotted(tuple(parents))
     known = rig.parameters()
     values = [path for path in known if re.fullmatch(rf"{re.escape(name)}\[\d+\]", path)]

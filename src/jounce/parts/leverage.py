@@ -1,7 +1,7 @@
-"""Levers of a corner at its design position: what the wheel's rise does to spring, damper and bodies, and the statics.
+"""Levers of a corner at its design position: how spring, damper and bodies move as the wheel rises, and the statics.
 
-First-order only: velocities from the joints' equations at the hardpoints as given. What needs another position than
-design is the business of the kinematics.
+First order only: velocities from the joints' equations at the hardpoints as given. Other positions than design are
+found by the kinematics.
 """
 
 from __future__ import annotations
@@ -46,12 +46,12 @@ def body_motion(rig: Corner, body: str) -> Twist:
     twist = _twist(rig, body)
     if body != "strut":
         return twist
-    top = np.array(rig.hardpoints.strut_top)  # the sliding part of a McPherson hangs on the car's body there
+    top = np.array(rig.hardpoints.strut_top)  # the sliding part of a McPherson is on the car's body there
     return -np.cross(twist[1], top), twist[1]
 
 
 def static_spring_force(rig: Corner) -> float:
-    """Spring force (N) that holds the sprung mass and its share of the arms at design, the wheel on the road."""
+    """Spring force (N) that carries the sprung mass and its share of the arms at design, the wheel on the road."""
     load = 0.0 if rig.sprung is None else rig.sprung.mass
     for name, body in rig.body_masses().items():
         rise = _velocity(_twist(rig, name), np.array(body.centre_of_mass))[2]
@@ -78,7 +78,7 @@ def spring_force(rig: Corner, deflection: float = 0.0) -> float:
 
 
 def force_at(curve: Curve, x: float) -> float:
-    """Force of a curve in N at ``x`` in m; tables go on beyond their ends."""
+    """Force of a curve in N at ``x`` in m; tables are extrapolated."""
     if isinstance(curve, PolynomialCurve):
         return float(sum(c * x ** (i + 1) for i, c in enumerate(curve.coefficients)))
     if isinstance(curve, PowerCurve):
@@ -109,7 +109,7 @@ def _turn(axis: Array, through: Array) -> Twist:
 
 
 def _twist(rig: Corner, body: str) -> Twist:
-    """Twist of a body while the wheel centre rises at 1 m/s and the car's body stands."""
+    """Twist of a body while the wheel centre rises at 1 m/s and the car's body is fixed."""
     points = rig.hardpoints
     if body in ("lower_arm", "upper_arm"):
         return _arm(points, body.removesuffix("_arm"), _carrier(points))

@@ -113,7 +113,7 @@ def _ends(rig: Rig) -> tuple[Triple, Triple]:
         problem = "the strut is on a rocker: its angle in front view does not decide its leverage"
     elif own:
         found, moved = ", ".join(f"hardpoints.{name}" for name in own), own[-1]
-        problem = "spring and damper are not on one line, so that no single angle says how they turn"
+        problem = "spring and damper are not on one line, so that no single angle describes them"
         allowed = "rigs that give strut_bottom and strut_top only"
     else:
         return points.strut_bottom, points.strut_top

@@ -70,7 +70,7 @@ Compat = Literal["physical", "sign-corrected", "simulink"]
 
 
 class Place(NamedTuple):
-    """Where a wheel stands: how far behind the front axle (m), and its side (1 left, -1 right, 0 in the middle)."""
+    """Position of a wheel: how far behind the front axle (m), and its side (1 left, -1 right, 0 in the middle)."""
 
     behind: float
     side: int
@@ -186,7 +186,7 @@ class Vehicle(Rig):
 
     @property
     def wheels(self) -> dict[str, Place]:
-        """Where each corner's wheel stands."""
+        """Position of each corner's wheel."""
         return {corner: _place(corner, self.wheelbase) for corner in self.corners}
 
 
@@ -196,9 +196,9 @@ def _place(corner: str, wheelbase: float) -> Place:
 
 
 class HalfCar(Vehicle):
-    """Half car in the form of paper 2 (eqs 6-11): body with bounce and pitch on massless axles, two wheels each.
+    """Half car in the form of paper 2 (eqs 6-11): body that bounces and pitches on massless axles, two wheels each.
 
-    ``compat`` says whose road it is: ``"physical"`` (the rear axle follows by wheelbase over speed, dampers feel the
+    ``compat`` says how the road acts: ``"physical"`` (the rear axle follows by wheelbase over speed, dampers feel the
     road's rate), ``"simulink"`` (the well-known demo literally: a bump counts downwards, both axles at once, dampers
     feel the body only) or ``"sign-corrected"`` (the demo with a bump upwards). The printed sign of the rear moment in
     paper 2, eq. (9), makes pitch unstable and is not offered.
@@ -212,7 +212,7 @@ class HalfCar(Vehicle):
 
     @property
     def wheels(self) -> dict[str, Place]:
-        """Where each corner's wheel stands; both axles meet the road at once except in the physical form."""
+        """Position of each corner's wheel; both axles meet the road at once except in the physical form."""
         found = super().wheels
         return found if self.compat == "physical" else {corner: Place(0.0, 0) for corner in found}
 
@@ -239,8 +239,8 @@ class FullCar(Vehicle):
 class SpatialBody(RollingBody):
     """Body of a full car on 3-D corners; ``height`` (m) places its centre of gravity, whose axes are principal.
 
-    A vehicle on a bench hangs on a spherical joint at the end of a vertical guide: ``joint`` (m) is that place, x ahead
-    of the centre of gravity, y to the left, z over the road. Without it the body turns about its centre of gravity.
+    On a bench a vehicle may be held by a spherical joint at the end of a vertical guide: ``joint`` (m) is its place,
+    x ahead of the centre of gravity, y to the left, z above the road. Otherwise the body rotates about that centre.
     """
 
     height: PositiveLength
@@ -288,7 +288,7 @@ _TRACK = 1.5
 
 
 class Side(Description):
-    """Wheel of one side: ``distance`` (m) from the body's centre of gravity to the left or right, and what is there."""
+    """One side: the ``wheel``, and its lateral ``distance`` (m) from the body's centre of gravity."""
 
     distance: PositiveLength
     wheel: QuarterCar | FullAxle | WheeledAxle
@@ -325,7 +325,7 @@ class FrontViewAxle(Rig):
 def axle_of(
     vehicle: Vehicle, axle: Literal["front", "rear"], *, track: float | None = None, roll_inertia: float | None = None
 ) -> FrontViewAxle:
-    """Give one axle of a vehicle with the share of the body that stands on it.
+    """Give one axle of a vehicle with the share of the body that it carries.
 
     Parameters
     ----------
@@ -393,7 +393,7 @@ def axle_from(
     Parameters
     ----------
     left, right : QuarterCar
-        Their sprung masses become one body, placed so that each still stands on its wheel.
+        Their sprung masses become one body, placed so that each wheel still carries its own.
     track : float
         Distance of the wheels, m.
     roll_inertia : float, optional

@@ -166,7 +166,7 @@ def check_channels(
 
 
 def _is_driven(name: str) -> bool:
-    """Whether a channel says what was done to the rig: the road under any wheel, a shaker, manoeuvre loads."""
+    """Whether a channel is an input to the rig: the road under any wheel, a shaker, manoeuvre loads."""
     return name.endswith(_MAY_REST) or any(part.startswith(_DRIVEN_PLACES) for part in name.split("."))
 
 

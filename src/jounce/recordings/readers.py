@@ -18,7 +18,7 @@ from jounce.core.types import Array
 
 @dataclass(frozen=True)
 class ReaderOptions:
-    """What the user says about a file that the file does not say itself.
+    """What the user tells about a file that it does not contain.
 
     Attributes
     ----------
@@ -34,7 +34,7 @@ class ReaderOptions:
 
 @dataclass(frozen=True)
 class SignalTable:
-    """Columns of a file with what else it says about them.
+    """Columns of a file, and what else it contains.
 
     Attributes
     ----------

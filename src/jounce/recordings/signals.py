@@ -286,7 +286,7 @@ def shift_with_derivative(values: ArrayLike, sample_rate: float, lag: float) -> 
     shifted : ndarray, shape of ``values``
         As ``shift_signals`` gives it.
     derivative : ndarray, shape of ``values``
-        Derivative of ``shifted`` with respect to ``lag``, in the unit of ``values`` per s; 0 where a held end is read.
+        Derivative of ``shifted`` with respect to ``lag``, in the unit of ``values`` per s; 0 beyond its ends.
 
     Raises
     ------

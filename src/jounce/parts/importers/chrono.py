@@ -155,7 +155,7 @@ _MULTI_LINK = {
 
 @dataclass
 class Reading:
-    """One file while it is read: its points as they stand there, and what was found out on the way."""
+    """One file while it is read: its points as written there, and the findings so far."""
 
     file: ChronoFile
     points: dict[str, Array]
@@ -209,7 +209,7 @@ class Reading:
 
 
 def _head(reading: Reading, model: str, bodies: dict[str, Any], on: str, **more: Any) -> dict[str, Any]:
-    """Table of a rig without its wheel; the strut's points are the spring's, other points of a damper stand beside."""
+    """Table of a rig without its wheel; the strut's points are the spring's, and a damper may have others."""
     points = dict(reading.points)
     points["strut_bottom"], points["strut_top"] = points.pop("spring_bottom"), points.pop("spring_top")
     for end in ("bottom", "top"):
@@ -301,7 +301,7 @@ def import_chrono(
 ) -> tuple[Corner, list[Finding], str]:
     """Read a suspension file of Project Chrono as the left corner of a 3-D rig.
 
-    Chrono places a suspension relative to its axle; here the road becomes z = 0, and the wheel centre stands above it
+    Chrono places a suspension relative to its axle; here the road becomes z = 0, and the wheel centre is above it
     by the tyre's radius less its deflection under the corner's weight.
 
     Parameters
@@ -311,7 +311,7 @@ def import_chrono(
     wheel_radius : float, optional
         Undeformed radius of the tyre [m]; estimated 0.33 m.
     wheel_mass : float, optional
-        Rim and tyre [kg], which stand in other files; estimated 20 kg.
+        Rim and tyre [kg], which are in other files; estimated 20 kg.
     tyre_stiffness : float, optional
         Radial stiffness [N/m]; estimated 250 kN/m.
     sprung_mass : float, optional

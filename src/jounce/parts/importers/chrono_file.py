@@ -55,7 +55,7 @@ class ChronoFile:
     templates : sequence of str
         Kinds of suspension that the reader understands.
     advice : str
-        What is said when a value is missing.
+        Hint where a value is missing.
     """
 
     def __init__(self, path: Path, templates: Sequence[str], advice: str) -> None:
@@ -104,7 +104,7 @@ class ChronoFile:
         return here
 
     def numbers(self, section: str, key: str, shape: tuple[int, ...]) -> Array:
-        """Finite numbers of a shape; -1 in it stands for any count."""
+        """Finite numbers of a shape; -1 in it means any number."""
         return self._checked(self.value(section, key), self.at(section, key), shape)
 
     def positive(self, section: str, key: str) -> float:

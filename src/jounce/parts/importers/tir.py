@@ -31,7 +31,7 @@ _USUAL = {"stiffness": (5e3, 5e6, "N/m"), "radius": (0.05, 2.0, "m"), "damping_c
 
 @dataclass(frozen=True)
 class TyreProperties:
-    """What a tyre property file says of the tyre's vertical behaviour, in SI units.
+    """Vertical properties of a tyre from its property file, in SI units.
 
     Attributes
     ----------
