@@ -14,6 +14,7 @@ hypothesis.settings.register_profile("jounce", derandomize=True, deadline=None, 
 hypothesis.settings.load_profile("jounce")
 
 _CACHE = pytest.StashKey[str]()
+COLLECTED = pytest.StashKey[set[str]]()
 QUICK = ("unit", "properties", "architecture")  # the other kinds of test run models, which are compiled
 
 
@@ -22,15 +23,27 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    folder = tempfile.mkdtemp(prefix="jounce-tests-")
-    config.stash[_CACHE] = folder
-    os.environ["JOUNCE_CACHE_DIR"] = folder  # also for the processes that tests start
+    if not hasattr(config, "workerinput"):  # the processes of pytest-xdist share the cache of the one that starts them
+        config.stash[_CACHE] = os.environ["JOUNCE_CACHE_DIR"] = tempfile.mkdtemp(prefix="jounce-tests-")
+    config.stash[COLLECTED] = set()
     if config.getoption("--quick"):
         _skip_where_something_is_compiled()
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:
-    shutil.rmtree(config.stash[_CACHE], ignore_errors=True)
+    if _CACHE in config.stash:
+        shutil.rmtree(config.stash[_CACHE], ignore_errors=True)
+
+
+def pytest_itemcollected(item: pytest.Item) -> None:
+    item.config.stash[COLLECTED].add(item.nodeid.partition("[")[0])  # slow ones, too: they are deselected later
+
+
+@pytest.fixture(scope="session")
+def collected(request: pytest.FixtureRequest) -> set[str] | None:
+    """All tests that this run has collected as ``file::name``; None where it was asked for a part of them."""
+    whole = [str(Path(name)) for name in request.config.args] in (["tests"], [str(Path(__file__).parent)])
+    return request.config.stash[COLLECTED] if whole and not request.config.getoption("--quick") else None
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
