@@ -11,7 +11,7 @@ import numpy as np
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.inspection.findings import problem, remark, warning
-from jounce.inspection.signals import WheelSignals
+from jounce.inspection.signals import WheelSignals, limits_of
 
 if TYPE_CHECKING:
     from jounce.parts.testers import Tester
@@ -179,7 +179,7 @@ def _off(measured: float, load: float | None) -> float:
 def check_sampling(signals: WheelSignals, tester: Tester | None) -> list[Finding]:
     """Look at the sampling rate."""
     rate, place = signals.sample_rate, f"{signals.wheel}.plate.force"
-    wanted = tester.limits.sampling_frequency_min if tester is not None else 1000.0
+    wanted = limits_of(tester).sampling_frequency_min
     if rate < _SLOWEST_SAMPLING:
         return [problem(place, "samples_too_few", rate, rate=rate, wanted=wanted)]
     if rate < 0.999 * wanted:

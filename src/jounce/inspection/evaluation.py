@@ -96,7 +96,7 @@ def evaluate(
     """
     facts, said = read_facts(record.attrs)
     task = _task(tester, vehicle, methods, str(facts.get("axle", "")))
-    tested = sides = tested_wheels(record, facts)
+    sides = tested_wheels(record, facts)
     names = [name for name in map(str, record.data_vars) if name.partition(".")[0] in sides]
     channels = {name: np.asarray(record[name].values, dtype=float) for name in names}
     time = np.asarray(record["time"].values, dtype=float)
@@ -108,17 +108,13 @@ def evaluate(
     named = checks.check_tester(str(facts.get("tester", "")), tester)
     general = [*said, *map(of_reader, clock), *named]
     unfit = [finding for finding in (*clock, *gaps, *named) if finding.severity == "problem"]
-    if unfit:
-        wheels = [_unfit(side, [one for one in unfit if _concerns(one, side)]) for side in sides]
-        hit = {wheel.wheel for wheel in wheels if wheel.findings}
-        sides = tuple(side for side in sides if side not in hit)
-        rest = _evaluate_wheels(dataset, sides, facts, task) if sides else []
-        order = {wheel.wheel: wheel for wheel in (*(w for w in wheels if w.wheel in hit), *rest)}
-        found = tuple(order[side] for side in tested)
-    else:
-        found = tuple(_evaluate_wheels(dataset, sides, facts, task))
+    wheels = [_unfit(side, about) for side in sides if (about := [one for one in unfit if _concerns(one, side)])]
+    sound = tuple(side for side in sides if all(wheel.wheel != side for wheel in wheels))
+    wheels += _evaluate_wheels(dataset, sound, facts, task) if sound else []
+    wheels += _without_force(record, facts)
+    wheels.sort(key=lambda one: SIDES.index(one.wheel))
     axle = {"axle": facts["axle"]} if "axle" in facts else {}
-    return Inspection(_in_order((*found, *_without_force(record, facts))), axle, facts, task.methods, tuple(general))
+    return Inspection(tuple(wheels), axle, facts, task.methods, tuple(general))
 
 
 def tested_wheels(record: xr.Dataset, facts: Mapping[str, Any]) -> tuple[str, ...]:
@@ -143,10 +139,6 @@ def _without_force(record: xr.Dataset, facts: Mapping[str, Any]) -> list[WheelRe
         if force not in record and height in record and _shaking(record, str(side)) > _STANDING:
             lost.append(_unfit(str(side), [problem(force, "force_missing", found=height, force=force)]))
     return lost
-
-
-def _in_order(wheels: Iterable[WheelResult]) -> tuple[WheelResult, ...]:
-    return tuple(sorted(wheels, key=lambda one: SIDES.index(one.wheel)))
 
 
 def _shaking(record: xr.Dataset, side: str) -> float:

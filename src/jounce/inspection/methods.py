@@ -23,7 +23,7 @@ from jounce.core.types import Array
 from jounce.inspection.findings import SENTENCES, remark, warning
 from jounce.inspection.quantities import Quantity, Sentence
 from jounce.inspection.quarter_car import Corner, ResponseFit, force_response, rig_poles, road_poles, wheel_damping
-from jounce.inspection.signals import Turns, WheelSignals
+from jounce.inspection.signals import Turns, WheelSignals, band_of, limits_of
 from jounce.inspection.sweep import Sweep
 from jounce.inspection.turn_forces import UNDERFLOW, Analysis, corrected_curve
 from jounce.parts.testers import Tester
@@ -290,7 +290,7 @@ _EGEA_SENTENCES = {
 
 def rigidity_findings(value: float, tester: Tester | None, place: str) -> list[Finding]:
     """Say whether a rigidity (N/m) means a tyre inflated too little or too much, by the limits of a tester."""
-    low, high = (160e3, 400e3) if tester is None else (tester.limits.tyre_rigidity_min, tester.limits.tyre_rigidity_max)
+    low, high = limits_of(tester).tyre_rigidity_min, limits_of(tester).tyre_rigidity_max
     if low <= value <= high:
         return []
     code, limit = ("tyre_soft", low) if value < low else ("tyre_stiff", high)
@@ -307,8 +307,7 @@ def _egea(test: WheelTest) -> Found:
     if test.signals.height is None or analysis is None:
         found.findings.append(warning(f"{wheel}.plate.z", "no_height_no_phase"))
         return found
-    limits = None if test.tester is None else test.tester.limits
-    band = (6.0, 18.0) if limits is None else (limits.frequency_min, limits.frequency_max)
+    band = band_of(test.tester)
     minimum, found.phase_deg = find_phase_minimum(analysis, band)
     if minimum is None:
         found.findings.append(warning(f"{wheel}.phase", "phase_not_covered", low=band[0], high=band[1]))

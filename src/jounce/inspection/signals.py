@@ -14,12 +14,11 @@ from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.inspection.record import FORCE, HEIGHT, SIDES, TACHO
+from jounce.parts.testers import Tester, TesterLimits
 from jounce.recordings.quality import check_time
 
 if TYPE_CHECKING:
     import xarray as xr
-
-    from jounce.parts.testers import Tester
 
 _ACCELERATION_TIME = 0.021
 _ACCELERATION_ORDER = 7
@@ -124,6 +123,17 @@ def _curvature(samples: int) -> Array:
     place = np.arange(samples) - samples // 2
     powers = (place[:, None] / samples) ** np.arange(_ACCELERATION_ORDER + 1)
     return np.asarray(np.linalg.pinv(powers)[2][::-1] * 2.0 / samples**2)
+
+
+def limits_of(tester: Tester | None) -> TesterLimits:
+    """Limits of a tester; the usual ones where none is known."""
+    return TesterLimits() if tester is None else tester.limits
+
+
+def band_of(tester: Tester | None) -> tuple[float, float]:
+    """Frequencies (Hz) between which a sweep is evaluated."""
+    limits = limits_of(tester)
+    return limits.frequency_min, limits.frequency_max
 
 
 def signals_of(record: xr.Dataset, wheel: str, tester: Tester | None) -> WheelSignals:
@@ -242,7 +252,8 @@ def calibrate_plate(record: xr.Dataset, tester: Tester | None = None, *, wheel: 
 
     Examples
     --------
-    >>> from jounce.recordings.schema import recording
+    >>> from jounce.parts.testers import Tester, TesterLimits
+    from jounce.recordings.schema import recording
     >>> t = np.arange(12000) / 1000.0
     >>> z = 3e-3 * np.sin(2 * np.pi * (25.0 * t - t**2))
     >>> force = -18.0 * (2 * np.pi * (25.0 - 2.0 * t)) ** 2 * z
@@ -269,7 +280,7 @@ def calibrate_plate(record: xr.Dataset, tester: Tester | None = None, *, wheel: 
     mass = float(pushed @ pull) / power
     residual = pull - mass * pushed
     per_hz = _residual_per_hz(time[inner], height[inner], residual, tester, f"{side}.{HEIGHT}")
-    allowed = tester.limits.calibration_force_per_frequency if tester is not None else 4.0
+    allowed = limits_of(tester).calibration_force_per_frequency
     return PlateCalibration(
         mass, per_hz, allowed, math.sqrt(float(residual @ residual) / power / max(pull.size - 2, 1))
     )
@@ -279,7 +290,7 @@ def _residual_per_hz(time: Array, height: Array, residual: Array, tester: Tester
     """Greatest amplitude of the residual at the plate's frequency over that frequency, N/Hz, by half seconds."""
     middle = 0.5 * float(height.max() + height.min())
     turns = find_turns(time, height, middle, 0.5 * float(np.ptp(height)))
-    low, high = (tester.limits.frequency_min, tester.limits.frequency_max) if tester is not None else (6.0, 18.0)
+    low, high = band_of(tester)
     if turns is None or turns.frequency.max() < high or turns.frequency.min() > low:
         raise RecordingError("the plate does not pass through the band", where=where, allowed=f"{low:g} to {high:g} Hz")
     frequency = turns.frequency_at(time)

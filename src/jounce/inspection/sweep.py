@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.inspection.findings import problem, warning
-from jounce.inspection.signals import FEWEST_TURNS, Turns, WheelSignals, find_turns
+from jounce.inspection.signals import FEWEST_TURNS, Turns, WheelSignals, band_of, find_turns, limits_of
 
 if TYPE_CHECKING:
     from jounce.parts.testers import Tester
@@ -54,7 +54,7 @@ def find_sweep(signals: WheelSignals, tester: Tester | None, *, rigid: bool) -> 
     place = f"{signals.wheel}.plate.z" if signals.height is not None else f"{signals.wheel}.plate.frequency"
     if turns is None:
         return None, [problem(place, "few_turns", fewest=FEWEST_TURNS)]
-    low, high = (tester.limits.frequency_min, tester.limits.frequency_max) if tester is not None else (6.0, 18.0)
+    low, high = band_of(tester)
     if not rigid:
         found = _whole_sweep(turns)
         return found, _sprung_findings(turns.frequency, found.highest, place)
@@ -161,7 +161,7 @@ def _rate(time: Array, frequency: Array, low: float, high: float) -> float:
 
 def _sweep_findings(sweep: Sweep, tester: Tester | None, place: str) -> list[Finding]:
     findings = []
-    most, least = (tester.limits.sweep_rate_max, tester.limits.sweep_time_min) if tester is not None else (3.0, 7.5)
+    most, least = limits_of(tester).sweep_rate_max, limits_of(tester).sweep_time_min
     if sweep.sweep_rate > 1.02 * most:
         findings.append(warning(place, "sweep_fast", sweep.sweep_rate, rate=sweep.sweep_rate, most=most))
     top = sweep.turns.top
