@@ -127,11 +127,6 @@ def belt_speed(drive: BenchDrive, inverter_frequency: float) -> BeltSpeed:
     BeltSpeed
         Speeds in rad/s and m/s.
 
-    Raises
-    ------
-    FitError
-        For a frequency that is not positive.
-
     Examples
     --------
     >>> bench = BenchDrive(belt_reference="bare", pulley_slip=0.0)
@@ -231,11 +226,6 @@ def photo_sensor_speed(
     -------
     SensorSpeed
         Speed with its 95 % interval.
-
-    Raises
-    ------
-    FitError
-        For counts, durations or errors that are not positive.
 
     Examples
     --------
@@ -343,11 +333,6 @@ def drive_margin(drive: BenchDrive, speed: float, load: BeltLoad | None = None) 
     DriveMargin
         Forces [N], powers [W], torques [N m] and margins [1].
 
-    Raises
-    ------
-    FitError
-        For a speed that is not positive.
-
     Examples
     --------
     >>> bench = BenchDrive(belt_reference="bare", efficiency=1.0, pulley_slip=0.0)
@@ -450,11 +435,6 @@ def attainable_speed(
     -------
     AttainableSpeed
         Speeds in m/s.
-
-    Raises
-    ------
-    FitError
-        For an observed ceiling that is not positive.
 
     Examples
     --------

@@ -17,26 +17,9 @@ Density = Annotated[float, Unit("kg/m^3", above=0.0)]
 
 
 def scaled_mass(mass: float, factor: float, *, density_ratio: float = 1.0) -> float:
-    """Give the mass of a block whose edges are divided by a factor.
+    """Give the mass (kg) of a block whose edges are divided by a factor: mass * density_ratio / factor^3.
 
-    Parameters
-    ----------
-    mass : float
-        Mass of the full-size block [kg].
-    factor : float
-        Full-size edge over reduced edge [1].
-    density_ratio : float
-        Density of the reduced block over that of the full-size one [1].
-
-    Returns
-    -------
-    float
-        mass * density_ratio / factor^3 [kg].
-
-    Raises
-    ------
-    FitError
-        For values that are not positive.
+    ``density_ratio`` is the density of the reduced block over that of the full-size one (1).
 
     Examples
     --------
@@ -74,18 +57,8 @@ class Similitude(Description):
 class ScaleFactor:
     """One quantity under similitude with the same gravity (Froude).
 
-    Attributes
-    ----------
-    name : str
-        Quantity.
-    factor : float
-        Full-size value over prototype value that similitude asks for [1].
-    prototype : float or None
-        Value of the prototype as built, SI; None where only the factor is known.
-    full_size : float or None
-        ``factor * prototype``: what the prototype stands for, SI.
-    unit : str
-        SI unit of both.
+    ``factor`` is the full-size value over the prototype's that similitude asks for (1); ``prototype`` the value as
+    built, ``full_size`` what it stands for, both in the SI ``unit`` and None where only the factor is known.
     """
 
     name: str

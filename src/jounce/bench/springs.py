@@ -116,11 +116,6 @@ def compare_springs(springs: Sequence[tuple[str, float]], choice: SpringChoice |
     SpringComparison
         Rates in N/m, frequencies in Hz, deflections in m.
 
-    Raises
-    ------
-    FitError
-        No springs, a name given twice, a rate that is not positive, a strut lying flat.
-
     Examples
     --------
     >>> found = compare_springs([("bicycle", 52775.0), ("scooter", 22730.0)])

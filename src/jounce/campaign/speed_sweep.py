@@ -183,20 +183,12 @@ def _numbers(signal: dict[str, Array], output_step: float) -> dict[str, float]:
 
 
 def misfit_against_speed(result: CampaignResult) -> xr.Dataset:
-    """Lay out what is left between measurement and model, trial by trial, against speed and pitch.
+    """Lay out what is left between measurement and model of an evaluated campaign, against speed and pitch.
 
-    Parameters
-    ----------
-    result : CampaignResult
-        An evaluated campaign.
-
-    Returns
-    -------
-    xarray.Dataset
-        On ``trial`` (number): ``speed`` (m/s) and ``pitch`` (m; NaN for a single obstacle), ``use`` ("fit" or
-        "hold-out"), ``verdict``; and on ``trial`` and ``channel``: ``nrmse_before`` and ``nrmse`` (r.m.s. of measured
-        minus simulated over the standard deviation of the measured, 1) and ``iso18571`` (1). Channels that a trial
-        lacks are NaN; trials that could not be used, or were not driven over a road, are left out.
+    On ``trial`` (number): ``speed`` (m/s), ``pitch`` (m; NaN for a single obstacle), ``use`` ("fit" or "hold-out") and
+    ``verdict``; on ``trial`` and ``channel``: ``nrmse_before`` and ``nrmse`` (r.m.s. of measured minus simulated over
+    the standard deviation of the measured, 1) and ``iso18571`` (1). Channels that a trial lacks are NaN; trials that
+    could not be used, or were not driven over a road, are left out.
     """
     import xarray as xr
 

@@ -39,14 +39,8 @@ _NUDGE = 1e-4
 class BodyShare:
     """How one suspension body divides between sprung and unsprung mass, about equilibrium.
 
-    Attributes
-    ----------
-    mass : float
-        kg.
-    wheel_share : float
-        Rise of its centre of mass over that of the wheel centre [1].
-    inertance : float
-        Inertance that it adds between car body and wheel, kg.
+    ``wheel_share`` is the rise of its centre of mass over that of the wheel centre (1); ``inertance`` (kg) is what it
+    adds between car body and wheel.
     """
 
     mass: float
@@ -175,22 +169,8 @@ class Lumping:
 def lump(rig: Rig) -> Lumping:
     """Reduce a corner to rates, damping and masses at the wheel, about static equilibrium.
 
-    Parameters
-    ----------
-    rig : Rig
-        A 3-D rig whose body is free along z. Joints count as ideal, turning of the body is left out.
-
-    Returns
-    -------
-    Lumping
-        Exact for small motions on a vertical guide, ideal joints and a vertical tyre.
-
-    Raises
-    ------
-    DescriptionError
-        For a lumped rig or one whose body is fixed.
-    SimulationError
-        When there is no static equilibrium.
+    The body of the rig is free along z. Exact for small motions on a vertical guide, ideal joints and a vertical tyre:
+    bushings and turning of the body are left out.
 
     Examples
     --------

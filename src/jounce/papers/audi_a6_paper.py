@@ -139,13 +139,7 @@ def exciter_torque(power: float, frequency: float) -> float:
 
 
 def series(*stiffnesses: float) -> float:
-    """Stiffness (N/m) of springs one behind the other.
-
-    Examples
-    --------
-    >>> round(series(38000.0, 300000.0))
-    33728
-    """
+    """Stiffness (N/m) of springs one behind the other."""
     return 1.0 / sum(1.0 / stiffness for stiffness in stiffnesses)
 
 

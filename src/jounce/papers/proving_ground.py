@@ -80,18 +80,9 @@ class Derived:
 class LumpedCorner:
     """A corner with its spring and damper referred to vertical motion of the wheel centre.
 
-    Attributes
-    ----------
-    rig : QuarterCar
-        With the vehicle's own damper; strut deflection 0 is the design position.
-    spring_motion_ratio, damper_motion_ratio : float
-        Shortening of the element over rise of the wheel centre [1].
-    bump_travel, rebound_travel : float
-        Wheel travel from design to the spring's shortest and longest length, both positive [m].
-    damper_stroke : float
-        Range of lengths the vehicle's damper map covers [m].
-    derived : tuple of Derived
-        Every number with its origin.
+    The rig has the vehicle's own damper; its strut deflection is 0 at the design position. Motion ratios are shortening
+    of the element over rise of the wheel centre (1); travels are those of the wheel from design to the shortest and
+    longest length of the spring, both positive (m); ``damper_stroke`` is the range of lengths of the damper map (m).
     """
 
     rig: jn.QuarterCar
@@ -179,16 +170,6 @@ def hmmwv_corner() -> jn.ChronoCorner:
 
 def lumped_corner(corner: jn.ChronoCorner) -> LumpedCorner:
     """Refer a double wishbone to the vertical motion of its wheel centre.
-
-    Parameters
-    ----------
-    corner : ChronoCorner
-        The vehicle's file.
-
-    Returns
-    -------
-    LumpedCorner
-        The quarter car, SI, with the origin of every number.
 
     Examples
     --------
@@ -392,34 +373,12 @@ def _force(table: Mapping[str, Any], x: Array, v: Array) -> Array:
 
 @dataclass(frozen=True)
 class ProvingGround:
-    """What the study found.
+    """What the study found: records and laws, the vehicle, how the damper was scaled, ride figures and signals.
 
-    Attributes
-    ----------
-    dampers : tuple of MeasuredDamper
-        The records and the laws fitted to them.
-    corner : LumpedCorner
-        The vehicle.
-    similitude : Similitude
-        How the measured damper was scaled.
-    equivalent : dict of str to float
-        Equivalent linear damping ratio of each damper at the stated amplitude [1].
-    derived : tuple of Derived
-        Every number of the model with its origin.
-    rigs : dict of str to QuarterCar
-        By name of the damper.
-    courses : dict of str to Road
-        As measured, and as the tyre feels it.
-    figures : xarray.Dataset
-        Ride figures over ``damper`` and ``speed``.
-    damping : xarray.Dataset
-        Equivalent linear damping ratio over ``damper`` and ``amplitude`` of wheel travel.
-    runs : dict of str to xarray.Dataset
-        Signals at the shown speed, by name of the damper.
-    point_contact : float
-        R.m.s. body acceleration of the first damper at the shown speed without the tyre's envelope [m/s^2].
-    findings : tuple of Finding
-        What weakens the results.
+    ``equivalent`` has the equivalent linear damping ratio (1) of each damper at the stated amplitude, ``damping`` over
+    the amplitude of wheel travel; ``derived`` every number of the model with its origin; ``figures`` the ride figures
+    over ``damper`` and ``speed``; ``runs`` the signals at the shown speed; ``point_contact`` the r.m.s. body
+    acceleration (m/s^2) of the first damper there without the tyre's envelope.
     """
 
     dampers: tuple[MeasuredDamper, ...]
@@ -468,22 +427,10 @@ class ProvingGround:
 
 
 def run_proving_ground(speeds: tuple[float, ...] = SPEEDS, *, progress: Progress = no_progress) -> ProvingGround:
-    """Drive a real vehicle with a measured damper over a measured course.
+    """Drive a real vehicle with a measured damper over a measured course, at ``speeds`` in m/s.
 
     The measured magneto-rheological damper (0 V and 0.88 V) is fitted, scaled to the vehicle, referred to the wheel and
     compared with the vehicle's own damper. The quarter car is the lumped one; body accelerations are not weighted.
-
-    Parameters
-    ----------
-    speeds : tuple of float
-        Driving speeds [m/s].
-    progress : callable
-        Called with one line of text as the work goes on.
-
-    Returns
-    -------
-    ProvingGround
-        Fits, model with the origin of each number, ride figures and signals.
     """
     progress("fit: damper laws")
     dampers, findings = measured_dampers()

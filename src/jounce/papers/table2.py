@@ -25,22 +25,10 @@ _HIGH, _LOW = 310e3, 250e3  # Pa
 
 @dataclass(frozen=True)
 class Table2Row:
-    """One trial.
+    """One trial: its passage speed (m/s, printed with two decimals) and how the rig was set up.
 
-    Attributes
-    ----------
-    number : int
-        Number of the trial.
-    speed : float
-        Passage speed, m/s, printed with two decimals.
-    strut_angle : float
-        Angle of spring and damper to the vertical, rad.
-    tyre_pressure : float
-        Inflation pressure, Pa.
-    obstacle : {"A", "B"}
-        A single obstacle, or a series of five.
-    pitch : float or None
-        Distance of the obstacles of a series from start to start, m; None for a single one.
+    The strut's angle to the vertical is in rad, the tyre's pressure in Pa; the obstacle is a single one (A) or a series
+    of five (B), whose ``pitch`` from start to start is in m.
     """
 
     number: int
@@ -80,23 +68,9 @@ _SETTINGS: dict[str, dict[int, _Setting]] = {
 
 
 def table2(variant: Variant = "reconstructed") -> tuple[Table2Row, ...]:
-    """Give the trials of Table 2 by rising number.
+    """Give the sixteen trials of Table 2 by rising number, in the consistent reading or with the cells as printed.
 
-    Parameters
-    ----------
-    variant : {"reconstructed", "literal"}
-        The consistent reading, or the cells as printed (an empty cell repeats the one above; the printed last row,
-        10 degrees without number and speed, is no trial). See the text of this module.
-
-    Returns
-    -------
-    tuple of Table2Row
-        Sixteen trials; speed in m/s, angle in rad, pressure in Pa, pitch in m.
-
-    Raises
-    ------
-    DescriptionError
-        For another variant.
+    As printed, an empty cell repeats the one above; the last row, 10 degrees without number and speed, is no trial.
 
     Examples
     --------

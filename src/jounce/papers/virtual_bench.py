@@ -168,22 +168,10 @@ def _time_at(distance: Array, road: jn.Road, speed: float) -> Array:
 
 @dataclass(frozen=True)
 class BenchPlan:
-    """What is measured.
+    """What is measured: cycles of the spring, and of the tyre at each pressure (Pa), free decays, obstacle passes.
 
-    Attributes
-    ----------
-    spring_trials, tyre_trials, decays : int
-        Number of test machine cycles of the spring, of the tyre at each pressure, and of free decays.
-    pressures : tuple of float
-        Tyre pressures on the test machine, Pa.
-    trials : tuple of Table2Row
-        Obstacle passes.
-    duration : float
-        Length of each recording, s.
-    sample_rate : float
-        Of decays and passes, Hz.
-    seed : int
-        Of all scatter and noise.
+    ``duration`` is that of each recording (s), ``sample_rate`` that of decays and passes (Hz), ``seed`` that of all
+    scatter and noise.
     """
 
     spring_trials: int = 5
@@ -211,29 +199,12 @@ def make_measurements(
     force: bool = False,
     progress: Progress = no_progress,
 ) -> list[Path]:
-    """Write the measurement files of a campaign.
+    """Write the measurement files of a campaign below a folder: ``bench/``, ``trials/`` and ``truth.toml``.
 
-    Parameters
-    ----------
-    folder : path
-        Folder; ``bench/``, ``trials/`` and ``truth.toml`` are made in it.
-    plan : BenchPlan, optional
-        What is measured; by default everything the paper did: five spring trials of 15 mm, three tyre trials of 10 mm
-        at each of two pressures, free decays, and the sixteen obstacle passes of its Table 2, 3 s each at 1 kHz.
-    force : bool
-        Overwrite existing files.
-    progress : callable
-        Called with one line of text as the work goes on.
-
-    Returns
-    -------
-    list of Path
-        The files, CSV with ``name [unit]`` headers under a first line that says they are synthetic.
-
-    Raises
-    ------
-    OutputError
-        For an existing file without ``force``; then nothing is written.
+    The default plan is everything that the paper did: five spring trials of 15 mm, three tyre trials of 10 mm at each
+    of two pressures, free decays, and the sixteen obstacle passes of its Table 2, 3 s each at 1 kHz. The files are CSV
+    with ``name [unit]`` headers under a first line that says they are synthetic. Where one exists nothing is written,
+    unless ``force`` allows it.
 
     Examples
     --------
