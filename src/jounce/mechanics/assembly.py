@@ -213,28 +213,9 @@ def removable(
     start: Mapping[str, float | str] | None = None,
     known: Iterable[frozenset[str]] = (),
 ) -> frozenset[str]:
-    """Loop equations that can go without loosening anything at a pose: the others say the same.
+    """Loop equations that can go without loosening anything at a pose; choices ``known`` are taken again if they do.
 
-    Parameters
-    ----------
-    model : Model
-        The equations, all of them.
-    p, u : ndarray
-        Parameters and inputs, SI.
-    start : mapping, optional
-        SI, as for :func:`assemble`.
-    known : iterable of frozenset of str
-        Choices that are taken again if they do.
-
-    Returns
-    -------
-    frozenset of str
-        Names of equations.
-
-    Raises
-    ------
-    AssemblyError
-        When the loops cannot be closed, or in a singular configuration, where it cannot be told.
+    Refuses loops that cannot be closed, and singular configurations, where it cannot be told.
     """
     from scipy.linalg import qr
 

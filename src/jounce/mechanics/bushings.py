@@ -216,23 +216,7 @@ def add_sliding_bushing(
 ) -> tuple[ca.SX, ca.SX]:
     """Hold a point of the second body by a bushing on a line of the first, along which it slides freely.
 
-    Parameters
-    ----------
-    mechanism : Mechanism
-        The mechanism.
-    first, second : Body
-        Body with the line, and body with the bushing, whose axes the bushing has.
-    at, axis : casadi.SX, shape (3,)
-        A point of the line and its direction in the design pose.
-    point : casadi.SX, shape (3,)
-        Place of the bushing in the design pose, on the line.
-    stiffness, damping : casadi.SX, shape (3,)
-        N/m and N s/m.
-
-    Returns
-    -------
-    tuple of casadi.SX
-        Force on the second body, N, in its axes, shape (3,), and the power taken up, W.
+    Gives the force on the second body (N, in its axes, which the bushing has) and the power taken up (W).
     """
     law = SlidingBushing("sliding bushing", first, second, at, axis, point, stiffness, damping)
     force, power = mechanism.act(law).shown

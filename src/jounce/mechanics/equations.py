@@ -69,57 +69,27 @@ class Track:
 
 @dataclass
 class Collection:
-    """All that equations of motion are formed of: symbols by name, masses, forces, constraints, signals.
-
-    Attributes
-    ----------
-    coordinates, speeds, accelerations : dict
-        Name to symbol; accelerations by the names of their speeds.
-    units : dict
-        Unit of each coordinate and speed.
-    rates : list of casadi.SX
-        Rates of the coordinates, in groups.
-    quaternions : dict
-        Joint to the index of the first of the four coordinates that say how it is turned.
-    start : dict
-        Coordinate to its value in the design pose (m, rad; 1 for quaternions).
-    internal : dict
-        First-order state to its symbol and its rate.
-    tracks, parameters, switches : dict
-        Name to symbols; a switch to its mode and the expression whose sign decides it.
-    inertias, loads, constraints : list
-        Masses; rates with the forces that do power on them; loop equations.
-    outputs : dict
-        Signal to expression.
-    constants : dict
-        Symbols that stand for numbers, with the numbers.
-    shared : tuple of str
-        Speeds of a body that carries several suspensions.
-    alike : tuple, optional
-        Which parts are built alike (see :class:`Model`).
-    loops : dict
-        Joint that closes a loop to the joints around it, itself first.
-    """
+    """All that equations of motion are formed of: symbols by name, masses, forces, constraints, signals."""
 
     coordinates: dict[str, ca.SX] = field(default_factory=dict)
     speeds: dict[str, ca.SX] = field(default_factory=dict)
-    accelerations: dict[str, ca.SX] = field(default_factory=dict)
-    units: dict[str, str] = field(default_factory=dict)
-    rates: list[ca.SX] = field(default_factory=list)
-    quaternions: dict[str, int] = field(default_factory=dict)
-    start: dict[str, float] = field(default_factory=dict)
-    internal: dict[str, tuple[ca.SX, ca.SX | None]] = field(default_factory=dict)
+    accelerations: dict[str, ca.SX] = field(default_factory=dict)  # by the names of their speeds
+    units: dict[str, str] = field(default_factory=dict)  # of coordinates and speeds
+    rates: list[ca.SX] = field(default_factory=list)  # of the coordinates, in groups
+    quaternions: dict[str, int] = field(default_factory=dict)  # joint to the first of four coordinates
+    start: dict[str, float] = field(default_factory=dict)  # coordinates in the design pose
+    internal: dict[str, tuple[ca.SX, ca.SX | None]] = field(default_factory=dict)  # first-order states and rates
     tracks: dict[str, Track] = field(default_factory=dict)
     parameters: dict[str, ca.SX] = field(default_factory=dict)
-    switches: dict[str, tuple[ca.SX, ca.SX]] = field(default_factory=dict)
+    switches: dict[str, tuple[ca.SX, ca.SX]] = field(default_factory=dict)  # modes, and what decides them by its sign
     inertias: list[Inertia] = field(default_factory=list)
-    loads: list[tuple[ca.SX, ca.SX]] = field(default_factory=list)
+    loads: list[tuple[ca.SX, ca.SX]] = field(default_factory=list)  # rates, and forces that do power on them
     constraints: list[Constraint] = field(default_factory=list)
     outputs: dict[Output, ca.SX] = field(default_factory=dict)
-    constants: dict[str, tuple[ca.SX, float]] = field(default_factory=dict)
-    shared: tuple[str, ...] = ()
-    alike: Alike | None = None
-    loops: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    constants: dict[str, tuple[ca.SX, float]] = field(default_factory=dict)  # symbols that stand for numbers
+    shared: tuple[str, ...] = ()  # speeds of a body that carries several suspensions
+    alike: Alike | None = None  # parts that are built alike
+    loops: dict[str, tuple[str, ...]] = field(default_factory=dict)  # joint that closes to all around, itself first
 
     def copy(self) -> Collection:
         """Give a collection of the same things, to which more can be added."""
@@ -194,25 +164,7 @@ class Collection:
 
 
 def form(collection: Collection, dropped: frozenset[str] = frozenset()) -> Model:
-    """Form the equations of motion.
-
-    Parameters
-    ----------
-    collection : Collection
-        Symbols, masses, forces, constraints, signals.
-    dropped : frozenset of str
-        Loop equations to leave out, because others say the same.
-
-    Returns
-    -------
-    Model
-        The equations.
-
-    Raises
-    ------
-    AssemblyError
-        Without coordinates, and where an internal state has no rate.
-    """
+    """Form the equations of motion, without the loop equations named in ``dropped``, which others repeat."""
     if not collection.coordinates:
         raise AssemblyError("a system without coordinates", hint="Add one with coordinate(name).")
     internal_rates = [slope for _, slope in collection.internal.values() if slope is not None]
@@ -305,28 +257,11 @@ def solve(
     move: Callable[[ca.SX], ca.SX],
     shared: Sequence[int] = (),
 ) -> Solved:
-    """Solve for the accelerations, and give one step of the mass-orthogonal projection onto the constraints.
+    """Solve for the accelerations under a load; give one step of the mass-orthogonal projection onto the constraints.
 
-    Parameters
-    ----------
-    v : casadi.SX
-        Speeds.
-    inertias : sequence of Inertia
-        All masses.
-    load : casadi.SX
-        Generalised applied forces.
-    constraint : Constraint
-        All loop constraints, stacked.
-    move : callable
-        Gives the coordinates after a small displacement (in terms of the speeds).
-    shared : sequence of int
-        Speeds that several loops share (a body that carries them): decided last, so that the loops stay apart. The
-        loops must be independent of each other without these speeds.
-
-    Returns
-    -------
-    Solved
-        Expressions.
+    ``move`` gives the coordinates after a small displacement in terms of the speeds. The ``shared`` speeds belong to a
+    body that carries several loops, which are independent of each other without them: they are decided last, so that
+    the loops stay apart.
     """
     size = v.shape[0]
     matrix, force = ca.SX(size, size), ca.SX(load)

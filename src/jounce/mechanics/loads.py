@@ -33,31 +33,15 @@ class Wrench:
 
 @dataclass(frozen=True)
 class Action:
-    """What a load does.
+    """What a load does."""
 
-    Attributes
-    ----------
-    power : tuple
-        Rates and the forces that do power on them.
-    wrenches : tuple of Wrench
-        What it is on bodies.
-    along : tuple
-        Expressions and forces along them, for what is not among the wrenches.
-    efforts : tuple
-        Rates and forces on them, for what acts on coordinates by their rates.
-    stored, lost : tuple of casadi.SX
-        Energies (J), and powers that go lost (W).
-    shown : tuple of casadi.SX
-        What the maker of the load gets.
-    """
-
-    power: tuple[tuple[ca.SX, ca.SX], ...] = ()
-    wrenches: tuple[Wrench, ...] = ()
-    along: tuple[tuple[ca.SX, ca.SX], ...] = ()
-    efforts: tuple[tuple[ca.SX, ca.SX], ...] = ()
-    stored: tuple[ca.SX, ...] = ()
-    lost: tuple[ca.SX, ...] = ()
-    shown: tuple[ca.SX, ...] = ()
+    power: tuple[tuple[ca.SX, ca.SX], ...] = ()  # rates, and forces that do power on them
+    wrenches: tuple[Wrench, ...] = ()  # what it is on bodies
+    along: tuple[tuple[ca.SX, ca.SX], ...] = ()  # expressions, and forces along them that are not among the wrenches
+    efforts: tuple[tuple[ca.SX, ca.SX], ...] = ()  # rates, and forces on them that act on coordinates
+    stored: tuple[ca.SX, ...] = ()  # energies, J
+    lost: tuple[ca.SX, ...] = ()  # powers, W
+    shown: tuple[ca.SX, ...] = ()  # what the maker of the load gets
 
 
 @dataclass(frozen=True, eq=False)

@@ -46,16 +46,9 @@ class Acting:
 
 
 def reaction_of(mechanism: Mechanism, name: str, on: str | None = None) -> Reaction:
-    """Reaction of a joint or condition of a mechanism with all its masses and weights.
+    """Reaction of a joint, closure or condition of a mechanism that has all its masses, weights and loads.
 
-    Parameters
-    ----------
-    mechanism : Mechanism
-        All that acts must be in it.
-    name : str
-        A joint of the tree, a closure or a condition.
-    on : str, optional
-        The body that feels it: by default the joint's second, or of all that a condition acts on the last in the tree.
+    ``on`` is the body that feels it: by default the second of a joint, and the last of all that a condition acts on.
     """
     for body in mechanism.bodies.values():
         if body.carrier.moves:

@@ -17,13 +17,7 @@ from jounce.mechanics.model import Model
 class Tangent:
     """Changes of a model's expressions along one direction, linear in it.
 
-    Attributes
-    ----------
-    rate, output, switch, constraint : casadi.SX
-        As in the model.
-    projection : casadi.SX
-        Change of the projected states, on the constraints (where the projection itself moves nothing); empty where
-        nothing can drift.
+    ``projection`` is that of the projected states, taken on the constraints; empty where nothing can drift.
     """
 
     rate: ca.SX
@@ -34,20 +28,7 @@ class Tangent:
 
 
 def tangent(model: Model, dx: ca.SX, du: ca.SX, dp: ca.SX) -> Tangent:
-    """Differentiate a model along a direction.
-
-    Parameters
-    ----------
-    model : Model
-        What to differentiate.
-    dx, du, dp : casadi.SX
-        Direction of states, inputs and parameters; structural zeros cost nothing.
-
-    Returns
-    -------
-    Tangent
-        Expressions of the model's symbols and those of the direction.
-    """
+    """Differentiate a model along a direction of states, inputs and parameters; its structural zeros cost nothing."""
     balance = model.balance
     known, along = ca.vertcat(model.x, model.u, model.p), ca.vertcat(dx, du, dp)
     answered = balance.answer(ca.jtimes(balance.residual, known, along))

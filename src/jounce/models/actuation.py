@@ -20,16 +20,8 @@ def controlled_force(
 ) -> ca.SX:
     """Force (N, compression positive) of the damper of a strut and its actuator; adds ``command`` and what it shows.
 
-    Parameters
-    ----------
-    system : System
-        Within the place of the wheel.
-    actuator : SemiActiveDamper, MagnetorheologicalDamper, ActiveActuator or None
-        Only its structure matters; none: the strut's own damper.
-    deflection, velocity : casadi.SX
-        Of the strut, m and m/s, bump positive.
-    passive : callable
-        Gives the force of the strut's own damper. It is called only where that damper is there.
+    To be called within the place of the wheel; of the actuator only the structure matters. ``passive`` gives the force
+    of the strut's own damper, and is called only where that damper is there.
     """
     if actuator is None:
         return passive()

@@ -48,23 +48,10 @@ TEMPLATES: dict[type[Corner], Callable[[Linkage], None]] = {
 def suspension(
     rig: Corner, mechanism: Mechanism, *, guide: str | None = None, rack: Track | ca.SX | None = None
 ) -> Linkage:
-    """Hang the bodies of a suspension into a mechanism.
+    """Hang the bodies of a suspension into a mechanism; only the structure of the description matters.
 
-    Parameters
-    ----------
-    rig : Corner
-        The description; only its structure matters.
-    mechanism : Mechanism
-        Where to build.
-    guide : {"fixed", "vertical", "vertical+spherical"}, optional
-        How the body is held; as in the description otherwise.
-    rack : Track or casadi.SX, optional
-        Travel of the rack, m; the description's own otherwise.
-
-    Returns
-    -------
-    Linkage
-        The bodies, and what the template says of them.
+    ``guide`` ("fixed", "vertical", "vertical+spherical") says how the body is held, and ``rack`` is the travel of the
+    rack (m); both are the description's own where they are not given.
     """
     return build_linkage(rig, mechanism, guided(mechanism, guide or rig.guide), rack=rack)
 

@@ -16,46 +16,20 @@ from jounce.parts.corners import Corner
 
 @dataclass
 class Linkage:
-    """A suspension under construction: the mechanism, its bodies by name, and what the templates say of them.
+    """A suspension under construction: the mechanism, its bodies by name, and what the templates say of them."""
 
-    Attributes
-    ----------
-    rig : Corner
-        The description; only its structure matters, its numbers are parameters.
-    mechanism : Mechanism
-        Bodies, joints and loops.
-    chassis, upright : Body
-        The car's body and the one that carries the wheel.
-    rack : Body
-        Carries the inner end of the tie rod along y.
-    steering_axis : tuple of Moving
-        Lower and upper point of the axis the wheel steers about.
-    carriers : dict
-        Bodies of the suspension by the names that descriptions use.
-    owners : dict
-        The body that each hardpoint moves with.
-    lines : dict
-        What to draw: name of a part to the hardpoints along it.
-    ahead : casadi.SX or float
-        How far the whole corner is moved along x, m.
-    turned : casadi.SX or float
-        1, or -1 for a suspension that stands on the other side than described.
-    bushings : dict
-        Hardpoint to the force (N, ground axes) of its bushing on the suspension, and the power (W) it takes up.
-    """
-
-    rig: Corner
+    rig: Corner  # only its structure matters, its numbers are parameters
     mechanism: Mechanism
     chassis: Body
-    rack: Body
-    upright: Body = field(init=False)
-    steering_axis: tuple[Moving, Moving] = field(init=False)
-    carriers: dict[str, Body] = field(default_factory=dict)
-    owners: dict[str, Body] = field(default_factory=dict)
-    lines: dict[str, tuple[str, ...]] = field(default_factory=dict)
-    bushings: dict[str, tuple[ca.SX, ca.SX]] = field(default_factory=dict)
-    ahead: ca.SX | float = 0.0
-    turned: ca.SX | float = 1.0
+    rack: Body  # carries the inner end of the tie rod along y
+    upright: Body = field(init=False)  # carries the wheel
+    steering_axis: tuple[Moving, Moving] = field(init=False)  # its lower and upper point
+    carriers: dict[str, Body] = field(default_factory=dict)  # bodies by the names that descriptions use
+    owners: dict[str, Body] = field(default_factory=dict)  # the body that each hardpoint moves with
+    lines: dict[str, tuple[str, ...]] = field(default_factory=dict)  # what to draw: hardpoints along each part
+    bushings: dict[str, tuple[ca.SX, ca.SX]] = field(default_factory=dict)  # force (N, ground axes) and power (W)
+    ahead: ca.SX | float = 0.0  # how far the whole corner is moved along x, m
+    turned: ca.SX | float = 1.0  # -1 for a suspension that stands on the other side than described
 
     def hardpoint(self, name: str) -> ca.SX:
         """Design place of a hardpoint, m."""

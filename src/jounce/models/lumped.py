@@ -96,24 +96,10 @@ def add_wheel(
     wheels: int = 1,
     actuator: AnyActuator | None = None,
 ) -> tuple[ca.SX, ca.SX]:
-    """Hang one wheel (or a pair that moves as one) under the body; give its height and the contact force of one.
+    """Hang one wheel, or ``wheels`` that move as one, under the body; give its height and the contact force of one.
 
-    Parameters
-    ----------
-    system : System
-        Within the place of the wheel.
-    axle : WheeledAxle
-        Its laws.
-    height : casadi.SX
-        Height of the body above the wheel, m.
-    gravity : casadi.SX
-        m/s^2.
-    plate : casadi.SX, optional
-        Height (m) of what it stands on and pushes back; a road otherwise.
-    wheels : int
-        How many move together; forces that are shown are those of one.
-    actuator : AnyActuator, optional
-        Of each strut.
+    To be called within the place of the wheel. ``height`` is that of the body above it (m); it stands on a road, or on
+    a ``plate`` (height in m), which it pushes back. Forces that are shown are those of one wheel.
     """
     ground = system.track("road.z").value if plate is None else plate
     unsprung = system.coordinate("unsprung.z")

@@ -30,25 +30,10 @@ def add_quarter_car(
     sprung: ca.SX | None = None,
     actuator: AnyActuator | None = None,
 ) -> tuple[ca.SX, ca.SX]:
-    """Put a quarter car on a road; give the height of its wheel and the contact force.
+    """Put a quarter car on a road; give the height of its wheel (m) and the contact force (N, compression positive).
 
-    Parameters
-    ----------
-    system : System
-        Where to build.
-    rig : QuarterCar
-        Only its structure matters.
-    road : casadi.SX
-        Height under the wheel, m: of a track, or of something that moves by itself and feels the tyre's reaction.
-    sprung : casadi.SX, optional
-        Height (m) of a body that is there already; otherwise the sprung mass is added, too.
-    actuator : AnyActuator, optional
-        Of the strut.
-
-    Returns
-    -------
-    tuple of casadi.SX
-        Height of the unsprung mass (m) and contact force (N, compression positive).
+    The height ``road`` (m) is a track, or something that moves by itself and feels the tyre's reaction. ``sprung`` is
+    the height (m) of a body that is there already; otherwise the sprung mass is added, too.
     """
     own = () if sprung is not None else (("sprung", system.coordinate("sprung.z")),)
     masses = (*own, ("unsprung", system.coordinate("unsprung.z")))

@@ -41,23 +41,7 @@ def run_through(
 ) -> tuple[Solution, tuple[float, ...]]:
     """Run a mechanism with loops, through singular configurations where it gets through.
 
-    Parameters
-    ----------
-    begin : callable
-        Lays out a run.
-    x : ndarray, shape (n_states,)
-        First state, SI.
-    times : ndarray, shape (n,)
-        Samples, s.
-    tolerance : float
-        Relative error.
-    tracks : list of Segments
-        Motions.
-
-    Returns
-    -------
-    tuple
-        The run, and the times (s) about which it was taken through a singular configuration by other steps.
+    Gives the run, and the times (s) about which it was taken through one by other steps.
     """
     strict = not any(_has_kinks(track) for track in tracks)
     first = _judged(begin(x, times, tolerance), tolerance, strict=strict)
