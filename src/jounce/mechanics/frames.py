@@ -91,16 +91,20 @@ class FixedOrientation(Orientation):
     def __init__(self) -> None:
         super().__init__(ca.SX.eye(3), _ZERO, _ZERO)
 
-    def rotate(self, vector: ca.SX) -> ca.SX:  # noqa: D102
+    def rotate(self, vector: ca.SX) -> ca.SX:
+        """Nothing turns."""
         return vector
 
-    def unrotate(self, vector: ca.SX) -> ca.SX:  # noqa: D102
+    def unrotate(self, vector: ca.SX) -> ca.SX:
+        """Nothing turns."""
         return vector
 
-    def turned(self, tensor: ca.SX) -> ca.SX:  # noqa: D102
+    def turned(self, tensor: ca.SX) -> ca.SX:
+        """Nothing turns."""
         return tensor
 
-    def moving(self, vector: ca.SX) -> Moving:  # noqa: D102
+    def moving(self, vector: ca.SX) -> Moving:
+        """Nothing moves."""
         return Moving(vector, _ZERO, _ZERO)
 
 

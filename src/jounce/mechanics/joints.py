@@ -123,7 +123,8 @@ class Fixed(Joint):
     closes = False
     refusal = ("both bodies hang already", "Make them one body.")
 
-    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: ARG002, D102
+    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: ARG002
+        """Frame of the body that hangs."""
         return parent.at(parent.design)
 
 
@@ -136,15 +137,18 @@ class Prismatic(Joint):
     kind = "prismatic"
     coordinates = (("distance", "m"),)
 
-    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: D102
+    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:
+        """Frame of the body that hangs."""
         return parent.at(self.at).translated(sign * self.axis, motion.q, motion.v)
 
-    def rows(self) -> list[Row]:  # noqa: D102
+    def rows(self) -> list[Row]:
+        """Its equations."""
         normal, other = normals(self.axis)
         sleeve = [*_on_line(self, self.at, self.axis, self.at), *_parallel(self, self.axis)]
         return [*sleeve, _square("twist", self.first.frame.direction(normal), self.second.frame.direction(other))]
 
-    def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002, D102
+    def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002
+        """What forces along its coordinates are."""
         return [self._push(self.axis, self.at)]
 
 
@@ -157,13 +161,16 @@ class Revolute(Joint):
     kind = "revolute"
     coordinates = (("angle", "rad"),)
 
-    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: D102
+    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:
+        """Frame of the body that hangs."""
         return parent.at(self.at).turned(sign * self.axis, motion.q, motion.v)
 
-    def rows(self) -> list[Row]:  # noqa: D102
+    def rows(self) -> list[Row]:
+        """Its equations."""
         return [*_point_to_point(self, self.at, self.at), *_parallel(self, self.axis)]
 
-    def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002, D102
+    def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002
+        """What forces along its coordinates are."""
         return [self._twist(self._along(self.axis))]
 
 
@@ -176,14 +183,17 @@ class Cylindrical(Joint):
     kind = "cylindrical"
     coordinates = (("distance", "m"), ("angle", "rad"))
 
-    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: D102
+    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:
+        """Frame of the body that hangs."""
         along, (slide, turn), (speed, spin) = sign * self.axis, *(ca.vertsplit(part) for part in (motion.q, motion.v))
         return parent.at(self.at).translated(along, slide, speed).turned(along, turn, spin)
 
-    def rows(self) -> list[Row]:  # noqa: D102
+    def rows(self) -> list[Row]:
+        """Its equations."""
         return [*_on_line(self, self.at, self.axis, self.at), *_parallel(self, self.axis)]
 
-    def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002, D102
+    def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002
+        """What forces along its coordinates are."""
         return [self._push(self.axis, self.at), self._twist(self._along(self.axis))]
 
 
@@ -203,7 +213,8 @@ class Screw(Joint):
             hint = "Without pitch it is a revolute joint; a negative one is a left-hand thread."
             raise AssemblyError("a screw without pitch", where=self.name, found="0 m a turn", hint=hint)
 
-    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: D102
+    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:
+        """Frame of the body that hangs."""
         along, lead = sign * self.axis, self.pitch / _TURN
         return parent.at(self.at).translated(along, lead * motion.q, lead * motion.v).turned(along, motion.q, motion.v)
 
@@ -226,7 +237,8 @@ class Screw(Joint):
         )
         return [*_on_line(self, self.at, self.axis, self.at), *_parallel(self, self.axis), lead]
 
-    def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002, D102
+    def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002
+        """What forces along its coordinates are."""
         return [self._twist(self._along(self.axis))]
 
 
@@ -255,18 +267,21 @@ class Universal(Joint):
                 hint="Take as second axis the cross product of the first with a direction across both.",
             )
 
-    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: D102
+    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:
+        """Frame of the body that hangs."""
         turns = [(sign * axis, motion.q[i], motion.v[i]) for i, axis in enumerate((self.axis, self.second_axis))]
         frame = parent.at(self.at)
         for turn in turns if sign > 0.0 else turns[::-1]:  # from the second body to the first it is the other way round
             frame = frame.turned(*turn)
         return frame
 
-    def rows(self) -> list[Row]:  # noqa: D102
+    def rows(self) -> list[Row]:
+        """Its equations."""
         axes = self.first.frame.direction(self.axis), self.second.frame.direction(self.second_axis)
         return [*_point_to_point(self, self.at, self.at), _square("cross", *axes)]
 
-    def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002, D102
+    def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002
+        """What forces along its coordinates are."""
         second = self.second.frame.direction(self.second_axis).value
         return [self._twist(self._along(self.axis)), self._twist(second)]
 
@@ -279,13 +294,16 @@ class Spherical(Joint):
     kind = "spherical"
     has_quaternion = True
 
-    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: ARG002, D102
+    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: ARG002
+        """Frame of the body that hangs."""
         return parent.at(self.at).oriented(by_quaternion(motion.e, motion.w))
 
-    def rows(self) -> list[Row]:  # noqa: D102
+    def rows(self) -> list[Row]:
+        """Its equations."""
         return _point_to_point(self, self.at, self.at)
 
-    def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: D102
+    def efforts(self, hung: Body, ground: Body) -> list[Effort]:
+        """What forces along its coordinates are."""
         return self._turns(hung, ground)
 
 
@@ -320,7 +338,8 @@ class Link(Joint):
             Row("length", "m^2", _half_square(reach, ca.dot(design, design)), force=reach.value, point=ball),
         ]
 
-    def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: D102
+    def efforts(self, hung: Body, ground: Body) -> list[Effort]:
+        """What forces along its coordinates are."""
         swept = ca.cross(self._along(self.axis), self._reach.value)
         ball = self.second.frame.point(self.second_at).value
         push = Effort(self.second, self.first, force=swept / ca.dot(swept, swept), point=ball)
@@ -342,11 +361,13 @@ class Free(Joint):
     closes = False
     refusal = ("the body hangs already", "It needs one joint only.")
 
-    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: ARG002, D102
+    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: ARG002
+        """Frame of the body that hangs."""
         origin = Moving(self.at + motion.q, motion.v, ca.SX(3, 1))
         return Frame(self.at, origin, by_quaternion(motion.e, motion.w), parent.carrier)
 
-    def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: D102
+    def efforts(self, hung: Body, ground: Body) -> list[Effort]:
+        """What forces along its coordinates are."""
         origin = hung.frame.origin.value
         pushes = [Effort(hung, ground, force=ca.SX.eye(3)[:, i], point=origin) for i in range(3)]
         return [*pushes, *self._turns(hung, ground)]
@@ -362,7 +383,8 @@ class Driven(Joint):
     closes = False
     refusal = ("both bodies hang already", "Drive a body that has no joint yet.")
 
-    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: ARG002, D102
+    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: ARG002
+        """Frame of the body that hangs."""
         still = Track(self.travel, ca.SX(0.0), ca.SX(0.0))
         track = self.travel if isinstance(self.travel, Track) else still
         return parent.translated(sign * self.axis, track.value, track.rate, track.acceleration)
@@ -377,7 +399,8 @@ class PointToPoint(Joint):
     kind = "point to point"
     hangs = False
 
-    def rows(self) -> list[Row]:  # noqa: D102
+    def rows(self) -> list[Row]:
+        """Its equations."""
         return _point_to_point(self, self.at, self.second_at)
 
 
@@ -428,7 +451,8 @@ class PointOnLine(Joint):
     kind = "point on line"
     hangs = False
 
-    def rows(self) -> list[Row]:  # noqa: D102
+    def rows(self) -> list[Row]:
+        """Its equations."""
         return _on_line(self, self.at, self.axis, self.point)
 
 
@@ -441,7 +465,8 @@ class Perpendicular(Joint):
     kind = "perpendicular"
     hangs = False
 
-    def rows(self) -> list[Row]:  # noqa: D102
+    def rows(self) -> list[Row]:
+        """Its equations."""
         return [_square("", self.first.frame.direction(self.axis), self.second.frame.direction(self.second_axis))]
 
 
@@ -453,7 +478,8 @@ class Parallel(Joint):
     kind = "parallel"
     hangs = False
 
-    def rows(self) -> list[Row]:  # noqa: D102
+    def rows(self) -> list[Row]:
+        """Its equations."""
         return _parallel(self, self.axis)
 
 

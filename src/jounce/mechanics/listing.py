@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable, Mapping
+from typing import Any
 
 import casadi as ca
 
-from jounce.mechanics.descriptions import Plain
-
-if TYPE_CHECKING:  # it only reads what the mechanism has collected
-    from jounce.mechanics.bodies import Body
-    from jounce.mechanics.mechanism import Mechanism
+from jounce.mechanics.bodies import Body
+from jounce.mechanics.descriptions import Description, Plain
+from jounce.mechanics.structure import Structure
 
 _ELEMENTS = {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
 _NO_NUMBERS = {"name", "kind", "units", "first", "second", "body", "carries", "coordinates", "speeds", "loop"}
 _NO_NUMBERS |= {"equations", "tracks", "bodies", "frame"}
 
 
-def as_data(mechanism: Mechanism, values: Mapping[str, float]) -> dict[str, Any]:
+def as_data(mechanism: Structure, values: Mapping[str, float], watched: Iterable[Description]) -> dict[str, Any]:
     """Bodies, joints, loops, conditions, loads, tracks and what is watched (see :meth:`Mechanism.to_dict`)."""
     collection, loops = mechanism.collection, mechanism.loops()
     known = {name: (symbol, values[name]) for name, symbol in collection.parameters.items() if name in values}
@@ -76,7 +74,7 @@ def as_data(mechanism: Mechanism, values: Mapping[str, float]) -> dict[str, Any]
             for load, action in mechanism.loads
         ],
         "tracks": list(collection.tracks),
-        "watched": [watch.listed(evaluate) for watch in mechanism.watched.values()],
+        "watched": [watch.listed(evaluate) for watch in watched],
         "outputs": [{"name": one.name, "unit": one.unit, "long_name": one.long_name} for one in collection.outputs],
     }
 
@@ -92,7 +90,7 @@ def _body(body: Body, evaluate: Any) -> dict[str, Plain]:
     return found
 
 
-def _with_units(mechanism: Mechanism, names: tuple[str, ...]) -> list[Plain]:
+def _with_units(mechanism: Structure, names: tuple[str, ...]) -> list[Plain]:
     return [{"name": name, "unit": mechanism.collection.units[name]} for name in names]
 
 

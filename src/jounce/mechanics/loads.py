@@ -62,7 +62,8 @@ class PointForce(Load):
     point: Moving
     kind = "force"
 
-    def action(self, system: System) -> Action:  # noqa: ARG002, D102
+    def action(self, system: System) -> Action:  # noqa: ARG002
+        """What it does."""
         power = (self.body.carrier.velocity(self.point), self.force)
         return Action((power,), (Wrench(self.body, self.force, self.point.value),))
 
@@ -75,7 +76,8 @@ class Torque(Load):
     torque: ca.SX
     kind = "torque"
 
-    def action(self, system: System) -> Action:  # noqa: ARG002, D102
+    def action(self, system: System) -> Action:  # noqa: ARG002
+        """What it does."""
         return Action(((self.body.spin, self.torque),), (Wrench(self.body, torque=self.torque),))
 
 
@@ -87,7 +89,8 @@ class GeneralForce(Load):
     magnitude: ca.SX
     kind = "force along an expression"
 
-    def action(self, system: System) -> Action:  # noqa: D102
+    def action(self, system: System) -> Action:
+        """What it does."""
         return Action(((system.rate_of(self.along), self.magnitude),), along=((self.along, self.magnitude),))
 
 
@@ -99,7 +102,8 @@ class PowerOnRate(Load):
     magnitude: ca.SX
     kind = "force on a rate"
 
-    def action(self, system: System) -> Action:  # noqa: ARG002, D102
+    def action(self, system: System) -> Action:  # noqa: ARG002
+        """What it does."""
         both = ((self.rate, self.magnitude),)
         return Action(both, efforts=both)
 
@@ -134,7 +138,8 @@ class PushApart(Between):
     force: ca.SX
     kind = "force between points"
 
-    def action(self, system: System) -> Action:  # noqa: ARG002, D102
+    def action(self, system: System) -> Action:  # noqa: ARG002
+        """What it does."""
         return self.apart(self.one, self.other, self.force)
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import casadi as ca
@@ -27,13 +27,13 @@ from jounce.mechanics.carrier import Carried, MovingCarrier
 from jounce.mechanics.descriptions import Number, Vector
 from jounce.mechanics.equations import Collection, Track, form
 from jounce.mechanics.frames import GROUND, Moving
-from jounce.mechanics.joints import Joint, Motion, Row
+from jounce.mechanics.joints import Joint, Motion
 from jounce.mechanics.loads import Action, Load
 from jounce.mechanics.model import Equation, Model
 from jounce.mechanics.outputs import Watch
 from jounce.mechanics.reactions import Reaction, reaction_of
 from jounce.mechanics.rotations import unit
-from jounce.mechanics.system import System
+from jounce.mechanics.structure import Closing, Condition, Hanging, Structure
 
 BALANCE = "energy.balance"
 """Work of all forces as a state; kinetic energy less that as an output, in mechanisms with loops."""
@@ -41,53 +41,15 @@ _NONE = ca.SX(3, 1)
 _EMPTY = ca.SX(0, 1)
 
 
-@dataclass(frozen=True)
-class Hanging:
-    """A joint of the tree with the body it hangs on another, and the names and symbols of its coordinates."""
-
-    joint: Joint
-    parent: Body
-    child: Body
-    motion: Motion
-    coordinates: tuple[str, ...]
-    quaternion: tuple[str, ...]
-    speeds: tuple[str, ...]
-
-
-@dataclass(frozen=True)
-class Closing:
-    """A joint that closes a loop, its equations and their multipliers."""
-
-    joint: Joint
-    rows: tuple[Row, ...]
-    multipliers: ca.SX
-
-
-@dataclass(frozen=True)
-class Condition:
-    """An expression that is kept at zero: a ``condition``, a ``coupler`` of coordinates or a ``motion`` of one."""
-
-    name: str
-    kind: str
-    expression: ca.SX
-
-
-class Mechanism(System):
+class Mechanism(Structure):
     """A mechanism under construction: bodies, joints, loops, forces, outputs, then ``finish``.
+
+    Everything hangs on its body ``ground``. ``values`` holds the numbers (SI) that parameters were built with.
 
     Parameters
     ----------
     gravity : float or casadi.SX
         m/s^2, along -z.
-
-    Attributes
-    ----------
-    ground : Body
-        What everything hangs on.
-    gravity : casadi.SX
-        m/s^2, along -z.
-    values, units : dict
-        Parameter path to the number it was built with (SI), and to its unit.
 
     Examples
     --------
@@ -108,15 +70,6 @@ class Mechanism(System):
 
     def __init__(self, gravity: Number = GRAVITY) -> None:
         super().__init__()
-        self.poses = Poses()
-        self.ground = Body("ground", self.poses)
-        self.values: dict[str, float] = {}
-        self.units: dict[str, str] = {}
-        self.bodies: dict[str, Body] = {"ground": self.ground}
-        self.hanging: dict[str, Hanging] = {}
-        self.closing: dict[str, Closing] = {}
-        self.conditions: dict[str, tuple[Condition, ca.SX]] = {}
-        self.loads: list[tuple[Load, Action]] = []
         self.watched: dict[str, Watch] = {}
         self._finished: dict[tuple[object, ...], Model] = {}
         self.gravity = self.number("gravity", gravity, "m/s^2")
@@ -151,16 +104,6 @@ class Mechanism(System):
             if not any(found):
                 raise AssemblyError("an axis without direction", where=path, found=tuple(found), allowed="not all zero")
         return unit(self.vector(path, value, "1"))
-
-    @property
-    def parameters(self) -> tuple[str, ...]:
-        """Paths of all parameters."""
-        return tuple(self.collection.parameters)
-
-    @property
-    def tracks(self) -> tuple[str, ...]:
-        """Names of all prescribed inputs."""
-        return tuple(self.collection.tracks)
 
     # bodies ----------------------------------------------------------------------------------------------------
 
@@ -370,7 +313,24 @@ class Mechanism(System):
     def rod(
         self, name: str, first: Body, second: Body, at: Vector, second_at: Vector, length: Number | None = None
     ) -> ca.SX:
-        """Keep two points at a distance (m, by default as designed); give the rod's force (N, tension positive)."""
+        """Keep two points at a distance: a massless rod between two ball joints.
+
+        Parameters
+        ----------
+        name : str
+            Its name.
+        first, second : Body
+            The bodies.
+        at, second_at : sequence of float, shape (3,)
+            The points in the design pose, m.
+        length : float, optional
+            m; by default the distance in the design pose.
+
+        Returns
+        -------
+        casadi.SX
+            Force of the rod, N, tension positive.
+        """
         return self.add(joints.Rod(name, first, second, at, second_at, length))
 
     def point_on_line(self, name: str, first: Body, second: Body, at: Vector, axis: Vector, point: Vector) -> ca.SX:
@@ -739,39 +699,6 @@ class Mechanism(System):
 
     # what there is ---------------------------------------------------------------------------------------------
 
-    @property
-    def joints(self) -> tuple[str, ...]:
-        """Names of the joints of the tree, from the ground outwards."""
-        return tuple(self.hanging)
-
-    @property
-    def closures(self) -> tuple[str, ...]:
-        """Names of the joints that close loops."""
-        return tuple(self.closing)
-
-    def loops(self) -> dict[str, tuple[str, ...]]:
-        """Joint that closes a loop to the joints around that loop, itself first."""
-        found = {}
-        for name, closed in self.closing.items():
-            around = [*self._branch(closed.joint.second), *self._branch(closed.joint.first)]
-            found[name] = (name, *(joint for joint in around if around.count(joint) == 1))
-        return found
-
-    def _branch(self, body: Body) -> list[str]:
-        """Joints from the ground to a body."""
-        for name, hung in self.hanging.items():
-            if hung.child is body:
-                return [*self._branch(hung.parent), name]
-        return []
-
-    def hanging_on(self, root: Body) -> list[Body]:
-        """A body and all that hangs on it."""
-        found = [root]
-        for hung in self.hanging.values():
-            if any(hung.parent is body for body in found):
-                found.append(hung.child)
-        return found
-
     def to_dict(self, values: Mapping[str, float] | None = None) -> dict[str, Any]:
         """List bodies, joints, loops, conditions, loads and what is watched, with their numbers.
 
@@ -785,16 +712,12 @@ class Mechanism(System):
         dict
             Strictly plain data (SI); None for a number that is not known.
         """
-        return listing.as_data(self, {**self.values, **(values or {})})
+        return listing.as_data(self, {**self.values, **(values or {})}, self.watched.values())
 
     def __str__(self) -> str:
         return listing.as_text(self.to_dict())
 
     # the equations ---------------------------------------------------------------------------------------------
-
-    def rate_of(self, expression: ca.SX) -> ca.SX:
-        """Give the time derivative of an expression of coordinates, points of bodies and tracks."""
-        return super().rate_of(self.poses.resolved(ca.SX(expression)))
 
     def complete(self) -> Mechanism:
         """Give the same with masses and weights of all its bodies; what is added to that does not change this one."""
@@ -817,13 +740,6 @@ class Mechanism(System):
                 whole.inertia(carrier.masses([_carried(body) for body in group]))
         whole.collection.loops = self.loops()
         return whole
-
-    def supplied(self) -> list[ca.SX]:
-        """Powers of the motions that tracks prescribe, W."""
-        tracks = self.collection.tracks.values()
-        values, rates = (ca.vertcat(*(getattr(track, part) for track in tracks)) for part in ("value", "rate"))
-        driven = [pair for pair in self.conditions.values() if tracks and ca.depends_on(pair[0].expression, values)]
-        return [-multiplier * ca.jtimes(one.expression, values, rates) for one, multiplier in driven]
 
     def mass_matrix(self, model: Model) -> ca.Function:
         """Give the mass matrix (kg, kg m, kg m^2) of the speeds as a function of the model's x, u and p."""

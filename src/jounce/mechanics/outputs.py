@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import casadi as ca
 
@@ -12,16 +11,14 @@ from jounce.mechanics.bodies import Body
 from jounce.mechanics.descriptions import Description, Given, direction, place
 from jounce.mechanics.reactions import reaction_of
 from jounce.mechanics.rotations import matrix_quaternion, normals, roll_pitch_yaw
-
-if TYPE_CHECKING:  # it only reads what the mechanism has collected
-    from jounce.mechanics.mechanism import Mechanism
+from jounce.mechanics.structure import Structure
 
 
 @dataclass(frozen=True, eq=False)
 class Watch(Description):
     """Something to be seen."""
 
-    def show(self, mechanism: Mechanism) -> None:
+    def show(self, mechanism: Structure) -> None:
         """Add its signals to a mechanism that has all its masses and forces."""
         raise NotImplementedError
 
@@ -34,7 +31,8 @@ class WatchedPoint(Watch):
     at: Given = place()
     kind = "point"
 
-    def show(self, mechanism: Mechanism) -> None:  # noqa: D102
+    def show(self, mechanism: Structure) -> None:
+        """Add its signals."""
         name, point = self.name, self.body.frame.point(self.at)
         acceleration = point.bias + mechanism.accelerated(point.rate)
         for i, axis in enumerate("xyz"):
@@ -49,7 +47,8 @@ class WatchedBody(WatchedPoint):
 
     kind = "body"
 
-    def show(self, mechanism: Mechanism) -> None:  # noqa: D102
+    def show(self, mechanism: Structure) -> None:
+        """Add its signals."""
         super().show(mechanism)
         name, orientation = self.name, self.body.frame.orientation
         spin_rate = orientation.rotate(orientation.spin_bias + mechanism.accelerated(orientation.spin))
@@ -72,7 +71,8 @@ class WatchedAngle(Watch):
     axis: Given = direction()
     kind = "angle"
 
-    def show(self, mechanism: Mechanism) -> None:  # noqa: D102
+    def show(self, mechanism: Structure) -> None:
+        """Add its signals."""
         across, sideways = normals(self.axis)
         frame, turned = self.first.frame, self.second.frame.direction(across).value
         angle = ca.atan2(ca.dot(turned, frame.direction(sideways).value), ca.dot(turned, frame.direction(across).value))
@@ -86,7 +86,8 @@ class WatchedCoordinates(Watch):
 
     kind = "coordinates"
 
-    def show(self, mechanism: Mechanism) -> None:  # noqa: D102
+    def show(self, mechanism: Structure) -> None:
+        """Add its signals."""
         every = mechanism.collection
         for hung in mechanism.hanging.values():
             for name, speed in zip(hung.coordinates, hung.speeds, strict=False):
@@ -109,7 +110,8 @@ class WatchedReaction(Watch):
     at: Given = place(None)
     kind = "reaction"
 
-    def show(self, mechanism: Mechanism) -> None:  # noqa: D102
+    def show(self, mechanism: Structure) -> None:
+        """Add its signals."""
         found = reaction_of(mechanism, self.name, self.on)
         if self.at is not None:
             found = found.at(found.body.frame.point(self.at).value)
@@ -126,7 +128,8 @@ class WatchedEnergy(Watch):
 
     kind = "energy"
 
-    def show(self, mechanism: Mechanism) -> None:  # noqa: D102
+    def show(self, mechanism: Structure) -> None:
+        """Add its signals."""
         bodies, actions = mechanism.bodies.values(), [action for _, action in mechanism.loads]
         mechanism.output("energy.kinetic", kinetic_energy(bodies), "J", "kinetic energy")
         weight = weight_energy(bodies, mechanism.gravity)
@@ -151,7 +154,7 @@ class WatchedEnergy(Watch):
                 mechanism.output(name, taken, "J", text)
 
 
-def _show_motion(mechanism: Mechanism, name: str, motion: tuple[ca.SX, ca.SX, ca.SX], unit: str) -> None:
+def _show_motion(mechanism: Structure, name: str, motion: tuple[ca.SX, ca.SX, ca.SX], unit: str) -> None:
     value, rate, acceleration = motion
     mechanism.output(name, value, unit, name)
     mechanism.output(f"{name} rate", rate, f"{unit}/s", f"{name}, rate")

@@ -9,16 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import casadi as ca
 
 from jounce.core.errors import AssemblyError, unknown
 from jounce.mechanics.bodies import Body, MassProperties
 from jounce.mechanics.loads import Wrench
-
-if TYPE_CHECKING:  # it only reads what the mechanism has collected
-    from jounce.mechanics.mechanism import Mechanism
+from jounce.mechanics.structure import Structure
 
 
 @dataclass(frozen=True)
@@ -45,7 +42,7 @@ class Acting:
     through: str = ""
 
 
-def reaction_of(mechanism: Mechanism, name: str, on: str | None = None) -> Reaction:
+def reaction_of(mechanism: Structure, name: str, on: str | None = None) -> Reaction:
     """Reaction of a joint, closure or condition of a mechanism that has all its masses, weights and loads.
 
     ``on`` is the body that feels it: by default the second of a joint, and the last of all that a condition acts on.
@@ -96,7 +93,7 @@ def _summed(wrenches: Iterable[Wrench], on: str, bodies: dict[str, Body]) -> tup
     return sum((one.force for one in own), ca.SX(3, 1)), torque, at
 
 
-def all_acting(mechanism: Mechanism) -> list[Acting]:
+def all_acting(mechanism: Structure) -> list[Acting]:
     """All that acts on the bodies of a mechanism but the joints of its tree."""
     found = []
     for _, action in mechanism.loads:
@@ -116,7 +113,7 @@ def all_acting(mechanism: Mechanism) -> list[Acting]:
     return found
 
 
-def _along(mechanism: Mechanism, expression: ca.SX, force: ca.SX) -> list[tuple[Wrench, str]]:
+def _along(mechanism: Structure, expression: ca.SX, force: ca.SX) -> list[tuple[Wrench, str]]:
     """What a force along an expression is on bodies; for a coordinate with the joint it belongs to."""
     found = []
     for named in mechanism.poses.occurring(expression):
@@ -129,7 +126,7 @@ def _along(mechanism: Mechanism, expression: ca.SX, force: ca.SX) -> list[tuple[
     return found + _efforts(mechanism, own, force)
 
 
-def _efforts(mechanism: Mechanism, rate: ca.SX, force: ca.SX) -> list[tuple[Wrench, str]]:
+def _efforts(mechanism: Structure, rate: ca.SX, force: ca.SX) -> list[tuple[Wrench, str]]:
     """What a force on a rate is on the bodies of the joints by whose speeds it is made."""
     collection = mechanism.collection
     share = ca.jacobian(rate, collection.v).T @ force
@@ -145,7 +142,7 @@ def _efforts(mechanism: Mechanism, rate: ca.SX, force: ca.SX) -> list[tuple[Wren
 
 
 def _newton_euler(
-    mechanism: Mechanism, child: Body, bodies: Iterable[Body], wrenches: Iterable[Wrench]
+    mechanism: Structure, child: Body, bodies: Iterable[Body], wrenches: Iterable[Wrench]
 ) -> tuple[ca.SX, ca.SX, ca.SX]:
     """What must act at the origin of ``child`` for all that hangs there to move as it does."""
     origin = child.frame.origin.value
@@ -161,7 +158,7 @@ def _newton_euler(
     return force, torque, origin
 
 
-def _inertial(mechanism: Mechanism, body: Body, properties: MassProperties) -> tuple[ca.SX, ca.SX, ca.SX]:
+def _inertial(mechanism: Structure, body: Body, properties: MassProperties) -> tuple[ca.SX, ca.SX, ca.SX]:
     """Centre of mass, mass times its acceleration, and rate of the angular momentum about it."""
     orientation, inertia = body.frame.orientation, properties.inertia
     centre = body.frame.point(properties.centre)

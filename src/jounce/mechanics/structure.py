@@ -1,0 +1,118 @@
+"""What a mechanism consists of: bodies, the joints that hang them and those that close loops, conditions and loads.
+
+This is what reactions, signals and listings read; :class:`jounce.mechanics.Mechanism` is the builder that collects it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import casadi as ca
+
+from jounce.mechanics.bodies import Body, Poses
+from jounce.mechanics.joints import Joint, Motion, Row
+from jounce.mechanics.loads import Action, Load
+from jounce.mechanics.system import System
+
+
+@dataclass(frozen=True)
+class Hanging:
+    """A joint of the tree with the body it hangs on another, and the names and symbols of its coordinates."""
+
+    joint: Joint
+    parent: Body
+    child: Body
+    motion: Motion
+    coordinates: tuple[str, ...]
+    quaternion: tuple[str, ...]
+    speeds: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Closing:
+    """A joint that closes a loop, its equations and their multipliers."""
+
+    joint: Joint
+    rows: tuple[Row, ...]
+    multipliers: ca.SX
+
+
+@dataclass(frozen=True)
+class Condition:
+    """An expression that is kept at zero: a ``condition``, a ``coupler`` of coordinates or a ``motion`` of one."""
+
+    name: str
+    kind: str
+    expression: ca.SX
+
+
+class Structure(System):
+    """Everything a mechanism consists of, by name and in the order in which it came."""
+
+    gravity: ca.SX
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.poses = Poses()
+        self.ground = Body("ground", self.poses)
+        self.values: dict[str, float] = {}
+        self.units: dict[str, str] = {}
+        self.bodies: dict[str, Body] = {"ground": self.ground}
+        self.hanging: dict[str, Hanging] = {}
+        self.closing: dict[str, Closing] = {}
+        self.conditions: dict[str, tuple[Condition, ca.SX]] = {}
+        self.loads: list[tuple[Load, Action]] = []
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """Paths of all parameters."""
+        return tuple(self.collection.parameters)
+
+    @property
+    def tracks(self) -> tuple[str, ...]:
+        """Names of all prescribed inputs."""
+        return tuple(self.collection.tracks)
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """Names of the joints of the tree, from the ground outwards."""
+        return tuple(self.hanging)
+
+    @property
+    def closures(self) -> tuple[str, ...]:
+        """Names of the joints that close loops."""
+        return tuple(self.closing)
+
+    def loops(self) -> dict[str, tuple[str, ...]]:
+        """Joint that closes a loop to the joints around that loop, itself first."""
+        found = {}
+        for name, closed in self.closing.items():
+            around = [*self._branch(closed.joint.second), *self._branch(closed.joint.first)]
+            found[name] = (name, *(joint for joint in around if around.count(joint) == 1))
+        return found
+
+    def _branch(self, body: Body) -> list[str]:
+        """Joints from the ground to a body."""
+        for name, hung in self.hanging.items():
+            if hung.child is body:
+                return [*self._branch(hung.parent), name]
+        return []
+
+    def hanging_on(self, root: Body) -> list[Body]:
+        """A body and all that hangs on it."""
+        found = [root]
+        for hung in self.hanging.values():
+            if any(hung.parent is body for body in found):
+                found.append(hung.child)
+        return found
+
+    def rate_of(self, expression: ca.SX) -> ca.SX:
+        """Give the time derivative of an expression of coordinates, points of bodies and tracks."""
+        return super().rate_of(self.poses.resolved(ca.SX(expression)))
+
+    def supplied(self) -> list[ca.SX]:
+        """Powers of the motions that tracks prescribe, W."""
+        tracks = self.collection.tracks.values()
+        values, rates = (ca.vertcat(*(getattr(track, part) for track in tracks)) for part in ("value", "rate"))
+        driven = [pair for pair in self.conditions.values() if tracks and ca.depends_on(pair[0].expression, values)]
+        return [-multiplier * ca.jtimes(one.expression, values, rates) for one, multiplier in driven]
