@@ -78,7 +78,7 @@ def run_page(page: Path, monkeypatch: pytest.MonkeyPatch) -> int:
         file = FILE.match(text)
         if kind == "python":
             with contextlib.redirect_stdout(io.StringIO()):
-                exec(compile(text, str(page), "exec"), names)  # noqa: S102 - our own pages
+                exec(compile(text, str(page), "exec", dont_inherit=True), names)  # noqa: S102 - our own pages
         elif kind == "console":
             run_console(text, monkeypatch)
         elif file:
