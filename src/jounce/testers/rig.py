@@ -20,6 +20,7 @@ from jounce.parts.vehicles import FrontViewAxle, QuarterCar
 from jounce.simulation.compiled import Compiled, compile_described
 from jounce.simulation.prepare import Prepared, prepare, room
 from jounce.simulation.result import Solution, samples_reached
+from jounce.simulation.settings import RunSettings
 from jounce.simulation.statics import Equilibrium, state_scale
 from jounce.testers.model import ANGLE, MOTOR, PlateForm, tester_model
 
@@ -65,7 +66,7 @@ class TesterRig:
         *,
         start: Mapping[str, float] | None = None,
         fastest: float = 0.0,
-        tolerance: float = 1e-5,
+        tolerance: float = RunSettings.tolerance,
     ) -> Solution:
         """Run with given exciter angles (rad against s; of free exciters the motor's share), from rest or ``start``.
 
@@ -85,9 +86,11 @@ class TesterRig:
             modes = (sides > 0.0).astype(float)
         longest = prepared.control.longest
         if fastest > 0.0:
-            longest = min(longest, _LONGEST * (tolerance / 1e-5) ** 0.125 * 2.0 * np.pi / fastest)
+            longest = min(longest, _LONGEST * (tolerance / RunSettings.tolerance) ** 0.125 * 2.0 * np.pi / fastest)
         control = prepared.control._replace(
-            scale=0.1 * self.scale, longest=longest, tolerance=prepared.control.tolerance * tolerance / _TOLERANCE
+            scale=0.1 * self.scale,
+            longest=longest,
+            tolerance=prepared.control.tolerance * tolerance / RunSettings.tolerance,
         )
         problem = problem._replace(tracks=pieces, piece=pieces.first[:-1].copy(), m=modes.copy(), x0=x)
         solution = replace(
@@ -95,9 +98,6 @@ class TesterRig:
         ).run()
         samples_reached(solution, facts, check=True)
         return solution
-
-
-_TOLERANCE = 1e-5
 
 
 def rig_on_tester(rig: Rig, tester: Tester, free: tuple[str, ...] = (), *, blocked: bool = False) -> TesterRig:
@@ -114,7 +114,7 @@ def rig_on_tester(rig: Rig, tester: Tester, free: tuple[str, ...] = (), *, block
     )
     p = compiled.parameter_values({**rig.parameters(), **tester_numbers(tester)})
     still = [flat(1.0) for _ in compiled.facts.tracks]
-    prepared = prepare(compiled, p, still, np.array([0.0, 1.0]), tolerance=_TOLERANCE)
+    prepared = prepare(compiled, p, still, np.array([0.0, 1.0]), tolerance=RunSettings.tolerance)
     assert prepared.equilibrium is not None  # runs from equilibrium have one
     return TesterRig(rig, tester, form, compiled, prepared, prepared.equilibrium)
 
