@@ -71,7 +71,7 @@ BODIES = {
     "nut": (3.0, (-0.2, 0.3, 0.2), (0.03, 0.05, 0.04, 0.0, 0.005, 0.0)),
     "ball": (1.0, (-0.5, 0.4, 0.5), (0.02, 0.03, 0.02)),
 }
-JOINTS = {  # first, second, at, axis, and the free directions as (turn, slide) along the axis
+JOINTS = {  # first, second, at, axis
     "shoulder": ("ground", "arm", (0.0, 0.0, 0.1), (0.3, 1.0, 0.1)),
     "cross": ("arm", "wrist", (0.6, 0.15, 0.1), (1.0, 0.0, 0.0)),
     "slide": ("wrist", "slider", (0.8, 0.2, 0.2), (0.1, 0.2, 1.0)),
@@ -121,12 +121,10 @@ def everything(*, extra: bool):
     for body in bodies.values():
         if body.name != "ground":
             mechanism.watch_body(body)
-    for name, (_, _, at, _) in JOINTS.items():
-        second = JOINTS[name][1]
-        mechanism.watch_reaction(name, at=at, on=next(end for end in JOINTS[name][:2] if end != "ground"))
-        carrier = bodies[next(end for end in JOINTS[name][:2] if end != "ground")]
-        mechanism.watch_point(f"at {name}", carrier, at)
-        del second
+    for name, (first, second, at, _) in JOINTS.items():
+        on = second if second != "ground" else first
+        mechanism.watch_reaction(name, at=at, on=on)
+        mechanism.watch_point(f"at {name}", bodies[on], at)
     mechanism.watch_point("rod end", bodies["ball"], (-0.5, 0.5, 0.5))
     mechanism.watch_point("rod begin", bodies["arm"], (0.2, 0.1, 0.2))
     mechanism.watch_reaction("rod", at=(-0.5, 0.5, 0.5))
@@ -196,7 +194,7 @@ def test_every_body_is_in_balance_under_all_that_is_shown(extra: bool):
     for name, (mass, _, _) in BODIES.items():
         act(name, wrench(np.array([0.0, 0.0, -mass * GRAVITY]), vector(found, name, "")))
     for name, (first, second, _, _) in JOINTS.items():
-        on = next(end for end in (first, second) if end != "ground")
+        on = second if second != "ground" else first
         other = second if on == first else first
         one = wrench(vector(found, name, "f"), vector(found, f"at {name}", ""), vector(found, name, "t"))
         act(on, one)
