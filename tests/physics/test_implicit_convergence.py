@@ -8,10 +8,8 @@ import pytest
 
 from jounce import parts
 from jounce.core.segments import SINE, Segments, flat
-from jounce.kernel.explicit import Control, Problem
-from jounce.kernel.implicit import integrate
-from jounce.kernel.status import Status
-from jounce.kernel.tracks import flatten
+from jounce.kernel.engine import Control, Problem, Status, flatten
+from jounce.kernel.methods.implicit import integrate
 from jounce.mechanics import System
 from jounce.models import build
 from jounce.roads import HalfSine

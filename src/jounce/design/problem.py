@@ -223,7 +223,7 @@ class TrialEvaluator:
 
     def at(self, values: Array) -> dict[str, Numbers]:
         """Give every metric by its text: values of its channels and their slopes, SI."""
-        from jounce.kernel.status import Status
+        from jounce.kernel.engine import Status
         from jounce.simulation.compiled import compile_rig
         from jounce.simulation.prepare import solve
         from jounce.simulation.problem import excitation

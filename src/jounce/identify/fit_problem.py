@@ -15,7 +15,7 @@ import xarray as xr
 from jounce.core.errors import DescriptionError, FitError, SimulationError, unknown
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.kernel.status import Status
+from jounce.kernel.engine import Status
 from jounce.parts import Rig
 from jounce.parts.rig import unit_of, unknown_path
 from jounce.recordings.sensors import Sensor, bias_of, filter_signals

@@ -12,8 +12,6 @@ from numba.extending import intrinsic
 
 from jounce.core.sources import digest_of
 
-_POINTER = ir.DoubleType().as_pointer()
-
 
 def compiled() -> Callable[[Callable[..., Any]], Any]:
     """Compile a loop that neither makes nor keeps arrays, and keep its code on disk.
@@ -44,25 +42,44 @@ def kept(**options: Any) -> Callable[[Callable[..., Any]], Any]:
 
 def part(**options: Any) -> Callable[[Callable[..., Any]], Any]:
     """Compile a part of such loops, without entries from Python and C: they are most of the work for many arrays."""
-    inner = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-    return njit(error_model="numpy", _nrt=False, **inner, **options)  # type: ignore[no-any-return]
+
+    def compile_one(function: Callable[..., Any]) -> Any:
+        inner = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+        dispatcher = njit(error_model="numpy", _nrt=False, **inner, **options)(function)
+        template = dispatcher.get_call_template
+
+        def one_for_all_numbers(arguments: Any, keywords: Any) -> Any:
+            # Numba would compile a part once more for every constant that it is called with, which takes a fifth of the
+            # time of all and gains nothing: what is worth a constant is inlined by LLVM.
+            return template(tuple(types.unliteral(kind) for kind in arguments), keywords)
+
+        dispatcher.get_call_template = one_for_all_numbers
+        return dispatcher
+
+    return compile_one
 
 
-def _data(context: Any, builder: Any, signature: Any, arguments: Any, i: int) -> Any:
+def array_of(context: Any, builder: Any, signature: Any, arguments: Any, i: int) -> Any:
+    """The array that argument ``i`` is, with its data and shape."""
     return context.make_array(signature.args[i])(context, builder, arguments[i])
+
+
+def row_of(context: Any, builder: Any, signature: Any, arguments: Any, i: int, row: int) -> Any:
+    """Pointer to the row of the C-ordered matrix ``i`` that argument ``row`` names."""
+    array = array_of(context, builder, signature, arguments, i)
+    return builder.gep(array.data, [builder.mul(arguments[row], builder.extract_value(array.shape, 1))])
+
+
+def call_address(builder: Any, address: Any, arguments: list[Any]) -> Any:
+    """Call a function that gives nothing at an address, with arguments of their own types."""
+    function = ir.FunctionType(ir.VoidType(), [argument.type for argument in arguments]).as_pointer()
+    builder.call(builder.inttoptr(address, function), arguments)
+    return cgutils.get_null_value(ir.IntType(8).as_pointer())
 
 
 @intrinsic  # type: ignore[untyped-decorator]
 def call_native(
-    typing_context: Any,
-    address: Any,
-    x: Any,
-    x_row: Any,
-    u: Any,
-    p: Any,
-    m: Any,
-    out: Any,
-    out_row: Any,
+    typing_context: Any, address: Any, x: Any, x_row: Any, u: Any, p: Any, m: Any, out: Any, out_row: Any
 ) -> Any:
     """Call ``void f(double* x, double* u, double* p, double* m, double* out)`` at an address.
 
@@ -71,30 +88,21 @@ def call_native(
     signature = types.void(types.int64, x, types.int64, u, p, m, out, types.int64)
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        function = ir.FunctionType(ir.VoidType(), [_POINTER] * 5).as_pointer()
-
-        def row(i: int, at: int) -> Any:
-            array = _data(context, builder, signature, arguments, i)
-            width = builder.extract_value(array.shape, 1)
-            return builder.gep(array.data, [builder.mul(arguments[at], width)])
-
-        between = [_data(context, builder, signature, arguments, i).data for i in (3, 4, 5)]
-        builder.call(builder.inttoptr(arguments[0], function), [row(1, 2), *between, row(6, 7)])
-        return cgutils.get_null_value(ir.IntType(8).as_pointer())
+        at = (context, builder, signature, arguments)
+        between = [array_of(*at, i).data for i in (3, 4, 5)]
+        return call_address(builder, arguments[0], [row_of(*at, 1, 2), *between, row_of(*at, 6, 7)])
 
     return signature, generate
 
 
 @intrinsic  # type: ignore[untyped-decorator]
 def call_step(typing_context: Any, address: Any, rows: Any, u: Any, p: Any, m: Any, g: Any, h: Any) -> Any:
-    """Call ``void f(double* rows, double* u, double* p, double* m, double* g, double h)`` at an address (``steps``)."""
+    """Call ``void f(double* rows, double* u, double* p, double* m, double* g, double h)`` at an address."""
     signature = types.void(types.int64, rows, u, p, m, g, types.float64)
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        function = ir.FunctionType(ir.VoidType(), [_POINTER] * 5 + [ir.DoubleType()]).as_pointer()
-        pointers = [_data(context, builder, signature, arguments, i).data for i in range(1, 6)]
-        builder.call(builder.inttoptr(arguments[0], function), [*pointers, arguments[6]])
-        return cgutils.get_null_value(ir.IntType(8).as_pointer())
+        at = (context, builder, signature, arguments)
+        return call_address(builder, arguments[0], [*(array_of(*at, i).data for i in range(1, 6)), arguments[6]])
 
     return signature, generate
 
@@ -110,12 +118,11 @@ def call_many(
     signature = types.void(types.int64, x, u, p, m, out, types.int64, types.int64)
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        function = ir.FunctionType(ir.VoidType(), [_POINTER] * 5 + [ir.IntType(64)] * 3).as_pointer()
-        arrays = [_data(context, builder, signature, arguments, i) for i in range(1, 6)]
+        at = (context, builder, signature, arguments)
+        arrays = [array_of(*at, i) for i in range(1, 6)]
         total = builder.extract_value(arrays[0].shape, 1)
         pointers = [array.data for array in arrays]
-        builder.call(builder.inttoptr(arguments[0], function), [*pointers, total, arguments[6], arguments[7]])
-        return cgutils.get_null_value(ir.IntType(8).as_pointer())
+        return call_address(builder, arguments[0], [*pointers, total, arguments[6], arguments[7]])
 
     return signature, generate
 

@@ -17,6 +17,8 @@ from llvmlite import ir
 from jounce.kernel.packing import Emission, Packed
 
 _OPCODES = {getattr(ca, name): name for name in dir(ca) if name.startswith("OP_")}
+# Sums may be reordered and fused, as in any optimised dot product. Not-a-number and infinity keep their meaning: they
+# are how a run notices that it has left the numbers.
 _FAST = ("contract", "reassoc", "nsz", "arcp")
 _DOUBLE, _INDEX = ir.DoubleType(), ir.IntType(64)
 _ZERO, _ONE = ir.Constant(_DOUBLE, 0.0), ir.Constant(_DOUBLE, 1.0)
@@ -74,17 +76,10 @@ _DIRECT: dict[str, Callable[..., ir.Value]] = {
 
 @dataclass(frozen=True)
 class Lanes:
-    """A function whose inputs and output end in lanes.
+    """A function of (x, u, p, m), linear in the lanes in which its inputs and its output end.
 
-    Attributes
-    ----------
-    function : casadi.Function
-        Of (x, u, p, m), linear in the lanes.
-    count : int
-        Numbers side by side.
-    first : tuple of int
-        Elements of x, u, p, m and of the output before the first lane. Where the arrays hold lanes, each takes
-        ``count`` places.
+    Each lane is ``count`` numbers side by side; ``first`` are the elements of x, u, p, m and of the output before the
+    first of them.
     """
 
     function: ca.Function
@@ -264,7 +259,7 @@ class Lowering:
         if wide:
             if operation not in _LINEAR or (operation == "OP_DIV" and x[1].type == wide[-1]):
                 raise NotImplementedError(f"the operation {operation} has no form for lanes")
-            if operation == "OP_DIV":  # one division instead of many
+            if operation == "OP_DIV":  # one division instead of many, and shared by all that divide by the same number
                 operation, x = "OP_MUL", [x[0], self._inverse(b, x[1])]
             if operation != "OP_IF_ELSE_ZERO":
                 x = [self._spread(b, value, wide[0]) for value in x]

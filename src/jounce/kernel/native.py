@@ -22,16 +22,14 @@ from numpy.typing import NDArray
 
 from jounce.core.sources import digest_of
 from jounce.kernel.lowering import AnyFunction, Lowering
-from jounce.kernel.rosenbrock_steps import RosenbrockStep
-from jounce.kernel.steps import Step
 
 MANY = ("output", "project_many", "switch_many")
 SELDOM = ("slopes", "switch_slope", "derived", "derived_lanes", "constraint", "constraint_s")
 """Functions called a few times a run: they are compiled without the optimiser, which makes them little faster."""
 
 
-class HandWritten(Protocol):
-    """Functions that are written as native code, and their names."""
+class AnyStep(Protocol):
+    """Functions around those of a model that are written as native code (steps, loops over rows), and their names."""
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -41,7 +39,6 @@ class HandWritten(Protocol):
         """Append the functions."""
 
 
-AnyStep = Step | RosenbrockStep | HandWritten
 SINGLE = {"project": "project_many"}
 """Functions of one sample that are made of those of many, where a module has these."""
 _PROTOTYPE = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5, *[ctypes.c_int64] * 3)
@@ -78,19 +75,9 @@ class Native:
 
 
 def compile_functions(functions: Mapping[str, AnyFunction], step: AnyStep | None = None) -> Native:
-    """Compile SX functions for this processor, or load them from the cache.
+    """Compile SX functions (all inputs and outputs dense) for this processor, or load them from the cache.
 
-    Parameters
-    ----------
-    functions : dict
-        Name to CasADi function; all inputs and outputs dense.
-    step : Step, optional
-        Adds the functions of an integration step around them.
-
-    Returns
-    -------
-    Native
-        Machine code with one address for each name.
+    ``step`` adds the functions of an integration step around them.
     """
     digest = hashlib.sha256(repr(step).encode())
     for name, function in functions.items():
@@ -100,19 +87,10 @@ def compile_functions(functions: Mapping[str, AnyFunction], step: AnyStep | None
 
 
 def kept_code(identity: str, make: Callable[[], Source]) -> tuple[Native, str]:
-    """Give native code and its notes from the cache, or make them and keep them.
+    """Give native code and the notes of its source from the cache, or make them and keep them.
 
-    Parameters
-    ----------
-    identity : str
-        Says everything that the code depends on, apart from this processor, the kernel and versions of the compiler.
-    make : callable
-        Gives the functions where the cache holds no sound entry.
-
-    Returns
-    -------
-    Native, str
-        The code, and the notes of its source.
+    ``identity`` says everything that the code depends on, apart from this processor, the kernel and versions of the
+    compiler; ``make`` gives the functions where the cache holds no sound entry.
     """
     target = f"{llvm.get_host_cpu_name()} {llvm.get_host_cpu_features().flatten()} {llvm.llvm_version_info}"
     key = hashlib.sha256(f"{digest_of('kernel')} {llvmlite.__version__} {target} {identity}".encode()).hexdigest()
@@ -121,6 +99,8 @@ def kept_code(identity: str, make: Callable[[], Source]) -> tuple[Native, str]:
         with contextlib.suppress(Exception):  # whatever is wrong with it: rebuild
             return _load(cached)
     source = make()
+    # Code is kept as an object file: loading one takes a millisecond, where optimising the same functions takes
+    # seconds.
     names = [*source.functions, *_singles(source.functions), *(source.step.names if source.step else ())]
     head = json.dumps({"names": names, "notes": source.notes}).encode()
     content = len(head).to_bytes(_LENGTH, "little") + head + _emit(source.functions, source.step)
@@ -151,6 +131,8 @@ def _emit(functions: Mapping[str, AnyFunction], step: AnyStep | None = None) -> 
     lowering = Lowering()
     for name, function in functions.items():
         (lowering.add_many if name in MANY else lowering.add)(name, function)
+        # The optimiser takes more than linear time over one long block; what is called a few times a run does not repay
+        # it.
         if name in SELDOM:
             for attribute in ("optnone", "noinline"):
                 lowering.module.globals[name].attributes.add(attribute)

@@ -25,12 +25,8 @@ SHARED = -1
 class Parts:
     """The parts of a model that are alike.
 
-    Attributes
-    ----------
-    prefixes : tuple of tuple of str
-        For each part what its names begin with, then what the names of an assembly begin with that it belongs to.
-    groups : tuple of tuple of int
-        Parts that stand side by side; together all of them.
+    ``prefixes`` are, for each part, what its names begin with, then what the names of an assembly begin with that it
+    belongs to; ``groups`` the parts that stand side by side, together all of them.
     """
 
     prefixes: tuple[tuple[str, ...], ...]
@@ -70,16 +66,8 @@ class Node:
 class Packed:
     """A function of (x, u, p, m) with what its parts do alike side by side.
 
-    Attributes
-    ----------
-    function : casadi.Function
-        The function.
-    parts : Parts
-        Its parts.
-    labels : tuple
-        For each argument, name and parts of every element.
-    table : dict
-        Elements of ``p`` that stand side by side to where they lie in that order.
+    ``labels`` give, for each argument, name and parts of every element; ``table`` says where elements of ``p`` that
+    stand side by side lie in that order.
     """
 
     function: ca.Function
@@ -120,6 +108,9 @@ class Graph:
         self._numbers: set[int] = set()
         every = range(len(parts.prefixes))
         self._within = {mask: [i for i in every if mask >> i & 1] for mask in range(1 << len(every))}
+        # What one part has and the others have not (a leading corner's sign, the last term of a sum over corners)
+        # cannot stand in a vector. Taken as a number of its own it changes the shapes of all that is made of it: name
+        # anew.
         while True:
             self._name(labels)
             alone = self._alone()
@@ -239,6 +230,7 @@ class Emission:
         return self._get(("number", node))
 
     def _get(self, wanted: tuple[Any, ...]) -> ir.Value:
+        # Not by recursion: graphs of whole vehicles are deeper than Python's stack.
         stack = [wanted]
         while stack:
             item = stack[-1]

@@ -93,6 +93,8 @@ def _correct(walk: Any, work: Any, size: int) -> bool:
     for _ in range(_STEPS):
         call_native(walk.pose, work.rows, 0, work.u, walk.p, work.m, work.out, 0)
         violation = work.out[0, size]
+        # A residual that grows has left the basin of this pose. Newton's method would land somewhere, and where is
+        # chance.
         if not violation < np.inf or (violation > 2.0 * last and violation > _CLOSED):
             return False
         change = 0.0
@@ -108,6 +110,8 @@ def _correct(walk: Any, work: Any, size: int) -> bool:
 @part()
 def _belongs(walk: Any, work: Any, i: int, step: float, length: float) -> bool:
     """Tell whether the corrected pose in row 0 goes on from the one in row 1, for a share of a way of that length."""
+    # A pose that closes the loops may still be one of another branch. Two signs tell: it is not where the prediction
+    # was, or a coordinate has not gone the mean of its slopes at both ends, which a smooth way of that length must.
     size, tracks, j = len(walk.start), walk.targets.shape[1], walk.before[i]
     off, way, slack = 0.0, 0.0, 1e-9 + 1e-6 * step * length
     for d in range(size):
@@ -137,6 +141,7 @@ def _curved(walk: Any, found: Any, i: int, j: int, d: int, slope: float, size: i
         ahead += way * way
         back += came * came
         across += way * came
+    # The cubic holds on a straight line only: a sweep that turns (bump, then steer) is predicted by the slopes alone.
     if g < 0 or ahead == 0.0 or back == 0.0 or across < 0.999999 * math.sqrt(ahead * back):
         return 0.0, 0.0
     r = math.sqrt(back / ahead)
@@ -162,6 +167,8 @@ def _go(walk: Any, found: Any, work: Any, i: int) -> float:
         work.rows[1, d] = found.poses[d, j] if j >= 0 else walk.start[d]
     if j < 0:
         _slopes_at(walk, work, size, 0.0, i)
+    # The whole way is tried first, since from target to target it is mostly short; halved where it fails, doubled where
+    # it goes on. Slopes at the pose walked from are those stored with it, and after the first part those just computed.
     done, step, first = 0.0, 1.0, True
     while done < 1.0:
         step = min(step, 1.0 - done)
@@ -184,6 +191,7 @@ def _go(walk: Any, found: Any, work: Any, i: int) -> float:
             step, first = step * _GROWTH, False
         else:
             step *= 0.5
+            # The try has overwritten the slopes with its own.
             if not first or j < 0:
                 _slopes_at(walk, work, size, done, i)
             if length * step < _SHORTEST:

@@ -15,11 +15,12 @@ from jounce.control.actuators import AnyActuator
 from jounce.core.errors import SimulationError
 from jounce.core.sources import digest_of
 from jounce.core.types import Array
-from jounce.kernel.explicit import Engine
+from jounce.kernel.engine import Engine
 from jounce.kernel.lowering import AnyFunction, Lanes
+from jounce.kernel.methods.explicit import shortened
+from jounce.kernel.methods.runge_kutta import SHORT_NAMES, STEP_NAMES, Step
 from jounce.kernel.native import Native, Source, compile_functions, kept_code
 from jounce.kernel.packing import SHARED, Graph, Packed, Parts
-from jounce.kernel.steps import SHORT_NAMES, STEP_NAMES, Step
 from jounce.mechanics.model import Facts, Generic, Model, Output, is_road
 from jounce.mechanics.tangents import tangent
 from jounce.parts import Rig
@@ -104,7 +105,7 @@ class Compiled:
     @cached_property
     def short_engine(self) -> Engine:
         """The same with a pair of lower order, for runs whose steps the input keeps short."""
-        return self.engine.short(*(self.native.address[name] for name in SHORT_NAMES.values()))
+        return shortened(self.engine, *(self.native.address[name] for name in SHORT_NAMES.values()))
 
     def extended(self, p: Array) -> Array:
         """Parameters as the engine wants them: with what depends on them alone, and lanes where some are free."""
@@ -126,20 +127,7 @@ class Compiled:
         return plain.native.evaluate(name, (rows,) if columns == 1 else (rows, columns), x, u, values, m)
 
     def slopes(self, by: str, x: Array, u: Array, p: Array, m: Array) -> dict[str, Array]:
-        """Slopes of rates, outputs, switches and constraints.
-
-        Parameters
-        ----------
-        by : {"x", "u"}
-            States or inputs.
-        x, u, p, m : ndarray
-            Where; ``p`` may be extended already.
-
-        Returns
-        -------
-        dict
-            ``rate``, ``output``, ``switch`` and ``constraint`` to matrices, one column for each quantity.
-        """
+        """Slopes of ``rate``, ``output``, ``switch``, ``constraint`` by states (``"x"``) or inputs, a column each."""
         plain, facts = self.plain, self.facts
         (rows, lanes), n, n_u = plain.shapes["slopes"], len(x), len(u)
         values = p if len(p) == plain.scalars else plain.extended(p)
@@ -174,6 +162,10 @@ class Compiled:
         """Pick the model's parameters from the values by path."""
         return np.array([parameters[path] for path in self.facts.parameters])
 
+    def sides(self, x: Array, u: Array, p: Array) -> Array:
+        """Modes that follow the sides of their switches."""
+        return (self.evaluate("switch", x, u, p, np.ones(len(self.facts.switches))) > 0.0).astype(float)
+
     def inputs(self, values: dict[str, float] | float = 0.0) -> Array:
         """Inputs at rest: the height (m) of all roads, or the value of some tracks by name; their rates are zero."""
         facts = self.facts
@@ -189,19 +181,9 @@ _compiled: dict[tuple[object, ...], Compiled] = {}
 
 
 def compile_model(model: Model, free: tuple[str, ...] = ()) -> Compiled:
-    """Give the native code of a model, with sensitivities to the ``free`` parameters; made once a process.
+    """Give the native code of a model, with sensitivities to the parameters ``free`` (paths); made once a process.
 
-    Parameters
-    ----------
-    model : Model
-        The symbolic model.
-    free : tuple of str
-        Paths of parameters to differentiate with respect to.
-
-    Raises
-    ------
-    SimulationError
-        When a free parameter does not occur in the model.
+    A free parameter that does not occur in the model is an error.
     """
     key = (id(model), free)
     if key not in _compiled:
@@ -218,21 +200,8 @@ def compile_rig(
 ) -> Compiled:
     """Give the native code of a rig's model; where the cache holds it, the model is not even built.
 
-    Parameters
-    ----------
-    rig : Rig
-        Rigs that differ in numbers only share one.
-    free : tuple of str
-        Paths of parameters to differentiate with respect to.
-    detail : bool
-        As for :func:`jounce.models.build`.
-    actuator : AnyActuator, optional
-        Of every strut; its numbers are parameters, too.
-
-    Raises
-    ------
-    SimulationError
-        When a free parameter does not occur in the model.
+    Rigs that differ in numbers only share one. ``free`` is as for :func:`compile_model`, ``detail`` as for
+    :func:`jounce.models.build`; the numbers of an ``actuator`` of every strut are parameters, too.
     """
     key = (type(rig).__name__, structure_of(rig), detail, free, actuator.structure if actuator else "")
 
@@ -252,21 +221,8 @@ def compile_described(
 ) -> Compiled:
     """Give the native code of a model that a key says all of; where the cache holds it, the model is not even built.
 
-    Parameters
-    ----------
-    key : tuple
-        Equal for models with equal equations; its text is the name in the cache.
-    model : callable
-        Builds the model.
-    free : tuple of str
-        Paths of parameters to differentiate with respect to.
-    without : callable, optional
-        Gives the same model without free parameters, where there are some.
-
-    Raises
-    ------
-    SimulationError
-        When a free parameter does not occur in the model.
+    Keys are equal for models with equal equations; their text is the name in the cache. ``model`` builds the model;
+    ``without`` gives the same one without free parameters, where there are some.
     """
     if key not in _compiled:
         identity = f"{_sources()} {key}"
@@ -360,13 +316,7 @@ def plain_program(model: Model) -> Program:
 
 
 def sensitive_program(model: Model, free: tuple[str, ...]) -> Program:
-    """Functions that carry sensitivities ``S = dx/dp`` along: behind the states, for each state one lane a parameter.
-
-    Raises
-    ------
-    SimulationError
-        When a free parameter does not occur in the model.
-    """
+    """Functions that carry sensitivities ``S = dx/dp`` along: behind the states, for each one lane a parameter."""
     for path in free:
         if path not in model.parameters:
             raise SimulationError("not a parameter of the model", where=path, allowed=", ".join(model.parameters))

@@ -20,8 +20,7 @@ from jounce.control.program import Program, program, sensor_noise, values
 from jounce.core.errors import JounceError, SimulationError
 from jounce.core.segments import Segments, flat
 from jounce.core.types import Array, Complex
-from jounce.kernel.callbacks import Callback
-from jounce.kernel.feedback import Feedback, feedback
+from jounce.kernel.engine import Callback, Feedback, feedback
 from jounce.kernel.native import Native, compile_functions
 from jounce.parts import Rig
 from jounce.simulation.compiled import Compiled, compile_rig
@@ -354,19 +353,7 @@ def is_linear(loop: Loop) -> bool:
 
 
 def poles(loop: Loop, compiled: Compiled, p: Array, rest: Equilibrium, still: Array) -> Complex:
-    """Poles (1/s) of a loop around a model at rest, by falling real part.
-
-    Parameters
-    ----------
-    loop : Loop
-        The controller.
-    compiled : Compiled
-        The model with actuators.
-    p, still : ndarray
-        Parameters and inputs, SI.
-    rest : Equilibrium
-        Equilibrium.
-    """
+    """Poles (1/s) of a loop around a model with actuators at rest, by falling real part; ``still`` are the inputs."""
     from scipy.linalg import expm
 
     made, period = program(loop.first, loop.corners), 1.0 / loop.first.rate

@@ -92,8 +92,7 @@ class _View:
         reduced = np.zeros(self._rest.lift.shape[1])
         reduced[len(row) : 2 * len(row)] = row / (row @ row) * value
         x = self._rest.x + self._rest.lift @ reduced
-        modes = np.ones(len(self._compiled.facts.switches))
-        modes = (self._compiled.evaluate("switch", x, self._still, self._p, modes) > 0.0).astype(float)
+        modes = self._compiled.sides(x, self._still, self._p)
         return float(self._compiled.evaluate("output", x, self._still, self._p, modes)[self._names.index(name)])
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from jounce.core.errors import SimulationError, unknown
 from jounce.core.types import Array
-from jounce.kernel.status import Status
+from jounce.kernel.engine import Status
 from jounce.parts import Rig
 from jounce.parts.rig import unit_of, unknown_path
 from jounce.recordings.schema import place_of

@@ -14,8 +14,8 @@ from jounce.control.laws import Passive
 from jounce.core.errors import SimulationError, unknown
 from jounce.core.optional import require
 from jounce.core.types import Array
-from jounce.kernel.explicit import integrate
-from jounce.kernel.status import Status
+from jounce.kernel.engine import Status
+from jounce.kernel.methods.explicit import integrate
 from jounce.parts import Rig
 from jounce.roads import Trial
 from jounce.simulation.compiled import compile_rig
@@ -103,7 +103,7 @@ class Stepper:
     def start(self) -> Array:
         """Go back to static equilibrium at the start; give the outputs there, shape (channels,)."""
         prepared, problem = self._prepared, self._problem
-        prepared._start()
+        prepared.start()
         problem.x0[:] = prepared.problem.x0
         self.time, self.status, self._steps = 0.0, Status.COMPLETED, 0
         return self._compiled.evaluate("output", problem.x0, prepared.still, problem.p, problem.m)

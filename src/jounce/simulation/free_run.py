@@ -13,9 +13,7 @@ from jounce.core.findings import Finding
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.kernel.explicit import Control, Problem
-from jounce.kernel.status import Status
-from jounce.kernel.tracks import flatten
+from jounce.kernel.engine import Control, Problem, Status, flatten
 from jounce.mechanics import Mechanism, Model, assemble, constant
 from jounce.mechanics.assembly import Assembly
 from jounce.mechanics.mass import check_inertia
@@ -23,7 +21,7 @@ from jounce.mechanics.mechanism import BALANCE
 from jounce.mechanics.model import moved_by
 from jounce.recordings.schema import recording
 from jounce.simulation.compiled import Compiled, compile_model
-from jounce.simulation.prepare import IMPLICIT_SHARE, STEP_SHARE, Prepared, longest_step_of, room
+from jounce.simulation.prepare import IMPLICIT_SHARE, STEP_SHARE, Prepared, longest_implicit_step, room
 from jounce.simulation.result import Solution, samples_reached
 from jounce.simulation.settings import MAX_STEPS, Method, RunSettings
 from jounce.simulation.singular_configurations import Begin, run_through
@@ -263,7 +261,7 @@ def _prepare(
     prepared = Prepared(compiled, problem, control, room(compiled, times), None, modes, None, u)
     if method == "explicit":
         return prepared
-    coarse = min(longest_step_of(moving, tolerance), _SHARE * duration)
+    coarse = min(longest_implicit_step(moving, tolerance), _SHARE * duration)
     stiff = control._replace(tolerance=IMPLICIT_SHARE * tolerance, longest=coarse)
     implicitly = method == "implicit" or (fastest > _STIFF * moving and fastest * duration > _LONG_RUN)
     return replace(prepared, stiff=lambda: stiff, method="implicit" if implicitly else "explicit")

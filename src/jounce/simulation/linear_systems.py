@@ -17,9 +17,9 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from jounce.kernel.implicit import Slopes
+from jounce.kernel.methods.implicit import Slopes
+from jounce.kernel.methods.rosenbrock import RosenbrockStep
 from jounce.kernel.native import Native, Source, compile_functions, kept_code
-from jounce.kernel.rosenbrock_steps import RosenbrockStep
 from jounce.mechanics import Model
 from jounce.simulation.compiled import Compiled
 

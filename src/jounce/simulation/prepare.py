@@ -12,13 +12,10 @@ from numpy.typing import NDArray
 from jounce.core.errors import SimulationError
 from jounce.core.segments import SINE, Segments
 from jounce.core.types import Array
-from jounce.kernel import implicit, linear, linear_plan
-from jounce.kernel.explicit import Control, Problem, integrate
-from jounce.kernel.feedback import NO_FEEDBACK, Feedback
-from jounce.kernel.propagators import Calls
-from jounce.kernel.sampling import Samples
-from jounce.kernel.status import Status
-from jounce.kernel.tracks import flatten
+from jounce.kernel.engine import NO_FEEDBACK, Control, Feedback, Problem, Samples, Status, flatten
+from jounce.kernel.methods import explicit, implicit
+from jounce.kernel.methods.exact import Plan, plan, propagate
+from jounce.kernel.methods.propagators import Calls
 from jounce.mechanics.model import is_road
 from jounce.simulation.compiled import SLOPE_LANES, Compiled
 from jounce.simulation.linear_systems import slopes_of
@@ -26,19 +23,20 @@ from jounce.simulation.result import Solution
 from jounce.simulation.settings import MAX_STEPS, Method
 from jounce.simulation.statics import Equilibrium, find_equilibrium, state_scale
 
-_STABLE = 0.4  # share of the fastest decay at rest that the method must resolve: friction holding a rig, sensitivities
-_LONGEST = 1.2  # radians of the fastest oscillation in one step, at a tolerance of 1e-5
-_LONG_RUN = 5000.0  # radians of the fastest motion, beyond which it is worth asking whether the implicit method pays
-_SINGULAR = 0.05  # share of the loops' conditioning at the start that is left where a mechanism counts as locked up
+# How tight a step must be held so that a whole run keeps its tolerance was tried out on the shipped models, several
+# roads and speeds (tests/physics/test_tolerance.py): errors of single steps add up, and accelerations are not looked
+# at.
+STEP_SHARE = 0.003  # of the tolerance for one step of the explicit method
 _SHORT_SHARE = 0.03  # the same for the pair of lower order, which errs less in all for what it allows in a step
-_SHORT = 0.4  # radians of the fastest oscillation in a step of the pair of lower order, at a tolerance of 1e-5
+IMPLICIT_SHARE = 0.12  # the same for the implicit method
+_LONGEST, _SHORT, _IMPLICIT = 1.2, 0.4, 1.2  # radians of the fastest motion in one step of each at a tolerance of 1e-5
 _STAGES, _SHORT_STAGES = 16.0, 7.0  # rates that a step of either pair evaluates, with its interpolant
-STEP_SHARE = 0.003  # of the tolerance for one step: keeps the global error of the shipped models below it
-IMPLICIT_SHARE = 0.12  # of the tolerance for one step of the implicit method
+_STABLE = 0.4  # share of the fastest decay at rest that the method must resolve: friction holding a rig, sensitivities
+_LONG_RUN = 5000.0  # radians of the fastest motion, beyond which it is worth asking for the implicit method
+_FASTER = 4.0  # steps of the explicit method for one of the implicit method, above which the latter is faster
 _CARRIED = 1e-2  # share of the quasi-static motion at which a mode must be seen in the samples
 _FELT = 300.0  # tolerances: share at which a mode must be followed through its oscillations
-_FASTER = 4.0  # steps of the explicit method for one of the implicit method, above which the latter is faster
-_OVERSAMPLED = 1.2  # radians in one step, at a tolerance of 1e-5
+_SINGULAR = 0.05  # share of the loops' conditioning at the start that is left where a mechanism counts as locked up
 
 
 @dataclass(frozen=True)
@@ -55,7 +53,7 @@ class Prepared:
     problem: Problem
     control: Control
     out: Samples
-    exact: linear_plan.Plan | None
+    exact: Plan | None
     modes: Array
     equilibrium: Equilibrium | None
     still: Array
@@ -68,8 +66,8 @@ class Prepared:
         """Fill the arrays and say how the run ended."""
         counts, method = np.zeros(3, dtype=np.int64), "exact"
         if self.exact is not None:
-            self._start()
-            code = linear.propagate(self.problem, self.control, self.exact, self.out, counts)
+            self.start()
+            code = propagate(self.problem, self.control, self.exact, self.out, counts)
         else:
             method, code = self._integrate(counts)
         out, free = self.out, len(self.compiled.free)
@@ -87,7 +85,8 @@ class Prepared:
         lost = len(conditioning) > 1 and conditioning[-1] < _SINGULAR * conditioning[0]
         return Status.LOCKED_UP if lost else status
 
-    def _start(self) -> None:
+    def start(self) -> None:
+        """Set back what a run before has moved."""
         self.problem.piece[:] = self.problem.tracks.first[:-1]
         self.problem.m[:] = self.modes
         if self.begin is not None:
@@ -95,13 +94,13 @@ class Prepared:
 
     def _integrate(self, counts: NDArray[np.int64]) -> tuple[str, int]:
         """Name of the method and return code."""
-        self._start()
+        self.start()
         code = Status.TOO_MANY_STEPS.code
         if self.method != "implicit":
-            code = integrate(self.problem, self.control, self.out, counts, self.feedback)
+            code = explicit.integrate(self.problem, self.control, self.out, counts, self.feedback)
         if self.stiff is None or code != Status.TOO_MANY_STEPS.code:
             return "explicit", code
-        self._start()
+        self.start()
         counts[:] = 0
         return "implicit", implicit.integrate(self.problem, slopes_of(self.compiled), self.stiff(), self.out, counts)
 
@@ -128,12 +127,10 @@ def prepare(
         Every track of the model against time (s): road heights (m), loads; one alone for a model with one track.
     times : ndarray, shape (n,)
         Output times, s, ascending.
-    tolerance : float
-        Relative error of the displacements.
+    tolerance, method : float, {"auto", "explicit", "implicit"}
+        As :class:`RunSettings` has them.
     offset : ndarray, shape (n_states,), optional
         Added to the equilibrium: where the run starts.
-    method : {"auto", "explicit", "implicit"}
-        How to integrate; by itself the one that is likely to be faster, and exact propagation where that is possible.
     """
     if method == "implicit" and compiled.free:
         raise SimulationError(
@@ -147,28 +144,40 @@ def prepare(
     still = compiled.inputs({name: float(signal.evaluate(times[:1])[0][0]) for name, signal in tracks.items()})
     rest = find_equilibrium(compiled, p, still)
     x = rest.x if offset is None else rest.x + offset
-    modes = rest.modes if offset is None else _modes(compiled, x, p, still)
+    modes = rest.modes if offset is None else compiled.sides(x, still, p)
     scale = state_scale(rest, n_q, n_v, _motion_size(tracks, rest.x[:n_q] - compiled.facts.start, offset))
-    band = _dead_band(compiled, p, rest, scale, still)
-    waves = max((_waves(signal) for signal in tracks.values()), default=0.0)
+    # How far a switching function may be on the wrong side: 1e-9 of what a typical motion makes of it.
+    band = np.zeros(len(compiled.facts.switches))
+    if len(band):
+        moved, there = (compiled.evaluate("switch", where, still, p, rest.modes) for where in (rest.x + scale, rest.x))
+        band = np.asarray(1e-9 * np.abs(moved - there) + 1e-14)
+    waves = max((_fastest_wave(signal) for signal in tracks.values()), default=0.0)
     limit = _explicit_limit(rest, waves)
     short = _edges_set_the_step(tracks.values(), times, limit, tolerance)
     share = _SHORT_SHARE if short else STEP_SHARE
     control = Control(share * tolerance, 0.1 * scale, band, MAX_STEPS, _longest_step(limit, tolerance))
-    start = np.concatenate([x, _equilibrium_sensitivity(compiled, p, rest, still)])
     pieces = flatten([signal.with_finite_slopes() for signal in tracks.values()])
-    values = compiled.extended(p)
-    engine = compiled.short_engine if short else compiled.engine
-    problem = Problem(engine, pieces, pieces.first[:-1].copy(), values, modes.copy(), start, len(still))
+    problem = Problem(
+        compiled.short_engine if short else compiled.engine,
+        pieces,
+        pieces.first[:-1].copy(),
+        compiled.extended(p),
+        modes.copy(),
+        np.concatenate([x, _equilibrium_sensitivity(compiled, p, rest, still)]),
+        len(still),
+    )
     exact = _exact(compiled, problem, control, times) if method == "auto" else None
     prepared = Prepared(compiled, problem, control, room(compiled, times), exact, modes, rest, still)
     if exact is not None or compiled.free or method == "explicit":
         return prepared
+    # The modes are only looked at where the implicit method may have its turn: they cost as much as a short run.
     shares = cache(lambda: modal_shares(compiled, p, rest, still))
 
     @cache
     def stiff() -> Control:
-        return control._replace(tolerance=IMPLICIT_SHARE * tolerance, longest=longest_step(shares(), waves, tolerance))
+        # Beyond this step samples inside it would be worse than its end, or a contact could be passed over.
+        longest = longest_implicit_step(max(shares().fastest(_CARRIED), waves, 1e-3), tolerance)
+        return control._replace(tolerance=IMPLICIT_SHARE * tolerance, longest=longest)
 
     long = limit * float(times[-1] - times[0]) > _LONG_RUN
     implicitly = method == "implicit" or (long and implicit_is_faster(shares(), waves, limit, tolerance))
@@ -204,14 +213,14 @@ def solve(
     return prepare(compiled, p, signals, times, tolerance=tolerance, offset=offset, method=method).run()
 
 
-def _exact(compiled: Compiled, problem: Problem, control: Control, times: Array) -> linear_plan.Plan | None:
+def _exact(compiled: Compiled, problem: Problem, control: Control, times: Array) -> Plan | None:
     """Plan of exact propagation; None when the model or the road is not for it."""
     zero, names = compiled.facts.linear_without, compiled.facts.parameters
     if compiled.free or zero is None or any(problem.p[names.index(name)] != 0.0 for name in zero):
         return None
     address = compiled.native.address
     calls = Calls(address["rate"], address["switch"], address.get("switch_many", 0), address["slopes"], SLOPE_LANES)
-    return linear_plan.plan(problem, control, calls, compiled.shapes["slopes"][0], times)
+    return plan(problem, control, calls, compiled.shapes["slopes"][0], times)
 
 
 @dataclass(frozen=True)
@@ -227,53 +236,24 @@ class ModalShares:
 
 
 def modal_shares(compiled: Compiled, p: Array, rest: Equilibrium, u: Array) -> ModalShares:
-    """Find out which modes a road can move, without damping, since friction that sticks at rest soon slides.
-
-    Parameters
-    ----------
-    compiled : Compiled
-        The model.
-    p : ndarray, shape (n_parameters,)
-        Parameter values, SI.
-    rest : Equilibrium
-        Where.
-    u : ndarray, shape (n_inputs,)
-        Inputs at rest.
-    """
+    """Find out which modes a road can move, without damping, since friction that sticks at rest soon slides."""
     f, order = len(rest.free), compiled.facts.track_order
     squares, shapes = np.linalg.eig(-rest.reduced[f : 2 * f, :f])
     pulled = rest.pick[f : 2 * f] @ compiled.evaluate("rate_u", rest.x, u, p, rest.modes)[:, ::order]
-    firm = np.where(squares == 0.0, np.inf, squares)
+    firm = np.where(squares == 0.0, np.inf, squares)  # what nothing holds, such as yaw, has no quasi-static motion
     weights = np.linalg.norm(np.linalg.lstsq(shapes, pulled.astype(complex), rcond=None)[0] / firm[:, None], axis=1)
     sizes = weights * np.linalg.norm(rest.lift[: compiled.facts.counts[0], :f] @ shapes, axis=0)
     return ModalShares(np.sqrt(np.abs(squares)), sizes / max(float(np.max(sizes, initial=0.0)), 1e-300))
 
 
 def implicit_is_faster(shares: ModalShares, waves: float, explicit: float, tolerance: float) -> bool:
-    """Tell whether the implicit method is likely to be faster.
-
-    Parameters
-    ----------
-    shares : ModalShares
-        Modes at rest.
-    waves : float
-        Fastest wave of the road, rad/s.
-    explicit : float
-        What limits the explicit method, rad/s.
-    tolerance : float
-        Relative error of the displacements.
-    """
+    """Compare what limits the explicit method with the fastest motion that matters or wave of the road (all rad/s)."""
     return explicit > _FASTER * max(shares.fastest(_FELT * tolerance), waves)
 
 
-def longest_step(shares: ModalShares, waves: float, tolerance: float) -> float:
-    """Step (s) beyond which samples inside it would be worse than its end, or a contact could be passed over."""
-    return longest_step_of(max(shares.fastest(_CARRIED), waves, 1e-3), tolerance)
-
-
-def longest_step_of(fastest: float, tolerance: float) -> float:
-    """Longest step (s) for the fastest motion (rad/s) that samples must show."""
-    return float(_OVERSAMPLED * (tolerance / 1e-5) ** 0.2 / fastest)
+def longest_implicit_step(fastest: float, tolerance: float) -> float:
+    """Longest step (s) for the fastest motion (rad/s) that samples must show; the interpolant is of order 4."""
+    return float(_IMPLICIT * (tolerance / 1e-5) ** 0.2 / fastest)
 
 
 def _motion_size(tracks: dict[str, Segments], rest: Array, offset: Array | None) -> float:
@@ -288,12 +268,6 @@ def _range(signal: Segments) -> float:
     first, last = signal.edges[:-1], signal.edges[1:]
     points = np.concatenate([first, 0.5 * (first + last), np.nextafter(last, first)])
     return float(np.ptp(signal.evaluate(points)[0]))
-
-
-def _modes(compiled: Compiled, x: Array, p: Array, u: Array) -> Array:
-    modes = np.ones(len(compiled.facts.switches))
-    values = compiled.evaluate("switch", x, u, p, modes)
-    return (values > 0.0).astype(float)
 
 
 def _longest_step(fastest: float, tolerance: float) -> float:
@@ -316,26 +290,18 @@ def _edges_set_the_step(signals: Iterable[Segments], times: Array, limit: float,
     return stages[1] < stages[0]
 
 
-def _waves(road: Segments) -> float:
+def _fastest_wave(road: Segments) -> float:
     """Fastest sine of the road, rad/s."""
     return float(np.max(np.abs(road.coefficients[road.kind == SINE, 2]) * road.rate, initial=0.0))
 
 
 def _explicit_limit(rest: Equilibrium, waves: float) -> float:
     """What limits the steps of the explicit method, rad/s: the fastest oscillation, wave or decay."""
+    # The oscillations are those without damping: a stiff damper of a soft mode decays but does not oscillate.
     f = len(rest.free)
     stiffness = np.max(np.abs(np.linalg.eigvals(rest.reduced[f : 2 * f, :f])), initial=0.0)
     decay = float(np.max(np.abs(np.linalg.eigvals(rest.reduced)), initial=0.0))
     return max(float(np.sqrt(stiffness)), waves, _STABLE * decay, 1e-3)
-
-
-def _dead_band(compiled: Compiled, p: Array, rest: Equilibrium, scale: Array, u: Array) -> Array:
-    """How far a switching function may be on the wrong side: 1e-9 of what a typical motion makes of it."""
-    if not compiled.facts.switches:
-        return np.zeros(0)
-    moved = compiled.evaluate("switch", rest.x + scale, u, p, rest.modes)
-    still = compiled.evaluate("switch", rest.x, u, p, rest.modes)
-    return np.asarray(1e-9 * np.abs(moved - still) + 1e-14)
 
 
 def _equilibrium_sensitivity(compiled: Compiled, p: Array, rest: Equilibrium, u: Array) -> Array:

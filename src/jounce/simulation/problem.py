@@ -16,21 +16,8 @@ _ONE_WHEEL = {"": Place(0.0, 1)}
 def excitation(facts: Facts, rig: Rig, trial: Trial, free: tuple[str, ...] = ()) -> list[Segments]:
     """Give every track of a model against time (s), in the order of the model.
 
-    Parameters
-    ----------
-    facts : Facts
-        Of the rig's model.
-    rig : Rig
-        A vehicle says where its wheels stand; rigs have one wheel.
-    trial : Trial
-        Road and speed, or excitation, and loads.
-    free : tuple of str
-        Parameters that a run is differentiated by, or that move under the same tracks.
-
-    Raises
-    ------
-    SimulationError
-        When the trial has something that the model cannot feel, or a free parameter would move the tracks themselves.
+    ``free`` are parameters that a run is differentiated by, or that move under the same tracks. A trial with something
+    that the model cannot feel is refused, and a free parameter that would move the tracks themselves.
     """
     _refuse_unfelt(facts, rig, trial)
     _refuse_unknown_ground(trial)

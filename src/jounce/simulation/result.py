@@ -8,7 +8,7 @@ import numpy as np
 
 from jounce.core.errors import SimulationError
 from jounce.core.types import Array
-from jounce.kernel.status import Status
+from jounce.kernel.engine import Status
 from jounce.mechanics.model import Facts
 from jounce.simulation.compiled import Compiled
 
@@ -85,12 +85,8 @@ def held_to_its_branch(compiled: Compiled, solution: Solution) -> Solution:
 def flipped_at(names: tuple[str, ...], outputs: Array) -> int | None:
     """Give the first sample at which the wheel has flipped over, None where it never does.
 
-    Parameters
-    ----------
-    names : tuple of str
-        Channels in the order of the rows.
-    outputs : ndarray, shape (n_outputs, n)
-        Samples, SI; the first one is the rest that the run starts from.
+    Rows of ``outputs`` (SI) are channels in the order of ``names``; the first sample is the rest that the run starts
+    from.
     """
     first: int | None = None
     for row, name in enumerate(names):

@@ -15,7 +15,7 @@ from scipy.interpolate import BarycentricInterpolator
 
 from jounce.core.segments import Segments
 from jounce.core.types import Array
-from jounce.kernel.status import Status
+from jounce.kernel.engine import Status
 from jounce.mechanics.mechanism import BALANCE
 from jounce.simulation.prepare import Prepared
 from jounce.simulation.result import Solution

@@ -68,21 +68,8 @@ class Equilibrium:
 def find_equilibrium(compiled: Compiled, p: Array, u: Array, start: Array | None = None) -> Equilibrium:
     """Solve the static equilibrium for given inputs (their rates taken as zero) by a semi-smooth Newton method.
 
-    Parameters
-    ----------
-    compiled : Compiled
-        The model.
-    p : ndarray, shape (n_parameters,)
-        Parameter values, SI.
-    u : ndarray, shape (n_inputs,)
-        Inputs: value of each track and its rates; rates are set to zero.
-    start : ndarray, shape (n_coordinates,), optional
-        Where to begin; the design pose otherwise.
-
-    Raises
-    ------
-    SimulationError
-        When no equilibrium exists or is found.
+    It begins with the coordinates ``start``, the design pose otherwise. Where no equilibrium exists or is found, there
+    is an error: to start a run from a guess would shake it.
     """
     still = np.zeros_like(u)
     order = compiled.facts.track_order
@@ -143,7 +130,7 @@ def _starts(compiled: Compiled, u: Array, start: Array | None) -> list[Array]:
 def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Equilibrium | None:
     """Newton from ``x``; modes follow the sides of their switches; None when it does not settle on a true balance."""
     n_q, n_v = compiled.facts.counts
-    modes = (compiled.evaluate("switch", x, u, p, np.ones(len(compiled.facts.switches))) > 0.0).astype(float)
+    modes = compiled.sides(x, u, p)
     for _ in range(_ITERATIONS):
         now = _balance(compiled, x, u, p, modes)
         step = (_solve if compiled.facts.projects else _solve_square)(now.matrix, -now.residual)
@@ -252,12 +239,7 @@ def _rest(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> Equ
 def free_motions(loops: Array | None, n_v: int) -> tuple[NDArray[np.intp], Array]:
     """Speeds that can be chosen freely and the motions (n_v, f) that each of them makes, itself being 1.
 
-    Parameters
-    ----------
-    loops : ndarray, shape (k, n_v), or None
-        Jacobian of the loop equations in terms of the speeds.
-    n_v : int
-        Number of speeds.
+    ``loops`` (k, n_v) is the Jacobian of the loop equations in terms of the ``n_v`` speeds.
     """
     if loops is None or not len(loops):
         return np.arange(n_v), np.eye(n_v)
@@ -266,7 +248,8 @@ def free_motions(loops: Array | None, n_v: int) -> tuple[NDArray[np.intp], Array
     null = rows[rank:].T
     free: list[int] = []
     rest = null.copy()
-    for _ in range(null.shape[1]):  # the largest rows, each without what the ones before say
+    # The largest rows, each without what the ones before say: the others then follow without large factors.
+    for _ in range(null.shape[1]):
         row = int(np.argmax(np.linalg.norm(rest, axis=1)))
         free.append(row)
         direction = rest[row] / np.linalg.norm(rest[row])

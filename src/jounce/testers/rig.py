@@ -11,7 +11,7 @@ import numpy as np
 from jounce.core.errors import SimulationError
 from jounce.core.segments import Segments, flat
 from jounce.core.types import Array
-from jounce.kernel.tracks import flatten
+from jounce.kernel.engine import flatten
 from jounce.mechanics.motions import constant
 from jounce.parts.corners import Corner
 from jounce.parts.rig import Rig, structure_of

@@ -7,11 +7,10 @@ import numpy as np
 import pytest
 
 from jounce.core.segments import Segments
-from jounce.kernel import rodas5p
-from jounce.kernel.explicit import Control, Problem
-from jounce.kernel.implicit import integrate
-from jounce.kernel.status import Status
-from jounce.kernel.tracks import fill, fill_rates, flatten
+from jounce.kernel.engine import Control, Problem, Status, flatten
+from jounce.kernel.methods import rosenbrock
+from jounce.kernel.methods.implicit import integrate
+from jounce.kernel.signals import fill, fill_rates
 from jounce.mechanics import System
 from jounce.simulation.compiled import compile_model
 from jounce.simulation.linear_systems import slopes_of
@@ -20,10 +19,10 @@ from jounce.simulation.prepare import room
 
 def as_standard_form():
     """``alpha``, ``gamma`` and the weights of ``k_i = f(..) + gamma J k`` from the form without matrix products."""
-    size, a, b = rodas5p.STAGES, rodas5p.A[:-1], rodas5p.B
-    inverse = np.eye(size) / rodas5p.GAMMA - b
+    size, a, b = rosenbrock.STAGES, rosenbrock.A[:-1], rosenbrock.B
+    inverse = np.eye(size) / rosenbrock.GAMMA - b
     gamma = np.linalg.inv(inverse)
-    return a @ gamma, gamma, rodas5p.A[-1] @ gamma
+    return a @ gamma, gamma, rosenbrock.A[-1] @ gamma
 
 
 def test_coefficients_satisfy_the_order_conditions():
@@ -56,8 +55,8 @@ def test_coefficients_satisfy_the_order_conditions():
 
 def test_coefficients_of_times_follow_from_the_others():
     alpha, gamma, _ = as_standard_form()
-    np.testing.assert_allclose(alpha.sum(axis=1), rodas5p.C, atol=1e-13)
-    np.testing.assert_allclose(gamma.sum(axis=1), rodas5p.D, atol=1e-13)
+    np.testing.assert_allclose(alpha.sum(axis=1), rosenbrock.C, atol=1e-13)
+    np.testing.assert_allclose(gamma.sum(axis=1), rosenbrock.D, atol=1e-13)
 
 
 def test_the_method_forgets_fast_modes():

@@ -8,7 +8,7 @@ from scipy.linalg import expm
 
 from jounce import parts
 from jounce.core.segments import POLYNOMIAL, SINE, Segments
-from jounce.kernel.rows import padded
+from jounce.kernel.methods.rows import padded
 from jounce.models import build
 from jounce.simulation.compiled import compile_model
 from jounce.simulation.prepare import prepare

@@ -6,18 +6,18 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.kernel import dopri5
-from jounce.kernel.dop853 import STAGES
-from jounce.kernel.layout import SHORT_NODES
+from jounce.kernel.engine import LAST_STAGE
+from jounce.kernel.methods import runge_kutta
+from jounce.kernel.methods.runge_kutta import SHORT_NODES
 from jounce.roads import Iso8608, Trial
 from jounce.simulation.compiled import compile_rig
 from jounce.simulation.prepare import prepare
 from jounce.simulation.problem import excitation
 from jounce.simulation.settings import output_times
 
-ROWS = [0, *range(dopri5.FIRST, STAGES + 1)]
-A = np.array([np.zeros(7), *(dopri5.A[row][ROWS] for row in ROWS[1:])])
-B, C, E = A[6], dopri5.C[ROWS], dopri5.E[ROWS]
+ROWS = [0, *range(runge_kutta.SHORT_FIRST, LAST_STAGE + 1)]
+A = np.array([np.zeros(7), *(runge_kutta.SHORT_A[row][ROWS] for row in ROWS[1:])])
+B, C, E = A[6], runge_kutta.SHORT_C[ROWS], runge_kutta.SHORT_E[ROWS]
 
 
 def conditions(b, order):
@@ -48,14 +48,14 @@ def test_the_pair_has_its_orders():
     assert np.max(np.abs(conditions(B, 5))) < 1e-14
     assert np.max(np.abs(conditions(B - E, 4))) < 1e-14
     assert np.max(np.abs(conditions(B - E, 5))) > 1e-4
-    assert SHORT_NODES[STAGES] == 1.0
+    assert SHORT_NODES[LAST_STAGE] == 1.0
 
 
 def test_the_interpolant_is_of_fourth_order():
     """y' = y over steps of halved length: its error inside the step falls by 2^5."""
     errors = []
     for h in (0.4, 0.2):
-        k, d = np.ones(7), dopri5.D[ROWS]
+        k, d = np.ones(7), runge_kutta.SHORT_D[ROWS]
         for i in range(1, 7):
             k[i] = 1.0 + h * A[i] @ k
         change, theta = h * B @ k, np.linspace(0.0, 1.0, 21)
@@ -78,7 +78,7 @@ def test_rough_roads_are_as_accurate_as_smooth_ones(tolerance):
     road = Iso8608(class_="D", length="80 m", step="4 cm", run_in="4 m")
     trial = Trial(road=road, right=road.other_track(), speed="20 m/s", duration="4 s")
     rough, exact = laid(vehicle, trial, tolerance), laid(vehicle, trial, 1e-11)
-    assert rough.problem.engine.first == dopri5.FIRST
+    assert rough.problem.engine.first == runge_kutta.SHORT_FIRST
     assert exact.problem.engine.first == 1
     found, reference = (run.run() for run in (rough, exact))
     count = len(rough.compiled.facts.coordinates)

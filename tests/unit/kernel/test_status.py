@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from jounce.core.segments import flat
-from jounce.kernel.status import Status
+from jounce.kernel.engine import Status
 from jounce.mechanics import System
 from jounce.simulation import prepare as run_module
 from jounce.simulation.compiled import compile_model

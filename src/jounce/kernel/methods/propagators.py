@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from jounce.core.types import Array
 from jounce.kernel.call import call_native, part
-from jounce.kernel.rows import RowLoops, add_rows, padded, row_loops
+from jounce.kernel.methods.rows import RowLoops, add_rows, padded, row_loops
 
 PROBES = (0.0, 0.5, 1.0)
 """Shares of a part of a step at which the switching functions are looked at."""
@@ -85,9 +85,10 @@ class Scratch(NamedTuple):
 class Propagators(NamedTuple):
     """All propagators made so far, for steps of ``step`` s, and the modes each belongs to.
 
-    For each of them ``pace`` is a bound of its rates and those of the waves (rad/s or 1/s), ``terms`` how many terms of
-    a series a jump inside a step takes (0: that is no way for it), and ``kick`` how far, at most, a jump of a signal
-    throws a switching function off the chord of a step. ``used`` is how many there were, and which one is in use.
+    For each of them ``fastest`` is a bound of its rates and those of the waves (rad/s or 1/s), ``terms`` how many terms
+    of a series a jump inside a step takes (0: it has none), and ``kick`` how far, at most, a jump of a
+    signal throws a switching function off the chord of a step. ``used`` is how many there were, and which one is in
+    use.
     """
 
     calls: Calls
@@ -99,7 +100,7 @@ class Propagators(NamedTuple):
     scale: Array
     matrix: Array
     modes: Array
-    pace: Array
+    fastest: Array
     terms: NDArray[np.int64]
     kick: Array
     used: NDArray[np.int64]
@@ -115,20 +116,9 @@ def propagators(
 ) -> Propagators:
     """Make room for propagators; the length of their step is still to be given.
 
-    Parameters
-    ----------
-    calls : Calls
-        Native functions.
-    sizes : tuple of int
-        Numbers of states, of tracks, and for each track of inputs and of signals.
-    slopes : int
-        How many quantities the native function of slopes differentiates.
-    switches : int
-        Number of switching functions.
-    frequency : ndarray
-        Angular frequencies of the sines, rad/s, after a zero.
-    scale : ndarray, shape (n,)
-        Typical sizes of the states.
+    ``sizes`` are numbers of states, of tracks, and for each track of inputs and of signals; ``slopes`` is how many
+    quantities the native function of slopes differentiates; ``frequency`` holds the angular frequencies of the sines
+    (rad/s) after a zero, ``scale`` typical sizes of the states.
     """
     width, count = padded(sizes[0]), min(2 ** min(switches, 60), _MOST)
     layout = _layout(*sizes, waves=len(frequency), width=width)
@@ -181,14 +171,14 @@ def _scratch(layout: Layout, width: int, calls: Calls, slopes: int, switches: in
 def find(problem: Any, props: Any) -> None:
     """Use the propagator of the problem's modes; make it where there is none yet."""
     modes, used = problem.m, props.used
-    for c in range(min(used[0], len(props.pace))):
+    for c in range(min(used[0], len(props.fastest))):
         same = True
         for i in range(len(modes)):
             same = same and props.modes[c, i] == modes[i]
         if same:
             used[1] = c
             return
-    used[1] = used[0] % len(props.pace)  # the oldest makes room
+    used[1] = used[0] % len(props.fastest)  # the oldest makes room
     used[0] += 1
     _build(problem, props, used[1])
 
@@ -199,12 +189,14 @@ def _build(problem: Any, props: Any, c: int) -> None:
     for i in range(len(problem.m)):
         props.modes[c, i] = problem.m[i]
     read_slopes(problem, props, matrix)
-    pace = pace_of(props, matrix)
+    bound = rate_bound(props, matrix)
     for k in range(lay.waves):
-        pace = max(pace, props.frequency[k])
-    props.pace[c] = pace
-    z = pace * props.step
+        bound = max(bound, props.frequency[k])
+    props.fastest[c] = bound
+    z = bound * props.step
     props.terms[c] = terms_for(z, _CLOSE_JUMP) if z <= 1.0 else 0
+    # The series of one step converge fast only up to about one radian; a longer step is a short one squared, again and
+    # again.
     doublings = 0
     while z > 1.0 and doublings < 200:
         z *= 0.5
@@ -247,7 +239,7 @@ def read_slopes(problem: Any, props: Any, matrix: Any) -> None:
 
 
 @part()
-def pace_of(props: Any, matrix: Any) -> float:
+def rate_bound(props: Any, matrix: Any) -> float:
     """Bound of the rates of a model (rad/s or 1/s): a norm of ``A^4`` in typical sizes of the states."""
     n, width, first = props.layout.states, matrix.shape[1], props.layout.slope
     square, scale = props.scratch.square, props.scale
@@ -255,6 +247,8 @@ def pace_of(props: Any, matrix: Any) -> float:
     for i in range(n):
         for d in range(n):
             square[i, d] = matrix[first + i, d] * scale[i] / scale[d]
+    # The norm of A itself overestimates: it multiplies stiffness over mass by speed over displacement. Roots of the
+    # norms of its square and fourth power come closer to the largest eigenvalue, and are bounds as well.
     least = _norm(square, 0, n)
     for power in range(1, 3):
         for i in range(n):
@@ -275,7 +269,7 @@ def _norm(matrix: Any, first: int, count: int) -> float:
         total = 0.0
         for d in range(count):
             total += abs(matrix[i, d])
-        largest = max(largest, total) if total == total else np.inf  # noqa: PLR0124 not a number
+        largest = max(largest, total) if total == total else np.inf  # noqa: PLR0124 - not a number
     return largest
 
 
@@ -377,6 +371,7 @@ def _double(props: Any, matrix: Any, h: float) -> None:
         _turn(props.scratch.turned, props.frequency[wave], h)
         for track in range(lay.tracks):
             _double_forcing(props, matrix, lay.forcing + (wave * lay.tracks + track) * lay.signals)
+    # What acts over the second half acts as over the first, from where the first half has left the state.
     for d in range(width):
         old[0, d] = matrix[lay.drift, d]
         matrix[lay.drift, d] *= 2.0
@@ -384,7 +379,8 @@ def _double(props: Any, matrix: Any, h: float) -> None:
     for j in range(lay.states):
         for d in range(width):
             old[j, d] = matrix[j, d]
-    for j in range(lay.states):  # e^2a - 1 = 2 (e^a - 1) + (e^a - 1)^2
+    # e^2a - 1 = 2 (e^a - 1) + (e^a - 1)^2: kept without the one, slow states lose no digits beside fast ones.
+    for j in range(lay.states):
         for d in range(width):
             matrix[j, d] *= 2.0
         add_rows(props.loops.add, matrix, j, old, 0, old, j * width, lay.states, 1)
@@ -416,6 +412,7 @@ def _turn(turned: Any, w: float, h: float) -> None:
                 turned[i, j] = share
                 share *= h / (j - i + 1)
         return
+    # 1 - cos by the half angle, which loses no digits where the step is short against the wave.
     sine, cosine, half = math.sin(w * h), math.cos(w * h), math.sin(0.5 * w * h)
     turned[0, 1], turned[0, 2] = sine / w, 2.0 * (half / w) ** 2
     turned[1, 1], turned[1, 2] = cosine, sine / w

@@ -15,6 +15,7 @@ from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic
 
+from jounce.kernel.call import array_of, call_address, row_of
 from jounce.kernel.lowering import Lowering
 from jounce.kernel.native import Native, Source, kept_code
 
@@ -179,6 +180,9 @@ def _march(module: ir.Module, width: int, states: int) -> None:
         for value, place in zip(x, kept, strict=True):
             builder.store(value, place)
 
+    # The next state waits for this one through a whole product. With the images of two steps known (e^2a - 1 once
+    # more), every second state is made from the one two steps before, and the chain is half as long. Wide rows have no
+    # registers left.
     paired = builder.and_(count, _INDEX(-2)) if width <= given.vector.count else _INDEX(0)
     if width <= given.vector.count:
         twice = [_applied(builder, image, images, _sum(builder, image, image)) for image in images]
@@ -209,18 +213,6 @@ def _sum(builder: Any, x: list[Any], y: list[Any]) -> list[Any]:
     return [builder.fadd(*pair) for pair in zip(x, y, strict=True)]
 
 
-def _call(builder: Any, address: Any, arguments: list[Any]) -> Any:
-    function = ir.FunctionType(ir.VoidType(), [argument.type for argument in arguments]).as_pointer()
-    builder.call(builder.inttoptr(address, function), arguments)
-    return cgutils.get_null_value(ir.IntType(8).as_pointer())
-
-
-def _row(context: Any, builder: Any, signature: Any, arguments: Any, i: int) -> Any:
-    """Pointer to the row of a matrix that the argument behind it names."""
-    array = context.make_array(signature.args[i])(context, builder, arguments[i])
-    return builder.gep(array.data, [builder.mul(arguments[i + 1], builder.extract_value(array.shape, 1))])
-
-
 @intrinsic  # type: ignore[untyped-decorator]
 def add_rows(
     typing_context: Any,
@@ -239,9 +231,9 @@ def add_rows(
     signature = types.void(integer, to, integer, matrix, integer, weights, integer, integer, integer)
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        weights = context.make_array(signature.args[5])(context, builder, arguments[5])
-        rows = [_row(context, builder, signature, arguments, i) for i in (1, 3)]
-        return _call(builder, arguments[0], [*rows, builder.gep(weights.data, [arguments[6]]), *arguments[7:]])
+        weights = array_of(context, builder, signature, arguments, 5)
+        rows = [row_of(context, builder, signature, arguments, i, i + 1) for i in (1, 3)]
+        return call_address(builder, arguments[0], [*rows, builder.gep(weights.data, [arguments[6]]), *arguments[7:]])
 
     return signature, generate
 
@@ -253,8 +245,8 @@ def set_rows(typing_context: Any, address: Any, to: Any, first: Any, matrix: Any
     signature = types.void(integer, to, integer, matrix, integer, integer)
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        rows = [_row(context, builder, signature, arguments, i) for i in (1, 3)]
-        return _call(builder, arguments[0], [*rows, arguments[5]])
+        rows = [row_of(context, builder, signature, arguments, i, i + 1) for i in (1, 3)]
+        return call_address(builder, arguments[0], [*rows, arguments[5]])
 
     return signature, generate
 
@@ -280,10 +272,10 @@ def march(
     signature = types.void(integer, rows, integer, matrix, integer, integer, signals, to)
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        arrays = {i: context.make_array(signature.args[i])(context, builder, arguments[i]) for i in (1, 3, 6, 7)}
-        forcing = _row(context, builder, signature, arguments, 3)
+        arrays = {i: array_of(context, builder, signature, arguments, i) for i in (1, 3, 6, 7)}
+        forcing = row_of(context, builder, signature, arguments, 3, 4)
         stride = builder.extract_value(arrays[6].shape, 1)
         data = [arrays[1].data, arrays[3].data, forcing, arrays[6].data, arrays[7].data]
-        return _call(builder, arguments[0], [*data, arguments[2], arguments[5], stride])
+        return call_address(builder, arguments[0], [*data, arguments[2], arguments[5], stride])
 
     return signature, generate

@@ -1,0 +1,175 @@
+"""Events: where within a step a switching function leaves the side that its mode stands for, and what happens there.
+
+During a step the modes are held, so that every step integrates a smooth equation, also where its solution is already
+beyond the switch. Only afterwards the functions are looked at; they are cheap beside a step. Each method says how to
+evaluate one of them inside its step (``switch_at(step, share, i)``); the search is the same for all.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from jounce.kernel.call import call_native, call_step, part
+from jounce.kernel.engine import PROBES, RATES, STATE
+from jounce.kernel.signals import fill
+
+_VERTICES = 3  # parabolas followed into a dip: each shrinks the bracket to a quarter
+_NEAR = 0.3  # a dip is followed where its parabola comes within this share of the nearest probe's distance
+_HALVINGS = 16  # the way back to the start of a bracket: 4^-16 of it is the rounding of a share
+_ITERATIONS = 60  # regula falsi needs 5 to 10; a jump that is no root is halved down to rounding in so many
+_LAST_PROBE = len(PROBES)
+
+
+@part(forceinline=True)
+def crossing(switch_at: Any, step: Any, g: Any, band: Any, modes: Any, intervals: int, edge: bool) -> tuple[float, int]:
+    """First share of a step at which a switch leaves its side, and which switch does; (2, -1) when none does.
+
+    ``g`` holds the switching functions at equal distances over the step, from its start on; ``band`` is how far each
+    of them may lie on the wrong side. On a step that starts at an ``edge`` of the input the share is -1 for a switch
+    that the edge has thrown over.
+    """
+    before, first, which = 0.0, 2.0, -1
+    width = 1.0 / intervals
+    for probe in range(intervals + 1):
+        here = probe * width
+        for i in range(len(modes)):
+            side = 1.0 if modes[i] > 0.5 else -1.0
+            share = 2.0
+            if probe == 0:
+                # At the start only an edge can have put a switch on the wrong side. After an event the function is zero
+                # but for rounding there, and the mode just flipped is right.
+                share = -1.0 if edge and side * g[probe, i] < -band[i] else 2.0
+            elif side * g[probe, i] < -band[i]:
+                share = _root(switch_at, step, i, before, here)
+            elif probe > 1:
+                touched = _dip(switch_at, step, g, i, side, band[i], probe, width)
+                if touched > 0.0:  # in this interval or, as parabolas span two, in the one before
+                    share = _root(switch_at, step, i, before if touched > before else 2.0 * before - here, touched)
+            if share < first:
+                first, which = share, i
+        # What is behind the first interval with an event counts for nothing: the laws are others from there on.
+        if which >= 0:
+            break
+        before = here
+    return first, which
+
+
+@part()
+def _dip(switch_at: Any, step: Any, g: Any, i: int, side: float, band: float, probe: int, width: float) -> float:
+    """Where switch ``i`` is on the wrong side between three probes that are all on the right one; -1 where it is not.
+
+    A short contact may begin and end between two probes. Follows the vertices of parabolas, starting with the one
+    through the probes: a smooth function that dips below zero there is nearly one.
+    """
+    middle = probe * width - width
+    low, mid, high = side * g[probe - 2, i], side * g[probe - 1, i], side * g[probe, i]
+    for _ in range(_VERTICES):
+        bend = low - 2.0 * mid + high
+        if bend <= 0.0:  # a hill has no dip
+            return -1.0
+        move = 0.5 * (low - high) / bend
+        depth = mid - 0.125 * (low - high) * (low - high) / bend
+        # The vertex must lie between the outer probes, and low enough that the error of the parabola may hide a dip.
+        if abs(move) > 1.0 or depth > _NEAR * min(low, mid, high):
+            return -1.0
+        vertex = middle + move * width
+        if side * switch_at(step, vertex, i) < -band:
+            return float(vertex)
+        width *= 0.25
+        middle = min(max(vertex, width), 1.0 - width)
+        low = side * switch_at(step, middle - width, i)
+        mid = side * switch_at(step, middle, i)
+        high = side * switch_at(step, middle + width, i)
+        if min(low, mid, high) < -band:
+            return float(middle - width if low < -band else middle if mid < -band else middle + width)
+    return -1.0
+
+
+@part()
+def _root(switch_at: Any, step: Any, i: int, low: float, high: float) -> float:
+    """Locate the zero of switch ``i`` between two shares of a step (Illinois variant of regula falsi).
+
+    The value at ``high`` is beyond the dead band. The one at ``low`` should have the other sign, but where an event has
+    just been passed there it is rounding of either sign: then a point beside it on the right side is looked for, ever
+    nearer to it. Where there is none, the function turned at once, and the event is at ``low``.
+    """
+    g_low = switch_at(step, low, i)
+    g_high = switch_at(step, high, i)
+    start = low
+    for _ in range(_HALVINGS):
+        if g_low * g_high < 0.0:
+            break
+        low = start + 0.25 * (high - start)
+        g_low = switch_at(step, low, i)
+        if g_low * g_high >= 0.0:
+            high, g_high = low, g_low
+    if g_low * g_high >= 0.0:
+        return start
+    for _ in range(_ITERATIONS):
+        share = (low * g_high - high * g_low) / (g_high - g_low)
+        g = switch_at(step, share, i)
+        # Shares are numbers of size one: closer than that they are the same time.
+        if g == 0.0 or abs(high - low) < 1e-13 or abs(share - high) < 1e-14:
+            return float(share)
+        if g * g_high < 0.0:
+            low, g_low = high, g_high
+        else:  # the same end was kept twice: count it for half, else it would stay for ever
+            g_low *= 0.5
+        high, g_high = share, g
+    return high
+
+
+@part()
+def switch_on_interpolant(step: Any, share: float, i: int) -> float:
+    """Switching function ``i`` at a share of a step (problem, work, start in s, length in s) with an interpolant."""
+    problem, work, t, h = step
+    work.times[0] = t + share * h
+    fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
+    call_step(problem.engine.switch_at, work.rows, work.u, problem.p, problem.m, work.g, share)
+    return float(work.g[_LAST_PROBE, i])
+
+
+@part()
+def rate(problem: Any, work: Any, t: float, into: int) -> None:
+    """Rate of the state at ``t``; the input there is left in node 0."""
+    work.times[0] = t
+    fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
+    call_native(problem.engine.rate, work.rows, STATE, work.u, problem.p, problem.m, work.rows, into)
+
+
+@part()
+def flip(problem: Any, work: Any, t: float, which: int, thrown: bool) -> None:
+    """Flip one mode at an event; sensitivities jump there.
+
+    An event that an edge of the input threw has a fixed time, which no parameter moves: nothing jumps.
+    """
+    n, size = len(work.widest), work.rows.shape[1]
+    jumps = size > n and not thrown
+    if jumps:
+        rate(problem, work, t, RATES + 1)
+        call_native(problem.engine.switch_slope, work.rows, STATE, work.u, problem.p, problem.m, work.slope, 0)
+    problem.m[which] = 1.0 - problem.m[which]
+    if jumps:
+        rate(problem, work, t, RATES)
+        _jump_sensitivities(work.rows, work.slope, which, n, (size - n) // n)
+
+
+@part()
+def _jump_sensitivities(rows: Any, slope: Any, which: int, n: int, columns: int) -> None:
+    """Saltation: ``S+ = S- + (f+ - f-) (dg/dx S- + dg/dp) / (dg/dt)``, f- in the second rate and f+ in the first.
+
+    ``slope`` holds for each switch its slopes along the states and time; then, for each, those along the sensitivities.
+    """
+    x, before, after = rows[STATE], rows[RATES + 1], rows[RATES]
+    switches = slope.shape[1] // (n + 1 + columns)
+    row = slope[0, which * (n + 1) : (which + 1) * (n + 1)]
+    shift = slope[0, switches * (n + 1) + which * columns :]
+    speed = row[n]
+    for d in range(n):
+        speed += row[d] * before[d]
+    if abs(speed) < 1e-300:  # it only touches the switch: the time of such an event has no derivative
+        return
+    for d in range(n):
+        jump = (after[d] - before[d]) / speed
+        for c in range(columns):
+            x[n + d * columns + c] += jump * shift[c]
