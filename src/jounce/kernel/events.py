@@ -2,7 +2,7 @@
 
 During a step the modes are held, so that every step integrates a smooth equation, also where its solution is already
 beyond the switch. Only afterwards the functions are looked at; they are cheap beside a step. Each method says how to
-evaluate one of them inside its step (``switch_at(step, share, i)``); the search is the same for all.
+evaluate one of them inside its step (``switch_at(problem, work, t, h, share, i)``); the search is the same for all.
 """
 
 from __future__ import annotations
@@ -21,13 +21,16 @@ _LAST_PROBE = len(PROBES)
 
 
 @part(forceinline=True)
-def crossing(switch_at: Any, step: Any, g: Any, band: Any, modes: Any, intervals: int, edge: bool) -> tuple[float, int]:
+def crossing(
+    switch_at: Any, problem: Any, work: Any, t: float, h: float, g: Any, band: Any, intervals: int, edge: bool
+) -> tuple[float, int]:
     """First share of a step at which a switch leaves its side, and which switch does; (2, -1) when none does.
 
     ``g`` holds the switching functions at equal distances over the step, from its start on; ``band`` is how far each
     of them may lie on the wrong side. On a step that starts at an ``edge`` of the input the share is -1 for a switch
     that the edge has thrown over.
     """
+    modes = problem.m
     before, first, which = 0.0, 2.0, -1
     width = 1.0 / intervals
     for probe in range(intervals + 1):
@@ -40,11 +43,12 @@ def crossing(switch_at: Any, step: Any, g: Any, band: Any, modes: Any, intervals
                 # but for rounding there, and the mode just flipped is right.
                 share = -1.0 if edge and side * g[probe, i] < -band[i] else 2.0
             elif side * g[probe, i] < -band[i]:
-                share = _root(switch_at, step, i, before, here)
+                share = _root(switch_at, problem, work, t, h, i, before, here)
             elif probe > 1:
-                touched = _dip(switch_at, step, g, i, side, band[i], probe, width)
+                touched = _dip(switch_at, problem, work, t, h, g, band[i], i, probe, width)
                 if touched > 0.0:  # in this interval or, as parabolas span two, in the one before
-                    share = _root(switch_at, step, i, before if touched > before else 2.0 * before - here, touched)
+                    low = before if touched > before else 2.0 * before - here
+                    share = _root(switch_at, problem, work, t, h, i, low, touched)
             if share < first:
                 first, which = share, i
         # What is behind the first interval with an event counts for nothing: the laws are others from there on.
@@ -55,13 +59,15 @@ def crossing(switch_at: Any, step: Any, g: Any, band: Any, modes: Any, intervals
 
 
 @part()
-def _dip(switch_at: Any, step: Any, g: Any, i: int, side: float, band: float, probe: int, width: float) -> float:
+def _dip(
+    switch_at: Any, problem: Any, work: Any, t: float, h: float, g: Any, band: float, i: int, probe: int, width: float
+) -> float:
     """Where switch ``i`` is on the wrong side between three probes that are all on the right one; -1 where it is not.
 
     A short contact may begin and end between two probes. Follows the vertices of parabolas, starting with the one
     through the probes: a smooth function that dips below zero there is nearly one.
     """
-    middle = probe * width - width
+    side, middle = 1.0 if problem.m[i] > 0.5 else -1.0, probe * width - width
     low, mid, high = side * g[probe - 2, i], side * g[probe - 1, i], side * g[probe, i]
     for _ in range(_VERTICES):
         bend = low - 2.0 * mid + high
@@ -73,41 +79,41 @@ def _dip(switch_at: Any, step: Any, g: Any, i: int, side: float, band: float, pr
         if abs(move) > 1.0 or depth > _NEAR * min(low, mid, high):
             return -1.0
         vertex = middle + move * width
-        if side * switch_at(step, vertex, i) < -band:
+        if side * switch_at(problem, work, t, h, vertex, i) < -band:
             return float(vertex)
         width *= 0.25
         middle = min(max(vertex, width), 1.0 - width)
-        low = side * switch_at(step, middle - width, i)
-        mid = side * switch_at(step, middle, i)
-        high = side * switch_at(step, middle + width, i)
+        low = side * switch_at(problem, work, t, h, middle - width, i)
+        mid = side * switch_at(problem, work, t, h, middle, i)
+        high = side * switch_at(problem, work, t, h, middle + width, i)
         if min(low, mid, high) < -band:
             return float(middle - width if low < -band else middle if mid < -band else middle + width)
     return -1.0
 
 
 @part()
-def _root(switch_at: Any, step: Any, i: int, low: float, high: float) -> float:
+def _root(switch_at: Any, problem: Any, work: Any, t: float, h: float, i: int, low: float, high: float) -> float:
     """Locate the zero of switch ``i`` between two shares of a step (Illinois variant of regula falsi).
 
     The value at ``high`` is beyond the dead band. The one at ``low`` should have the other sign, but where an event has
     just been passed there it is rounding of either sign: then a point beside it on the right side is looked for, ever
     nearer to it. Where there is none, the function turned at once, and the event is at ``low``.
     """
-    g_low = switch_at(step, low, i)
-    g_high = switch_at(step, high, i)
+    g_low = switch_at(problem, work, t, h, low, i)
+    g_high = switch_at(problem, work, t, h, high, i)
     start = low
     for _ in range(_HALVINGS):
         if g_low * g_high < 0.0:
             break
         low = start + 0.25 * (high - start)
-        g_low = switch_at(step, low, i)
+        g_low = switch_at(problem, work, t, h, low, i)
         if g_low * g_high >= 0.0:
             high, g_high = low, g_low
     if g_low * g_high >= 0.0:
         return start
     for _ in range(_ITERATIONS):
         share = (low * g_high - high * g_low) / (g_high - g_low)
-        g = switch_at(step, share, i)
+        g = switch_at(problem, work, t, h, share, i)
         # Shares are numbers of size one: closer than that they are the same time.
         if g == 0.0 or abs(high - low) < 1e-13 or abs(share - high) < 1e-14:
             return float(share)
@@ -120,9 +126,8 @@ def _root(switch_at: Any, step: Any, i: int, low: float, high: float) -> float:
 
 
 @part()
-def switch_on_interpolant(step: Any, share: float, i: int) -> float:
-    """Switching function ``i`` at a share of a step (problem, work, start in s, length in s) with an interpolant."""
-    problem, work, t, h = step
+def switch_on_interpolant(problem: Any, work: Any, t: float, h: float, share: float, i: int) -> float:
+    """Switching function ``i`` at a share of a step with an interpolant."""
     work.times[0] = t + share * h
     fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
     call_step(problem.engine.switch_at, work.rows, work.u, problem.p, problem.m, work.g, share)

@@ -1,6 +1,6 @@
 """The way through a run by steps whose error is controlled, the same for explicit and implicit methods.
 
-A method brings three functions (Numba makes one loop of them and the way for each method):
+A method brings three functions, which are compiled into its loop (``way_through``):
 
 - ``look(problem, method, work, t, changed)`` prepares a step from the state, which has moved; where the input or the
   laws are others than before, ``changed`` says so;
@@ -88,114 +88,117 @@ def _close(problem: Any, work: Any, t: float) -> int:
     return LOOP_OPENED
 
 
-@part(forceinline=True)  # as an argument of a call a function would be an address, which cannot be kept on disk
-def walk(
-    look: Any,
-    step: Any,
-    dense: Any,
-    method: Any,
-    problem: Any,
-    feedback: Any,
-    control: Any,
-    work: Any,
-    out: Any,
-    counts: Any,
-) -> int:
-    """Go from the first sample to the last; give a status code.
+def way_through(look: Any, step: Any, dense: Any) -> Any:
+    """Make the loop of a method from its three functions."""
 
-    ``method.first`` is the first step to try (s); ``method.waits`` says that no step grows right after a rejected one.
-    """
-    times = out.times
-    t, end = times[0], times[-1]
-    slack = 1e-12 * max(1.0, abs(end))  # rounding of times: what is closer together is the same instant
-    edge = instant = t  # the run begins with an edge and a control instant, so that pieces and commands are set there
-    h, stalled = min(method.first, end - t, control.longest), 0
-    at_edge = moved = changed = True
-    rejected = False
-    while t < end - slack:
-        if min(edge, instant) <= t + slack:
-            if edge <= t + slack:
-                edge = advance(problem.tracks, problem.piece, t, slack)
-            if feedback.law == 0:
-                instant = np.inf
-            elif instant <= t + slack:
-                status = regulate(problem, feedback, work.rows, t)
+    @part()
+    def walk(method: Any, problem: Any, feedback: Any, control: Any, work: Any, out: Any, counts: Any) -> int:
+        """Go from the first sample to the last; give a status code.
+
+        ``method.first`` is the first step to try (s); ``method.waits`` says that no step grows right after a rejected one.
+        """
+        times = out.times
+        t, end = times[0], times[-1]
+        slack = 1e-12 * max(1.0, abs(end))  # rounding of times: what is closer together is the same instant
+        edge = instant = (
+            t  # the run begins with an edge and a control instant, so that pieces and commands are set there
+        )
+        h, stalled = min(method.first, end - t, control.longest), 0
+        at_edge = moved = changed = True
+        rejected = False
+        while t < end - slack:
+            if min(edge, instant) <= t + slack:
+                if edge <= t + slack:
+                    edge = advance(problem.tracks, problem.piece, t, slack)
+                if feedback.law == 0:
+                    instant = np.inf
+                elif instant <= t + slack:
+                    status = regulate(problem, feedback, work.rows, t)
+                    if status != COMPLETED:
+                        return int(status)
+                    # counted from the start: a sum of periods would drift away from the clock of the samples
+                    instant = times[0] + feedback.period * feedback.instants[0]
+                changed = True
+            if moved or changed:
+                look(problem, method, work, t, changed)
+                moved = changed = False
+            stop = min(edge, instant, end)
+            tried = stop - t if stop - t < 1.1 * h else h  # a tenth more spares a tiny step behind a whole one
+            if counts[0] + counts[1] >= control.max_steps:
+                return TOO_MANY_STEPS
+            if tried < 1e-14 * max(1.0, abs(t)):
+                return STEP_TOO_SMALL
+            factor = step(problem, method, control, work, t, tried)
+            share, which = (1.0, -1) if factor > 0.0 else (0.0, -1)
+            factor = abs(factor)
+            if share > 0.0:
+                switches = len(problem.m) > 0
+                sampled = work.marks[0] < len(times) and times[work.marks[0]] < t + tried - slack
+                if sampled or switches:  # most steps between dense edges show no sample and need no interpolant
+                    dense(problem, method, work, t, tried)
+                if switches:
+                    call_step(problem.engine.probe, work.rows, work.u, problem.p, problem.m, work.g, 0.0)
+                    event, which = crossing(
+                        switch_on_interpolant,
+                        problem,
+                        work,
+                        t,
+                        tried,
+                        work.g,
+                        control.dead_band,
+                        _INTERVALS,
+                        at_edge,
+                    )
+                    if which >= 0:
+                        share, factor = (
+                            event,
+                            max(1.0 - event, 0.1),
+                        )  # behind the event what is left of the step is tried
+                        if (
+                            0.0 < share < 1.0
+                        ):  # the interpolant is less exact than a step, so there is one up to the event
+                            step(problem, method, control, work, t, share * tried)
+                            dense(problem, method, work, t, share * tried)
+            # A step cut short by an edge says little of how long the next may be: h is kept, unless it has to shrink.
+            if which >= 0 or share == 0.0 or factor < 1.0:
+                h = tried * factor
+            else:
+                h = tried if method.waits and rejected else max(h, tried * factor)
+            h = min(h, control.longest)
+            rejected = share == 0.0 and which < 0
+            if share * tried <= slack * 1e-3:
+                if which < 0:
+                    counts[1] += 1
+                    if h < 1e-12 * max(1.0, abs(t)):  # rates without a number shrink steps by ten, stiff ones by less
+                        return NOT_FINITE if factor <= 0.1 else STEP_TOO_SMALL
+                    continue
+                # Several switches may flip at one instant (both wheels of an axle on one edge), but not for ever.
+                stalled += 1
+                if stalled > _STALLED * len(problem.m):
+                    return CHATTER
+                h = tried
+            else:
+                stalled = 0
+                counts[0] += 1
+                now = t + share * tried
+                now = stop if stop - now <= slack else now
+                place_samples(problem, work, t, share * tried, now - slack, out)
+                t = now
+                status = _arrive(problem, work, t)
                 if status != COMPLETED:
                     return int(status)
-                # counted from the start: a sum of periods would drift away from the clock of the samples
-                instant = times[0] + feedback.period * feedback.instants[0]
-            changed = True
-        if moved or changed:
-            look(problem, method, work, t, changed)
-            moved = changed = False
-        stop = min(edge, instant, end)
-        tried = stop - t if stop - t < 1.1 * h else h  # a tenth more spares a tiny step behind a whole one
-        if counts[0] + counts[1] >= control.max_steps:
-            return TOO_MANY_STEPS
-        if tried < 1e-14 * max(1.0, abs(t)):
-            return STEP_TOO_SMALL
-        factor = step(problem, method, control, work, t, tried)
-        share, which = (1.0, -1) if factor > 0.0 else (0.0, -1)
-        factor = abs(factor)
-        if share > 0.0:
-            switches = len(problem.m) > 0
-            sampled = work.marks[0] < len(times) and times[work.marks[0]] < t + tried - slack
-            if sampled or switches:  # most steps between dense edges show no sample and need no interpolant
-                dense(problem, method, work, t, tried)
-            if switches:
-                call_step(problem.engine.probe, work.rows, work.u, problem.p, problem.m, work.g, 0.0)
-                event, which = crossing(
-                    switch_on_interpolant,
-                    (problem, work, t, tried),
-                    work.g,
-                    control.dead_band,
-                    problem.m,
-                    _INTERVALS,
-                    at_edge,
-                )
-                if which >= 0:
-                    share, factor = event, max(1.0 - event, 0.1)  # behind the event what is left of the step is tried
-                    if 0.0 < share < 1.0:  # the interpolant is less exact than a step, so there is one up to the event
-                        step(problem, method, control, work, t, share * tried)
-                        dense(problem, method, work, t, share * tried)
-        # A step cut short by an edge says little of how long the next may be: h is kept, unless it has to shrink.
-        if which >= 0 or share == 0.0 or factor < 1.0:
-            h = tried * factor
-        else:
-            h = tried if method.waits and rejected else max(h, tried * factor)
-        h = min(h, control.longest)
-        rejected = share == 0.0 and which < 0
-        if share * tried <= slack * 1e-3:
-            if which < 0:
-                counts[1] += 1
-                if h < 1e-12 * max(1.0, abs(t)):  # rates without a number shrink steps by ten, stiff ones by less
-                    return NOT_FINITE if factor <= 0.1 else STEP_TOO_SMALL
-                continue
-            # Several switches may flip at one instant (both wheels of an axle on one edge), but not for ever.
-            stalled += 1
-            if stalled > _STALLED * len(problem.m):
-                return CHATTER
-            h = tried
-        else:
-            stalled = 0
-            counts[0] += 1
-            now = t + share * tried
-            now = stop if stop - now <= slack else now
-            place_samples(problem, work, t, share * tried, now - slack, out)
-            t = now
-            status = _arrive(problem, work, t)
-            if status != COMPLETED:
-                return int(status)
-            moved, at_edge = True, min(edge, instant) <= t + slack
-        if which >= 0:
-            finish_samples(problem, work, out)  # outputs are those of the modes that still hold
-            flip(problem, work, t, which, share < 0.0)
-            counts[2] += 1
-            changed = True
-    advance(problem.tracks, problem.piece, t, slack)
-    # The last sample is at the end of the last step, where the state is: an interpolant that stays there gives it.
-    for i in range(DENSE, ROWS):
-        for d in range(work.rows.shape[1]):
-            work.rows[i, d] = 0.0
-    place_samples(problem, work, t, 1.0, np.inf, out)
-    return COMPLETED
+                moved, at_edge = True, min(edge, instant) <= t + slack
+            if which >= 0:
+                finish_samples(problem, work, out)  # outputs are those of the modes that still hold
+                flip(problem, work, t, which, share < 0.0)
+                counts[2] += 1
+                changed = True
+        advance(problem.tracks, problem.piece, t, slack)
+        # The last sample is at the end of the last step, where the state is: an interpolant that stays there gives it.
+        for i in range(DENSE, ROWS):
+            for d in range(work.rows.shape[1]):
+                work.rows[i, d] = 0.0
+        place_samples(problem, work, t, 1.0, np.inf, out)
+        return COMPLETED
+
+    return walk

@@ -699,7 +699,7 @@ def _look(run: Any, share: float, row: int) -> None:
 
 
 @part()
-def _switch_at(run: Any, share: float, i: int) -> float:
+def _switch_at(problem: Any, run: Any, t: float, length: float, share: float, i: int) -> float:
     """One switching function at a share of the part."""
     _look(run, share, len(PROBES))
     return float(run.props.scratch.switches[len(PROBES), i])
@@ -714,5 +714,6 @@ def _crossing(run: Any) -> tuple[float, int]:
     g = run.props.scratch.switches
     for probe in range(1, _INTERVALS + 1):
         _look(run, PROBES[probe], probe)
-    share, which = crossing(_switch_at, run, g, run.band, run.problem.m, _INTERVALS, edge=False)
+    at, length = run.part[0], run.part[1]
+    share, which = crossing(_switch_at, run.problem, run, at, length, g, run.band, _INTERVALS, edge=False)
     return share, which

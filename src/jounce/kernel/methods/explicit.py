@@ -27,7 +27,7 @@ from jounce.kernel.engine import (
     scratch,
 )
 from jounce.kernel.events import rate
-from jounce.kernel.methods.adaptive import inputs, walk
+from jounce.kernel.methods.adaptive import inputs, way_through
 from jounce.kernel.methods.runge_kutta import NODES, SHORT_FIRST, SHORT_NODES
 from jounce.kernel.signals import finish_samples
 
@@ -91,8 +91,11 @@ def integrate(
     return int(_integrate(problem, feedback, Pair(), control, work, out, counts))
 
 
+_walk = way_through(_look, _step, _dense)
+
+
 @compiled()
 def _integrate(problem: Any, feedback: Any, method: Any, control: Any, work: Any, out: Any, counts: Any) -> int:
-    status = walk(_look, _step, _dense, method, problem, feedback, control, work, out, counts)
+    status = _walk(method, problem, feedback, control, work, out, counts)
     finish_samples(problem, work, out)
     return int(status)

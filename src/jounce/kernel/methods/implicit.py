@@ -28,7 +28,7 @@ from jounce.kernel.engine import (
     Samples,
     scratch,
 )
-from jounce.kernel.methods.adaptive import inputs, walk
+from jounce.kernel.methods.adaptive import inputs, way_through
 from jounce.kernel.methods.rosenbrock import GAMMA, STAGE_RATE, STAGES, C
 from jounce.kernel.methods.runge_kutta import NODES
 from jounce.kernel.signals import fill, fill_rates, finish_samples
@@ -160,8 +160,11 @@ def integrate(problem: Problem, slopes: Slopes, control: Control, out: Samples, 
     return int(_integrate(problem, NO_FEEDBACK, method, control, work, out, counts))
 
 
+_walk = way_through(_look, _step, _dense)
+
+
 @compiled()
 def _integrate(problem: Any, feedback: Any, method: Any, control: Any, work: Any, out: Any, counts: Any) -> int:
-    status = walk(_look, _step, _dense, method, problem, feedback, control, work, out, counts)
+    status = _walk(method, problem, feedback, control, work, out, counts)
     finish_samples(problem, work, out)
     return int(status)
