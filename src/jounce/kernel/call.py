@@ -45,7 +45,10 @@ def part(**options: Any) -> Callable[[Callable[..., Any]], Any]:
 
     def compile_one(function: Callable[..., Any]) -> Any:
         inner = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-        dispatcher = njit(error_model="numpy", _nrt=False, **inner, **options)(function)
+        # A part inherits what it does not say from the one that calls it first: without a word, all that a part that is
+        # to be inlined calls would be inlined, too, and loops compile for twice as long.
+        settings = {"forceinline": False, **inner, **options}
+        dispatcher = njit(error_model="numpy", _nrt=False, **settings)(function)
         template = dispatcher.get_call_template
 
         def one_for_all_numbers(arguments: Any, keywords: Any) -> Any:

@@ -20,109 +20,113 @@ _ITERATIONS = 60  # regula falsi needs 5 to 10; a jump that is no root is halved
 _LAST_PROBE = len(PROBES)
 
 
-@part(forceinline=True)
-def crossing(
-    switch_at: Any, problem: Any, work: Any, t: float, h: float, g: Any, band: Any, intervals: int, edge: bool
-) -> tuple[float, int]:
-    """First share of a step at which a switch leaves its side, and which switch does; (2, -1) when none does.
+def locator(switch_at: Any) -> Any:
+    """Make the search for events from what a method gives to evaluate one switching function inside its step."""
 
-    ``g`` holds the switching functions at equal distances over the step, from its start on; ``band`` is how far each
-    of them may lie on the wrong side. On a step that starts at an ``edge`` of the input the share is -1 for a switch
-    that the edge has thrown over.
-    """
-    modes = problem.m
-    before, first, which = 0.0, 2.0, -1
-    width = 1.0 / intervals
-    for probe in range(intervals + 1):
-        here = probe * width
-        for i in range(len(modes)):
-            side = 1.0 if modes[i] > 0.5 else -1.0
-            share = 2.0
-            if probe == 0:
-                # At the start only an edge can have put a switch on the wrong side. After an event the function is zero
-                # but for rounding there, and the mode just flipped is right.
-                share = -1.0 if edge and side * g[probe, i] < -band[i] else 2.0
-            elif side * g[probe, i] < -band[i]:
-                share = _root(switch_at, problem, work, t, h, i, before, here)
-            elif probe > 1:
-                touched = _dip(switch_at, problem, work, t, h, g, band[i], i, probe, width)
-                if touched > 0.0:  # in this interval or, as parabolas span two, in the one before
-                    low = before if touched > before else 2.0 * before - here
-                    share = _root(switch_at, problem, work, t, h, i, low, touched)
-            if share < first:
-                first, which = share, i
-        # What is behind the first interval with an event counts for nothing: the laws are others from there on.
-        if which >= 0:
-            break
-        before = here
-    return first, which
+    @part()
+    def root(problem: Any, work: Any, t: float, h: float, i: int, low: float, high: float) -> float:
+        """Locate the zero of switch ``i`` between two shares of a step (Illinois variant of regula falsi).
 
-
-@part()
-def _dip(
-    switch_at: Any, problem: Any, work: Any, t: float, h: float, g: Any, band: float, i: int, probe: int, width: float
-) -> float:
-    """Where switch ``i`` is on the wrong side between three probes that are all on the right one; -1 where it is not.
-
-    A short contact may begin and end between two probes. Follows the vertices of parabolas, starting with the one
-    through the probes: a smooth function that dips below zero there is nearly one.
-    """
-    side, middle = 1.0 if problem.m[i] > 0.5 else -1.0, probe * width - width
-    low, mid, high = side * g[probe - 2, i], side * g[probe - 1, i], side * g[probe, i]
-    for _ in range(_VERTICES):
-        bend = low - 2.0 * mid + high
-        if bend <= 0.0:  # a hill has no dip
-            return -1.0
-        move = 0.5 * (low - high) / bend
-        depth = mid - 0.125 * (low - high) * (low - high) / bend
-        # The vertex must lie between the outer probes, and low enough that the error of the parabola may hide a dip.
-        if abs(move) > 1.0 or depth > _NEAR * min(low, mid, high):
-            return -1.0
-        vertex = middle + move * width
-        if side * switch_at(problem, work, t, h, vertex, i) < -band:
-            return float(vertex)
-        width *= 0.25
-        middle = min(max(vertex, width), 1.0 - width)
-        low = side * switch_at(problem, work, t, h, middle - width, i)
-        mid = side * switch_at(problem, work, t, h, middle, i)
-        high = side * switch_at(problem, work, t, h, middle + width, i)
-        if min(low, mid, high) < -band:
-            return float(middle - width if low < -band else middle if mid < -band else middle + width)
-    return -1.0
-
-
-@part()
-def _root(switch_at: Any, problem: Any, work: Any, t: float, h: float, i: int, low: float, high: float) -> float:
-    """Locate the zero of switch ``i`` between two shares of a step (Illinois variant of regula falsi).
-
-    The value at ``high`` is beyond the dead band. The one at ``low`` should have the other sign, but where an event has
-    just been passed there it is rounding of either sign: then a point beside it on the right side is looked for, ever
-    nearer to it. Where there is none, the function turned at once, and the event is at ``low``.
-    """
-    g_low = switch_at(problem, work, t, h, low, i)
-    g_high = switch_at(problem, work, t, h, high, i)
-    start = low
-    for _ in range(_HALVINGS):
-        if g_low * g_high < 0.0:
-            break
-        low = start + 0.25 * (high - start)
+        The value at ``high`` is beyond the dead band. The one at ``low`` should have the other sign, but where an event
+        has just been passed there it is rounding of either sign: then a point beside it on the right side is looked
+        for, ever nearer to it. Where there is none, the function turned at once, and the event is at ``low``.
+        """
         g_low = switch_at(problem, work, t, h, low, i)
+        g_high = switch_at(problem, work, t, h, high, i)
+        start = low
+        for _ in range(_HALVINGS):
+            if g_low * g_high < 0.0:
+                break
+            low = start + 0.25 * (high - start)
+            g_low = switch_at(problem, work, t, h, low, i)
+            if g_low * g_high >= 0.0:
+                high, g_high = low, g_low
         if g_low * g_high >= 0.0:
-            high, g_high = low, g_low
-    if g_low * g_high >= 0.0:
-        return start
-    for _ in range(_ITERATIONS):
-        share = (low * g_high - high * g_low) / (g_high - g_low)
-        g = switch_at(problem, work, t, h, share, i)
-        # Shares are numbers of size one: closer than that they are the same time.
-        if g == 0.0 or abs(high - low) < 1e-13 or abs(share - high) < 1e-14:
-            return float(share)
-        if g * g_high < 0.0:
-            low, g_low = high, g_high
-        else:  # the same end was kept twice: count it for half, else it would stay for ever
-            g_low *= 0.5
-        high, g_high = share, g
-    return high
+            return start
+        for _ in range(_ITERATIONS):
+            share = (low * g_high - high * g_low) / (g_high - g_low)
+            g = switch_at(problem, work, t, h, share, i)
+            # Shares are numbers of size one: closer than that they are the same time.
+            if g == 0.0 or abs(high - low) < 1e-13 or abs(share - high) < 1e-14:
+                return float(share)
+            if g * g_high < 0.0:
+                low, g_low = high, g_high
+            else:  # the same end was kept twice: count it for half, else it would stay for ever
+                g_low *= 0.5
+            high, g_high = share, g
+        return high
+
+    @part()
+    def dip(
+        problem: Any, work: Any, t: float, h: float, g: Any, band: float, i: int, probe: int, width: float
+    ) -> float:
+        """Where switch ``i`` is on the wrong side between three probes that are all on the right one; -1: nowhere.
+
+        A short contact may begin and end between two probes. Follows the vertices of parabolas, starting with the one
+        through the probes: a smooth function that dips below zero there is nearly one.
+        """
+        side, middle = 1.0 if problem.m[i] > 0.5 else -1.0, probe * width - width
+        low, mid, high = side * g[probe - 2, i], side * g[probe - 1, i], side * g[probe, i]
+        for _ in range(_VERTICES):
+            bend = low - 2.0 * mid + high
+            if bend <= 0.0:  # a hill has no dip
+                return -1.0
+            move = 0.5 * (low - high) / bend
+            depth = mid - 0.125 * (low - high) * (low - high) / bend
+            # The vertex must lie between the outer probes, and low enough that the error of the parabola may hide a
+            # dip.
+            if abs(move) > 1.0 or depth > _NEAR * min(low, mid, high):
+                return -1.0
+            vertex = middle + move * width
+            if side * switch_at(problem, work, t, h, vertex, i) < -band:
+                return float(vertex)
+            width *= 0.25
+            middle = min(max(vertex, width), 1.0 - width)
+            low = side * switch_at(problem, work, t, h, middle - width, i)
+            mid = side * switch_at(problem, work, t, h, middle, i)
+            high = side * switch_at(problem, work, t, h, middle + width, i)
+            if min(low, mid, high) < -band:
+                return float(middle - width if low < -band else middle if mid < -band else middle + width)
+        return -1.0
+
+    @part(forceinline=True)
+    def crossing(
+        problem: Any, work: Any, t: float, h: float, g: Any, band: Any, intervals: int, edge: bool
+    ) -> tuple[float, int]:
+        """First share of a step at which a switch leaves its side, and which switch does; (2, -1) when none does.
+
+        ``g`` holds the switching functions at equal distances over the step, from its start on; ``band`` is how far
+        each of them may lie on the wrong side. On a step that starts at an ``edge`` of the input the share is -1 for a
+        switch that the edge has thrown over.
+        """
+        modes = problem.m
+        before, first, which = 0.0, 2.0, -1
+        width = 1.0 / intervals
+        for probe in range(intervals + 1):
+            here = probe * width
+            for i in range(len(modes)):
+                side = 1.0 if modes[i] > 0.5 else -1.0
+                share = 2.0
+                if probe == 0:
+                    # At the start only an edge can have put a switch on the wrong side. After an event the function is
+                    # zero but for rounding there, and the mode just flipped is right.
+                    share = -1.0 if edge and side * g[probe, i] < -band[i] else 2.0
+                elif side * g[probe, i] < -band[i]:
+                    share = root(problem, work, t, h, i, before, here)
+                elif probe > 1:
+                    touched = dip(problem, work, t, h, g, band[i], i, probe, width)
+                    if touched > 0.0:  # in this interval or, as parabolas span two, in the one before
+                        low = before if touched > before else 2.0 * before - here
+                        share = root(problem, work, t, h, i, low, touched)
+                if share < first:
+                    first, which = share, i
+            # What is behind the first interval with an event counts for nothing: the laws are others from there on.
+            if which >= 0:
+                break
+            before = here
+        return first, which
+
+    return crossing
 
 
 @part()
@@ -132,6 +136,10 @@ def switch_on_interpolant(problem: Any, work: Any, t: float, h: float, share: fl
     fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
     call_step(problem.engine.switch_at, work.rows, work.u, problem.p, problem.m, work.g, share)
     return float(work.g[_LAST_PROBE, i])
+
+
+crossing = locator(switch_on_interpolant)
+"""The search on the interpolant of an adaptive step."""
 
 
 @part()

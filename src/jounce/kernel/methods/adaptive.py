@@ -34,7 +34,7 @@ from jounce.kernel.engine import (
     STEP_TOO_SMALL,
     TOO_MANY_STEPS,
 )
-from jounce.kernel.events import crossing, flip, switch_on_interpolant
+from jounce.kernel.events import crossing, flip
 from jounce.kernel.signals import advance, fill, finish_samples, place_samples, regulate
 
 _LAST_RATE, _INTERVALS = RATES + LAST_STAGE, len(PROBES) - 1
@@ -95,7 +95,7 @@ def way_through(look: Any, step: Any, dense: Any) -> Any:
     def walk(method: Any, problem: Any, feedback: Any, control: Any, work: Any, out: Any, counts: Any) -> int:
         """Go from the first sample to the last; give a status code.
 
-        ``method.first`` is the first step to try (s); ``method.waits`` says that no step grows right after a rejected one.
+        ``method.first`` is the first step to try (s); where ``method.waits``, no step grows right after a rejected one.
         """
         times = out.times
         t, end = times[0], times[-1]
@@ -138,17 +138,7 @@ def way_through(look: Any, step: Any, dense: Any) -> Any:
                     dense(problem, method, work, t, tried)
                 if switches:
                     call_step(problem.engine.probe, work.rows, work.u, problem.p, problem.m, work.g, 0.0)
-                    event, which = crossing(
-                        switch_on_interpolant,
-                        problem,
-                        work,
-                        t,
-                        tried,
-                        work.g,
-                        control.dead_band,
-                        _INTERVALS,
-                        at_edge,
-                    )
+                    event, which = crossing(problem, work, t, tried, work.g, control.dead_band, _INTERVALS, at_edge)
                     if which >= 0:
                         share, factor = (
                             event,

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from jounce.core.types import Array
 from jounce.kernel.call import call_many, call_native, compiled, part, sine_and_cosine
 from jounce.kernel.engine import CHATTER, COMPLETED, NOT_FINITE, TOO_MANY_STEPS, Control, Problem, Samples, Tracks
-from jounce.kernel.events import crossing
+from jounce.kernel.events import locator
 from jounce.kernel.methods.propagators import (
     PROBES,
     TERMS,
@@ -705,6 +705,9 @@ def _switch_at(problem: Any, run: Any, t: float, length: float, share: float, i:
     return float(run.props.scratch.switches[len(PROBES), i])
 
 
+_locate = locator(_switch_at)
+
+
 @part()
 def _crossing(run: Any) -> tuple[float, int]:
     """First share of the part at which a switch leaves its side, and which; (2, -1) when none does.
@@ -715,5 +718,5 @@ def _crossing(run: Any) -> tuple[float, int]:
     for probe in range(1, _INTERVALS + 1):
         _look(run, PROBES[probe], probe)
     at, length = run.part[0], run.part[1]
-    share, which = crossing(_switch_at, run.problem, run, at, length, g, run.band, _INTERVALS, edge=False)
+    share, which = _locate(run.problem, run, at, length, g, run.band, _INTERVALS, False)
     return share, which
