@@ -174,7 +174,7 @@ def _what_was_done(result: CampaignResult) -> str:
     first = f"Bench measurements characterise {_listed(measured)}. " if measured else ""
     free = dict.fromkeys(path for strategy in result.strategies for path in strategy.update.parameters)
     second = (
-        f"{len(result.strategies)} of {_count(len(asked.update), 'planned update')} completed, fitting "
+        f"{len(result.strategies)} of {_count(len(asked.update), 'planned update')} were completed; fitted: "
         f"{_listed(list(free))}. "
         if result.strategies
         else "No parameter was updated. "
