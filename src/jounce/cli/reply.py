@@ -33,23 +33,11 @@ DONE, FAILED, REFUSED, STOPPED, PIPE_CLOSED = 0, 1, 2, 130, 141
 
 @dataclass(frozen=True)
 class Reply:
-    """Answer of one command.
+    """Answer of one command."""
 
-    Attributes
-    ----------
-    plain : mapping
-        What ``--json`` prints: names to plain values in SI.
-    draw : callable
-        Prints the same for people on the console it is given.
-    as_json : bool
-        Which of the two is wanted.
-    exit_code : int
-        What the process ends with.
-    """
-
-    plain: Mapping[str, Any]
-    draw: Callable[[Console], None]
-    as_json: bool = False
+    plain: Mapping[str, Any]  # what --json prints: names to plain values in SI
+    draw: Callable[[Console], None]  # prints the same for people on the console it is given
+    as_json: bool = False  # which of the two is wanted
     exit_code: int = DONE
 
     def show(self) -> int:

@@ -52,26 +52,11 @@ def inspection_curves(
     height: float = 1.9,
     width: float = 8.6,
 ) -> Figure:
-    """Draw the curves of both wheels of an axle beside each other.
+    """Draw the curves of both wheels of an axle beside each other; ``height`` and ``width`` are in inches.
 
-    Parameters
-    ----------
-    inspection : Inspection
-        As ``evaluate`` or ``grade`` give it; wheels without curves are left out.
-    record : xarray.Dataset, optional
-        The record, whose plate forces (N) are drawn over time (s).
-    language : {"en", "de"}
-        Of labels; German numbers have a comma.
-    phase_limit : float, optional
-        Of the least phase angle in degrees, drawn as a line.
-    height, width : float
-        Inches.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        On a rigid plate force amplitude and phase angle over frequency, on a sprung one the plate's amplitude; with a
-        record the plate force over time.
+    On a rigid plate force amplitude and phase angle over frequency, with the limit of the least phase angle (degrees);
+    on a sprung one the plate's amplitude; with a record also the plate force (N) over time (s). Wheels without curves
+    are left out; labels are in English or German.
 
     Examples
     --------
