@@ -170,8 +170,8 @@ class Motion:
     poses: Poses
     road: Roadway | None
     title: str
-    slow: float = 5.0  # how many times slower than in reality a run is played
-    say: Callable[[str], None] = lambda _: None
+    slow: float  # how many times slower than in reality a run is played
+    say: Callable[[str], None]  # told one line of text as the work goes on
 
     @property
     def order(self) -> list[int]:
