@@ -80,7 +80,7 @@ def test_animate_says_when_nothing_happens(cli, bump: Path) -> None:
         (("draw", RIG, *TRAVEL, "--rack", "-1 mm:1 mm:1 mm"), "only one motion can be swept"),
         (("draw", RIG, "--travel", "5 kg"), "--travel"),
         (("animate", RIG, "--out", "a.html"), "no motion is given"),
-        (("animate", RIG, *TRAVEL, "--speed", "1 m/s", "--out", "a.html"), "at once"),
+        (("animate", RIG, *TRAVEL, "--speed", "1 m/s", "--out", "a.html"), "both a sweep and a run"),
         (("animate", RIG, *TRAVEL, "--out", "a.avi"), "not written in this format"),
         (("animate", RIG, *TRAVEL, "--slow", "0", "--out", "a.html"), "--slow"),
         (("animate", RIG, *TRAVEL, "--between", "5 mm", "--out", "a.html"), "not a range"),

@@ -36,8 +36,8 @@ if TYPE_CHECKING:
 
 
 _TO_THE_END = (
-    "otherwise until the rear axle reaches the end of the road, or until the front axle "
-    "reaches it if the road ends at another height than it begins."
+    "otherwise until the rear axle reaches the end of the road, the front axle being a wheelbase beyond it, or until "
+    "the front axle reaches it if the road ends at another height than it begins."
 )
 RideRoad = Annotated[
     str, typer.Option(help="A class of ISO 8608 (iso:A to iso:H), a road file, or a name of `jounce library`.")

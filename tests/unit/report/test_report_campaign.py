@@ -140,7 +140,7 @@ def test_first_curves_are_open_and_all_are_there(html: str) -> None:
 
 
 def test_validation_table_holds_the_results(result: CampaignResult) -> None:
-    rows = table_named(campaign_page(result), "Model against measurement").rows
+    rows = table_named(campaign_page(result), "Model compared with measurement").rows
     assert [text_of(row[0]) for row in rows] == ["1", "", "2", "", "3", ""]
     for trial, row in zip(result.trials, rows[::2], strict=True):
         channel = trial.after.channels["sprung.az"]
@@ -212,7 +212,7 @@ def test_without_bench_updates_and_usable_trials(result: CampaignResult, tmp_pat
     write_campaign(bare, tmp_path / "out")
     html = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
     assert "contains no bench measurements" in html
-    assert "No update was asked for" in html
+    assert "No update was requested" in html
     assert "Nothing to report." in html
     assert html.count("not usable") >= 3
 
