@@ -56,7 +56,7 @@ def locator(switch_at: Any) -> Any:
             high, g_high = share, g
         return high
 
-    @part()
+    @part(forceinline=True)  # asked in every step, and a call copies all that it is given
     def dip(
         problem: Any, work: Any, t: float, h: float, g: Any, band: float, i: int, probe: int, width: float
     ) -> float:
@@ -142,7 +142,7 @@ crossing = locator(switch_on_interpolant)
 """The search on the interpolant of an adaptive step."""
 
 
-@part()
+@part(forceinline=True)
 def rate(problem: Any, work: Any, t: float, into: int) -> None:
     """Rate of the state at ``t``; the input there is left in node 0."""
     work.times[0] = t

@@ -102,7 +102,7 @@ def fill_rates(tracks: Any, piece: Any, t: float, u: Any) -> None:
             u[order * k + 2] = rate**3 * third
 
 
-@part()
+@part(forceinline=True)
 def _interpolate(problem: Any, work: Any, t: float, h: float, first: int, last: int, out: Any) -> None:
     """States at the samples ``first`` to ``last``, on the step from ``t``."""
     for i in range(first, last):

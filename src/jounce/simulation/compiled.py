@@ -34,24 +34,10 @@ _PACKAGES = ("core", "parts", "control", "mechanics", "models", "kernel", "simul
 class Compiled:
     """Native functions of one model; ``free`` are the parameters whose sensitivities ride along with the state.
 
-    Attributes
-    ----------
-    facts : Facts
-        Names and counts of the model.
-    free : tuple of str
-        Paths of the free parameters.
-    native : Native
-        Machine code.
-    shapes : dict
-        Function to the shape of its result.
-    scalars, lanes : int
-        Parameters extended by what depends on them alone, and how many of those have lanes (see ``programs``).
-    source : callable
-        Gives the symbolic model, which runs do not need.
-    without : Compiled or None
-        The same model without free parameters, where there are some.
-    identity : str
-        Says everything the code of a rig depends on; empty where only the symbolic model says it.
+    ``shapes`` are those of each function's result; ``scalars`` and ``lanes`` count the extended parameters without and
+    with lanes (see ``Program``). ``source`` gives the symbolic model, which runs do not need; ``without`` is the same
+    model without free parameters, where there are some. ``identity`` says everything the code of a rig depends on; it
+    is empty where only the symbolic model says it.
     """
 
     facts: Facts

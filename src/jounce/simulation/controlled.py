@@ -118,26 +118,10 @@ def _command(corner: str) -> str:
 
 
 def close_loop(rig: Rig, control: AnyControl | None) -> Loop | None:
-    """Fit a controller to a rig.
+    """Fit a controller (itself, its name, its file, or a Python function) to a rig or vehicle.
 
-    Parameters
-    ----------
-    rig : Rig
-        Rig or vehicle.
-    control : Controller, str, Path, callable or None
-        A controller, its name, its file, or a Python function.
-
-    Returns
-    -------
-    Loop or None
-        None where nothing controls: without a controller, and for the rig as it is (``Passive()``).
-
-    Raises
-    ------
-    DescriptionError
-        For a controller that does not exist.
-    SimulationError
-        For one that the rig's corners are not fit for.
+    None where nothing controls: without a controller, and for the rig as it is (``Passive()``). A controller that does
+    not exist is refused, and one that the rig's corners are not fit for.
     """
     controller = None if control is None else as_controller(control)
     if controller is None or (isinstance(controller, Passive) and controller.damping_coefficient is None):
@@ -169,7 +153,15 @@ class _Law:
         self._begin: list[Callable[[], None]] = []
         pieces = prepared.problem.tracks.first[tracks]
         first, times = loop.first, prepared.out.times
-        _check_rate(first.rate, float(times[-1] - times[0]))
+        duration = float(times[-1] - times[0])
+        if first.rate * duration > MAX_STEPS:
+            raise SimulationError(
+                "too many control instants",
+                where="control: rate",
+                found=f"{first.rate:g} Hz for {duration:g} s",
+                allowed=f"at most {MAX_STEPS} instants a run",
+                hint="Lower the control rate or shorten the run.",
+            )
         self._instants = int(np.ceil((times[-1] - times[0]) * first.rate - 1e-9)) + 1
         self._pieces = pieces
         self.feedback = self._python() if isinstance(first, CallbackController) else self._native()
@@ -207,7 +199,14 @@ class _Law:
         select = np.array([names.index(name) for name in channels], dtype=np.int64)
         bound = np.full(self._compiled.state_count, np.inf)
         bound[:n_q] = np.maximum(10.0 * _FAR * prepared.control.scale[:n_q], _AT_LEAST)
-        self._check_noise(first, names)
+        for channel in first.noise:
+            if not any(name == channel or name.endswith(f".{channel}") for name in names):
+                raise SimulationError(
+                    "noise on a channel that the model does not have",
+                    where="control: noise",
+                    found=channel,
+                    allowed=", ".join(names),
+                )
         return feedback(
             law,
             1.0 / first.rate,
@@ -219,17 +218,6 @@ class _Law:
             p=p,
             counts=(memory, prepared.problem.inputs, len(names)),
         )
-
-    @staticmethod
-    def _check_noise(controller: Controller, names: tuple[str, ...]) -> None:
-        for channel in controller.noise:
-            if not any(name == channel or name.endswith(f".{channel}") for name in names):
-                raise SimulationError(
-                    "noise on a channel that the model does not have",
-                    where="control: noise",
-                    found=channel,
-                    allowed=", ".join(names),
-                )
 
     def _native(self) -> Feedback:
         loop = self._loop
@@ -264,18 +252,6 @@ class _Law:
         track = f"{corner}.road.z" if corner else "road.z"
         signal = self._signals[self._compiled.facts.tracks.index(track)]
         return signal.evaluate(np.minimum(times, signal.edges[-1]))[0]
-
-
-def _check_rate(rate: float, duration: float) -> None:
-    """Refuse a control rate (Hz) that no run of that duration (s) can follow."""
-    if rate * duration > MAX_STEPS:
-        raise SimulationError(
-            "too many control instants",
-            where="control: rate",
-            found=f"{rate:g} Hz for {duration:g} s",
-            allowed=f"at most {MAX_STEPS} instants a run",
-            hint="Lower the control rate or shorten the run.",
-        )
 
 
 _laws: dict[int, tuple[object, Native]] = {}

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import SimulationError, unknown
 from jounce.core.types import Array
-from jounce.mechanics.model import Facts, moved_by
+from jounce.mechanics.model import moved_by
 from jounce.parts import Rig
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.result import flipped_at
@@ -133,14 +133,9 @@ def linearise(rig: Rig, road_height: float = 0.0) -> LinearModel:
     inputs = tuple(f"{track}{order}" for track in facts.tracks for order in orders)
     b, d = rest.pick @ along["rate"], along["output"]
     equilibrium = dict(zip(facts.states, map(float, rest.x), strict=True))
-    states = _reduced_states(facts, rest)
+    speeds = [facts.speeds[i] for i in rest.free]  # the free motions, their speeds, and the internal states
+    states = (*map(moved_by, speeds), *speeds, *facts.internal)
     return LinearModel(states, inputs, compiled.output_names, rest.reduced, b, c @ rest.lift, d, equilibrium)
-
-
-def _reduced_states(facts: Facts, rest: Equilibrium) -> tuple[str, ...]:
-    """Names of the free motions, their speeds, and the internal states."""
-    speeds = [facts.speeds[i] for i in rest.free]
-    return (*map(moved_by, speeds), *speeds, *facts.internal)
 
 
 def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
@@ -176,14 +171,8 @@ def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
         if value.imag > 1e-9 * abs(value) and abs(value) > _NOTHING_HOLDS * np.max(np.abs(values)):
             shape = vector / vector[np.argmax(np.abs(vector))]
             shapes = {name: (float(z.real), float(z.imag)) for name, z in zip(names, shape, strict=True)}
-            found.append(
-                Mode(
-                    float(abs(value)) / (2 * np.pi),
-                    float(value.imag) / (2 * np.pi),
-                    float(-value.real / abs(value)),
-                    shapes,
-                )
-            )
+            undamped, damped = float(abs(value)) / (2 * np.pi), float(value.imag) / (2 * np.pi)
+            found.append(Mode(undamped, damped, float(-value.real / abs(value)), shapes))
     return tuple(sorted(found, key=lambda mode: mode.frequency_hz))
 
 
