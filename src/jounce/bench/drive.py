@@ -113,19 +113,7 @@ class BeltSpeed:
 
 
 def belt_speed(drive: BenchDrive, inverter_frequency: float) -> BeltSpeed:
-    """Compute the belt speed at an inverter frequency.
-
-    Parameters
-    ----------
-    drive : BenchDrive
-        The bench.
-    inverter_frequency : float
-        [Hz], above 0.
-
-    Returns
-    -------
-    BeltSpeed
-        Speeds in rad/s and m/s.
+    """Compute the belt speed at an inverter frequency (Hz, above 0).
 
     Examples
     --------
@@ -204,28 +192,11 @@ class SensorSpeed:
 def photo_sensor_speed(
     drive: BenchDrive, pulses: int, duration: float, *, pulses_per_revolution: int = 1, radius_error: float = 0.0
 ) -> SensorSpeed:
-    """Estimate the belt speed from counted pulses.
+    """Estimate the belt speed, with its 95 % interval, from the pulses counted in a window of ``duration`` (s).
 
     Both ends of the counting window fall anywhere between two pulses, so the count is uncertain by 1/sqrt(6) pulses
-    (standard deviation); the radius adds its own relative error.
-
-    Parameters
-    ----------
-    drive : BenchDrive
-        Radius and belt length.
-    pulses : int
-        Pulses counted [1], at least 1.
-    duration : float
-        Length of the counting window [s].
-    pulses_per_revolution : int
-        Marks on the cylinder [1].
-    radius_error : float
-        Standard error of the radius at which the belt runs [m].
-
-    Returns
-    -------
-    SensorSpeed
-        Speed with its 95 % interval.
+    (standard deviation); ``radius_error`` (m), the standard error of the radius at which the belt runs, adds its own
+    relative error.
 
     Examples
     --------
@@ -313,25 +284,11 @@ class DriveMargin:
 
 
 def drive_margin(drive: BenchDrive, speed: float, load: BeltLoad | None = None) -> DriveMargin:
-    """Compare the pull and power needed at a belt speed with what the motor can give.
+    """Compare the pull and power needed at a belt speed (m/s, above 0) with what the motor can give.
 
     An inverter keeps voltage over frequency constant, so the rated *torque* is available at every speed up to the
     supply frequency and the power grows with the speed; a motor cooled by its own fan must stay below that at low
-    speed.
-
-    Parameters
-    ----------
-    drive : BenchDrive
-        The bench.
-    speed : float
-        Belt speed [m/s], above 0.
-    load : BeltLoad or None
-        What resists the belt; None: all estimated.
-
-    Returns
-    -------
-    DriveMargin
-        Forces [N], powers [W], torques [N m] and margins [1].
+    speed. Without a ``load`` all that resists the belt is estimated.
 
     Examples
     --------
@@ -419,22 +376,10 @@ class AttainableSpeed:
 def attainable_speed(
     drive: BenchDrive, load: BeltLoad | None = None, *, observed_ceiling: float | None = None
 ) -> AttainableSpeed:
-    """Find the highest belt speed and what limits it.
+    """Find the highest belt speed and what limits it; without a ``load`` all that resists the belt is estimated.
 
-    Parameters
-    ----------
-    drive : BenchDrive
-        The bench.
-    load : BeltLoad or None
-        What resists the belt; None: all estimated.
-    observed_ceiling : float or None
-        Speed that was not exceeded in practice [m/s], e.g. 3.87 on the paper's bench: the result tells what pull would
-        explain it.
-
-    Returns
-    -------
-    AttainableSpeed
-        Speeds in m/s.
+    With ``observed_ceiling``, a speed (m/s) that was not exceeded in practice, e.g. 3.87 on the paper's bench, the
+    result tells what pull would explain it.
 
     Examples
     --------

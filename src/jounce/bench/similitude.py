@@ -102,20 +102,10 @@ class SimilitudeReport:
 
 
 def similitude_report(case: Similitude | None = None) -> SimilitudeReport:
-    """Apply Eq. 1 and Froude similitude to a prototype.
+    """Apply Eq. 1 and Froude similitude to a prototype, by default the published kart's.
 
     Lengths are reduced by ``geometry_factor``; with the same gravity the times go with its square root; the masses
     relate as they were built; stiffness = mass / time^2, damping coefficient = mass / time, force = mass.
-
-    Parameters
-    ----------
-    case : Similitude or None
-        The pair; None: the published kart prototype.
-
-    Returns
-    -------
-    SimilitudeReport
-        Values in SI.
 
     Examples
     --------

@@ -81,18 +81,10 @@ class SpringRow:
 
 @dataclass(frozen=True)
 class SpringComparison:
-    """Candidates side by side, and which one to take.
+    """Candidates in the order given, and the one to take.
 
-    Attributes
-    ----------
-    rows : tuple of SpringRow
-        In the order given.
-    chosen : str
-        The spring whose natural frequency with the tyre comes closest to the target without using the travel up.
-    reasons : tuple of str
-        Why each of the others was rejected, one sentence each.
-    findings : tuple of Finding
-        Reasons, doubts about the chosen one, and the estimated values used.
+    That is the spring whose natural frequency with the tyre comes closest to the target without using the travel up;
+    ``reasons`` says in a sentence each why the others were rejected. Doubts about it are among the findings.
     """
 
     rows: tuple[SpringRow, ...]
@@ -102,19 +94,7 @@ class SpringComparison:
 
 
 def compare_springs(springs: Sequence[tuple[str, float]], choice: SpringChoice | None = None) -> SpringComparison:
-    """Compare candidate springs for a prototype.
-
-    Parameters
-    ----------
-    springs : sequence of (str, float)
-        Name and spring rate [N/m] of each candidate.
-    choice : SpringChoice or None
-        Mass, angle, tyre, damper and travel; None: the published kart prototype.
-
-    Returns
-    -------
-    SpringComparison
-        Rates in N/m, frequencies in Hz, deflections in m.
+    """Compare candidates, each with its name and spring rate (N/m), for a prototype: by default the published kart's.
 
     Examples
     --------

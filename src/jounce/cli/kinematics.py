@@ -313,9 +313,3 @@ def _shown(name: str, value: float) -> str:
     from jounce.design.adjustments import SETTINGS, shown
 
     return shown(value, SETTINGS[name].unit)
-
-
-def _degrees(value: float) -> str:
-    from jounce.design.adjustments import shown
-
-    return shown(value, "rad")

@@ -27,17 +27,7 @@ SCHEMA = "jounce.control/1"
 
 @dataclass(frozen=True)
 class Kind:
-    """One controller that is known by name.
-
-    Attributes
-    ----------
-    law : type
-        Its class.
-    summary : str
-        One line about it.
-    fields : dict
-        Values in which it differs from the class's defaults.
-    """
+    """A controller known by name: its class, one line about it, and the values that are not the class's defaults."""
 
     law: type[Controller]
     summary: str

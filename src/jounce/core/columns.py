@@ -24,19 +24,7 @@ _SEPARATOR_NAMES = {",": "comma", ";": "semicolon", "\t": "tab"}
 
 @dataclass(frozen=True)
 class Column:
-    """One column of a file, numbers as written.
-
-    Attributes
-    ----------
-    name : str
-        Header without its unit.
-    unit : str
-        Unit as written in the header's square brackets; empty when there is none.
-    values : ndarray, shape (rows,)
-        Numbers in ``unit``, all finite.
-    file : str
-        File the column comes from, for error messages.
-    """
+    """One column of a file: numbers as written, all finite, in the ``unit`` of the header (empty for none)."""
 
     name: str
     unit: str
@@ -66,18 +54,10 @@ class Column:
 
 @dataclass(frozen=True)
 class ColumnTable:
-    """Columns of one file in their order, found by position or by name.
+    """Columns of one file in their order, found by position or by name: all of the same length, at least one row.
 
-    Attributes
-    ----------
-    columns : tuple of Column
-        All of the same length, at least one row.
-    comments : tuple of str
-        Lines before the header that start with ``#``, without the ``#``.
-    file : str
-        Where they come from.
-    lines : sequence of int
-        Line of each row in a text file, from 1; empty for other files.
+    ``comments`` are the lines before the header that start with ``#``, without it; ``lines`` the line of each row in a
+    text file, from 1.
     """
 
     columns: tuple[Column, ...]

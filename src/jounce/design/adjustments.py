@@ -438,20 +438,9 @@ class Effect:
 
 @dataclass(frozen=True)
 class AdjustReport:
-    """What adjustments do to a rig.
+    """What adjustments do to a rig: settings that were made (SI), the wheel before and after, the rig with them.
 
-    Attributes
-    ----------
-    settings : dict
-        Settings that were made, SI.
-    before, after : WheelState
-        Wheel of the rig as given, and with the settings.
-    rig : DoubleWishbone
-        The rig with the settings.
-    effects : tuple of Effect
-        What each setting would do to the rig as given.
-    findings : tuple of Finding
-        What the reader must know.
+    ``effects`` says what each setting would do to the rig as given.
     """
 
     settings: dict[str, float]

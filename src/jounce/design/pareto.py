@@ -125,19 +125,7 @@ def _judged(problem: DesignProblem, metric: str, dampers: Mapping[str, float]) -
 
 @dataclass(frozen=True)
 class ParetoMark:
-    """One design beside the front, SI: where it comes from, its free numbers and dampers, and how it does.
-
-    Attributes
-    ----------
-    name : str
-        In words.
-    kind : str
-        ``present``, ``closed form`` or ``searched``.
-    values : dict
-        Path to value of what it changes, SI.
-    comfort, holding, travel : float
-        Metrics, each in its unit.
-    """
+    """One design beside the front, SI: in words, what it changes by path, and its metrics, each in its unit."""
 
     name: str
     kind: Literal["present", "closed form", "searched"]

@@ -106,18 +106,9 @@ def _linear(path: str, damper: object) -> str:
 
 @dataclass(frozen=True)
 class WheelDesign:
-    """Spring and damper of one wheel, SI.
+    """Spring and damper of one wheel, as in the rig and as asked for, SI; ``changes`` has the wanted values by path.
 
-    Attributes
-    ----------
-    place : str
-        ``front``, ``rear``; empty for a quarter car.
-    sprung_mass : float
-        kg.
-    present, wanted : SpringAndDamper
-        As in the rig, and as asked for.
-    changes : dict
-        Paths to the wanted values.
+    ``place`` is ``front`` or ``rear``, empty for a quarter car.
     """
 
     place: str
@@ -129,18 +120,9 @@ class WheelDesign:
 
 @dataclass(frozen=True)
 class SpringDesign:
-    """Springs and dampers for the frequencies that were asked for.
+    """Springs and dampers for the frequencies that were asked for: the rig with them, and one wheel of each axle.
 
-    Attributes
-    ----------
-    rig : Rig
-        With them.
-    wheels : tuple of WheelDesign
-        One of each axle.
-    with_tyre : bool
-        Whether the frequency is that of spring and tyre in series.
-    findings : tuple of Finding
-        What to think about.
+    ``with_tyre`` says whether the frequency is that of spring and tyre in series.
     """
 
     rig: Rig

@@ -62,32 +62,10 @@ class Comparison:
 
 
 def compare(reference: ArrayLike, compared: ArrayLike, time: ArrayLike, *, place: str = "comparison") -> Comparison:
-    """Compare a signal with a reference.
+    """Compare a signal with a measured reference of the same unit on the same instants.
 
-    Parameters
-    ----------
-    reference : array_like, shape (n,)
-        The measured signal, any unit.
-    compared : array_like, shape (n,)
-        The simulated signal on the same instants, same unit.
-    time : array_like, shape (n,)
-        Instants in s, ascending in constant steps, n >= 3.
-    place : str
-        Channel or trial named in errors.
+    The time (s) ascends in constant steps and has at least three samples; errors name the ``place``.
 
-    Returns
-    -------
-    Comparison
-        Differences, ratios and delays.
-
-    Raises
-    ------
-    FitError
-        For lengths that differ, fewer than three samples, values that are not finite, or time that does not ascend in
-        constant steps.
-
-    Notes
-    -----
     Source of M, P, C: M. A. Sprague, T. L. Geers, "A spectral-element method for modelling cavitation in transient
     fluid-structure interaction", Int. J. Numer. Meth. Engng 60 (2004) 2467-2499.
 
@@ -198,35 +176,12 @@ class Rating:
 
 
 def iso18571(reference: ArrayLike, compared: ArrayLike, sample_rate: float, *, place: str = "rating") -> Rating:
-    """Rate a signal against a reference by ISO/TS 18571.
+    """Rate a signal against a measured reference by ISO/TS 18571:2014 with its default parameters.
 
-    Parameters
-    ----------
-    reference : array_like, shape (n,)
-        The measured signal, any unit, at least 12 samples, not constant.
-    compared : array_like, shape (n,)
-        The simulated signal on the same instants, same unit.
-    sample_rate : float
-        Samples per second in Hz. The standard works at 10 kHz: other rates are resampled (cubic spline, band-limited
-        before a reduction), with a finding when they are lower.
-    place : str
-        Channel or trial named in findings and errors.
-
-    Returns
-    -------
-    Rating
-        Four scores, their weighted sum and its grade.
-
-    Raises
-    ------
-    FitError
-        For signals of different lengths, too few samples, values that are not finite, or a constant reference, for
-        which the standard defines no rating.
-
-    Notes
-    -----
-    Source: ISO/TS 18571:2014 with its default parameters. The rating is not symmetric: it is relative to the size of
-    ``reference``. A constant compared signal gets phase score 1, as no shift correlates better than none.
+    Both are on the same instants and in one unit, of at least 12 samples, the reference not constant: for a constant
+    one the standard defines no rating. The standard works at 10 kHz: other rates (Hz) are resampled (cubic spline,
+    band-limited before a reduction), with a finding when they are lower. The rating is not symmetric: it is relative to
+    the size of ``reference``. A constant compared signal gets phase score 1, as no shift correlates better than none.
 
     Examples
     --------

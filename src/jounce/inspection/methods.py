@@ -75,22 +75,10 @@ class Found:
 
 @dataclass(frozen=True)
 class Method:
-    """A method of inspection.
+    """A method of inspection: its key in files and results, and its name as people write it.
 
-    Attributes
-    ----------
-    key, name : str
-        In files and results, and as people write it.
-    tester : str
-        Shipped tester that stands for it.
-    plates : tuple of str
-        Kinds of testers on which it can be evaluated.
-    quantities : tuple of Quantity
-        Its values that may be graded, the main one first.
-    evaluate : callable
-        Finds its values in a test.
-    sentences : mapping
-        What its findings say, by their code.
+    It has a shipped ``tester`` that stands for it, the kinds of testers (``plates``) on which it can be evaluated, its
+    values that may be graded, the main one first, and what its findings say, by their code.
     """
 
     key: str

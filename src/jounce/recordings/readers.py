@@ -34,18 +34,9 @@ class ReaderOptions:
 
 @dataclass(frozen=True)
 class SignalTable:
-    """Columns of a file, and what else it contains.
+    """Columns of a file, numbers and units as written, and what else it contains.
 
-    Attributes
-    ----------
-    columns : ColumnTable
-        Numbers as written, with units as written.
-    long_names : mapping of str to str
-        Names in words of columns that have one.
-    attributes : mapping
-        Facts about the whole recording.
-    left_out : tuple of str
-        Signals of the file that are sampled at other instants than the columns.
+    ``left_out`` are signals that are sampled at other instants than the columns.
     """
 
     columns: ColumnTable

@@ -15,17 +15,7 @@ from jounce.core.units import positive_si
 
 @dataclass(frozen=True)
 class LumpedCorner:
-    """Numbers of a quarter car at the wheel, SI.
-
-    Attributes
-    ----------
-    sprung_mass, unsprung_mass : float
-        kg.
-    wheel_rate, tyre_stiffness : float
-        N/m.
-    damping_coefficient : float
-        At the wheel, N*s/m.
-    """
+    """Numbers of a quarter car, all at the wheel, SI."""
 
     sprung_mass: float
     unsprung_mass: float
@@ -49,19 +39,7 @@ class LumpedCorner:
 
 @dataclass(frozen=True)
 class Variances:
-    """Variances on a road whose vertical velocity is white noise, SI.
-
-    Attributes
-    ----------
-    acceleration : float
-        Of the body's acceleration, (m/s^2)^2.
-    deflection : float
-        Of the suspension deflection at the wheel, m^2.
-    tyre_deflection : float
-        m^2.
-    tyre_force : float
-        Of the dynamic wheel load, N^2.
-    """
+    """Variances on a road whose vertical velocity is white noise, SI; ``deflection`` of the suspension at the wheel."""
 
     acceleration: float
     deflection: float
@@ -70,24 +48,10 @@ class Variances:
 
 
 def white_noise_variances(corner: LumpedCorner, intensity: float) -> Variances:
-    """Variances of a quarter car on a white-noise road, in closed form.
+    """Variances of a damped quarter car on a white-noise road, in closed form.
 
-    Parameters
-    ----------
-    corner : LumpedCorner
-        Its damping coefficient must be above 0.
-    intensity : float
-        W of the road's vertical velocity, m^2/s (:func:`jounce.roughness.spectra.white_noise_intensity`).
-
-    Returns
-    -------
-    Variances
-        SI.
-
-    Raises
-    ------
-    DescriptionError
-        Without damping: nothing holds the variances.
+    ``intensity`` is W of the road's vertical velocity in m^2/s
+    (:func:`jounce.roughness.spectra.white_noise_intensity`).
 
     Examples
     --------
@@ -193,19 +157,9 @@ class Invariants:
 
 
 def invariants(sprung_mass: float, unsprung_mass: float, tyre_stiffness: float) -> Invariants:
-    """Invariant points of a quarter car with an undamped tyre (key hedrick-butsuen-1990).
+    """Invariant points of a quarter car with an undamped tyre, SI (key hedrick-butsuen-1990).
 
-    Parameters
-    ----------
-    sprung_mass, unsprung_mass : float
-        kg.
-    tyre_stiffness : float
-        N/m.
-
-    Returns
-    -------
-    Invariants
-        SI, frequencies in Hz. They hold for passive, semi-active and active suspensions alike.
+    They hold for passive, semi-active and active suspensions alike.
 
     Examples
     --------

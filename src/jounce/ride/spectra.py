@@ -263,23 +263,9 @@ def response_spectrum(
 ) -> Array:
     """One-sided density of a linear model's output on a random road: squared gain times the road's density.
 
-    Parameters
-    ----------
-    model : LinearModel
-        From `jounce.linearise`.
-    frequency : array_like, shape (n,)
-        Hz, above 0.
-    density : array_like, shape (n,)
-        One-sided density of the road's height over time, m^2/Hz.
-    output : str
-        Channel.
-    tracks : str or mapping of str to float
-        Input; or several that follow the same road, each with its delay in s (rear wheels: wheelbase over speed).
-
-    Returns
-    -------
-    ndarray, shape (n,)
-        Unit of the output squared per Hz.
+    At frequencies above 0 (Hz, shape (n,)) from the one-sided ``density`` of the road's height over time (m^2/Hz), in
+    the unit of the output squared per Hz. ``tracks`` is the input, or several that follow the same road, each with its
+    delay in s (rear wheels: wheelbase over speed).
     """
     f = np.atleast_1d(np.asarray(frequency, dtype=float))
     delays = {tracks: 0.0} if isinstance(tracks, str) else tracks
@@ -292,20 +278,8 @@ def response_spectrum(
 def third_octaves(spectrum: Spectrum) -> Bands:
     """Root mean squares in third-octave bands with ideal edges, base ten.
 
-    Parameters
-    ----------
-    spectrum : Spectrum
-        From `power_spectrum`, in any unit squared per Hz.
-
-    Returns
-    -------
-    Bands
-        Those that are at least as wide as the spectrum's resolution and lie below half the sample rate.
-
-    Raises
-    ------
-    RecordingError
-        When the spectrum resolves no band at all.
+    The bands are those at least as wide as the spectrum's resolution and below half the sample rate; a spectrum that
+    resolves none at all is refused.
     """
     width = _HALF_BAND - 1.0 / _HALF_BAND
     lowest = math.ceil(10.0 * math.log10(spectrum.resolution / width) - 1e-9)

@@ -100,29 +100,10 @@ def weighting(name: str) -> Weighting:
 
 
 def weighting_response(name: str, frequency: ArrayLike) -> NDArray[np.complex128]:
-    """Complex response of a frequency weighting, as the standard's analog filter.
+    """Complex response (1) of a frequency weighting at frequencies in Hz; its angle is positive when the output leads.
 
-    Parameters
-    ----------
-    name : str
-        ``"Wk"``, ``"Wd"``, ``"Wf"``, ``"Wc"`` or ``"We"``.
-    frequency : array_like, shape (n,)
-        Hz, 0 or more.
-
-    Returns
-    -------
-    ndarray of complex, shape (n,)
-        Weighted over unweighted acceleration (1); its angle is the phase, positive when the output leads.
-
-    Raises
-    ------
-    DescriptionError
-        For an unknown weighting.
-
-    Notes
-    -----
-    Source: ISO 8041-1:2017, 5.6 and Annex B (``iso-8041-1``), with f1 = 0.4 Hz exactly. It is the response of the
-    filter, not of a seat or a body.
+    Names are ``Wk``, ``Wd``, ``Wf``, ``Wc`` and ``We``. It is the response of the standard's analog filter, not of a
+    seat or a body. Source: ISO 8041-1:2017, 5.6 and Annex B (``iso-8041-1``), with f1 = 0.4 Hz exactly.
 
     Examples
     --------

@@ -340,33 +340,12 @@ def _findings(whole: float, spacing: float, place: str) -> tuple[Finding, ...]:
 def read_profile(
     path: Path | str, *, columns: Mapping[str, str] | None = None, lateral_offset: float = 0.0
 ) -> tuple[Array, Array, list[Finding]]:
-    r"""Read a longitudinal profile.
+    r"""Read distance and height (m) of a longitudinal profile, and what was assumed or looks wrong.
 
-    Parameters
-    ----------
-    path : Path or str
-        Text file with the columns ``x`` and ``z`` (``x [m], z [mm]``), or with two bare columns of numbers in m; any
-        other format recordings are read from; a straight OpenCRG road (``.crg``), or the name of a shipped one.
-    columns : mapping of str to str, optional
-        Where ``x`` and ``z`` are when they have other names: ``{"z": "elevation [mm]"}``.
-    lateral_offset : float
-        Of the line to read from an OpenCRG road, m, left positive.
-
-    Returns
-    -------
-    distance : ndarray, shape (n,)
-        Positions as written, m.
-    height : ndarray, shape (n,)
-        Heights, m.
-    findings : list of Finding
-        What was assumed or looks wrong.
-
-    Raises
-    ------
-    RecordingError
-        For files that are missing, damaged or have other columns, and curved roads.
-    DescriptionError
-        For units that do not fit.
+    The file is text with the columns ``x`` and ``z`` (``x [m], z [mm]``), or with two bare columns of numbers in m; any
+    other format recordings are read from; a straight OpenCRG road (``.crg``), or the name of a shipped one, of which
+    the line at ``lateral_offset`` (m, left positive) is read. ``columns`` says where ``x`` and ``z`` are when they have
+    other names: ``{"z": "elevation [mm]"}``. Curved roads, other columns and units that do not fit are refused.
 
     Examples
     --------

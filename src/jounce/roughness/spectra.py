@@ -18,17 +18,10 @@ _PER_OCTAVE = 3  # bands that the line is fitted through
 
 
 def roughness_class(roughness: float) -> RoadClass:
-    """Road class whose limits hold a degree of roughness.
+    """Road class, "A" to "H", whose limits hold a degree of roughness G_d(n0) in m^3, above 0.
 
-    Parameters
-    ----------
-    roughness : float
-        G_d(n0) in m^3, above 0. The limit between two classes is twice the mean of the smoother one.
-
-    Returns
-    -------
-    str
-        "A" to "H"; what is smoother or rougher than all of them is "A" or "H".
+    The limit between two classes is twice the mean of the smoother one; what is smoother or rougher than all of them is
+    "A" or "H".
 
     Examples
     --------
@@ -105,22 +98,11 @@ def white_noise_intensity(road: str | float, speed: float) -> float:
 
 
 def filtered_noise(road: str | float, speed: float, *, cutoff: float = BAND[0]) -> tuple[float, float]:
-    """First-order filter that shapes white noise into the height of a road with waviness 2.
+    """First-order filter that shapes white noise into the height of a road with waviness 2, at a speed in m/s above 0.
 
-    Parameters
-    ----------
-    road : str or float
-        Class "A" to "H", or a degree of roughness G_d(n0) in m^3.
-    speed : float
-        Speed in m/s, above 0.
-    cutoff : float
-        Spatial frequency in 1/m below which the spectrum is flat, so that the variance is finite.
-
-    Returns
-    -------
-    pole, gain : float
-        dz/dt = -pole z + gain w with w of one-sided density 1 per Hz (two-sided 1/2); pole = 2 pi cutoff v in 1/s,
-        gain = 2 pi n0 sqrt(G_d(n0) v) in m/s. The variance of z is gain^2 / (4 pole).
+    Its pole and gain belong to dz/dt = -pole z + gain w with w of one-sided density 1 per Hz (two-sided 1/2):
+    pole = 2 pi cutoff v in 1/s, gain = 2 pi n0 sqrt(G_d(n0) v) in m/s; the variance of z is gain^2 / (4 pole). Below
+    ``cutoff`` (1/m) the spectrum is flat, so that the variance is finite. The road is a class or G_d(n0) in m^3.
 
     Examples
     --------

@@ -116,20 +116,8 @@ class Stepper:
     def step(self, commands: Array) -> Array:
         """Hold commands for one period (at most to the trial's end).
 
-        Parameters
-        ----------
-        commands : ndarray, shape (corners,)
-            In the order of ``corners``; clipped to the limits.
-
-        Returns
-        -------
-        ndarray, shape (channels, samples)
-            Outputs, SI; what was not reached is no number (``status`` says why).
-
-        Raises
-        ------
-        SimulationError
-            When the run is over, or for commands that are not finite numbers.
+        They come in the order of ``corners`` and are clipped to the limits. The outputs have the shape (channels,
+        samples), SI; what was not reached is no number (``status`` says why).
         """
         given = np.asarray(commands, dtype=np.float64).ravel()
         if len(given) != len(self.corners) or not np.all(np.isfinite(given)):

@@ -117,20 +117,10 @@ def prepare(
 ) -> Prepared:
     """Lay out a run from static equilibrium under what the signals are at ``times[0]``.
 
-    Parameters
-    ----------
-    compiled : Compiled
-        Model with native code; its free parameters bring their sensitivities along.
-    p : ndarray, shape (n_parameters,)
-        Parameter values, SI.
-    signals : Segments or sequence of Segments
-        Every track of the model against time (s): road heights (m), loads; one alone for a model with one track.
-    times : ndarray, shape (n,)
-        Output times, s, ascending.
-    tolerance, method : float, {"auto", "explicit", "implicit"}
-        As :class:`RunSettings` has them.
-    offset : ndarray, shape (n_states,), optional
-        Added to the equilibrium: where the run starts.
+    The output ``times`` (s) ascend. ``p`` are all parameter values, SI; the free ones of the model bring their
+    sensitivities along. ``signals`` has every track against time: road heights (m), loads; one alone for a model with
+    one track. ``tolerance`` and ``method`` are as :class:`RunSettings` has them; ``offset`` is added to the
+    equilibrium: where the run starts.
     """
     if method == "implicit" and compiled.free:
         raise SimulationError(

@@ -122,21 +122,10 @@ def place_of(on: TesterRig, wheel: str) -> str:
 
 
 def closed_form_adhesion(rig: Rig, tester: Tester, *, wheel: str = "left") -> tuple[float, float]:
-    """Least adhesion of a slow sweep without lift-off, in closed form.
+    """Least adhesion of a slow sweep without lift-off, in closed form, and its frequency (Hz, to 0.01 Hz).
 
-    Parameters
-    ----------
-    rig : QuarterCar, Corner or FrontViewAxle
-        What stands on the plates.
-    tester : Tester
-        Stroke, plate and the band: from 0 to the programme's highest frequency, which counts.
-    wheel : {"left", "right"}
-        Of an axle.
-
-    Returns
-    -------
-    tuple of float
-        Adhesion (1; negative where the linear model asks for lift-off) and its frequency (Hz, to 0.01 Hz).
+    The band is from 0 to the programme's highest frequency, which counts. The adhesion (1) is negative where the linear
+    model asks for lift-off. ``wheel`` is one of an axle, ``left`` or ``right``.
 
     Examples
     --------
@@ -166,23 +155,10 @@ class WheelMode:
 
 
 def wheel_mode(rig: Rig, tester: Tester, *, wheel: str = "left", on: str = "road") -> WheelMode | None:
-    """Mode of the wheel from the poles of the linear model.
+    """Mode of the wheel from the poles of the linear model; None where the wheel does not oscillate.
 
-    Parameters
-    ----------
-    rig : QuarterCar, Corner or FrontViewAxle
-        What stands on the plates.
-    tester : Tester
-        Its plate matters on the rig only.
-    wheel : {"left", "right"}
-        Of an axle.
-    on : {"road", "rig"}
-        With the plate blocked, as on the road, or free on its spring.
-
-    Returns
-    -------
-    WheelMode or None
-        None where the wheel does not oscillate.
+    ``on="road"`` blocks the plate, ``on="rig"`` leaves it free on its spring: only there does the tester matter. Of an
+    axle the ``wheel`` is ``left`` or ``right``.
 
     Examples
     --------
@@ -231,19 +207,7 @@ def road_damping_ratio(
 ) -> float:
     """Convert a damping ratio of the wheel's mode on a sprung plate to the road, one degree of freedom assumed.
 
-    Parameters
-    ----------
-    damping_ratio : float
-        On the tester (1).
-    wheel_rate, tyre_stiffness, plate_spring_rate : float
-        N/m.
-    unsprung_mass, plate_mass : float
-        kg.
-
-    Returns
-    -------
-    float
-        On the road (1); the poles of the model give it exactly.
+    Rates and stiffness in N/m, masses in kg; the poles of the model give it exactly.
 
     Examples
     --------

@@ -66,23 +66,9 @@ def check_export(path: Path | str, *, force: bool = False) -> Path:
 
 
 def export(rows: Sequence[Row], path: Path | str, *, force: bool = False) -> Path:
-    r"""Write rows as a table; the file is there whole or not at all.
+    """Write rows, SI, as a table: ``.csv`` (comma, UTF-8, empty for what is not known) or ``.parquet`` (typed columns).
 
-    Parameters
-    ----------
-    rows : sequence of dict
-        As ``rows_of`` gives them; SI.
-    path : Path or str
-        ``.csv`` (comma, UTF-8, empty for what is not known) or ``.parquet`` (typed columns; needs the extra ``lane``).
-    force : bool
-        Overwrite what exists.
-
-    Raises
-    ------
-    OutputError
-        When the file exists, or its format is not known.
-    MissingPackageError
-        For Parquet without pyarrow.
+    The file is there whole or not at all; Parquet needs the extra ``lane``.
 
     Examples
     --------

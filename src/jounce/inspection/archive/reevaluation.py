@@ -63,30 +63,10 @@ def reevaluate(
 ) -> Reevaluation:
     """Evaluate and grade all stored records again; the gradings are added to those they have.
 
-    Parameters
-    ----------
-    store : Store
-        Open for writing.
-    limits : Limits, optional
-        Those that come with jounce by default.
-    tester : Tester, optional
-        For records of which no tester is known; the others keep theirs.
-    workers : int
-        Processes; 1 works in this one.
-    from_files : bool
-        Read the files as they came in once more, in place of the signals that were read from them.
-    say : callable, optional
-        Told how many are done, and of how many.
-
-    Returns
-    -------
-    Reevaluation
-        Gradings are put in by batches: what is done stays done when the work is stopped.
-
-    Raises
-    ------
-    JounceError
-        When the store cannot be written to, or a process was ended from outside.
+    They are put in by batches: what is done stays done when the work is stopped. ``tester`` is for records of which
+    none is known. A single one of the ``workers`` (processes) works in this one; ``from_files`` reads the files as they
+    came in once more, in place of the signals that were read from them; ``say`` is told how many are done, and of how
+    many.
     """
     numbers = store.numbers()
     task = _Task(store.address, limits if limits is not None else load_limits(), tester, from_files)

@@ -54,23 +54,10 @@ _GAP = 100  # rows that may be missing in a row of a damaged table
 
 
 class Store:
-    """An open record store.
+    """An open record store: a file, made where there is none, or a database URL (``postgresql+psycopg://...``).
 
-    Parameters
-    ----------
-    location : str or Path
-        A file, made where there is none, or a database URL of SQLAlchemy (``postgresql+psycopg://...``).
-    read_only : bool
-        Refuse to write.
-    damaged : bool
-        Open a damaged file, for reading only.
-
-    Raises
-    ------
-    DamagedStoreError
-        For a file that is damaged: it is opened for reading only, and left as it is.
-    RecordingError
-        For a database of another kind or version, or one that cannot be used.
+    A damaged file is refused unless ``damaged`` says so: it is opened for reading only then, and left as it is. A
+    database of another kind or version is refused.
 
     Examples
     --------

@@ -41,28 +41,9 @@ class FolderWatch:
     """Looks into a folder again and again, and puts finished records into a store.
 
     A file counts as finished when its size and time, and those of the TOML file beside it, stay the same for
-    ``settle``. What was looked at is remembered in the store: a file that cannot be read is reported once, and again
-    only after it has changed. Names that begin with a dot or a tilde, and folders in the folder, are passed over.
-
-    Parameters
-    ----------
-    folder : Path or str
-        To watch.
-    store : Store
-        Open for writing.
-    tester : Tester, optional
-        On which the records were made; by default the shipped one that their headers name.
-    limits : Limits, optional
-        Those that come with jounce by default.
-    settle : float
-        s for which a file must stay the same.
-    clock : callable
-        Gives the time, s.
-
-    Raises
-    ------
-    JounceError
-        When there is no such folder.
+    ``settle`` seconds. What was looked at is remembered in the store: a file that cannot be read is reported once, and
+    again only after it has changed. Names that begin with a dot or a tilde, and folders in the folder, are passed over.
+    By default a record's tester is the shipped one that its header names. ``clock`` gives the time in s.
 
     Examples
     --------
