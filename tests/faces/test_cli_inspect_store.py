@@ -241,6 +241,7 @@ def test_watch_ends_cleanly_when_asked_to(lane, tmp_path: Path, how: signal.Sign
     assert (process.returncode, out.strip(), err) == (0, "1 new, 0 already known", "")
 
 
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="importers are forked")
 @pytest.mark.slow
 def test_two_hundred_kills_lose_nothing_and_leave_nothing_in_half(tmp_path: Path) -> None:
     script = Path(__file__).parents[1] / "twins" / "lane_kills.py"

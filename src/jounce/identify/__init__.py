@@ -1,1 +1,1 @@
-"""Numbers from measurements: stiffness, damping and damper laws with their uncertainty, and the bench itself."""
+"""Numbers from measurements: stiffness, damping and damper laws with their uncertainty, and models updated."""

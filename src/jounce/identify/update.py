@@ -11,6 +11,7 @@ from jounce.core.errors import FitError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.identify.fit_problem import FitTrial, UpdateProblem, free_parameters
+from jounce.simulation.settings import RunSettings
 
 # what the data can tell -----------------------------------------------------------------------------------------------
 
@@ -388,7 +389,7 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
         weights=weights,
         align=align == "lag",
         lag_bound=lag_bound,
-        tolerance=tolerance,
+        tolerance=RunSettings(tolerance=tolerance).tolerance,
     )
     start = np.array([item.scaled(item.initial) for item in bounds] + [0.0] * (problem.size - len(bounds)))
     names = (*(item.path for item in bounds), *(f"lag of {t.name}" for t in trials if align))

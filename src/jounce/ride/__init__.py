@@ -1,1 +1,1 @@
-"""Ride comfort, road holding, spectra and road roughness from measured or simulated signals."""
+"""Ride comfort, road holding and spectra from measured or simulated signals; stationary responses, ride studies."""

@@ -26,6 +26,7 @@ def trials() -> list[jn.FitTrial]:
         ({"weights": {"tyre.force": 1.0}}, r"one: no channel of the recording has a weight; found"),
         ({"starts": 0}, "not a number of starts; found 0; allowed: 1 or more"),
         ({"align": "lag", "lag_bound": 0.0}, "not a largest lag"),
+        ({"tolerance": -1e-8}, "tolerance: not a tolerance; found -1e-08; allowed: 1e-13 to 0.1"),
     ],
 )
 def test_impossible_settings_are_refused(trials, settings, message):
