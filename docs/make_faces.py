@@ -29,6 +29,7 @@ from jounce.inspection.quantities import Quantity as GradedQuantity
 from jounce.inspection.record import NUMBERS, SIDES, TEXTS
 from jounce.kinematics.catalogue import CATALOGUE as KINEMATIC_QUANTITIES
 from jounce.kinematics.catalogue import Quantity
+from jounce.mechanics.joints import Joint
 from jounce.parts.files import RIGS, VEHICLES
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Tester
@@ -265,6 +266,7 @@ def tables() -> dict[str, str]:
                 for row in KINEMATIC_QUANTITIES
             ],
         ),
+        "joints.md": _table(("joint", "coordinates", "what it is", "hangs", "closes"), _joint_rows()),
         "inspection-methods.md": _table(
             ("method", "plates", "shipped tester", "graded values"),
             [
@@ -277,6 +279,21 @@ def tables() -> dict[str, str]:
             [(f"`{name}`", f"`{control.law.__name__}`", control.summary) for name, control in CONTROLS.items()],
         ),
     }
+
+
+def _joint_rows() -> Iterator[tuple[str, ...]]:
+    """Every class of joint, those without a body of their own to hang last."""
+    for joint in sorted(_kinds_of(Joint), key=lambda one: not one.hangs):
+        coordinates = [f"`.{tag}` ({unit})" for tag, unit in joint.coordinates]
+        quaternion = ["quaternion `.e0` to `.e3` against the ground"] if joint.has_quaternion else []
+        says = (inspect.getdoc(joint) or "").partition("\n\n")[0].replace("\n", " ")
+        answers = ("yes" if joint.hangs else "no", "yes" if joint.closes else "no")
+        yield (f"`{joint.__name__}`", ", ".join([*coordinates, *quaternion]) or "none", says, *answers)
+
+
+def _kinds_of(base: type[Joint]) -> list[type[Joint]]:
+    found = [one for kind in base.__subclasses__() for one in (kind, *_kinds_of(kind))]
+    return [one for one in found if one.kind]
 
 
 def _graded(row: GradedQuantity) -> str:

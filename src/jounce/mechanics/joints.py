@@ -84,7 +84,11 @@ class Joint(Description):
     """What to say, and to advise, where it should close a loop and cannot."""
 
     def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:
-        """Frame of the body it hangs on ``parent``; ``sign`` is -1 where that body is the first."""
+        """Frame of the body it hangs on ``parent``.
+
+        Coordinates count from the first body to the second, whichever hangs: where the first hangs on the second,
+        ``sign`` is -1, and several motions follow each other in the opposite order.
+        """
         raise NotImplementedError
 
     def rows(self) -> list[Row]:

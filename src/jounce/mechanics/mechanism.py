@@ -228,6 +228,9 @@ class Mechanism(Structure):
             tuple(symbol.name() for symbol in ca.vertsplit(part)) if part.numel() else () for part in (q, e)
         )
         speeds = tuple(symbol.name() for part in (v, w) if part.numel() for symbol in ca.vertsplit(part))
+        if (given := len(joint.efforts(child, self.ground))) != len(speeds):
+            allowed = f"{len(speeds)}, one for each speed: {', '.join(speeds)}"
+            raise AssemblyError(f"{given} efforts of {type(joint).__name__}", where=name, found=given, allowed=allowed)
         self.hanging[joint.name] = Hanging(joint, parent, child, motion, coordinates, quaternion, speeds)
         return ca.vertcat(q, e)
 

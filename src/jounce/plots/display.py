@@ -41,6 +41,7 @@ _UNITS = {
     "rad/s": DisplayUnit("°/s", 180.0 / math.pi),
     "rad/s^2": DisplayUnit("°/s²", 180.0 / math.pi),
     "rad/m": DisplayUnit("°/m", 180.0 / math.pi),
+    "rad/m^2": DisplayUnit("°/m²", 180.0 / math.pi),
     "Pa": DisplayUnit("MPa", 1e-6),
     "N/m": DisplayUnit("N/mm", 1e-3),
     "N*s/m": DisplayUnit("N·s/m", 1.0),
