@@ -28,7 +28,7 @@ def test_springs(cli):
     assert written.parameters()["front.spring_rate"] == pytest.approx(28e3, rel=1e-4)
     shown = cli("design", "springs", "kart-quarter-car", "--frequency", "4 Hz", "--damping-ratio", "0.2")
     assert "present" in shown.out
-    assert "wanted" in shown.out
+    assert "target" in shown.out
 
 
 def test_optimise(cli):

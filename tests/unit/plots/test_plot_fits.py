@@ -25,7 +25,7 @@ def test_stiffness_shows_points_fit_and_model() -> None:
     trials = tyre_trials()
     result = jn.fit_stiffness(trials, discard_below=0.002, operating_force=206.0)
     left, right = stiffness_fit(result, trials, "tyre").axes
-    fit, model, points = (line_of(left, label) for label in ("fit, linear", "for the model", "measured, 2 trials"))
+    fit, model, points = (line_of(left, label) for label in ("fit, linear", "used in the model", "measured, 2 trials"))
     assert points.get_xdata()[-1] == pytest.approx(10.0)
     assert points.get_ydata() == pytest.approx(trials[0].force)
     slope = np.diff(fit.get_ydata())[0] / np.diff(fit.get_xdata())[0]
@@ -84,7 +84,7 @@ def test_decay_shows_response_and_turning_points() -> None:
     result = fit_decay(time, record, mass=16.0)
     axes = decay_fit(result, time, record, "decay_1.csv").axes
     assert [one.get_xlabel() for one in axes] == ["time [s]", "turning point, from equilibrium [mm]", "cycle"]
-    fitted = line_of(axes[0], "fitted")
+    fitted = line_of(axes[0], "fit: viscous")
     at = np.interp(fitted.get_xdata(), time, 1e3 * record)
     assert fitted.get_ydata() == pytest.approx(at, abs=0.02)
     measured, line = line_of(axes[1], "measured"), line_of(axes[1], "fitted")

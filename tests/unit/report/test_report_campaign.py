@@ -165,7 +165,7 @@ def test_parameters_with_bounds_and_units(result: CampaignResult) -> None:
 
 
 def test_replaced_values(result: CampaignResult) -> None:
-    rows = table_named(campaign_page(result), "Rig values").rows
+    rows = table_named(campaign_page(result), "Rig parameters replaced by measured values").rows
     assert [row[0] for row in rows] == ["strut.spring.rate", "tyre.stiffness", "strut.damper.coefficient"]
     assert rows[0][1] == "22.73"
     assert float(str(rows[0][2])) == pytest.approx(22.59, abs=0.03)  # 22.5, 22.59 and 22.68 N/mm were measured
