@@ -309,7 +309,7 @@ def test_quick_look_differs_from_the_campaign_in_the_rig_only():
 @pytest.mark.parametrize(("quick", "name"), [(False, "campaign.toml"), (True, "quick-look.toml")])
 def test_demo_runs_the_campaign_that_is_asked_for(tmp_path, monkeypatch, quick, name):
     monkeypatch.setattr(demo, "measurement_texts", lambda *_, **__: {})
-    monkeypatch.setattr(jn, "run_campaign", lambda file, progress: file, raising=False)
+    monkeypatch.setattr(jn, "run_campaign", lambda file, **_: file, raising=False)
     folder, file = demo.run_demo(tmp_path / "here", quick=quick)
     assert (folder, file.name) == (tmp_path / "here", name)
     assert sorted(p.name for p in file.parent.iterdir()) == [
