@@ -285,3 +285,44 @@ def test_orientation_of_a_body_in_quaternion_and_angles():
         e = [cx * cy * cz + sx * sy * sz, sx * cy * cz - cx * sy * sz]
         e += [cx * sy * cz + sx * cy * sz, cx * cy * sz - sx * sy * cz]
         np.testing.assert_allclose(q, np.sign(e[0]) * np.array(e), rtol=0.0, atol=1e-12)
+
+
+def hinged(turn=0.4):
+    """A body on a hinge at the origin, and where its point (1, 0, 0) is when it has turned."""
+    mechanism = jn.mechanics.Mechanism(gravity=GRAVITY)
+    body = mechanism.body("bob", 2.0, (0.5, 0.0, 0.0), (0.1, 0.1, 0.1))
+    mechanism.revolute("pivot", mechanism.ground, body, at=ORIGIN, axis=Y)
+    mechanism.watch_reaction("pivot")
+    return mechanism, body, {"pivot.angle": turn}
+
+
+def test_a_force_along_a_vector_is_that_force_on_the_point():
+    force = (3.0, -4.0, 50.0)
+    along, start = hinged()[0::2]
+    along.force(along.bodies["bob"].point(X).value, ca.SX(force))
+    applied, body, _ = hinged()
+    applied.apply_force(body, force, X)
+    found, expected = signals(along, start), signals(applied, start)
+    assert abs(expected["pivot.fy"]) == pytest.approx(4.0)
+    for name, value in expected.items():
+        assert found[name] == pytest.approx(value, rel=1e-10, abs=1e-10), name
+
+
+def test_what_holds_a_quaternion_is_not_transmitted_by_a_ball_joint_between_bodies():
+    """A quaternion is against the ground: what keeps it acts from there, and the ball transmits a force only."""
+    for kind in ("ball", "link"):
+        mechanism = jn.mechanics.Mechanism(gravity=GRAVITY)
+        arm = mechanism.body("arm", 2.0, (0.3, 0.0, 0.0), (0.02, 0.03, 0.04))
+        other = mechanism.body("other", 1.0, (0.8, 0.0, 0.1), (0.01, 0.02, 0.015))
+        mechanism.revolute("hinge", mechanism.ground, arm, at=ORIGIN, axis=Y)
+        if kind == "ball":
+            e = mechanism.spherical("tie", arm, other, at=(0.6, 0.0, 0.0))
+        else:
+            e = mechanism.link("tie", arm, other, (0.5, 0.0, 0.0), (0.2, 1.0, 0.0), (0.6, 0.0, 0.1))[1:]
+        mechanism.condition("hold", e[2])
+        end = (0.6, 0.0, 0.0) if kind == "ball" else (0.6, 0.0, 0.1)
+        mechanism.watch_reaction("tie", at=end)
+        mechanism.watch_reaction("hold")
+        found = signals(mechanism, {})
+        np.testing.assert_allclose(vector(found, "tie", "t"), 0.0, rtol=0.0, atol=1e-9)
+        assert abs(found["hold.ty"]) > 0.1

@@ -375,16 +375,25 @@ class Mechanism(Structure):
         if expression.shape != (1, 1):
             hint = "Take one of them, as joint[0]; a closing joint gives its forces and has no coordinate."
             raise AssemblyError("not one coordinate", where=name, found=f"{expression.shape[0]} expressions", hint=hint)
+        self._check_moves(name, expression, "not a condition on coordinates", self.collection.q)
+
+    def _check_moves(self, name: str, expression: ca.SX, text: str, moving: ca.SX, also: Sequence[ca.SX] = ()) -> None:
+        """Refuse what names other things than coordinates, parameters, tracks (and ``also``), or nothing ``moving``."""
         expression = self.poses.resolved(expression)
-        given = [*self.collection.coordinates.values(), *self.collection.parameters.values()]
-        for track in self.collection.tracks.values():
-            given += [track.value, track.rate, track.acceleration]
-        known = {symbol.name() for symbol in given}
-        strange = [symbol.name() for symbol in ca.symvar(expression) if symbol.name() not in known]
-        if strange or not ca.depends_on(expression, self.collection.q):
+        strange = self._strange_in(expression, also)
+        if strange or not ca.depends_on(expression, moving):
             found = f"an expression of {', '.join(strange)}" if strange else "an expression of no coordinate"
             hint = "Let the joint that is to be driven come before the one that closes the loop." if strange else ""
-            raise AssemblyError("not a condition on coordinates", where=name, found=found, hint=hint)
+            raise AssemblyError(text, where=name, found=found, hint=hint)
+
+    def _strange_in(self, expression: ca.SX, also: Sequence[ca.SX]) -> list[str]:
+        """Symbols that are no coordinates, parameters or tracks of this mechanism, such as those of another one."""
+        given = [*also, *self.collection.coordinates.values(), *self.collection.parameters.values()]
+        given += [symbol for symbol, _ in self.collection.constants.values()]
+        for track in self.collection.tracks.values():
+            given += [track.value, track.rate, track.acceleration]
+        known = {symbol.element_hash() for symbol in given}
+        return [symbol.name() for symbol in ca.symvar(expression) if symbol.element_hash() not in known]
 
     def _check(self, name: str, *bodies: Body) -> None:
         """Refuse bodies of another mechanism, and one body twice."""
@@ -430,8 +439,18 @@ class Mechanism(Structure):
         return action
 
     def force(self, along: ca.SX, magnitude: ca.SX) -> None:
-        """Let ``magnitude`` (N, N m) push ``along`` (m, rad), an expression of coordinates and points of bodies."""
-        self.act(loads.GeneralForce("", ca.SX(along), ca.SX(magnitude)))
+        """Let ``magnitude`` (N, N m) push ``along`` (m, rad), an expression of coordinates and points of bodies.
+
+        Both may be vectors, such as a point of a body and a force in ground axes.
+        """
+        along, magnitude = ca.SX(along), ca.SX(magnitude)
+        if along.shape != magnitude.shape:
+            found = f"{magnitude.numel()} along {along.numel()} expressions"
+            raise AssemblyError("as many forces as expressions", where="force", found=found, allowed="one for each")
+        moving = [self.collection.q, *(track.value for track in self.collection.tracks.values())]
+        text, modes = "a force along what moves nothing of this mechanism", self.collection.switches.values()
+        self._check_moves("force", along, text, ca.vertcat(*moving), [mode for mode, _ in modes])
+        self.act(loads.GeneralForce("", along, magnitude))
 
     def load(self, rate: ca.SX, magnitude: ca.SX) -> None:
         """Add a force that does the power ``magnitude * rate``; both may be vectors.

@@ -114,10 +114,10 @@ def all_acting(mechanism: Structure) -> list[Acting]:
 
 
 def _along(mechanism: Structure, expression: ca.SX, force: ca.SX) -> list[tuple[Wrench, str]]:
-    """What a force along an expression is on bodies; for a coordinate with the joint it belongs to."""
+    """What a force along expressions is on bodies; for a coordinate with the joint it belongs to."""
     found = []
     for named in mechanism.poses.occurring(expression):
-        push = force * ca.gradient(expression, named.symbol)
+        push = ca.jacobian(expression, named.symbol).T @ force
         if named.is_point:
             found.append((Wrench(named.body, push, named.symbol), ""))
         else:
@@ -127,7 +127,11 @@ def _along(mechanism: Structure, expression: ca.SX, force: ca.SX) -> list[tuple[
 
 
 def _efforts(mechanism: Structure, rate: ca.SX, force: ca.SX) -> list[tuple[Wrench, str]]:
-    """What a force on a rate is on the bodies of the joints by whose speeds it is made."""
+    """What a force on a rate is on the bodies of the joints by whose speeds it is made.
+
+    What acts between the two bodies of a joint comes with its name. A quaternion is against the ground, and what holds
+    it is nothing that a joint between two other bodies transmits.
+    """
     collection = mechanism.collection
     share = ca.jacobian(rate, collection.v).T @ force
     each, found = dict(zip(collection.speeds, ca.vertsplit(share), strict=True)), []
@@ -137,7 +141,8 @@ def _efforts(mechanism: Structure, rate: ca.SX, force: ca.SX) -> list[tuple[Wren
         for speed, effort in zip(hung.speeds, hung.joint.efforts(hung.child, mechanism.ground), strict=True):
             for body, sign in ((effort.body, 1.0), (effort.other, -1.0)):
                 push = sign * each[speed]
-                found.append((Wrench(body, push * effort.force, effort.point, push * effort.torque), name))
+                through = name if {effort.body, effort.other} == {hung.parent, hung.child} else ""
+                found.append((Wrench(body, push * effort.force, effort.point, push * effort.torque), through))
     return found
 
 

@@ -260,3 +260,16 @@ def test_two_motions_of_one_coordinate_are_named():
     still = jn.mechanics.constant(0.0)
     with refused("one, two: redundant joints: they repeat each other; found '1 superfluous equation (one, two)'"):
         jn.simulate_mechanism(mechanism, 0.1, motions={"a": still, "b": still})
+
+
+def test_forces_along_what_moves_nothing():
+    mechanism, body = pendulum()
+    angle, place = mechanism.coordinate_named("pivot.angle"), body.point((1.0, 0.0, 0.0)).value
+    other, far = pendulum()
+    text = "force: a force along what moves nothing of this mechanism"
+    for along in (mechanism.rate_of(angle), other.coordinate_named("pivot.angle"), far.point(ORIGIN).value[2], 3.0):
+        with refused(text):
+            mechanism.force(along, 100.0)
+    with refused("force: as many forces as expressions"):
+        mechanism.force(place, 100.0)
+    mechanism.force(mechanism.switch("up", angle) * place[2], 100.0)
