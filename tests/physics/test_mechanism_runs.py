@@ -117,3 +117,26 @@ def test_a_loop_that_could_become_a_door_goes_on_as_its_momentum_says():
         np.testing.assert_allclose(1.0 + run["bore.distance"], place, rtol=0.0, atol=1e-8)
         np.testing.assert_allclose(run["knee.angle"], -2.0 * run["main.angle"], rtol=0.0, atol=1e-7)
         np.testing.assert_allclose(run["energy.kinetic"], run["energy.kinetic"][0], rtol=1e-6)
+
+
+def driven_arm():
+    mechanism = jn.mechanics.Mechanism()
+    bob = mechanism.body("bob", 1.0, X, (0.1, 0.1, 0.1))
+    angle = mechanism.revolute("pivot", mechanism.ground, bob, at=ORIGIN, axis=Y)
+    mechanism.motion("drive", angle, mechanism.track("turn"))
+    mechanism.watch_coordinates()
+    return mechanism
+
+
+def test_a_start_at_rest_has_the_speed_of_a_running_motion():
+    motions = {"turn": jn.mechanics.harmonic(0.1, 1.0)}
+    run = jn.simulate_mechanism(driven_arm(), 0.1, motions=motions, at_rest=True, output_step=0.05)
+    assert float(run["pivot.angle rate"][0]) == pytest.approx(0.2 * np.pi, rel=1e-6)
+    assert run.attrs["findings"] == []
+
+
+def test_given_speeds_that_the_loops_change_are_said():
+    motions = {"turn": jn.mechanics.harmonic(0.1, 1.0)}
+    start = {"pivot.angle rate": 5.0}
+    run = jn.simulate_mechanism(driven_arm(), 0.1, motions=motions, start=start, output_step=0.05)
+    assert run.attrs["findings"] == ["note: pivot.angle rate: assembly moved it from 5 to 0.628319"]

@@ -32,14 +32,14 @@ _Groups = tuple[tuple[Equation, ...], ...]
 
 @dataclass(frozen=True)
 class Displacement:
-    """A coordinate that assembly changed.
+    """A coordinate, or a speed that was given, that assembly changed.
 
     Attributes
     ----------
     coordinate : str
         Its name.
     before, after : float
-        Where it was and where it is, m or rad.
+        What it was and what it is, m or rad, m/s or rad/s.
     """
 
     coordinate: str
@@ -56,7 +56,7 @@ class Assembly:
     x : ndarray, shape (n,)
         States, SI: coordinates, speeds, internal states.
     displacements : tuple of Displacement
-        Coordinates that are not where they were given or designed.
+        Coordinates that are not where they were given or designed, and speeds that are not as they were given.
     redundant : tuple of tuple of str
         Groups of loop equations that repeat each other.
     freedom : int
@@ -148,7 +148,7 @@ def assemble(
     pose = _with_speeds(evaluator, pose, slope, drift, weights)
     named = tuple(tuple(equation.name for equation in group) for group in groups)
     freedom = slope.shape[1] - int(np.linalg.matrix_rank(slope))
-    return Assembly(pose, _displacements(model, first, pose), named, freedom)
+    return Assembly(pose, _displacements(model, first, pose, given), named, freedom)
 
 
 def _given(model: Model, start: Mapping[str, float | str]) -> dict[str, float]:
@@ -409,6 +409,12 @@ def _with_speeds(evaluator: _Evaluator, pose: Array, slope: Array, drift: Array,
     return found
 
 
-def _displacements(model: Model, before: Array, after: Array) -> tuple[Displacement, ...]:
-    pairs = zip(model.coordinates, before, after, strict=False)
-    return tuple(Displacement(name, float(a), float(b)) for name, a, b in pairs if abs(a - b) > _MOVED)
+def _displacements(model: Model, before: Array, after: Array, given: Iterable[str]) -> tuple[Displacement, ...]:
+    """Coordinates and given speeds that changed."""
+    shown = {*model.coordinates, *given}
+    each = [Displacement(name, float(a), float(b)) for name, a, b in zip(model.states, before, after, strict=True)]
+    return tuple(
+        one
+        for one in each
+        if one.coordinate in shown and abs(one.before - one.after) > _MOVED * max(1.0, abs(one.before))
+    )

@@ -680,8 +680,15 @@ class Mechanism(Structure):
         for body in (frame, *([on] if on else [])):
             if body not in self.bodies:
                 raise unknown(body, self.bodies, what="body", where=f"reaction of {joint}")
+        key = f"reaction of {joint}"
+        kept = self.watched.get(key)
+        if isinstance(kept, outputs.WatchedReaction):
+            if kept.on == on and kept.frame is self.bodies[frame] and kept.at is None and at is None:
+                return
+            hint = "Of one joint one reaction is seen, in one frame, at one point and on one body."
+            raise AssemblyError("the reaction is watched twice", where=key, hint=hint)
         place = None if at is None else self.vector(f"{joint}.reaction_at", at)
-        self.watched[f"reaction of {joint}"] = outputs.WatchedReaction(joint, on, self.bodies[frame], place)
+        self.watched[key] = outputs.WatchedReaction(joint, on, self.bodies[frame], place)
 
     def watch_energy(self) -> None:
         """Let energies be seen (J), and what is left open of the loops.

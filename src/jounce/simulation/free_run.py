@@ -93,9 +93,9 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     Returns
     -------
     xarray.Dataset
-        The outputs on ``time`` (s), SI. ``attrs["findings"]`` says what assembly moved, what no
-        equilibrium decides, where a singular configuration was passed only with other steps, and whether rounding
-        forbids the tolerance.
+        The outputs on ``time`` (s), SI. ``attrs["findings"]`` says what assembly moved or which given
+        speeds it changed, what no equilibrium decides, where a singular configuration was passed only with other steps,
+        and whether rounding forbids the tolerance.
 
     Raises
     ------
@@ -133,6 +133,10 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     if at_rest:
         running = {name for name in start or {} if name in model.speeds}
         first, neutral = _at_rest(compiled, p, u, pose.x, running)
+        if model.constraints:  # the tracks were held so far; with their speeds
+            kept = [i for i, name in enumerate(model.states) if name not in model.speeds or name in running]
+            moving = {model.states[i]: float(first[i]) for i in kept}
+            first = assemble(model, p, u, moving, redundant="keep").x
         if neutral:
             notes.append(
                 [Finding(", ".join(neutral), "note", "nothing decides where it rests; it stays where it started")]
@@ -268,7 +272,7 @@ def _prepare(
 
 
 def _moved(pose: Assembly) -> list[Finding]:
-    """What assembly moved."""
+    """What assembly moved, and which given speeds it changed."""
     return [
         Finding(one.coordinate, "note", f"assembly moved it from {one.before:.6g} to {one.after:.6g}")
         for one in pose.displacements

@@ -255,15 +255,18 @@ def test_a_mechanism_lists_itself():
 
 def test_the_point_at_which_a_torque_is_given_can_be_chosen():
     """A beam held at one end carries its weight: no torque there where it is given at the centre of mass."""
-    mechanism = jn.mechanics.Mechanism()
-    beam = mechanism.body("beam", 2.0, (0.5, 0.0, 0.0), BALL)
-    mechanism.fixed("root", mechanism.ground, beam)
-    moving = mechanism.body("slider", 1.0, ORIGIN)
-    mechanism.prismatic("slide", mechanism.ground, moving, axis=X)
-    mechanism.watch_reaction("root")
-    run = jn.simulate_mechanism(mechanism, 0.1, output_step=0.1)
+
+    def held(**given):
+        mechanism = jn.mechanics.Mechanism()
+        beam = mechanism.body("beam", 2.0, (0.5, 0.0, 0.0), BALL)
+        mechanism.fixed("root", mechanism.ground, beam)
+        moving = mechanism.body("slider", 1.0, ORIGIN)
+        mechanism.prismatic("slide", mechanism.ground, moving, axis=X)
+        mechanism.watch_reaction("root", **given)
+        return jn.simulate_mechanism(mechanism, 0.1, output_step=0.1)
+
+    run = held()
     np.testing.assert_allclose(run["root.ty"], -0.5 * 2.0 * 9.81, rtol=1e-12)
-    mechanism.watch_reaction("root", at=(0.5, 0.0, 0.0), on="ground")
-    run = jn.simulate_mechanism(mechanism, 0.1, output_step=0.1)
+    run = held(at=(0.5, 0.0, 0.0), on="ground")
     np.testing.assert_allclose(run["root.ty"], 0.0, rtol=0.0, atol=1e-12)
     np.testing.assert_allclose(run["root.fz"], -2.0 * 9.81, rtol=1e-12)

@@ -273,3 +273,11 @@ def test_forces_along_what_moves_nothing():
     with refused("force: as many forces as expressions"):
         mechanism.force(place, 100.0)
     mechanism.force(mechanism.switch("up", angle) * place[2], 100.0)
+
+
+def test_reactions_that_are_watched_twice():
+    mechanism, _ = pendulum()
+    for _ in range(2):
+        mechanism.watch_reaction("pivot")
+    with refused("reaction of pivot: the reaction is watched twice"):
+        mechanism.watch_reaction("pivot", frame="bob")
