@@ -140,3 +140,47 @@ def test_given_speeds_that_the_loops_change_are_said():
     start = {"pivot.angle rate": 5.0}
     run = jn.simulate_mechanism(driven_arm(), 0.1, motions=motions, start=start, output_step=0.05)
     assert run.attrs["findings"] == ["note: pivot.angle rate: assembly moved it from 5 to 0.628319"]
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.001, 0.3])
+def test_a_pendulum_comes_to_rest_where_it_hangs_and_no_turns_away(angle):
+    """A start that is level, or nearly so, has a slope that would throw Newton's method far away."""
+    mechanism = jn.mechanics.Mechanism()
+    bob = mechanism.body("bob", 1.0, (0.3, 0.0, 0.0), (0.1, 0.1, 0.1))
+    mechanism.revolute("pivot", mechanism.ground, bob, at=ORIGIN, axis=Y)
+    mechanism.watch_coordinates()
+    run = jn.simulate_mechanism(mechanism, 0.1, start={"pivot.angle": angle}, at_rest=True, output_step=0.05)
+    np.testing.assert_allclose(run["pivot.angle"], 0.5 * np.pi, rtol=0.0, atol=1e-9)
+
+
+def four_bar_on_a_slide():
+    """A loop with a spring on its crank, on a base that slides freely along the level."""
+    mechanism = jn.mechanics.Mechanism()
+    base = mechanism.body("base", 5.0, ORIGIN, (0.1, 0.1, 0.1))
+    mechanism.prismatic("slide", mechanism.ground, base, axis=X)
+    crank = mechanism.body("crank", 1.0, (0.0, 0.0, 0.1), (0.01, 0.01, 0.001))
+    coupler = mechanism.body("coupler", 2.0, (0.2, 0.0, 0.25), (0.01, 0.02, 0.02))
+    rocker = mechanism.body("rocker", 1.5, (0.45, 0.0, 0.15), (0.01, 0.01, 0.001))
+    mechanism.revolute("crank", base, crank, at=ORIGIN, axis=Y)
+    mechanism.revolute("joint", crank, coupler, at=(0.0, 0.0, 0.2), axis=Y)
+    mechanism.revolute("rocker", base, rocker, at=(0.5, 0.0, 0.0), axis=Y)
+    mechanism.coincident("loop", coupler, rocker, at=(0.4, 0.0, 0.3))
+    mechanism.rotational_spring_damper("spring", "crank", stiffness=40.0, free_angle=0.1)
+    mechanism.watch_coordinates()
+    return mechanism
+
+
+def test_what_nothing_decides_stays_where_it_starts_beside_loops():
+    given = {"at_rest": True, "redundant": "remove", "output_step": 0.05}
+    start = {"crank.angle": 1.0, "slide.distance": 0.2}
+    run = jn.simulate_mechanism(four_bar_on_a_slide(), 0.1, start=start, **given)
+    np.testing.assert_allclose(run["slide.distance"], 0.2, rtol=0.0, atol=1e-9)
+    np.testing.assert_allclose(run["crank.angle acceleration"], 0.0, rtol=0.0, atol=1e-6)
+    assert any("slide.distance: nothing decides where it rests" in text for text in run.attrs["findings"])
+
+
+def test_a_speed_that_is_given_leaves_its_coordinate_and_may_leave_no_equilibrium():
+    with pytest.raises(jn.SimulationError, match="no static equilibrium was found"):
+        jn.simulate_mechanism(
+            four_bar_on_a_slide(), 0.1, start={"crank.angle rate": 3.0}, at_rest=True, redundant="remove"
+        )

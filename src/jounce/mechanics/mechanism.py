@@ -466,6 +466,12 @@ class Mechanism(Structure):
         """
         self._require_placed("force", body)
         where = point if isinstance(point, Moving) else body.frame.point(as_vector(point))
+        owners = {named.body.name for named in self.poses.occurring(where.value)}
+        if owners and body.name not in owners:
+            hint = f"Ask {body.name} for its point, or use push_apart() between two bodies."
+            raise AssemblyError(
+                "a point of another body", where=f"force on {body.name}", found=", ".join(owners), hint=hint
+            )
         self.act(loads.PointForce("", body, as_vector(force), where))
 
     def apply_torque(self, body: Body, torque: ca.SX | Sequence[float]) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -40,7 +40,7 @@ _MOVING = 1e-3  # share of a coordinate in a motion that is worth naming
 _MANY_STEPS, _PROBED, _STRETCHES = 1000, 600, 3  # steps that are worth a second look, and where that looks
 _ROUNDED, _LOOSEST_PROBE = 4.0, 1e-6  # times more steps for a tenth of the tolerance that no order of a method explains
 _ITERATIONS, _PROJECTIONS = 200, 3
-_STRIDE, _FAR = 0.05, 1e3  # m or rad: a step of a mechanism on its way to rest, and one that says that nothing holds it
+_STRIDE, _FAR = 0.05, 1e6  # m or rad: a step of a mechanism on its way to rest, and one that says that nothing holds it
 _NOISE, _UNDECIDED = 1e-11, 1e-9  # slopes that are rounding beside the largest, and motions that no force decides
 _SETTLED, _UNBALANCED, _SHARE_OF_NEUTRAL = 1e-10, 1e-6, 0.1
 _HINT = "Check masses, springs, stops and where it starts: something must carry every weight."
@@ -132,7 +132,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     first, notes = pose.x, [_moved(pose)]
     if at_rest:
         running = {name for name in start or {} if name in model.speeds}
-        first, neutral = _at_rest(compiled, p, u, pose.x, running)
+        first, neutral = _at_rest(compiled, p, u, pose.x, running, model.quaternions.values())
         if model.constraints:  # the tracks were held so far; with their speeds
             kept = [i for i, name in enumerate(model.states) if name not in model.speeds or name in running]
             moving = {model.states[i]: float(first[i]) for i in kept}
@@ -306,12 +306,17 @@ def _attainable(begin: Begin, solution: Solution, tolerance: float) -> float | N
     return error if error > tolerance else None
 
 
-def _at_rest(compiled: Compiled, p: Array, u: Array, x: Array, running: set[str]) -> tuple[Array, list[str]]:
+def _at_rest(
+    compiled: Compiled, p: Array, u: Array, x: Array, running: set[str], quaternions: Iterable[int]
+) -> tuple[Array, list[str]]:
     """Equilibrium near a state, the given speeds kept and the tracks held; and the coordinates that nothing decides.
 
     Newton's method on the accelerations of all motions but those that run and on the loops. A motion that changes no
-    force has a zero column: the shortest step leaves it where it is.
+    force has a zero column: the shortest step leaves it where it is, and so do the shortest ways back onto the loops.
+    Where a slope is level, so that no step would help, the mechanism is first let fall a little.
     """
+    from scipy.linalg import qr
+
     facts, (n_q, n_v) = compiled.facts, compiled.facts.counts
     still, end = np.zeros_like(u), n_q + n_v
     still[:: facts.track_order] = u[:: facts.track_order]
@@ -319,7 +324,19 @@ def _at_rest(compiled: Compiled, p: Array, u: Array, x: Array, running: set[str]
     runs = np.array([name in running for name in facts.speeds], dtype=bool)
     others = np.flatnonzero(~runs)
     modes = (compiled.evaluate("switch", x, still, p, np.ones(len(facts.switches))) > 0.0).astype(float)
-    x = x.copy()
+    x, fallen = x.copy(), False
+
+    def onto_loops(x: Array, modes: Array) -> Array:
+        """Close the loops by the shortest motion of what does not run, and give quaternions length one again."""
+        for _ in range(_PROJECTIONS if facts.constraints else 0):
+            slopes, left = compiled.slopes("x", x, still, p, modes), compiled.evaluate("constraint", x, still, p, modes)
+            moved = slopes["rate"][:n_q, n_q + others]
+            x = x.copy()
+            x[:n_q] -= moved @ np.linalg.lstsq(slopes["constraint"][:, :n_q] @ moved, left, rcond=1e-12)[0]
+        for i in quaternions:
+            x[i : i + 4] /= np.linalg.norm(x[i : i + 4])
+        return x
+
     for _ in range(_ITERATIONS):
         slopes = compiled.slopes("x", x, still, p, modes)
         if facts.constraints:  # the other speeds follow by the loops
@@ -338,32 +355,43 @@ def _at_rest(compiled: Compiled, p: Array, u: Array, x: Array, running: set[str]
         rows = np.array([*(n_q + others[free]), *internal], dtype=np.intp)
         rate = compiled.evaluate("rate", x, still, p, modes)[rows]
         matrix, residual = slope[rows] @ moved, rate
-        if facts.constraints:
-            matrix = np.vstack([matrix, slopes["constraint"] @ moved])
-            residual = np.concatenate([residual, compiled.evaluate("constraint", x, still, p, modes)])
+        closing: Array = np.zeros(moved.shape[1])
+        ways: Array = np.eye(moved.shape[1])
+        if facts.constraints:  # first the shortest step that closes the loops, then on along the motions they leave
+            across = slopes["constraint"] @ moved
+            left = compiled.evaluate("constraint", x, still, p, modes)
+            closing = np.asarray(-np.linalg.lstsq(across, left, rcond=1e-12)[0], dtype=np.float64)
+            _, values, right = np.linalg.svd(across)
+            ways = right[int(np.sum(values > _UNDECIDED * np.max(values, initial=0.0))) :].T
         size = np.max(np.abs(matrix), axis=1, initial=0.0)
         scale = np.maximum(size, _NOISE * (np.max(size, initial=0.0) or 1.0))[:, None]  # what is rounding stays small
-        left, values, right = np.linalg.svd(matrix / scale)
-        decided = int(np.sum(values > _UNDECIDED * np.max(values, initial=0.0)))
-        share = left.T[:decided] @ (residual / scale[:, 0])
-        step = -right[:decided].T @ (share / values[:decided])
-        longest = np.max(np.abs(step[: len(others)]), initial=_STRIDE if facts.projects else 0.0)
+        residual = (residual + matrix @ closing) / scale[:, 0]
+        balance = matrix @ ways / scale
+        _, values, right = np.linalg.svd(balance)
+        decided = int(np.sum(values > _UNDECIDED * max(1.0, np.max(values, initial=0.0))))
+        # as many accelerations as there are motions to be decided; the others vanish with them, or nothing is at rest
+        chosen = qr(balance.T, mode="r", pivoting=True)[1][:decided] if balance.size else np.zeros(0, dtype=int)
+        step = closing
+        if decided:
+            step = step + ways @ np.linalg.lstsq(balance[chosen], -residual[chosen], rcond=1e-12)[0]
+        longest = np.max(np.abs(step[: len(others)]), initial=_STRIDE)
         if not np.all(np.isfinite(step)) or longest > _FAR:
             break
-        if facts.projects:  # a mechanism curves: go on in short steps, and close its loops after each
-            step = step * (_STRIDE / longest)
-        x = x + moved @ step
-        for _ in range(_PROJECTIONS if facts.projects else 0):
-            x = compiled.projected(x, still, p, modes)
+        x = onto_loops(x + moved @ (step * (_STRIDE / longest)), modes)  # a mechanism curves
         before, modes = modes, (compiled.evaluate("switch", x, still, p, modes) > 0.0).astype(float)
         if np.array_equal(before, modes) and np.max(np.abs(step), initial=0.0) < _SETTLED * (
             1.0 + np.max(np.abs(x[:n_q]))
         ):
             rate = compiled.evaluate("rate", x, still, p, modes)
             falling = [facts.states[i] for i in rows if abs(rate[i]) > _UNBALANCED * max(1.0, np.max(np.abs(rate)))]
+            fall = rate[n_q + others]
+            if falling and not fallen and np.any(fall):
+                fallen = True
+                x = onto_loops(x + moved[:, : len(others)] @ (fall * (_STRIDE / np.max(np.abs(fall)))), modes)
+                continue
             if falling:
                 names = ", ".join(dict.fromkeys(moved_by(name) for name in falling))
                 raise SimulationError("no static equilibrium was found: nothing holds it", where=names, hint=_HINT)
-            neutral = np.any(np.abs(right[decided:, : len(others)]) > _SHARE_OF_NEUTRAL, axis=0)
+            neutral = np.any(np.abs((ways @ right[decided:].T)[: len(others)]) > _SHARE_OF_NEUTRAL, axis=1)
             return x, [moved_by(facts.speeds[i]) for i in others[neutral]]
     raise SimulationError("no static equilibrium was found", where="the mechanism", hint=_HINT)

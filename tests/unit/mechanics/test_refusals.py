@@ -281,3 +281,12 @@ def test_reactions_that_are_watched_twice():
         mechanism.watch_reaction("pivot")
     with refused("reaction of pivot: the reaction is watched twice"):
         mechanism.watch_reaction("pivot", frame="bob")
+
+
+def test_forces_at_points_of_another_body():
+    mechanism, body = pendulum()
+    other = mechanism.body("other", 1.0, ORIGIN, BALL)
+    mechanism.free("flight", other)
+    with refused("force on bob: a point of another body; found 'other'"):
+        mechanism.apply_force(body, (0.0, 0.0, 5.0), other.point(ORIGIN))
+    mechanism.apply_force(body, (0.0, 0.0, 5.0), body.point(ORIGIN))
