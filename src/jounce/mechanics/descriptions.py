@@ -89,6 +89,10 @@ class Description:
             value = getattr(self, each.name)
             if isinstance(value, Body):
                 found[each.name] = value.name
+            elif isinstance(value, Track):
+                found[each.name] = value.value.name()
+            elif each.name == "on":
+                found[each.name] = value
             elif "read" in each.metadata and isinstance(value, ca.SX):
                 found[each.name] = evaluate(value)
                 units[each.name] = each.metadata["unit"].format(**self.units())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from math import isfinite
 from typing import Any
 
 import casadi as ca
@@ -30,7 +31,7 @@ def as_data(mechanism: Structure, values: Mapping[str, float], watched: Iterable
             return None
         symbols = ca.vertcat(*(symbol for symbol, _ in given))
         found = ca.Function("numbers", [symbols], [ca.densify(expression)])([value for _, value in given])
-        parts = [float(part) for part in found.full().ravel()]
+        parts = [float(part) if isfinite(part) else None for part in found.full().ravel()]
         return parts[0] if expression.shape == (1, 1) else parts
 
     def acts_on(symbols: ca.SX) -> dict[str, Plain]:

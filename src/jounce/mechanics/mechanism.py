@@ -734,20 +734,26 @@ class Mechanism(Structure):
 
     # what there is ---------------------------------------------------------------------------------------------
 
-    def to_dict(self, values: Mapping[str, float] | None = None) -> dict[str, Any]:
+    def to_dict(self, values: Mapping[str, float | str] | None = None) -> dict[str, Any]:
         """List bodies, joints, loops, conditions, loads and what is watched, with their numbers.
 
         Parameters
         ----------
         values : mapping, optional
-            Parameter path to value (SI), in place of or besides those it was built with.
+            Parameter path to value (SI, or text with a unit), in place of or besides those it was built with.
 
         Returns
         -------
         dict
             Strictly plain data (SI); None for a number that is not known.
         """
-        return listing.as_data(self, {**self.values, **(values or {})}, self.watched.values())
+        given = {}
+        for path, value in (values or {}).items():
+            if path not in self.parameters:
+                raise unknown(path, self.parameters, what="parameter", where="values")
+            unit = self.units.get(path, "1")
+            given[path] = to_si(value, unit, where=f"values: {path}") if isinstance(value, str) else float(value)
+        return listing.as_data(self, {**self.values, **given}, self.watched.values())
 
     def __str__(self) -> str:
         return listing.as_text(self.to_dict())

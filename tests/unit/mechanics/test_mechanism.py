@@ -270,3 +270,21 @@ def test_the_point_at_which_a_torque_is_given_can_be_chosen():
     run = held(at=(0.5, 0.0, 0.0), on="ground")
     np.testing.assert_allclose(run["root.ty"], 0.0, rtol=0.0, atol=1e-12)
     np.testing.assert_allclose(run["root.fz"], -2.0 * 9.81, rtol=1e-12)
+
+
+def test_a_listing_takes_units_and_refuses_names_it_does_not_know():
+    mechanism = jn.mechanics.Mechanism()
+    block = mechanism.body("block", 1.0, ORIGIN, BALL)
+    table = mechanism.body("table")
+    mechanism.driven("shaker", mechanism.ground, table, Z, mechanism.track("road"))
+    mechanism.prismatic("slide", table, block, axis=Z)
+    mechanism.spring_damper("strut", table, block, (0.0, 0.0, -1.0), ORIGIN, stiffness=3.0)
+    mechanism.watch_reaction("slide", on="table")
+    listed = mechanism.to_dict({"strut.stiffness": "3 N/mm"})
+    assert listed["loads"][0]["stiffness"] == pytest.approx(3000.0)
+    assert listed["joints"][0]["travel"] == "road"
+    assert listed["watched"][0]["on"] == "table"
+    broken = json.loads(json.dumps(mechanism.to_dict({"strut.stiffness": float("nan")}), allow_nan=False))
+    assert broken["loads"][0]["stiffness"] is None
+    with pytest.raises(jn.DescriptionError, match=r"unknown parameter 'strut.stifness'.*strut\.stiffness"):
+        mechanism.to_dict({"strut.stifness": 1.0})
