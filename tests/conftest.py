@@ -15,7 +15,7 @@ hypothesis.settings.load_profile("jounce")
 
 _CACHE = pytest.StashKey[str]()
 COLLECTED = pytest.StashKey[set[str]]()
-QUICK = ("unit", "properties", "architecture")  # the other kinds of test run models, which are compiled
+QUICK = ("unit", "properties")  # the other kinds of test run models, which are compiled, or the whole documentation
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
