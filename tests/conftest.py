@@ -54,13 +54,15 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
 
 
 def _skip_where_something_is_compiled() -> None:
-    """Skip a test at the moment at which it would wait for LLVM, so that no list of such tests must be kept."""
+    """Skip a test where it would wait for LLVM or for a typeset page, so that no list of such tests must be kept."""
     from numba.core.dispatcher import Dispatcher
 
     from jounce.kernel import native
+    from jounce.report import protocol
 
     def skip(*_: object, **__: object) -> None:
         raise pytest.skip.Exception("compiles: left out of the quick tests", allow_module_level=True)
 
     native._emit = skip
     Dispatcher.compile = skip
+    protocol.compiled = skip
