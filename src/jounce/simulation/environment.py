@@ -93,7 +93,8 @@ class Stepper:
         self._pieces = self._prepared.problem.tracks.first[tracks]
         self._problem = prepared.problem._replace(x0=prepared.problem.x0.copy())
         self._shares = np.arange(samples + 1) / samples
-        self._out = room(compiled, np.zeros(samples + 1))
+        self._times = np.zeros(samples + 1)
+        self._out = room(compiled, self._times)
         self._counts = np.zeros(3, dtype=np.int64)
         self.corners, self.channels = loop.corners, compiled.output_names
         self.limits = np.array([controller.actuator.limits for controller in loop.controllers.values()])
@@ -130,7 +131,7 @@ class Stepper:
         problem.tracks.coefficients[self._pieces, 0] = np.clip(given, self.limits[:, 0], self.limits[:, 1])
         self._steps += 1
         until = min(self._steps * self.period, self.end)
-        out.times[:] = self.time + self._shares * (until - self.time)
+        self._times[:] = self.time + self._shares * (until - self.time)
         out.states[:] = np.nan
         out.outputs[:] = np.nan
         self.status = Status.of(integrate(problem, self._prepared.control, out, self._counts))

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from numba import typeof
 
 import jounce
 from jounce import parts
 from jounce.core.errors import SimulationError
 from jounce.models import build
 from jounce.simulation import prepare as run_module
-from jounce.simulation.compiled import compile_model
+from jounce.simulation.compiled import compile_model, compile_rig
 from jounce.simulation.settings import output_times
 
 KART = parts.load("kart-quarter-car")
@@ -118,3 +119,13 @@ def test_impossible_output_steps(step):
 def test_impossible_tolerances(tolerance):
     with pytest.raises(SimulationError, match="tolerance"):
         jounce.simulate(KART, TRIAL, tolerance=tolerance)
+
+
+def test_remembered_and_fresh_times_are_one_type_to_the_loops():
+    compiled = compile_rig(KART)
+    fresh = np.linspace(0.0, 1.0, 11)
+    remembered = fresh.copy()
+    remembered.setflags(write=False)
+    rooms = [run_module.room(compiled, times) for times in (fresh, remembered, fresh[::2])]
+    assert len({typeof(found) for found in rooms}) == 1
+    assert fresh.flags.writeable
