@@ -15,6 +15,7 @@ from jounce.core.serialise import to_plain
 from jounce.core.types import Array
 from jounce.design.model_comparison import ModelComparison
 from jounce.identify.comparison import compare, iso18571
+from jounce.identify.datum import with_datum
 from jounce.identify.fit_problem import FitTrial, readings
 from jounce.identify.update import UpdateResult
 from jounce.parts import Rig
@@ -59,6 +60,7 @@ def compare_trial(
     trial: FitTrial, lag: float | None = 0.0
 ) -> tuple[TrialComparison, dict[str, Signals], list[Finding]]:
     """Simulate a trial and compare it with its recording, which lags by ``lag`` (s; None: estimated by correlation)."""
+    trial, _ = with_datum(trial)
     if lag is None:
         lag = _lag(readings(trial))
     curves = readings(trial, lag=lag)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -17,12 +18,13 @@ from jounce.core.errors import DescriptionError, FitError, JounceError, unknown
 from jounce.core.findings import Finding
 from jounce.design.lumping import lumped_from
 from jounce.design.model_comparison import ModelComparison, PeakDifference, compare_models, compare_peaks
+from jounce.identify.datum import datum_findings, with_datum
 from jounce.identify.fit_problem import FitTrial, check_free
 from jounce.identify.update import update_model
 from jounce.parts import Corner, Rig, changed_text, load, rig_findings, rig_from_table, rig_path
 from jounce.parts.rig import parameters_of
 from jounce.parts.variants import strut_angle_findings, with_strut_angle
-from jounce.recordings import read_recording
+from jounce.recordings import Sensor, read_recording
 from jounce.roads import Road, Train, Trial, read_roads
 from jounce.simulation.compiled import compile_rig
 
@@ -81,6 +83,7 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
     findings += bench.findings
     loaded = _load_trials(campaign, roads, file.parent, findings)
     runner = _Runner(campaign, file.parent, loaded, rig_file.read_text(encoding="utf-8"), bench, findings, progress)
+    runner.decide_datums(knowledge)
     strategies = runner.update_all(knowledge)
     trials = runner.compare_all(knowledge, strategies)
     lumped = runner.compare_with_lumped(strategies[-1].knowledge if strategies else knowledge)
@@ -187,11 +190,22 @@ class _Runner:
     bench: Characterisation
     findings: list[Finding]
     progress: Progress
+    sensors: dict[int, Mapping[str, Sensor]] = field(default_factory=dict)
 
     def fit_trial(self, item: _Loaded, knowledge: Knowledge) -> FitTrial:
         entry = item.entry
         rig = knowledge.rig_for(entry.strut_angle, entry.tyre_pressure, entry.changes)
-        return FitTrial(f"trial {entry.number}", rig, item.trial, item.measured, self.campaign.sensors)
+        sensors = self.sensors.get(entry.number, self.campaign.sensors)
+        return FitTrial(f"trial {entry.number}", rig, item.trial, item.measured, sensors)
+
+    def decide_datums(self, knowledge: Knowledge) -> None:
+        """Decide where the zeros of all channels lie: once, for all updates and comparisons."""
+        taken = {}
+        for number, item in self.loaded.items():
+            with suppress(JounceError):  # said where the trial is used
+                decided, taken[f"trial {number}"] = with_datum(self.fit_trial(item, knowledge))
+                self.sensors[number] = decided.sensors
+        self.findings += datum_findings(taken)
 
     def update_all(self, start: Knowledge) -> list[StrategyResult]:
         done: dict[str, StrategyResult] = {}

@@ -18,7 +18,7 @@ from jounce.core.units import to_si
 from jounce.kernel.engine import Status
 from jounce.parts import Rig
 from jounce.parts.rig import unit_of, unknown_path
-from jounce.recordings.sensors import Sensor, bias_of, filter_signals
+from jounce.recordings.sensors import Datum, Sensor, bias_of, filter_signals
 from jounce.recordings.signals import shift_with_derivative
 from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig
@@ -42,7 +42,8 @@ class FitTrial:
     measured : xarray.Dataset
         Recording; every variable that is also an output of the model is compared.
     sensors : dict
-        Channel to sensor: applied to the simulation before it is compared.
+        Channel to sensor: applied to the simulation before it is compared. Where a sensor says no ``datum``, or a
+        channel has no sensor, :func:`jounce.identify.datum.with_datums` finds it; until then it is "undeformed".
     """
 
     name: str
@@ -85,6 +86,7 @@ class Channel:
     sensor: Sensor | None
     bias: float
     weight: float
+    datum: Datum = "undeformed"
 
 
 @dataclass(frozen=True)
@@ -186,7 +188,7 @@ class UpdateProblem:
         for i, trial in enumerate(self.trials):
             solution = trial.solve(values, self.tolerance)
             for channel in trial.channels:
-                signal, slopes = self._channel(trial, channel, solution, lags[i])
+                signal, slopes = self.channel(trial, channel, solution, lags[i])
                 rows = np.zeros((len(signal), self.size))
                 scales = [free.half_range * factor for free, factor in zip(self.free, trial.factors, strict=True)]
                 rows[:, : len(self.free)] = -slopes[:, : len(self.free)] * scales
@@ -198,9 +200,11 @@ class UpdateProblem:
                 at += len(signal)
         return Residuals(np.concatenate(vectors), np.vstack(jacobians), tuple(blocks))
 
-    def _channel(self, trial: Prepared, channel: Channel, solution: Solution, lag: float) -> tuple[Array, Array]:
+    def channel(self, trial: Prepared, channel: Channel, solution: Solution, lag: float) -> tuple[Array, Array]:
         """Simulated reading of one channel and its derivatives (parameters, then lag where aligned)."""
         table = np.vstack([solution.outputs[channel.column], *solution.output_slopes[channel.column]]).T
+        if channel.datum == "rest":
+            table = table - table[0]  # the run starts at rest
         table = table[len(trial.times) - trial.uniform :]
         if channel.sensor is not None:
             table = filter_signals(table, trial.rate, channel.sensor, where=channel.name)
@@ -208,7 +212,10 @@ class UpdateProblem:
         if self.align:
             shifted, slope = shift_with_derivative(table, trial.rate, lag)
             table = np.column_stack([shifted, slope[:, 0]])
-        return table[:, 0] + channel.bias, table[:, 1:]
+        signal, slopes = table[:, 0] + channel.bias, table[:, 1:]
+        if channel.datum == "free offset":  # the best constant at every point: as if it were fitted, too
+            signal, slopes = signal + (channel.measured - signal).mean(), slopes - slopes.mean(axis=0)
+        return signal, slopes
 
 
 def readings(trial: FitTrial, *, lag: float = 0.0, tolerance: float = 1e-6) -> dict[str, tuple[Array, Array, Array]]:
@@ -224,7 +231,7 @@ def readings(trial: FitTrial, *, lag: float = 0.0, tolerance: float = 1e-6) -> d
     solution = prepared.solve(np.zeros(0), tolerance)
     time = trial.measured["time"].to_numpy()
     return {
-        channel.name: (time, channel.measured, problem._channel(prepared, channel, solution, lag)[0])
+        channel.name: (time, channel.measured, problem.channel(prepared, channel, solution, lag)[0])
         for channel in prepared.channels
     }
 
@@ -302,7 +309,8 @@ def _channel(trial: FitTrial, compiled: Compiled, name: str, weights: str | Mapp
     column, sensor = compiled.output_names.index(name), trial.sensors.get(name)
     measured = trial.measured[name].to_numpy()
     bias = 0.0 if sensor is None else bias_of(sensor, compiled.facts.outputs[column].unit, where=name)
-    return Channel(name, column, measured, sensor, bias, _weight(weights, name, measured))
+    datum = (sensor and sensor.datum) or "undeformed"
+    return Channel(name, column, measured, sensor, bias, _weight(weights, name, measured), datum)
 
 
 def _weight(weights: str | Mapping[str, float], name: str, measured: Array) -> float:

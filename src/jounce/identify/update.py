@@ -10,6 +10,7 @@ import numpy as np
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
+from jounce.identify.datum import with_datums
 from jounce.identify.fit_problem import FitTrial, UpdateProblem, free_parameters
 from jounce.simulation.settings import RunSettings
 
@@ -325,6 +326,8 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
     trials : sequence of FitTrial
         What was run and measured; each carries its rig with start values. A free parameter whose start value differs
         between trials (tyre stiffness at two pressures) gets one common factor; values are those of the first trial.
+        Where a channel's zero lies is the ``datum`` of its sensor, by default found from the quiet start of the record,
+        with a finding.
     free : dict
         Path to bounds: ``"10 %"`` of the start value to either side, or ``[lower, upper]`` with units.
     name : str
@@ -382,6 +385,7 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
     if not (np.isfinite(lag_bound) and lag_bound > 0.0):
         raise FitError("not a largest lag", where=name, found=f"{lag_bound} s", allowed="above 0 s")
     bounds = free_parameters(trials[0].rig, free, where=name)
+    trials, datums = with_datums(trials, channels)
     problem = UpdateProblem(
         trials,
         bounds,
@@ -396,7 +400,7 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
     known = identifiability(problem.residuals(start).jacobian, names)
     before, _ = problem.objective(start)
     optima = minimise_from_many(problem, start, method, starts, seed)
-    findings = [*known.findings, *_stall(name, optima[0], before), *_several_minima(name, optima)]
+    findings = [*datums, *known.findings, *_stall(name, optima[0], before), *_several_minima(name, optima)]
     findings += _common_factors(problem)
     best = optima[0]
     residuals = problem.residuals(best.scaled)

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 Initial = Literal["steady", "zero"]
+Datum = Literal["rest", "undeformed", "free offset"]
 _LEADING_NUMBER = re.compile(r"\s*[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?(?![\d.])")
 
 
@@ -54,7 +55,8 @@ class ChannelUnit(Unit):
 class Sensor(Description):
     """A sensor with its conditioner: what is recorded is a filtered, scaled, noisy image of the motion.
 
-    The chain is: ``orientation * gain``, AC coupling, band limit, then ``bias`` and ``noise`` are added.
+    The chain is: zero (``datum``), ``orientation * gain``, AC coupling, band limit; then ``bias`` and ``noise`` are
+    added.
 
     Attributes
     ----------
@@ -71,6 +73,10 @@ class Sensor(Description):
         Recorded over true size, 1 by default.
     orientation : {1, -1}
         -1 for a sensor mounted upside down.
+    datum : {"rest", "undeformed", "free offset"} or None
+        Where the record is zero: at rest before the run (a displacement sensor or load cell that was zeroed), where the
+        model counts from (undeformed springs, design position, no force), or anywhere, so that a constant is fitted
+        with the parameters. None: found from the quiet start of the recording.
 
     Examples
     --------
@@ -84,6 +90,7 @@ class Sensor(Description):
     noise: Annotated[float | str, ChannelUnit(at_least=0.0)] = 0.0
     gain: Number = 1.0
     orientation: Literal[1, -1] = 1
+    datum: Datum | None = None
 
     @model_validator(mode="after")
     def _is_possible(self) -> Self:
@@ -198,7 +205,7 @@ def apply_sensors(dataset: xr.Dataset, sensors: Mapping[str, Sensor], *, seed: i
     Parameters
     ----------
     dataset : xarray.Dataset
-        A recording on uniform time (s).
+        A recording on uniform time (s), at rest at its first sample, which is the zero of sensors with datum "rest".
     sensors : mapping of str to Sensor
         Sensor of each channel that has one; the other channels stay as they are.
     seed : int, optional
@@ -231,7 +238,8 @@ def apply_sensors(dataset: xr.Dataset, sensors: Mapping[str, Sensor], *, seed: i
         if name not in names:
             raise unknown(name, names, what="channel", where="sensors")
         variable = dataset[name].variable
-        values = filter_signals(variable.values, rate, sensor, where=f"sensor of {name}")
+        zero = variable.values[0] if sensor.datum == "rest" else 0.0
+        values = filter_signals(variable.values - zero, rate, sensor, where=f"sensor of {name}")
         values = values + bias_of(sensor, variable.attrs["units"], where=f"sensor of {name}: bias")
         deviation = noise_of(sensor, variable.attrs["units"], where=f"sensor of {name}: noise")
         if seed is not None and deviation > 0.0:
