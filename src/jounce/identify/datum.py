@@ -122,7 +122,7 @@ def _quiet_starts(trial: FitTrial, channels: Sequence[str] | None) -> dict[str, 
         static = solution.outputs[channel.column][:1]
         if channel.sensor is not None:
             static = filter_signals(static, prepared.rate, channel.sensor, where=channel.name)
-        simulated, _ = problem.channel(prepared, channel, solution, 0.0)
+        simulated = prepared.table(channel, solution)[:, 0]
         found[channel.name] = _quiet_start(channel, time, simulated, float(static[0]) + channel.bias)
     return found
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 import xarray as xr
@@ -15,16 +16,20 @@ import xarray as xr
 from jounce.core.errors import DescriptionError, FitError, SimulationError, unknown
 from jounce.core.types import Array
 from jounce.core.units import to_si
+from jounce.identify.lags import Shifted, best_lag
 from jounce.kernel.engine import Status
 from jounce.parts import Rig
 from jounce.parts.rig import unit_of, unknown_path
 from jounce.recordings.sensors import Datum, Sensor, bias_of, filter_signals
-from jounce.recordings.signals import shift_with_derivative
+from jounce.recordings.signals import shift_signals
 from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import solve
 from jounce.simulation.problem import excitation
 from jounce.simulation.result import Solution
+
+_FREE_LAG = 1.0 - 1e-9
+"""Share of its bound at which a lag counts as held by it."""
 
 
 @dataclass(frozen=True)
@@ -88,6 +93,14 @@ class Channel:
     weight: float
     datum: Datum = "undeformed"
 
+    def offset(self, table: Array, slope: Array) -> tuple[Array, Array]:
+        """Table and slope by the lag, with a free offset as the best constant: as if it were fitted, too."""
+        if self.datum != "free offset":
+            return table, slope
+        table = table - table.mean(axis=0)
+        table[:, 0] += self.measured.mean()
+        return table, slope - slope.mean()
+
 
 @dataclass(frozen=True)
 class Prepared:
@@ -113,18 +126,67 @@ class Prepared:
             raise SimulationError("the simulation diverged", where=self.source.name, found=solution.status.help)
         return solution
 
+    def table(self, channel: Channel, solution: Solution) -> Array:
+        """Simulated reading of a channel and, beside it, its derivatives by the free parameters; a row a sample."""
+        table = np.vstack([solution.outputs[channel.column], *solution.output_slopes[channel.column]]).T
+        if channel.datum == "rest":
+            table = table - table[0]  # the run starts at rest
+        table = table[len(self.times) - self.uniform :]
+        if channel.sensor is not None:
+            table = filter_signals(table, self.rate, channel.sensor, where=channel.name)
+        table = table[len(table) - len(channel.measured) :]
+        table[:, 0] += channel.bias
+        return table
+
 
 @dataclass(frozen=True)
 class Residuals:
-    """Residuals (weighted, measured minus simulated) and their derivatives; one block a trial and channel."""
+    """Residuals (weighted, measured minus simulated) and their derivatives by the scaled parameters.
+
+    ``direct`` are those with the lags kept, shape (n, parameters); ``lag_slope`` is that by the lag of the row's trial,
+    per s, zero where a lag is not free. ``blocks`` are the rows of each channel of each trial, ``groups`` those of each
+    trial, ``lags`` the lag of each recording behind its simulation, s.
+    """
 
     vector: Array
-    jacobian: Array
+    direct: Array
+    lag_slope: Array
     blocks: tuple[slice, ...]
+    groups: tuple[slice, ...]
+    lags: Array
+
+    @cached_property
+    def jacobian(self) -> Array:
+        """Derivatives with the lags following, as far as least squares sees them: what a lag can explain is left out.
+
+        The lags are those that fit best with the parameters as they are (variable projection, Kaufman's form).
+        """
+        jacobian = self.direct.copy()
+        for rows in self.groups:
+            project_out(jacobian[rows], self.lag_slope[rows])
+        return jacobian
+
+    def with_lags(self, unit: float) -> Array:
+        """Derivatives by the parameters and, behind them, by the lag of each trial in a unit (s)."""
+        lags = np.zeros((len(self.vector), len(self.groups)))
+        for i, rows in enumerate(self.groups):
+            lags[rows, i] = unit * self.lag_slope[rows]
+        return np.hstack([self.direct, lags])
+
+
+def project_out(columns: Array, direction: Array) -> None:
+    """Take out of each column, in place, what one direction explains."""
+    length = float(direction @ direction)
+    if length > 0.0:
+        columns -= np.outer(direction / length, direction @ columns)
 
 
 class UpdateProblem:
-    """Residuals and exact Jacobian of all trials as functions of the scaled parameters (and lags)."""
+    """Residuals and exact Jacobian of all trials as functions of the scaled parameters.
+
+    With ``align`` every recording lags behind its simulation by what fits best, which no simulation is needed for: the
+    lags are no unknowns of the search.
+    """
 
     def __init__(
         self,
@@ -141,19 +203,20 @@ class UpdateProblem:
         self.trials = tuple(_prepare(trial, self.free, channels, weights) for trial in trials)
         self.evaluations = 0
         count = sum(len(c.measured) for trial in self.trials for c in trial.channels)
-        if count < self.size:
+        unknowns = self.size + (len(self.trials) if align else 0)
+        if count < unknowns:
             raise FitError(
                 "fewer data than parameters",
                 found=f"{count} samples",
-                allowed=f"at least {self.size}",
+                allowed=f"at least {unknowns}",
                 hint="Give longer recordings or free fewer parameters.",
             )
         self._last: tuple[bytes, Residuals] | None = None
 
     @property
     def size(self) -> int:
-        """Number of unknowns: free parameters, and one lag a trial when aligned."""
-        return len(self.free) + (len(self.trials) if self.align else 0)
+        """Number of unknowns of the search."""
+        return len(self.free)
 
     @property
     def data_energy(self) -> float:
@@ -162,11 +225,7 @@ class UpdateProblem:
 
     def values(self, scaled: Array) -> Array:
         """Parameter values (SI) at scaled coordinates."""
-        return np.array([free.value(s) for free, s in zip(self.free, scaled[: len(self.free)], strict=True)])
-
-    def lags(self, scaled: Array) -> Array:
-        """Lag of the recording behind the simulation for each trial, s."""
-        return scaled[len(self.free) :] * self.lag_bound
+        return np.array([free.value(s) for free, s in zip(self.free, scaled, strict=True)])
 
     def residuals(self, scaled: Array) -> Residuals:
         """Evaluate residuals and Jacobian with respect to the scaled unknowns."""
@@ -183,39 +242,43 @@ class UpdateProblem:
 
     def _evaluate(self, scaled: Array) -> Residuals:
         values = self.values(scaled)
-        lags = self.lags(scaled) if self.align else np.zeros(len(self.trials))
-        vectors, jacobians, blocks, at = [], [], [], 0
-        for i, trial in enumerate(self.trials):
+        vectors, jacobians, slopes, blocks, groups, lags, at = [], [], [], [], [], [], 0
+        for trial in self.trials:
+            scales = np.array([f.half_range * factor for f, factor in zip(self.free, trial.factors, strict=True)])
             solution = trial.solve(values, self.tolerance)
-            for channel in trial.channels:
-                signal, slopes = self.channel(trial, channel, solution, lags[i])
-                rows = np.zeros((len(signal), self.size))
-                scales = [free.half_range * factor for free, factor in zip(self.free, trial.factors, strict=True)]
-                rows[:, : len(self.free)] = -slopes[:, : len(self.free)] * scales
-                if self.align:
-                    rows[:, len(self.free) + i] = -slopes[:, -1] * self.lag_bound
-                vectors.append(channel.weight * (channel.measured - signal))
-                jacobians.append(channel.weight * rows)
-                blocks.append(slice(at, at + len(signal)))
-                at += len(signal)
-        return Residuals(np.concatenate(vectors), np.vstack(jacobians), tuple(blocks))
+            tables = [trial.table(channel, solution) for channel in trial.channels]
+            lag, found = self._aligned(trial, tables)
+            begin = at
+            for channel, (table, slope) in zip(trial.channels, found, strict=True):
+                vectors.append(channel.weight * (channel.measured - table[:, 0]))
+                jacobians.append(-channel.weight * scales * table[:, 1:])
+                slopes.append(-channel.weight * slope)
+                blocks.append(slice(at, at + len(table)))
+                at += len(table)
+            groups.append(slice(begin, at))
+            lags.append(lag)
+        return Residuals(
+            np.concatenate(vectors),
+            np.vstack(jacobians),
+            np.concatenate(slopes),
+            tuple(blocks),
+            tuple(groups),
+            np.array(lags),
+        )
 
-    def channel(self, trial: Prepared, channel: Channel, solution: Solution, lag: float) -> tuple[Array, Array]:
-        """Simulated reading of one channel and its derivatives (parameters, then lag where aligned)."""
-        table = np.vstack([solution.outputs[channel.column], *solution.output_slopes[channel.column]]).T
-        if channel.datum == "rest":
-            table = table - table[0]  # the run starts at rest
-        table = table[len(trial.times) - trial.uniform :]
-        if channel.sensor is not None:
-            table = filter_signals(table, trial.rate, channel.sensor, where=channel.name)
-        table = table[len(table) - len(channel.measured) :]
-        if self.align:
-            shifted, slope = shift_with_derivative(table, trial.rate, lag)
-            table = np.column_stack([shifted, slope[:, 0]])
-        signal, slopes = table[:, 0] + channel.bias, table[:, 1:]
-        if channel.datum == "free offset":  # the best constant at every point: as if it were fitted, too
-            signal, slopes = signal + (channel.measured - signal).mean(), slopes - slopes.mean(axis=0)
-        return signal, slopes
+    def _aligned(self, trial: Prepared, tables: list[Array]) -> tuple[float, list[tuple[Array, Array]]]:
+        """Lag of a trial's recording, and each channel's table there with the slope by the lag (0 where held)."""
+        both = list(zip(trial.channels, tables, strict=True))
+        if not self.align:
+            return 0.0, [channel.offset(table, np.zeros(len(table))) for channel, table in both]
+        shifted = [
+            Shifted.of(channel.measured, table, channel.weight, trial.rate, offset=channel.datum == "free offset")
+            for channel, table in both
+        ]
+        lag = best_lag(shifted, self.lag_bound)
+        free = float(abs(lag) < self.lag_bound * _FREE_LAG)
+        found = zip(trial.channels, (one.at(lag) for one in shifted), strict=True)
+        return lag, [channel.offset(table, free * slope) for channel, (table, slope) in found]
 
 
 def readings(trial: FitTrial, *, lag: float = 0.0, tolerance: float = 1e-6) -> dict[str, tuple[Array, Array, Array]]:
@@ -224,16 +287,14 @@ def readings(trial: FitTrial, *, lag: float = 0.0, tolerance: float = 1e-6) -> d
     Gives channel to (time in s, measured, simulated), in the channel's SI unit; ``lag`` (s) is that of the recording
     behind the simulation.
     """
-    problem = UpdateProblem(
-        [trial], (), channels=None, weights="printed", align=True, lag_bound=1.0, tolerance=tolerance
-    )
-    prepared = problem.trials[0]
+    prepared = _prepare(trial, (), None, "printed")
     solution = prepared.solve(np.zeros(0), tolerance)
     time = trial.measured["time"].to_numpy()
-    return {
-        channel.name: (time, channel.measured, problem.channel(prepared, channel, solution, lag)[0])
-        for channel in prepared.channels
-    }
+    found = {}
+    for channel in prepared.channels:
+        shifted = shift_signals(prepared.table(channel, solution), prepared.rate, lag)
+        found[channel.name] = time, channel.measured, channel.offset(shifted, np.zeros(len(shifted)))[0][:, 0]
+    return found
 
 
 def _prepare(

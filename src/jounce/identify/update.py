@@ -42,7 +42,7 @@ class Identifiability:
 def identifiability(jacobian: Array, names: tuple[str, ...]) -> Identifiability:
     """Judge the derivatives of the residuals with respect to the scaled unknowns."""
     norms = np.linalg.norm(jacobian, axis=0)
-    singular = np.linalg.svd(jacobian, compute_uv=False)
+    singular = np.linalg.svd(np.linalg.qr(jacobian, mode="r"), compute_uv=False)
     rank = int(np.sum(singular > _WEAK * singular[0])) if singular[0] > 0.0 else 0
     correlation = correlation_of(np.asarray(np.linalg.pinv(jacobian.T @ jacobian, hermitian=True), dtype=float))
     findings = [
@@ -157,8 +157,8 @@ def _least_squares(problem: UpdateProblem, start: Array) -> tuple[Array, int]:
         jac=lambda x: problem.residuals(x).jacobian,
         bounds=(-1.0, 1.0),
         method="trf",
-        xtol=1e-12,
-        ftol=1e-12,
+        xtol=1e-9,  # of the bounds' half range; below it simulations of finite tolerance differ by chance
+        ftol=1e-10,
         gtol=1e-12,
         max_nfev=200,
     )
@@ -192,18 +192,22 @@ def robust_covariance(vector: Array, jacobian: Array, blocks: tuple[slice, ...])
     ``J r``: those sum to zero at the optimum, which makes intervals from them too short. ``blocks`` are the rows of
     each channel of each trial; residuals of different blocks are taken as independent.
     """
+    from scipy.signal import oaconvolve
+
     count, unknowns = jacobian.shape
     bread = np.linalg.pinv(jacobian.T @ jacobian, hermitian=True)
     meat = np.zeros((unknowns, unknowns))
     for block in blocks:
         level = _level(vector[block])
-        rows = jacobian[block] * level[:, None]
-        meat += rows.T @ rows
         least = max(_LEAST * float(np.max(level, initial=0.0)), np.finfo(float).tiny)
         correlation = _correlation(vector[block] / np.maximum(level, least))
-        for lag, weighted in enumerate(correlation, 1):
-            cross = rows[lag:].T @ rows[:-lag]
-            meat += weighted * (cross + cross.T)
+        touched = np.flatnonzero(jacobian[block].any(axis=0))
+        if not len(touched):
+            continue
+        rows = jacobian[block][:, touched] * level[:, None]
+        kernel = np.concatenate([correlation[::-1], [1.0], correlation])
+        meat[np.ix_(touched, touched)] += rows.T @ oaconvolve(rows, kernel[:, None], mode="same", axes=0)
+    meat = 0.5 * (meat + meat.T)
     return np.asarray(bread @ meat @ bread * (count / max(count - unknowns, 1)))
 
 
@@ -395,9 +399,9 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
         lag_bound=lag_bound,
         tolerance=RunSettings(tolerance=tolerance).tolerance,
     )
-    start = np.array([item.scaled(item.initial) for item in bounds] + [0.0] * (problem.size - len(bounds)))
+    start = np.array([item.scaled(item.initial) for item in bounds])
     names = (*(item.path for item in bounds), *(f"lag of {t.name}" for t in trials if align))
-    known = identifiability(problem.residuals(start).jacobian, names)
+    known = identifiability(_whole(problem, start), names)
     before, _ = problem.objective(start)
     optima = minimise_from_many(problem, start, method, starts, seed)
     findings = [*datums, *known.findings, *_stall(name, optima[0], before), *_several_minima(name, optima)]
@@ -405,12 +409,12 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
     best = optima[0]
     residuals = problem.residuals(best.scaled)
     at_bound = np.abs(best.scaled) > 1.0 - 1e-5
-    inner = ~at_bound
-    covariance = np.zeros((problem.size, problem.size))
+    whole = _whole(problem, best.scaled)
+    inner = whole.any(axis=0)
+    inner[: len(at_bound)] &= ~at_bound
+    covariance = np.zeros((len(inner), len(inner)))
     if inner.any():
-        covariance[np.ix_(inner, inner)] = robust_covariance(
-            residuals.vector, residuals.jacobian[:, inner], residuals.blocks
-        )
+        covariance[np.ix_(inner, inner)] = robust_covariance(residuals.vector, whole[:, inner], residuals.blocks)
     parameters = {}
     for i, (item, found) in enumerate(zip(problem.free, problem.values(best.scaled), strict=True)):
         value = float(found)
@@ -422,7 +426,7 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
         if at_bound[i]:
             text = "ends on its bound: the data call for a value beyond it, or the model lacks something"
             findings.append(Finding(item.path, "warning", text, value))
-    lags = zip(problem.trials, problem.lags(best.scaled), strict=True) if problem.align else ()
+    lags = zip(problem.trials, residuals.lags, strict=True) if problem.align else ()
     return UpdateResult(
         name,
         method,
@@ -437,6 +441,12 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
         known,
         tuple(findings),
     )
+
+
+def _whole(problem: UpdateProblem, scaled: Array) -> Array:
+    """Derivatives of the residuals by all that was estimated: scaled parameters, then lags over their bound."""
+    residuals = problem.residuals(scaled)
+    return residuals.with_lags(problem.lag_bound) if problem.align else residuals.direct
 
 
 def _stall(name: str, optimum: Optimum, before: float) -> list[Finding]:

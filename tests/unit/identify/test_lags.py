@@ -1,0 +1,111 @@
+"""Lags of recordings: the best one is found without a simulation, and costs the parameters nothing."""
+
+import numpy as np
+import pytest
+from scipy.linalg import toeplitz
+from scipy.optimize import least_squares
+
+import jounce as jn
+from jounce.identify.fit_problem import UpdateProblem, free_parameters
+from jounce.identify.lags import Shifted, best_lag
+from jounce.identify.update import _correlation, _level, robust_covariance
+
+RATE = 1000.0
+TIME = np.arange(800) / RATE
+RIG = jn.load("kart-quarter-car")
+
+
+def bump(at, width=0.02):
+    return np.exp(-(((TIME - at) / width) ** 2))
+
+
+def pair(lag, *, weight=1.0, offset=False, constant=0.0):
+    return Shifted.of(bump(0.4 + lag) + constant, bump(0.4)[:, None], weight, RATE, offset=offset)
+
+
+@pytest.mark.parametrize("lag", [0.0, 0.35e-3, -7.2e-3, 18.6e-3])
+def test_a_lag_comes_back(lag):
+    assert best_lag([pair(lag)], 0.02) == pytest.approx(lag, abs=1e-8)
+
+
+def test_a_lag_beyond_its_bound_is_held_there():
+    assert best_lag([pair(0.03)], 0.02) == 0.02
+
+
+@pytest.mark.parametrize("constant", [0.0, 5.0])
+def test_a_free_offset_does_not_move_the_lag(constant):
+    assert best_lag([pair(4.3e-3, offset=True, constant=constant)], 0.02) == pytest.approx(4.3e-3, abs=1e-8)
+
+
+def test_the_best_lag_is_found_though_a_nearer_one_is_a_valley_too():
+    """Oscillations repeat: downhill from zero ends one period off."""
+    wave = np.sin(2.0 * np.pi * 60.0 * TIME)
+    shifted = Shifted.of(
+        np.sin(2.0 * np.pi * 60.0 * (TIME - 0.015)) * bump(0.415, 0.1), (wave * bump(0.4, 0.1))[:, None], 1.0, RATE
+    )
+    assert best_lag([shifted], 0.02) == pytest.approx(0.015, abs=1e-5)
+
+
+def test_channels_count_by_their_weights():
+    alone = [best_lag([pair(lag)], 0.02) for lag in (1e-3, 2e-3)]
+    heavy = best_lag([pair(1e-3, weight=10.0), pair(2e-3, weight=1.0)], 0.02)
+    assert alone[0] < heavy < alone[0] + 0.02e-3
+
+
+def test_eliminated_lags_give_what_the_joint_search_gives():
+    """Truth of other structure, so that parameters and lags pull at each other."""
+    trials = []
+    for i, (speed, lag) in enumerate(((1.95, 0.4e-3), (2.86, -0.5e-3))):
+        road = {"height": "10 mm", "length": "60 mm"}
+        driven = jn.Trial(road=jn.HalfSine(start=0.2 + speed * lag, **road), speed=speed, duration=0.6)
+        truth = RIG.with_changes({"strut.damper": {"bump_coefficient": 110.0, "rebound_coefficient": 190.0}})
+        measured = jn.simulate(truth, driven, tolerance=1e-7)[["sprung.az", "unsprung.az"]]
+        trial = jn.Trial(road=jn.HalfSine(start=0.2, **road), speed=speed, duration=0.6)
+        trials.append(jn.FitTrial(str(i), RIG, trial, measured))
+    free = {"strut.spring.rate": "20 %", "strut.damper.coefficient": "50 %", "tyre.stiffness": "20 %"}
+    problem = UpdateProblem(
+        trials,
+        free_parameters(RIG, free),
+        channels=None,
+        weights="normalised",
+        align=False,
+        lag_bound=0.02,
+        tolerance=1e-8,
+    )
+
+    def joint(x):
+        vectors = []
+        for trial, lag in zip(problem.trials, x[3:] * 1e-3, strict=True):
+            solution = trial.solve(problem.values(x[:3]), 1e-8)
+            for channel in trial.channels:
+                shifted = jn.recordings.shift_signals(trial.table(channel, solution)[:, 0], trial.rate, lag)
+                vectors.append(channel.weight * (channel.measured - shifted))
+        return np.concatenate(vectors)
+
+    reference = least_squares(joint, np.zeros(5), diff_step=1e-5, xtol=1e-10)
+    found = jn.update_model(trials, free, weights="normalised", align="lag")
+    for item, scaled in zip(problem.free, reference.x, strict=False):
+        assert found.parameters[item.path].value == pytest.approx(item.value(scaled), rel=1e-4)
+    assert list(found.lags.values()) == pytest.approx(reference.x[3:] * 1e-3, abs=2e-7)
+    assert found.objective_after == pytest.approx(2.0 * reference.cost, rel=1e-6)
+
+
+def test_covariance_of_coloured_residuals_is_the_banded_product():
+    """The sandwich's middle as it is defined: tapered autocorrelations on the diagonals of a Toeplitz matrix."""
+    noise = np.random.default_rng(4)
+    white = noise.standard_normal((2, 300))
+    vector = np.concatenate([np.convolve(row, 0.8 ** np.arange(15), mode="same") for row in white])
+    jacobian = noise.standard_normal((600, 3))
+    jacobian[:300, 2] = 0.0
+    blocks = (slice(0, 300), slice(300, 600))
+    meat = np.zeros((3, 3))
+    for block in blocks:
+        level = _level(vector[block])
+        column = np.zeros(300)
+        correlation = _correlation(vector[block] / level)
+        column[: len(correlation) + 1] = [1.0, *correlation]
+        rows = jacobian[block] * level[:, None]
+        meat += rows.T @ toeplitz(column) @ rows
+    bread = np.linalg.inv(jacobian.T @ jacobian)
+    assert len(correlation) > 5
+    assert robust_covariance(vector, jacobian, blocks) == pytest.approx(bread @ meat @ bread * 600 / 597, rel=1e-9)
