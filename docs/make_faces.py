@@ -20,6 +20,7 @@ from pydantic import TypeAdapter
 
 import jounce
 from jounce.campaign.description import Campaign
+from jounce.campaign.truth import BenchTruth
 from jounce.cli.entry import application
 from jounce.control import CONTROLS
 from jounce.core.kinds import FILE_REF
@@ -106,6 +107,12 @@ def campaign_schema() -> dict[str, Any]:
     definitions["UpdateEntry"]["properties"]["free"]["additionalProperties"] = BOUNDS
     definitions["TrialEntry"]["properties"]["changes"]["additionalProperties"] = VALUE
     return {"$schema": DIALECT, **schema, "title": "jounce campaign file"}
+
+
+def truth_schema() -> dict[str, Any]:
+    """Schema of a truth file; what is changed in its rig may be anything that a rig holds."""
+    schema = BenchTruth.model_json_schema(by_alias=True)
+    return {"$schema": DIALECT, **schema, "title": "jounce truth file"}
 
 
 def control_schema() -> dict[str, Any]:
@@ -195,7 +202,13 @@ def _redirected(schema: Any, places: dict[str, str]) -> Any:
 
 def schemas() -> dict[str, str]:
     """All schemas: file name to text. What an earlier file defines, later ones refer to."""
-    makers = {"rig": rig_schema, "vehicle": vehicle_schema, "road": road_schema, "campaign": campaign_schema}
+    makers = {
+        "rig": rig_schema,
+        "vehicle": vehicle_schema,
+        "road": road_schema,
+        "campaign": campaign_schema,
+        "truth": truth_schema,
+    }
     makers |= {"control": control_schema, "tester": tester_schema, "limits": limits_schema, "record": record_schema}
     found: dict[str, Any] = {}
     for kind, make in makers.items():

@@ -2,7 +2,9 @@
 
 from . import mechanics as mechanics
 from . import plots as plots
+from .campaign import BenchTruth as BenchTruth
 from .campaign import CampaignResult as CampaignResult
+from .campaign import load_truth as load_truth
 from .campaign import new_campaign as new_campaign
 from .campaign import run_campaign as run_campaign
 from .campaign.speed_sweep import speed_sweep as speed_sweep
@@ -63,6 +65,7 @@ from .kinematics import sweep_variants as sweep_variants
 from .kinematics import write_sweep as write_sweep
 from .papers.audi_a6 import run_audi_a6 as run_audi_a6
 from .papers.audi_a6_exciter import run_eccentric_exciter as run_eccentric_exciter
+from .papers.virtual_bench import virtual_bench as virtual_bench
 from .parts import DoubleWishbone as DoubleWishbone
 from .parts import FullCar as FullCar
 from .parts import FullCar3D as FullCar3D

@@ -13,17 +13,9 @@ from jounce.cli.files import check_file
 from jounce.core.errors import DescriptionError
 from jounce.core.serialise import write_files
 from jounce.design.lumping import lump
-from jounce.papers import demo
-from jounce.papers.demo import campaign_texts
+from jounce.papers import demo, virtual_bench
 from jounce.papers.table2 import table2
-from jounce.papers.virtual_bench import (
-    GUIDE_FRICTION,
-    SPRING_RATE,
-    STRUT_FRICTION,
-    BenchPlan,
-    measurement_texts,
-    true_pass,
-)
+from jounce.papers.virtual_bench import BenchPlan, campaign_texts, measurement_texts, shipped_truth, true_pass
 from jounce.parts import rig_from_table
 from jounce.parts.variants import strut_angle, with_strut_angle
 from jounce.recordings import write_recording
@@ -112,6 +104,10 @@ recording = "2.csv"
 name = "all"
 free = {"strut.spring.rate" = "10 %", "strut.damper.coefficient" = "10 %", "tyre.stiffness" = "10 %"}
 """
+
+TRUE_RIG = shipped_truth().true_rig()
+SPRING_RATE = TRUE_RIG.strut.spring.rate
+STRUT_FRICTION, GUIDE_FRICTION = TRUE_RIG.strut.friction.force, TRUE_RIG.guide_friction.force
 
 
 @pytest.fixture
@@ -308,7 +304,7 @@ def test_quick_look_differs_from_the_campaign_in_the_rig_only():
 
 @pytest.mark.parametrize(("quick", "name"), [(False, "campaign.toml"), (True, "quick-look.toml")])
 def test_demo_runs_the_campaign_that_is_asked_for(tmp_path, monkeypatch, quick, name):
-    monkeypatch.setattr(demo, "measurement_texts", lambda *_, **__: {})
+    monkeypatch.setattr(virtual_bench, "measurement_texts", lambda *_, **__: {})
     monkeypatch.setattr(jn, "run_campaign", lambda file, **_: file, raising=False)
     folder, file = demo.run_demo(tmp_path / "here", quick=quick)
     assert (folder, file.name) == (tmp_path / "here", name)

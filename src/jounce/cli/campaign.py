@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.options import AsJson, Force, check_outputs
+from jounce.cli.options import AsJson, Force, changes, check_outputs, positive_quantity
 from jounce.cli.reply import DONE, FAILED, Reply, progress, show_findings, table
 
 if TYPE_CHECKING:
@@ -67,6 +67,48 @@ def new(
         console.print(f"  jounce campaign run {campaign} --out results")
 
     return Reply({"folder": str(folder), "files": made}, draw, as_json)
+
+
+@app.command("synthesise")
+def synthesise(
+    folder: Annotated[Path, typer.Argument(metavar="DIR", help="Folder to create.")],
+    truth: Annotated[
+        Path | None, typer.Option(help="File of what the bench really is; by default that of the shipped campaign.")
+    ] = None,
+    set_: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--set",
+            metavar="PATH=VALUE",
+            help='Change the truth, or its rig behind "rig.": belt.speed_drop="0 %", '
+            'rig.strut.damper="{coefficient = 104}". Repeat it.',
+        ),
+    ] = None,
+    seed: Annotated[int, typer.Option(min=0, help="Of all scatter and noise.")] = 2008,
+    duration: Annotated[str, typer.Option(help="Length of each recording.")] = "3 s",
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Make synthetic recordings of a bench whose truth is known, with the campaign that evaluates them.
+
+    Whether a method finds values that one has chosen oneself shows what it is worth.
+
+    Example: jounce campaign synthesise my-bench --seed 7 --set rig.strut.friction.force="0 N"
+    """
+    length = positive_quantity(duration, "s", "--duration")
+    changed = changes(set_)
+    check_outputs(folder=folder, force=force)
+    with progress() as say:
+        from jounce.papers.virtual_bench import virtual_bench
+
+        file = virtual_bench(folder, truth, changes=changed, seed=seed, duration=length, force=force, progress=say)
+    made = sorted(str(one.relative_to(folder)) for one in folder.rglob("*") if one.is_file())
+
+    def draw(console: Console) -> None:
+        console.print(f"{folder}: {len(made)} files, synthetic; the values behind them are in truth.toml")
+        console.print(f"Next: jounce campaign run {file} --out results")
+
+    return Reply({"folder": str(folder), "seed": seed, "changes": changed, "files": made}, draw, as_json)
 
 
 def campaign_reply(result: CampaignResult, folder: Path, *, as_json: bool) -> Reply:

@@ -267,10 +267,19 @@ def _check_campaign(checked: Checked) -> None:
                 read_recording(file, columns=bench.decay.columns or None)
 
 
+def _check_truth(checked: Checked) -> None:
+    from jounce.campaign import load_truth
+
+    truth = load_truth(checked.file)
+    channels, rig = ", ".join(truth.sensors), truth.true_rig()
+    checked.what = f"virtual bench: {rig.model} with {len(rig.parameters())} parameters; records {channels}"
+
+
 _SCHEMAS: dict[str, Callable[[Checked], None]] = {
     "jounce.rig/1": _check_rig,
     "jounce.vehicle/1": _check_rig,
     "jounce.campaign/1": _check_campaign,
+    "jounce.truth/1": _check_truth,
     "jounce.road/1": _check_road,
     "jounce.control/1": _check_control,
     "jounce.tester/1": _check_tester,

@@ -2,28 +2,15 @@
 
 from __future__ import annotations
 
-from importlib import resources
 from itertools import count
 from pathlib import Path
 
 import jounce as jn
 from jounce.papers import Progress, no_progress
-from jounce.papers.virtual_bench import BenchPlan, measurement_texts, truth_text
+from jounce.papers.virtual_bench import virtual_bench
 
 FULL, QUICK = "campaign.toml", "quick-look.toml"
 """Campaign files: the double wishbone in 3-D, and the same measurements with a quarter car."""
-
-
-def campaign_texts() -> dict[str, str]:
-    """Give the description files of the shipped campaign, the kart-scale prototype: file name to text.
-
-    Examples
-    --------
-    >>> sorted(campaign_texts())
-    ['campaign.toml', 'quarter-car.toml', 'quick-look.toml', 'rig.toml']
-    """
-    folder = resources.files("jounce") / "library" / "campaigns" / "kart-prototype"
-    return {file.name: file.read_text(encoding="utf-8") for file in folder.iterdir() if file.is_file()}
 
 
 def prepare_demo(out: Path | str | None = None, *, force: bool = False, progress: Progress = no_progress) -> Path:
@@ -32,11 +19,8 @@ def prepare_demo(out: Path | str | None = None, *, force: bool = False, progress
     Without ``out`` it goes into the first free of the folders ``demo-1``, ``demo-2``, ... in the current one. Where a
     file exists nothing is written, unless ``force`` allows it.
     """
-    plan = BenchPlan()
-    texts = {**campaign_texts(), **measurement_texts(plan, progress=progress), "truth.toml": truth_text(plan)}
     folder = (_numbered() if out is None else Path(out)) / "campaign"
-    jn.write_files(folder, texts, force=force)
-    return folder / FULL
+    return virtual_bench(folder, force=force, progress=progress)
 
 
 def run_demo(

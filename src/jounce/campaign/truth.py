@@ -1,0 +1,219 @@
+"""What a virtual bench really is: the rig with the values that a campaign is to find, its belt, its sensors."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import Field, field_validator, model_validator
+
+from jounce.core.description import Description, check_schema, read_toml
+from jounce.core.errors import DescriptionError
+from jounce.core.units import (
+    NonNegativeLength,
+    Number,
+    PositiveSpeed,
+    PositiveTime,
+    Unit,
+    to_si,
+)
+from jounce.parts import Corner, QuarterCar, load, rig_from_table
+from jounce.parts.rig import change_table
+from jounce.recordings import Sensor
+from jounce.roads import HalfSine, Road
+
+SCHEMA = "jounce.truth/1"
+_Share = Annotated[float, Unit("1", at_least=0.0, at_most=0.5)]
+_Speed = Annotated[float, Unit("m/s", at_least=0.0)]
+_Seconds = Annotated[float, Unit("s", at_least=0.0)]
+_Force = Annotated[float, Unit("N", above=0.0)]
+
+
+class StandingTyre(Description):
+    """How the tyre on the test machine differs from the rolling one.
+
+    Attributes
+    ----------
+    settling, settling_force : float
+        m and N: how far it settles on its support, and the force over which it does so.
+    loss : float
+        Share of the force that is missing when it is unloaded.
+    """
+
+    settling: NonNegativeLength = 0.0
+    settling_force: _Force = 50.0
+    loss: _Share = 0.0
+
+
+class Belt(Description):
+    """What the wheel meets beside the obstacle's shape.
+
+    Attributes
+    ----------
+    contact_length : float
+        m; the contact patch that smooths the obstacle.
+    speed_drop : float
+        Share of the belt's speed that each obstacle takes.
+    recovery_time : float
+        s in which the motor makes up for it (time constant).
+    speed_error, lag : float
+        m/s and s: largest error of the speed that is noted, and of the start of a recording; drawn for each pass.
+    """
+
+    contact_length: NonNegativeLength = 0.0
+    speed_drop: _Share = 0.0
+    recovery_time: PositiveTime = 0.4
+    speed_error: _Speed = 0.0
+    lag: _Seconds = 0.0
+
+
+class TruePass(Description):
+    """What a pass really was: speed (m/s) behind its noted decimals, and how late its recording started (s)."""
+
+    speed: PositiveSpeed
+    lag: Annotated[float, Unit("s")] = 0.0
+
+
+class BenchTruth(Description):
+    """The values behind the recordings of a virtual bench, which a campaign is not told.
+
+    Attributes
+    ----------
+    rig : str or dict
+        A quarter car or a corner in 3-D: a shipped rig's name, a rig file, or its table; a rig object is taken, too.
+    changes : dict
+        What is otherwise in it, by path: numbers, and whole elements such as
+        ``{"strut.damper": {"velocity": [-1, 0, 1], "force": [-190, 0, 130]}}``.
+    tyre : dict
+        The rolling tyre by pressure, as in ``{"0.31 MPa": [128.8e3, 0.6e6, 30e6]}``: coefficients of
+        ``F = c[0] x + c[1] x^2 + ...``, SI. Without an entry the rig's own tyre is ridden at that pressure.
+    standing_tyre : StandingTyre
+        What the test machine adds to the tyre.
+    obstacle : Road
+        The obstacle as it is; of a train each one. Its ``start`` is where the first stands.
+    belt : Belt
+        Contact patch, slowing belt, errors of speed and trigger.
+    sensors : dict of str to Sensor
+        The channels that are recorded, each through its measuring chain.
+    passes : dict of str to TruePass
+        Speed and lag of trials, by their number; those of the others are drawn from the seed.
+
+    Examples
+    --------
+    >>> truth = BenchTruth(rig="kart-quarter-car", changes={"guide.friction.force": "4 N"})
+    >>> truth.true_rig().guide.friction.force
+    4.0
+    """
+
+    schema_: Literal["jounce.truth/1"] = Field(default="jounce.truth/1", alias="schema")
+    rig: str | dict[str, Any]
+    changes: dict[str, Any] = {}
+    tyre: dict[str, Annotated[tuple[Number, ...], Field(min_length=1, max_length=9)]] = {}
+    standing_tyre: StandingTyre = StandingTyre()
+    obstacle: Road = HalfSine(height=0.010, length=0.060, start=0.2)
+    belt: Belt = Belt()
+    sensors: dict[str, Sensor] = Field(
+        default={"sprung.az": Sensor(), "unsprung.az": Sensor()}, min_length=1, validate_default=True
+    )
+    passes: dict[str, TruePass] = {}
+
+    @field_validator("rig", mode="before")
+    @classmethod
+    def _as_table(cls, rig: Any) -> Any:
+        return _table_of(rig) if isinstance(rig, QuarterCar | Corner) else rig
+
+    @field_validator("tyre")
+    @classmethod
+    def _named_by_pressure(cls, curves: dict[str, tuple[float, ...]]) -> dict[str, tuple[float, ...]]:
+        for name in curves:
+            to_si(name, "Pa", where="tyre")
+        return curves
+
+    @model_validator(mode="after")
+    def _has_a_rig(self) -> Self:
+        rig = self.true_rig()
+        if not isinstance(rig, QuarterCar | Corner):
+            raise DescriptionError(
+                "this rig does not stand on the bench",
+                where="rig",
+                found=rig.model,
+                allowed="a quarter car or a corner",
+            )
+        return self
+
+    def true_rig(self, pressure: float | None = None) -> QuarterCar | Corner:
+        """Give the rig as it is, with the rolling tyre of a pressure (Pa; None: the first of ``tyre``)."""
+        described = load(self.rig) if isinstance(self.rig, str) else rig_from_table(self.rig, where="rig")
+        rig = described.with_changes(self.changes) if self.changes else described
+        curve = self.curve_at(pressure)
+        if curve is None:
+            return rig  # type: ignore[return-value]  # checked when the truth was built
+        tyre = {key: value for key, value in _table_of(rig)["tyre"].items() if key not in ("stiffness", "curve")}
+        return rig.with_changes(  # type: ignore[return-value]
+            {"tyre": {**tyre, "curve": {"kind": "polynomial", "coefficients": curve}}}
+        )
+
+    def curve_at(self, pressure: float | None) -> tuple[float, ...] | None:
+        """Give the coefficients of the rolling tyre at a pressure (Pa), SI; None where the rig's own tyre holds."""
+        by_pressure = {to_si(name, "Pa"): curve for name, curve in self.tyre.items()}
+        return by_pressure.get(next(iter(by_pressure), None) if pressure is None else pressure)  # type: ignore[arg-type]
+
+    def with_changes(self, changes: dict[str, Any]) -> Self:
+        """Give a copy with other values by path: of the truth itself, or of its rig behind ``rig.``.
+
+        Raises
+        ------
+        DescriptionError
+            For an unknown path or a value out of range.
+
+        Examples
+        --------
+        >>> truth = BenchTruth(rig="kart-quarter-car")
+        >>> other = truth.with_changes({"belt.speed_drop": 0.01, "rig.strut.friction.force": "0 N"})
+        >>> other.belt.speed_drop, other.true_rig().strut.friction.force
+        (0.01, 0.0)
+        """
+        own = {path: value for path, value in changes.items() if not path.startswith("rig.")}
+        table = change_table(self, own)
+        of_rig = {path.removeprefix("rig."): value for path, value in changes.items() if path.startswith("rig.")}
+        return type(self).from_table({**table, "changes": {**table["changes"], **of_rig}})
+
+
+def load_truth(path: Path | str) -> BenchTruth:
+    r"""Read a truth file.
+
+    Parameters
+    ----------
+    path : Path or str
+        TOML file with ``schema = "jounce.truth/1"``; a rig file that it names is relative to its folder.
+
+    Returns
+    -------
+    BenchTruth
+        What the virtual bench is.
+
+    Raises
+    ------
+    DescriptionError
+        With file, line, path, found value and what is allowed.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> file = Path(tempfile.mkdtemp()) / "truth.toml"
+    >>> _ = file.write_text('schema = "jounce.truth/1"\nrig = "kart-quarter-car"\n')
+    >>> load_truth(file).true_rig().sprung.mass
+    16.0
+    """
+    file = Path(path)
+    table, text = read_toml(file)
+    check_schema(table, (SCHEMA,), str(file))
+    beside = file.parent / str(table.get("rig"))
+    if beside.suffix == ".toml":
+        table["rig"] = _table_of(load(beside))
+    return BenchTruth.from_table(table, where=str(file), text=text)
+
+
+def _table_of(rig: Any) -> dict[str, Any]:
+    table: dict[str, Any] = rig.model_dump(by_alias=True, exclude_none=True)
+    return table
