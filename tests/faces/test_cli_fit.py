@@ -239,3 +239,29 @@ def test_damper_record_without_force(cli, decay_file: Path) -> None:
     assert outcome.exit_code == 2
     assert "decay.csv: no column 'displacement'" in outcome.err
     assert "--columns displacement='COLUMN [unit]'" in outcome.err
+
+
+@pytest.mark.parametrize(("stroke", "force"), [("compression", "tension"), ("extension", "compression")])
+def test_damper_record_of_other_signs(stroke: str, force: str, cli, damper_file: Path) -> None:
+    """The file counts both in compression: a wrong statement about one is a problem; the table says how it was read."""
+    found = cli(
+        "fit", "damper", damper_file, "--law", "bilinear", "--stroke-positive", stroke, "--force-positive", force
+    )
+    assert "though its sign was stated" in " ".join(found.out.split())
+    assert "positive in compression (bump)" in found.out
+
+
+@pytest.mark.parametrize("words", [("--stroke-positive", "tension"), ("--force-positive", "extension")])
+def test_unknown_signs(words: tuple[str, str], cli, damper_file: Path, spring_files: list[Path]) -> None:
+    for command in (("damper", damper_file), ("stiffness", *spring_files)):
+        outcome = cli("fit", *command, *words)
+        assert outcome.exit_code == 2
+        assert "compression" in outcome.err
+
+
+def test_the_sign_of_a_height_cannot_be_stated(cli, decay_file: Path) -> None:
+    outcome = cli(
+        "fit", "decay", decay_file, "--channel", "sprung.z", "--mass", "16 kg", "--stroke-positive", "extension"
+    )
+    assert outcome.exit_code == 2
+    assert "no stroke" in outcome.err

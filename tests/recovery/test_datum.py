@@ -114,3 +114,12 @@ def test_noise_at_the_start_is_no_offset():
     noisy = recorded(["sprung.az"], 0.0)
     noisy["sprung.az"] += np.random.default_rng(3).normal(0.0, 2.0, noisy["sprung.az"].shape)
     assert not said(jn.update_model([jn.FitTrial("one", RIG, TRIAL, noisy)], FREE), "sprung.az")
+
+
+@pytest.mark.parametrize("channel", ["sprung.z", "strut.deflection", "sprung.az", "unsprung.az", "tyre.force"])
+def test_a_turned_channel_is_named(channel):
+    for align in (None, "lag"):
+        right = jn.update_model([jn.FitTrial("one", RIG, TRIAL, recorded([channel], "rest"))], FREE, align=align)
+        assert not [f for f in right.findings if "turned" in f.message]
+    turned = jn.update_model([jn.FitTrial("one", RIG, TRIAL, -recorded([channel], "rest"))], FREE)
+    assert [(f.place, f.severity) for f in turned.findings if "turned" in f.message] == [(channel, "warning")]

@@ -18,6 +18,7 @@ from jounce.core.units import to_si
 from jounce.design.lumping import lump
 from jounce.identify.decay import CombinedDecay, DecayResult, combine_decays, fit_decay
 from jounce.identify.force_deflection import ForceDeflectionTrial
+from jounce.identify.signs import ForcePositive, StrokePositive, check_stroke, compression_positive
 from jounce.identify.stiffness import PressureStiffness, StiffnessResult, fit_stiffness, stiffness_against_pressure
 from jounce.identify.update import UpdatedParameter
 from jounce.parts import Corner, Rig
@@ -154,13 +155,18 @@ def files_of(patterns: tuple[str, ...], folder: Path, where: str) -> list[Path]:
 
 
 def read_force_deflection(
-    files: list[Path], columns: dict[str, str]
+    files: list[Path],
+    columns: dict[str, str],
+    stroke_positive: StrokePositive | None = None,
+    force_positive: ForcePositive | None = None,
 ) -> tuple[list[ForceDeflectionTrial], list[Finding]]:
-    """Read trials of a test machine: columns ``displacement`` (m) and ``force`` (N), compression positive."""
+    """Read trials of a test machine: columns ``displacement`` (m) and ``force`` (N), compression positive if unsaid."""
     trials, findings = [], []
     for file in files:
         table, notes = read_columns(file, {"displacement": "m", "force": "N"}, columns=columns or None)
-        trials.append(ForceDeflectionTrial(table["displacement"], table["force"], file.name))
+        trials.append(
+            ForceDeflectionTrial(table["displacement"], table["force"], file.name, stroke_positive, force_positive)
+        )
         findings += notes
     return trials, findings
 
@@ -168,7 +174,8 @@ def read_force_deflection(
 def _fit(
     table: StiffnessBench, folder: Path, where: str, load: float, found: Characterisation, **choice: Any
 ) -> StiffnessResult:
-    trials, findings = read_force_deflection(files_of(table.files, folder, where), table.columns)
+    found_files = files_of(table.files, folder, where)
+    trials, findings = read_force_deflection(found_files, table.columns, table.stroke_positive, table.force_positive)
     settings: dict[str, Any] = {
         "law": table.law,
         "degree": table.degree,
@@ -307,8 +314,10 @@ def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, fol
     share = seen_at.tyre_rate / (seen_at.wheel_rate + seen_at.tyre_rate) if table.support == "tyre" else 1.0
     stiffness = seen_at.wheel_rate * share
     results = []
+    check_stroke(table.channel, table.stroke_positive, where="bench.decay.stroke_positive")
     for file in files_of(table.files, folder, "bench.decay"):
         data, notes = read_recording(file, columns=table.columns or None)
+        data = compression_positive(data, table.stroke_positive, None)
         found.findings += notes
         if table.channel not in data:
             raise RecordingError(

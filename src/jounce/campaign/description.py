@@ -9,6 +9,7 @@ from pydantic import Field, field_validator, model_validator
 
 from jounce.core.description import Description, read_description
 from jounce.core.units import NonNegativeLength, PositiveSpeed, PositiveTime, Unit, to_si
+from jounce.identify.signs import ForcePositive, StrokePositive
 from jounce.recordings import Sensor
 
 Angle = Annotated[float, Unit("rad")]
@@ -26,6 +27,8 @@ class StiffnessBench(Description):
     discard_below: NonNegativeLength = 0.0
     intercept: Literal["drop", "shift", "keep"] = "drop"
     branch: Literal["loading", "unloading", "both"] = "loading"
+    stroke_positive: StrokePositive | None = None
+    force_positive: ForcePositive | None = None
 
 
 class DecayBench(Description):
@@ -35,6 +38,7 @@ class DecayBench(Description):
     columns: dict[str, str] = {}
     channel: str = "sprung.z"
     support: Literal["tyre", "blocked"] = "tyre"
+    stroke_positive: StrokePositive | None = None
 
 
 class Bench(Description):
@@ -63,6 +67,8 @@ class TrialEntry(Description):
     tyre_pressure: Pressure | None = None
     recording: str
     columns: dict[str, str] = {}
+    stroke_positive: StrokePositive | None = None
+    force_positive: ForcePositive | None = None
     use: Literal["fit", "hold-out"] = "hold-out"
     duration: PositiveTime | None = None
     changes: dict[str, Any] = {}

@@ -18,8 +18,9 @@ from jounce.core.errors import DescriptionError, FitError, JounceError, unknown
 from jounce.core.findings import Finding
 from jounce.design.lumping import lumped_from
 from jounce.design.model_comparison import ModelComparison, PeakDifference, compare_models, compare_peaks
-from jounce.identify.datum import datum_findings, with_datum
+from jounce.identify.datum import start_findings, with_datum
 from jounce.identify.fit_problem import FitTrial, check_free
+from jounce.identify.signs import compression_positive
 from jounce.identify.update import update_model
 from jounce.parts import Corner, Rig, changed_text, load, rig_findings, rig_from_table, rig_path
 from jounce.parts.rig import parameters_of
@@ -156,6 +157,7 @@ def _load_trials(
         place = f"trial {entry.number}"
         try:
             measured, notes = read_recording(folder / entry.recording, columns=entry.columns or None)
+            measured = compression_positive(measured, entry.stroke_positive, entry.force_positive)
             duration = entry.duration or float(measured["time"][-1])
             if entry.excitation is not None:
                 trial = Trial(excitation=folder / entry.excitation, duration=duration)
@@ -199,13 +201,13 @@ class _Runner:
         return FitTrial(f"trial {entry.number}", rig, item.trial, item.measured, sensors)
 
     def decide_datums(self, knowledge: Knowledge) -> None:
-        """Decide where the zeros of all channels lie: once, for all updates and comparisons."""
-        taken = {}
+        """Decide where the zeros of all channels lie, once for all updates and comparisons, and check their signs."""
+        starts = {}
         for number, item in self.loaded.items():
             with suppress(JounceError):  # said where the trial is used
-                decided, taken[f"trial {number}"] = with_datum(self.fit_trial(item, knowledge))
+                decided, starts[f"trial {number}"] = with_datum(self.fit_trial(item, knowledge))
                 self.sensors[number] = decided.sensors
-        self.findings += datum_findings(taken)
+        self.findings += start_findings(starts)
 
     def update_all(self, start: Knowledge) -> list[StrategyResult]:
         done: dict[str, StrategyResult] = {}

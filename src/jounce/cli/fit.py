@@ -10,6 +10,8 @@ import typer
 from jounce.cli.options import (
     AsJson,
     Columns,
+    ForceSign,
+    StrokeSign,
     columns,
     files,
     optional_positive,
@@ -61,15 +63,20 @@ def stiffness(
     load: Annotated[
         str | None, typer.Option(help='Static load of the part, e.g. "206 N": checks that the fit covers it.')
     ] = None,
+    stroke_positive: StrokeSign = None,
+    force_positive: ForceSign = None,
     columns_: Columns = None,
     as_json: AsJson = False,
 ) -> Reply:
     """Fit the stiffness of a spring or a tyre to repeated force-deflection trials.
 
+    Stroke and force are positive in compression, unless the options or the record say otherwise.
+
     Example: jounce fit stiffness tyre_031_*.csv --discard-below "2 mm" --intercept drop --load "206 N"
     """
     from jounce.campaign.characterise import read_force_deflection
     from jounce.core.serialise import to_plain
+    from jounce.identify.signs import sign_of
     from jounce.identify.stiffness import fit_stiffness
 
     choice: dict[str, Any] = {
@@ -80,8 +87,10 @@ def stiffness(
         "branch": branch,
         "operating_force": optional_quantity(load, "N", "--load"),
     }
+    sign_of(stroke_positive, "stroke", where="--stroke-positive")
+    sign_of(force_positive, "force", where="--force-positive")
     found = files(measured, "FILES")
-    trials, notes = read_force_deflection(found, columns(columns_) or {})
+    trials, notes = read_force_deflection(found, columns(columns_) or {}, stroke_positive, force_positive)  # type: ignore[arg-type]
     result = fit_stiffness(trials, **choice)
     findings = (*notes, *result.findings)
     plain = {"files": [str(file) for file in found], **to_plain(result), "findings": to_plain(findings)}
@@ -98,16 +107,22 @@ def decay(
     stiffness_: Annotated[
         str | None, typer.Option("--stiffness", help="Known stiffness, compared with that from mass and frequency.")
     ] = None,
+    stroke_positive: StrokeSign = None,
     columns_: Columns = None,
     as_json: AsJson = False,
 ) -> Reply:
     """Separate viscous damping and dry friction in a free decay.
 
+    Damping does not depend on the sign of the record; the equilibrium of a deflection is positive in compression.
+
     Example: jounce fit decay decay_1.csv --channel sprung.z --mass "16 kg"
     """
     from jounce.identify.decay import combine_decays, fit_decay
+    from jounce.identify.signs import check_stroke, compression_positive, sign_of
     from jounce.recordings import read_recording
 
+    sign_of(stroke_positive, "stroke", where="--stroke-positive")
+    check_stroke(channel, stroke_positive, where="--stroke-positive")  # type: ignore[arg-type]
     moving = positive_quantity(mass, "kg", "--mass")
     known = optional_positive(stiffness_, "N/m", "--stiffness")
     results: list[DecayResult] = []
@@ -115,6 +130,7 @@ def decay(
     for file in files(measured, "FILE"):
         data, found = read_recording(file, columns=columns(columns_))
         notes += found
+        data = compression_positive(data, stroke_positive, None)  # type: ignore[arg-type]
         record, kind = _decay_record(data, channel, str(file))
         results.append(
             fit_decay(
@@ -219,6 +235,8 @@ def damper(
     velocity_from: Annotated[
         str, typer.Option(help="recorded, or displacement to differentiate it even if a velocity was recorded.")
     ] = "recorded",
+    stroke_positive: StrokeSign = None,
+    force_positive: ForceSign = None,
     columns_: Columns = None,
     variable: Annotated[str, typer.Option(help="Matrix of a .mat file, or group of a .tdms file.")] = "",
     sample_time: Annotated[
@@ -227,6 +245,9 @@ def damper(
     as_json: AsJson = False,
 ) -> Reply:
     """Fit a damper law to a record of imposed motion and force.
+
+    Stroke and force are positive in compression, unless the options say otherwise. What the record itself shows (a
+    damper dissipates, gas pushes outwards) is held against that; the fitted law is positive in compression.
 
     Example: jounce fit damper record.csv --law bouc-wen
     """
@@ -247,6 +268,8 @@ def damper(
         "odd": odd,
         "friction": friction,
         "velocity_from": velocity_from,
+        "stroke_positive": stroke_positive,
+        "force_positive": force_positive,
     }
     result = fit_damper(
         signals["displacement"],
@@ -270,7 +293,10 @@ def _draw_damper(out: Console, result: DamperResult, findings: tuple[Finding, ..
         f"NRMSE {100.0 * result.nrmse:.3g} % of the force range, {result.rms_residual:.4g} N r.m.s.; "
         f"energy per cycle {result.energy_per_cycle:.4g} J, fitted {result.fitted_energy_per_cycle:.4g} J"
     )
-    out.print(f"for a rig file:\n  [strut]\n  damper = {_toml(result.damper)}", soft_wrap=True)
+    out.print(f"the record: stroke positive in {result.stroke_positive}, force positive in {result.force_positive}")
+    out.print(
+        f"for a rig file, positive in compression (bump):\n  [strut]\n  damper = {_toml(result.damper)}", soft_wrap=True
+    )
     if result.friction is not None:
         out.print(f"  friction = {_toml(result.friction)}", soft_wrap=True)
     show_findings(out, findings)

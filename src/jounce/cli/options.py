@@ -121,6 +121,18 @@ def _toml_value(text: str) -> Any:
     return float(value) if isinstance(value, int) and not isinstance(value, bool) else value
 
 
+StrokeSign = Annotated[
+    str | None,
+    typer.Option(
+        "--stroke-positive", metavar="compression|extension", help="Which way the stroke counts; compression if unsaid."
+    ),
+]
+ForceSign = Annotated[
+    str | None,
+    typer.Option(
+        "--force-positive", metavar="compression|tension", help="Which way the force counts; compression if unsaid."
+    ),
+]
 FigureFile = Annotated[Path | None, typer.Option(help="Plot the result: .png, .svg or .pdf.")]
 
 

@@ -15,6 +15,7 @@ from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 from jounce.core.errors import DescriptionError
 
 _NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*$")
+_UNIT = re.compile(r"[\w\s*/^().°-]*")
 _DIMENSIONLESS = {"", "1", "-"}
 
 
@@ -33,6 +34,8 @@ def _factor(unit: str, si: str) -> float:
     """Return what one ``unit`` is in ``si``; raise ValueError with the reason when it is none."""
     registry = _registry()
     name = {"%": "percent"}.get(unit, unit).replace("²", "^2").replace("³", "^3").replace("·", "*")
+    if not _UNIT.fullmatch(name):  # pint passes over what it does not know, a long minus among it
+        raise ValueError(f"{unit!r} is not a unit")
     if unit == "g" and si == "m/s^2":
         name = "standard_gravity"  # pint reads g as gram
     target = registry.Unit(si if si not in _DIMENSIONLESS else "dimensionless")

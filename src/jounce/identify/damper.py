@@ -15,6 +15,7 @@ from jounce.core.findings import Finding, Severity
 from jounce.core.types import Array
 from jounce.identify.decay import zigzag
 from jounce.identify.estimate import Estimate, central_differences, r_squared, uncertainty
+from jounce.identify.signs import ForcePositive, Signs, StrokePositive, damper_signs, sign_of
 
 VelocityFrom = Literal["recorded", "displacement"]
 LawName = Literal["linear", "bilinear", "polynomial", "tanh-hysteretic", "bouc-wen"]
@@ -31,7 +32,7 @@ class DamperMotion:
 
     ``displacement`` (m) counts from ``centre`` (m), the middle of the stroke in the record; ``force`` (N) is positive
     where it resists compression. ``velocity_resolution`` is the smallest difference between two recorded velocities
-    (m/s), 0 where they are not quantised.
+    (m/s), 0 where they are not quantised. ``signs`` are those of the record it was read from.
     """
 
     time: Array
@@ -41,6 +42,7 @@ class DamperMotion:
     centre: float
     cycles: float
     velocity_resolution: float
+    signs: Signs
 
     @property
     def stroke(self) -> float:
@@ -60,12 +62,15 @@ def read_motion(
     time: ArrayLike,
     *,
     velocity_from: VelocityFrom = "recorded",
+    stroke_positive: StrokePositive | None = None,
+    force_positive: ForcePositive | None = None,
     name: str = "damper",
 ) -> tuple[DamperMotion, list[Finding]]:
-    """Check a damper record (m, m/s, N, s; compression positive) and cut off the rest at both ends.
+    """Check a damper record (m, m/s, N, s), make compression positive and cut off the rest at both ends.
 
-    Without a velocity, or with ``velocity_from="displacement"``, the central difference of the displacement is used. A
-    force that feeds energy into the motion is reversed, with a finding.
+    Without a velocity, or with ``velocity_from="displacement"``, the central difference of the displacement is used; a
+    recorded one counts as the displacement does. How the record counts is stated or found, with findings:
+    :mod:`jounce.identify.signs`.
 
     Raises
     ------
@@ -77,26 +82,28 @@ def read_motion(
     columns = {"displacement": displacement, "velocity": velocity, "force": force, "time": time}
     arrays = {key: np.asarray(value, float) for key, value in columns.items() if value is not None}
     _check(arrays, name)
+    sign_of(stroke_positive, "stroke", where=name), sign_of(force_positive, "force", where=name)
     findings: list[Finding] = []
     x, f, t = arrays["displacement"], arrays["force"], arrays["time"]
     derivative = np.asarray(np.gradient(x, t))
     resolution = 0.0
     if "velocity" in arrays:
+        arrays["velocity"] = _as_the_stroke(arrays["velocity"], derivative, name, findings)
         resolution = _check_velocity(arrays["velocity"], derivative, t, velocity_from, name, findings)
     else:
         findings.append(Finding(name, "note", "no velocity was given: the derivative of the displacement is used."))
     v = arrays["velocity"] if "velocity" in arrays and velocity_from == "recorded" else derivative
     first, last = _moving_part(x, name, findings)
-    x, v, f, t = x[first:last], v[first:last], f[first:last], t[first:last]
+    x, v, f, t, derivative = (column[first:last] for column in (x, v, f, t, derivative))
     cycles = _cycles(x)
     if cycles < 0.95:
         raise FitError("less than one cycle of motion", where=name, found=f"{cycles:g} cycles", allowed="at least 1")
-    if float(np.trapezoid(f * v, t)) < 0.0:
-        f = -f
-        text = "the force fed energy into the motion: it was recorded with the other sign and has been reversed."
-        findings.append(Finding(name, "warning", text))
+    signs = damper_signs(
+        x, derivative, f, stroke_positive=stroke_positive, force_positive=force_positive, name=name, findings=findings
+    )
+    x, v, f = signs.stroke * x, signs.stroke * v, signs.force * f
     centre = 0.5 * float(x.max() + x.min())
-    return DamperMotion(t, x - centre, v, f, centre, cycles, resolution), findings
+    return DamperMotion(t, x - centre, v, f, centre, cycles, resolution, signs), findings
 
 
 def _check(arrays: dict[str, Array], name: str) -> None:
@@ -114,6 +121,19 @@ def _check(arrays: dict[str, Array], name: str) -> None:
         raise FitError("the time does not increase", where=name, found=f"sample {place}")
     if np.ptp(arrays["displacement"]) == 0.0 or np.ptp(arrays["force"]) == 0.0:
         raise FitError("displacement or force never changes", where=name, hint="Are these the right columns?")
+
+
+def _as_the_stroke(velocity: Array, derivative: Array, name: str, findings: list[Finding]) -> Array:
+    """Give the velocity with the sign of the displacement's derivative."""
+    gain = float(velocity @ derivative) / float(derivative @ derivative)
+    if gain > -0.5:
+        return velocity
+    text = (
+        f"the recorded velocity is {gain:.3g} times the derivative of the displacement: it was recorded with the other "
+        "sign and has been reversed."
+    )
+    findings.append(Finding(name, "warning", text, gain))
+    return -velocity
 
 
 def _check_velocity(
@@ -343,7 +363,11 @@ class DamperResult:
     samples : int
         Samples fitted [1].
     displacement_centre : float
-        Middle of the stroke in the record [m]: displacement in the law is counted from there.
+        Middle of the stroke in the record, compression positive [m]: displacement in the law is counted from there.
+    stroke_positive : {"compression", "extension"}
+        How the record counts the stroke, as stated or found. The law itself counts compression positive.
+    force_positive : {"compression", "tension"}
+        How the record counts the force.
     damper : dict
         Table to write under ``strut.damper`` in a rig, SI, bump positive. F(v) laws leave the offset out: it is a
         static force and belongs to the preload.
@@ -364,6 +388,8 @@ class DamperResult:
     cycles: float
     samples: int
     displacement_centre: float
+    stroke_positive: StrokePositive
+    force_positive: ForcePositive
     damper: dict[str, Any]
     friction: dict[str, float] | None
     findings: tuple[Finding, ...]
@@ -386,7 +412,7 @@ class DamperCurve:
     fitted: Array
 
 
-def fit_damper(
+def fit_damper(  # noqa: PLR0913 - each is a choice of its own
     displacement: ArrayLike,
     velocity: ArrayLike | None,
     force: ArrayLike,
@@ -397,6 +423,8 @@ def fit_damper(
     odd: bool = False,
     friction: bool = False,
     velocity_from: VelocityFrom = "recorded",
+    stroke_positive: StrokePositive | None = None,
+    force_positive: ForcePositive | None = None,
     name: str = "damper",
 ) -> DamperResult:
     """Fit a damper law to a record of imposed motion and force.
@@ -409,11 +437,11 @@ def fit_damper(
     Parameters
     ----------
     displacement : array (n,)
-        [m], compression positive, any zero.
+        [m], compression positive unless stated otherwise, any zero.
     velocity : array (n,) or None
-        [m/s]; None: the derivative of the displacement.
+        [m/s], of the same sign as the displacement; None: the derivative of the displacement.
     force : array (n,)
-        [N], positive where it resists compression.
+        [N], positive where it resists compression unless stated otherwise.
     time : array (n,)
         [s], increasing.
     law : {"linear", "bilinear", "polynomial", "tanh-hysteretic", "bouc-wen"}
@@ -426,6 +454,11 @@ def fit_damper(
         Add dry friction to an F(v) law.
     velocity_from : {"recorded", "displacement"}
         Which velocity the law sees.
+    stroke_positive : {"compression", "extension"} or None
+        Which way the displacement counts. None: compression, unless the record contradicts it; a finding says what was
+        turned, or what nothing in the record could confirm.
+    force_positive : {"compression", "tension"} or None
+        Which way the force counts, likewise.
     name : str
         File or channel, used in messages.
 
@@ -453,7 +486,16 @@ def fit_damper(
     >>> [round(estimate.value) for estimate in result.parameters.values()]
     [300, 900, 0]
     """
-    motion, findings = read_motion(displacement, velocity, force, time, velocity_from=velocity_from, name=name)
+    motion, findings = read_motion(
+        displacement,
+        velocity,
+        force,
+        time,
+        velocity_from=velocity_from,
+        stroke_positive=stroke_positive,
+        force_positive=force_positive,
+        name=name,
+    )
     chosen = damper_law(law, motion, degree=degree, odd=odd, friction=friction)
     used = _fitted_part(motion) if chosen.remembers else slice(None)
     weights, shapes, free, at_bound = _search(chosen, motion, used)
@@ -483,6 +525,8 @@ def fit_damper(
         cycles=cycles,
         samples=len(residual),
         displacement_centre=motion.centre,
+        stroke_positive=motion.signs.stroke_positive,
+        force_positive=motion.signs.force_positive,
         damper=chosen.table(plain),
         friction=table if friction else None,
         findings=(),
@@ -507,7 +551,8 @@ def damper_curve(
     result : DamperResult
         The fitted law.
     displacement, velocity, force, time : array (n,)
-        A record as for :func:`fit_damper` [m, m/s, N, s]; displacement is counted from the middle of its own stroke.
+        A record as for :func:`fit_damper` [m, m/s, N, s], which counts stroke and force as the fitted one did;
+        displacement is counted from the middle of its own stroke.
     velocity_from : {"recorded", "displacement"}
         Which velocity the law sees.
 
@@ -524,7 +569,15 @@ def damper_curve(
     >>> bool(np.allclose(curve.fitted, curve.measured))
     True
     """
-    motion, _ = read_motion(displacement, velocity, force, time, velocity_from=velocity_from)
+    motion, _ = read_motion(
+        displacement,
+        velocity,
+        force,
+        time,
+        velocity_from=velocity_from,
+        stroke_positive=result.stroke_positive,
+        force_positive=result.force_positive,
+    )
     powers = [int(key[1:]) for key in result.parameters if key[0] == "a" and key[1:].isdigit()]
     law = damper_law(
         result.law,

@@ -16,10 +16,12 @@ from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.identify.decay import noise_of
 from jounce.identify.fit_problem import Channel, FitTrial, UpdateProblem
+from jounce.identify.signs import likeness, turned_channel
 from jounce.recordings.sensors import Datum, Sensor, filter_signals
 
 _STILL = 1e-3  # of the range of the simulated signal: less is no motion yet
 _MARGIN, _FEW = 0.02, 8  # s by which a recording may be early; samples that show noise
+_TURNED = -0.6  # correlation with the model below which a record is turned
 _SMALL = 0.02  # of the range of the record: a constant below this is no datum
 _AT_REST, _ABSOLUTE = 0.1, 0.35  # of the static value: how far zeros, and start values of the model, may be off
 _MEANING: dict[Datum, str] = {
@@ -35,7 +37,8 @@ class QuietStart:
 
     ``recorded`` is the mean of the record there and ``doubt`` its standard error, ``static`` what the model says for a
     record that counts as it does, ``zero`` for one that was zeroed at rest (the sensor's bias), and ``reach`` the range
-    of the record. ``recorded`` is None where the record begins in motion.
+    of the record. ``recorded`` is None where the record begins in motion. ``likeness`` is the correlation of record and
+    model over the whole record (1), and ``is_stated`` tells that the datum was given.
     """
 
     recorded: float | None
@@ -43,6 +46,8 @@ class QuietStart:
     static: float
     zero: float
     reach: float
+    likeness: float = 0.0
+    is_stated: bool = False
 
     def datum(self) -> Datum:
         """Decide which datum the record has."""
@@ -59,7 +64,8 @@ class QuietStart:
     def matters(self) -> bool:
         """Whether the choice changes anything."""
         small = _SMALL * self.reach + 4.0 * self.doubt
-        return abs(self.static - self.zero) > small or self.datum() != "undeformed"
+        differs = abs(self.static - self.zero) > small or self.datum() != "undeformed"
+        return differs and not self.is_stated
 
 
 def with_datums(
@@ -67,32 +73,36 @@ def with_datums(
 ) -> tuple[list[FitTrial], list[Finding]]:
     """Give the trials with the datum of every compared channel decided, and findings that say what was taken."""
     both = [with_datum(trial, channels) for trial in trials]
-    return [trial for trial, _ in both], datum_findings({trial.name: taken for trial, taken in both})
+    return [trial for trial, _ in both], start_findings({trial.name: starts for trial, starts in both})
 
 
-def with_datum(trial: FitTrial, channels: Sequence[str] | None = None) -> tuple[FitTrial, dict[str, Datum]]:
-    """Give a trial with the datum of every compared channel decided, and those that the data had to decide.
+def with_datum(trial: FitTrial, channels: Sequence[str] | None = None) -> tuple[FitTrial, dict[str, QuietStart]]:
+    """Give a trial with the datum of every compared channel decided, and the starts of the channels.
 
     A datum that a sensor states is kept. Otherwise the quiet start is held against the model's static value, which may
     be off by 35 % (the start values are those before an update) and decides between "rest" and "undeformed"; a record
     that is neither, or one of a loaded channel that begins in motion, gets a "free offset".
     """
-    sensors, taken = dict(trial.sensors), dict[str, Datum]()
-    for name, start in _quiet_starts(trial, channels).items():
-        datum = start.datum()
-        sensors[name] = sensors.get(name, Sensor()).model_copy(update={"datum": datum})
-        if start.matters():
-            taken[name] = datum
-    return replace(trial, sensors=sensors), taken
+    sensors, starts = dict(trial.sensors), _quiet_starts(trial, channels)
+    for name, start in starts.items():
+        if not start.is_stated:
+            sensors[name] = sensors.get(name, Sensor()).model_copy(update={"datum": start.datum()})
+    return replace(trial, sensors=sensors), starts
 
 
-def datum_findings(taken: Mapping[str, Mapping[str, Datum]]) -> list[Finding]:
-    """Say for each channel which datum was taken, from datums by trial and channel."""
-    found: dict[tuple[str, Datum], list[str]] = {}
-    for trial, datums in taken.items():
-        for channel, datum in datums.items():
-            found.setdefault((channel, datum), []).append(trial)
-    return [_finding(channel, datum, trials) for (channel, datum), trials in found.items()]
+def start_findings(starts: Mapping[str, Mapping[str, QuietStart]]) -> list[Finding]:
+    """Say for each channel which datum was found and whether its sign is turned, from starts by trial and channel."""
+    datums, turned = dict[tuple[str, Datum], list[str]](), dict[str, list[str]]()
+    likeness = dict[str, float]()
+    for trial, channels in starts.items():
+        for channel, start in channels.items():
+            if start.matters():
+                datums.setdefault((channel, start.datum()), []).append(trial)
+            if start.likeness < _TURNED:
+                turned.setdefault(channel, []).append(trial)
+                likeness[channel] = start.likeness
+    findings = [turned_channel(channel, likeness[channel], trials) for channel, trials in turned.items()]
+    return findings + [_finding(channel, datum, trials) for (channel, datum), trials in datums.items()]
 
 
 def _finding(channel: str, datum: Datum, trials: list[str]) -> Finding:
@@ -104,12 +114,7 @@ def _finding(channel: str, datum: Datum, trials: list[str]) -> Finding:
 
 
 def _quiet_starts(trial: FitTrial, channels: Sequence[str] | None) -> dict[str, QuietStart]:
-    """Quiet starts of the channels that state no datum."""
-    stated = {name for name, sensor in trial.sensors.items() if sensor.datum is not None}
-    open_ = [str(name) for name in trial.measured.data_vars if str(name) not in stated]
-    open_ = [name for name in open_ if channels is None or name in channels]
-    if not open_:
-        return {}
+    """Starts of all compared channels, with the model's own values."""
     problem = UpdateProblem(
         [trial], (), channels=channels, weights="printed", align=False, lag_bound=1.0, tolerance=1e-5
     )
@@ -117,13 +122,14 @@ def _quiet_starts(trial: FitTrial, channels: Sequence[str] | None) -> dict[str, 
     solution = prepared.solve(np.zeros(0), problem.tolerance)
     time, found = trial.measured["time"].to_numpy(), {}
     for channel in prepared.channels:
-        if channel.name not in open_:
-            continue
         static = solution.outputs[channel.column][:1]
         if channel.sensor is not None:
             static = filter_signals(static, prepared.rate, channel.sensor, where=channel.name)
         simulated = prepared.table(channel, solution)[:, 0]
-        found[channel.name] = _quiet_start(channel, time, simulated, float(static[0]) + channel.bias)
+        start = _quiet_start(channel, time, simulated, float(static[0]) + channel.bias)
+        like = likeness(channel.measured, simulated, round(_MARGIN * prepared.rate))
+        stated = channel.sensor is not None and channel.sensor.datum is not None
+        found[channel.name] = replace(start, likeness=like, is_stated=stated)
     return found
 
 

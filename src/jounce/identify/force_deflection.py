@@ -13,6 +13,7 @@ from jounce.core.errors import FitError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.identify.estimate import linear_least_squares
+from jounce.identify.signs import ForcePositive, StrokePositive, sign_of
 
 Branch = Literal["loading", "unloading", "both"]
 Zero = Literal["first-contact", "none"]
@@ -33,11 +34,17 @@ class ForceDeflectionTrial:
         Measured force, compression positive [N].
     name : str
         File or number of the trial, used in results and messages.
+    stroke_positive : {"compression", "extension"} or None
+        Which way the deflection counts; None: compression, unless the trial shows the other.
+    force_positive : {"compression", "tension"} or None
+        Which way the force counts, likewise: a spring pushes back.
     """
 
     deflection: ArrayLike
     force: ArrayLike
     name: str = "trial"
+    stroke_positive: StrokePositive | None = None
+    force_positive: ForcePositive | None = None
 
     def arrays(self) -> tuple[Array, Array]:
         """Deflection [m] and force [N] as float arrays of shape (n,), checked."""
@@ -106,7 +113,7 @@ def seat(trial: ForceDeflectionTrial, *, zero: Zero) -> tuple[SeatedTrial, list[
     """
     deflection, force = trial.arrays()
     findings: list[Finding] = []
-    deflection, force = _compression_positive(deflection, force, trial.name, findings)
+    deflection, force = _compression_positive(trial, deflection, force, findings)
     shift, offset, start = 0.0, 0.0, 0
     if zero == "first-contact":
         shift, offset, start = _first_contact(deflection, force, trial.name, findings)
@@ -119,18 +126,26 @@ def seat(trial: ForceDeflectionTrial, *, zero: Zero) -> tuple[SeatedTrial, list[
     return seated, findings
 
 
-def _compression_positive(deflection: Array, force: Array, name: str, findings: list[Finding]) -> tuple[Array, Array]:
+def _compression_positive(
+    trial: ForceDeflectionTrial, deflection: Array, force: Array, findings: list[Finding]
+) -> tuple[Array, Array]:
+    def turned(what: str, stated: str | None, key: str, wrong: str) -> None:
+        text = f"the {what} was recorded negative in compression; its sign was reversed."
+        if stated is not None:
+            text = f"{wrong} with {key} = {stated!r} as stated; its sign was reversed: check the statement."
+        findings.append(Finding(trial.name, "note" if stated is None else "warning", text))
+
+    deflection = sign_of(trial.stroke_positive, "stroke", where=trial.name) * deflection
+    force = sign_of(trial.force_positive, "force", where=trial.name) * force
     away = deflection - deflection[0]
     if -away.min() > away.max():
         deflection = -deflection
-        findings.append(
-            Finding(name, "note", "the deflection was recorded negative in compression; its sign was reversed.")
-        )
+        turned("deflection", trial.stroke_positive, "stroke_positive", "the trial goes into extension")
     turn = int(np.argmax(deflection))
     loading = slice(0, max(turn, 1) + 1)
     if np.polyfit(deflection[loading] - deflection[0], force[loading], 1)[0] < 0.0:
         force = -force
-        findings.append(Finding(name, "note", "the force was recorded negative in compression; its sign was reversed."))
+        turned("force", trial.force_positive, "force_positive", "the force pulls where a spring pushes back")
     return deflection, force
 
 

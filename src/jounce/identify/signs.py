@@ -1,0 +1,255 @@
+"""How a test machine counts stroke and force, stated or found: compression is positive in jounce, for both.
+
+Physics decides what it can: a damper dissipates, so the product of both signs is known; the gas behind its piston
+pushes outwards, so a force that stays at rest in mid-stroke tells the sign of the force. A turned stroke (or both
+columns turned) swaps bump and rebound, which nothing else in the record would show.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal, get_args
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError, unknown
+from jounce.core.findings import Finding, Severity
+from jounce.core.types import Array
+from jounce.identify.estimate import Estimate, linear_least_squares
+from jounce.recordings.schema import quantity_of
+from jounce.recordings.signals import correlation_coefficients
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+StrokePositive = Literal["compression", "extension"]
+ForcePositive = Literal["compression", "tension"]
+
+_SLOW = 0.2  # of the peak speed: the part of a record that shows the force at rest
+_SMALL = 0.005  # of the range of the force: less is no gas force
+_UNLIKE = 0.1  # difference of bump and rebound over their sum, from which swapping them matters
+_STATE = "State stroke_positive and force_positive (compression, or extension and tension)."
+_CLEAR = 0.1  # by which an opposite must be clearer than a likeness
+_IDLE = 0.02  # work over the work of the sizes: less is no damper
+
+
+@dataclass(frozen=True)
+class Signs:
+    """Which way stroke and force count: +1 as jounce does (compression positive), -1 the other way."""
+
+    stroke: int = 1
+    force: int = 1
+
+    @property
+    def stroke_positive(self) -> StrokePositive:
+        """In words."""
+        return "compression" if self.stroke > 0 else "extension"
+
+    @property
+    def force_positive(self) -> ForcePositive:
+        """In words."""
+        return "compression" if self.force > 0 else "tension"
+
+
+def sign_of(positive: str | None, kind: Literal["stroke", "force"], *, where: str = "") -> int:
+    """Read "compression" (or nothing) as +1, "extension" of a stroke or "tension" of a force as -1.
+
+    >>> sign_of("extension", "stroke"), sign_of(None, "force")
+    (-1, 1)
+    """
+    allowed = get_args(StrokePositive if kind == "stroke" else ForcePositive)
+    if positive is not None and positive not in allowed:
+        raise unknown(str(positive), allowed, what=f"{kind}_positive", where=where)
+    return 1 if positive in (None, "compression") else -1
+
+
+_STROKES = ("deflection", "deflection_velocity", "displacement", "stroke", "travel")
+_FORCES = ("force", "load")
+
+
+def compression_positive(
+    recording: xr.Dataset, stroke_positive: StrokePositive | None, force_positive: ForcePositive | None
+) -> xr.Dataset:
+    """Give a recording with deflections, strokes, travels and forces positive in compression, turned as stated."""
+    signs = dict.fromkeys(_STROKES, sign_of(stroke_positive, "stroke"))
+    signs |= dict.fromkeys(_FORCES, sign_of(force_positive, "force"))
+    turned = {
+        name: (variable.dims, -variable.to_numpy(), variable.attrs)
+        for name, variable in recording.data_vars.items()
+        if signs.get(quantity_of(str(name))) == -1
+    }
+    return recording.assign(turned) if turned else recording
+
+
+def check_stroke(channel: str, stroke_positive: StrokePositive | None, *, where: str) -> None:
+    """Refuse a sign of the stroke that is stated for a channel which is none (a height counts upwards)."""
+    if stroke_positive is not None and quantity_of(channel) not in _STROKES:
+        raise DescriptionError(
+            "the channel is no stroke, whose sign could be stated",
+            where=where,
+            found=channel,
+            allowed="a deflection, displacement, stroke or travel",
+            hint="Damping does not depend on the sign; leave it out.",
+        )
+
+
+def likeness(measured: Array, simulated: Array, most: int) -> float:
+    """Correlation of two signals at the shift up to ``most`` samples where they are most alike, or most opposite [1].
+
+    >>> round(likeness(np.sin(np.arange(99.0)), -np.sin(np.arange(99.0)), 2), 3)
+    -1.0
+    """
+    if len(measured) < 2 * most + 8 or np.ptp(measured) == 0.0 or np.ptp(simulated) == 0.0:
+        return 0.0
+    alike = float(correlation_coefficients(measured, simulated, most).max())
+    opposite = float(correlation_coefficients(-measured, simulated, most).max())
+    return alike if alike >= opposite - _CLEAR else -opposite
+
+
+def turned_channel(name: str, like: float, trials: list[str]) -> Finding:
+    """Say that a channel goes against the model."""
+    text = (
+        f"the record goes against the model in {', '.join(trials)} (correlation {like:.2f}): its sign is turned. Turn "
+        "it with orientation = -1 of its sensor, or state stroke_positive or force_positive."
+    )
+    return Finding(name, "warning", text, like)
+
+
+def damper_signs(
+    stroke: Array,
+    velocity: Array,
+    force: Array,
+    *,
+    stroke_positive: str | None,
+    force_positive: str | None,
+    name: str,
+    findings: list[Finding],
+) -> Signs:
+    """Find how a damper record counts, from what is stated and what physics says; findings name a turned column.
+
+    ``velocity`` is the derivative of the ``stroke`` as recorded. A statement is trusted as far as the damper
+    dissipates. Without one compression is taken as positive, and a finding of severity "warning" says when the record
+    contradicts that, or when bump and rebound differ and nothing in the record could confirm it.
+    """
+    stated = Signs(
+        sign_of(stroke_positive, "stroke", where=name),
+        sign_of(force_positive, "force", where=name),
+    )
+
+    def add(severity: Severity, text: str, value: float | None = None) -> None:
+        findings.append(Finding(name, severity, text, value))
+
+    x, v, f = stated.stroke * stroke, stated.stroke * velocity, stated.force * force
+    work, sizes = float(f @ v), float(np.abs(f - f.mean()) @ np.abs(v))
+    if abs(work) < _IDLE * sizes:
+        add(
+            "warning",
+            f"the force does hardly any work on the motion ({100.0 * work / sizes:.1f} % of force times speed): a "
+            "spring or a loose end, not a damper; the signs of stroke and force could not be checked.",
+            work / sizes,
+        )
+        return stated
+    rest = static_force(x, v, f)
+    gas = _sign(rest, f)
+    unlike = _unlike(v, f, rest.value if gas else 0.0)
+    chosen = _Choice(stated, stroke_positive is not None, force_positive is not None, gas, rest.value, unlike)
+    return (chosen.dissipating if work > 0.0 else chosen.turned)(add)
+
+
+@dataclass(frozen=True)
+class _Choice:
+    """What is known where the signs are decided; ``gas`` is the sign of the force at rest as stated, 0 where none."""
+
+    stated: Signs
+    stroke_is_stated: bool
+    force_is_stated: bool
+    gas: int
+    rest: float
+    unlike: bool
+
+    def dissipating(self, add: Callable[..., None]) -> Signs:
+        """Stroke and force agree: both are right, or both are turned."""
+        stated = self.stroke_is_stated or self.force_is_stated
+        if not self.unlike or self.gas > 0 or (stated and not self.gas):
+            return self.stated
+        if self.gas < 0:
+            text = (
+                f"the force is {self.rest:.3g} N at rest in mid-stroke, where gas would push outwards: stroke and "
+                "force are both turned, so that bump and rebound are swapped here, or the load cell had another zero. "
+            )
+            text += "Check what was stated." if stated else _STATE
+        else:
+            text = (
+                "bump and rebound differ, and the record has no gas force to show which is which: stroke and force are "
+                f"taken as positive in compression; if both were turned, they would swap. {_STATE}"
+            )
+        add("warning", text, self.rest if self.gas else None)
+        return self.stated
+
+    def turned(self, add: Callable[..., None]) -> Signs:
+        """Stroke and force contradict each other: exactly one column is turned, and the gas force tells which."""
+        both = self.stroke_is_stated and self.force_is_stated
+        if self.stroke_is_stated != self.force_is_stated:
+            column = "force" if self.stroke_is_stated else "stroke"
+        else:
+            column = "stroke" if self.gas > 0 else "force"
+        found = (
+            Signs(-self.stated.stroke, self.stated.force)
+            if column == "stroke"
+            else Signs(self.stated.stroke, -self.stated.force)
+        )
+        text = (
+            f"stroke and force contradict each other (the damper would feed energy into the motion): the {column} was "
+            "recorded with the other sign"
+        )
+        rest = self.rest * (-1 if column == "force" else 1)
+        if both:
+            text += ", though its sign was stated"
+        elif self.stroke_is_stated or self.force_is_stated:
+            text += ", as that of the other column was stated"
+        elif self.gas:
+            text += f", for so a gas force of {rest:.3g} N pushes outwards"
+        elif self.unlike:
+            text += (
+                ", or the stroke: nothing in the record tells, and if it is the stroke, bump and rebound are swapped"
+            )
+        if self.gas and rest < 0.0:
+            text += f"; but then the force at rest pulls inwards ({rest:.3g} N), which no gas does: check both"
+        way = found.stroke_positive if column == "stroke" else found.force_positive
+        text += f". The {column} has been reversed: state {column}_positive = {way!r}."
+        add("problem" if both or (self.gas and rest < 0.0) else "warning", text, rest if self.gas else None)
+        return found
+
+
+def static_force(stroke: Array, velocity: Array, force: Array) -> Estimate:
+    """Force at rest in mid-stroke (N): what is left where the motion is slow, without damping, friction and spring."""
+    peak = float(np.abs(velocity).max())
+    for share in (_SLOW, 2.0 * _SLOW, 1.0):
+        slow = np.abs(velocity) <= share * peak
+        if np.count_nonzero(slow) >= 30:
+            break
+    x, v = stroke[slow] / float(np.ptp(stroke)), velocity[slow] / peak
+    centre = 0.5 * float(stroke.max() + stroke.min()) / float(np.ptp(stroke))
+    columns = [np.ones_like(v), x - centre, np.maximum(v, 0.0), np.minimum(v, 0.0), np.tanh(v / 0.01)]
+    found, _, spread = linear_least_squares(np.column_stack(columns), force[slow])
+    return spread.estimates(found)[0]
+
+
+def _sign(rest: Estimate, force: Array) -> int:
+    """Sign of a force at rest, 0 where it may be none."""
+    if abs(rest.value) < _SMALL * float(np.ptp(force)) or (rest.interval is not None and rest.has(0.0)):
+        return 0
+    return 1 if rest.value > 0.0 else -1
+
+
+def _unlike(velocity: Array, force: Array, rest: float) -> bool:
+    """Whether bump and rebound differ so that swapping them matters."""
+    bump, rebound = velocity > 0.0, velocity < 0.0
+    if not bump.any() or not rebound.any():
+        return False
+    sizes = [
+        abs(float((force[part] - rest) @ velocity[part])) / float(velocity[part] @ velocity[part])
+        for part in (bump, rebound)
+    ]
+    return abs(sizes[0] - sizes[1]) > _UNLIKE * sum(sizes)
