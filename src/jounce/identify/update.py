@@ -158,7 +158,7 @@ def _least_squares(problem: UpdateProblem, start: Array) -> tuple[Array, int]:
         bounds=(-1.0, 1.0),
         method="trf",
         xtol=1e-9,  # of the bounds' half range; below it simulations of finite tolerance differ by chance
-        ftol=1e-10,
+        ftol=1e-8,
         gtol=1e-12,
         max_nfev=200,
     )
