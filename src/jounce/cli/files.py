@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from jounce.cli.options import AsJson, Force, files, optional_positive
-from jounce.cli.reply import DONE, REFUSED, Reply, show_findings, table
+from jounce.cli.reply import DONE, REFUSED, Reply, show_findings, table, tell
 from jounce.core.errors import DescriptionError, JounceError, RecordingError, unknown
 
 if TYPE_CHECKING:
@@ -54,7 +54,8 @@ def check(
         ],
     }
     for item in checked:
-        sys.stderr.writelines(f"jounce: {problem}\n" for problem in item.problems)
+        for problem in item.problems:
+            tell(problem)
     return Reply(plain, lambda out: _draw_checked(out, plain), as_json, DONE if plain["ok"] else REFUSED)
 
 
@@ -439,7 +440,9 @@ def _draw_import(console: Console, plain: dict[str, Any], findings: list[Finding
     """Show the rig file alone on stdout, or what was written and what to know about it."""
     if plain["out"] is None:
         sys.stdout.write(plain["text"])
-        sys.stderr.writelines(f"{finding}\n" for finding in findings if finding.severity != "note")
+        for finding in findings:
+            if finding.severity != "note":
+                tell(str(finding), program="")
         return
     console.print(f"{plain['out']}: {plain['model']}, {plain['source']}")
     console.print(f"estimated: {', '.join(plain['estimated']) or 'nothing'}")

@@ -25,9 +25,10 @@ from jounce.cli.options import (
     quantity,
     warn_of,
 )
-from jounce.cli.reply import DONE, FAILED, REFUSED, Reply, progress, show_findings, show_written, table
+from jounce.cli.reply import DONE, FAILED, REFUSED, Reply, progress, show_findings, show_written, table, tell
 from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError, unknown
 from jounce.core.files import existing_file
+from jounce.core.text import visible
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -306,7 +307,7 @@ def evaluate(
     unfit = _unfit(inspected)
     if unfit is not None:
         plain["error"] = {"kind": "RecordingError", "message": str(unfit), "where": unfit.where, "what": unfit.what}
-        sys.stderr.write(f"jounce: {unfit}\n")
+        tell(f"{unfit}")
     code = DONE if unfit is None else REFUSED
     return Reply(plain, lambda console: _draw_vehicle(console, whole, plain), as_json, code)
 
@@ -483,7 +484,7 @@ def import_(
                 if isinstance(error, JounceError) and error.where == opened.location:
                     raise  # the store cannot be used: the other files fare no better
                 failed[str(file)] = str(error)
-                sys.stderr.write(f"jounce: {error}\n")
+                tell(f"{error}")
                 continue
             _say_kept(kept[-1], as_json=as_json)
     plain = {"store": opened.location, "records": kept, "failed": failed}
@@ -526,7 +527,7 @@ def watch(
                 for seen in watching.each():
                     if seen.imported is None:
                         failed[str(seen.file)] = seen.problem
-                        sys.stderr.write(f"jounce: {seen.file}: {seen.problem.removeprefix(f'{seen.file}: ')}\n")
+                        tell(f"{seen.file}: {seen.problem.removeprefix(f'{seen.file}: ')}")
                     else:
                         failed.pop(str(seen.file), None)  # the store, or the file, may have come back
                         kept.append(seen.imported)
@@ -675,7 +676,7 @@ def export(
     rows = rows_of(records)
     write(rows, out, force=force)
     for text in lost:
-        sys.stderr.write(f"jounce: {text}\n")
+        tell(text)
     plain = {"store": opened.location, "out": str(out), "records": len(records), "rows": len(rows), "lost": lost}
     said = f"written: {out}, {len(records)} records, {len(rows)} rows"
     return Reply(plain, lambda console: console.print(said), as_json, FAILED if lost else DONE)
@@ -750,7 +751,7 @@ def _say_kept(kept: ImportedRecord, *, as_json: bool) -> None:
         return
     word = "accepted" if kept.is_new else "known"
     reason = f" ({kept.problem})" if kept.problem else ""
-    sys.stdout.write(f"{word} {kept.number} {kept.file}: {kept.verdict}{reason}\n")
+    sys.stdout.write(visible(f"{word} {kept.number} {kept.file}: {kept.verdict}{reason}") + "\n")
     sys.stdout.flush()
 
 

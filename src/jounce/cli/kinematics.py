@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -10,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from jounce.cli.options import AsJson, Changes, Force, RigName, bare_number, changes, check_outputs, chosen_rig, pairs
-from jounce.cli.reply import DONE, REFUSED, Reply, progress, show_findings, show_written, table
+from jounce.cli.reply import DONE, REFUSED, Reply, progress, show_findings, show_written, table, tell
 from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
@@ -81,7 +80,7 @@ def kinematics(
             write_kinematics(sweep, plot, force=force)
     stopped = str(sweep.attrs["stopped"])
     if stopped:
-        sys.stderr.write(f"jounce: {stopped}. The poses before that are kept.\n")
+        tell(f"{stopped}. The poses before that are kept.")
     written = [str(path) for path in (out, plot) if path is not None]
     exit_code = REFUSED if stopped else DONE
     return Reply(plain_sweep(sweep), lambda console: _draw(console, rig, sweep, written), as_json, exit_code)

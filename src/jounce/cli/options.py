@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import sys
 import tomllib
 from collections.abc import Sequence
 from pathlib import Path
@@ -11,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from jounce.cli.reply import tell
 from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
@@ -186,7 +186,9 @@ def warn_of(rig: Rig, name: str) -> None:
     """Say on stderr what looks wrong with a rig; notes are left to ``jounce check``."""
     from jounce.parts import rig_findings
 
-    sys.stderr.writelines(f"{found}\n" for found in rig_findings(rig, name) if found.severity != "note")
+    for found in rig_findings(rig, name):
+        if found.severity != "note":
+            tell(str(found), program="")
 
 
 RoadName = Annotated[

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -24,7 +23,7 @@ from jounce.cli.options import (
     quantity,
     trial_of,
 )
-from jounce.cli.reply import DONE, REFUSED, Reply, progress, show_findings, show_written
+from jounce.cli.reply import DONE, REFUSED, Reply, progress, show_findings, show_written, tell
 from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
@@ -270,5 +269,5 @@ def _stopped(poses: xr.Dataset) -> int:
     """Say why a sweep ended early; give the exit code."""
     why = str(poses.attrs.get("stopped", ""))
     if why:
-        sys.stderr.write(f"jounce: {why}. The poses before that are shown.\n")
+        tell(f"{why}. The poses before that are shown.")
     return REFUSED if why else DONE

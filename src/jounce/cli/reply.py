@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TextIO
 
 from jounce.core.errors import JounceError
+from jounce.core.text import visible
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -52,12 +53,18 @@ class Reply:
 def console(*, stderr: bool = False) -> Console:
     """Console that prints text as it is; what is piped gets wide lines, so that tables stay whole."""
     from rich.console import Console
+    from rich.segment import Segment
 
     class HonestConsole(Console):
-        """Leaves a closed pipe to `main`."""
+        """Leaves a closed pipe to `main`, and lets nothing from a file steer the terminal."""
 
         def on_broken_pipe(self) -> None:
             raise BrokenPipeError
+
+        def render(self, renderable: Any, options: Any = None) -> Iterator[Segment]:
+            for segment in super().render(renderable, options):
+                steers = segment.control is not None
+                yield segment if steers else Segment(visible(segment.text), segment.style)
 
     stream = sys.stderr if stderr else sys.stdout
     width = None if stream.isatty() or "COLUMNS" in os.environ else PIPED_WIDTH
@@ -71,7 +78,7 @@ def print_json(plain: Mapping[str, Any]) -> None:
     text = to_json(plain)
     if not _is_unicode(sys.stdout):
         text = json.dumps(json.loads(text), indent=2)
-    sys.stdout.write(f"{text}\n")
+    sys.stdout.write(f"{visible(text, json=True)}\n")
 
 
 def replace_unknown_characters() -> None:
@@ -112,10 +119,15 @@ def _parts(text: str) -> dict[str, Any]:
 
 def report_error(error: Mapping[str, Any], exit_code: int, *, as_json: bool) -> int:
     """Print an error as one message on stderr and, when asked for, as ``{"error": ...}`` on stdout."""
-    sys.stderr.write(f"jounce: {error['message']}\n")
+    tell(error["message"])
     if as_json:
         print_json({"error": error})
     return exit_code
+
+
+def tell(message: str, *, program: str = "jounce: ") -> None:
+    """Write one message to stderr."""
+    sys.stderr.write(f"{program}{visible(message)}\n")
 
 
 @contextmanager

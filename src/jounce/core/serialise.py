@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import json
 import math
 import os
+import platform
+import shutil
 import tempfile
-from collections.abc import Callable, Iterator, Mapping, Sequence
+import time
+import zlib
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from functools import cache
 from pathlib import Path
 from typing import Any, ClassVar, cast
 
@@ -140,20 +146,26 @@ class Formats:
 @contextmanager
 def replacing(file: Path) -> Iterator[Path]:
     """Give a temporary file beside ``file`` that takes its place when the block ends well, and is removed otherwise."""
-    handle, name = tempfile.mkstemp(dir=file.parent, prefix=f".{file.stem}.", suffix=file.suffix)
-    os.close(handle)
-    temporary = Path(name)
-    try:
-        yield temporary
-        temporary.chmod(0o644)  # mkstemp made it private
-        temporary.replace(file)
-    except BaseException:
-        temporary.unlink(missing_ok=True)
-        raise
+    with _told(file, "the file cannot be written"):
+        _sweep(file.parent)
+        suffix = file.suffix if len(file.suffix) <= _LONGEST_SUFFIX else ""
+        handle, name = tempfile.mkstemp(dir=file.parent, prefix=_own_prefix(), suffix=suffix)
+        os.close(handle)
+        temporary = Path(name)
+        try:
+            yield temporary
+            temporary.chmod(0o644)  # mkstemp made it private
+            temporary.replace(file)
+        except BaseException:
+            temporary.unlink(missing_ok=True)
+            raise
 
 
 def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, force: bool = False) -> list[Path]:
     """Write files below a folder, which is made: all of them, or none.
+
+    They are written into a folder beside it first. That takes its place where nothing is in the way; otherwise the
+    files are moved into it one by one, whole each, and what else it holds stays.
 
     Parameters
     ----------
@@ -167,12 +179,13 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, forc
     Returns
     -------
     list of Path
-        The files.
+        The files, in the order given.
 
     Raises
     ------
     OutputError
-        When one of the files exists, without ``force``; then nothing is written.
+        When one of the files exists, without ``force``; for a file where a folder is to be and the reverse; for a name
+        that leads out of the folder; for a disk that is full or refuses. Then nothing is changed.
 
     Examples
     --------
@@ -180,13 +193,94 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, forc
     >>> [file.name for file in made]
     ['notes.txt', '01.csv']
     """
-    root = Path(folder)
+    root = Path(folder).resolve()
+    files = {root / name: content for name, content in contents.items()}
+    _check_room(root, files, force=force)
+    with _told(root, "the folder cannot be written"):
+        root.parent.mkdir(parents=True, exist_ok=True)
+        _sweep(root.parent)
+        built = Path(tempfile.mkdtemp(dir=root.parent, prefix=_own_prefix()))
+        try:
+            for name, content in contents.items():
+                target = built / name
+                target.parent.mkdir(parents=True, exist_ok=True)
+                target.write_bytes(content.encode() if isinstance(content, str) else content)
+            _move(built, root, contents)
+        finally:
+            shutil.rmtree(built, ignore_errors=True)
+    return [Path(folder) / name for name in contents]
+
+
+def _check_room(root: Path, files: Iterable[Path], *, force: bool) -> None:
     if root.exists() and not root.is_dir():
         raise OutputError("a file stands where the folder should be", where=str(root), hint="Choose another name.")
-    files = {root / name: content for name, content in contents.items()}
     for file in files:
+        if not file.resolve().is_relative_to(root):
+            raise OutputError("the file would lie outside the folder", where=str(root), found=str(file))
+        if file.is_dir():
+            raise OutputError("a file cannot be written where a folder is", where=str(file))
+        if any(parent.is_file() for parent in file.parents if parent.is_relative_to(root)):
+            raise OutputError("a folder cannot be made where a file is", where=str(file.parent))
         if file.exists() and not force:
             check_writable(file)
-    for file in files:
-        file.parent.mkdir(parents=True, exist_ok=True)
-    return [write_atomically(file, content, force=force) for file, content in files.items()]
+
+
+def _move(built: Path, root: Path, names: Iterable[str]) -> None:
+    """Rename the whole folder where nothing is in its way, otherwise file by file."""
+    built.chmod(0o755)  # mkdtemp made it private
+    if not root.exists() or not any(root.iterdir()):
+        if root.exists():
+            root.rmdir()
+        built.rename(root)
+        return
+    for name in names:
+        target = root / name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        (built / name).replace(target)
+
+
+@contextmanager
+def _told(where: Path, what: str) -> Iterator[None]:
+    """Turn what the system refuses into the product's own error."""
+    try:
+        yield
+    except OSError as error:
+        raise OutputError(
+            what,
+            where=str(where),
+            found=error.strerror or str(error),
+            hint="Check the path, the permissions and the space on the disk.",
+        ) from error
+
+
+_LONGEST_SUFFIX = 16
+_DAY = 86400.0
+
+
+def _own_prefix() -> str:
+    """Begin of the names of this process's temporary files, from which another one sees whether it still runs."""
+    return f".jounce-{zlib.crc32(platform.node().encode()):08x}-{os.getpid()}-"
+
+
+@cache
+def _sweep(folder: Path) -> None:
+    """Remove what a killed process has left in a folder: of this machine at once, of others after a day."""
+    machine = _own_prefix().rsplit("-", 2)[0]
+    for left in folder.glob(".jounce-*-*-*"):
+        with contextlib.suppress(OSError, ValueError):
+            here, process = left.name.rsplit("-", 2)[0] == machine, int(left.name.rsplit("-", 2)[1])
+            if time.time() - left.stat().st_mtime > _DAY or (here and not _runs(process)):
+                shutil.rmtree(left) if left.is_dir() else left.unlink()
+
+
+def _runs(process: int) -> bool:
+    """Whether a process of this machine still runs; yes where the system does not tell without harm."""
+    if os.name != "posix":
+        return True
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except OSError:  # somebody else's
+        return True
+    return True

@@ -1,8 +1,23 @@
-"""Tables as text."""
+"""Tables as text, and text of unknown origin as something a terminal can be given."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
+
+# Control characters but tab and new line, those of 8-bit terminals, separators of lines, and what turns the direction.
+_UNSEEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
+
+
+def visible(text: str, *, json: bool = False) -> str:
+    r"""The same text with characters that steer a terminal written out, so that none reaches it from a file.
+
+    They are written as Python does, or as ``json`` does where the text is that.
+
+    >>> visible("spring\x1b[2J 22 N/mm")
+    'spring\\x1b[2J 22 N/mm'
+    """
+    return _UNSEEN.sub(lambda match: f"\\u{ord(match[0]):04x}" if json else repr(match[0])[1:-1], text)
 
 
 def aligned(rows: Sequence[Sequence[str]], left: int = 1) -> list[str]:

@@ -19,7 +19,7 @@ from jounce.kernel.poses import END_OF_TRAVEL, REACHED, Found, Walk, Work, space
 from jounce.kinematics.model import KinematicModel, check_corner, check_rack, kinematic_model
 from jounce.parts import Corner, Rig
 from jounce.parts.rig import unit_of, unknown_path
-from jounce.recordings.files import storable
+from jounce.recordings.files import netcdf_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -556,7 +556,7 @@ def write_sweep(sweep: xr.Dataset, path: Path | str, *, force: bool = False) -> 
 def _write_netcdf(sweep: xr.Dataset, file: Path) -> None:
     listed = {str(key): value for key, value in sweep.attrs.items() if isinstance(value, (list, tuple))}
     numbers = {key: np.array(value) for key, value in listed.items() if all(isinstance(x, float) for x in value)}
-    storable(sweep.assign_attrs(numbers)).to_netcdf(file, engine="h5netcdf")
+    file.write_bytes(netcdf_of(sweep.assign_attrs(numbers)))
 
 
 def _write_csv(sweep: xr.Dataset, file: Path) -> None:

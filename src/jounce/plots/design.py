@@ -9,7 +9,7 @@ import numpy as np
 
 from jounce.plots.display import display_unit, number, quantity
 from jounce.plots.labels import name_points
-from jounce.plots.style import AFTER, BEFORE, INK, MUTED, PALETTE, new_figure, styled
+from jounce.plots.style import AFTER, BEFORE, INK, MUTED, PALETTE, log_axes, new_figure, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -246,9 +246,10 @@ def ride_spectra(rides: Sequence[Ride]) -> Figure:
             found = spectrum[name]
             band = (found.frequency > 0.0) & (found.frequency <= _HIGHEST)
             style = "-" if i < len(PALETTE) else "--"
-            axes.loglog(
+            axes.plot(
                 found.frequency[band], found.density[band], style, color=PALETTE[i % len(PALETTE)], label=ride.control
             )
+        log_axes(axes)
         axes.set(title=name, ylabel=labels[name.rpartition(".")[2]])
     rows[-1].set_xlabel("frequency [Hz]")
     rows[-1].set_xlim(0.2, _HIGHEST)

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from jounce.core.errors import RecordingError, SimulationError, nearest
 from jounce.core.types import Array
 from jounce.plots.display import display_unit, number, words_of
-from jounce.plots.style import AFTER, MUTED, PALETTE, legend_above, limits, new_figure, styled
+from jounce.plots.style import AFTER, MUTED, PALETTE, legend_above, limits, log_axes, new_figure, styled
 from jounce.recordings.schema import QUANTITIES, quantity_of
 
 if TYPE_CHECKING:
@@ -313,8 +313,10 @@ def frequency_response(
         unit = display_unit(QUANTITIES[known][0] if known else "1")
         per_mm = f"({unit.name})/mm" if "/" in unit.name else f"{unit.name or '1'}/mm"
         top, bottom = grid[:, column]
-        top.loglog(f, np.abs(response) * unit.factor * 1e-3, color=PALETTE[0])
-        bottom.semilogx(f, np.degrees(np.unwrap(np.angle(response))), color=PALETTE[0])
+        top.plot(f, np.abs(response) * unit.factor * 1e-3, color=PALETTE[0])
+        bottom.plot(f, np.degrees(np.unwrap(np.angle(response))), color=PALETTE[0])
+        log_axes(top)
+        log_axes(bottom, "x")
         top.set(ylabel=f"{words_of(name)}\nper {track} [{per_mm}]", title=name)
         bottom.set(xlabel="frequency [Hz]", ylabel="phase [°]", xlim=(float(f[0]), float(f[-1])))
     return figure

@@ -47,6 +47,7 @@ _SETTINGS: dict[str, Any] = {
     "axes.formatter.use_mathtext": False,
     "axes.formatter.useoffset": False,
     "axes.unicode_minus": True,
+    "text.parse_math": False,  # names are text, whatever signs are in them
     "axes.xmargin": 0.02,
     "axes.ymargin": 0.08,
     "grid.color": GRID,
@@ -100,6 +101,29 @@ def new_figure(height: float, width: float = WIDTH) -> Figure:
     from matplotlib.figure import Figure
 
     return Figure(figsize=(width, height), layout="constrained")
+
+
+def log_axes(axes: Axes, which: str = "xy") -> None:
+    """Give axes logarithmic scales whose ticks are written without markup: 0.1, 1, 10, and 10⁻⁴ beyond."""
+    from matplotlib.ticker import LogFormatter
+
+    class PlainPowers(LogFormatter):
+        def __call__(self, x: float, pos: int | None = None) -> str:
+            if not super().__call__(x, pos):  # a minor tick where there are major ones enough
+                return ""
+            text = f"{x:.4g}"
+            mantissa, e, exponent = text.partition("e")
+            power = str(int(exponent or 0)).translate(_SUPERSCRIPT)
+            return (f"10{power}" if mantissa == "1" else f"{mantissa}·10{power}") if e else text
+
+    for name in which:
+        axes.set(**{f"{name}scale": "log"})
+        axis = getattr(axes, f"{name}axis")
+        axis.set_major_formatter(PlainPowers())
+        axis.set_minor_formatter(PlainPowers(labelOnlyBase=False))
+
+
+_SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def legend_above(axes: Axes, columns: int = 4, handles: Sequence[Any] | None = None) -> None:

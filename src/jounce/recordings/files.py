@@ -272,6 +272,11 @@ def write_recording(dataset: xr.Dataset, path: Path | str, *, force: bool = Fals
     return RECORDING_FILES.write(dataset, path, force=force)
 
 
+def netcdf_of(dataset: xr.Dataset) -> bytes:
+    """The content of a netCDF-4 file, made in memory: a disk that fills up while HDF5 writes to it ends the process."""
+    return bytes(storable(dataset).to_netcdf(None, engine="h5netcdf"))
+
+
 def storable(dataset: xr.Dataset) -> xr.Dataset:
     """The same dataset with attributes a file can hold: what is neither text nor number becomes JSON text."""
     copy = dataset.copy(deep=False)
@@ -296,7 +301,7 @@ def _write_csv(dataset: xr.Dataset, file: Path) -> None:
 
 
 def _write_netcdf(dataset: xr.Dataset, file: Path) -> None:
-    storable(dataset).to_netcdf(file, engine="h5netcdf")
+    file.write_bytes(netcdf_of(dataset))
 
 
 RECORDING_FILES = Formats("recordings", {".nc": _write_netcdf, ".csv": _write_csv})

@@ -179,7 +179,7 @@ def worst_first(findings: Sequence[Finding]) -> tuple[Finding, ...]:
 
 
 def slug(text: str) -> str:
-    """Turn a name into a file name: ASCII letters, digits and hyphens.
+    """Turn a name into a file name: ASCII letters, digits and hyphens, at most 80 of them.
 
     Examples
     --------
@@ -187,7 +187,7 @@ def slug(text: str) -> str:
     ('strategy-2-grosse-all', 'unnamed')
     """
     plain = unicodedata.normalize("NFKD", text.replace("ß", "ss")).encode("ascii", "ignore").decode()
-    return re.sub(r"[^a-z0-9]+", "-", plain.lower()).strip("-") or "unnamed"
+    return re.sub(r"[^a-z0-9]+", "-", plain.lower()).strip("-")[:80].rstrip("-") or "unnamed"
 
 
 def unique_slugs(names: Sequence[str]) -> list[str]:

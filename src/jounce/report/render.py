@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import os
 import re
-import shutil
 import tempfile
 from collections.abc import Callable, Mapping
 from functools import cache
@@ -13,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import OutputError
+from jounce.core.serialise import write_files
 from jounce.plots import add_note, rendered
 from jounce.recordings.files import write_recording
 from jounce.report.page import Findings, Page, Table, slug, unique_slugs, worst_first
@@ -194,7 +193,7 @@ def check_folder(out: Path | str, *, force: bool = False) -> Path:
 
 
 def write_folder(out: Path | str, files: Mapping[str, bytes | str], *, force: bool = False) -> list[Path]:
-    """Write files into a folder through a temporary one beside it, so that nobody ever sees half of them.
+    """Write files into a folder that is empty or, with ``force``, keeps what else it holds: all of them, or none.
 
     Parameters
     ----------
@@ -221,49 +220,7 @@ def write_folder(out: Path | str, files: Mapping[str, bytes | str], *, force: bo
     >>> [file.name for file in write_folder(folder, {"report.html": "<p>", "figures/one.svg": "<svg/>"})]
     ['report.html', 'one.svg']
     """
-    folder = check_folder(out, force=force)
-    for name in files:
-        target = folder / name
-        if not target.resolve().is_relative_to(folder):
-            raise OutputError("the file would lie outside the output folder", where=str(folder), found=name)
-        if target.is_dir():
-            raise OutputError("a file cannot be written where a folder is", where=str(target))
-        if any(parent.is_file() for parent in target.parents if parent.is_relative_to(folder)):
-            raise OutputError("a folder cannot be made where a file is", where=str(target.parent))
-    built: Path | None = None
-    try:
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        built = Path(tempfile.mkdtemp(dir=folder.parent, prefix=f".{folder.name}."))
-        for name, content in files.items():
-            target = built / name
-            target.parent.mkdir(parents=True, exist_ok=True)
-            target.write_bytes(content.encode() if isinstance(content, str) else content)
-        _put_in_place(built, folder, files)
-    except OSError as error:
-        raise OutputError(
-            "the folder cannot be written",
-            where=str(folder),
-            found=error.strerror or str(error),
-            hint="Check the path, the permissions and the space on the disk.",
-        ) from error
-    finally:
-        if built is not None:
-            shutil.rmtree(built, ignore_errors=True)
-    return [folder / name for name in files]
-
-
-def _put_in_place(built: Path, folder: Path, files: Mapping[str, bytes | str]) -> None:
-    """Rename the whole folder where nothing is in its way, otherwise file by file."""
-    built.chmod(0o755)
-    if not folder.exists() or not any(folder.iterdir()):
-        if folder.exists():
-            folder.rmdir()
-        built.rename(folder)
-        return
-    for name in files:
-        target = folder / name
-        target.parent.mkdir(parents=True, exist_ok=True)
-        os.replace(built / name, target)  # noqa: PTH105 - replaces in one step on every system
+    return write_files(check_folder(out, force=force), files, force=force)
 
 
 def curve_files(name: str, signals: xr.Dataset) -> tuple[tuple[str, bytes], ...]:

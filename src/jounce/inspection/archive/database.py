@@ -286,20 +286,23 @@ def _make(file: Path) -> None:
     handle, name = tempfile.mkstemp(dir=file.parent, prefix=f".{file.name}.", suffix=".new")
     os.close(handle)
     temporary = Path(name)
+    engine = _sqlite(temporary, read_only=False)
     try:
-        engine = _sqlite(temporary, read_only=False)
-        with engine.connect() as connection:
-            raw = connection.connection.driver_connection
-            assert raw is not None
-            raw.execute("PRAGMA journal_mode=WAL")
-        with engine.begin() as connection:
-            create_tables(connection)
+        with reported_errors(str(file)):
+            with engine.connect() as connection:
+                raw = connection.connection.driver_connection
+                assert raw is not None
+                raw.execute("PRAGMA journal_mode=WAL")
+            with engine.begin() as connection:
+                create_tables(connection)
         engine.dispose()
         temporary.chmod(0o644)  # mkstemp made it private
         with contextlib.suppress(FileExistsError):  # another process was faster; its store is as good
             file.hardlink_to(temporary)
     finally:
-        temporary.unlink(missing_ok=True)
+        engine.dispose()
+        for left in (temporary, *(Path(f"{temporary}{end}") for end in ("-journal", "-wal", "-shm"))):
+            left.unlink(missing_ok=True)
     _write_through(file.parent)
 
 
