@@ -93,6 +93,31 @@ def test_reductions_are_tens_of_per_cent_as_in_the_paper(result):
         assert one.evaluations >= one.iterations
 
 
+def test_every_update_is_held_against_all_trials_before_and_after(result):
+    first, second, third, fourth = result.strategies
+    for strategy in result.strategies:
+        assert [trial.number for trial in strategy.trials] == list(range(1, 17))
+        assert {trial.number for trial in strategy.trials if trial.is_fitted} == set(strategy.fitted_on)
+        for trial in strategy.trials:
+            assert set(trial.before.channels) == set(trial.after.channels) == {"sprung.az", "unsprung.az"}
+            assert trial.signals["sprung.az"].simulated.shape == trial.signals_before["sprung.az"].simulated.shape
+    # each update starts from what was known then: 1 from the measured curve, 3 from the result of 2
+    assert first.trial(1).before.objective != second.trial(1).before.objective
+    assert third.trial(9).before.objective == second.trial(9).after.objective
+    for number in range(1, 9):  # strategy 3 leaves the other pressure alone
+        assert third.trial(number).after.objective == second.trial(number).after.objective
+    assert fourth.trial(2).after == result.trials[1].after
+
+
+def test_the_objective_is_split_into_body_and_wheel(result):
+    for strategy in result.strategies[:3]:  # Eq. 2 as printed, not aligned: its parts add up to it
+        split = strategy.objective_by_channel()
+        assert list(split) == ["sprung.az", "unsprung.az"]
+        assert sum(part[0] for part in split.values()) == pytest.approx(strategy.update.objective_before, rel=1e-4)
+        assert sum(part[1] for part in split.values()) == pytest.approx(strategy.update.objective_after, rel=1e-4)
+        assert split["unsprung.az"][0] > 3.0 * split["sprung.az"][0]
+
+
 def test_the_linear_tyre_serves_better_than_the_measured_curve(result):
     """The paper's main conclusion; the reason it gives (the standing tyre settles) is built into the virtual bench."""
     assert update(result, "strategy 2").objective_after < 0.9 * update(result, "strategy 1").objective_after
@@ -159,6 +184,12 @@ def test_results_are_strict_json_with_the_promised_keys(result):
         "evaluations",
         "parameters",
     } <= set(plain["updates"][0])
+    compared = plain["updates"][1]["comparisons"]
+    assert [(one["number"], one["is_fitted"]) for one in compared[:2]] == [(1, True), (2, False)]
+    for state in ("before", "after"):
+        assert {"nrmse", "r2", "iso18571", "objective"} <= compared[4][state]["channels"]["unsprung.az"].keys()
+    split = plain["updates"][1]["objective_by_channel"]["sprung.az"]
+    assert split["after"] == pytest.approx(compared[0]["after"]["channels"]["sprung.az"]["objective"])
     channel = plain["trials"][0]["channels"]["sprung.az"]
     assert {"nrmse", "r2", "peak_error", "iso18571"} <= set(channel)
     assert plain["updates"][1]["parameters"]["tyre.stiffness"].keys() >= {

@@ -28,7 +28,10 @@ _CLOSE, _LOOSE = 0.95, 0.75  # R2: a residual of 22 % and 50 % of the signal
 
 @dataclass(frozen=True)
 class ChannelComparison:
-    """One channel of one trial: ``nrmse`` relative to the measured standard deviation, ``peak_error`` to its peak."""
+    """One channel of one trial: ``nrmse`` relative to the measured standard deviation, ``peak_error`` to its peak.
+
+    ``objective`` is its part of Eq. 2: the sum of squared differences, in the square of the channel's unit.
+    """
 
     nrmse: float
     r2: float
@@ -36,6 +39,7 @@ class ChannelComparison:
     iso18571: float
     grade: str
     lag: float
+    objective: float
 
 
 @dataclass(frozen=True)
@@ -67,16 +71,21 @@ def compare_trial(
     channels: dict[str, ChannelComparison] = {}
     signals: dict[str, Signals] = {}
     findings: list[Finding] = []
-    objective = 0.0
     for name, (time, measured, simulated) in curves.items():
         numbers = compare(measured, simulated, time, place=f"{trial.name}, {name}")
         rating = iso18571(measured, simulated, 1.0 / float(np.median(np.diff(time))), place=f"{trial.name}, {name}")
         channels[name] = ChannelComparison(
-            numbers.nrmse, numbers.r2, numbers.peak_error, rating.rating, rating.grade, numbers.lag
+            numbers.nrmse,
+            numbers.r2,
+            numbers.peak_error,
+            rating.rating,
+            rating.grade,
+            numbers.lag,
+            float(np.sum((measured - simulated) ** 2)),
         )
         signals[name] = Signals(time, measured, simulated)
         findings += rating.findings
-        objective += float(np.sum((measured - simulated) ** 2))
+    objective = sum(channel.objective for channel in channels.values())
     return TrialComparison(channels, verdict_of(channels), objective), signals, findings
 
 
@@ -101,13 +110,43 @@ def _lag(curves: dict[str, tuple[Array, Array, Array]]) -> float:
 
 
 @dataclass(frozen=True)
+class StrategyTrial:
+    """One trial before and after one update, which was fitted on it (``is_fitted``) or not; None: it did not run."""
+
+    number: int
+    is_fitted: bool
+    before: TrialComparison | None
+    after: TrialComparison | None
+    signals_before: dict[str, Signals]
+    signals: dict[str, Signals]
+
+
+@dataclass(frozen=True)
 class StrategyResult:
-    """One update with the knowledge after it and the trials it was fitted on."""
+    """One update: what was known before (``start``) and after it, the trials it was fitted on, and all compared."""
 
     update: UpdateResult
+    start: Knowledge
     knowledge: Knowledge
     fitted_on: tuple[int, ...]
     rig_text: str
+    trials: tuple[StrategyTrial, ...] = ()
+
+    def trial(self, number: int) -> StrategyTrial:
+        """Give a trial before and after this update, by its number."""
+        return next(trial for trial in self.trials if trial.number == number)
+
+    def objective_by_channel(self) -> dict[str, tuple[float, float]]:
+        """Split Eq. 2 over the trials it was fitted on: channel to its sum of squares before and after, unweighted."""
+        fitted = [t for t in self.trials if t.is_fitted and t.before is not None and t.after is not None]
+        split: dict[str, tuple[float, float]] = {}
+        for trial in fitted:
+            assert trial.before is not None
+            assert trial.after is not None
+            for name, after in trial.after.channels.items():
+                before_sum, after_sum = split.get(name, (0.0, 0.0))
+                split[name] = (before_sum + trial.before.channels[name].objective, after_sum + after.objective)
+        return split
 
 
 @dataclass(frozen=True)
@@ -218,7 +257,16 @@ def _decay(result: Any) -> Any:
 def _update(strategy: StrategyResult) -> dict[str, Any]:
     plain: dict[str, Any] = to_plain(strategy.update)
     plain["findings"] = to_plain(list(strategy.update.findings))
-    return {**plain, "trials": list(strategy.fitted_on)}
+    split = strategy.objective_by_channel()
+    return {
+        **plain,
+        "trials": list(strategy.fitted_on),
+        "objective_by_channel": {name: {"before": pair[0], "after": pair[1]} for name, pair in split.items()},
+        "comparisons": [
+            {"number": t.number, "is_fitted": t.is_fitted, "before": to_plain(t.before), "after": to_plain(t.after)}
+            for t in strategy.trials
+        ],
+    }
 
 
 def _trial(trial: TrialResult) -> dict[str, Any]:

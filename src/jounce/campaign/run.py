@@ -13,7 +13,15 @@ import xarray as xr
 
 from jounce.campaign.characterise import Characterisation, Knowledge, characterise, polynomial_tyres
 from jounce.campaign.description import Campaign, TrialEntry, UpdateEntry, load_campaign
-from jounce.campaign.result import CampaignResult, Signals, StrategyResult, TrialComparison, TrialResult, compare_trial
+from jounce.campaign.result import (
+    CampaignResult,
+    Signals,
+    StrategyResult,
+    StrategyTrial,
+    TrialComparison,
+    TrialResult,
+    compare_trial,
+)
 from jounce.core.errors import DescriptionError, FitError, JounceError, unknown
 from jounce.core.findings import Finding
 from jounce.design.lumping import lumped_from
@@ -30,6 +38,7 @@ from jounce.roads import Road, Train, Trial, read_roads
 from jounce.simulation.compiled import compile_rig
 
 Progress = Callable[[str], None]
+_Compared = tuple[TrialComparison | None, dict[str, Signals], list[Finding]]
 
 
 @dataclass(frozen=True)
@@ -85,7 +94,7 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
     loaded = _load_trials(campaign, roads, file.parent, findings)
     runner = _Runner(campaign, file.parent, loaded, rig_file.read_text(encoding="utf-8"), bench, findings, progress)
     runner.decide_datums(knowledge)
-    strategies = runner.update_all(knowledge)
+    strategies = runner.compare_strategies(runner.update_all(knowledge))
     trials = runner.compare_all(knowledge, strategies)
     lumped = runner.compare_with_lumped(strategies[-1].knowledge if strategies else knowledge)
     return CampaignResult(
@@ -193,6 +202,7 @@ class _Runner:
     findings: list[Finding]
     progress: Progress
     sensors: dict[int, Mapping[str, Sensor]] = field(default_factory=dict)
+    compared: dict[tuple[str, float | None, str], _Compared] = field(default_factory=dict)
 
     def fit_trial(self, item: _Loaded, knowledge: Knowledge) -> FitTrial:
         entry = item.entry
@@ -245,7 +255,7 @@ class _Runner:
         ]
         after = knowledge.after(result.parameters, [item.entry.tyre_pressure for item in chosen])
         numbers = tuple(item.entry.number for item in chosen)
-        return StrategyResult(result, after, numbers, updated_text(self.rig_text, after.rig))
+        return StrategyResult(result, knowledge, after, numbers, updated_text(self.rig_text, after.rig))
 
     def _chosen(self, entry: UpdateEntry) -> list[_Loaded]:
         if entry.trials == "fit":
@@ -255,7 +265,22 @@ class _Runner:
             raise FitError("a trial it needs could not be used", found=f"trial {lost[0]}")
         return [self.loaded[number] for number in entry.trials]
 
+    def compare_strategies(self, strategies: list[StrategyResult]) -> list[StrategyResult]:
+        """Hold every update against all trials, before and after it."""
+        return [self._compared(strategy) for strategy in strategies]
+
+    def _compared(self, strategy: StrategyResult) -> StrategyResult:
+        self.progress(f"compare: {strategy.update.name}")
+        lags = strategy.update.lags
+        trials = []
+        for number, item in self.loaded.items():
+            lag = lags.get(f"trial {number}", None if lags else 0.0)
+            before, after = (self._comparison(item, known, lag) for known in (strategy.start, strategy.knowledge))
+            trials.append(StrategyTrial(number, number in strategy.fitted_on, before[0], after[0], before[1], after[1]))
+        return replace(strategy, trials=tuple(trials))
+
     def compare_all(self, start: Knowledge, strategies: list[StrategyResult]) -> list[TrialResult]:
+        """Compare every trial with the characterised model and with that of the last update."""
         final = strategies[-1].knowledge if strategies else start
         lags = {name: lag for strategy in strategies for name, lag in strategy.update.lags.items()}
         aligned = any(entry.align for entry in self.campaign.update)
@@ -290,18 +315,22 @@ class _Runner:
         self.progress(f"compare: {name}")
         lag = lags.get(name, None if aligned else 0.0)
         pitch = item.trial.road.pitch if isinstance(item.trial.road, Train) else None
-        compared: list[tuple[TrialComparison | None, dict[str, Signals]]] = []
-        for knowledge in (start, final):
-            try:
-                comparison, signals, notes = compare_trial(self.fit_trial(item, knowledge), lag)
-                if knowledge is final:
-                    self.findings += _without_repeats(notes)
-                compared.append((comparison, signals))
-            except JounceError as error:
-                self.findings.append(Finding(name, "problem", str(error)))
-                compared.append((None, {}))
-        (before, curves_before), (after, curves) = compared
+        before, curves_before, _ = self._comparison(item, start, lag)
+        after, curves, notes = self._comparison(item, final, lag)
+        self.findings += _without_repeats(notes)
         return TrialResult(entry, pitch, before, after, curves_before, curves)
+
+    def _comparison(self, item: _Loaded, knowledge: Knowledge, lag: float | None) -> _Compared:
+        """Compare a trial with a model; what has been compared is not run again. A failure is a finding."""
+        trial = self.fit_trial(item, knowledge)
+        key = (trial.name, lag, trial.rig.model_dump_json())
+        if key not in self.compared:
+            try:
+                self.compared[key] = compare_trial(trial, lag)
+            except JounceError as error:
+                self.findings.append(Finding(trial.name, "problem", str(error)))
+                self.compared[key] = (None, {}, [])
+        return self.compared[key]
 
 
 def _without_repeats(notes: list[Finding]) -> list[Finding]:

@@ -11,7 +11,7 @@ from jounce.identify.update import Identifiability, UpdatedParameter, UpdateResu
 
 
 def comparison(rating: float, grade: str, verdict: str, nrmse: float = 0.2) -> TrialComparison:
-    channel = ChannelComparison(nrmse, 1.0 - nrmse**2, -0.03, rating, grade, 0.001)
+    channel = ChannelComparison(nrmse, 1.0 - nrmse**2, -0.03, rating, grade, 0.001, 12.0)
     return TrialComparison({"sprung.az": channel}, verdict, 10.0)
 
 
