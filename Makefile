@@ -5,6 +5,7 @@
 #   make test      set up and run the tests                   make docs    the documentation, as HTML
 #   make quick     the tests that compile nothing             make clean   remove what was made here
 #   make test-all  the slow tests too                         make format  what `make lint` can mend by itself
+#   make mutants   change a package in one place at a time: do its tests notice? PACKAGE=ride SAMPLE=200 SEED=1
 #   make faces     write stubs and JSON schemas from the registries
 #   make pins      compile requirements/*.txt again (needs uv)
 #
@@ -14,15 +15,18 @@ PYTHON ?= python3
 VENV ?= .venv
 UV ?= uv
 DEMO_ARGUMENTS ?=
+SAMPLE ?= 200
+SEED ?= 1
+PLACE ?=
 BIN := $(VENV)/$(if $(filter Windows_NT,$(OS)),Scripts,bin)
 
 # The pins are complete, so pip resolves nothing; wheels only, so that no unpinned build tool is fetched.
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes --no-deps --only-binary :all:
-PINS := runtime build test lint docs bench
+PINS := runtime build test lint docs bench mutants
 COMPILE := $(UV) pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header \
            --no-emit-index-url --no-emit-find-links
 
-.PHONY: help setup demo quick test test-all lint check-style check-imports format bench docs faces pins clean
+.PHONY: help setup demo quick test test-all lint check-style check-imports format bench docs mutants faces pins clean
 .DELETE_ON_ERROR:
 
 help:
@@ -63,6 +67,9 @@ docs: $(VENV)/.docs
 	$(BIN)/python -m sphinx -W --keep-going -b html docs docs/_build/html
 	@echo "docs/_build/html/index.html"
 
+mutants: $(VENV)/.test $(VENV)/.mutants
+	$(BIN)/python tests/mutants/run.py $(PACKAGE) --sample $(SAMPLE) --seed $(SEED) --place "$(PLACE)"
+
 faces: $(VENV)/.runtime
 	$(BIN)/python docs/make_faces.py
 
@@ -81,7 +88,7 @@ $(VENV)/.runtime: $(VENV)/.created requirements/runtime.txt requirements/build.t
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
 	@touch $@
 
-$(VENV)/.test $(VENV)/.lint $(VENV)/.docs $(VENV)/.bench: $(VENV)/.%: requirements/%.txt $(VENV)/.runtime
+$(VENV)/.test $(VENV)/.lint $(VENV)/.docs $(VENV)/.bench $(VENV)/.mutants: $(VENV)/.%: requirements/%.txt $(VENV)/.runtime
 	$(INSTALL) -r $<
 	@touch $@
 

@@ -252,9 +252,18 @@ def test_both_wheels_steer_alike() -> None:
     found = jn.sweep_steering(rig, [-0.02, -0.01, 0.0, 0.01, 0.02], vehicle=car)
     assert found["left.steer"].to_numpy() == pytest.approx(-found["right.steer"].to_numpy()[::-1], abs=1e-12)
     assert found["ackermann"].to_numpy()[[0, 1]] == pytest.approx(found["ackermann"].to_numpy()[[4, 3]], rel=1e-9)
-    inner, outer = np.radians(20.0), np.arctan(1.0 / (1.0 / np.tan(np.radians(20.0)) + 1.47229714967 / 2.7))
     assert np.isnan(found["ackermann"].to_numpy()[2])
-    assert outer < inner
+    # both wheels roll about one centre on the rear axle: cot outer - cot inner = distance of the kingpins / wheelbase
+    left, right = (np.abs(found[f"{side}.steer"].to_numpy()) for side in ("left", "right"))
+    kingpins = (found["track"] - found["left.scrub_radius"] - found["right.scrub_radius"]).to_numpy()
+    assert kingpins[2] == pytest.approx(
+        2.0 * (0.72 + 0.03 * 0.14 / 0.26), rel=1e-4
+    )  # ball joints (0.72, 0.14), (0.69, 0.40)
+    for i, inner, outer in ((0, left[0], right[0]), (1, left[1], right[1]), (4, right[4], left[4])):
+        ideal = np.arctan(1.0 / (1.0 / np.tan(inner) + kingpins[i] / 2.7))
+        share = (inner - outer) / (inner - ideal)
+        assert ideal < inner
+        assert float(found["ackermann"][i]) == pytest.approx(share, rel=1e-9)
     assert float(found["turning_radius"][0]) == pytest.approx(2.7 / np.tan(float(found["mean_steer"][0])), rel=1e-12)
 
 

@@ -263,6 +263,9 @@ def test_without_damping_nothing_is_stationary():
 def test_spectra_enveloping_and_weighting():
     rig = jn.load("audi-a6-quarter-car")
     plain = stationary(rig, "C", 20.0, band="iso", weighting={"sprung.az": "Wk"})
+    both = stationary(rig, "C", 20.0, band="iso", weighting={"unsprung.az": "Wd", "sprung.az": "Wk"})
+    assert both.weighted["sprung.az"] == pytest.approx(plain.weighted["sprung.az"], rel=1e-12)
+    assert both.weighted["unsprung.az"] < 0.5 * plain["unsprung.az"]
     again = stationary(rig, lambda n: 256e-6 * (n / 0.1) ** -2.0, 20.0, weighting={"sprung.az": lambda f: 0 * f + 2.0})
     assert again["sprung.az"] == pytest.approx(plain["sprung.az"], rel=1e-12)
     assert again.weighted["sprung.az"] == pytest.approx(2.0 * plain["sprung.az"], rel=1e-12)

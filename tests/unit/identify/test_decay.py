@@ -52,6 +52,14 @@ def test_naive_decrement_depends_on_the_amplitude():
     assert result.logarithmic_decrement.value > 2 * math.pi * 0.1107 / math.sqrt(1 - 0.1107**2)
 
 
+def test_two_peaks_give_the_decrement_of_a_whole_cycle():
+    # they lie half a cycle apart; the second is q x0 - x_k (1 + q) with q = exp(-pi zeta / sqrt(1 - zeta^2))
+    result = fit_decay(TIME, record(c=200.0, friction=60.0), mass=MASS)
+    assert result.amplitudes == pytest.approx([0.020, 0.0060106], rel=2e-3)
+    assert result.logarithmic_decrement.value == pytest.approx(2.0 * math.log(0.020 / 0.0060106), rel=2e-3)
+    assert result.decrements == ()
+
+
 def test_without_friction_the_decrement_is_the_textbook_one():
     result = fit_decay(TIME, record(friction=0.0, noise=2e-5), mass=MASS)
     assert result.coulomb_force.interval[0] == 0.0

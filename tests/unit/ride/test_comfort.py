@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 import jounce as jn
 from jounce.core.recursion import first_order
@@ -103,6 +104,26 @@ def test_shocks_are_pointed_out() -> None:
     assert found[1].value > 1.5
     assert found[2].value > 1.75
     assert all(finding.place == "seat.az" for finding in found)
+
+
+@pytest.mark.parametrize(
+    ("ratio", "limit", "lasting", "words"),
+    [  # ISO 2631-1, 6.2.1 and 6.3.3; how long the burst lasts makes the ratio the first that is passed
+        (lambda x: comfort.crest_factor(x, RATE), 9.0, 0.05, "crest factor"),
+        (lambda x: comfort.mtvv(x, RATE) / comfort.rms(x, RATE), 1.5, 2.0, "MTVV"),
+        (lambda x: comfort.vdv(x, RATE) / (comfort.rms(x, RATE) * 10.0**0.25), 1.75, 0.5, "VDV"),
+    ],
+    ids=["crest", "mtvv", "vdv"],
+)
+def test_advice_begins_at_the_limits_of_the_standard(ratio, limit: float, lasting: float, words: str) -> None:
+    def burst(size: float) -> np.ndarray:
+        return np.where(lasting > TIME, size, 1.0) * SINE
+
+    for share, is_told in ((0.99, False), (1.01, True)):
+        size = brentq(lambda size, aim=share * limit: ratio(burst(size)) - aim, 1.0, 1e3)
+        found = comfort.advice(burst(size), RATE, place="seat.az")
+        told = [finding.value for finding in found if finding.message.startswith(words)]
+        assert told == ([pytest.approx(share * limit, rel=1e-6)] if is_told else [])
 
 
 def test_bad_signals() -> None:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.linalg import expm, expm_frechet, solve_continuous_lyapunov
 
 from jounce.core.errors import SimulationError
-from jounce.ride.covariance import Flow, Inverse, Schur, check_stable, frequencies, sources_of
+from jounce.ride.covariance import Flow, Inverse, Schur, check_stable, frequencies, relative, sources_of
 from jounce.ride.family import Matrices, without_unreached
 
 RNG = np.random.default_rng(5)
@@ -62,6 +64,18 @@ def test_wheels_are_sorted_by_what_drives_them():
     assert [group.wheels for group in left] == [(0,), (2,)]
     assert [group.wheels for group in right] == [(1,), (3,)]
     assert len(sources_of([0.0, 0.1], [0, 0], same=False)) == 1
+
+
+@pytest.mark.parametrize("part", ["B", "D"])
+def test_a_model_that_feels_the_acceleration_of_the_road_is_refused(part):
+    b, d = np.zeros((3, 2, 1)), np.zeros((3, 2, 1))
+    b[0, 1] = 4.0
+    plain = Matrices(np.array([[0.0, 1.0], [-4.0, -1.0]]), b, np.eye(2), d, np.zeros(2))
+    assert relative(plain).E.ravel() == pytest.approx([1.0, 0.0])
+    felt = getattr(plain, part).copy()
+    felt[2, 1] = 0.1
+    with pytest.raises(SimulationError, match="feels the acceleration of the road"):
+        relative(replace(plain, **{part: felt}))
 
 
 def test_neutral_motions_that_are_driven_stay_and_are_refused():

@@ -73,6 +73,9 @@ def test_other_weightings_may_be_chosen() -> None:
     assert ratio == pytest.approx(0.4081 / 1.039, rel=3e-3)
     slow = ride_metrics(run, weighting={"z": "Wf"}, settling=10.0)
     assert slow.value("weighted_rms", "body.az") < 1e-3
+    swell = ride_metrics(recorded(body__az=3.0 * np.sin(2.0 * np.pi * 0.2 * TIME)))
+    assert swell.value("msdv_z") > 5.0
+    assert swell.value("motion_sickness") == pytest.approx(swell.value("msdv_z") / 300.0, rel=1e-12)  # annex D.1
     with pytest.raises(jn.DescriptionError, match="unknown weighting 'Wq'"):
         ride_metrics(run, weighting={"z": "Wq"})
     with pytest.raises(jn.DescriptionError, match="unknown channel or axis 'sprung"):
@@ -131,6 +134,8 @@ def test_corners_are_found_by_their_names() -> None:
     assert found.value("bump_stop_time", here) == pytest.approx(share, abs=6e-3)  # 200 samples a period
     assert found.value("bump_stop_hits", "rear_right") == 0.0
     assert found.value("rebound_stop_hits", "rear_right") == 0.0
+    closed = ride_metrics(corner_run(), stop_gap={"front": "45 mm"})  # the mean deflection is 50 mm
+    assert closed.value("bump_stop_hits", here) == 201.0  # once a period, and at the start
     power = 1500.0 * (0.02 * 2.0 * np.pi * 5.0) ** 2 / 2.0  # the spring's part cancels over whole periods
     assert found.value("dissipated_power", here) == pytest.approx(power, rel=1e-6)
     off = (np.pi - 2.0 * np.arcsin(1.0 / 1.5)) / (2.0 * np.pi)

@@ -8,7 +8,10 @@ import numpy as np
 import pytest
 
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
+from jounce.core.segments import Segments
 from jounce.roads import Crg, read_crg_profile, road_library
+from jounce.roads.measured import _with_mirror
+from jounce.roads.profile import hermite_profile
 
 FILES = Path(__file__).parents[2] / "files" / "road_crg"
 ONE_INCH = road_library()["detrended_rms_course_1in"]
@@ -151,6 +154,23 @@ def test_smoothed_ends_go_over_into_the_reference_line(tmp_path) -> None:
     assert road.height_at([-3.0, 30.0]) == pytest.approx([0.0, 1.21], abs=1e-9)
     with pytest.raises(RecordingError, match="the smoothed ends overlap; found '12 m and 11 m of 22 m'"):
         Crg(file=with_block(tmp_path, "handmade_sloped", "ROAD_CRG_OPTS", border_smooth_ubeg=12, border_smooth_uend=11))
+
+
+def test_a_smoothed_course_is_mirrored_with_its_slopes(tmp_path) -> None:
+    options = {"border_smooth_ubeg": 5.5, "border_smooth_uend": 2.3, "border_mode_u": 4}
+    road = Crg(file=with_block(tmp_path, "handmade_sloped", "ROAD_CRG_OPTS", **options), v=0.4)
+    there = np.linspace(0.013, 21.987, 500)
+    segments = road.segments(44.0)
+    (height, slope), (mirrored, falling) = segments.evaluate(there), segments.evaluate(44.0 - there)
+    np.testing.assert_allclose(mirrored, height, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(falling, -slope, rtol=0, atol=1e-12)
+    cubic = hermite_profile(np.array([0.0, 1.0, 3.0]), np.array([0.0, 0.2, -0.1]), np.array([0.3, -0.4, 0.5]))
+    both = _with_mirror(cubic)
+    x = np.linspace(0.01, 2.99, 300)
+    segments = Segments(both.edges, both.kind, both.coefficients)
+    (height, slope), (mirrored, falling) = segments.evaluate(x), segments.evaluate(6.0 - x)
+    np.testing.assert_allclose(mirrored, height, rtol=0, atol=1e-14)
+    np.testing.assert_allclose(falling, -slope, rtol=0, atol=1e-14)
 
 
 def test_a_closed_track_goes_round_and_round(tmp_path) -> None:

@@ -1,0 +1,46 @@
+"""Trials of a ride study, and the columns of its comparison."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.recordings import recording
+from jounce.ride.study import _merits
+
+TIME = np.arange(0.0, 10.0 + 5e-4, 1e-3)
+WAVE = np.sin(2.0 * np.pi * 5.0 * TIME)
+
+
+def test_merits_are_those_of_the_worst_corner_and_of_the_body() -> None:
+    channels = {"body.az": (WAVE, "m/s^2", ""), "front.unsprung.az": (9.0 * WAVE, "m/s^2", "")}
+    for place, size in (("front", 0.02), ("rear", 0.03)):
+        channels[f"{place}.strut.deflection"] = (size * WAVE, "m", "")
+        channels[f"{place}.tyre.force"] = (np.maximum(4000.0 + 2e5 * size * WAVE, 0.0), "N", "")
+    metrics = jn.ride_metrics(recording(TIME, channels))
+    merits = _merits(metrics)
+    assert merits["travel"] == pytest.approx(0.03 * np.sqrt(0.5), rel=1e-6)
+    assert merits["travel_range"] == pytest.approx(0.06, rel=1e-6)
+    assert merits["load_coefficient"] == metrics.value("dynamic_load_coefficient", "rear")
+    assert merits["lift_off"] == metrics.value("lift_off_time", "rear") > metrics.value("lift_off_time", "front")
+    assert merits["body_acceleration"] == metrics.value("rms_acceleration", "body.az")
+    assert merits["comfort"] == metrics.value("weighted_rms", "body.az")
+
+
+def test_an_iso_road_is_as_long_and_as_fine_as_the_drive_needs() -> None:
+    ride = jn.iso_trial(jn.load("audi-a6-half-car-4dof"), "C", "20 m/s", duration="10 s")
+    assert ride.trial.duration == pytest.approx(10.0 + ride.settling, abs=1e-9)
+    assert ride.trial.road.step == 0.05
+    assert ride.trial.road.end() >= 20.0 * ride.trial.duration
+
+
+def test_a_road_is_driven_until_the_last_axle_has_left_it() -> None:
+    car = jn.load("audi-a6-half-car-4dof")
+    x = np.linspace(0.0, 20.0, 101)
+    level, raised = (jn.Table(x=x, height=0.02 * np.sin(0.4 * np.pi * x) + rise * x) for rise in (0.0, 5e-4))
+    assert jn.road_trial(car, level, 10.0).trial.duration == pytest.approx((20.0 + car.wheelbase) / 10.0, abs=1e-3)
+    assert jn.road_trial(car, raised, 10.0).trial.duration == pytest.approx(
+        2.0, abs=1e-3
+    )  # nobody knows how it goes on
+    assert jn.road_trial(car, level, 10.0).settling == pytest.approx(car.wheelbase / 10.0)
