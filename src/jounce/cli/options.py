@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from jounce.cli.reply import tell
+from jounce.core.description import toml_table
 from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
@@ -115,7 +116,7 @@ def bare_number(text: str) -> str | float:
 
 def _toml_value(text: str) -> Any:
     try:
-        value = tomllib.loads(f"value = {text}")["value"]
+        value = toml_table(f"value = {text}")["value"]
     except tomllib.TOMLDecodeError:
         return text
     return float(value) if isinstance(value, int) and not isinstance(value, bool) else value

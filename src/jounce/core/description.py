@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self, TypeVar, cast, g
 from pydantic import BaseModel, ConfigDict, GetCoreSchemaHandler, GetJsonSchemaHandler, ValidationError
 from pydantic_core import CoreSchema, PydanticCustomError
 
-from jounce.core.errors import DescriptionError, nearest
+from jounce.core.errors import DescriptionError, nearest, shown
 from jounce.core.files import existing_file
 from jounce.core.kinds import FILE_REF, Kinds
 
@@ -66,9 +66,15 @@ class Description(BaseModel, metaclass=_DescriptionType):
             raise description_error(error, cls, where=where, text=text, path=path) from None
 
 
+_LARGEST = 20_000_000  # bytes
+
+
 def read_toml(path: Path | str) -> tuple[dict[str, Any], str]:
     """Read a TOML file; give its table and its text. What is missing, empty or not TOML (with the line) is refused."""
     file = existing_file(path)
+    if file.stat().st_size > _LARGEST:
+        allowed = f"at most {_LARGEST // 1_000_000} MB of TOML"
+        raise DescriptionError("the file is too large for a description", where=str(file), allowed=allowed)
     try:
         text = file.read_text(encoding="utf-8")
     except UnicodeDecodeError:
@@ -78,9 +84,21 @@ def read_toml(path: Path | str) -> tuple[dict[str, Any], str]:
     if not text.strip():
         raise DescriptionError("the file is empty", where=str(file), allowed="a TOML description")
     try:
-        return tomllib.loads(text), text
+        return toml_table(text), text
     except tomllib.TOMLDecodeError as error:
         raise DescriptionError(f"not valid TOML: {error}", where=str(file)) from None
+
+
+def toml_table(text: str) -> dict[str, Any]:
+    """Parse TOML; whatever is wrong with it, nesting and numbers that nothing can hold too, is a TOMLDecodeError."""
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError:
+        raise
+    except RecursionError:
+        raise tomllib.TOMLDecodeError("nested too deeply") from None
+    except ValueError:
+        raise tomllib.TOMLDecodeError("an integer of thousands of digits") from None
 
 
 def check_schema(table: dict[str, Any], expected: tuple[str, ...], where: str) -> str:
@@ -237,13 +255,13 @@ def _problem(item: Any, kind: type[BaseModel], where: str, text: str, above: tup
         tags = [tag.strip(" '") for tag in item["ctx"]["expected_tags"].split(",")]
         named = item["ctx"]["discriminator"].strip("'")
         key, found = "kind" if named.endswith("()") else named, item["ctx"]["tag"]
-        return start, f"unknown {key} {found!r}; allowed: {', '.join(tags)}. {nearest(found, tags)}".rstrip()
+        return start, f"unknown {key} {shown(found)}; allowed: {', '.join(tags)}. {nearest(found, tags)}".rstrip()
     if item["type"] == "union_tag_not_found":
         return start, f"the key {item['ctx']['discriminator']} is missing; it says what this is"
     if item["type"] in ("physical_value", "out_of_range", "misplaced"):
         return start, f"{item['msg']}".rstrip()
     message = item["msg"].removeprefix("Value error, ")
-    found = "" if item["type"] == "value_error" else f"; found {item['input']!r}"
+    found = "" if item["type"] == "value_error" else f"; found {shown(item['input'])}"
     if item["type"] == "literal_error" and isinstance(item["input"], str):
         hint = nearest(item["input"], re.findall(r"'([^']*)'", item["ctx"]["expected"]))
         found += f". {hint}" if hint else ""

@@ -5,6 +5,10 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable
 
+from jounce.core.text import shortened
+
+_LONGEST, _LONGEST_VALUE = 4000, 300  # characters: what a file holds may be of any length, what a reader is told not
+
 
 class JounceError(Exception):
     """A mistake in what the user gave, or an outcome the user must know.
@@ -28,11 +32,12 @@ class JounceError(Exception):
         super().__init__(self._text())
 
     def _text(self) -> str:
-        text = f"{self.where}: {self.what}" if self.where else self.what
+        what = shortened(self.what, _LONGEST)
+        text = f"{shortened(self.where, _LONGEST)}: {what}" if self.where else what
         if self.found is not None:
-            text += f"; found {self.found!r}" if isinstance(self.found, str) else f"; found {self.found}"
+            text += f"; found {shown(self.found)}"
         if self.allowed:
-            text += f"; allowed: {self.allowed}"
+            text += f"; allowed: {shortened(self.allowed, _LONGEST)}"
         text = text if text.endswith((".", "?")) else f"{text}."
         return f"{text} {self.hint}" if self.hint else text
 
@@ -61,9 +66,14 @@ class OutputError(JounceError):
     """A file that cannot be written without losing something."""
 
 
+def shown(value: object) -> str:
+    """A value as messages show it: text in quotes, anything of a length that can be read."""
+    return shortened(repr(value[: 2 * _LONGEST_VALUE]) if isinstance(value, str) else str(value), _LONGEST_VALUE)
+
+
 def nearest(name: str, options: Iterable[str]) -> str:
     """Return the sentence ``did you mean 'x'?``, or an empty text when nothing is near."""
-    match = difflib.get_close_matches(name, list(options), n=1, cutoff=0.6)
+    match = difflib.get_close_matches(name[:_LONGEST_VALUE], list(options), n=1, cutoff=0.6)
     return f"Did you mean {match[0]!r}?" if match else ""
 
 
@@ -71,5 +81,5 @@ def unknown(name: str, options: Iterable[str], *, what: str, where: str = "") ->
     """Build the error for a name that is not among ``options``."""
     choices = sorted(options)
     return DescriptionError(
-        f"unknown {what} {name!r}", where=where, allowed=", ".join(choices), hint=nearest(name, choices)
+        f"unknown {what} {shown(name)}", where=where, allowed=", ".join(choices), hint=nearest(name, choices)
     )

@@ -20,6 +20,15 @@ def visible(text: str, *, json: bool = False) -> str:
     return _UNSEEN.sub(lambda match: f"\\u{ord(match[0]):04x}" if json else repr(match[0])[1:-1], text)
 
 
+def shortened(text: str, most: int) -> str:
+    """The text, or its begin with the number of its characters where it has more than ``most``.
+
+    >>> shortened("x" * 9, 9), shortened("x" * 5000, 3)
+    ('xxxxxxxxx', 'xxx... (5000 characters)')
+    """
+    return text if len(text) <= most else f"{text[:most]}... ({len(text)} characters)"
+
+
 def aligned(rows: Sequence[Sequence[str]], left: int = 1) -> list[str]:
     """Lines of a table: the first ``left`` columns flush left, the others flush right.
 

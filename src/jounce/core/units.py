@@ -12,7 +12,7 @@ from typing import Annotated, Any
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
-from jounce.core.errors import DescriptionError
+from jounce.core.errors import DescriptionError, shown
 
 _NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*$")
 _UNIT = re.compile(r"[\w\s*/^().°-]*")
@@ -73,7 +73,10 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
     if isinstance(value, bool) or not isinstance(value, (Real, str)):
         raise DescriptionError("not a physical value", where=where, found=value, allowed=f"'<number> <unit of {si}>'")
     if not isinstance(value, str):
-        number = float(value)
+        try:
+            number = float(value)
+        except OverflowError:  # an integer of hundreds of digits
+            number = math.inf
     else:
         match = _NUMBER.match(value)
         if match is None:
@@ -90,7 +93,14 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
             number *= conversion_factor(match[2], si, where=where)
     if not math.isfinite(number):
         raise DescriptionError("not a finite number", where=where, found=value, allowed="a finite number")
+    if number != 0.0 and not _SMALLEST <= abs(number) <= _LARGEST:
+        allowed = f"0, or a size of {_SMALLEST:g} to {_LARGEST:g} {si}".rstrip(" 1")
+        raise DescriptionError("not a size that anything has", where=where, found=value, allowed=allowed)
     return number
+
+
+_SMALLEST, _LARGEST = 1e-300, 1e30
+"""Sizes in SI beyond which nothing of a vehicle lies, and products of a few values are no numbers any more."""
 
 
 def positive_si(value: object, si: str, *, where: str, zero: bool = False) -> float:
@@ -118,13 +128,13 @@ class Unit:
             raise PydanticCustomError(
                 "physical_value",
                 "{what}; found {found}; allowed: {allowed}. {hint}",
-                {"what": error.what, "found": repr(value), "allowed": error.allowed, "hint": error.hint},
+                {"what": error.what, "found": shown(value), "allowed": error.allowed, "hint": error.hint},
             ) from None
         if not self._is_allowed(number):
             raise PydanticCustomError(
                 "out_of_range",
                 "out of range; found {found}; allowed: {allowed}",
-                {"found": repr(value), "allowed": f"{self._range()} {self.si}"},
+                {"found": shown(value), "allowed": f"{self._range()} {self.si}"},
             )
         return number
 

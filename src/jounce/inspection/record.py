@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.columns import read_comments_csv
+from jounce.core.description import toml_table
 from jounce.core.errors import DescriptionError, RecordingError, nearest
 from jounce.core.findings import Finding
 from jounce.core.units import to_si
@@ -90,7 +91,7 @@ def _header(file: Path) -> tuple[dict[str, Any], list[Finding]]:
     beside = file.with_suffix(".toml")
     if beside.is_file() and beside != file:
         try:
-            facts |= flat_facts(tomllib.loads(beside.read_text(encoding="utf-8")))
+            facts |= flat_facts(toml_table(beside.read_text(encoding="utf-8")))
         except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
             raise DescriptionError(f"not valid TOML: {error}", where=str(beside)) from None
     if file.suffix.lower() in _TABLE_SUFFIXES and file.is_file():
@@ -98,7 +99,7 @@ def _header(file: Path) -> tuple[dict[str, Any], list[Finding]]:
             if "=" not in line:
                 continue
             try:
-                facts |= flat_facts(tomllib.loads(line))
+                facts |= flat_facts(toml_table(line))
             except tomllib.TOMLDecodeError:
                 findings.append(remark(str(file), "warning", "line_left_out", line=line))
     return facts, findings

@@ -11,6 +11,7 @@ from itertools import takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from jounce.core.description import toml_table
 from jounce.core.errors import JounceError, RecordingError
 from jounce.inspection.archive.entries import Grading, RecordEntry, pack
 from jounce.inspection.evaluation import evaluate
@@ -151,7 +152,7 @@ def header_facts(content: bytes, sidecar: bytes | None = None) -> dict[str, str]
     facts: dict[str, str] = {}
     for text in said:
         try:
-            table = tomllib.loads(text)
+            table = toml_table(text)
         except tomllib.TOMLDecodeError:
             continue
         facts |= {name: str(value) for name, value in table.items() if name in TEXTS}

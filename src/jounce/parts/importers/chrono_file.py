@@ -142,7 +142,7 @@ class ChronoFile:
     def _checked(self, value: Any, where: str, shape: tuple[int, ...]) -> Array:
         try:
             found = np.asarray(value, dtype=float)
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             raise DescriptionError("not a regular list of numbers", where=where) from None
         fits = found.ndim == len(shape) and all(n in (-1, m) for n, m in zip(shape, found.shape, strict=True))
         if not fits or not np.isfinite(found).all() or _has_truth(value):
@@ -177,6 +177,9 @@ def read_json(path: Path) -> dict[str, Any]:
         table = json.loads(blank)
     except json.JSONDecodeError as error:
         raise DescriptionError(f"not valid JSON: {error.msg}", where=f"{path}, line {error.lineno}") from None
+    except (RecursionError, ValueError):
+        what = "not valid JSON: nested too deeply, or an integer of thousands of digits"
+        raise DescriptionError(what, where=str(path)) from None
     if not isinstance(table, dict):
         raise DescriptionError("not a description", where=str(path), allowed="one JSON object")
     return table

@@ -1,0 +1,59 @@
+"""Description files with values that nobody would write: one message of a length that can be read, exit code 2."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from jounce.cli import main
+from jounce.core.errors import DescriptionError
+from jounce.core.units import to_si
+from jounce.parts import rig_path
+
+HOSTILE = {
+    "digits": "1" + "0" * 5000,
+    "long integer": "9" * 400,
+    "nested": "[" * 3000 + "]" * 3000,
+    "nested a little": "[" * 300 + "]" * 300,
+    "long text": '"' + "x" * 200_000 + '"',
+    "huge": "1e308",
+    "tiny": "1e-320",
+    "nan": "nan",
+    "infinite": "-inf",
+    "null": '"\\u0000"',
+    "table": "{a = {b = 1}}",
+    "date": "1979-05-27",
+    "many units": '"1 mm mm mm"',
+    "huge with a unit": '"1e999 mm"',
+}
+
+
+@pytest.mark.parametrize("value", HOSTILE)
+@pytest.mark.parametrize("key", ["mass", "model", "estimated"])
+def test_a_value_of_a_rig(key: str, value: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    lines = rig_path("kart-quarter-car").read_text(encoding="utf-8").splitlines()
+    at = next(i for i, line in enumerate(lines) if line.startswith(f"{key} "))
+    lines[at] = f"{key} = {HOSTILE[value]}"
+    file = tmp_path / "rig.toml"
+    file.write_text("\n".join(lines), encoding="utf-8")
+    assert main(["check", str(file)]) == 2
+    said = capsys.readouterr().err
+    assert said.startswith("jounce: ")
+    assert "internal" not in said
+    assert "rig.toml" in said
+    assert len(said) < 1500
+
+
+def test_a_file_that_is_no_description_by_its_size(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "rig.toml"
+    with file.open("wb") as stream:
+        stream.truncate(50_000_000)
+    assert main(["modes", str(file)]) == 2
+    assert "too large for a description" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("value", [10**400, 1e31, "1e300 N/m", -1e300, 1e-310])
+def test_sizes_that_nothing_has(value: object) -> None:
+    with pytest.raises(DescriptionError, match=r"not a finite number|not a size that anything has"):
+        to_si(value, "N/m")
