@@ -12,6 +12,7 @@ from jounce.campaign.description import load_campaign
 from jounce.campaign.speed_sweep import misfit_against_speed
 from jounce.core.errors import DescriptionError, JounceError, OutputError
 from jounce.core.serialise import to_json, write_files
+from jounce.core.units import to_si
 from jounce.papers.demo import prepare_demo, run_demo
 from jounce.papers.table2 import table2
 from jounce.papers.virtual_bench import (
@@ -200,10 +201,49 @@ def test_results_are_strict_json_with_the_promised_keys(result):
     }
 
 
-def test_updated_rig_files_are_rigs_and_keep_their_comments(result):
+def test_there_is_a_rig_for_each_update_and_tyre_pressure_and_it_says_the_truth(result):
     for strategy in result.strategies:
-        assert rig_from_table(tomllib.loads(strategy.rig_text)) == strategy.knowledge.rig
-        assert "# never stated in the paper" in strategy.rig_text
+        assert list(strategy.rig_texts) == ["0.31 MPa", "0.25 MPa"]
+        for label, text in strategy.rig_texts.items():
+            rig = rig_from_table(tomllib.loads(text))
+            assert rig.parameters() == strategy.knowledge.rig_for(None, to_si(label, "Pa"), {}).parameters()
+            assert text.splitlines()[0].endswith(f"with the tyre at {label}.")
+            assert "# never stated in the paper" in text  # lines that nothing changed keep their comments
+            assert "starting points" not in text
+            assert "linear fit above 2 mm at 0.31 MPa" not in text
+            assert strategy.update.name in rig.source
+            assert "synthetic" in rig.source
+            assert "strut.damper.coefficient" not in rig.estimated
+            assert "unsprung.mass" in rig.estimated
+
+
+def line(text, start):
+    return next(line for line in text.splitlines() if line.startswith(start))
+
+
+def test_fitted_values_carry_their_intervals_and_what_they_are_from(result):
+    second, third, fourth = result.strategies[1:]
+    low, high = second.update.parameters["tyre.stiffness"].interval
+    assert line(second.rig_texts["0.31 MPa"], "stiffness").endswith(
+        f"# fitted: strategy 2; 95 % {low:.5g} to {high:.5g} N/m"
+    )
+    assert '# measured: bench.tyre."0.25 MPa" +- ' in line(second.rig_texts["0.25 MPa"], "stiffness")
+    assert "# fitted: strategy 2;" in line(third.rig_texts["0.31 MPa"], "stiffness")  # 3 left this pressure alone
+    assert "# fitted: strategy 3;" in line(third.rig_texts["0.25 MPa"], "stiffness")
+    assert line(third.rig_texts["0.25 MPa"], "spring = {").endswith("# rate fitted: strategy 2; at its bound")
+    assert "strut.friction.force" in rig_from_table(tomllib.loads(third.rig_texts["0.25 MPa"])).estimated
+    # one factor for both pressures: the interval of the other one is scaled with its value
+    known = {label: rig_from_table(tomllib.loads(text)) for label, text in fourth.rig_texts.items()}
+    factor = known["0.25 MPa"].tyre.stiffness / known["0.31 MPa"].tyre.stiffness
+    low, high = fourth.update.parameters["tyre.stiffness"].interval
+    assert f"{factor * low:.5g} to {factor * high:.5g} N/m" in line(fourth.rig_texts["0.25 MPa"], "stiffness")
+    assert "strut.friction.force" not in known["0.25 MPa"].estimated
+    assert "Small starting values" not in fourth.rig_texts["0.31 MPa"]
+    curve = result.strategies[0].rig_texts
+    assert "[tyre.curve]  # fitted: strategy 1" in curve["0.31 MPa"] or "# fitted: strategy 1" in line(
+        curve["0.31 MPa"], "coefficients"
+    )
+    assert "measured: cubic through all points of bench.tyre at 0.25 MPa" in curve["0.25 MPa"]
 
 
 def test_speed_of_the_campaign_and_truth_differ_within_rounding(result):

@@ -28,7 +28,8 @@ from jounce.recordings import channel_unit, read_columns, read_recording
 from jounce.simulation import linearise
 
 TyreTable = dict[str, Any]
-_TYRE_PATHS = ("tyre.stiffness", "tyre.curve")
+TYRE_PATHS = ("tyre.stiffness", "tyre.curve")
+"""Beginnings of the paths of the tyre's elastic law, which is known for each pressure by itself."""
 
 
 @dataclass(frozen=True)
@@ -61,7 +62,7 @@ class Knowledge:
 
     def after(self, fitted: Mapping[str, UpdatedParameter], pressures: Sequence[float | None]) -> Knowledge:
         """Take over fitted values; those of the tyre hold for the pressures they were fitted at, all others always."""
-        tyre = {path: p for path, p in fitted.items() if path.startswith(_TYRE_PATHS)}
+        tyre = {path: p for path, p in fitted.items() if path.startswith(TYRE_PATHS)}
         rig = self.rig.with_changes({path: p.value for path, p in fitted.items() if path not in tyre})
         if not tyre:
             return Knowledge(rig, self.tyres, self.between)

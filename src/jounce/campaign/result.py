@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -123,13 +123,16 @@ class StrategyTrial:
 
 @dataclass(frozen=True)
 class StrategyResult:
-    """One update: what was known before (``start``) and after it, the trials it was fitted on, and all compared."""
+    """One update: what was known before (``start``) and after it, the trials it was fitted on, and all compared.
+
+    ``rig_texts`` are its rig files, one for each tyre pressure by its name; the name is empty where there is only one.
+    """
 
     update: UpdateResult
     start: Knowledge
     knowledge: Knowledge
     fitted_on: tuple[int, ...]
-    rig_text: str
+    rig_texts: dict[str, str] = field(default_factory=dict)
     trials: tuple[StrategyTrial, ...] = ()
 
     def trial(self, number: int) -> StrategyTrial:

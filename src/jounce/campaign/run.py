@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
 
 import xarray as xr
 
@@ -22,6 +20,7 @@ from jounce.campaign.result import (
     TrialResult,
     compare_trial,
 )
+from jounce.campaign.updated_rigs import updated_rigs
 from jounce.core.errors import DescriptionError, FitError, JounceError, unknown
 from jounce.core.findings import Finding
 from jounce.design.lumping import lumped_from
@@ -30,8 +29,7 @@ from jounce.identify.datum import start_findings, with_datum
 from jounce.identify.fit_problem import FitTrial, check_free
 from jounce.identify.signs import compression_positive
 from jounce.identify.update import update_model
-from jounce.parts import Corner, Rig, changed_text, load, rig_findings, rig_from_table, rig_path
-from jounce.parts.rig import parameters_of
+from jounce.parts import Corner, Rig, load, rig_findings, rig_path
 from jounce.parts.variants import strut_angle_findings, with_strut_angle
 from jounce.recordings import Sensor, read_recording
 from jounce.roads import Road, Train, Trial, read_roads
@@ -255,7 +253,16 @@ class _Runner:
         ]
         after = knowledge.after(result.parameters, [item.entry.tyre_pressure for item in chosen])
         numbers = tuple(item.entry.number for item in chosen)
-        return StrategyResult(result, knowledge, after, numbers, updated_text(self.rig_text, after.rig))
+        strategy = StrategyResult(result, knowledge, after, numbers)
+        chain = [*self._before(entry, done), strategy]
+        return replace(strategy, rig_texts=updated_rigs(self.campaign, self.rig_text, self.bench, chain))
+
+    def _before(self, entry: UpdateEntry, done: dict[str, StrategyResult]) -> list[StrategyResult]:
+        """Give the updates that one builds on, the first of them first."""
+        if entry.start_from is None:
+            return []
+        earlier = next(one for one in self.campaign.update if one.name == entry.start_from)
+        return [*self._before(earlier, done), done[earlier.name]]
 
     def _chosen(self, entry: UpdateEntry) -> list[_Loaded]:
         if entry.trials == "fit":
@@ -346,49 +353,3 @@ def _unique(findings: list[Finding]) -> list[Finding]:
     for finding in findings:
         seen.setdefault((finding.place, finding.message), finding)
     return list(seen.values())
-
-
-def updated_text(text: str, rig: Rig) -> str:
-    """Write the values of ``rig`` into the text of the rig file it came from.
-
-    Numbers that changed are replaced in place. Where a law changed its kind (a tyre stiffness became a curve), its
-    table is replaced; everything else stays as it was, comments included.
-    """
-    import tomlkit
-
-    document = tomlkit.parse(text)
-    described = rig_from_table(tomllib.loads(text))
-    _reshape(document, _table(rig), _table(described))
-    reshaped = tomlkit.dumps(document)
-    before, after = parameters_of(rig_from_table(tomllib.loads(reshaped))), parameters_of(rig)
-    return changed_text(reshaped, rig, {path: value for path, value in after.items() if before.get(path) != value})
-
-
-def _table(rig: Rig) -> dict[str, Any]:
-    return rig.model_dump(by_alias=True, exclude_none=True)
-
-
-def _reshape(here: Any, wanted: dict[str, Any], described: dict[str, Any]) -> None:
-    """Give a table the keys of ``wanted``; numbers that both have are left to be replaced in place."""
-    for key in [key for key in here if key not in wanted]:
-        del here[key]
-    for key, value in wanted.items():
-        old = described.get(key)
-        if isinstance(value, dict) and isinstance(old, dict):
-            if key in here:
-                _reshape(here[key], value, old)
-            elif value:
-                here[key] = _plain(value)
-        elif old is None or _is_another_law(value, old):
-            here[key] = _plain(value)
-
-
-def _is_another_law(value: Any, old: Any) -> bool:
-    """Whether a text (the kind of a law) or the number of points differs."""
-    return (isinstance(value, str) and value != old) or (isinstance(value, tuple) and len(value) != len(old))
-
-
-def _plain(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {key: _plain(item) for key, item in value.items()}
-    return [_plain(item) for item in value] if isinstance(value, tuple) else value

@@ -223,7 +223,7 @@ def adjust(
 
     Example: jounce adjust kart-double-wishbone --camber "-2 deg" --toe "0.5 deg" --out cambered.toml
     """
-    from jounce.campaign.run import updated_text
+    from jounce.campaign.updated_rigs import updated_text
     from jounce.core.serialise import check_writable, to_plain, write_atomically
     from jounce.design.adjustments import SETTINGS, adjust_report, lengths_for
     from jounce.parts import rig_path

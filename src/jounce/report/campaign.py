@@ -37,6 +37,7 @@ from jounce.report.page import (
     Subsection,
     Table,
     Tone,
+    slug,
     unique_slugs,
     worst_first,
 )
@@ -74,8 +75,9 @@ def write_campaign(
     Returns
     -------
     list of Path
-        ``report.html`` (one file that needs nothing else), ``results.json``, ``rig-<update>.toml`` for each update, and
-        every figure as ``figures/<name>.svg`` and ``.png``.
+        ``report.html`` (one file that needs nothing else), ``results.json``, the rigs of each update, and every figure
+        as ``figures/<name>.svg`` and ``.png``. A rig is ``rig-<update>.toml``; where there are several tyre pressures
+        there is one for each, such as ``rig-<update>-0-31-mpa.toml``.
 
     Raises
     ------
@@ -89,7 +91,11 @@ def write_campaign(
 def campaign_page(result: CampaignResult) -> Page:
     """Give the report of a campaign as a page, figures drawn."""
     names = unique_slugs([strategy.update.name for strategy in result.strategies])
-    rigs = [(f"rig-{name}.toml", strategy.rig_text) for name, strategy in zip(names, result.strategies, strict=True)]
+    rigs = [
+        (f"rig-{name}{label and '-'}{slug(label) if label else ''}.toml", text)
+        for name, strategy in zip(names, result.strategies, strict=True)
+        for label, text in strategy.rig_texts.items()
+    ]
     synthetic = result.campaign.synthetic
     return Page(
         title=result.campaign.title,

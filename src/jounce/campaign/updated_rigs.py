@@ -1,0 +1,215 @@
+"""Rig files of a campaign: the described file with what was measured and fitted, and where each value is from."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import tomlkit
+from tomlkit.container import Container
+from tomlkit.items import Comment, InlineTable, Null, Table
+
+from jounce.campaign.characterise import TYRE_PATHS, Characterisation
+from jounce.campaign.description import Campaign
+from jounce.campaign.result import StrategyResult
+from jounce.core.units import to_si
+from jounce.parts import Rig, changed_text, rig_from_table
+from jounce.parts.rig import parameters_of, split_path, unit_of
+
+
+def pressures_of(campaign: Campaign) -> dict[str, float | None]:
+    """Give the tyre pressures at which trials were run (Pa) by name; without one, or only one, the name is empty."""
+    names = {to_si(name, "Pa"): name for name in campaign.bench.tyre}
+    run_at = dict.fromkeys(entry.tyre_pressure for entry in campaign.trial)
+    if len(run_at) == 1:
+        return {"": None}
+    return {"" if p is None else names.get(p, f"{p / 1e6:g} MPa"): p for p in run_at}
+
+
+def updated_rigs(
+    campaign: Campaign, text: str, bench: Characterisation, chain: Sequence[StrategyResult]
+) -> dict[str, str]:
+    """Give a rig file for each tyre pressure, after the last of some updates that follow one another.
+
+    ``text`` is the campaign's rig file. Values that were measured or fitted say so in a comment, with their 95 %
+    interval; ``source`` and ``estimated`` are rewritten, and comments on values that changed are dropped.
+    """
+    return {
+        label: _updated(campaign, text, bench, chain, pressure) for label, pressure in pressures_of(campaign).items()
+    }
+
+
+def _updated(
+    campaign: Campaign, text: str, bench: Characterisation, chain: Sequence[StrategyResult], pressure: float | None
+) -> str:
+    name, known = chain[-1].update.name, chain[-1].knowledge
+    described = rig_from_table(tomllib.loads(text))
+    rig = known.rig_for(None, pressure, {})
+    origins = _origins(campaign, bench, chain, pressure, rig)
+    found = tuple(origins)
+    origin = "synthetic recordings" if campaign.synthetic else "measured and fitted"
+    rig = rig.model_copy(
+        update={
+            "source": f"Campaign {campaign.title!r}, {name} ({origin}); what bears no comment: "
+            + (described.source or "no source given"),
+            "estimated": tuple(one for one in described.estimated if not _is_replaced(one, found, rig)),
+        }
+    )
+    document = tomlkit.parse(updated_text(text, rig))
+    document["source"] = rig.source
+    if rig.estimated != described.estimated:
+        document["estimated"] = list(rig.estimated)
+    for path, words in origins.items():
+        _annotate(document, path, words)
+    tyre = "" if pressure is None else f", with the tyre at {pressure / 1e6:g} MPa"
+    head = [
+        f"The rig after {name} of the campaign {campaign.title!r}{tyre}.",
+        "Comments say what was measured and fitted, with 95 % intervals; the rest is as in the campaign's rig file.",
+        *([campaign.synthetic] if campaign.synthetic else []),
+    ]
+    return "\n".join(f"# {line}" for line in head) + "\n" + _without_head(tomlkit.dumps(document))
+
+
+def _is_replaced(name: str, found: Sequence[str], rig: Rig) -> bool:
+    """Whether every number that an entry of ``estimated`` stands for was measured or fitted."""
+    below = [path for path in rig.parameters() if path == name or path.startswith((f"{name}.", f"{name}["))]
+    return bool(below) and all(
+        any(path == one or path.startswith((f"{one}.", f"{one}[")) for one in found) for path in below
+    )
+
+
+def _origins(
+    campaign: Campaign,
+    bench: Characterisation,
+    chain: Sequence[StrategyResult],
+    pressure: float | None,
+    rig: Rig,
+) -> dict[str, str]:
+    """Where values are from, by path: the bench, and over it one update after the other."""
+    words = dict(_measured(bench, pressure, rig))
+    at = {entry.number: entry.tyre_pressure for entry in campaign.trial}
+    laws = {entry.name: entry.tyre_law for entry in campaign.update}
+    for strategy in chain:
+        name, fitted_at = strategy.update.name, [at[number] for number in strategy.fitted_on]
+        if laws[name] == "polynomial":
+            words = {path: text for path, text in words.items() if not path.startswith(TYRE_PATHS)}
+            words["tyre.curve"] = f"measured: cubic through all points of bench.tyre at {_named(pressure)}"
+        here = strategy.knowledge.rig_for(None, pressure, {}).parameters()
+        for path, p in strategy.update.parameters.items():
+            of_tyre = path.startswith(TYRE_PATHS)
+            if of_tyre and pressure is not None and pressure not in fitted_at:
+                continue
+            factor = here[path] / p.value if of_tyre and p.value else 1.0
+            if p.interval is None:
+                interval = "at its bound" if p.at_bound else "no interval"
+            else:
+                low, high = (f"{factor * end:.5g}" for end in p.interval)
+                interval = f"95 % {low} to {high}{_unit(rig, path)}"
+            words[path] = f"fitted: {name}; {interval}"
+    return words
+
+
+def _measured(bench: Characterisation, pressure: float | None, rig: Rig) -> Iterator[tuple[str, str]]:
+    for one in bench.replaced:
+        if one.source.startswith("bench.tyre"):
+            measured_at = to_si(one.source.split('"')[1], "Pa")
+            if pressure is not None and measured_at != pressure:
+                continue
+        spread = (
+            "" if one.standard_error is None else f" +- {1.96 * one.standard_error:.3g}{_unit(rig, one.path)} (95 %)"
+        )
+        yield one.path, f"measured: {one.source}{spread}"
+
+
+def _unit(rig: Rig, path: str) -> str:
+    """Unit of a parameter behind a space; nothing for a plain number and for what the rig writes as a curve."""
+    unit = unit_of(rig, path) if path in rig.parameters() else "1"
+    return "" if unit == "1" else f" {unit}"
+
+
+def _named(pressure: float | None) -> str:
+    return "its pressure" if pressure is None else f"{pressure / 1e6:g} MPa"
+
+
+def _annotate(document: tomlkit.TOMLDocument, path: str, words: str) -> None:
+    """Write a comment on the line of a value, in place of the one that was there and of those just above.
+
+    A line that holds other values, too, keeps its comment.
+    """
+    container: Container = document
+    item: Any = None
+    *_, last = split_path(path)
+    for part in split_path(path):
+        if part not in container:
+            break
+        above, item = container, container.item(str(part))
+        if not isinstance(item, Table):
+            _drop_comments_above(above, str(part))
+            break
+        container = item.value
+    if item is None:
+        return
+    kept = ""
+    if isinstance(item, InlineTable):
+        kept, words = item.trivia.comment.removeprefix("#").strip(), f"{last} {words}"
+    item.trivia.comment_ws = item.trivia.comment_ws or "  "
+    item.comment(f"{kept}; {words}" if kept else words)
+
+
+def _drop_comments_above(container: Container, name: str) -> None:
+    place = next(i for i, (key, _) in enumerate(container.body) if key is not None and key.key == name)
+    while place and isinstance(container.body[place - 1][1], Comment):
+        place -= 1
+        container.body[place] = (None, Null())
+
+
+def _without_head(text: str) -> str:
+    """Drop the comments that a file begins with."""
+    lines = text.split("\n")
+    first = next((i for i, line in enumerate(lines) if line.strip() and not line.startswith("#")), 0)
+    return "\n".join(lines[first:])
+
+
+def updated_text(text: str, rig: Rig) -> str:
+    """Write the values of ``rig`` into the text of the rig file it came from.
+
+    Numbers that changed are replaced in place. Where a law changed its kind (a tyre stiffness became a curve), its
+    table is replaced; everything else stays as it was, comments included.
+    """
+    document = tomlkit.parse(text)
+    described = rig_from_table(tomllib.loads(text))
+    _reshape(document, _table(rig), _table(described))
+    reshaped = tomlkit.dumps(document)
+    before, after = parameters_of(rig_from_table(tomllib.loads(reshaped))), parameters_of(rig)
+    return changed_text(reshaped, rig, {path: value for path, value in after.items() if before.get(path) != value})
+
+
+def _table(rig: Rig) -> dict[str, Any]:
+    return rig.model_dump(by_alias=True, exclude_none=True)
+
+
+def _reshape(here: Any, wanted: dict[str, Any], described: dict[str, Any]) -> None:
+    """Give a table the keys of ``wanted``; numbers that both have are left to be replaced in place."""
+    for key in [key for key in here if key not in wanted]:
+        del here[key]
+    for key, value in wanted.items():
+        old = described.get(key)
+        if isinstance(value, dict) and isinstance(old, dict):
+            if key in here:
+                _reshape(here[key], value, old)
+            elif value:
+                here[key] = _plain(value)
+        elif old is None or _is_another_law(value, old):
+            here[key] = _plain(value)
+
+
+def _is_another_law(value: Any, old: Any) -> bool:
+    """Whether a text (the kind of a law) or the number of points differs."""
+    return (isinstance(value, str) and value != old) or (isinstance(value, tuple) and len(value) != len(old))
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    return [_plain(item) for item in value] if isinstance(value, tuple) else value
