@@ -24,7 +24,8 @@ from jounce.identify.update import UpdatedParameter
 from jounce.parts import Corner, Rig
 from jounce.parts.leverage import static_spring_force
 from jounce.parts.variants import with_strut_angle
-from jounce.recordings import channel_unit, read_columns, read_recording
+from jounce.recordings import channel_unit
+from jounce.recordings.formats import TableFormat
 from jounce.simulation import linearise
 
 TyreTable = dict[str, Any]
@@ -157,16 +158,16 @@ def files_of(patterns: tuple[str, ...], folder: Path, where: str) -> list[Path]:
 
 def read_force_deflection(
     files: list[Path],
-    columns: dict[str, str],
+    table: TableFormat,
     stroke_positive: StrokePositive | None = None,
     force_positive: ForcePositive | None = None,
 ) -> tuple[list[ForceDeflectionTrial], list[Finding]]:
     """Read trials of a test machine: columns ``displacement`` (m) and ``force`` (N), compression positive if unsaid."""
     trials, findings = [], []
     for file in files:
-        table, notes = read_columns(file, {"displacement": "m", "force": "N"}, columns=columns or None)
+        values, notes = table.read_columns(file, {"displacement": "m", "force": "N"})
         trials.append(
-            ForceDeflectionTrial(table["displacement"], table["force"], file.name, stroke_positive, force_positive)
+            ForceDeflectionTrial(values["displacement"], values["force"], file.name, stroke_positive, force_positive)
         )
         findings += notes
     return trials, findings
@@ -176,7 +177,7 @@ def _fit(
     table: StiffnessBench, folder: Path, where: str, load: float, found: Characterisation, **choice: Any
 ) -> StiffnessResult:
     found_files = files_of(table.files, folder, where)
-    trials, findings = read_force_deflection(found_files, table.columns, table.stroke_positive, table.force_positive)
+    trials, findings = read_force_deflection(found_files, table, table.stroke_positive, table.force_positive)
     settings: dict[str, Any] = {
         "law": table.law,
         "degree": table.degree,
@@ -317,7 +318,7 @@ def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, fol
     results = []
     check_stroke(table.channel, table.stroke_positive, where="bench.decay.stroke_positive")
     for file in files_of(table.files, folder, "bench.decay"):
-        data, notes = read_recording(file, columns=table.columns or None)
+        data, notes = table.read(file, folder)
         data = compression_positive(data, table.stroke_positive, None)
         found.findings += notes
         if table.channel not in data:

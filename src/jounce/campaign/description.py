@@ -11,17 +11,17 @@ from jounce.core.description import Description, read_description
 from jounce.core.units import NonNegativeLength, PositiveSpeed, PositiveTime, Unit, to_si
 from jounce.identify.signs import ForcePositive, StrokePositive
 from jounce.recordings import Sensor
+from jounce.recordings.formats import RecordingFormat, TableFormat
 
 Angle = Annotated[float, Unit("rad")]
 Pressure = Annotated[float, Unit("Pa", above=0.0)]
 NonNegativeNumber = Annotated[float, Unit("1", at_least=0.0)]
 
 
-class StiffnessBench(Description):
+class StiffnessBench(TableFormat):
     """Force-deflection trials of one component; columns ``displacement`` and ``force``."""
 
     files: tuple[str, ...] = Field(min_length=1)
-    columns: dict[str, str] = {}
     law: Literal["linear", "polynomial", "power", "monotone-spline"] = "linear"
     degree: Annotated[int, Field(ge=1, le=6)] = 3
     discard_below: NonNegativeLength = 0.0
@@ -31,11 +31,10 @@ class StiffnessBench(Description):
     force_positive: ForcePositive | None = None
 
 
-class DecayBench(Description):
+class DecayBench(RecordingFormat):
     """Free decays of the sprung mass. ``support``: the wheel stands on its tyre, or the hub is blocked."""
 
     files: tuple[str, ...] = Field(min_length=1)
-    columns: dict[str, str] = {}
     channel: str = "sprung.z"
     support: Literal["tyre", "blocked"] = "tyre"
     stroke_positive: StrokePositive | None = None
@@ -56,7 +55,7 @@ class Bench(Description):
         return tables
 
 
-class TrialEntry(Description):
+class TrialEntry(RecordingFormat):
     """One run over the obstacle course (or on a shaker) and its recording."""
 
     number: int
@@ -66,7 +65,6 @@ class TrialEntry(Description):
     strut_angle: Angle | None = None
     tyre_pressure: Pressure | None = None
     recording: str
-    columns: dict[str, str] = {}
     stroke_positive: StrokePositive | None = None
     force_positive: ForcePositive | None = None
     use: Literal["fit", "hold-out"] = "hold-out"

@@ -31,7 +31,7 @@ from jounce.identify.signs import compression_positive
 from jounce.identify.update import update_model
 from jounce.parts import Corner, Rig, load, rig_findings, rig_path
 from jounce.parts.variants import strut_angle_findings, with_strut_angle
-from jounce.recordings import Sensor, read_recording
+from jounce.recordings import Sensor
 from jounce.roads import Road, Train, Trial, read_roads
 from jounce.simulation.compiled import compile_rig
 
@@ -163,7 +163,7 @@ def _load_trials(
     for entry in campaign.trial:
         place = f"trial {entry.number}"
         try:
-            measured, notes = read_recording(folder / entry.recording, columns=entry.columns or None)
+            measured, notes = entry.read(folder / entry.recording, folder)
             measured = compression_positive(measured, entry.stroke_positive, entry.force_positive)
             duration = entry.duration or float(measured["time"][-1])
             if entry.excitation is not None:

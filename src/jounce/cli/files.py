@@ -232,7 +232,6 @@ def _check_campaign(checked: Checked) -> None:
     from jounce.campaign.characterise import files_of, read_force_deflection
     from jounce.campaign.run import check_strut_angles
     from jounce.parts import load, rig_path
-    from jounce.recordings import read_recording
     from jounce.roads import Excitation, read_roads
 
     campaign, text = load_campaign(checked.file)
@@ -250,7 +249,7 @@ def _check_campaign(checked: Checked) -> None:
             checked.problems.append(str(unknown(entry.road, roads, what="road", where=place)))
         with checked.step():
             try:
-                read_recording(folder / entry.recording, columns=entry.columns or None)
+                entry.read(folder / entry.recording, folder)
             except JounceError as error:
                 raise RecordingError(f"{place}: {error}") from None
         if entry.excitation is not None:
@@ -261,11 +260,11 @@ def _check_campaign(checked: Checked) -> None:
     for name, asked in tables.items():
         if asked is not None:
             with checked.step():
-                read_force_deflection(files_of(asked.files, folder, f"{where}: {name}"), asked.columns)
+                read_force_deflection(files_of(asked.files, folder, f"{where}: {name}"), asked)
     if bench.decay is not None:
         with checked.step():
             for file in files_of(bench.decay.files, folder, f"{where}: bench.decay"):
-                read_recording(file, columns=bench.decay.columns or None)
+                bench.decay.read(file, folder)
 
 
 def _check_truth(checked: Checked) -> None:

@@ -10,14 +10,19 @@ import typer
 from jounce.cli.options import (
     AsJson,
     Columns,
+    Database,
     ForceSign,
+    Resample,
+    SampleTime,
     StrokeSign,
+    Variable,
     columns,
     files,
     optional_positive,
     optional_quantity,
     positive_quantity,
     quantity,
+    reading,
 )
 from jounce.cli.reply import Reply, estimates, show_findings, table
 from jounce.core.errors import RecordingError, nearest
@@ -66,6 +71,7 @@ def stiffness(
     stroke_positive: StrokeSign = None,
     force_positive: ForceSign = None,
     columns_: Columns = None,
+    variable: Variable = "",
     as_json: AsJson = False,
 ) -> Reply:
     """Fit the stiffness of a spring or a tyre to repeated force-deflection trials.
@@ -78,6 +84,7 @@ def stiffness(
     from jounce.core.serialise import to_plain
     from jounce.identify.signs import sign_of
     from jounce.identify.stiffness import fit_stiffness
+    from jounce.recordings.formats import TableFormat
 
     choice: dict[str, Any] = {
         "law": law,
@@ -90,7 +97,8 @@ def stiffness(
     sign_of(stroke_positive, "stroke", where="--stroke-positive")
     sign_of(force_positive, "force", where="--force-positive")
     found = files(measured, "FILES")
-    trials, notes = read_force_deflection(found, columns(columns_) or {}, stroke_positive, force_positive)  # type: ignore[arg-type]
+    told = TableFormat(columns=columns(columns_) or {}, variable=variable)
+    trials, notes = read_force_deflection(found, told, stroke_positive, force_positive)  # type: ignore[arg-type]
     result = fit_stiffness(trials, **choice)
     findings = (*notes, *result.findings)
     plain = {"files": [str(file) for file in found], **to_plain(result), "findings": to_plain(findings)}
@@ -109,6 +117,10 @@ def decay(
     ] = None,
     stroke_positive: StrokeSign = None,
     columns_: Columns = None,
+    variable: Variable = "",
+    sample_time: SampleTime = None,
+    resample: Resample = None,
+    database: Database = None,
     as_json: AsJson = False,
 ) -> Reply:
     """Separate viscous damping and dry friction in a free decay.
@@ -125,10 +137,11 @@ def decay(
     check_stroke(channel, stroke_positive, where="--stroke-positive")  # type: ignore[arg-type]
     moving = positive_quantity(mass, "kg", "--mass")
     known = optional_positive(stiffness_, "N/m", "--stiffness")
+    told = reading(columns_, sample_time, variable, resample, database)
     results: list[DecayResult] = []
     notes: list[Finding] = []
     for file in files(measured, "FILE"):
-        data, found = read_recording(file, columns=columns(columns_))
+        data, found = read_recording(file, **told)
         notes += found
         data = compression_positive(data, stroke_positive, None)  # type: ignore[arg-type]
         record, kind = _decay_record(data, channel, str(file))
@@ -238,10 +251,10 @@ def damper(
     stroke_positive: StrokeSign = None,
     force_positive: ForceSign = None,
     columns_: Columns = None,
-    variable: Annotated[str, typer.Option(help="Matrix of a .mat file, or group of a .tdms file.")] = "",
-    sample_time: Annotated[
-        str | None, typer.Option(help='Constant sampling interval of a file without time, e.g. "10 ms".')
-    ] = None,
+    variable: Variable = "",
+    sample_time: SampleTime = None,
+    resample: Resample = None,
+    database: Database = None,
     as_json: AsJson = False,
 ) -> Reply:
     """Fit a damper law to a record of imposed motion and force.
@@ -255,7 +268,7 @@ def damper(
     from jounce.identify.damper import fit_damper
     from jounce.recordings import read_recording
 
-    data, notes = read_recording(record, columns=columns(columns_), sample_time=sample_time, variable=variable)
+    data, notes = read_recording(record, **reading(columns_, sample_time, variable, resample, database))
     signals = {name: data[name].to_numpy() for name in ("displacement", "velocity", "force") if name in data}
     for name in ("displacement", "force"):
         if name not in signals:

@@ -33,6 +33,18 @@ Columns = Annotated[
         help=r'Column that holds a quantity, with its unit if the header gives none: force="F \[kN]". Repeat it.',
     ),
 ]
+Variable = Annotated[str, typer.Option(help="Matrix or struct of a .mat file, or group of a .tdms file.")]
+SampleTime = Annotated[
+    str | None, typer.Option(help='Constant sampling interval of a file without time, e.g. "10 ms".')
+]
+Resample = Annotated[
+    str | None,
+    typer.Option(help='Bring irregular time, or signals at different instants, onto constant steps, e.g. "10 ms".'),
+]
+Database = Annotated[
+    Path | None,
+    typer.Option(help="Database of bus messages (.dbc) with which the bus frames of an MDF file are decoded."),
+]
 RigName = Annotated[str, typer.Argument(metavar="RIG", help="A rig file, or a name of `jounce library`.")]
 VehicleName = Annotated[
     str, typer.Argument(metavar="VEHICLE", help="A vehicle or rig file, or a name of `jounce library`.")
@@ -87,6 +99,19 @@ def columns(texts: Sequence[str] | None) -> dict[str, str] | None:
     """Columns by quantity from ``--columns``, one or several in each text; None when nothing is mapped."""
     split = [part for text in texts or () for part in re.split(r",\s*(?=[\w.]+\s*=)", text)]
     return pairs(split, "--columns", 'force="F [kN]"') or None
+
+
+def reading(
+    columns_: Sequence[str] | None, sample_time: str | None, variable: str, resample: str | None, database: Path | None
+) -> dict[str, Any]:
+    """Arguments of ``read_recording`` from the options that all commands that read recordings have."""
+    return {
+        "columns": columns(columns_),
+        "sample_time": optional_positive(sample_time, "s", "--sample-time"),
+        "variable": variable,
+        "resample": optional_positive(resample, "s", "--resample"),
+        "database": database,
+    }
 
 
 def files(names: Sequence[str], option: str) -> list[Path]:

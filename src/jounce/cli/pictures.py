@@ -11,16 +11,20 @@ from jounce.cli.options import (
     AsJson,
     Changes,
     Columns,
+    Database,
     DrivenSpeed,
     Duration,
     ExcitationFile,
     Force,
+    Resample,
     RigName,
     RoadName,
+    SampleTime,
+    Variable,
     changes,
-    columns,
     positive_quantity,
     quantity,
+    reading,
     trial_of,
 )
 from jounce.cli.reply import DONE, REFUSED, Reply, progress, show_findings, show_written, tell
@@ -44,6 +48,10 @@ def plot(
         typer.Argument(metavar="CHANNEL", help="Channels to plot, from top to bottom.", show_default=False),
     ] = None,
     columns_: Columns = None,
+    variable: Variable = "",
+    sample_time: SampleTime = None,
+    resample: Resample = None,
+    database: Database = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -58,7 +66,7 @@ def plot(
     from jounce.plots.signals import time_history
     from jounce.recordings import read_recording
 
-    data, findings = read_recording(run, columns=columns(columns_))
+    data, findings = read_recording(run, **reading(columns_, sample_time, variable, resample, database))
     figure = time_history(data, channels or None)
     FIGURES.write(figure, out, force=force)
     drawn = channels or [axes.get_title("left") for axes in figure.axes]

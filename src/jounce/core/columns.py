@@ -15,25 +15,35 @@ import numpy as np
 from jounce.core.errors import RecordingError, nearest
 from jounce.core.files import existing_file
 from jounce.core.types import Array
-from jounce.core.units import conversion_factor
+from jounce.core.units import conversion_factor, is_unit
 
-_HEADER = re.compile(r"^\s*(.*?)\s*(?:\[\s*([^\]]*?)\s*\])?\s*$")
-_DECIMAL_COMMA = re.compile(r"^\s*[+-]?\d+,\d+(?:[eE][+-]?\d+)?\s*$")
-_SEPARATOR_NAMES = {",": "comma", ";": "semicolon", "\t": "tab"}
+_DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+(?:[eE][+-]?\d+)?")
+_SEPARATOR_NAMES = {",": "comma", ";": "semicolon", "\t": "tab", " ": "blank"}
+_LONGEST_CELL = 1000
+_BLANK = "no cell of the column is filled"
+_NO_NUMBER = "No cell of the column is a number."
+_SINGLE_LETTERS = set("msNgGVAWJK%°")
+"""Units of one letter that count behind a name as in ``Force (N)``: ``(L)`` and ``(R)`` are sides."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Column:
-    """One column of a file: numbers as written, all finite, in the ``unit`` of the header (empty for none)."""
+    """One column of a file: numbers as written, all finite, in the ``unit`` of the header (empty for none).
+
+    A column whose cells are not all finite numbers has none, and the ``fault`` that says so when it is asked for.
+    ``written`` is the header's cell where it is not ``label``: ``Force (N)``.
+    """
 
     name: str
     unit: str
     values: Array
     file: str = ""
+    fault: RecordingError | None = None
+    written: str = ""
 
     @property
     def label(self) -> str:
-        """Header as written: ``name [unit]``, or the bare name without a unit."""
+        """Header in one spelling: ``name [unit]``, or the bare name without a unit."""
         return f"{self.name} [{self.unit}]" if self.unit else self.name
 
     @property
@@ -41,8 +51,20 @@ class Column:
         """File and column, as errors name them."""
         return f"{self.file}: column {self.label!r}" if self.file else f"column {self.label!r}"
 
+    @property
+    def is_empty(self) -> bool:
+        """Whether no cell of the column is a number."""
+        return self.fault is not None and (self.fault.what == _BLANK or self.fault.hint == _NO_NUMBER)
+
+    def readable(self) -> Column:
+        """Give the column itself; raise its fault where it has one."""
+        if self.fault is not None:
+            raise self.fault
+        return self
+
     def in_si(self, si: str) -> Array:
         """Give the values in ``si`` (e.g. ``"m"``; ``"1"`` for plain numbers); refuse a missing or unfitting unit."""
+        self.readable()
         if not self.unit and si != "1":
             raise RecordingError(
                 "the header has no unit",
@@ -52,18 +74,20 @@ class Column:
         return self.values * conversion_factor(self.unit, si, where=self.where)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ColumnTable:
     """Columns of one file in their order, found by position or by name: all of the same length, at least one row.
 
     ``comments`` are the lines before the header that start with ``#``, without it; ``lines`` the line of each row in a
-    text file, from 1.
+    text file, from 1; ``remarks`` say what was understood that need not have been meant. A column that cannot be read
+    harms only who asks for it.
     """
 
     columns: tuple[Column, ...]
     comments: tuple[str, ...] = ()
     file: str = ""
     lines: Sequence[int] = ()
+    remarks: tuple[str, ...] = ()
 
     def __iter__(self) -> Iterator[Column]:
         return iter(self.columns)
@@ -73,10 +97,18 @@ class ColumnTable:
 
     def __getitem__(self, key: int | str) -> Column:
         if isinstance(key, int):
-            return self.columns[key]
-        for column in self.columns:
-            if key in (column.name, column.label):
-                return column
+            return self.columns[key].readable()
+        by_label = [column for column in self.columns if key in (column.label, column.written)]
+        found = by_label or [column for column in self.columns if key == column.name]
+        if any(other.unit != found[0].unit or not np.array_equal(other.values, found[0].values) for other in found[1:]):
+            raise RecordingError(
+                f"{len(found)} columns are named {key!r}",
+                where=self.file,
+                found=", ".join(column.label for column in found),
+                hint="Rename or remove all but one of them.",
+            )
+        if found:
+            return found[0].readable()
         raise RecordingError(
             f"no column {key!r}",
             where=self.file,
@@ -95,42 +127,45 @@ class ColumnTable:
 
 
 def read_columns_csv(path: Path | str) -> ColumnTable:
-    r"""Read a text file of number columns separated by commas, semicolons or tabs.
+    r"""Read a text file of number columns separated by commas, semicolons, tabs or blanks.
 
-    The first line that is neither empty nor a ``#`` comment is the header: one ``name [unit]`` per column. A trailing
-    separator is accepted only when the header and every row have it. Numbers use a decimal point.
+    The first line that is neither empty nor a ``#`` comment is the header: one ``name [unit]`` per column, or
+    ``name (unit)``, ``name / unit``, ``name in unit`` where that is a unit; the units may also stand in a line of their
+    own below the names. Trailing separators are accepted. Where commas do not separate, they may be decimal commas, if
+    the file has no decimal points; it is remarked.
 
-    Gives raw numbers (not converted), all finite, and the comments before the header. A RecordingError with the line
-    refuses a missing, empty or binary file, a missing header, text or a blank or NaN in a number column, rows of
-    different lengths, trailing separators and decimal commas.
+    Gives raw numbers (not converted), all finite, and the comments before the header. A column with text, a blank or
+    NaN is kept with its fault, which whoever asks for the column gets. A RecordingError with the line refuses a
+    missing, empty or binary file, a missing header, rows of different lengths, and decimal commas that separate.
 
     >>> import tempfile, pathlib
     >>> file = pathlib.Path(tempfile.mkdtemp()) / "spring.csv"
-    >>> _ = file.write_text("displacement [mm], force [N]\n0, 0\n10, 227.3\n")
+    >>> _ = file.write_text("Weg [mm];Kraft (N);Zeit\n0;0;12:00\n10;227,3;12:01\n")
     >>> table = read_columns_csv(file)
-    >>> table.names, table["force"].unit, float(table["displacement"].in_si("m")[1])
-    (('displacement', 'force'), 'N', 0.01)
+    >>> table.names, table["Kraft"].unit, float(table["Weg"].in_si("m")[1]), table.remarks
+    (('Weg', 'Kraft', 'Zeit'), 'N', 0.01, ('decimal commas were read as decimal points',))
     """
     file = Path(path)
     lines = _text_of(file).splitlines()
     comments, start = _leading_comments(lines)
     if start == len(lines):
         raise RecordingError("the file is empty", where=str(file), allowed="a header 'name [unit], ...' and rows")
-    separator = _separator(lines[start])
-    header = _cells(lines[start], separator)
-    _check_header(header, file, start + 1, separator)
     rows, numbers = _without_blank_lines(lines[start + 1 :], start + 2)
-    if not rows:
-        raise RecordingError("a header but no rows of numbers", where=f"{file}, line {start + 1}")
-    values = _plain_numbers(rows, len(header), separator)
-    if values is None:
-        values = _values([_cells(line, separator) for line in rows], numbers, header, file, separator)
-    names = [name_and_unit(cell) for cell in header[: values.shape[1]]]
-    columns = tuple(
-        Column(name, unit, np.ascontiguousarray(column), str(file))
-        for (name, unit), column in zip(names, values.T, strict=True)
-    )
-    return ColumnTable(columns, comments, str(file), numbers)
+    separator = _separator(lines[start])
+    if separator == "," and rows and _is_blank_separated(lines[start], rows[0]):
+        separator = " "
+    try:
+        header = _header_cells(lines[start], separator)
+        _check_header(header, file, start + 1, separator)
+        units = _units_below(rows, header, separator)
+        if units:
+            rows, numbers = rows[1:], numbers[1:]
+        if not rows:
+            raise RecordingError("a header but no rows of numbers", where=f"{file}, line {start + 1}")
+        columns, remarks = _columns(rows, numbers, header, units, file, separator)
+    except csv.Error as error:
+        raise RecordingError(f"not a table ({error})", where=str(file)) from None
+    return ColumnTable(columns, comments, str(file), numbers, remarks)
 
 
 def read_comments_csv(path: Path | str) -> tuple[str, ...]:
@@ -182,18 +217,51 @@ def _leading_comments(lines: list[str]) -> tuple[tuple[str, ...], int]:
 
 
 def _separator(header: str) -> str:
-    outside = re.sub(r"\[[^\]]*\]|\"[^\"]*\"", "", header)
+    outside = re.sub(r"\[[^\[\]]*\]|\([^()]*\)|\"[^\"]*\"", "", header)
     return next((mark for mark in ("\t", ";", ",") if mark in outside), ",")
 
 
+def _is_blank_separated(header: str, first: str) -> bool:
+    """Whether neither header nor first row have a separator, but several numbers stand in the row."""
+    cells = first.split()
+    plain = not any(mark in re.sub(r"\[[^\[\]]*\]|\([^()]*\)", "", header) for mark in ',;\t"')
+    return plain and len(cells) > 1 and all(_is_number(cell.replace(",", ".")) for cell in cells)
+
+
 def _cells(line: str, separator: str) -> list[str]:
+    if separator == " ":
+        return line.split()
     return [cell.strip() for cell in next(csv.reader([line], delimiter=separator, skipinitialspace=True))]
 
 
+def _header_cells(line: str, separator: str) -> list[str]:
+    if separator != " ":
+        return _cells(line, separator)
+    wide = re.split(r"\s{2,}", line.strip())
+    return wide if len(wide) > 1 else re.findall(r"[^\s\[(]+(?:\s?\[[^\[\]]*\]|\s?\([^()]*\))?", line)
+
+
 def name_and_unit(cell: str) -> tuple[str, str]:
-    """Split one header ``"force [N]"`` into its name and its unit (empty where there is none)."""
-    match = _HEADER.match(cell)
-    return (match[1], match[2] or "") if match else (cell, "")
+    """Split one header into its name and its unit (empty where there is none).
+
+    >>> [name_and_unit(text) for text in ("force [N]", "Force (kN)", "Weg / mm", "Weg in mm", "Force (L)", "x_F(:,1)")]
+    [('force', 'N'), ('Force', 'kN'), ('Weg', 'mm'), ('Weg', 'mm'), ('Force (L)', ''), ('x_F(:,1)', '')]
+    """
+    text = cell.strip()
+    if text.endswith("]") and "[" in text:
+        name, _, unit = text[:-1].rpartition("[")
+        return name.strip(), unit.strip()
+    if text.endswith(")") and "(" in text:
+        name, _, unit = text[:-1].rpartition("(")
+    else:
+        name, _, unit = max((text.rpartition(mark) for mark in (" / ", " in ")), key=lambda part: len(part[0]))
+    name, unit = name.strip(), unit.strip()
+    return (name, unit) if name and _is_loose_unit(unit) else (text, "")
+
+
+def _is_loose_unit(text: str) -> bool:
+    """Whether a text that is not in square brackets can only be a unit."""
+    return bool(text) and (text in _SINGLE_LETTERS if len(text) == 1 else is_unit(text))
 
 
 def _is_number(cell: str) -> bool:
@@ -206,19 +274,24 @@ def _is_number(cell: str) -> bool:
 
 def _check_header(header: list[str], file: Path, line: int, separator: str) -> None:
     where = f"{file}, line {line}"
-    if all(_is_number(cell) or _DECIMAL_COMMA.match(cell) for cell in header if cell):
+    if any(len(cell) > _LONGEST_CELL for cell in header):
+        raise RecordingError("a cell of the header is too long", where=where, allowed=f"{_LONGEST_CELL} characters")
+    if all(_is_number(cell) or _DECIMAL_COMMA.fullmatch(cell) for cell in header if cell):
         raise RecordingError(
             "the header is missing", where=where, found=separator.join(header), allowed="'name [unit]' for every column"
         )
-    named = header[:-1] if header[-1] == "" else header
-    seen: set[str] = set()
-    for position, cell in enumerate(named, 1):
-        name, _ = name_and_unit(cell)
-        if not name:
-            raise RecordingError(f"column {position} has no name", where=where, found=cell, allowed="'name [unit]'")
-        if name in seen:
-            raise RecordingError(f"two columns are named {name!r}", where=where, hint="Rename or remove one of them.")
-        seen.add(name)
+
+
+def _units_below(rows: Sequence[str], header: list[str], separator: str) -> list[str]:
+    """Units of the columns where the first row holds them (none has one in the header); otherwise nothing."""
+    if not rows or any(name_and_unit(cell)[1] for cell in header):
+        return []
+    cells = [cell.removeprefix("[").removesuffix("]").removeprefix("(").removesuffix(")").strip() for cell in
+             _cells(rows[0], separator)]  # fmt: skip
+    filled = [cell for cell in cells if cell]
+    if len(cells) != len(header) or not filled or not all(cell == "-" or is_unit(cell) for cell in filled):
+        return []
+    return cells
 
 
 def _without_blank_lines(lines: list[str], first: int) -> tuple[list[str], Sequence[int]]:
@@ -232,39 +305,111 @@ def _without_blank_lines(lines: list[str], first: int) -> tuple[list[str], Seque
 def _plain_numbers(lines: list[str], width: int, separator: str) -> Array | None:
     """Rows of finite numbers without quotes and without faults; None for all others, which are read cell by cell."""
     try:
-        values = np.loadtxt(lines, delimiter=separator, comments=None, ndmin=2)
+        values = np.loadtxt(lines, delimiter=None if separator == " " else separator, comments=None, ndmin=2)
     except ValueError:
         return None
     return values if values.shape == (len(lines), width) and np.isfinite(values).all() else None
 
 
-def _values(rows: list[list[str]], lines: Sequence[int], header: list[str], file: Path, separator: str) -> Array:
-    """Numbers of all rows, shape (rows, columns); the first thing wrong is raised with its line."""
-    trailing = header[-1] == ""
+def _columns(
+    rows: list[str], lines: Sequence[int], header: list[str], units: list[str], file: Path, separator: str
+) -> tuple[tuple[Column, ...], tuple[str, ...]]:
+    """Columns of all rows, and what was understood; rows of another length than the header are refused."""
+    heads = header[:-1] if header[-1] == "" else header
+    values, comma = _plain_numbers(rows, len(heads), separator), False
+    if values is None and separator != "," and not any("." in row for row in rows):
+        values = _plain_numbers([row.replace(",", ".") for row in rows], len(heads), separator)
+        comma = values is not None and any("," in row for row in rows)
+    found: list[Array | RecordingError]
+    if values is not None:
+        found = [np.ascontiguousarray(column) for column in values.T]
+    else:
+        table = _table([_cells(line, separator) for line in rows], lines, heads, header, file, separator)
+        marks = [_decimal_mark(column) for column in table]
+        mixed = _mixed_marks(table, lines, heads, file) if {",", "."} <= set("".join(marks)) else None
+        comma = mixed is None and "," in marks
+        found = [
+            mixed if mixed is not None and mark else _numbers(column, lines, f"column {head!r}", file, comma)
+            for column, head, mark in zip(table, heads, marks, strict=True)
+        ]
+    columns = []
+    for position, (head, numbers) in enumerate(zip(heads, found, strict=True), 1):
+        name, unit = (head, units[position - 1]) if units else name_and_unit(head)
+        fault = numbers if isinstance(numbers, RecordingError) else None
+        if not name:
+            if fault is not None and fault.what == _BLANK:
+                continue
+            what = f"column {position} has no name"
+            name, fault = (
+                f"column {position}",
+                RecordingError(what, where=str(file), found=head, allowed="'name [unit]'"),
+            )
+        written = head if head not in (name, f"{name} [{unit}]") else ""
+        samples = numbers if fault is None and not isinstance(numbers, RecordingError) else np.empty(0)
+        columns.append(Column(name, "" if unit == "-" else unit, samples, str(file), fault, written))
+    remarks = (["decimal commas were read as decimal points"] if comma else []) + (
+        ["the units were read from the line below the names"] if units else []
+    )
+    return tuple(columns), tuple(remarks)
+
+
+def _table(
+    rows: list[list[str]], lines: Sequence[int], heads: list[str], header: list[str], file: Path, separator: str
+) -> list[list[str]]:
+    """Cells by column; empty cells behind the last column are accepted."""
+    width = len(heads)
     for row, line in zip(rows, lines, strict=True):
-        if len(row) != len(header) or (trailing and row[-1] != ""):
+        if len(row) != width and not (len(row) == width + 1 and row[-1] == ""):
             raise _ragged(row, header, f"{file}, line {line}", separator)
-    width = len(header) - trailing
-    kept = [row[:width] for row in rows]
+    return [[row[position] for row in rows] for position in range(width)]
+
+
+def _decimal_mark(cells: list[str]) -> str:
+    """Mark of the decimals in a column of numbers; empty where it has none, or text."""
+    commas = sum(_DECIMAL_COMMA.fullmatch(cell) is not None for cell in cells)
+    points = sum("." in cell and _is_number(cell) for cell in cells)
+    if commas and points:
+        return ",."
+    return "," if commas else "." if points else ""
+
+
+def _mixed_marks(table: list[list[str]], lines: Sequence[int], heads: list[str], file: Path) -> RecordingError:
+    """The error for a file that has decimal commas and decimal points, which may also separate thousands."""
+    first = {}
+    for head, cells in zip(heads, table, strict=True):
+        for cell, line in zip(cells, lines, strict=True):
+            mark = "," if _DECIMAL_COMMA.fullmatch(cell) else "." if "." in cell and _is_number(cell) else ""
+            if mark:
+                first.setdefault(mark, f"{cell!r} (line {line}, column {head!r})")
+    return RecordingError(
+        "decimal commas and decimal points in one file",
+        where=str(file),
+        found=f"{first[',']} and {first['.']}",
+        allowed="one of them",
+        hint="Are the points thousands separators? Export the file without them.",
+    )
+
+
+def _numbers(cells: list[str], lines: Sequence[int], column: str, file: Path, comma: bool) -> Array | RecordingError:
+    """Finite numbers of a column, or the first thing wrong with it, with its line."""
+    texts = [cell.replace(",", ".") if _DECIMAL_COMMA.fullmatch(cell) else cell for cell in cells] if comma else cells
     try:
-        values = np.array(kept, dtype=float)
+        values = np.array(texts, dtype=float)
     except ValueError:
         values = None
-    if values is None or not np.isfinite(values).all() or any("_" in cell for row in kept for cell in row):
-        raise _first_bad_cell(kept, lines, header, file)
-    return values
+    if values is not None and np.isfinite(values).all() and not any("_" in cell for cell in texts):
+        return values
+    if not any(cells):
+        return RecordingError(_BLANK, where=f"{file}: {column}", allowed="numbers")
+    wrong = next(i for i, cell in enumerate(texts) if not _is_number(cell) or not math.isfinite(float(cell)))
+    no_numbers = not any(_is_number(cell) for cell in texts)
+    return _bad_cell(cells[wrong], f"{file}, line {lines[wrong]}: {column}", no_numbers=no_numbers)
 
 
 def _ragged(row: list[str], header: list[str], where: str, separator: str) -> RecordingError:
     columns = len(header) - (header[-1] == "")
-    mark = _SEPARATOR_NAMES[separator]
-    if len(row) == len(header) + 1 and row[-1] == "":
-        return RecordingError(
-            f"the row ends with a {mark} that the header does not have",
-            where=where,
-            hint=f"Remove the {mark} at the end of the rows.",
-        )
-    if header[-1] == "":
+    if header[-1] == "" and len(row) == len(header):
+        mark = _SEPARATOR_NAMES[separator]
         return RecordingError(
             f"the header ends with a {mark} that this row does not have",
             where=where,
@@ -276,27 +421,18 @@ def _ragged(row: list[str], header: list[str], where: str, separator: str) -> Re
         where=where,
         found=f"{len(row)} cells",
         allowed=f"{columns} cells ({', '.join(header[:columns])})",
-        hint="Decimal commas? Write 1.5, not 1,5." if halves else "",
+        hint="Decimal commas? Separate the columns by semicolons, or write 1.5, not 1,5." if halves else "",
     )
 
 
-def _first_bad_cell(rows: list[list[str]], lines: Sequence[int], header: list[str], file: Path) -> RecordingError:
-    for order, (row, line) in enumerate(zip(rows, lines, strict=True)):
-        for position, cell in enumerate(row):
-            if not _is_number(cell) or not math.isfinite(float(cell)):
-                where = f"{file}, line {line}: column {header[position]!r}"
-                return _bad_cell(cell, where, is_first=order == 0 and not any(_is_number(c) for c in row))
-    raise AssertionError("no bad cell in rows that could not be read")
-
-
-def _bad_cell(cell: str, where: str, *, is_first: bool) -> RecordingError:
+def _bad_cell(cell: str, where: str, *, no_numbers: bool) -> RecordingError:
     if cell == "":
         return RecordingError("the cell is blank", where=where, allowed="a number", hint="Fill it or remove the row.")
-    if _DECIMAL_COMMA.match(cell):
+    if _DECIMAL_COMMA.fullmatch(cell):
         return RecordingError(
             "decimal comma", where=where, found=cell, allowed="a decimal point", hint=f"Write {cell.replace(',', '.')}."
         )
     if _is_number(cell):
         return RecordingError("not a finite number", where=where, found=cell, hint="Fill the gap or remove the row.")
-    hint = "Units belong into the header, as 'name [unit]'." if is_first else ""
-    return RecordingError("text in a number column", where=where, found=cell, allowed="a number", hint=hint)
+    hint = _NO_NUMBER if no_numbers else ""
+    return RecordingError("text in a number column", where=where, found=cell[:80], allowed="a number", hint=hint)

@@ -15,8 +15,8 @@ from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 from jounce.core.errors import DescriptionError, shown
 
 _NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*$")
-_UNIT = re.compile(r"[\w\s*/^().°-]*")
 _DIMENSIONLESS = {"", "1", "-"}
+_UNIT_HINT = "Check spelling and case, e.g. 'mm', 'N/mm', 'N*s/m', 'MPa', 'deg', 'm/s^2'."
 
 
 @cache
@@ -29,40 +29,122 @@ def _registry() -> Any:
         return pint.UnitRegistry(autoconvert_offset_to_baseunit=True)
 
 
+_LONGEST_UNIT = 64
+_UNIT_TEXT = re.compile(r"[A-Za-z_°µμΩ%0-9.*/^()\s+-]*")
+_POWER = re.compile(r"\^\s*(?:\(\s*[+-]?\d{1,2}(?:\.\d+)?\s*\)|[+-]?\d{1,2}(?:\.\d+)?)(?![\d.]|\s*\^)")
+_AS_WRITTEN = str.maketrans({
+    "²": "^2", "³": "^3", "⁴": "^4", "·": "*", "⋅": "*", "×": "*", "−": "-", "’": "'", "\N{GREEK SMALL LETTER MU}": "µ",
+})  # fmt: skip
+_WORDS = {
+    "Nm": "N*m", "kNm": "kN*m", "Nmm": "N*mm", "Ns": "N*s", "kNs": "kN*s", "Nms": "N*m*s", "kp": "kgf", "kmh": "km/h",
+    "kmph": "km/h", "ips": "in/s", "fps": "ft/s", "Sek": "s", "sek": "s", "Grad": "deg", "grad": "deg",
+}  # fmt: skip
+"""Words of test benches that the library of units does not know, or takes for something else (Nm: a textile number)."""
+_WHOLE = {"U/min": "rpm", "1/min": "rpm", "min^-1": "rpm", "lb-ft": "lbf*ft", "ft-lb": "lbf*ft", "ft-lbs": "lbf*ft",
+          "ft*lb": "lbf*ft", "lb*ft": "lbf*ft", "lb-in": "lbf*in", "in-lb": "lbf*in"}  # fmt: skip
+"""Whole units that mean something else in a column of rotation, or of torque."""
+_GRAVITY = {
+    **dict.fromkeys(("g", "G", "gn", "g_n", "g0", "g_0", "gs", "g's", "g-force"), 1.0),
+    **dict.fromkeys(("mg", "mG", "mgn", "milli-g", "millig", "milli g", "milli_g", "milligravity"), 1e-3),
+    **dict.fromkeys(("µg", "ug", "micro-g", "microg", "micro g"), 1e-6),
+}
+"""Standard gravities that one unit of an acceleration is: the library reads g as gram."""
+
+
+def _plain_spelling(unit: str) -> str:
+    """The unit as the library writes it: ``m/s2`` as ``m/s^2``, ``N.m`` and ``N-m`` as ``N*m``.
+
+    >>> [_plain_spelling(text) for text in ("m/s2", "N·s/mm", "m s-2", "kNm/deg", "°/s²", "%")]
+    ['m/s^2', 'N*s/mm', 'm s^-2', 'kN*m/deg', '°/s^2', 'percent']
+    """
+    text = re.sub(r"⁻([¹²³⁴])", lambda found: f"^-{'¹²³⁴'.index(found[1]) + 1}", unit)
+    text = text.translate(_AS_WRITTEN).replace("**", "^").replace("%", "percent").strip("'\"")
+    text = re.sub(r"(?<=[A-Za-zµ°])(-?\d)(?![\dA-Za-z])", r"^\1", text)
+    text = re.sub(r"(?<=[A-Za-z])\s*[.-]\s*(?=[A-Za-z])", "*", text)
+    return re.sub(r"[A-Za-z]+", lambda found: _WORDS.get(found[0], found[0]), text)
+
+
+@lru_cache(maxsize=512)
+def _parsed(unit: str) -> Any:
+    """The library's unit of a text; ValueError when it is none, or so long or raised so high that it cannot be one."""
+    plain = _plain_spelling(unit) if len(unit) <= _LONGEST_UNIT else "^"
+    if not _UNIT_TEXT.fullmatch(plain) or plain.count("^") != len(_POWER.findall(plain)):
+        raise ValueError(f"{unit[:_LONGEST_UNIT]!r} is not a unit")
+    try:
+        found = _registry().Unit(plain)
+        _registry().Quantity(1.0, found).to_root_units()
+    except Exception as error:
+        raise ValueError(f"{unit!r} is not a unit") from error
+    return found
+
+
+def is_unit(text: str) -> bool:
+    """Whether a text is a unit of anything.
+
+    >>> [is_unit(text) for text in ("N", "m/s2", "milli-g", "front", ":,1", "m^9**9**9")]
+    [True, True, True, False, False, False]
+    """
+    text = text.strip()
+    if text in _GRAVITY or text in _WHOLE:
+        return True
+    try:
+        _parsed(text)
+    except ValueError:
+        return False
+    return any(letter.isalpha() or letter in "%°" for letter in text)
+
+
 @lru_cache(maxsize=512)
 def _factor(unit: str, si: str) -> float:
     """Return what one ``unit`` is in ``si``; raise ValueError with the reason when it is none."""
+    if si in _DIMENSIONLESS and unit in _DIMENSIONLESS:
+        return 1.0
+    if si == "m/s^2" and unit in _GRAVITY:
+        return 9.80665 * _GRAVITY[unit]
     registry = _registry()
-    name = {"%": "percent"}.get(unit, unit).replace("²", "^2").replace("³", "^3").replace("·", "*")
-    if not _UNIT.fullmatch(name):  # pint passes over what it does not know, a long minus among it
-        raise ValueError(f"{unit!r} is not a unit")
-    if unit == "g" and si == "m/s^2":
-        name = "standard_gravity"  # pint reads g as gram
     target = registry.Unit(si if si not in _DIMENSIONLESS else "dimensionless")
+    turning = si in ("Hz", "rad/s", "N*m", "N*m/rad")
+    found = _parsed(_WHOLE.get(unit, unit) if turning else unit)
     try:
-        return float(registry.Quantity(1.0, registry.Unit(name)).to(target).magnitude)
+        factor = float(registry.Quantity(1.0, found).to(target).magnitude)
     except Exception as error:
         raise ValueError(f"{unit!r} is not a unit of {si if si not in _DIMENSIONLESS else 'a plain number'}") from error
+    # the library takes radians for plain numbers, so that it would read 60 rpm as 6.28 Hz
+    angles = _angles(found)
+    if si == "Hz" and angles == 1.0:
+        return factor / (2.0 * math.pi)
+    if (si in _DIMENSIONLESS and angles != 0.0) or (si.startswith("rad/s") and "hertz" in str(found)):
+        raise ValueError(f"{unit!r} is not a unit of {si if si not in _DIMENSIONLESS else 'a plain number'}")
+    return factor
+
+
+def _angles(unit: Any) -> float:
+    """Exponent of the angle in a unit: 1 for rad/s and rpm, 0 for Hz."""
+    root = _registry().Quantity(1.0, unit).to_root_units().units
+    return float(root._units.get("radian", 0.0))
 
 
 def conversion_factor(unit: str, si: str, *, where: str = "") -> float:
     """Give the SI value of one ``unit``, in ``si`` (``"1"``: a plain number).
 
     The unit is as the user writes it, e.g. ``"mm"``, ``"N*s/m"``, or ``"g"`` for standard gravity where ``si`` is
-    m/s^2. A DescriptionError at the place ``where`` refuses units that are unknown or measure something else.
+    m/s^2 (``"mg"`` and ``"milli-g"``: a thousandth of it). Spellings of test benches are read, too: ``m/s2``, ``Nm``,
+    ``N.s/m``, ``U/min``. A DescriptionError at the place ``where`` refuses units that are unknown or measure something
+    else.
+
+    >>> conversion_factor("mg", "m/s^2"), conversion_factor("mg", "kg"), round(conversion_factor("rpm", "Hz"), 9)
+    (0.00980665, 1e-06, 0.016666667)
     """
     try:
         return _factor(unit.strip(), si)
     except ValueError as error:
         raise DescriptionError(
-            "wrong unit", where=where, found=unit, allowed=f"a unit that converts to {si}", hint=_unit_hint(unit)
+            "wrong unit",
+            where=where,
+            found=unit[:_LONGEST_UNIT],
+            allowed=f"a unit that converts to {si}",
+            hint=_UNIT_HINT,
         ) from error
-
-
-def _unit_hint(unit: str) -> str:
-    if re.search(r"[A-Za-z]\.[A-Za-z]", unit):
-        return "Write products with * as in N*s/m."
-    return "Check spelling and case, e.g. 'mm', 'N/mm', 'N*s/m', 'MPa', 'deg', 'm/s^2'."
 
 
 def to_si(value: object, si: str, *, where: str = "") -> float:

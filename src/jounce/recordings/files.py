@@ -3,27 +3,31 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from jounce.core.columns import Column, ColumnTable, name_and_unit
-from jounce.core.errors import RecordingError, nearest
+from jounce.core.errors import JounceError, RecordingError, nearest
 from jounce.core.files import existing_file
 from jounce.core.findings import Finding
 from jounce.core.serialise import Formats, to_plain
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor, to_si
-from jounce.recordings.quality import FEWEST_SAMPLES, check_channels, check_time
+from jounce.recordings.plausibility import implausible
+from jounce.recordings.quality import FEWEST_SAMPLES, check_channels, check_instants, check_time
 from jounce.recordings.readers import ReaderOptions, SignalTable, read_signals
 from jounce.recordings.schema import channel_unit, quantity_of, recording
+from jounce.recordings.signals import read_at, uniform_instants
 
 if TYPE_CHECKING:
     import xarray as xr
 
 Columns = Mapping[str, str] | str | None
+_SAME_DURATION = 5e-3
 
 
 def read_recording(
@@ -32,6 +36,8 @@ def read_recording(
     columns: Columns = None,
     sample_time: float | str | None = None,
     variable: str = "",
+    resample: float | str | None = None,
+    database: Path | str | None = None,
 ) -> tuple[xr.Dataset, list[Finding]]:
     r"""Read a measured or simulated recording, whatever its format, units and column order.
 
@@ -46,20 +52,28 @@ def read_recording(
     sample_time : float or str, optional
         Constant step in s (or text with unit) of a file without time; replaces the file's time where there is one.
     variable : str
-        Matrix variable (``.mat``) or group (``.tdms``) to read.
+        Matrix variable or struct (``.mat``) or group (``.tdms``) to read.
+    resample : float or str, optional
+        Constant step in s (or text with unit) that the recording shall have: time may be irregular then, and signals
+        at other instants (slow channels, bus messages) are brought onto the same time. Where the step is larger than
+        that of the file, the signals are band-limited first, without phase, at 0.4 of the new rate.
+    database : Path or str, optional
+        Database of bus messages (``.dbc``) with which the bus frames of an MDF file are decoded.
 
     Returns
     -------
     dataset : xarray.Dataset
         Channels in SI on uniform ``time`` (s).
     findings : list of Finding
-        Columns that are no channel, resampling, constant and clipped channels.
+        Columns that are no channel, what was understood (decimal commas), resampling with the largest gap, a sample
+        time that contradicts the recorded time, constant and clipped channels, and as a problem magnitudes that no
+        suspension reaches, with the unit that was likely meant.
 
     Raises
     ------
     RecordingError
-        For a missing, unreadable or empty file, a missing column or unit, time that does not ascend or jitters, values
-        that are not finite, or no channel at all.
+        For a missing, unreadable or empty file, a missing column or unit, time that does not ascend or (without
+        ``resample``) jitters, values that are not finite, or no channel at all.
     DescriptionError
         For a unit that does not fit the channel.
 
@@ -67,45 +81,127 @@ def read_recording(
     --------
     >>> import tempfile, pathlib
     >>> file = pathlib.Path(tempfile.mkdtemp()) / "pass.csv"
-    >>> _ = file.write_text("t [ms], sprung.az [g]\n" + "\n".join(f"{i}, {i % 3}" for i in range(10)))
+    >>> _ = file.write_text("t (ms); sprung.az (g)\n" + "\n".join(f"{i}; {i % 3},0" for i in range(10)))
     >>> run, findings = read_recording(file, columns={"time": "t"})
-    >>> float(run["sprung.az"].max()), float(run["time"][1]), findings
-    (19.6133, 0.001, [])
+    >>> float(run["sprung.az"].max()), float(run["time"][1]), [finding.message for finding in findings]
+    (19.6133, 0.001, ['decimal commas were read as decimal points'])
     """
     file = Path(path)
-    signals = _read_table(file, columns, variable)
+    signals = _read_table(file, columns, variable, database)
     mapping = dict(columns) if isinstance(columns, Mapping) else {}
-    located, findings = _locate_channels(signals, mapping, needs_time=sample_time is None)
-    name_row, uneven = signals.columns.name_row, list[Finding]()
-    if sample_time is None:
-        recorded = in_si(located["time"], "s")
-        time, uneven = check_time(recorded, where=str(file), name_row=name_row)
+    new_step = _positive(resample, f"{file}: resample", "the step to resample to")
+    given_step = _positive(sample_time, f"{file}: sample time", "the sample time")
+    main = _main_table(signals, mapping)
+    tables = signals.tables if new_step is not None else (main,)
+    located, findings = _locate_channels(signals, main, tables, mapping, has_step=given_step is not None)
+    findings = [*signals.findings, *(Finding(str(file), "note", text) for text in main.remarks), *findings]
+    clocks = {table: table["time"] for table in tables if table is not main and "time" in table.names}
+    if "time" in located:
+        clocks[main] = located.pop("time")[0]
+    rows = next((column.values.size for column, table in located.values() if table is main), 0)
+    if given_step is None:
+        instants = {table: in_si(column, "s") for table, column in clocks.items()}
     else:
-        step = to_si(sample_time, "s", where=f"{file}: sample time")
-        rows = next(iter(located.values())).values.size
-        if step <= 0.0:
-            raise RecordingError("the sample time is not positive", where=str(file), found=f"{step:g} s")
         if rows < FEWEST_SAMPLES:
             allowed = f"at least {FEWEST_SAMPLES}"
             raise RecordingError("too few samples", where=str(file), found=str(rows), allowed=allowed)
-        time = np.asarray(np.arange(rows) * step, dtype=float)
+        findings += _contradiction(clocks.get(main), given_step, rows, str(file))
+        instants = {main: np.asarray(np.arange(rows) * given_step, dtype=float)}
     units = {
         # a command is in the unit of its actuator, which only the file knows
         name: column.unit or "1" if quantity_of(name) == "command" else channel_unit(name)
-        for name, column in located.items()
-        if name != "time"
+        for name, (column, _) in located.items()
     }
-    values = {name: in_si(located[name], unit) for name, unit in units.items()}
-    findings += check_channels(values, where=str(file), name_row=name_row)
-    if uneven:
-        from scipy.interpolate import CubicSpline
-
-        together = CubicSpline(recorded, np.stack(list(values.values()), axis=1))(time)
-        values = {name: np.ascontiguousarray(column) for name, column in zip(values, together.T, strict=True)}
+    values = {name: in_si(located[name][0], unit) for name, unit in units.items()}
+    uneven = list[Finding]()
+    if new_step is not None:
+        findings += check_channels(values, where=str(file), name_row=main.name_row)
+        homes = {name: table for name, (_, table) in located.items()}
+        time, values, uneven = _resampled(instants, values, homes, new_step, str(file))
+    else:
+        time = instants[main]
+        if given_step is None:
+            time, uneven = check_time(time, where=str(file), name_row=main.name_row)
+        findings += check_channels(values, where=str(file), name_row=main.name_row)
+        if uneven:
+            together = read_at(instants[main], np.stack(list(values.values()), axis=1), time, 1.0 / (time[1] - time[0]))
+            values = {name: np.ascontiguousarray(column) for name, column in zip(values, together.T, strict=True)}
+    written = {name: column.unit for name, (column, _) in located.items() if quantity_of(name) != "command"}
+    step = float(time[-1] - time[0]) / (time.size - 1)
+    findings += implausible({name: values[name] for name in written}, step, where=str(file), written=written)
     channels = {
-        name: (array, units[name], signals.long_names.get(located[name].name, "")) for name, array in values.items()
+        name: (array, units[name], signals.long_names.get(located[name][0].name, "")) for name, array in values.items()
     }
     return recording(time, channels, attributes=signals.attributes), findings + uneven
+
+
+def _positive(given: float | str | None, where: str, what: str) -> float | None:
+    """A step in s; None where none is given."""
+    if given is None:
+        return None
+    step = to_si(given, "s", where=where)
+    if step <= 0.0:
+        raise RecordingError(f"{what} is not positive", where=where.rpartition(": ")[0], found=f"{step:g} s")
+    return step
+
+
+def _contradiction(recorded: Column | None, step: float, rows: int, file: str) -> list[Finding]:
+    """A warning where a given sample time makes the record longer or shorter than its own time does."""
+    try:
+        time = in_si(recorded, "s") if recorded is not None else np.empty(0)
+    except JounceError:  # the file's time cannot be read: that is why a step is given
+        return []
+    if time.size < 2:
+        return []
+    given, own = (rows - 1) * step, float(time[-1] - time[0])
+    if abs(given - own) <= _SAME_DURATION * given:
+        return []
+    text = (
+        f"with the given sample time of {step:g} s the record is {given:g} s long, by its recorded time {own:g} s; "
+        "the sample time was taken"
+    )
+    return [Finding(f"{file}: time", "warning", text, own)]
+
+
+def _resampled(
+    instants: Mapping[ColumnTable, Array],
+    values: Mapping[str, Array],
+    homes: Mapping[str, ColumnTable],
+    step: float,
+    file: str,
+) -> tuple[Array, dict[str, Array], list[Finding]]:
+    """All signals at uniform instants of the time that they have in common; what became of it, with the largest gap."""
+    used = {table: time for table, time in instants.items() if table in homes.values()}
+    for table, time in used.items():
+        check_instants(time, where=file, name_row=table.name_row)
+    first, last = max(time[0] for time in used.values()), min(time[-1] for time in used.values())
+    if last < first:
+        raise RecordingError("the signals have no time in common", where=file)
+    wanted = uniform_instants(float(first), float(last), 1.0 / step)
+    if wanted.size < FEWEST_SAMPLES:
+        found, allowed = f"{wanted.size} in steps of {step:g} s", f"at least {FEWEST_SAMPLES}"
+        raise RecordingError("too few samples", where=f"{file}: resample", found=found, allowed=allowed)
+    at_once: dict[str, Array] = {}
+    notes = []
+    for table, time in used.items():
+        names = [name for name in values if homes[name] is table]
+        together = read_at(time, np.stack([values[name] for name in names], axis=1), wanted, 1.0 / step)
+        at_once |= {name: np.ascontiguousarray(column) for name, column in zip(names, together.T, strict=True)}
+        notes.append(_gap_finding(time, wanted, step, names if len(used) > 1 else [], file))
+    return wanted, {name: at_once[name] for name in values}, notes
+
+
+def _gap_finding(time: Array, wanted: Array, step: float, names: list[str], file: str) -> Finding:
+    gaps = np.diff(time)
+    widest = int(np.argmax(gaps))
+    gap, usual = float(gaps[widest]), float(np.median(gaps))
+    of = f" of {', '.join(names)}" if names else ""
+    limit = f", band-limited to {0.4 / step:.3g} Hz" if step * (1.0 - 1e-9) > usual else ""
+    text = (
+        f"resampled to {wanted.size} instants in steps of {step:g} s{limit}; the largest gap in the recorded time{of} "
+        f"is {gap:.6g} s, from {time[widest]:.6g} s"
+    )
+    return Finding(f"{file}: time", "warning" if gap > 3.0 * max(step, usual) else "note", text, gap)
 
 
 def read_columns(
@@ -129,7 +225,7 @@ def read_columns(
     values : dict of str to ndarray of shape (n,)
         Columns in SI, in the order of ``wanted``.
     findings : list of Finding
-        Constant columns.
+        What was understood (decimal commas), constant columns, and as a problem magnitudes that no suspension reaches.
 
     Raises
     ------
@@ -160,26 +256,35 @@ def read_columns(
             )
     located = {name: locate(signals.columns, mapping.get(name, name)) for name in wanted}
     values = {name: in_si(column, wanted[name]) for name, column in located.items()}
-    return values, check_channels(values, where=str(file), name_row=signals.columns.name_row, clipping=False)
+    remarks = [Finding(str(file), "note", text) for text in signals.columns.remarks]
+    found = check_channels(values, where=str(file), name_row=signals.columns.name_row, clipping=False)
+    written = {name: column.unit for name, column in located.items() if quantity_of(name)}
+    reached = implausible({name: values[name] for name in written}, None, where=str(file), written=written)
+    return values, [*signals.findings, *remarks, *found, *reached]
 
 
-def _read_table(path: Path, columns: Columns, variable: str) -> SignalTable:
+def _read_table(path: Path, columns: Columns, variable: str, database: Path | str | None = None) -> SignalTable:
     if existing_file(path, RecordingError).stat().st_size == 0:
         raise RecordingError("the file is empty", where=str(path))
     header = columns if isinstance(columns, str) else ""
-    return read_signals(path, ReaderOptions(variable=variable, header=header))
+    return read_signals(path, ReaderOptions(variable, header, Path(database) if database else None))
 
 
 def locate(table: ColumnTable, spec: str) -> Column:
     """Find the column ``"name"`` or ``"name [unit]"``; the given unit counts where the file has none."""
-    for column in table:
-        if spec in (column.label, column.name):
-            return column
+    if has_column(table, spec):
+        return table[spec]
     name, unit = name_and_unit(spec)
     column = table[name]
-    if unit and column.unit and unit != column.unit:
+    own = "" if column.written == name else column.unit  # a name like 'Force (N)' with another unit behind it
+    if unit and own and unit != own:
         raise RecordingError("the column has another unit", where=column.where, found=column.unit, allowed=unit)
-    return Column(column.name, unit or column.unit, column.values, column.file)
+    return replace(column, unit=unit or column.unit)
+
+
+def has_column(table: ColumnTable, spec: str) -> bool:
+    """Whether a column is called so, with or without its unit."""
+    return any(spec in (column.label, column.name, column.written) for column in table)
 
 
 def in_si(column: Column, si: str) -> Array:
@@ -192,49 +297,90 @@ def in_si(column: Column, si: str) -> Array:
             hint=f"Write it into the header, or map it with columns: '{column.name} [{si}]'.",
         )
     factor = conversion_factor(column.unit, si, where=column.where) if column.unit else 1.0
-    return np.asarray(column.values * factor, dtype=float)
+    with np.errstate(over="ignore"):  # what becomes infinite is refused by its row
+        return np.asarray(column.readable().values * factor, dtype=float)
+
+
+def _main_table(signals: SignalTable, mapping: Mapping[str, str]) -> ColumnTable:
+    """The table that holds the most of what is asked for, and of channels by their own names."""
+
+    def asked(table: ColumnTable) -> tuple[int, int]:
+        mapped = sum(_is_home(table, spec) for name, spec in mapping.items() if name != "time")
+        return mapped, sum(bool(quantity_of(column.name)) and column.name != "time" for column in table)
+
+    return max(signals.tables, key=asked)
+
+
+def _is_home(table: ColumnTable, spec: str) -> bool:
+    return has_column(table, spec) or has_column(table, name_and_unit(spec)[0])
 
 
 def _locate_channels(
-    signals: SignalTable, mapping: Mapping[str, str], *, needs_time: bool
-) -> tuple[dict[str, Column], list[Finding]]:
-    """Columns by channel: the mapped ones, then those whose own name is a channel's."""
-    table, located = signals.columns, dict[str, Column]()
+    signals: SignalTable,
+    main: ColumnTable,
+    tables: Sequence[ColumnTable],
+    mapping: Mapping[str, str],
+    *,
+    has_step: bool,
+) -> tuple[dict[str, tuple[Column, ColumnTable]], list[Finding]]:
+    """Columns by channel with their tables: the mapped ones, then those whose own name is a channel's."""
+    located: dict[str, tuple[Column, ColumnTable]] = {}
     for name, spec in mapping.items():
         channel_unit(name)
-        located[name] = locate(table, spec)
-    used = {column.name for column in located.values()}
-    ignored = []
-    for column in table:
-        if column.name in used or column.name in located:
-            continue
-        if quantity_of(column.name):
-            located[column.name] = column
-        else:
-            ignored.append(column.label)
-    if needs_time and "time" not in located:
+        home = next((table for table in (main, *signals.tables) if _is_home(table, spec)), main)
+        if home not in tables:
+            raise RecordingError(
+                "the signal is recorded at other instants than the others",
+                where=f"{main.file}: {name}",
+                found=spec,
+                hint="Bring them onto one time with resample, e.g. '10 ms'.",
+            )
+        located[name] = locate(home, spec), home
+    used = {(column.name, id(table)) for column, table in located.values()}
+    ignored, empty = [], []
+    for table in tables:
+        for column in table:
+            if (column.name, id(table)) in used or column.name in located:
+                continue
+            if column.name == "time" and (table is not main or (has_step and column.fault is not None)):
+                continue
+            if not quantity_of(column.name):
+                ignored.append(column.label)
+            elif column.fault is not None and column.is_empty:
+                empty.append(column.label)
+            else:
+                located[column.name] = table[column.name], table
+    others = [
+        column.label for table in signals.tables if table not in tables for column in table if column.name != "time"
+    ]
+    if not has_step and "time" not in located:
         raise RecordingError(
             "no column 'time'",
-            where=table.file,
-            found=", ".join(column.label for column in table),
+            where=main.file,
+            found=", ".join(column.label for column in main),
             allowed="time [s], or any unit of time",
-            hint=nearest("time", table.names) or "Map it with columns, or give the sample time.",
+            hint=nearest("time", main.names) or "Map it with columns, or give the sample time.",
         )
     if not set(located) - {"time"}:
         raise RecordingError(
             "no channel was found",
-            where=table.file,
-            found=", ".join(column.label for column in table),
+            where=main.file,
+            found=", ".join([column.label for column in main] + others),
             allowed="columns such as 'sprung.az [m/s^2]'",
             hint="Map columns to channels with columns.",
         )
     findings = []
     if ignored:
         text = f"columns that are no known channel were left out: {', '.join(ignored)}; map them with columns if needed"
-        findings.append(Finding(table.file, "note", text))
-    if signals.left_out:
-        text = f"signals of another length or at other instants were left out: {', '.join(signals.left_out)}"
-        findings.append(Finding(table.file, "note", text))
+        findings.append(Finding(main.file, "note", text))
+    if empty:
+        text = f"channels without a single number were left out: {', '.join(empty)}; were they connected?"
+        findings.append(Finding(main.file, "warning", text))
+    if signals.left_out or others:
+        text = (
+            f"signals of another length or at other instants were left out: {', '.join([*signals.left_out, *others])}"
+        )
+        findings.append(Finding(main.file, "note", text + ("; resample brings them onto one time" if others else "")))
     return located, findings
 
 

@@ -12,6 +12,7 @@ from jounce.core.types import Array
 from jounce.recordings.schema import quantity_of
 
 LARGEST_JITTER = 0.01
+OVER_RANGE = 1e20  # SI; loggers write 9.9e37 or 1e30 where they have no value
 ROUNDING = 1e-6
 FEWEST_SAMPLES = 8
 CLIPPED_RUN = 3
@@ -61,6 +62,35 @@ def check_time(time: Array, *, where: str, name_row: Callable[[int], str] = row_
     0
     """
     at = f"{where}: time"
+    steps = check_instants(time, where=where, name_row=name_row)
+    step = float(np.median(steps))
+    jitter = np.abs(steps - step)
+    largest = float(jitter.max()) / step
+    if largest > LARGEST_JITTER:
+        row = int(np.argmax(jitter)) + 1
+        missing = round(float(steps[row - 1]) / step) - 1
+        raise RecordingError(
+            f"the time step jitters by {100.0 * largest:.3g} % at {name_row(row)}",
+            where=at,
+            found=f"a step of {steps[row - 1]:.6g} s",
+            allowed=f"{step:.6g} s within 1 %",
+            hint=f"{missing} sample{'s' * (missing > 1)} missing there; resample fills the gap and says so."
+            if missing > 0
+            else "Was time written with too few digits? resample brings the record onto constant steps.",
+        )
+    uniform = np.linspace(time[0], time[-1], time.size)
+    if largest <= ROUNDING + 4.0 * np.finfo(float).eps * float(np.abs(time).max()) / step:
+        return uniform, []
+    text = (
+        f"the time step varies by up to {100.0 * largest:.2g} % of {step:.6g} s (allowed: 1 %); "
+        f"all channels were resampled to {time.size} instants in constant steps"
+    )
+    return uniform, [Finding(at, "warning", text, largest)]
+
+
+def check_instants(time: Array, *, where: str, name_row: Callable[[int], str] = row_number) -> Array:
+    """Refuse a time (s) that is no clock: too few instants, not finite, all zero, not ascending; give its steps."""
+    at = f"{where}: time"
     _check_finite(time, at, name_row)
     if time.size > 1 and not np.any(time):
         raise RecordingError("time is zero in every row", where=at, hint="Was the clock column exported?")
@@ -75,29 +105,7 @@ def check_time(time: Array, *, where: str, name_row: Callable[[int], str] = row_
         )
     if time.size < FEWEST_SAMPLES:
         raise RecordingError("too few samples", where=at, found=str(time.size), allowed=f"at least {FEWEST_SAMPLES}")
-    step = float(np.median(steps))
-    jitter = np.abs(steps - step)
-    largest = float(jitter.max()) / step
-    if largest > LARGEST_JITTER:
-        row = int(np.argmax(jitter)) + 1
-        missing = round(float(steps[row - 1]) / step) - 1
-        raise RecordingError(
-            f"the time step jitters by {100.0 * largest:.3g} % at {name_row(row)}",
-            where=at,
-            found=f"a step of {steps[row - 1]:.6g} s",
-            allowed=f"{step:.6g} s within 1 %",
-            hint=f"{missing} sample{'s' * (missing > 1)} missing there."
-            if missing > 0
-            else "Was time written with too few digits?",
-        )
-    uniform = np.linspace(time[0], time[-1], time.size)
-    if largest <= ROUNDING + 4.0 * np.finfo(float).eps * float(np.abs(time).max()) / step:
-        return uniform, []
-    text = (
-        f"the time step varies by up to {100.0 * largest:.2g} % of {step:.6g} s (allowed: 1 %); "
-        f"all channels were resampled to {time.size} instants in constant steps"
-    )
-    return uniform, [Finding(at, "warning", text, largest)]
+    return np.asarray(steps, dtype=float)
 
 
 def _check_finite(values: Array, at: str, name_row: Callable[[int], str]) -> None:
@@ -109,6 +117,14 @@ def _check_finite(values: Array, at: str, name_row: Callable[[int], str]) -> Non
             where=at,
             found=str(values[row]),
             hint="Fill the gap or cut it off.",
+        )
+    if values.size and (largest := float(np.abs(values).max())) > OVER_RANGE:
+        row = int(np.argmax(np.abs(values)))
+        raise RecordingError(
+            f"no measured number at {name_row(row)}",
+            where=at,
+            found=f"{largest:g}",
+            hint="Is it the mark of a value that is over range or missing?",
         )
 
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -11,7 +12,9 @@ from typing import Any
 import numpy as np
 
 from jounce.core.columns import Column, ColumnTable, parse_header, read_columns_csv
-from jounce.core.errors import RecordingError, nearest
+from jounce.core.errors import JounceError, RecordingError, nearest
+from jounce.core.files import existing_file
+from jounce.core.findings import Finding
 from jounce.core.optional import require
 from jounce.core.types import Array
 
@@ -26,23 +29,34 @@ class ReaderOptions:
         Matrix variable (``.mat``) or group (``.tdms``) to read; empty: the only one or all.
     header : str
         Names and units of the columns in their order: ``"displacement [mm], force [N]"``; empty: those of the file.
+    database : Path or None
+        Database of bus messages (``.dbc``, ``.arxml``) with which recorded bus frames (``.mf4``) are decoded.
     """
 
     variable: str = ""
     header: str = ""
+    database: Path | None = None
 
 
 @dataclass(frozen=True)
 class SignalTable:
     """Columns of a file, numbers and units as written, and what else it contains.
 
-    ``left_out`` are signals that are sampled at other instants than the columns.
+    ``others`` are tables of signals that are sampled at other instants than the columns, each with its own ``time``;
+    ``left_out`` names what is no signal over time; ``findings`` are doubts about the file.
     """
 
     columns: ColumnTable
     long_names: Mapping[str, str] = field(default_factory=dict)
     attributes: Mapping[str, object] = field(default_factory=dict)
     left_out: tuple[str, ...] = ()
+    others: tuple[ColumnTable, ...] = ()
+    findings: tuple[Finding, ...] = ()
+
+    @property
+    def tables(self) -> tuple[ColumnTable, ...]:
+        """The columns, and those at other instants."""
+        return self.columns, *self.others
 
 
 Read = Callable[[Path, ReaderOptions], SignalTable]
@@ -70,6 +84,8 @@ class Reader:
         Extra of jounce that is needed; empty for none.
     has_variables : bool
         Whether the file holds several matrices or groups, of which the user may choose one.
+    has_database : bool
+        Whether its bus frames are decoded with a database.
     """
 
     name: str
@@ -80,6 +96,7 @@ class Reader:
     example: str
     extra: str = ""
     has_variables: bool = False
+    has_database: bool = False
 
 
 READERS: list[Reader] = []
@@ -119,7 +136,53 @@ def read_signals(path: Path, options: ReaderOptions) -> SignalTable:
             found=options.variable,
             hint="Map channels with columns instead.",
         )
-    return chosen.read(path, options)
+    if options.database is not None:
+        if not chosen.has_database:
+            formats = ", ".join(suffix for known in READERS if known.has_database for suffix in known.suffixes)
+            raise RecordingError(
+                "a database of bus messages means nothing for this format",
+                where=str(path),
+                found=str(options.database),
+                allowed=formats,
+            )
+        existing_file(options.database, RecordingError)
+    signals = chosen.read(path, options)
+    for table in signals.tables:
+        _check_shape(table, chosen, path)
+    return signals
+
+
+def _check_shape(table: ColumnTable, reader: Reader, path: Path) -> None:
+    """Refuse what a reader gives that is no table: every column needs as many plain numbers as the others."""
+    lengths = {column.values.shape for column in table if column.fault is None}
+    wrong = next((column for column in table if column.fault is None and not _is_signal(column.values)), None)
+    if wrong is not None or len(lengths) > 1:
+        what = "a column is no row of real numbers" if wrong is not None else "the columns have different lengths"
+        raise RecordingError(
+            f"{what}: the reader {reader.name!r} does not know this file",
+            where=f"{path}: {wrong.label}" if wrong is not None else str(path),
+            found=f"shape {np.shape(wrong.values)}, {getattr(wrong.values, 'dtype', type(wrong.values).__name__)}"
+            if wrong is not None
+            else ", ".join(f"{column.label}: {len(column.values)}" for column in table if column.fault is None),
+        )
+
+
+def _is_signal(values: object) -> bool:
+    return isinstance(values, np.ndarray) and values.ndim == 1 and values.dtype == float and values.size > 0
+
+
+@contextmanager
+def _understood(path: Path, what: str) -> Iterator[None]:
+    """Whatever a library raises over a file is one refusal: damaged files make them raise errors of any kind."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            yield
+    except JounceError:
+        raise
+    except Exception as error:  # noqa: BLE001 - bare Exceptions, KeyErrors and struct errors alike
+        text = " ".join(str(error).split())[:200]
+        raise RecordingError(f"not {what}, or damaged ({text or type(error).__name__})", where=str(path)) from None
 
 
 def _named(columns: Iterable[Column], path: Path, options: ReaderOptions) -> ColumnTable:

@@ -16,6 +16,10 @@ from jounce.core.types import Array
 _TWO_PASSES = math.sqrt(2.0) - 1.0  # (w/w_d)^(2 n) at which the squared gain of two passes is 1/sqrt(2)
 _ANTI_ALIAS_ORDER = 8
 _ANTI_ALIAS_SHARE = 0.4
+_UNEVEN = 1e-3  # share of the step by which steps may differ for a filter
+_JITTER = 0.01  # share by which the usual step of an uneven time may miss the wanted one
+_GAP = 10.0  # usual steps above which nothing is known between two samples
+_MOST_INSTANTS = 1e8
 
 
 def check_frequency(frequency: float, sample_rate: float, *, where: str) -> None:
@@ -160,7 +164,7 @@ def resample(time: ArrayLike, values: ArrayLike, sample_rate: float) -> tuple[Ar
     Parameters
     ----------
     time : array_like, shape (n,)
-        Strictly ascending time in s; need not be uniform unless the rate is reduced.
+        Strictly ascending time in s; need not be uniform.
     values : array_like, shape (n,) or (n, k)
         Signals in SI or any other unit, samples along the first axis.
     sample_rate : float
@@ -171,13 +175,15 @@ def resample(time: ArrayLike, values: ArrayLike, sample_rate: float) -> tuple[Ar
     time : ndarray, shape (m,)
         From the first instant in steps of ``1 / sample_rate`` s up to the last instant.
     values : ndarray, shape (m,) or (m, k)
-        Cubic spline through the samples. When the rate is reduced, the samples are band-limited first (phase-free, at
-        0.4 of the new rate), so that nothing folds back.
+        Cubic spline through the samples; a line across gaps of more than 10 usual steps, where a spline overshoots.
+        When the rate is reduced, the signals are band-limited first (phase-free, at 0.4 of the new rate), so that
+        nothing folds back.
 
     Raises
     ------
     RecordingError
-        For a rate that is not positive, fewer than two samples, or lengths that differ.
+        For a rate that is not positive, fewer than two samples, lengths that differ, or more instants than the
+        memory holds.
 
     Examples
     --------
@@ -185,8 +191,6 @@ def resample(time: ArrayLike, values: ArrayLike, sample_rate: float) -> tuple[Ar
     >>> t.tolist(), x.round(12).tolist()
     ([0.0, 0.25, 0.5, 0.75, 1.0], [0.0, 0.5, 1.0, 1.5, 2.0])
     """
-    from scipy.interpolate import CubicSpline
-
     instants, signals = np.asarray(time, dtype=float), np.asarray(values, dtype=float)
     if not sample_rate > 0.0 or not math.isfinite(sample_rate):
         raise RecordingError("the sample rate is not positive", where="resample", found=f"{sample_rate:g} Hz")
@@ -197,13 +201,55 @@ def resample(time: ArrayLike, values: ArrayLike, sample_rate: float) -> tuple[Ar
             found=f"shapes {instants.shape} and {signals.shape}",
             allowed="as many values as instants, at least two",
         )
-    duration = float(instants[-1] - instants[0])
-    old_rate = (instants.size - 1) / duration
-    if sample_rate < old_rate * (1.0 - 1e-9):
-        signals = band_limit(signals, old_rate, below=_ANTI_ALIAS_SHARE * sample_rate, order=_ANTI_ALIAS_ORDER)
-    count = math.floor(duration * sample_rate * (1.0 + 1e-12) + 1e-9) + 1
-    wanted = np.minimum(instants[0] + np.arange(count) / sample_rate, instants[-1])
-    return wanted, np.asarray(CubicSpline(instants, signals)(wanted), dtype=float)
+    wanted = uniform_instants(float(instants[0]), float(instants[-1]), sample_rate)
+    return wanted, read_at(instants, signals, wanted, sample_rate)
+
+
+def uniform_instants(first: float, last: float, sample_rate: float) -> Array:
+    """Instants from the first in steps of ``1 / sample_rate`` up to the last (s); refused where they are too many."""
+    duration = last - first
+    count = duration * sample_rate * (1.0 + 1e-12) + 1e-9
+    if not count < _MOST_INSTANTS:
+        raise RecordingError(
+            "too many instants",
+            where="resample",
+            found=f"{duration:g} s in steps of {1.0 / sample_rate:g} s",
+            allowed=f"up to {_MOST_INSTANTS:g}",
+            hint="Is time in the unit that the file gives?",
+        )
+    return np.asarray(np.minimum(first + np.arange(math.floor(count) + 1) / sample_rate, last), dtype=float)
+
+
+def read_at(instants: Array, signals: Array, wanted: Array, sample_rate: float) -> Array:
+    """Signals at uniform instants within the record, band-limited where ``sample_rate`` is below that of the record."""
+    steps = np.diff(instants)
+    mean = float(instants[-1] - instants[0]) / (instants.size - 1)
+    is_even = float(np.abs(steps - mean).max()) <= _UNEVEN * mean
+    usual = mean if is_even else float(np.median(steps))
+    if sample_rate * usual >= 1.0 - (1e-9 if is_even else _JITTER):
+        return _between(instants, signals, wanted, usual)
+    if not is_even:  # a filter needs uniform samples: some in each wanted step
+        fine = sample_rate * math.ceil(1.0 / (sample_rate * usual))
+        even = uniform_instants(float(instants[0]), float(instants[-1]), fine)
+        signals, instants, mean = _between(instants, signals, even, usual), even, 1.0 / fine
+    smooth = band_limit(signals, 1.0 / mean, below=_ANTI_ALIAS_SHARE * sample_rate, order=_ANTI_ALIAS_ORDER)
+    return _between(instants, smooth, wanted, mean)
+
+
+def _between(instants: Array, signals: Array, wanted: Array, usual: float) -> Array:
+    """Cubic spline through the samples, and a line across gaps."""
+    from scipy.interpolate import CubicSpline
+
+    found = np.asarray(CubicSpline(instants, signals)(np.clip(wanted, instants[0], instants[-1])), dtype=float)
+    gaps = np.flatnonzero(np.diff(instants) > _GAP * usual)
+    if len(gaps):
+        place = np.clip(np.searchsorted(instants, wanted, side="right") - 1, 0, instants.size - 2)
+        within = np.isin(place, gaps)
+        left = place[within]
+        share = np.clip((wanted[within] - instants[left]) / (instants[left + 1] - instants[left]), 0.0, 1.0)
+        share = share.reshape(-1, *(1,) * (signals.ndim - 1))
+        found[within] = signals[left] * (1.0 - share) + signals[left + 1] * share
+    return found
 
 
 def derivative(values: ArrayLike, sample_rate: float) -> Array:

@@ -13,7 +13,6 @@ from jounce.identify.force_deflection import ForceDeflectionTrial
 from jounce.parts.rig import unit_of
 from jounce.plots import decay_fit, display_unit, number, quantity, stiffness_fit, tyre_pressure
 from jounce.plots.display import estimate_cells, estimate_text
-from jounce.recordings import read_recording
 from jounce.report.page import Block, Cell, Details, Paragraph, Picture, Section, Subsection, Table, unique_slugs
 
 if TYPE_CHECKING:
@@ -263,7 +262,7 @@ def _measured_trials(result: CampaignResult, table: StiffnessBench | None) -> li
     if table is None:
         return []
     try:
-        return read_force_deflection(files_of(table.files, result.folder, "report"), table.columns)[0]
+        return read_force_deflection(files_of(table.files, result.folder, "report"), table)[0]
     except JounceError:
         return []
 
@@ -275,7 +274,7 @@ def _decay_records(result: CampaignResult, table: DecayBench | None) -> list[tup
     found = []
     try:
         for file in files_of(table.files, result.folder, "report"):
-            recording, _ = read_recording(file, columns=table.columns or None)
+            recording, _ = table.read(file, result.folder)
             found.append((file.name, recording["time"].to_numpy(), recording[table.channel].to_numpy()))
     except (JounceError, KeyError):
         return []

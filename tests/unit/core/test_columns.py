@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +16,12 @@ def written(folder: Path, content: str | bytes) -> Path:
     file = folder / "bench.csv"
     file.write_bytes(content if isinstance(content, bytes) else content.encode())
     return file
+
+
+def ask_for_every_column(file: Path) -> None:
+    table = read_columns_csv(file)
+    for column in table:
+        table[column.name]
 
 
 @pytest.mark.parametrize("separator", [",", ";", "\t", ", "])
@@ -59,25 +66,34 @@ def test_a_trailing_separator_everywhere_is_accepted(tmp_path: Path) -> None:
         ("0,1\n1,2\n", 1, "header is missing"),
         ("x [m],z [m]\n0,1\n1,two\n", 3, "text in a number column; found 'two'"),
         ("x [m],z [m]\n0,1_000\n", 2, "text in a number column"),
-        ("x,z\nm,mm\n0,1\n", 2, "Units belong into the header"),
         ("x [m],z [m]\n0,1\n1\n", 3, "1 cells"),
         ("x [m],z [m]\n0,1\n1,2,3\n", 3, "3 cells"),
-        ("x [m],z [m]\n0,1,\n1,2,\n", 2, "ends with a comma"),
-        ("x [m],z [m],\n0,1\n", 2, "header ends with a comma"),
         ("x [m],z [m],\n0,1,\n1,2,5\n", 3, "header ends with a comma"),
         ("x [m],z [m]\n0,1\n1,\n", 3, "blank"),
         ("x [m],z [m]\n0,nan\n", 2, "not a finite number"),
         ("x [m],z [m]\n0,-inf\n", 2, "not a finite number"),
-        ("x [m];z [m]\n0;1,5\n", 2, "decimal comma; found '1,5'"),
-        ("x [m],z [m]\n0,1,1,5\n", 2, "Write 1.5, not 1,5"),
-        ("x [m],,z [m]\n0,1,2\n", 1, "column 2 has no name"),
-        ("x [m],x [mm]\n0,1\n", 1, "two columns are named 'x'"),
+        ("x [m],z [m]\n0,1,1,5\n", 2, "write 1.5, not 1,5"),
+        (
+            'x [m],z [m]\n0.5,"1,5"\n',
+            None,
+            "decimal commas and decimal points in one file; found \"'1,5' (line 2, column",
+        ),
+        ("x [m];z [m]\n0.5;1,234\n", None, "Are the points thousands separators?"),
+        ("x [m];z [m]\n0;1.234,5\n", 2, "text in a number column; found '1.234,5'"),
+        ("x [m],,z [m]\n0,1,2\n", None, "column 2 has no name"),
+        ("x [m],x [mm]\n0,1\n", None, "2 columns are named 'x'"),
+        ("x [m],x [m]\n0,1\n", None, "2 columns are named 'x'"),
+        ("x [m],two\n0,1\n1,two\n", 3, "text in a number column; found 'two'"),
+        ("x [m],two\n0,one\n1,two\n", 2, "No cell of the column is a number"),
+        ("x [m],none\n0,\n1,\n", None, "no cell of the column is filled"),
+        (f"x [m],{'y' * 2000} [m]\n0,1\n", 1, "a cell of the header is too long"),
+        (f"x [m],{'y' * 200_000} [m]\n0,1\n", None, "not a table (field larger than field limit"),
         (b"x [m]\n\0\1\2", None, "not a text file"),
     ],
 )
 def test_says_what_is_wrong_and_where(tmp_path: Path, content: str | bytes, line: int | None, says: str) -> None:
     with pytest.raises(RecordingError) as caught:
-        read_columns_csv(written(tmp_path, content))
+        ask_for_every_column(written(tmp_path, content))
     message = str(caught.value)
     assert says in message
     assert f"bench.csv, line {line}" in message if line else "bench.csv" in message
@@ -94,3 +110,67 @@ def test_missing_file_column_and_unit(tmp_path: Path) -> None:
         table["force"].in_si("N")
     with pytest.raises(DescriptionError, match=r"column 'sprung\.az \[g\]': wrong unit"):
         table["sprung.az"].in_si("m")
+
+
+@pytest.mark.parametrize(
+    ("header", "unit"),
+    [
+        ("Force [kN]", "kN"), ("Force (kN)", "kN"), ("Force / kN", "kN"), ("Force in kN", "kN"), ("Force[kN]", "kN"),
+        ("Force", ""), ("Force (L)", ""), ("Force (front)", ""), ("Force (1)", ""), ("Force / left", ""),
+        ("Force (L) [kN]", "kN"), ("Force (L) (kN)", "kN"), ("Force [L] (kN)", "kN"), ("(kN)", ""), ("Force/kN", ""),
+    ],
+)  # fmt: skip
+def test_units_of_headers_as_engineers_write_them(tmp_path: Path, header: str, unit: str) -> None:
+    table = read_columns_csv(written(tmp_path, f"t (s);{header}\n0;1\n"))
+    assert table[1].unit == unit
+    assert table[1].name == (re.sub(r"( in | / |\[|\(|)kN[\])]?$", "", header).strip() if unit else header)
+    assert table[header].values.tolist() == [1.0]  # it is found as it is written, too
+    assert table[table[1].label] is table[1]
+
+
+@pytest.mark.parametrize("units", ["s;kN;-", "[s];[kN];[-]", "(s);(kN);()", "s;kN;"])
+def test_units_in_a_line_of_their_own(tmp_path: Path, units: str) -> None:
+    table = read_columns_csv(written(tmp_path, f"time;force;count\n{units}\n0;1;5\n1;2;6\n"))
+    assert [column.unit for column in table] == ["s", "kN", ""]
+    assert table["force"].values.tolist() == [1.0, 2.0]
+    assert table.remarks == ("the units were read from the line below the names",)
+    assert table.name_row(0) == "line 3"
+
+
+@pytest.mark.parametrize("separator", [";", "\t", " ", '","'])
+def test_decimal_commas_are_read_and_said(tmp_path: Path, separator: str) -> None:
+    quote = '"' if '"' in separator else ""
+    rows = [["Zeit [s]", "Weg [mm]", "Nr"], ["0,001", "-1,5e-3", "1"], ["0,002", "7", "2"]]
+    content = "\r\n".join(quote + separator.join(row) + quote for row in rows)
+    table = read_columns_csv(written(tmp_path, content))
+    assert table.names == ("Zeit", "Weg", "Nr")
+    np.testing.assert_array_equal(table["Weg"].values, [-1.5e-3, 7.0])
+    np.testing.assert_array_equal(table["Zeit"].values, [0.001, 0.002])
+    assert table.remarks == ("decimal commas were read as decimal points",)
+
+
+def test_a_column_nobody_asks_for_may_hold_anything(tmp_path: Path) -> None:
+    rows = "0,001;ok;;21.11.2026 10:00;1;1,5\n0,002;stop;;21.11.2026 10:01;;2,5\n"
+    table = read_columns_csv(written(tmp_path, f"Zeit [s];remark;empty;date;half;force [N]\n{rows}"))
+    np.testing.assert_array_equal(table["force"].values, [1.5, 2.5])
+    assert [column.name for column in table if column.fault is not None] == ["remark", "empty", "date", "half"]
+
+
+def test_trailing_separators_anywhere_are_accepted(tmp_path: Path) -> None:
+    for content in ("x [m],z [m]\n0,1,\n1,2,\n", "x [m],z [m],\n0,1\n1,2\n", "x [m],z [m],\n0,1,\n1,2\n"):
+        table = read_columns_csv(written(tmp_path, content))
+        assert (table.names, table["z"].values.tolist()) == (("x", "z"), [1.0, 2.0])
+
+
+def test_columns_twice_are_one_where_they_agree(tmp_path: Path) -> None:
+    table = read_columns_csv(written(tmp_path, "t [s],F [N],t [s],a [g],F [N]\n0,1,0,5,2\n1,2,1,6,3\n"))
+    assert table["t"].values.tolist() == [0.0, 1.0]
+    with pytest.raises(RecordingError, match="2 columns are named 'F'"):
+        table["F"]
+
+
+def test_blanks_separate_where_nothing_else_does(tmp_path: Path) -> None:
+    for header in ("time [s] force [kN]", "time[s]   force (raw) [kN]", "time_s   force"):
+        table = read_columns_csv(written(tmp_path, f"{header}\n 0.0  1.5\n 1.0  -2.5 \n"))
+        assert table[1].values.tolist() == [1.5, -2.5]
+        assert table[0].unit == ("" if "_" in header else "s")

@@ -1,0 +1,46 @@
+"""What a measured file does not say itself, as keys of descriptions: where its columns are, its clock, its steps."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from jounce.core.description import Description
+from jounce.core.findings import Finding
+from jounce.core.types import Array
+from jounce.core.units import PositiveTime
+from jounce.recordings.files import read_columns, read_recording
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+class TableFormat(Description):
+    """Keys of files with columns: ``columns`` and ``variable`` as in `read_columns`."""
+
+    columns: dict[str, str] = {}
+    variable: str = ""
+
+    def read_columns(self, file: Path, wanted: Mapping[str, str]) -> tuple[dict[str, Array], list[Finding]]:
+        """Read the wanted columns (name to SI unit) of a file."""
+        return read_columns(file, wanted, columns=self.columns or None, variable=self.variable)
+
+
+class RecordingFormat(TableFormat):
+    """Keys of recordings: ``sample_time``, ``resample`` and ``database`` as in `read_recording`, too."""
+
+    sample_time: PositiveTime | None = None
+    resample: PositiveTime | None = None
+    database: str = ""
+
+    def read(self, file: Path, folder: Path) -> tuple[xr.Dataset, list[Finding]]:
+        """Read a recording; the database is looked for in the folder of the description."""
+        return read_recording(
+            file,
+            columns=self.columns or None,
+            sample_time=self.sample_time,
+            variable=self.variable,
+            resample=self.resample,
+            database=folder / self.database if self.database else None,
+        )

@@ -1,0 +1,238 @@
+"""Whether the numbers of a record can come from a suspension at all, and which unit was meant where they cannot."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError
+from jounce.core.findings import Finding
+from jounce.core.types import Array
+from jounce.core.units import conversion_factor
+from jounce.recordings.schema import channel_unit, place_of, quantity_of
+
+
+@dataclass(frozen=True)
+class Reach:
+    """What a quantity reaches on suspensions, from a kart's corner to a truck's, in SI.
+
+    ``most`` is beyond all of them; ``usual`` is where the same number lies on nearly all, so that the unit that would
+    bring it there is the likely one.
+    """
+
+    number: str  # of "mean", "r.m.s.", "peak", "range", "rate"
+    most: float
+    usual: tuple[float, float]
+    least: float = 0.0  # a number below it that is not 0 is suspicious
+
+
+_MOTION = (
+    Reach("range", 1.5, (2e-3, 0.5), least=1e-4),
+    Reach("rate", 30.0, (5e-3, 5.0)),  # r.m.s. of the change from sample to sample
+)
+_ACCELERATION = (Reach("mean", 30.0, (0.02, 15.0)), Reach("r.m.s.", 1000.0, (0.05, 50.0)))
+_BODY_ACCELERATION = (Reach("mean", 30.0, (0.02, 15.0)), Reach("r.m.s.", 100.0, (0.05, 20.0)))
+_VELOCITY = (Reach("r.m.s.", 30.0, (5e-3, 5.0)),)
+_FORCE = (Reach("peak", 1e6, (50.0, 1e5)),)
+_ANGLE = (Reach("peak", 1.6, (1e-3, 0.6)),)
+_MOMENT = (Reach("peak", 1e6, (1.0, 1e5)),)
+REACHES: dict[str, tuple[Reach, ...]] = {
+    **dict.fromkeys(("deflection", "displacement", "stroke", "travel"), _MOTION),
+    "z": (_MOTION[1],),  # a road may climb
+    **dict.fromkeys(("ax", "ay", "az", "acceleration"), _ACCELERATION),
+    **dict.fromkeys(("deflection_velocity", "velocity", "vz"), _VELOCITY),
+    **dict.fromkeys(("speed", "vx", "vy"), (Reach("peak", 150.0, (1.0, 80.0)),)),
+    **dict.fromkeys(("force", "load"), _FORCE),
+    **dict.fromkeys(("camber", "toe", "pitch", "roll"), _ANGLE),
+    "steer": (Reach("peak", 20.0, (1e-2, 12.0)),),
+    "phase_angle": (Reach("peak", 6.3, (0.05, 3.2)),),
+    **dict.fromkeys(("pitch_rate", "roll_rate", "yaw_rate"), (Reach("r.m.s.", 20.0, (5e-3, 3.0)),)),
+    **dict.fromkeys(("pitch_acceleration", "roll_acceleration"), (Reach("r.m.s.", 2000.0, (0.02, 50.0)),)),
+    "pressure": (Reach("peak", 2e8, (5e4, 3e7)),),
+    "frequency": (Reach("peak", 500.0, (0.1, 50.0)),),
+    "adhesion": (Reach("peak", 1.5, (0.05, 1.0)),),
+    **dict.fromkeys(("moment", "torque"), _MOMENT),
+}
+"""What no suspension exceeds, by quantity; quantities that are not here may have any magnitude."""
+
+_UNITS = {
+    "m/s^2": ("g", "cm/s^2", "mm/s^2", "mg"),
+    "m": ("m", "cm", "mm", "inch"),
+    "m/s": ("m/s", "km/h", "cm/s", "mm/s"),
+    "N": ("N", "kN", "daN", "lbf"),
+    "rad": ("deg", "mrad"),
+    "rad/s": ("deg/s",),
+    "rad/s^2": ("deg/s^2",),
+    "Hz": ("rpm",),
+    "Pa": ("Pa", "kPa", "bar", "MPa"),
+    "1": ("%",),
+    "N*m": ("N*m", "kN*m", "N*mm"),
+}
+_BODY = ("body", "sprung", "seat", "chassis")
+SLOWEST_STEP = 0.2  # s; a body bounces once a second, so fewer samples tell nothing
+MOST_POWER = 2e4  # W; what the largest dampers turn into heat for a moment
+MOST_WORK = 8e3  # J a cycle
+
+
+def implausible(
+    channels: Mapping[str, Array], step: float | None, *, where: str, written: Mapping[str, str] | None = None
+) -> list[Finding]:
+    """Look for numbers that no suspension reaches.
+
+    Parameters
+    ----------
+    channels : mapping of str to ndarray of shape (n,)
+        Signals in SI by channel name, at constant steps.
+    step : float or None
+        Time from sample to sample in s; None for columns that are no signals over time.
+    where : str
+        File named in the findings.
+    written : mapping of str to str, optional
+        Unit that the file gives for each channel; by default its SI unit.
+
+    Returns
+    -------
+    list of Finding
+        A problem for each channel beyond ``REACHES``, with the unit that was likely meant; for steps at which no
+        suspension moves; for a force that does more work over its stroke than any damper; for a velocity that is not
+        the rate of the displacement beside it. A warning for strokes below 0.1 mm and a mean of one gravity in m/s^2.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> wave = np.sin(2.0 * np.pi * 1.5 * np.arange(1000) * 0.001)
+    >>> [str(found) for found in implausible({"stroke": 12.45 * wave}, 0.001, where="a.csv")]
+    ['problem: a.csv: stroke: the range is 24.9 m, and no suspension reaches 1.5 m; is its unit mm rather than m?']
+    """
+    units = {name: (written or {}).get(name) or channel_unit(name) for name in channels}
+    found = list(_of_time(step, where)) if step is not None else []
+    for name, values in channels.items():
+        found += _of_channel(name, values, step, units[name], f"{where}: {name}" if where else name)
+    if not found and step is not None:
+        found += _of_work(channels, step, where)
+        found += _of_rates(channels, step, where)
+    return found
+
+
+def _of_time(step: float, where: str) -> Iterator[Finding]:
+    if step > SLOWEST_STEP:
+        likely = "ms" if step < 1e3 * SLOWEST_STEP else "µs"
+        text = f"the samples are {step:g} s apart, and suspensions move faster; is the unit of time {likely}?"
+        yield Finding(f"{where}: time" if where else "time", "problem", text, step)
+    elif step <= 2e-6:
+        text = f"the samples are {step:g} s apart ({1.0 / step:g} Hz); is the unit of time a larger one?"
+        yield Finding(f"{where}: time" if where else "time", "problem", text, step)
+
+
+def _number(kind: str, values: Array, step: float | None) -> float:
+    if kind == "mean":
+        return abs(float(values.mean()))
+    if kind == "r.m.s.":
+        return float(np.sqrt(np.mean(values**2)))
+    if kind == "range":
+        return float(np.ptp(values))
+    if kind == "rate" and step is not None:
+        return float(np.sqrt(np.mean(np.diff(values) ** 2))) / step
+    return float(np.abs(values).max())
+
+
+def _of_channel(name: str, values: Array, step: float | None, unit: str, at: str) -> Iterator[Finding]:
+    quantity = quantity_of(name)
+    is_body = any(part in _BODY for part in name.split("."))
+    reaches = (
+        _BODY_ACCELERATION if is_body and quantity in ("ax", "ay", "az", "acceleration") else REACHES.get(quantity)
+    )
+    if values.size < 2 or reaches is None or "road" in place_of(name).split("."):
+        return
+    si = channel_unit(name)
+    for reach in reaches:
+        if step is None and reach.number not in ("peak", "range"):
+            continue
+        number = _number(reach.number, values, step)
+        of = f"{si}/s" if reach.number == "rate" else si
+        if number > reach.most:
+            what = "it changes by" if reach.number == "rate" else f"the {reach.number} is"
+            text = f"{what} {number:.3g} {of}, and no suspension reaches {reach.most:g} {of}"
+            yield Finding(at, "problem", f"{text}; {_advice(number, reach, unit, si)}", number)
+            return
+        if 1e-2 * reach.least < number < reach.least:
+            text = f"the {reach.number} is only {number:.3g} {si}; {_advice(number, reach, unit, si)}"
+            yield Finding(at, "warning", text, number)
+            return
+    if (
+        quantity == "az"
+        and step is not None
+        and values.size * step >= 1.0
+        and abs(_number("mean", values, step) - 1.0) < 0.02
+    ):
+        text = f"the mean is {values.mean():.3g} m/s^2; is it gravity, and the unit g rather than {unit}?"
+        yield Finding(at, "warning", text, float(values.mean()))
+
+
+def _advice(number: float, reach: Reach, unit: str, si: str) -> str:
+    """Name the units in which the number would be usual."""
+    likely = []
+    try:
+        raw = number / conversion_factor(unit, si)
+        for other in _UNITS.get(si, ()):
+            factor = conversion_factor(other, si)
+            if reach.usual[0] <= raw * factor <= reach.usual[1] and not np.isclose(factor * raw, number, rtol=1e-6):
+                likely.append(other)
+    except DescriptionError:
+        return "check its unit"
+    return f"is its unit {' or '.join(likely)} rather than {unit}?" if likely else "check its unit"
+
+
+def _beside(
+    channels: Mapping[str, Array], first: tuple[str, ...], second: tuple[str, ...]
+) -> Iterator[tuple[str, str]]:
+    """Channels of the same place with quantities of the first and of the second kind."""
+    for name in channels:
+        if name.rpartition(".")[2] in first:
+            for other in channels:
+                if place_of(other) == place_of(name) and other.rpartition(".")[2] in second:
+                    yield name, other
+
+
+_STROKES = ("deflection", "displacement", "stroke", "travel")
+
+
+def _of_work(channels: Mapping[str, Array], step: float, where: str) -> Iterator[Finding]:
+    for stroke, force in _beside(channels, _STROKES, ("force",)):
+        x, f = channels[stroke], channels[force]
+        work = abs(float(np.sum(0.5 * (f[1:] + f[:-1]) * np.diff(x))))
+        x0 = x - x.mean()
+        cycles = max(1.0, 0.5 * np.count_nonzero(np.diff(np.signbit(x0))))
+        power = work / (step * (x.size - 1))
+        if work / cycles > MOST_WORK or power > MOST_POWER:
+            text = (
+                f"the force does {1e-3 * work / cycles:.3g} kJ a cycle of {stroke} ({1e-3 * power:.3g} kW), and no "
+                "damper stands that; check the units of both"
+            )
+            yield Finding(f"{where}: {force}" if where else force, "problem", text, work / cycles)
+
+
+def _of_rates(channels: Mapping[str, Array], step: float, where: str) -> Iterator[Finding]:
+    pairs = [
+        *_beside(channels, _STROKES, ("velocity", "deflection_velocity")),
+        *_beside(channels, ("z",), ("vz",)),
+        *_beside(channels, ("vz",), ("az",)),
+    ]
+    for name, rate in pairs:
+        if "road" in place_of(name).split("."):
+            continue
+        moved, turns = (
+            _without_line(v) for v in (channels[name], np.cumsum(channels[rate] - channels[rate].mean()) * step)
+        )
+        sizes = float(moved.std()), float(turns.std())
+        if min(sizes) > 0.0 and not 0.1 < sizes[1] / sizes[0] < 10.0:
+            text = f"it is {sizes[1] / sizes[0]:.3g} times the rate of {name}; check the units of both, and of time"
+            yield Finding(f"{where}: {rate}" if where else rate, "problem", text, sizes[1] / sizes[0])
+
+
+def _without_line(values: Array) -> Array:
+    place = np.linspace(-1.0, 1.0, values.size)
+    centred = values - values.mean()
+    return np.asarray(centred - place * float(place @ centred) / float(place @ place), dtype=float)
