@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
@@ -58,7 +59,7 @@ REACHES: dict[str, tuple[Reach, ...]] = {
 """What no suspension exceeds, by quantity; quantities that are not here may have any magnitude."""
 
 _UNITS = {
-    "m/s^2": ("g", "cm/s^2", "mm/s^2", "mg"),
+    "m/s^2": ("g", "mm/s^2", "mg"),
     "m": ("m", "cm", "mm", "inch"),
     "m/s": ("m/s", "km/h", "cm/s", "mm/s"),
     "N": ("N", "kN", "daN", "lbf"),
@@ -103,8 +104,8 @@ def implausible(
     --------
     >>> import numpy as np
     >>> wave = np.sin(2.0 * np.pi * 1.5 * np.arange(1000) * 0.001)
-    >>> [str(found) for found in implausible({"stroke": 12.45 * wave}, 0.001, where="a.csv")]
-    ['problem: a.csv: stroke: the range is 24.9 m, and no suspension reaches 1.5 m; is its unit mm rather than m?']
+    >>> [found.message for found in implausible({"stroke": 12.45 * wave}, 0.001, where="a.csv")]
+    ['the range is 24.9 m, and no suspension reaches 1.5 m; is its unit mm or cm rather than m?']
     """
     units = {name: (written or {}).get(name) or channel_unit(name) for name in channels}
     found = list(_of_time(step, where)) if step is not None else []
@@ -172,17 +173,19 @@ def _of_channel(name: str, values: Array, step: float | None, unit: str, at: str
 
 
 def _advice(number: float, reach: Reach, unit: str, si: str) -> str:
-    """Name the units in which the number would be usual."""
-    likely = []
+    """Name the one or two units in which the number would be the most usual."""
+    likely: list[tuple[float, str]] = []
+    middle = math.sqrt(reach.usual[0] * reach.usual[1])
     try:
         raw = number / conversion_factor(unit, si)
         for other in _UNITS.get(si, ()):
             factor = conversion_factor(other, si)
             if reach.usual[0] <= raw * factor <= reach.usual[1] and not np.isclose(factor * raw, number, rtol=1e-6):
-                likely.append(other)
+                likely.append((abs(math.log(raw * factor / middle)), other))
     except DescriptionError:
         return "check its unit"
-    return f"is its unit {' or '.join(likely)} rather than {unit}?" if likely else "check its unit"
+    names = [other for _, other in sorted(likely)[:2]]
+    return f"is its unit {' or '.join(names)} rather than {unit}?" if names else "check its unit"
 
 
 def _beside(

@@ -1,0 +1,65 @@
+"""Units as test benches write them: the spelling is forgiven, the dimension decides, nothing is read by chance."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from jounce.core.errors import DescriptionError
+from jounce.core.units import conversion_factor, is_unit, to_si
+
+G = 9.80665  # ISO 80000-3
+
+
+FOOT_POUND = 4.4482216152605 * 0.3048
+SPELLINGS = {  # units that are written between bars, and what one of them is
+    "m/s^2": [
+        ("m/s2|m/s²|m/s**2|m/s^2|m/s/s|m·s^-2|m⋅s⁻²|m.s-2|m s-2", 1.0), ("mm/s2|mm/s²|mm*s^-2", 1e-3), ("Gal", 0.01),
+        ("g|G|gn|g_n|g's|g-force", G), ("mg|milli-g|millig|milli g|mG", 1e-3 * G), ("µg", 1e-6 * G),
+    ],
+    "kg": [("mg", 1e-6), ("g", 1e-3)],
+    "N*m": [("Nm|N.m|N-m|N·m|J", 1.0), ("kNm", 1e3), ("lb-ft|ft*lb|ft-lbs", FOOT_POUND)],
+    "kg*m": [("ft*lb", 0.45359237 * 0.3048)],
+    "N*s/m": [("Ns/m|N.s/m|N s/m|N·s/m|N/(m/s)", 1.0), ("kNs/m|Ns/mm", 1e3)],
+    "N": [("kp|kgf", G), ("daN", 10.0)],
+    "Pa": [("N/mm2|MPa", 1e6), ("bar", 1e5)],
+    "kg*m^2": [("kg.m2|kg m²", 1.0)],
+    "Hz": [("rpm|U/min|1/min", 1.0 / 60.0), ("rad/s", 0.5 / math.pi), ("1/s", 1.0)],
+    "rad/s": [("rpm|U/min", math.pi / 30.0), ("°/s|deg/s", math.pi / 180.0)],
+    "rad": [("Grad|°|deg", math.pi / 180.0)],
+    "s": [("sec|Sek|s", 1.0), ("µs|us|\N{GREEK SMALL LETTER MU}s", 1e-6)],
+    "m/s": [("km/h|kph|kmh", 1.0 / 3.6)],
+    "1": [("%", 0.01), ("-", 1.0), ("mm/m", 1e-3)],
+    "N*m/rad": [("Nm/deg", 180.0 / math.pi)],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("si", "unit", "factor"),
+    [(si, unit, factor) for si, rows in SPELLINGS.items() for units, factor in rows for unit in units.split("|")],
+)
+def test_spellings_and_dimensions(si: str, unit: str, factor: float) -> None:
+    assert conversion_factor(unit, si) == pytest.approx(factor, rel=1e-12)
+    assert to_si(f"2 {unit}", si) == pytest.approx(2.0 * factor, rel=1e-12)
+
+
+NONE = {
+    "m/s^2": ["kg", "mm", "ms-2"], "N": ["kg", "lb", "Nm", "KN"], "rad/s": ["Hz"], "1": ["deg", "rad"], "kg": ["milli-g"],
+    "s": ["hh:mm:ss"],
+    "m": [
+        "MM", "-mm", "−mm", "10*mm", "mm;N", ":,1", "m\0", "m" * 100, "m^9**9**9**9", "m^(9^9)", "m**1e9", "m^999999999",
+        "((((" * 20, "m" + "²" * 60,
+    ],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("si", "unit"), [(si, unit) for si, units in NONE.items() for unit in units])
+def test_what_is_no_such_unit_is_refused(si: str, unit: str) -> None:
+    with pytest.raises(DescriptionError, match=r"^a\.csv: wrong unit; found .*; allowed: a unit that converts to"):
+        conversion_factor(unit, si, where="a.csv")
+
+
+def test_words_that_are_units() -> None:
+    assert all(is_unit(text) for text in ("N", "m/s2", "milli-g", "%", "°", "Ns/mm", "mg"))
+    assert not any(is_unit(text) for text in ("front", "1", "", ":,1", "raw 2", "m^9**9**9", "x" * 200_000))

@@ -1,0 +1,117 @@
+"""Magnitudes that no suspension reaches are a problem that names the likely unit; what suspensions do is not."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from jounce.recordings.plausibility import REACHES, implausible
+from jounce.recordings.schema import QUANTITIES, channel_unit
+
+STEP = 0.001
+TIME = np.arange(5000) * STEP
+WAVE = np.sin(2.0 * np.pi * 1.7 * TIME)
+USUAL = {  # true signals in SI
+    "stroke": 0.0125 * WAVE,
+    "sprung.az": 3.0 * WAVE,
+    "unsprung.az": 60.0 * WAVE,
+    "strut.deflection": 0.03 * WAVE,
+    "strut.deflection_velocity": 0.4 * WAVE,
+    "tyre.force": 4000.0 + 900.0 * WAVE,
+    "front_left.camber": 0.02 * WAVE,
+    "pitch_rate": 0.2 * WAVE,
+    "sprung.z": 0.02 * WAVE,
+    "speed": 20.0 + WAVE,
+    "platform.frequency": np.linspace(25.0, 0.5, 5000),
+    "damper.pressure": 3e6 + 1e5 * WAVE,
+}
+
+
+def test_usual_suspensions_have_no_findings() -> None:
+    for name, values in USUAL.items():
+        for size in (0.3, 1.0, 3.0):
+            assert implausible({name: size * values}, STEP, where="a.csv") == []
+    assert set(REACHES) <= set(QUANTITIES)
+
+
+@pytest.mark.parametrize(
+    ("name", "said", "true", "says"),
+    [
+        ("stroke", "m", "mm", "is its unit mm or cm rather than m"),
+        ("sprung.az", "m/s^2", "mm/s^2", "mm/s^2"),
+        ("sprung.az", "m/s^2", "mg", "mg"),
+        ("unsprung.az", "m/s^2", "mg", "mg"),
+        ("unsprung.az", "g", "mg", "mg"),
+        ("strut.deflection", "m", "mm", "is its unit mm rather than m"),
+        ("strut.deflection", "m", "cm", "is its unit cm"),
+        ("strut.deflection_velocity", "m/s", "mm/s", "mm/s"),
+        ("tyre.force", "kN", "N", "is its unit N or lbf rather than kN"),
+        ("front_left.camber", "rad", "deg", ""),  # 1.1 degrees taken for radians are below 1.6: not told
+        ("pitch_rate", "rad/s", "deg/s", ""),
+        ("sprung.z", "m", "mm", "is its unit mm or cm rather than m"),
+        ("speed", "m/s", "mm/s", "mm/s"),
+        ("platform.frequency", "Hz", "rpm", "is its unit rpm rather than Hz"),
+        ("damper.pressure", "MPa", "Pa", "is its unit Pa"),
+        ("stroke", "mm", "m", "is its unit m"),
+    ],
+)
+def test_the_likely_unit_is_named(name: str, said: str, true: str, says: str) -> None:
+    from jounce.core.units import conversion_factor
+
+    si = channel_unit(name)
+    wrong = USUAL[name] * conversion_factor(said, si) / conversion_factor(true, si)
+    found = implausible({name: wrong}, STEP, where="a.csv", written={name: said})
+    if not says:
+        assert found == []
+        return
+    (finding,) = found
+    assert says in finding.message
+    assert f"rather than {said}" in finding.message
+    assert finding.severity == ("problem" if abs(wrong).max() > abs(USUAL[name]).max() else "warning")
+    assert finding.place == f"a.csv: {name}"
+    assert finding.value is not None
+
+
+def test_the_numbers_of_the_wrong_records() -> None:
+    """10 000 m/s^2 mean, a stroke of 24.9 m, 12.7 kJ a cycle."""
+    (mean,) = implausible({"sprung.az": 9806.65 + 100.0 * WAVE}, STEP, where="")
+    assert mean.value == pytest.approx(9806.65, rel=1e-3)
+    assert "is its unit mm/s^2" in mean.message
+    (stroke,) = implausible({"stroke": 12.45 * WAVE}, STEP, where="")
+    assert "the range is 24.9 m" in stroke.message
+    size = 12.7e3 / (np.pi * 0.0125)  # area of the ellipse of force over stroke
+    force = size * np.cos(2.0 * np.pi * 1.7 * TIME)
+    (work,) = implausible({"displacement": 0.0125 * WAVE, "force": force}, STEP, where="")
+    assert work.value == pytest.approx(12.7e3, rel=0.1)
+    assert work.severity == "problem"
+    assert implausible({"displacement": 0.0125 * WAVE, "force": 0.02 * force}, STEP, where="") == []
+
+
+def test_a_step_of_time_at_which_no_suspension_moves() -> None:
+    for step, unit in ((1.0, "ms"), (1000.0, "µs"), (1e-6, "a larger one")):
+        (finding,) = implausible({"sprung.az": WAVE}, step, where="a.csv")
+        assert unit in finding.message
+        assert (finding.place, finding.severity) == ("a.csv: time", "problem")
+
+
+def test_velocity_and_displacement_that_contradict_each_other() -> None:
+    rate = 2.0 * np.pi * 1.7 * 0.0125 * np.cos(2.0 * np.pi * 1.7 * TIME)
+    channels = {"stroke": 0.0125 * WAVE, "velocity": rate}
+    assert implausible(channels, STEP, where="") == []
+    for factor in (0.001, 25.4, 100.0):
+        (finding,) = implausible({**channels, "velocity": factor * rate}, STEP, where="")
+        assert finding.value == pytest.approx(factor, rel=0.05)
+        assert "times the rate of stroke" in finding.message
+    noisy = np.random.default_rng(1).normal(0.0, 1e-4, TIME.size)
+    assert implausible({"stroke": 0.0125 * WAVE + noisy, "velocity": rate + 100.0 * noisy}, STEP, where="") == []
+
+
+def test_gravity_in_g_under_a_header_in_metres() -> None:
+    (finding,) = implausible({"sprung.az": 1.002 + 0.1 * WAVE}, STEP, where="", written={"sprung.az": "m/s^2"})
+    assert "is it gravity, and the unit g" in finding.message
+
+
+def test_roads_may_climb_and_columns_need_no_time() -> None:
+    assert implausible({"road.z": 300.0 * WAVE, "road.x": 1e5 * WAVE}, STEP, where="") == []
+    (finding,) = implausible({"displacement": np.linspace(0.0, 40.0, 20)}, None, where="tyre.csv")
+    assert "is its unit mm or cm rather than m" in finding.message
