@@ -79,7 +79,7 @@ def test_bad_choices(words: tuple[str, ...], message: str, cli, spring_files: li
         ("displacement [mm], force [mm]\n0, 0\n1, 22\n2, 44\n", "bench.csv: column 'force [mm]': wrong unit"),
         ("displacement [mm], force [N]\n0, 0\n1, nan\n2, 44\n", "bench.csv, line 3"),
         ("displacement [mm], force [N]\n0, 0\n1, much\n2, 44\n", "bench.csv, line 3"),
-        ("displacement [mm], force [N]\n0, 0,\n1, 22,\n2, 44,\n", "bench.csv, line 2"),
+        ("displacement [mm], force [N]\n0, 0, 5\n1, 22, 5\n2, 44, 5\n", "bench.csv, line 2"),
         ("displacement [mm], force [N]\n0; 0\n1; 22\n2; 44\n", "bench.csv, line 2"),
         ("0, 0\n1, 22\n2, 44\n", "bench.csv, line 1: the header is missing"),
         ("displacement [mm], force [N]\n1, 0\n1, 22\n1, 44\n", "the deflection never changes"),
@@ -265,3 +265,25 @@ def test_the_sign_of_a_height_cannot_be_stated(cli, decay_file: Path) -> None:
     )
     assert outcome.exit_code == 2
     assert "no stroke" in outcome.err
+
+
+def test_european_files_and_irregular_time_on_the_command_line(cli, decay_file: Path, tmp_path: Path) -> None:
+    rows = decay_file.read_text(encoding="utf-8").splitlines()
+    names = [name.strip() for name in rows[0].split(",")]
+    loose = [row for i, row in enumerate(rows[1:]) if i % 7]  # every seventh sample is missing
+    text = "\n".join([";".join(names), *(row.replace(",", ";").replace(".", ",") for row in loose)])
+    (tmp_path / "loose.csv").write_text(text, encoding="utf-8")
+    command = ("fit", "decay", "loose.csv", "--channel", "sprung.z", "--mass", "16 kg", "--json")
+    refused = cli(*command)
+    assert refused.exit_code == 2
+    assert "resample fills the gap" in refused.err
+    outcome = cli(*command, "--resample", "10 ms")
+    assert outcome.exit_code == 0
+    truth = cli("fit", "decay", decay_file, "--channel", "sprung.z", "--mass", "16 kg", "--json").json
+    for name in ("natural_frequency_hz", "damping_coefficient"):
+        assert outcome.json[name]["value"] == pytest.approx(truth[name]["value"], rel=0.02)
+    messages = " ".join(found["message"] for found in outcome.json["findings"])
+    assert "decimal commas were read as decimal points" in messages
+    assert "the largest gap in the recorded time is" in messages
+    wrong = cli(*command, "--resample", "10 mm")
+    assert (wrong.exit_code, "--resample" in wrong.err) == (2, True)
