@@ -91,6 +91,27 @@ def test_one_axle_as_json(cli, front: Path) -> None:
     assert (plain["store"], plain["protocol"]) == (None, [])
 
 
+def test_facts_of_the_command_line_count_before_those_of_the_header(cli, front: Path) -> None:
+    given = ("--date", "2026-11-22", "--place", "Kempten", "--plate", "KE-AB 1", "--inspector", "A. Meier")
+    words = ("--protocol", "car.html,pdf", "--store", "lane.sqlite", "--json")
+    plain = cli("inspect", "evaluate", front, *TESTER, *given, *words).json
+    assert plain["protocol"] == ["car.html", "car.json", "car.pdf"]
+    page = Path("car.html").read_text(encoding="utf-8")
+    for text in ("2026-11-22", "Kempten", "KE-AB 1", "A. Meier"):
+        assert f"<dd>{text}</dd>" in page
+    assert "M-ÄÖ 12" in page  # the finding tells what the header said
+    said = [one["message"] for one in plain["findings"] if one.get("code") == "overruled"]
+    assert said == [
+        "the header gives date '2026-11-21'; '2026-11-22' was told instead and is used.",
+        "the header gives plate_number 'M-ÄÖ 12'; 'KE-AB 1' was told instead and is used.",
+    ]
+    assert Path("car.pdf").read_bytes().startswith(b"%PDF")
+    (record,) = cli("inspect", "search", "--store", "lane.sqlite", "--plate", "KEAB1", "--json").json["records"]
+    assert (record["date"], record["plate"]) == ("2026-11-22", "KE-AB 1")
+    refused = cli("inspect", "evaluate", front, *TESTER, "--date", "soon")
+    assert (refused.exit_code, "not a date" in refused.err) == (2, True)
+
+
 def test_people_get_values_grades_and_reasons(cli, front: Path) -> None:
     found = cli("inspect", "evaluate", front, *TESTER)
     assert found.exit_code == 0

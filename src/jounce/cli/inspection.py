@@ -25,7 +25,7 @@ from jounce.cli.options import (
     quantity,
     warn_of,
 )
-from jounce.cli.reply import DONE, FAILED, REFUSED, Reply, progress, show_findings, show_written, table, tell
+from jounce.cli.reply import DONE, FAILED, REFUSED, Reply, cell, progress, show_findings, show_written, table, tell
 from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError, unknown
 from jounce.core.files import existing_file
 from jounce.core.text import visible
@@ -203,10 +203,14 @@ def _write_record(record: Any, file: Path, *, truth: bool, force: bool) -> None:
 def _draw_wheel(out: Console, plain: dict[str, Any], findings: Any) -> None:
     how = "steady states" if plain["steady"] else "sweep"
     uncertainty = plain["uncertainty"]
-    rows = [(text, plain[key], uncertainty.get(key), unit) for key, text, unit in _ROWS if plain.get(key) is not None]
+    rows = [
+        (text, cell(plain[key]) + (f" ± {uncertainty[key]:.2g}" if key in uncertainty else ""), unit)
+        for key, text, unit in _ROWS
+        if plain.get(key) is not None
+    ]
     title = f"{plain['rig']} on {plain['tester']}, {how}: {plain['wheel']} wheel, {plain['static_load']:.0f} N"
     out.print(title, style="bold", soft_wrap=not out.is_terminal)
-    out.print(table("", ("value", "", "±", "unit"), rows, text=(0, 3)))
+    out.print(table("", ("", "value", "unit"), rows, text=(0, 1, 2)))
     for name, band in plain["grade"].items():
         out.print(f"{name}: {band}")
     out.print(f"verdict: {plain['verdict']}")
@@ -246,18 +250,28 @@ def evaluate(
     ] = None,
     limits: Annotated[str | None, typer.Option(help="A limits file instead of the shipped limits.")] = None,
     protocol: Annotated[
-        list[Path] | None, typer.Option(help="Write a protocol (.pdf or .html), with its values as .json. Repeat it.")
+        list[Path] | None,
+        typer.Option(
+            help="Write a protocol (.pdf or .html), with its values as .json; CAR.pdf,html writes both. Repeat it."
+        ),
     ] = None,
     store: Annotated[
         str | None, typer.Option(help="Store record and result: a SQLite file (created if missing), or a database URL.")
     ] = None,
     language: Annotated[str, typer.Option(help="Language of the protocol: en or de.")] = "en",
+    date: Annotated[
+        str | None, typer.Option(help="Day of the test, e.g. 2026-11-21, where the header lacks it.")
+    ] = None,
+    place: Annotated[str | None, typer.Option(help="Where it was made.")] = None,
+    plate: Annotated[str | None, typer.Option(help="Number plate of the vehicle.")] = None,
+    inspector: Annotated[str | None, typer.Option(help="Who made it.")] = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
     """Evaluate and grade the records of one or both axles, write the protocol, and store both.
 
-    A record that cannot be graded is stored with the reasons, never graded by guess; the exit code is then 2.
+    What --date, --place, --plate and --inspector say takes the place of the header's, in the store as well. A record
+    that cannot be graded is stored with the reasons, never graded by guess; the exit code is then 2.
 
     Example: jounce inspect evaluate front.csv rear.csv --tester egea-specsus2018 --protocol car.pdf
     """
@@ -276,13 +290,15 @@ def evaluate(
     _check_methods(method)
     if language not in LANGUAGES:
         raise unknown(language, LANGUAGES, what="language", where="--language")
-    protocols = protocol or []
+    protocols = [one for given in protocol or () for one in _formats_of(given)]
     for file in protocols:
         check_protocol(file, force=force)
     if len(set(protocols)) < len(protocols):
         raise DescriptionError("the same protocol is given twice", where="--protocol")
     methods = list(dict.fromkeys(method or ())) or None
     chosen, graded_by = load_tester(tester), load_limits(limits)
+    facts = {"date": date, "place": place, "plate_number": plate, "operator": inspector}
+    given = {key: text for key, text in facts.items() if text is not None}
     task = {"tester": chosen, "vehicle": None if vehicle is None else load(vehicle), "methods": methods}
     name = "" if vehicle is None else Path(vehicle).stem
     inspected: list[InspectedRecord] = []
@@ -290,7 +306,7 @@ def evaluate(
     with nullcontext() if store is None else closing(Store(store)) as opened, progress() as say:
         for file in record:
             say(f"evaluating {file.name}")
-            inspected.append(_inspect(file, task, graded_by, name, opened, numbers))
+            inspected.append(_inspect(file, task, graded_by, {"vehicle": name, **given}, opened, numbers))
     whole = grade_vehicle([one.graded for one in inspected])
     about = {"vehicle": name, "tester": chosen.name, **facts_of(whole)}
     about["record"] = ", ".join(
@@ -320,25 +336,38 @@ def _check_methods(methods: list[str] | None) -> None:
             raise unknown(one, METHODS, what="method", where="--method")
 
 
+def _formats_of(file: Path) -> list[Path]:
+    """Files that a name with several suffixes stands for: ``car.pdf,html`` is ``car.pdf`` and ``car.html``."""
+    first, *others = file.name.split(",")
+    if not others or any(not one.isalnum() for one in others):
+        return [file]
+    return [file.with_name(first), *(file.with_name(first).with_suffix(f".{one}") for one in others)]
+
+
 def _inspect(
-    file: Path, task: dict[str, Any], limits: Limits, vehicle: str, store: Store | None, numbers: list[int]
+    file: Path, task: dict[str, Any], limits: Limits, given: dict[str, str], store: Store | None, numbers: list[int]
 ) -> InspectedRecord:
-    """Read, evaluate and grade one record and keep it; what cannot be read is kept, too, before it is refused."""
+    """Read, evaluate and grade one record and keep it; what cannot be read is kept, too, before it is refused.
+
+    ``given`` is what the command line says of the test; its vehicle counts where the header names none.
+    """
     from jounce.inspection.archive.entries import pack
     from jounce.inspection.archive.lane import entry_of, grading_of, inspect_record, refusal_of
-    from jounce.inspection.record import read_record
+    from jounce.inspection.record import read_record, with_facts
 
-    read = None
+    read, facts = None, {key: text for key, text in given.items() if key != "vehicle"}
     try:
-        read = read_record(file, task["tester"])
+        record, said = read_record(file, task["tester"])
+        record, overruled = with_facts(record, facts, where=str(file))
+        read = (record, [*said, *overruled])
         found = inspect_record(file, task["tester"], task["vehicle"], task["methods"], limits, read=read)
     except Exception as error:
         # a description that does not fit a readable record is a wrong request, no property of the record
         if store is not None and not (read is not None and isinstance(error, DescriptionError)):
-            _keep(store, entry_of(file, **task), refusal_of(error, limits))
+            _keep(store, entry_of(file, facts, **task), refusal_of(error, limits))
         raise
     if store is not None:
-        entry = replace(entry_of(file, {"vehicle": vehicle, **found.facts}, **task), signals=pack(*read))
+        entry = replace(entry_of(file, {**given, **found.facts}, **task), signals=pack(*read))
         numbers.append(_keep(store, entry, grading_of(found.graded)))
     return found
 

@@ -27,6 +27,7 @@ _CLIPPED_SHARE = 0.01
 _DROPOUT = 8e-3  # s
 _SLOWEST_SAMPLING = 200.0  # Hz
 _SHORTEST = 2.0  # s
+_SWING = 1.0  # s
 
 
 def check_finite(channels: Mapping[str, Array], time: Array) -> list[Finding]:
@@ -251,12 +252,22 @@ def check_order(order: str, moving: Mapping[str, tuple[int, int] | None]) -> lis
     return [problem("left, right", "order_contradicts", order=order, first=first)]
 
 
+def _means(values: Array, time: Array) -> Array:
+    """Means of (n,) values over at least a swing of the body, from each time (n,) in s on that has so much after it."""
+    sums = np.concatenate([[0.0], np.cumsum(values)])
+    ends = np.searchsorted(time, time + _SWING)
+    whole = np.flatnonzero(ends < time.size)
+    if whole.size == 0:
+        return np.array([values.mean()])
+    return np.asarray((sums[ends[whole]] - sums[whole]) / (ends[whole] - whole))
+
+
 def check_wandering(mean: Array, frequency: Array, load: float, wheel: str) -> list[Finding]:
     """Look for a wheel that slips: mean force (N) of turns (their frequency in Hz) that stays off the load (N)."""
     known = np.isfinite(mean) & (frequency > 6.0)
     if np.count_nonzero(known) < 12:
         return []
-    smooth = np.convolve(mean[known] / load - 1.0, np.full(6, 1.0 / 6.0), mode="valid")
+    smooth = _means(mean[known] / load - 1.0, np.cumsum(1.0 / frequency[known]))
     drift = float(smooth[int(np.argmax(np.abs(smooth)))])
     if abs(drift) < 0.05:
         return []

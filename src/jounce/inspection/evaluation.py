@@ -25,7 +25,7 @@ from jounce.inspection.signals import (
     standstill_force,
     uniform_time,
 )
-from jounce.inspection.sweep import Sweep, find_sweep
+from jounce.inspection.sweep import SWINGS, Sweep, exciter_height, find_sweep, spring_against_height
 from jounce.inspection.turn_forces import analyse, find_lift_off, fit_test, stretches_between
 
 if TYPE_CHECKING:
@@ -37,6 +37,7 @@ _MARGIN = 0.5
 _SLOWEST = 0.3
 _AS_MUCH = 0.5
 _STANDING = 0.1e-3  # m
+_EXCITER = 0.3
 
 
 @dataclass(frozen=True)
@@ -209,10 +210,12 @@ def _evaluate_wheels(
     record: xr.Dataset, sides: tuple[str, ...], facts: Mapping[str, Any], task: _Task
 ) -> list[WheelResult]:
     signals = {side: signals_of(record, side, task.tester) for side in sides}
-    least = (0.15 if task.rigid else 0.05) * (task.tester.stroke if task.tester is not None else 6e-3)
-    heights = {side: one.height for side, one in signals.items()}
+    stroke = task.tester.stroke if task.tester is not None else 6e-3
+    heights, share = {side: one.height for side, one in signals.items()}, 0.15 if task.rigid else 0.05
+    if not task.rigid and any(spring_against_height(one, task.tester) < -SWINGS for one in signals.values()):
+        heights, share = {side: exciter_height(one, task.tester) for side, one in signals.items()}, _EXCITER
     beside = {side: next((heights[name] for name in sides if name != side), None) for side in sides}
-    moving = {side: _moving(one, least, beside[side]) for side, one in signals.items()}
+    moving = {side: _moving(one, heights[side], share * stroke, beside[side]) for side, one in signals.items()}
     measured = {}
     for side, one in signals.items():
         span, other = moving[side], next((moving[name] for name in sides if name != side), None)
@@ -229,9 +232,9 @@ def _evaluate_wheels(
     return results
 
 
-def _moving(signals: WheelSignals, least: float, other: Array | None) -> tuple[int, int] | None:
-    if signals.height is not None:
-        return moving_part(signals.height, signals.sample_rate, least, other)
+def _moving(signals: WheelSignals, height: Array | None, least: float, other: Array | None) -> tuple[int, int] | None:
+    if height is not None:
+        return moving_part(height, signals.sample_rate, least, other)
     if signals.tacho is None:
         return None
     turning = np.flatnonzero(signals.tacho > _SLOWEST)
@@ -267,11 +270,18 @@ def _evaluate_wheel(
     margin = round(_MARGIN * signals.sample_rate)
     cut = signals.part(max(span[0] - margin, 0), min(span[1] + margin, raw.size))
     sweep, about = find_sweep(cut, tester, rigid=task.rigid)
-    findings += about
+    findings += [problem(f"{wheel}.{HEIGHT}", "upside_down")] if _swings_upside_down(cut, tester) else about
     if _is_unfit(findings) or sweep is None:
         return _unfit(wheel, findings, load)
     result = _on_rigid_plate if task.rigid else _on_sprung_plate
     return result(cut, sweep, load, findings, task)
+
+
+def _swings_upside_down(signals: WheelSignals, tester: Tester | None) -> bool:
+    """Whether a plate that swings more than its exciter is pushed away by its spring, and not back."""
+    if signals.height is None or tester is None or tester.plate_spring_rate is None:
+        return False
+    return float(np.ptp(signals.height)) > tester.stroke and spring_against_height(signals, tester) > SWINGS
 
 
 def _is_unfit(findings: list[Finding]) -> bool:
@@ -293,7 +303,8 @@ def _on_rigid_plate(
         findings += checks.check_rigid(strokes, sweep.turns.frequency, f"{wheel}.{HEIGHT}")
     analysis, about = analyse(signals, sweep, load)
     findings += about
-    steady = np.where(analysis.lifted, np.nan, analysis.measured[:, 5])
+    swing = np.nan_to_num(analysis.modelled[:, 5] - load)  # a body that is not damped swings for long
+    steady = np.where(analysis.lifted, np.nan, analysis.measured[:, 5] - swing)
     findings += checks.check_wandering(steady, analysis.frequency, load, wheel)
     if _is_unfit(findings):
         return _unfit(wheel, findings, load)
@@ -326,7 +337,9 @@ def _on_sprung_plate(
     lifted = find_lift_off(signals.force, load, rate)
     model = np.full(height.size, np.nan)
     highest = max(sweep.highest, tester.programme.start_frequency, tester.programme.end_frequency)
-    fit, about = fit_test(signals, stretches_between(lifted, 0, height.size, rate), load, 1.2 * highest, model)
+    parts = stretches_between(lifted, 0, height.size, rate)
+    upright = spring_against_height(signals, tester) < -SWINGS
+    fit, about = fit_test(signals, parts, load, 1.2 * highest, model, upright=upright)
     findings += about
     if _is_unfit(findings):
         return _unfit(wheel, findings, load)

@@ -28,6 +28,10 @@ SENTENCES: dict[str, Sentence] = {
         "{date!r} is not a date such as 2026-11-21: the record cannot be placed in the vehicle's history.",
         "{date!r} ist kein Datum wie 2026-11-21: Die Messung lässt sich nicht in den Verlauf des Fahrzeugs einordnen.",
     ),
+    "overruled": Sentence(
+        "the header gives {key} {header!r}; {given!r} was told instead and is used.",
+        "Der Kopf nennt {key} {header!r}; angegeben und verwendet wurde {given!r}.",
+    ),
     "line_left_out": Sentence(
         "the header line {line!r} was ignored: it is not 'key = value' with text in quotes",
         "Die Kopfzeile {line!r} wurde übergangen: Sie hat nicht die Form 'name = wert' mit Text in Anführungszeichen.",

@@ -28,9 +28,11 @@ class Difference:
     first: float  # of one wheel, in the unit of the quantity
     second: float  # of the other
     absolute: float  # |first - second|, same unit
-    relative: float | None  # |first - second| / max(first, second) (1); None where the greater value is not above 0
+    # |first - second| / max(first, second) (1), values below 0 taken as 0; None where the greater one is not above 0
+    relative: float | None
     uncertainty: float | None  # half width of the 95 % interval of the absolute difference, same unit
     smaller: str  # which wheel has the smaller value; empty for equal values
+    relative_uncertainty: float | None = None  # half width of the 95 % interval of the relative difference (1)
     place: str = ""  # side of the car, for front and rear
     bands: dict[str, Band] = field(default_factory=dict)  # by name of the limit
 
@@ -41,6 +43,7 @@ class Difference:
             "absolute": self.absolute,
             "relative": self.relative,
             "uncertainty": self.uncertainty,
+            "relative_uncertainty": self.relative_uncertainty,
             "smaller": self.smaller,
             "grade": grade,
         }
@@ -63,9 +66,15 @@ def difference_of(
         return None
     halves = [one.uncertainty.get(quantity) for one in (first, second)]
     half = math.hypot(*halves) if None not in halves else None  # type: ignore[arg-type]
-    gap, greatest = abs(a - b), max(a, b)
+    gap, greatest, least = abs(a - b), max(a, b), max(min(a, b), 0.0)
     smaller = "" if a == b else places[0] if a < b else places[1]
-    return Difference(quantity, a, b, gap, gap / greatest if greatest > 0.0 else None, half, smaller, place)
+    if greatest <= 0.0:
+        return Difference(quantity, a, b, gap, None, half, smaller, place=place)
+    relative = None
+    if None not in halves:
+        of_least, of_greatest = halves if a < b else halves[::-1]
+        relative = math.hypot(of_least, of_greatest * least / greatest) / greatest  # type: ignore[arg-type, operator]
+    return Difference(quantity, a, b, gap, 1.0 - least / greatest, half, smaller, relative, place)
 
 
 def grade_differences(
@@ -73,7 +82,8 @@ def grade_differences(
 ) -> tuple[tuple[Difference, ...], list[Reason]]:
     """Find the bands of differences across ``"wheels"`` or ``"axles"``, and the reasons of the limits that count.
 
-    ``used`` are the methods that decide; limits that belong to none of them only name their band.
+    ``used`` are the methods that decide; limits that belong to none of them only name their band. A difference is in
+    the band that its 95 % interval begins in: wheels are called unequal only where that is beyond doubt.
     """
     graded = {one.quantity: one for one in differences}
     reasons: list[Reason] = []
@@ -81,20 +91,24 @@ def grade_differences(
         one = graded.get(criterion.quantity)
         if criterion.across != across or one is None:
             continue
-        value = one.absolute if criterion.definition == "absolute" else one.relative
-        band = None if value is None else criterion.band_of(value)
+        absolute = criterion.definition == "absolute"
+        value = one.absolute if absolute else one.relative
+        half = one.uncertainty if absolute else one.relative_uncertainty
+        band = sure = None if value is None else criterion.band_of(value)
+        if value is not None and half is not None:
+            sure = criterion.band_of(max(value - half, 0.0))
         counts = criterion.verified and bool(set(criterion.methods) & set(used))
-        if band is None:
+        if band is None or sure is None:
             if counts:
                 reasons.append(Reason("no_difference", "", {"quantity": criterion.quantity}))
             continue
-        graded[criterion.quantity] = replace(one, bands={**one.bands, name: band})
+        graded[criterion.quantity] = replace(one, bands={**one.bands, name: sure})
         if counts:
             values = {
-                "criterion": criterion, "value": value, "band": band, "verdict": band.verdict,
+                "criterion": criterion, "value": value, "half": half, "band": sure, "verdict": sure.verdict,
                 "across": across, "definition": criterion.definition,
             }  # fmt: skip
-            reasons.append(Reason("difference", band.verdict, values))
+            reasons.append(Reason("difference" if sure is band else "may_be", sure.verdict, values))
     return tuple(graded.values()), sorted(reasons, key=lambda one: {"fail": 0, "advise": 1}.get(one.verdict, 2))
 
 
@@ -364,6 +378,9 @@ def _grade_wheel(
     firm = {method: band for method, band in bands.items() if limits.methods[method].verified}
     used = deciding if deciding is not None else tuple(firm)
     conditions = [one for one in _conditions(wheel, limits, used) if bands]
+    failed = () if any(m in firm for m in used) else tuple(m for m, band in firm.items() if band.verdict == "fail")
+    if failed and bands:
+        conditions.append(Reason("counts", "fail", {"methods": failed}))
     verdict = worst([*(firm[m].verdict if m in firm else NOT_GRADED for m in used), *_verdicts(conditions)])
     order = sorted(reasons, key=lambda m: (m not in used, -_severity(bands.get(m))))
     listed = [reason for method in order for reason in reasons[method]] + conditions
@@ -391,7 +408,7 @@ def _by_method(wheel: WheelResult, method: str, limits: Limits) -> tuple[Band | 
         return None, [Reason("missing", NOT_GRADED, about)]
     half = wheel.uncertainty.get(criterion.quantity)
     about |= {"value": value, "half": half}
-    band = criterion.band_of(value)
+    band = criterion.band_of(value) or _lowest_band(criterion, value, half)
     if band is None:
         return None, [Reason("outside", NOT_GRADED, about)]
     if not criterion.verified:
@@ -400,6 +417,12 @@ def _by_method(wheel: WheelResult, method: str, limits: Limits) -> tuple[Band | 
     if band.note == "over_range":
         reasons.append(Reason("over_range", "", {**about, "limit": band.start}))
     return band, reasons + near_edges(criterion, value, half, method)
+
+
+def _lowest_band(criterion: Criterion, value: float, half: float | None) -> Band | None:
+    """Lowest band for a value below it whose 95 % interval (half width in the same unit) reaches into it."""
+    lowest = criterion.bands[0]
+    return lowest if half is not None and value < lowest.start <= value + half else None
 
 
 def near_edges(criterion: Criterion, value: float, half: float | None, method: str) -> list[Reason]:

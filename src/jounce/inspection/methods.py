@@ -22,7 +22,15 @@ from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.inspection.findings import SENTENCES, remark, warning
 from jounce.inspection.quantities import Quantity, Sentence
-from jounce.inspection.quarter_car import Corner, ResponseFit, force_response, rig_poles, road_poles, wheel_damping
+from jounce.inspection.quarter_car import (
+    Corner,
+    ResponseFit,
+    body_damping,
+    force_response,
+    rig_poles,
+    road_poles,
+    wheel_damping,
+)
 from jounce.inspection.signals import Turns, WheelSignals, band_of, limits_of
 from jounce.inspection.sweep import Sweep
 from jounce.inspection.turn_forces import UNDERFLOW, Analysis, corrected_curve
@@ -170,7 +178,8 @@ def phase_angles(analysis: Analysis, rows: Array) -> Array:
 def find_phase_minimum(analysis: Analysis, band: tuple[float, float]) -> tuple[PhaseMinimum | None, Array]:
     """Find the least phase angle within a band (Hz, ends included), and the angles of the turns (n,) in degrees.
 
-    There is no least one where the turns do not cover the band.
+    In the band and a little beside it the angles are those of the curve whose least value is given; elsewhere those of
+    the single turns. There is no least one where the turns do not cover the band.
     """
     measured = phase_angles(analysis, analysis.measured)
     frequency = analysis.turn_frequency
@@ -185,18 +194,19 @@ def find_phase_minimum(analysis: Analysis, band: tuple[float, float]) -> tuple[P
     steady = inside & ~analysis.lifted
     curve = corrected_curve(frequency[steady], measured[steady], modelled[steady], spread[steady], _PHASE_LENGTH)
     hops = frequency[inside & analysis.lifted]
-    if hops.size and analysis.fit is not None:
-        curve = curve.with_turns(hops, np.degrees(phase_angle(force_response(analysis.fit.corner, hops))))
-    found = curve.least(*band)
+    unknown = frequency[inside & (analysis.lifted | ~np.isfinite(measured)) & np.isfinite(frequency)]
+    if unknown.size and analysis.fit is not None:
+        curve = curve.with_turns(unknown, np.degrees(phase_angle(force_response(analysis.fit.corner, unknown))))
+    found, angles = curve.least(*band), curve.at(frequency, measured)
     if found is None:
-        return None, measured
+        return None, angles
     at, angle, error = found
     fit = analysis.fit
     if fit is not None:
         error = math.hypot(error, math.degrees(fit.spread_at(at, phase_angle)))
     half = NORMAL_95 * error if math.isfinite(error) else None
     hopping = bool(hops.size) and float(np.min(np.abs(hops - at))) < _END
-    return PhaseMinimum(angle, at, half, min(at - band[0], band[1] - at) < _END, hopping), measured
+    return PhaseMinimum(angle, at, half, min(at - band[0], band[1] - at) < _END, hopping), angles
 
 
 @dataclass(frozen=True)
@@ -344,6 +354,10 @@ def theta_by_fit(fit: ResponseFit, tester: Tester | None) -> Theta:
     return Theta(on_rig(fit.corner), road, NORMAL_95 * fit.spread(on_rig), half)
 
 
+def _of_body(corner: Corner) -> float:
+    return body_damping(road_poles(corner))
+
+
 def half_power(frequency: Array, amplitude: Array) -> float | None:
     """Damping ratio (1) from the width of a resonance at 0.707 of its height: (f2 - f1) / (2 f_r).
 
@@ -433,6 +447,10 @@ def _even_turns(turns: NDArray[np.intp], away: Array) -> NDArray[np.intp]:
 
 
 _THETA_SENTENCES = {
+    "undamped": Sentence(
+        "no damping can be told from none at all: the wheel swings on; is there a damper, and oil in it?",
+        "Es ist keine Dämpfung nachweisbar, das Rad schwingt nach: Ist ein Dämpfer da, und ist Öl darin?",
+    ),
     "overdamped": Sentence(
         "the wheel does not oscillate, its damping ratio is 1 or more: is the damper stuck, or the suspension locked?",
         "Das Rad schwingt nicht, sein Dämpfungsgrad ist 1 oder mehr: Sitzt der Dämpfer fest, oder ist die Federung "
@@ -454,6 +472,10 @@ def _theta(test: WheelTest) -> Found:
         theta = theta_by_fit(test.fit, test.tester)
         found.values = {"theta_rig": theta.rig, "theta_road": theta.road, "theta_methods": {"fit": theta.rig}}
         found.half_widths = {"theta_rig": theta.rig_half_width, "theta_road": theta.road_half_width}
+        found.values["body_damping_ratio"] = _of_body(test.fit.corner)
+        found.half_widths["body_damping_ratio"] = NORMAL_95 * test.fit.spread(_of_body)
+        if theta.road <= theta.road_half_width:
+            found.findings.append(warning(f"{wheel}.theta", "undamped", theta.road))
         if theta.road >= 1.0:
             found.findings.append(warning(f"{wheel}.theta", "overdamped", theta.road))
     height, strokes, tester = test.signals.height, test.strokes, test.tester
@@ -550,6 +572,10 @@ METHODS: dict[str, Method] = {
                 ),
                 Quantity(
                     "theta_rig", "1", "", 1.0, 3, "damping ratio on the tester", "Dämpfungsgrad, Prüfstand"
+                ),
+                Quantity(
+                    "body_damping_ratio", "1", "", 1.0, 3,
+                    "damping ratio of the body on this wheel", "Dämpfungsgrad, Aufbau über dem Rad",
                 ),
             ),
             _theta,

@@ -31,6 +31,16 @@ _SENTENCES = {
         "difference {across} of {quantity} {value}, {definition}, is {label} ({range}): {verdict}.{limits}",
         "Unterschied {across}, {quantity}: {value}, {definition}, {label} ({range}), {verdict}.{limits}",
     ),
+    "may_be": Sentence(
+        "difference {across} of {quantity} {value}, {definition}, may be {label} within its uncertainty ({range}): "
+        "{verdict}.{limits}",
+        "Unterschied {across}, {quantity}: {value}, {definition}, kann im Rahmen der Unsicherheit {label} sein "
+        "({range}), {verdict}.{limits}",
+    ),
+    "counts": Sentence(
+        "what decides has no verified limits; that the wheel fails by {methods} counts all the same.",
+        "Was entscheidet, hat keine belegten Grenzwerte; dass das Rad nach {methods} nicht besteht, zählt trotzdem.",
+    ),
     "over_range": Sentence(
         "{quantity} {value} is above the optimal band, which ends at {limit}; the source says nothing about such "
         "values.",

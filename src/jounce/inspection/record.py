@@ -25,7 +25,18 @@ SIDES = ("left", "right")
 FORCE, HEIGHT, TACHO = "plate.force", "plate.z", "plate.frequency"
 NUMBERS = {"static_load": "N", "plate_mass": "kg", "tyre_pressure": "Pa"}
 """What a header says about each wheel (``left.static_load``), with its SI unit."""
-TEXTS = ("axle", "wheel_order", "tester", "vehicle", "plate_number", "date", "place", "operator", "comment")
+TEXTS = (
+    "axle",
+    "wheel_order",
+    "tester",
+    "vehicle",
+    "plate_number",
+    "date",
+    "place",
+    "operator",
+    "comment",
+    "simulated",
+)
 """What it says about the whole record."""
 _ORDERS = {"left, right", "right, left", "left", "right", "together"}
 _TABLE_SUFFIXES = {".csv", ".txt", ".tsv"}
@@ -210,6 +221,29 @@ def _column_error(error: RecordingError) -> RecordingError:
         return error
     hint = 'Tell its name in the tester file, [columns]: time = "Zeit [s]", "left.plate.z" = "s_left [mm]", ...'
     return RecordingError(error.what, where=error.where, found=error.found, allowed=error.allowed, hint=hint)
+
+
+def is_simulated(facts: Mapping[str, Any]) -> bool:
+    """Tell whether a record says of itself that it was simulated, in its header or in the comment of older ones."""
+    return bool(facts.get("simulated")) or str(facts.get("comment", "")).startswith("simulated, seed")
+
+
+def with_facts(
+    record: xr.Dataset, given: Mapping[str, str], *, where: str = "record"
+) -> tuple[xr.Dataset, list[Finding]]:
+    """Put what is known of a test, e.g. its ``date`` or ``plate_number``, in place of what its header says.
+
+    Gives the record, and a warning for each text of the header that another one takes the place of. Raises
+    DescriptionError for a date that is none.
+    """
+    if "date" in given and not _is_day(given["date"]):
+        raise DescriptionError("not a date", where="date", found=given["date"], allowed="e.g. 2026-11-21")
+    findings: list[Finding] = [
+        remark(where, "warning", "overruled", key=key, header=str(record.attrs[key]), given=text)
+        for key, text in given.items()
+        if str(record.attrs.get(key) or text) != text
+    ]
+    return record.assign_attrs(given), findings
 
 
 def wheels_of(record: xr.Dataset, *, where: str = "record") -> tuple[str, ...]:

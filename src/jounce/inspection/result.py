@@ -36,7 +36,8 @@ class WheelCurves:
     least_force, greatest_force : ndarray, shape (n,)
         Of the tyre in that turn, after the filter of the turn, N.
     phase_deg : ndarray, shape (n,)
-        Phase angle by EGEA in degrees; NaN outside the band.
+        Phase angle by EGEA in degrees: in the band and beside it the curve that the least one is taken from, elsewhere
+        that of the single turn; NaN where it is not known.
     plate_amplitude : ndarray, shape (n,)
         Half the plate's stroke in that turn, m.
     """

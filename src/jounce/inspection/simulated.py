@@ -13,6 +13,7 @@ from jounce.inspection.evaluation import evaluate
 from jounce.inspection.findings import warning
 from jounce.inspection.grading import GradedInspection, grade
 from jounce.inspection.methods import METHODS, methods_on, rigidity_findings
+from jounce.inspection.quarter_car import body_damping
 from jounce.inspection.result import Inspection, WheelResult
 from jounce.parts import QuarterCar, Rig
 from jounce.parts.elements import LinearDamper
@@ -22,11 +23,12 @@ from jounce.testers.periodic import steady_sweep
 from jounce.testers.plate_response import (
     closed_form_adhesion,
     least_phase_angle,
+    linear_rig_on_tester,
     steady_response,
     wheel_mode,
 )
 from jounce.testers.plates import RIGIDITY_FREQUENCY, tyre_rigidity
-from jounce.testers.rig import check_rig
+from jounce.testers.rig import check_rig, rig_on_tester
 from jounce.testers.testing import findings_of_test, simulate_test
 
 if TYPE_CHECKING:
@@ -245,7 +247,9 @@ def _steady_wheel(rig: Rig, tester: Tester, wheel: str, road: float | None, on_r
         findings += rigidity_findings(values["tyre_rigidity"], tester, f"{wheel}.tyre_rigidity")
     uncertainty = dict.fromkeys((key for key, value in values.items() if isinstance(value, float)), 0.0)
     uncertainty |= {key: _RESOLUTION for key in uncertainty if key.endswith("_hz")}
-    return WheelResult(wheel, static_load=load, uncertainty=uncertainty, findings=tuple(findings), **values)
+    poles = np.linalg.eigvals(linear_rig_on_tester(rig_on_tester(rig, tester, blocked=True)).A).astype(complex)
+    more = {"body_damping_ratio": body_damping(poles)}
+    return WheelResult(wheel, static_load=load, uncertainty=uncertainty, findings=tuple(findings), more=more, **values)
 
 
 def _is_linear(rig: Rig) -> bool:

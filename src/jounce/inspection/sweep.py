@@ -11,7 +11,15 @@ from numpy.typing import NDArray
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.inspection.findings import problem, warning
-from jounce.inspection.signals import FEWEST_TURNS, Turns, WheelSignals, band_of, find_turns, limits_of
+from jounce.inspection.signals import (
+    FEWEST_TURNS,
+    Turns,
+    WheelSignals,
+    band_of,
+    find_turns,
+    limits_of,
+    plate_acceleration,
+)
 
 if TYPE_CHECKING:
     from jounce.parts.testers import Tester
@@ -21,6 +29,9 @@ _WAIT, _SLOW_TIME = 1.0, 0.25  # s
 _PASSES = 2
 _RESONANCE, _BELOW_RESONANCE, _LASTING = 7.0, 5.0, 5  # Hz, Hz, turns
 _QUIET_SHARE = 0.12
+SWINGS = 0.5
+"""Correlation of a plate's spring force with its height, beyond which the plate swings on its spring."""
+_FORCE_TIME = 0.011  # s
 
 
 @dataclass(frozen=True)
@@ -56,8 +67,11 @@ def find_sweep(signals: WheelSignals, tester: Tester | None, *, rigid: bool) -> 
         return None, [problem(place, "few_turns", fewest=FEWEST_TURNS)]
     low, high = band_of(tester)
     if not rigid:
-        found = _whole_sweep(turns)
-        return found, _sprung_findings(turns.frequency, found.highest, place)
+        exciter = exciter_height(signals, tester)
+        driven = None if exciter is None else find_turns(signals.time, exciter, 0.0, 0.5 * tester.stroke)  # type: ignore[union-attr]
+        whole = _whole_sweep(driven or turns)
+        swings = spring_against_height(signals, tester) < -SWINGS
+        return whole if swings else _whole_sweep(turns), _sprung_findings(whole, place)
     frequency = turns.frequency
     top = float(np.percentile(frequency, 95.0))
     lowest = float(frequency.min())
@@ -82,8 +96,9 @@ def find_sweep(signals: WheelSignals, tester: Tester | None, *, rigid: bool) -> 
     return sweep, _sweep_findings(sweep, tester, place)
 
 
-def _sprung_findings(frequency: Array, top: float, place: str) -> list[Finding]:
+def _sprung_findings(sweep: Sweep, place: str) -> list[Finding]:
     """What is wrong with the sweep of a sprung plate: it must pass the wheel's resonance, once."""
+    frequency, top = sweep.turns.frequency, sweep.highest
     middle = np.median(np.lib.stride_tricks.sliding_window_view(np.pad(frequency, 2, mode="edge"), 5), axis=1)
     low = min(_BELOW_RESONANCE, 0.4 * top)
     falls, rises = (_falls(_lasting(one, 0.75 * top, low), 0.75 * top, low) for one in (middle, middle[::-1]))
@@ -134,6 +149,41 @@ def turns_of(signals: WheelSignals, tester: Tester | None = None) -> Turns | Non
     steps = 0.5 * (signals.tacho[1:] + signals.tacho[:-1]) * np.diff(signals.time)
     angle = 2.0 * np.pi * np.concatenate([[0.0], np.cumsum(steps)])
     return find_turns(signals.time, np.sin(angle), 0.0, 1.0)
+
+
+def spring_against_height(signals: WheelSignals, tester: Tester | None) -> float:
+    """Correlation (-1 to 1) of the force of a plate's spring with the plate's height.
+
+    Near -1 the plate swings on its spring, whatever the exciter does; near 1 the height is upside down, since a spring
+    pushes back. 0 where nothing moves.
+    """
+    if signals.height is None or tester is None:
+        return 0.0
+    height, force = signals.height - signals.height.mean(), _spring_force(signals, tester)
+    size = float(np.linalg.norm(height) * np.linalg.norm(force))
+    return float(height @ force) / size if size > 0.0 else 0.0
+
+
+def _spring_force(signals: WheelSignals, tester: Tester) -> Array:
+    """Force (n,) in N of the spring on a plate about its mean: what pushes the tyre up and the plate itself."""
+    mass = signals.plate_mass or tester.plate_mass
+    height = np.zeros_like(signals.force) if signals.height is None else signals.height
+    force = signals.force + mass * plate_acceleration(height, signals.sample_rate)
+    return np.asarray(force - force.mean())
+
+
+def exciter_height(signals: WheelSignals, tester: Tester | None) -> Array | None:
+    """Height (n,) in m of the exciter under a sprung plate: the plate's and what the spring between them takes.
+
+    Without a damper the wheel swings on at its own frequency, whatever the exciter does, and the plate with it. None
+    where the spring or the plate's height is not known.
+    """
+    if signals.height is None or tester is None or tester.plate_spring_rate is None:
+        return None
+    half = max(round(0.5 * _FORCE_TIME * signals.sample_rate), 1)
+    padded = np.pad(_spring_force(signals, tester), half, mode="edge")
+    smooth = np.convolve(padded, np.full(2 * half + 1, 1.0 / (2 * half + 1)), mode="valid")
+    return np.asarray(signals.height - signals.height.mean() + smooth / tester.plate_spring_rate)
 
 
 def _slow_part(height: Array, sample_rate: float) -> Array:

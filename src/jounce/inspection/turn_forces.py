@@ -19,7 +19,7 @@ from jounce.core.errors import FitError
 from jounce.core.findings import Finding
 from jounce.core.types import Array, Complex
 from jounce.inspection.findings import problem, warning
-from jounce.inspection.quarter_car import ResponseFit, Stretch, fit_response, predicted_force, stretch_of
+from jounce.inspection.quarter_car import TYRES, ResponseFit, Stretch, fit_response, predicted_force, stretch_of
 from jounce.inspection.signals import WheelSignals, plate_acceleration
 from jounce.inspection.sweep import Sweep
 from jounce.kernel.call import kept, part
@@ -216,6 +216,15 @@ class FrequencyCurve:
         unknown = np.concatenate([self.error, np.zeros(frequency.size)])
         return FrequencyCurve(both[order], np.concatenate([self.value, value])[order], unknown[order])
 
+    def at(self, frequency: Array, otherwise: Array) -> Array:
+        """Give the curve at frequencies (Hz), and ``otherwise`` where it does not reach to; unit of the quantity."""
+        from scipy.interpolate import CubicSpline
+
+        if self.frequency.size < _FEWEST:
+            return otherwise
+        inside = (frequency >= self.frequency[0]) & (frequency <= self.frequency[-1])
+        return np.where(inside, CubicSpline(self.frequency, self.value)(frequency), otherwise)
+
     def lowest(self) -> tuple[float, float, float]:
         """Frequency (Hz), value and error of the turn with the least value."""
         at = int(np.argmin(self.value))
@@ -306,7 +315,6 @@ _AFTER_LIFT_OFF = 0.06
 _SHORTEST_STRETCH = 0.8
 _WINDOW = (-0.12, 0.63)
 _WHOLE_TURN = (-0.1, 1.1)
-_TYRES = (5e4, 1.2e6)
 
 
 @dataclass(frozen=True)
@@ -382,11 +390,18 @@ def _turns_hit(flags: NDArray[np.bool_], top: Array, frequency: Array, rate: flo
 
 
 def fit_test(
-    signals: WheelSignals, parts: list[tuple[int, int]], load: float, highest: float, model: Array
+    signals: WheelSignals,
+    parts: list[tuple[int, int]],
+    load: float,
+    highest: float,
+    model: Array,
+    *,
+    upright: bool = False,
 ) -> tuple[ResponseFit | None, list[Finding]]:
     """Fit a quarter car to parts (samples from, up to) of a test with heights, and write its force into ``model`` (N).
 
-    Static load in N, highest frequency in Hz. None where nothing resembles a quarter car; findings say what is wrong.
+    Static load in N, highest frequency in Hz; ``upright`` where the sign of the height is known to be right. None where
+    nothing resembles a quarter car; findings say what is wrong.
     """
     height, place = signals.height, f"{signals.wheel}.plate.force"
     if height is None:
@@ -399,9 +414,9 @@ def fit_test(
         fit = fit_response(stretches, load, where=place)
     except FitError as error:
         return None, [warning(place, "not_fitted", text=error.what)]
-    strange = not _TYRES[0] < fit.corner.tyre_stiffness < _TYRES[1]
+    strange = not TYRES[0] < fit.corner.tyre_stiffness < TYRES[1]
     doubtful = strange or fit.explained < 0.9
-    if doubtful and _upside_down(signals, parts, load, high) > 0.5 * (1.0 + fit.explained):
+    if doubtful and not upright and _upside_down(signals, parts, load, high) > 0.5 * (1.0 + fit.explained):
         return None, [problem(f"{signals.wheel}.plate.z", "upside_down", fit.explained)]
     if strange or fit.explained < 0.3:
         stiffness = fit.corner.tyre_stiffness

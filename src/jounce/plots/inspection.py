@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from jounce.inspection.archive.history import WheelVisit
     from jounce.inspection.equivalence import Equivalence, Factor
-    from jounce.inspection.result import Inspection, WheelCurves, WheelResult
+    from jounce.inspection.result import Inspection, WheelResult
 
 
 _LOOKS = {"left": (PALETTE[0], "-"), "right": (PALETTE[1], (0, (4, 1.5)))}
@@ -124,7 +124,7 @@ def _over_frequency(axes: Axes, wheels: list[WheelResult], kind: str, words: dic
             values = np.where(
                 turns_of_sweep(wheel.curves.frequency, wheel.curves.time), 1e3 * wheel.curves.plate_amplitude, np.nan
             )
-        _curve(axes, wheel.curves, values, wheel.wheel, words)
+        _curve(axes, wheel.curves.frequency, values, wheel.wheel, words)
     axes.set_ylim(bottom=0.0)
     axes.set(title=words[kind], xlabel=words["frequency"])
     axes.legend(loc="best", labelspacing=0.2)
@@ -136,11 +136,13 @@ def _phase(axes: Axes, wheels: list[WheelResult], words: dict[str, str], limit: 
         curves = wheel.curves
         if curves is None:
             continue
-        shown = np.where((curves.phase_deg > -90.0) & (curves.phase_deg < 270.0), curves.phase_deg, np.nan)
-        _curve(axes, curves, shown, wheel.wheel, words)
+        frequency, angle = curves.frequency, curves.phase_deg
         if wheel.phase_angle_min_deg is not None and wheel.phase_frequency_hz is not None:
-            colour = _LOOKS[wheel.wheel][0]
-            axes.plot(wheel.phase_frequency_hz, wheel.phase_angle_min_deg, "o", color=colour, markersize=4.0)
+            least = wheel.phase_frequency_hz, wheel.phase_angle_min_deg
+            axes.plot(*least, "o", color=_LOOKS[wheel.wheel][0], markersize=4.0)
+            frequency, angle = np.append(frequency, least[0]), np.append(angle, least[1])  # it lies between turns
+        shown = np.where((angle > -90.0) & (angle < 270.0), angle, np.nan)
+        _curve(axes, frequency, shown, wheel.wheel, words)
     if limit is not None:
         axes.axhline(limit, color=MUTED, linewidth=0.9, linestyle=(0, (2, 2)))
         place = {"xy": (1.0, limit), "xycoords": ("axes fraction", "data"), "textcoords": "offset points"}
@@ -150,11 +152,11 @@ def _phase(axes: Axes, wheels: list[WheelResult], words: dict[str, str], limit: 
     axes.set(title=words["phase"], xlabel=words["frequency"])
 
 
-def _curve(axes: Axes, curves: WheelCurves, values: Array, side: str, words: dict[str, str]) -> None:
+def _curve(axes: Axes, frequency: Array, values: Array, side: str, words: dict[str, str]) -> None:
     colour, line = _LOOKS[side]
-    known = np.isfinite(values) & np.isfinite(curves.frequency)
-    order = np.argsort(curves.frequency[known], kind="stable")
-    x, y = curves.frequency[known][order], values[known][order]
+    known = np.isfinite(values) & np.isfinite(frequency)
+    order = np.argsort(frequency[known], kind="stable")
+    x, y = frequency[known][order], values[known][order]
     axes.plot(x, y, color=colour, linestyle=line, linewidth=1.2, label=words[side])
 
 

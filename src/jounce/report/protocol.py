@@ -7,20 +7,21 @@ import json
 import re
 import tomllib
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from functools import cache
 from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import unknown
-from jounce.core.serialise import check_writable, to_json, to_plain, write_atomically
+from jounce.core.serialise import Formats, check_writable, to_json, to_plain, write_atomically
 from jounce.inspection.findings import sentence_of
 from jounce.inspection.grading import Difference, GradedInspection, VehicleGrade, WheelGrade, grade_vehicle
 from jounce.inspection.limits import Band, Criterion, Limits
 from jounce.inspection.methods import METHODS, QUANTITIES, method_names
 from jounce.inspection.quantities import LANGUAGES, Language, Quantity
 from jounce.inspection.reasons import Reason, verdict_words
-from jounce.inspection.record import day_of
+from jounce.inspection.record import day_of, is_simulated
 from jounce.inspection.result import NOT_GRADED, WheelResult
 from jounce.plots import rendered
 from jounce.plots.inspection import inspection_curves
@@ -31,7 +32,6 @@ if TYPE_CHECKING:
 
 
 SCHEMA = "jounce.protocol/1"
-SUFFIXES = (".pdf", ".html")
 _MOST = 24  # reasons and remarks
 _COUNTING = 8.0  # dots per inch suffice to count pages
 _LONGEST_WORD, _PIECE = 24, 12
@@ -90,18 +90,38 @@ def write_protocol(
     file = check_protocol(path, force=force)
     vehicle = graded if isinstance(graded, VehicleGrade) else grade_vehicle([graded])
     said = {**facts_of(vehicle), **(about or {})}
-    make = protocol_pdf if file.suffix.lower() == ".pdf" else protocol_html
-    page = make(vehicle, records=records, language=language, about=said)
+    PROTOCOLS.write(_Page(vehicle, records, _language(language), said), file, force=force)
     data = to_json(protocol_data(vehicle, said))
-    beside = file.with_suffix(".json")
-    return [write_atomically(file, page, force=force), write_atomically(beside, f"{data}\n", force=True)]
+    return [file, write_atomically(file.with_suffix(".json"), f"{data}\n", force=True)]
 
 
 def check_protocol(path: Path | str, *, force: bool = False) -> Path:
     """Refuse, before the work, a protocol or the JSON file beside it that could not be written; give its path."""
-    file = check_writable(path, what="protocols", suffixes=SUFFIXES, force=force)
+    file = PROTOCOLS.check(path, force=force)
     check_writable(file.with_suffix(".json"), force=force)
     return file
+
+
+@dataclass(frozen=True)
+class _Page:
+    """What a protocol is made of, as `write_protocol` takes it."""
+
+    vehicle: VehicleGrade
+    records: Mapping[str, xr.Dataset] | None
+    language: Language
+    about: Mapping[str, str]
+
+
+def _write_pdf(page: _Page, file: Path) -> None:
+    file.write_bytes(protocol_pdf(page.vehicle, records=page.records, language=page.language, about=page.about))
+
+
+def _write_html(page: _Page, file: Path) -> None:
+    text = protocol_html(page.vehicle, records=page.records, language=page.language, about=page.about)
+    file.write_bytes(text.encode())
+
+
+PROTOCOLS = Formats("protocols", {".pdf": _write_pdf, ".html": _write_html})
 
 
 def facts_of(vehicle: VehicleGrade) -> dict[str, str]:
@@ -270,7 +290,7 @@ SAID = (*HEAD, "comment")
 """What the head of the page takes from the header of a record."""
 _SIDES = ("left", "right")
 _LONGEST_TEXT, _LONGEST_HEAD = 160, 64
-_EXPLAINING = {"disagree", "mass", "tyre", "rigidity", "lifted", "limits_differ", "one_wheel"}
+_EXPLAINING = {"disagree", "mass", "tyre", "rigidity", "lifted", "limits_differ", "one_wheel", "may_be", "counts"}
 _ORDER = {"fail": 0, NOT_GRADED: 1, "advise": 2}
 
 Plain = dict[str, Any]
@@ -300,6 +320,7 @@ def protocol_content(
         "language": language,
         "words": dict(words),
         "title": words["title"],
+        "simulated": any(is_simulated(one.inspection.facts) for one in vehicle.axles),
         "head": [{"label": words[name], "text": _head_text(name, about, language)} for name in HEAD],
         "date": about.get("date", ""),
         "comment": {"label": words["comment"], "text": _head_text("comment", about, language)},
@@ -415,9 +436,10 @@ def _value_cell(graded: GradedInspection, wheel: WheelResult | None, quantity: Q
     band, criterion = _band_of(graded.limits, grade, quantity.name, value)
     edges = criterion.edges() if criterion is not None else ()
     text = quantity.text(value, language, apart_from=edges)
-    if quantity.name == "phase_angle_min_deg" and value is not None and wheel.phase_frequency_hz is not None:
-        text += f" {words_in(language)['at']} {_number(wheel.phase_frequency_hz, 1, language)} Hz"
     shown = "" if half is None or value is None else f"± {quantity.rounded_up(half, language)}"
+    if quantity.name == "phase_angle_min_deg" and value is not None and wheel.phase_frequency_hz is not None:
+        place = f"{words_in(language)['at']} {_number(wheel.phase_frequency_hz, 1, language)} Hz"
+        shown = f"{shown} {place}".strip()
     if quantity.name == "adhesion" and wheel.lift_off and value is not None:
         shown = ", ".join(filter(None, (shown, words_in(language)["lift_off"])))
     if band is None:
@@ -450,9 +472,11 @@ def _condition(limits: Limits, name: str) -> Criterion | None:
 def _gap_cell(found: Difference | None, quantity: Quantity, language: Language, limits: Limits | None = None) -> Plain:
     if found is None:
         return _cell("–")
-    text = quantity.text(found.absolute, language)
-    if quantity.unit == "%":
-        text = text.replace("%", "pp" if language == "en" else "%-P.")
+    text = quantity.text(found.absolute, language, with_unit=False)
+    if found.uncertainty is not None:
+        text += f" ± {quantity.rounded_up(found.uncertainty, language, with_unit=False)}"
+    unit = ("pp" if language == "en" else "%-P.") if quantity.unit == "%" else quantity.unit
+    text = f"{text}{unit}" if unit == "°" else f"{text} {unit}".strip()
     if found.relative is not None:
         text += f" · {_number(100.0 * found.relative, 1, language)} %"
     name, band = next(iter(found.bands.items()), ("", None))
@@ -579,11 +603,12 @@ def _front_rear(vehicle: VehicleGrade, language: Language) -> list[Plain]:
 def _sources(vehicle: VehicleGrade, limits: Limits, language: Language) -> list[str]:
     """Where the limits that were used are from, one line for each method."""
     used = [m for m in limits.methods if any(m in one.bands for a in vehicle.axles for one in a.grades)]
-    lines = []
+    lines, said = [], set[str]()
     for method in used:
         others = [*limits.conditions.values(), *limits.differences.values()]
         using = [limits.methods[method], *(one for one in others if method in one.methods)]
-        texts = [one.cited(language) for one in using]
+        texts = [text for one in using if (text := one.cited(language)) not in said]
+        said |= {text for text in texts if text.startswith("jounce")}
         lines.append(f"{METHODS[method].name}: {shortened('; '.join(dict.fromkeys(texts)), 300)}.")
     return lines
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
+from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -97,7 +98,7 @@ def simulate_test(
     xarray.Dataset
         ``<wheel>.plate.z`` (m, up, zero at rest) and ``<wheel>.plate.force`` (N, compression positive) on ``time``
         (s). Attributes: ``<wheel>.static_load`` (N), ``<wheel>.plate_mass`` (kg), ``tester``, ``axle``,
-        ``wheel_order``, and what is said ``about`` it.
+        ``wheel_order``, ``simulated`` (protocols say so across the page), and what is said ``about`` it.
 
     Raises
     ------
@@ -129,6 +130,7 @@ def simulate_test(
         "tester": tester.name,
         "wheel_order": order if len(sides) == 1 or other == "still" else "together",
         "comment": f"simulated, seed {seed}",
+        "simulated": f"jounce {metadata.version('jounce')}, seed {seed}",
         **facts,
     }
     for side, place in sides.items():

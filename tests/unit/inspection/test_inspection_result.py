@@ -44,6 +44,7 @@ def test_keys(inspection):
     assert wheel["verdict"] == "not graded"
     assert (wheel["grade"], wheel["reasons"], wheel["findings"], wheel["lift_off"]) == ({}, [], [], False)
     values = {"adhesion", "phase_angle_min_deg", "relative_force_amplitude", "tyre_rigidity", "theta_rig", "theta_road"}
+    values.add("body_damping_ratio")
     assert set(wheel["uncertainty"]) == values
     assert all(0.0 <= wheel["uncertainty"][key] < 0.01 * wheel[key] for key in values)
     assert wheel["adhesion"] + wheel["relative_force_amplitude"] == pytest.approx(1.0)

@@ -115,8 +115,9 @@ def test_both_wheels_of_both_axles_with_value_uncertainty_band_and_verdict(worn:
     left, right, difference, passes = row["cells"]
     assert row["decides"] is True
     steady = steady_state(Corner(330.0, 36.0, 22e3, 1300.0, 210e3))
-    assert left["text"] == f"{steady.phase_angle_min_deg:.1f}° at {steady.phase_frequency_hz:.1f} Hz"
-    assert (left["half"], left["band"], left["tone"]) == ("± 0.4°", "sufficient", "green")  # rounded up
+    assert left["text"] == f"{steady.phase_angle_min_deg:.1f}°"
+    assert left["half"] == f"± 0.4° at {steady.phase_frequency_hz:.1f} Hz"  # behind its value, rounded up
+    assert (left["band"], left["tone"]) == ("sufficient", "green")
     assert (right["band"], right["tone"]) == ("too small", "red")
     assert difference["band"] == "too large"
     assert passes["text"] == "from 35°"
@@ -134,6 +135,21 @@ def test_german_words_and_commas(worn: VehicleGrade) -> None:
     assert row["cells"][0]["half"] == "± 0,3 %"
     assert content["reasons"][0]["place"] == "Vorn rechts"
     assert content["head"][2] == {"label": "Datum", "text": "21.11.2026"}
+
+
+@pytest.mark.parametrize(
+    ("language", "words"), [("en", "Simulated, not measured"), ("de", "Simuliert, nicht gemessen")]
+)
+def test_simulated_records_say_so_across_the_page(worn: VehicleGrade, language, words) -> None:
+    assert 'class="across"' not in protocol_html(worn, language=language, about=FACTS)
+    (axle, *others) = worn.axles
+    facts = {**axle.inspection.facts, "simulated": "jounce, seed 0"}
+    simulated = replace(worn, axles=(replace(axle, inspection=replace(axle.inspection, facts=facts)), *others))
+    page = protocol_html(simulated, language=language, about=FACTS)
+    assert f'<p class="across" aria-hidden="true">{words}</p>' in page
+    assert protocol_content(simulated, FACTS)["simulated"]
+    assert len(protocol_png(simulated, language=language, about=FACTS)) == 1
+    assert protocol_png(simulated, language=language)[0] != protocol_png(worn, language=language)[0]
 
 
 def test_both_languages_have_the_same_words() -> None:

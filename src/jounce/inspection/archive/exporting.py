@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 import csv
-import io
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.optional import require
-from jounce.core.serialise import check_writable, replacing, write_atomically
+from jounce.core.serialise import Formats
 from jounce.inspection.methods import METHODS, QUANTITIES
 
 if TYPE_CHECKING:
     from jounce.inspection.archive.entries import StoredRecord
 
 Row = dict[str, Any]
-SUFFIXES = (".csv", ".parquet")
 VALUES = {
     "static_load": "N", "adhesion": "1", "adhesion_frequency_hz": "Hz", "phase_angle_min_deg": "deg",
     "phase_frequency_hz": "Hz", "relative_force_amplitude": "1", "tyre_rigidity": "N/m", "theta_rig": "1",
@@ -59,7 +57,7 @@ def _of_wheel(wheel: Mapping[str, Any]) -> Row:
 
 def check_export(path: Path | str, *, force: bool = False) -> Path:
     """Refuse an export that could not be written, before any work is done."""
-    file = check_writable(path, what="tables", suffixes=SUFFIXES, force=force)
+    file = TABLES.check(path, force=force)
     if file.suffix.lower() == ".parquet":
         require("pyarrow", "lane")
     return file
@@ -77,20 +75,14 @@ def export(rows: Sequence[Row], path: Path | str, *, force: bool = False) -> Pat
     >>> file.read_text().splitlines()[1].split(",")[:11]
     ['1', '', '', '', '', '', '', '', 'left', '', '']
     """
-    file = check_export(path, force=force)
-    if file.suffix.lower() == ".csv":
-        return write_atomically(file, _csv_text(rows), force=force)
-    with replacing(file) as temporary:
-        _write_parquet(rows, temporary)
-    return file
+    return TABLES.write(rows, check_export(path, force=force), force=force)
 
 
-def _csv_text(rows: Sequence[Row]) -> str:
-    text = io.StringIO()
-    writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(rows)
-    return text.getvalue()
+def _write_csv(rows: Sequence[Row], file: Path) -> None:
+    with file.open("w", encoding="utf-8", newline="") as text:
+        writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
 
 
 def _write_parquet(rows: Sequence[Row], file: Path) -> None:
@@ -101,3 +93,6 @@ def _write_parquet(rows: Sequence[Row], file: Path) -> None:
     about = {name: {"unit": unit} for name, unit in units.items()}
     schema = arrow.schema([arrow.field(name, kinds[name], metadata=about.get(name)) for name in COLUMNS])
     parquet.write_table(arrow.Table.from_pylist([{**dict.fromkeys(COLUMNS), **row} for row in rows], schema), file)
+
+
+TABLES = Formats("tables", {".csv": _write_csv, ".parquet": _write_parquet})
