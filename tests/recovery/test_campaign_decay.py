@@ -36,3 +36,40 @@ def test_damping_of_the_strut_is_recovered(tmp_path, name, support):
     assert not found.failed
     assert knowledge.rig.parameters()["strut.damper.coefficient"] == pytest.approx(150.0, rel=0.02)
     assert np.isfinite(found.decay.stiffness.value)
+
+
+@pytest.mark.parametrize("method", ["viscous-and-coulomb", "logarithmic-decrement"])
+def test_the_way_to_damping_is_chosen(tmp_path, method):
+    """A strut with dry friction: the decrement takes it for viscous damping; both ways are kept beside each other."""
+    friction = {"guide.friction": {"force": 8.0, "regularisation_velocity": 1e-4}}
+    truth = KART.with_changes({"tyre.lift_off": False, "unsprung.mass": 0.05, **friction})
+    trial = jn.Trial(road=jn.Flat(), speed="1 m/s", duration="1.5 s")
+    run = jn.simulate(truth, trial, offset={"sprung.z": -12e-3}, tolerance=1e-8)
+    write_recording(run[["sprung.z"]], tmp_path / "decay.csv")
+    bench = Bench(decay={"files": ["decay.csv"], "method": method})
+    found, knowledge = characterise(truth, bench, tmp_path)
+    assert not found.failed
+    both = {choice.method: choice for choice in found.damping_choices}
+    assert both["viscous-and-coulomb"].at_strut.value == pytest.approx(150.0, rel=0.05)
+    assert both["logarithmic-decrement"].at_strut.value > 1.2 * 150.0
+    used = both[method]
+    assert used.is_used
+    assert knowledge.rig.parameters()["strut.damper.coefficient"] == used.at_strut.value
+    assert found.replaced[0].measured == used.at_strut.value
+    naive = both["logarithmic-decrement"].damping_ratio.value
+    assert naive == pytest.approx(
+        found.decay.logarithmic_decrement.value / np.hypot(2 * np.pi, found.decay.logarithmic_decrement.value)
+    )
+
+
+@pytest.mark.parametrize(("window", "works"), [({"from": "0.1 s", "to": "0.9 s"}, True), ({"from": "1.49 s"}, False)])
+def test_a_time_window_of_a_campaign(tmp_path, window, works):
+    trial = jn.Trial(road=jn.Flat(), speed="1 m/s", duration="1.5 s")
+    truth = KART.with_changes({"tyre.lift_off": False, "unsprung.mass": 0.05})
+    run = jn.simulate(truth, trial, offset={"sprung.z": -1e-3}, tolerance=1e-8)
+    write_recording(run[["sprung.z"]], tmp_path / "decay.csv")
+    found, _ = characterise(truth, Bench(decay={"files": ["decay.csv"], **window}), tmp_path)
+    assert bool(found.failed) != works
+    if works:
+        assert found.decays[0].window[0] >= 0.1
+        assert found.decays[0].window[1] <= 0.9

@@ -16,7 +16,8 @@ from jounce.core.errors import JounceError, RecordingError
 from jounce.core.findings import Finding
 from jounce.core.units import to_si
 from jounce.design.lumping import lump
-from jounce.identify.decay import CombinedDecay, DecayResult, combine_decays, fit_decay
+from jounce.identify.decay import CombinedDecay, DecayResult, combine_decays, fit_decay, ratio_from_decrement
+from jounce.identify.estimate import Estimate
 from jounce.identify.force_deflection import ForceDeflectionTrial
 from jounce.identify.signs import ForcePositive, StrokePositive, check_stroke, compression_positive
 from jounce.identify.stiffness import PressureStiffness, StiffnessResult, fit_stiffness, stiffness_against_pressure
@@ -107,6 +108,20 @@ class Replaced:
     source: str
 
 
+@dataclass(frozen=True)
+class DampingChoice:
+    """What one way to read the decays means: damping ratio (1), coefficient at the sprung mass and the strut (N s/m).
+
+    ``at_strut`` is None where the rig's damper is no plain coefficient; ``is_used`` tells the way the campaign chose.
+    """
+
+    method: str
+    damping_ratio: Estimate
+    seen: Estimate
+    at_strut: Estimate | None
+    is_used: bool
+
+
 @dataclass
 class Characterisation:
     """What the bench says: results of each table, and which rig values they replaced."""
@@ -117,6 +132,7 @@ class Characterisation:
     pressure: PressureStiffness | None = None
     decay: DecayResult | CombinedDecay | None = None
     decays: tuple[DecayResult, ...] = ()
+    damping_choices: tuple[DampingChoice, ...] = ()
     replaced: list[Replaced] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
     failed: list[str] = field(default_factory=list)
@@ -335,26 +351,68 @@ def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, fol
                 mass=seen_at.sprung_mass,
                 stiffness=stiffness,
                 quantity=_quantity(table.channel),
+                begin=table.from_,
+                end=table.to,
+                quadratic_drag=table.quadratic_drag,
                 name=file.name,
             )
         )
     found.decays = tuple(results)
     found.decay = combine_decays(results) if len(results) > 1 else results[0]
     found.findings += [Finding(f"bench.decay: {f.place}", f.severity, f.message, f.value) for f in found.decay.findings]
-    if "strut.damper.coefficient" not in values:
+    has_coefficient = "strut.damper.coefficient" in values
+    factor = 1.0 / (seen_at.lever * share**2)
+    found.damping_choices = _damping_choices(
+        found.decay, seen_at.sprung_mass, factor if has_coefficient else None, table.method
+    )
+    if not has_coefficient:
         text = "the rig's damper is no plain coefficient; the decay is reported and does not replace it"
         found.findings.append(Finding("bench.decay", "note", text))
         return knowledge
-    factor = 1.0 / (seen_at.lever * share**2)
-    seen = found.decay.damping_coefficient
-    error = None if seen.standard_error is None else seen.standard_error * factor
+    at_strut = next(choice.at_strut for choice in found.damping_choices if choice.is_used)
+    assert at_strut is not None
+    if not math.isfinite(at_strut.value):
+        raise RecordingError("the decays have too few swings for a logarithmic decrement", where="bench.decay.method")
     found.replaced.append(
         Replaced(
-            "strut.damper.coefficient", values["strut.damper.coefficient"], seen.value * factor, error, "bench.decay"
+            "strut.damper.coefficient",
+            values["strut.damper.coefficient"],
+            at_strut.value,
+            at_strut.standard_error,
+            "bench.decay",
         )
     )
-    changed = rig.with_changes({"strut.damper.coefficient": max(seen.value * factor, 0.0)})
+    changed = rig.with_changes({"strut.damper.coefficient": max(at_strut.value, 0.0)})
     return Knowledge(changed, knowledge.tyres, knowledge.between)
+
+
+def _damping_choices(
+    decay: DecayResult | CombinedDecay, mass: float, factor: float | None, method: str
+) -> tuple[DampingChoice, ...]:
+    """Both ways to read the decays; ``factor`` refers a coefficient of the sprung mass to the strut."""
+    decrement = decay.logarithmic_decrement
+    ratio = ratio_from_decrement(decrement.value) if math.isfinite(decrement.value) else math.inf
+    slope = (2.0 * math.pi) ** 2 / ((2.0 * math.pi) ** 2 + decrement.value**2) ** 1.5
+    critical = 4.0 * math.pi * decay.natural_frequency_hz.value * mass
+    naive = _scaled(Estimate(decrement.value, decrement.standard_error, decrement.interval), slope, ratio)
+    ways = {
+        "viscous-and-coulomb": (decay.damping_ratio, decay.damping_coefficient),
+        "logarithmic-decrement": (naive, _scaled(naive, critical, ratio * critical)),
+    }
+    return tuple(
+        DampingChoice(
+            name, one, seen, None if factor is None else _scaled(seen, factor, seen.value * factor), name == method
+        )
+        for name, (one, seen) in ways.items()
+    )
+
+
+def _scaled(one: Estimate, factor: float, value: float) -> Estimate:
+    """Estimate of a quantity whose derivative by another estimate is ``factor`` and whose value is ``value``."""
+    if one.standard_error is None or one.interval is None or not math.isfinite(value):
+        return Estimate(value)
+    low, high = (value + factor * (end - one.value) for end in one.interval)
+    return Estimate(value, factor * one.standard_error, (low, high))
 
 
 def _quantity(channel: str) -> Literal["displacement", "velocity", "acceleration"]:

@@ -15,6 +15,7 @@ from jounce.recordings.formats import RecordingFormat, TableFormat
 
 Angle = Annotated[float, Unit("rad")]
 Pressure = Annotated[float, Unit("Pa", above=0.0)]
+PlainTime = Annotated[float, Unit("s")]
 NonNegativeNumber = Annotated[float, Unit("1", at_least=0.0)]
 
 
@@ -32,11 +33,19 @@ class StiffnessBench(TableFormat):
 
 
 class DecayBench(RecordingFormat):
-    """Free decays of the sprung mass. ``support``: the wheel stands on its tyre, or the hub is blocked."""
+    """Free decays of the sprung mass. ``support``: the wheel stands on its tyre, or the hub is blocked.
+
+    ``method`` decides what becomes the damper's coefficient: the viscous part beside dry friction, or the logarithmic
+    decrement of the paper, which takes all losses for viscous.
+    """
 
     files: tuple[str, ...] = Field(min_length=1)
     channel: str = "sprung.z"
     support: Literal["tyre", "blocked"] = "tyre"
+    from_: PlainTime | None = Field(default=None, alias="from")
+    to: PlainTime | None = None
+    quadratic_drag: Literal["auto", "yes", "no"] = "auto"
+    method: Literal["viscous-and-coulomb", "logarithmic-decrement"] = "viscous-and-coulomb"
     stroke_positive: StrokePositive | None = None
 
 

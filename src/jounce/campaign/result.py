@@ -219,6 +219,7 @@ class CampaignResult:
                     "tyre": {name: _stiffness(result) for name, result in bench.tyre.items()},
                     "pressure": bench.pressure,
                     "decay": _decay(bench.decay),
+                    "damping_choices": bench.damping_choices,
                     "replaced": bench.replaced,
                 }
             ),
@@ -253,7 +254,14 @@ def _stiffness(result: Any) -> Any:
 def _decay(result: Any) -> Any:
     if result is None:
         return None
-    keys = ("damping_ratio", "damping_coefficient", "coulomb_force", "natural_frequency_hz", "equilibrium")
+    keys = (
+        "damping_ratio",
+        "damping_coefficient",
+        "coulomb_force",
+        "quadratic_drag",
+        "natural_frequency_hz",
+        "equilibrium",
+    )
     return {key: to_plain(getattr(result, key)) for key in keys if hasattr(result, key)}
 
 

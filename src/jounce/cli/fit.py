@@ -44,6 +44,7 @@ _DECAY_ESTIMATES = (
     ("damping_ratio", "1"),
     ("damping_coefficient", "N*s/m"),
     ("coulomb_force", "N"),
+    ("quadratic_drag", "N*s^2/m^2"),
     ("natural_frequency_hz", "Hz"),
     ("equilibrium", "m"),
     ("stiffness", "N/m"),
@@ -115,6 +116,12 @@ def decay(
     stiffness_: Annotated[
         str | None, typer.Option("--stiffness", help="Known stiffness, compared with that from mass and frequency.")
     ] = None,
+    begin: Annotated[str | None, typer.Option("--from", help='Leave out what is before, e.g. "1.2 s".')] = None,
+    end: Annotated[str | None, typer.Option("--to", help="Leave out what is after.")] = None,
+    drag: Annotated[
+        str,
+        typer.Option("--quadratic-drag", metavar="auto|yes|no", help="Fit it, too; auto: where the record shows it."),
+    ] = "auto",
     stroke_positive: StrokeSign = None,
     columns_: Columns = None,
     variable: Variable = "",
@@ -123,7 +130,7 @@ def decay(
     database: Database = None,
     as_json: AsJson = False,
 ) -> Reply:
-    """Separate viscous damping and dry friction in a free decay.
+    """Separate viscous damping, dry friction and quadratic drag in a free decay.
 
     Damping does not depend on the sign of the record; the equilibrium of a deflection is positive in compression.
 
@@ -138,6 +145,7 @@ def decay(
     moving = positive_quantity(mass, "kg", "--mass")
     known = optional_positive(stiffness_, "N/m", "--stiffness")
     told = reading(columns_, sample_time, variable, resample, database)
+    window = optional_quantity(begin, "s", "--from"), optional_quantity(end, "s", "--to")
     results: list[DecayResult] = []
     notes: list[Finding] = []
     for file in files(measured, "FILE"):
@@ -152,6 +160,9 @@ def decay(
                 mass=moving,
                 stiffness=known,
                 quantity=kind,  # type: ignore[arg-type]
+                begin=window[0],
+                end=window[1],
+                quadratic_drag=drag,  # type: ignore[arg-type]
                 name=file.name,
             )
         )
@@ -227,7 +238,12 @@ def _draw_stiffness(out: Console, result: StiffnessResult, findings: tuple[Findi
 
 
 def _draw_decay(out: Console, result: DecayResult | CombinedDecay, findings: tuple[Finding, ...]) -> None:
-    rows = [(name.replace("_hz", "").replace("_", " "), getattr(result, name), unit) for name, unit in _DECAY_ESTIMATES]
+    named = {name: getattr(result, name) for name, _ in _DECAY_ESTIMATES}
+    rows = [
+        (name.replace("_hz", "").replace("_", " "), named[name], unit)
+        for name, unit in _DECAY_ESTIMATES
+        if name != "quadratic_drag" or named[name] is not None
+    ]
     rows.append(("logarithmic decrement (friction neglected)", result.logarithmic_decrement, "1"))
     runs = getattr(result, "runs", 1)
     title = "Free decay" if runs == 1 else f"{runs} free decays combined"

@@ -1,4 +1,4 @@
-"""Damping from free decays: logarithmic decrement, and viscous damping told apart from dry friction."""
+"""Damping from free decays: logarithmic decrement, and viscous damping told apart from dry friction and drag."""
 
 from __future__ import annotations
 
@@ -13,12 +13,14 @@ from numpy.typing import ArrayLike, NDArray
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, Severity
 from jounce.core.types import Array
+from jounce.core.units import to_si
 from jounce.identify.estimate import (
     Estimate,
     Uncertainty,
     at_least_zero,
     central_differences,
     combine,
+    correlation_time,
     linear_least_squares,
     r_squared,
     uncertainty,
@@ -29,13 +31,15 @@ from jounce.identify.estimate import (
 
 Quantity = Literal["displacement", "velocity", "acceleration"]
 QUANTITIES: tuple[Quantity, ...] = ("displacement", "velocity", "acceleration")
+Drag = Literal["auto", "yes", "no"]
+DRAG_CHOICES: tuple[Drag, ...] = ("auto", "yes", "no")
 
 _MOST_HALF_CYCLES = 5000
 
 
 @dataclass(frozen=True)
 class DecayParameters:
-    """What a free decay of m x'' + c x' + F_c sign(x') + k (x - x_eq) = 0 depends on.
+    """What a free decay of m x'' + c x' + F_c sign(x') + d x' |x'| + k (x - x_eq) = 0 depends on.
 
     Attributes
     ----------
@@ -51,6 +55,8 @@ class DecayParameters:
         Time of the turning point from which the decay is counted [s]; it may lie before the record.
     release_deflection : float
         Displacement from equilibrium at that turning point [m], signed.
+    quadratic_drag : float
+        d / m [1/m]: what a force that grows with the square of the velocity takes; 0 where there is none.
     """
 
     angular_frequency: float
@@ -59,6 +65,7 @@ class DecayParameters:
     offset: float
     release_time: float
     release_deflection: float
+    quadratic_drag: float = 0.0
 
     @property
     def half_cycle_ratio(self) -> float:
@@ -67,7 +74,7 @@ class DecayParameters:
 
 
 def turning_points(parameters: DecayParameters, count: int) -> Array:
-    """Displacement from equilibrium at successive turning points (m, signed), the release first.
+    """Displacement from equilibrium at successive turning points (m, signed), the release first; without drag.
 
     It ends where the mass sticks, or after ``count`` half cycles.
 
@@ -102,6 +109,8 @@ def decay_response(time: Array, parameters: DecayParameters, quantity: Quantity)
     Before ``release_time`` the mass is held at the release; once it sticks, it stays where it is.
     """
     omega, ratio = parameters.angular_frequency, parameters.damping_ratio
+    if parameters.quadratic_drag != 0.0:
+        return _drag_response(time, parameters, quantity)
     root = math.sqrt(1.0 - ratio * ratio)
     damped = omega * root
     since = time - parameters.release_time
@@ -125,6 +134,16 @@ def decay_response(time: Array, parameters: DecayParameters, quantity: Quantity)
     return response
 
 
+def _drag_response(time: Array, parameters: DecayParameters, quantity: Quantity) -> Array:
+    from jounce.identify.decay_path import drag_path
+
+    since = np.ascontiguousarray(time - parameters.release_time)
+    names = ("angular_frequency", "damping_ratio", "friction_deflection", "quadratic_drag", "release_deflection")
+    path = drag_path(since, *(float(getattr(parameters, name)) for name in names))
+    response: Array = path[QUANTITIES.index(quantity)] + parameters.offset
+    return response
+
+
 # turning points -------------------------------------------------------------------------------------------------------
 
 
@@ -142,6 +161,9 @@ class Peaks:
         """Time from one turning point to the next [s]; the release is not one of them."""
         gaps = np.diff(self.time)[1:]
         return float(np.average(gaps, weights=np.abs(np.diff(self.value))[1:]))
+
+
+_SUDDEN, _FEWEST = 2.0, 20
 
 
 def noise_of(signal: Array) -> float:
@@ -203,6 +225,19 @@ def find_peaks(time: Array, signal: Array, noise: float) -> Peaks:
         refined.append((refined[1][0] + half, float(np.median(signal[-max(5, len(signal) // 4) :]))))
     moments, values = np.array(refined).T
     return Peaks(moments, values)
+
+
+def until_it_grows(peaks: Peaks, noise: float) -> Peaks:
+    """Leave out what follows a second hit: swings that are suddenly much larger than the two before.
+
+    >>> until_it_grows(Peaks(np.arange(8.0), np.array([9.0, -8, 7, -6, 5, -4, 20, -18.0])), 0.0).value.tolist()
+    [9.0, -8.0, 7.0, -6.0, 5.0, -4.0]
+    """
+    swing = np.abs(np.diff(peaks.value))
+    for i in range(2, len(swing)):
+        if swing[i] > _SUDDEN * max(swing[i - 2 : i]) and swing[i] > 0.1 * swing[0] + 10.0 * noise:
+            return Peaks(peaks.time[: i + 1], peaks.value[: i + 1])
+    return peaks
 
 
 def _half_period(time: Array, turns: list[int]) -> float:
@@ -349,12 +384,13 @@ def _starts(peaks: Peaks, quantity: Quantity) -> list[Array]:
     return starts
 
 
-def _early_end(peaks: Peaks) -> float:
-    """Time until which the swings are still above a fifth of the first, at least three half cycles [s]."""
+def _early(t: Array, peaks: Peaks) -> NDArray[np.bool_]:
+    """Mark the samples until the swings are below a fifth of the first, at least three half cycles."""
     swing = np.abs(np.diff(peaks.value))
     small = np.flatnonzero(swing < 0.2 * swing[0])
     index = max(3, int(small[0]) if len(small) else len(swing))
-    return float(peaks.time[min(index, len(swing))])
+    early: NDArray[np.bool_] = t <= float(peaks.time[min(index, len(swing))])
+    return early if np.count_nonzero(early) >= _FEWEST else np.ones(len(t), bool)
 
 
 def _along_the_valley(start: Array, share: float) -> Array:
@@ -378,20 +414,53 @@ def _unpack(values: Array) -> DecayParameters:
     return DecayParameters(*(float(value) for value in values))
 
 
-def _fit(t: Array, signal: Array, starts: list[Array], quantity: Quantity) -> tuple[Array, Uncertainty, Array]:
-    """Nonlinear least squares from several starts; the best one's parameters, uncertainty and residual."""
-    reach = float(np.ptp(signal))
+_RATIO, _FRICTION, _DRAG = 1, 2, 6  # places of what takes energy in a vector of parameters
+_WITHOUT_DRAG = (True, True, True, True, True, True, False)
+_EVERYTHING = (True,) * 7
+_FAR = 1e6  # of the range: as bad as can be
+_EXACT = 1e-6  # of the range: a misfit below this leaves nothing to explain
+_CLEAR_GAIN = 12.0  # of twice the log-likelihood: about 3.5 standard errors
+
+
+def _fit(
+    t: Array, signal: Array, starts: list[Array], quantity: Quantity, free: Sequence[bool] = _WITHOUT_DRAG
+) -> tuple[Array, Uncertainty, Array]:
+    """Nonlinear least squares from several starts; the best one's parameters, uncertainty and residual.
+
+    Parameters that are not ``free`` stay as the start has them, and are known without doubt.
+    """
+    if len(t) < _FEWEST or np.ptp(signal) == 0.0 or not np.all(np.isfinite(np.concatenate(starts))):
+        raise FitError(
+            "the record holds no free decay that could be fitted",
+            found=f"{len(t)} samples between turning points",
+            hint="Choose the part with a time window (from, to).",
+        )
+    thin = _thinned(t, starts[0])
+    if len(starts) > 1 and thin > 1:  # the starts are held against each other on part of the samples
+        starts = [_fit(t[::thin], signal[::thin], starts, quantity, free)[0]]
+    reach, which = float(np.ptp(signal)), np.array(free)
     best = None
     for start in starts:
-        found = _descend(t, signal / reach, start, quantity, reach)
+        found = _descend(t, signal / reach, np.append(start, np.zeros(7 - len(start))), quantity, reach, which)
         if best is None or found[0].cost < best[0].cost * (1.0 - 1e-9):
             best = found
     assert best is not None
-    solution, scale = best
-    residual, jacobian = -reach * solution.fun, reach * solution.jac / scale
+    solution, scale, begin = best
+    values = begin.copy()
+    values[which] = solution.x * scale[which]
+    residual, jacobian = -reach * solution.fun, reach * solution.jac / scale[which]
     if quantity == "acceleration":
-        jacobian = jacobian * _off_jumps(t, _unpack(solution.x * scale))[:, None]
-    return solution.x * scale, uncertainty(jacobian, residual), residual
+        jacobian = jacobian * _off_jumps(t, _unpack(values))[:, None]
+    spread = uncertainty(jacobian, residual)
+    covariance = np.zeros((7, 7))
+    covariance[np.ix_(which, which)] = spread.covariance
+    return values, replace(spread, covariance=covariance), residual
+
+
+def _thinned(t: Array, start: Array) -> int:
+    """How many samples a step of a search may take: at least 40 a cycle stay, and some thousands in all."""
+    cycle = 2.0 * math.pi / float(start[0]) / float(np.median(np.diff(t)))
+    return max(1, min(int(cycle / 40.0), len(t) // 2000))
 
 
 def _off_jumps(t: Array, parameters: DecayParameters) -> Array:
@@ -401,54 +470,144 @@ def _off_jumps(t: Array, parameters: DecayParameters) -> Array:
     return (np.abs(phase - np.round(phase)) > 0.6 * float(np.median(np.diff(phase)))).astype(float)
 
 
-def _descend(t: Array, target: Array, start: Array, quantity: Quantity, reach: float) -> tuple[Any, Array]:
-    """One descent in scaled parameters; SciPy's solution and the scales."""
+def _descend(
+    t: Array, target: Array, start: Array, quantity: Quantity, reach: float, free: NDArray[np.bool_]
+) -> tuple[Any, Array, Array]:
+    """One descent in scaled free parameters; SciPy's solution, the scales and the start within its bounds."""
     from scipy.optimize import least_squares
 
     size = abs(start[5])
-    scale = np.array([start[0], 0.1, 0.02 * size, reach, 1.0 / start[0], size])
-    low = np.array([0.3 * start[0], -0.2, -size, -np.inf, t[0] - 6.0 / start[0], -np.inf]) / scale
-    high = np.array([3.0 * start[0], 0.97, size, np.inf, t[0] + 3.0 / start[0], np.inf]) / scale
+    scale = np.array([start[0], 0.1, 0.02 * size, reach, 1.0 / start[0], size, 0.1 / size])
+    low = np.array([0.3 * start[0], -0.2, -size, -np.inf, t[0] - 6.0 / start[0], -np.inf, -1.0 / size]) / scale
+    high = np.array([3.0 * start[0], 0.97, size, np.inf, t[0] + 3.0 / start[0], np.inf, 30.0 / size]) / scale
 
     def misfit(scaled: Array) -> Array:
-        return decay_response(t, _unpack(scaled * scale), quantity) / reach - target
+        point = start.copy()
+        point[free] = scaled * scale[free]
+        response = decay_response(t, _unpack(point), quantity) / reach
+        return np.clip(np.nan_to_num(response, nan=_FAR), -_FAR, _FAR) - target  # negative damping explodes
 
     begin = np.clip(start / scale, low + 1e-9, high - 1e-9)
     solution = least_squares(
-        misfit, begin, bounds=(low, high), jac="3-point", xtol=1e-11, ftol=1e-11, gtol=1e-11, max_nfev=60
+        misfit,
+        begin[free],
+        bounds=(low[free], high[free]),
+        jac="3-point",
+        xtol=1e-11,
+        ftol=1e-11,
+        gtol=1e-11,
+        max_nfev=60,
     )
-    return solution, scale
+    return solution, scale, start
+
+
+def _not_negative(
+    t: Array, signal: Array, values: Array, spread: Uncertainty, quantity: Quantity, free: Sequence[bool]
+) -> tuple[Array, Uncertainty, Array]:
+    """Fit again with what came out negative (damping, friction, drag) at zero, the clearest first, until nothing is.
+
+    What is at zero keeps the doubt of the fit that had it free, and nothing else is known better than there.
+    """
+    left, doubt, residual = (
+        list(free),
+        np.diag(spread.covariance).copy(),
+        signal - decay_response(t, _unpack(values), quantity),
+    )
+    while True:
+        wrong = [i for i in (_RATIO, _FRICTION, _DRAG) if left[i] and values[i] < 0.0]
+        if not wrong:
+            break
+        clearest = min(wrong, key=lambda i: values[i] / math.sqrt(max(doubt[i], 1e-300)))
+        left[clearest] = False
+        start = values.copy()
+        start[clearest] = 0.0
+        values, spread, residual = _fit(t, signal, [start], quantity, left)
+    if left == list(free):
+        return values, spread, residual
+    known = np.diag(spread.covariance)
+    covariance = spread.covariance + np.diag(np.maximum(doubt - known, 0.0))
+    return values, replace(spread, covariance=covariance), residual
+
+
+@dataclass(frozen=True)
+class DecayPart:
+    """A free decay in a record: samples, turning points, and the fit of its large swings.
+
+    ``values`` are the parameters of that fit as a vector, ``r2`` what it explains (1), and ``early_misfit`` the r.m.s.
+    residual of the first half cycle over that of the others: large where the hit is still in it (1).
+    """
+
+    time: Array
+    signal: Array
+    peaks: Peaks
+    values: Array
+    r2: float
+    early_misfit: float
+    findings: tuple[Finding, ...]
 
 
 def search_decay(
-    t: Array, signal: Array, peaks: Peaks, quantity: Quantity, name: str, findings: list[Finding]
-) -> tuple[DecayParameters, Uncertainty, Array]:
+    part: DecayPart, quantity: Quantity, drag: Drag, name: str, findings: list[Finding]
+) -> tuple[DecayParameters, Uncertainty, Array, bool]:
     """Fit the response; leave the rest out when the mass does not rest where sliding friction would have stopped it.
 
-    Gives the best parameters, their uncertainty, and measured minus fitted: NaN where the record was left out.
+    Gives the best parameters, their uncertainty, measured minus fitted (NaN where the record was left out), and whether
+    quadratic drag is part of the response.
     """
-    early = t <= _early_end(peaks)  # far from sticking the misfit has one minimum; each place of sticking has its own
-    starts = [_fit(t[early], signal[early], _starts(peaks, quantity), quantity)[0]]
+    t, signal, peaks = part.time, part.signal, part.peaks
+    starts = [part.values]
     starts += [_along_the_valley(starts[0], share) for share in (-0.15, -0.05, 0.05, 0.15)]
     values, spread, residual = _fit(t, signal, starts, quantity)
     rest = _at_rest(t, signal, peaks)
-    if quantity != "displacement" or np.count_nonzero(rest) < 10:
-        return _unpack(values), spread, residual
-    moving, (alone, alone_spread, alone_residual) = ~rest, _fit(t[~rest], signal[~rest], [starts[0], values], quantity)
-    gap, doubt = _rest_gap(t[rest], signal[rest], alone, alone_spread)
-    if abs(gap) < max(4.0 * doubt, 3.0 * float(alone_residual.std()), 0.05 * abs(alone[2])):
-        return _unpack(values), spread, residual
-    text = (
-        f"the mass comes to rest {1e3 * gap:.3g} mm from where sliding friction would have stopped it: static "
-        "and sliding friction differ; the time at rest was left out of the fit."
-    )
-    findings.append(Finding(name, "note", text, gap))
-    return _unpack(alone), alone_spread, np.where(moving, signal - decay_response(t, _unpack(alone), quantity), np.nan)
+    used = np.ones(len(t), bool)
+    if quantity == "displacement" and np.count_nonzero(rest) >= 10:
+        alone = _fit(t[~rest], signal[~rest], [starts[0], values], quantity)
+        gap, doubt = _rest_gap(t[rest], signal[rest], alone[0], alone[1])
+        if abs(gap) >= max(4.0 * doubt, 3.0 * float(alone[2].std()), 0.05 * abs(alone[0][_FRICTION])):
+            text = (
+                f"the mass comes to rest {1e3 * gap:.3g} mm from where sliding friction would have stopped it: static "
+                "and sliding friction differ; the time at rest was left out of the fit."
+            )
+            findings.append(Finding(name, "note", text, gap))
+            used, (values, spread, residual) = ~rest, alone
+    found = _not_negative(t[used], signal[used], values, spread, quantity, _WITHOUT_DRAG)
+    dragged = _with_drag(t[used], signal[used], peaks, found, quantity, drag)
+    values, spread, found_residual = dragged or found
+    residual = np.full(len(t), np.nan)
+    residual[used] = found_residual
+    return _unpack(values), spread, residual, dragged is not None
+
+
+def _with_drag(
+    t: Array, signal: Array, peaks: Peaks, without: tuple[Array, Uncertainty, Array], quantity: Quantity, drag: Drag
+) -> tuple[Array, Uncertainty, Array] | None:
+    """Fit quadratic drag as well; None where it is not wanted, or is to be told by the data and they do not show it."""
+    values, _, residual = without
+    before = float(np.sqrt(np.mean(residual**2)))
+    if drag == "no" or (drag == "auto" and before <= _EXACT * float(np.ptp(signal))):
+        return None
+    starts = []
+    for share in (0.0, 0.5, 0.9):  # of the energy that drag takes in place of viscous damping, at half the amplitude
+        start = np.append(values, 0.0)[:7]
+        start[_DRAG] += share * max(start[_RATIO], 1e-3) * 1.5 * math.pi / abs(start[5])
+        start[_RATIO] *= 1.0 - share
+        starts.append(start)
+    early = _early(t, peaks)
+    starts.append(_fit(t[early], signal[early], starts, quantity, _EVERYTHING)[0])
+    free, spread, _ = _fit(t, signal, starts, quantity, _EVERYTHING)
+    found = _not_negative(t, signal, free, spread, quantity, _EVERYTHING)
+    if drag == "yes":
+        return found
+    after = max(float(np.sqrt(np.mean(found[2] ** 2))), 1e-3 * _EXACT * float(np.ptp(signal)))
+    gain = 2.0 * len(t) / correlation_time(found[2]) * math.log(max(before / after, 1.0))
+    return found if found[0][_DRAG] > 0.0 and gain > _CLEAR_GAIN else None
 
 
 def _at_rest(t: Array, signal: Array, peaks: Peaks) -> NDArray[np.bool_]:
     """Mark the samples at the end during which nothing moves."""
     tail = signal[-max(5, len(signal) // 20) :]
+    if float(tail.std()) > 3.0 * noise_of(signal) + 1e-3 * float(np.ptp(signal)):
+        return np.zeros(len(t), bool)  # the record ends while it moves
     still = max(4.0 * float(tail.std()), 1e-3 * float(np.ptp(signal)))
     left = np.flatnonzero(np.abs(signal - np.median(tail)) > still)
     begin = int(left[-1]) + 1 if len(left) else 0
@@ -483,6 +642,8 @@ class DecayResult:
         Viscous part only, c [N s/m].
     coulomb_force : Estimate
         Dry friction F_c [N]; not negative.
+    quadratic_drag : Estimate or None
+        d [N s^2/m^2] of a force d x' |x'|, not negative; None where the record shows none.
     natural_frequency_hz : Estimate
         Undamped natural frequency [Hz].
     equilibrium : Estimate or None
@@ -518,6 +679,7 @@ class DecayResult:
     damping_ratio: Estimate
     damping_coefficient: Estimate
     coulomb_force: Estimate
+    quadratic_drag: Estimate | None
     natural_frequency_hz: Estimate
     equilibrium: Estimate | None
     stiffness: Estimate
@@ -541,14 +703,19 @@ def fit_decay(
     mass: float,
     stiffness: float | None = None,
     quantity: Quantity = "displacement",
+    begin: float | str | None = None,
+    end: float | str | None = None,
+    quadratic_drag: Drag = "auto",
     name: str = "decay",
 ) -> DecayResult:
-    """Find viscous damping and dry friction from a free decay.
+    """Find viscous damping, dry friction and quadratic drag from a free decay.
 
-    The response of m x'' + c x' + F_c sign(x') + k (x - x_eq) = 0, which is known in closed form from turning point to
-    turning point and includes the final sticking, is fitted to the record from the moment the largest excursion is
-    left. Start values come from the recursion of the turning points. Holding before the release, an initial velocity
-    and a release in the middle of the record are all allowed. Displacement is best; an acceleration jumps at every
+    The response of m x'' + c x' + F_c sign(x') + d x' |x'| + k (x - x_eq) = 0 is fitted to the record from the moment
+    the largest excursion is left, final sticking included; without drag it is known in closed form from turning point
+    to turning point. Start values come from the recursion of the turning points. None of c, F_c, d can be negative:
+    what would be is fitted again at zero. Holding before the release, an initial velocity and a release in the middle
+    of the record are all allowed; the hit of an impact test is left out where it is the largest excursion, and so is
+    what follows a second one, with findings. Displacement is best; an acceleration jumps at every
     turning point where there is friction, and its intervals for the friction come out some 10 % too narrow.
 
     Parameters
@@ -564,6 +731,10 @@ def fit_decay(
         Known stiffness [N/m]; only compared with the one that mass and frequency give.
     quantity : {"displacement", "velocity", "acceleration"}
         What the record holds.
+    begin, end : float or str or None
+        First and last time to look at, s; None: the whole record.
+    quadratic_drag : {"auto", "yes", "no"}
+        Whether d is fitted, too; "auto": where it explains what viscous damping and friction leave.
     name : str
         File or channel, used in messages.
 
@@ -590,25 +761,22 @@ def fit_decay(
     >>> round(result.damping_ratio.value, 5), round(result.coulomb_force.value, 2)
     (0.11, 14.71)
     """
+    if quadratic_drag not in DRAG_CHOICES:
+        raise unknown(str(quadratic_drag), DRAG_CHOICES, what="quadratic_drag", where=name)
     t, signal = _checked(time, displacement, mass, stiffness, quantity, name)
-    noise = noise_of(signal)
-    first = find_release(signal, noise)
-    try:
-        peaks = find_peaks(t[first:], signal[first:], noise)
-    except FitError as error:
-        raise FitError(error.what, where=name, found=error.found, allowed=error.allowed, hint=error.hint) from None
-    last = int(np.searchsorted(t, peaks.time[-1] + 3.0 * peaks.half_period(), side="right"))
-    t, signal = t[first:last], signal[first:last]
-    findings: list[Finding] = []
-    parameters, spread, residual = search_decay(t, signal, peaks, quantity, name, findings)
+    t, signal = _in_window(t, signal, begin, end, name)
+    part = _best_part(t, signal, quantity, name, look_on=begin is None)
+    findings, peaks = list(part.findings), part.peaks
+    parameters, spread, residual, has_drag = search_decay(part, quantity, quadratic_drag, name, findings)
     used = np.isfinite(residual)
-    t, signal, residual = t[used], signal[used], residual[used]
+    t, signal, residual = part.time[used], part.signal[used], residual[used]
     estimates = _estimates(parameters, spread, mass)
-    centre = estimates.pop("equilibrium")
+    centre, drag = estimates.pop("equilibrium"), estimates.pop("quadratic_drag")
     amplitudes = _amplitudes(peaks, parameters, quantity)
     decrements = tuple(float(math.log(a / b)) for a, b in zip(amplitudes[:-2], amplitudes[2:], strict=True))
     result = DecayResult(
         **estimates,
+        quadratic_drag=drag if has_drag else None,
         equilibrium=centre if quantity == "displacement" else None,
         logarithmic_decrement=_naive_decrement(amplitudes),
         amplitudes=tuple(map(float, amplitudes)),
@@ -626,6 +794,100 @@ def fit_decay(
     return replace(result, findings=tuple(findings))
 
 
+_TRIES = 5
+_EXPLAINED, _STILL_HIT = 0.98, 6.0
+
+
+def _in_window(
+    t: Array, signal: Array, begin: float | str | None, end: float | str | None, name: str
+) -> tuple[Array, Array]:
+    low = -math.inf if begin is None else to_si(begin, "s", where=f"{name}: from")
+    high = math.inf if end is None else to_si(end, "s", where=f"{name}: to")
+    inside = (t >= low) & (t <= high)
+    if low >= high or np.count_nonzero(inside) < _FEWEST:
+        raise FitError(
+            "the time window leaves too few samples",
+            where=name,
+            found=f"{np.count_nonzero(inside)} from {low:g} s to {high:g} s",
+            allowed=f"at least {_FEWEST} within {t[0]:g} s to {t[-1]:g} s",
+        )
+    if np.ptp(signal[inside]) == 0.0:
+        raise FitError("the record never changes in the time window", where=name, found=f"{low:g} s to {high:g} s")
+    return t[inside], signal[inside]
+
+
+def _best_part(t: Array, signal: Array, quantity: Quantity, name: str, *, look_on: bool) -> DecayPart:
+    """Look from the largest excursion on; where that is the hit itself, from later turning points on until it fits."""
+    noise = noise_of(signal)
+    first, best, refusal = find_release(signal, noise), None, None
+    for attempt in range(_TRIES if look_on else 1):
+        try:
+            part = _part(t, signal, first, noise, quantity, name)
+        except FitError as error:
+            refusal = refusal or error
+        else:
+            fits = part.r2 >= _EXPLAINED and part.early_misfit < _STILL_HIT
+            if fits or best is None or part.r2 > best[1].r2 + 0.01:
+                best = (attempt, part)
+            if fits:
+                break
+        following = _next_start(signal, first, noise)
+        if following is None:
+            break
+        first = following
+    if best is None:
+        assert refusal is not None
+        raise FitError(
+            refusal.what, where=name, found=refusal.found, allowed=refusal.allowed, hint=refusal.hint
+        ) from refusal
+    attempt, part = best
+    if attempt:
+        text = (
+            f"the record up to {part.time[0]:.4g} s was left out: the hit, or what else is not a free decay; choose "
+            "the part with a time window (from, to)."
+        )
+        return replace(part, findings=(Finding(name, "warning", text, float(part.time[0])), *part.findings))
+    return part
+
+
+def _next_start(signal: Array, first: int, noise: float) -> int | None:
+    """Index of the release after the next turning point; None where too little is left."""
+    ahead = signal[first:]
+    if len(ahead) < 2 * _FEWEST:
+        return None
+    turns = zigzag(_smooth(ahead, noise), max(12.0 * noise, 0.03 * float(np.ptp(ahead))))
+    after = first + (turns[1] if len(turns) > 1 else max(1, len(ahead) // 50))
+    if len(signal) - after < _FEWEST or np.ptp(signal[after:]) == 0.0:
+        return None
+    return max(after + find_release(signal[after:], noise), first + 1)
+
+
+def _part(t: Array, signal: Array, first: int, noise: float, quantity: Quantity, name: str) -> DecayPart:
+    """Find the decay that begins at an index, and fit its large swings.
+
+    Far from sticking the misfit has one minimum; each place of sticking has its own.
+    """
+    findings: list[Finding] = []
+    every = find_peaks(t[first:], signal[first:], noise)
+    peaks = until_it_grows(every, noise)
+    last = int(np.searchsorted(t, peaks.time[-1] + 3.0 * peaks.half_period(), side="right"))
+    if len(peaks.time) < len(every.time):
+        text = f"the motion grows again after {peaks.time[-1]:.4g} s, a second hit: the record after it was left out."
+        findings.append(Finding(name, "warning", text, float(peaks.time[-1])))
+        last = int(np.searchsorted(t, peaks.time[-1], side="right"))
+    t, signal = t[first:last], signal[first:last]
+    if len(t) < _FEWEST:
+        raise FitError("too few samples of a free decay", found=len(t), allowed=f"at least {_FEWEST}")
+    early = _early(t, peaks)
+    values, _, residual = _fit(t[early], signal[early], _starts(peaks, quantity), quantity)
+    opening = t[early] <= t[0] + peaks.half_period()
+    misfit = 1.0
+    if opening.any() and not opening.all():
+        least = (_EXACT * float(np.ptp(signal))) ** 2
+        misfit = math.sqrt(float(np.mean(residual[opening] ** 2)) / max(float(np.mean(residual[~opening] ** 2)), least))
+    return DecayPart(t, signal, peaks, values, r_squared(signal[early], residual), misfit, tuple(findings))
+
+
 def _checked(
     time: ArrayLike, record: ArrayLike, mass: float, stiffness: float | None, quantity: str, name: str
 ) -> tuple[Array, Array]:
@@ -636,8 +898,8 @@ def _checked(
         raise FitError(
             "time and record are not two columns of the same length", where=name, found=f"{t.shape} and {signal.shape}"
         )
-    if len(t) < 20:
-        raise FitError("too few samples", where=name, found=len(t), allowed="at least 20")
+    if len(t) < _FEWEST:
+        raise FitError("too few samples", where=name, found=len(t), allowed=f"at least {_FEWEST}")
     bad = np.flatnonzero(~(np.isfinite(t) & np.isfinite(signal)))
     if len(bad):
         raise FitError("a value is missing or not finite", where=name, found=f"sample {bad[0] + 1}")
@@ -656,7 +918,7 @@ def _estimates(p: DecayParameters, spread: Uncertainty, mass: float) -> dict[str
     omega, ratio, friction = p.angular_frequency, p.damping_ratio, p.friction_deflection
 
     def derived(value: float, *gradient: float) -> Estimate:
-        return spread.derived(value, np.array([*gradient, *[0.0] * (6 - len(gradient))]))
+        return spread.derived(value, np.array([*gradient, *[0.0] * (7 - len(gradient))]))
 
     return {
         "damping_ratio": at_least_zero(derived(ratio, 0.0, 1.0)),
@@ -667,6 +929,7 @@ def _estimates(p: DecayParameters, spread: Uncertainty, mass: float) -> dict[str
             derived(friction * mass * omega**2, 2.0 * friction * mass * omega, 0.0, mass * omega**2)
         ),
         "natural_frequency_hz": derived(omega / (2.0 * math.pi), 1.0 / (2.0 * math.pi)),
+        "quadratic_drag": at_least_zero(derived(p.quadratic_drag * mass, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, mass)),
         "equilibrium": derived(p.offset, 0.0, 0.0, 0.0, 1.0),
         "stiffness": derived(mass * omega**2, 2.0 * mass * omega),
     }
@@ -704,10 +967,17 @@ def _advice(result: DecayResult, spread: Uncertainty, step: float, stiffness: fl
             f"N s/m and {friction.value:.3g} N), not the decrement."
         )
         add("warning", text, friction.value)
+    drag = result.quadratic_drag
     for value, what, unit in ((p.friction_deflection, "dry friction", " N"), (p.damping_ratio, "viscous damping", "")):
-        if value < 0.0:
-            text = f"the decay shows no {what}: its best fit is negative, which is reported as 0{unit}."
+        if value == 0.0:
+            text = f"the decay shows no {what}: its best fit would not be above 0{unit}, where the others were fitted."
             add("note", text, value)
+    if drag is not None and drag.value > 0.0:
+        text = (
+            f"the decay shows quadratic drag, {drag.value:.4g} N s^2/m^2, which makes the logarithmic decrement grow "
+            "with the amplitude: damping coefficient and dry friction hold beside it."
+        )
+        add("warning", text, drag.value)
     if cycles < 1.5:
         text = f"only {cycles:g} cycles: viscous damping and dry friction can hardly be told apart; see the intervals."
         add("warning", text, cycles)
@@ -742,6 +1012,8 @@ class CombinedDecay:
 
     Attributes
     ----------
+    quadratic_drag : Estimate or None
+        As in :class:`DecayResult`; None where not every run shows it.
     damping_ratio, damping_coefficient, coulomb_force, natural_frequency_hz, stiffness, logarithmic_decrement : Estimate
         As in :class:`DecayResult`, over all runs; the intervals honour the scatter between runs.
     equilibrium : Estimate or None
@@ -757,6 +1029,7 @@ class CombinedDecay:
     damping_ratio: Estimate
     damping_coefficient: Estimate
     coulomb_force: Estimate
+    quadratic_drag: Estimate | None
     natural_frequency_hz: Estimate
     equilibrium: Estimate | None
     stiffness: Estimate
@@ -794,8 +1067,16 @@ def combine_decays(results: Sequence[DecayResult]) -> CombinedDecay:
             f"{max(frequencies):.4g} Hz: was something changed between them?"
         )
         findings.append(Finding("decays", "warning", text, float(np.ptp(frequencies))))
+    drags = [result.quadratic_drag for result in results if result.quadratic_drag is not None]
+    if drags and len(drags) < len(results):
+        text = (
+            f"{len(drags)} of {len(results)} runs show quadratic drag, the others were fitted without: their damping "
+            'coefficients mean different things; choose quadratic_drag = "yes" or "no" for all.'
+        )
+        findings.append(Finding("decays", "warning", text, float(len(drags))))
     return CombinedDecay(
         **combined,
+        quadratic_drag=at_least_zero(combine(drags)) if len(drags) == len(results) else None,
         equilibrium=combine(centres) if len(centres) == len(results) else None,
         cycles=float(sum(result.cycles for result in results)),
         runs=len(results),

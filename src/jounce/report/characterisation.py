@@ -10,12 +10,14 @@ from jounce.campaign.characterise import files_of, read_force_deflection
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.types import Array
 from jounce.identify.force_deflection import ForceDeflectionTrial
+from jounce.identify.signs import compression_positive
 from jounce.parts.rig import unit_of
 from jounce.plots import decay_fit, display_unit, number, quantity, stiffness_fit, tyre_pressure
 from jounce.plots.display import estimate_cells, estimate_text
 from jounce.report.page import Block, Cell, Details, Paragraph, Picture, Section, Subsection, Table, unique_slugs
 
 if TYPE_CHECKING:
+    from jounce.campaign.characterise import DampingChoice
     from jounce.campaign.description import DecayBench, StiffnessBench
     from jounce.campaign.result import CampaignResult
     from jounce.identify.decay import DecayResult
@@ -191,6 +193,8 @@ def _decay(result: CampaignResult) -> tuple[Block, ...]:
             else "Damping from a free decay",
         )
     ]
+    if bench.damping_choices:
+        blocks.append(_damping_choices(bench.damping_choices))
     records = _decay_records(result, result.campaign.bench.decay)
     if len(records) != len(bench.decays):
         records = [(f"decay {k}", (), ()) for k in range(1, len(bench.decays) + 1)]  # type: ignore[misc]
@@ -218,6 +222,7 @@ def _decay_table(found: Any, caption: str) -> Table:
         ("viscous damping coefficient", found.damping_coefficient, "N*s/m"),
         ("viscous damping ratio", found.damping_ratio, "1"),
         ("dry friction force", found.coulomb_force, "N"),
+        ("quadratic drag", found.quadratic_drag, "N*s^2/m^2"),
         ("natural frequency", found.natural_frequency_hz, "Hz"),
         ("stiffness from mass and natural frequency", found.stiffness, "N/m"),
         ("equilibrium position", found.equilibrium, "m"),
@@ -230,6 +235,32 @@ def _decay_table(found: Any, caption: str) -> Table:
         rows,
         "lrrrl",
         f"{number(found.cycles, 3)} cycles in total; values are referred to the sprung mass.",
+    )
+
+
+_METHODS = {
+    "viscous-and-coulomb": "viscous damping, dry friction beside it",
+    "logarithmic-decrement": "logarithmic decrement, all losses as viscous",
+}
+
+
+def _damping_choices(choices: tuple[DampingChoice, ...]) -> Table:
+    rows = tuple(
+        (
+            _METHODS[choice.method],
+            estimate_text(choice.damping_ratio, "1"),
+            estimate_text(choice.seen, "N*s/m"),
+            estimate_text(choice.at_strut, "N*s/m"),
+            "yes" if choice.is_used else "no",
+        )
+        for choice in choices
+    )
+    return Table(
+        "What each way to read the decays means for the damper",
+        ("way", "damping ratio", "of the sprung mass [N·s/m]", "at the strut [N·s/m]", "used"),
+        rows,
+        "lrrrl",
+        "The decrement holds dry friction for viscous damping: it is right at the amplitudes of the decays only.",
     )
 
 
@@ -262,7 +293,8 @@ def _measured_trials(result: CampaignResult, table: StiffnessBench | None) -> li
     if table is None:
         return []
     try:
-        return read_force_deflection(files_of(table.files, result.folder, "report"), table)[0]
+        files = files_of(table.files, result.folder, "report")
+        return read_force_deflection(files, table, table.stroke_positive, table.force_positive)[0]
     except JounceError:
         return []
 
@@ -275,6 +307,7 @@ def _decay_records(result: CampaignResult, table: DecayBench | None) -> list[tup
     try:
         for file in files_of(table.files, result.folder, "report"):
             recording, _ = table.read(file, result.folder)
+            recording = compression_positive(recording, table.stroke_positive, None)
             found.append((file.name, recording["time"].to_numpy(), recording[table.channel].to_numpy()))
     except (JounceError, KeyError):
         return []

@@ -73,7 +73,8 @@ def test_negative_friction_is_reported_as_none():
     for seed in range(20):
         result = fit_decay(TIME, record(friction=0.0, noise=1e-4, seed=seed), mass=MASS)
         assert result.coulomb_force.value >= 0.0
-        if result.parameters.friction_deflection < 0.0:
+        assert result.parameters.friction_deflection >= 0.0
+        if result.parameters.friction_deflection == 0.0:
             assert result.coulomb_force.value == 0.0
             assert "no dry friction" in messages(result)
             return
