@@ -134,14 +134,17 @@ class Tests:
     def notice(self, mutant: Mutant, tests: Sequence[str]) -> bool:
         """Whether one of some tests fails, or does not end, with a mutant in the place of its file."""
 
-        def changed() -> int:
-            plant(mutant, self.package, self.folder)
-            code = run_tests(["-x", *tests], self.cache)
-            if code == pytest.ExitCode.USAGE_ERROR:  # a test goes by another name now, or its file cannot be loaded
-                code = run_tests(["-x", *dict.fromkeys(test.partition("::")[0] for test in tests)], self.cache)
-            return code
+        def code(asked: Iterable[str]) -> int:
+            def changed() -> int:
+                plant(mutant, self.package, self.folder)
+                return run_tests(["-x", *asked], self.cache)
 
-        return apart(changed, PATIENCE * (1.0 + sum(self.seconds[test] for test in tests)), quiet=True) != 0
+            return apart(changed, PATIENCE * (1.0 + sum(self.seconds[test] for test in tests)), quiet=True)
+
+        found = code(tests)
+        if found == pytest.ExitCode.USAGE_ERROR:  # a test goes by another name now, or its file cannot be loaded
+            found = code(dict.fromkeys(test.partition("::")[0] for test in tests))
+        return found != 0
 
 
 def own_tests(package: str) -> list[str]:

@@ -75,7 +75,6 @@ class _Actuator(Description):
     """What all actuators share: a command with its unit, and the numbers that the model of the car needs."""
 
     unit: ClassVar[str] = ""
-    dissipative: ClassVar[bool] = True
 
     @property
     def structure(self) -> str:
@@ -209,7 +208,6 @@ class ActiveActuator(_Actuator):
     damping_ratio: PositiveNumber = 1.0
     rate_limit: _ForceRate | None = None
     unit: ClassVar[str] = "N"
-    dissipative: ClassVar[bool] = False
 
     @model_validator(mode="after")
     def _one_speed(self) -> Self:

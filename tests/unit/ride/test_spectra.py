@@ -29,7 +29,8 @@ def test_white_noise_is_flat() -> None:
     inner = spectrum.density[2:-2]
     assert inner.mean() == pytest.approx(4.0 / (0.5 * RATE), rel=0.01)
     assert inner.std() / inner.mean() == pytest.approx(spectrum.averages**-0.5, rel=0.1)
-    assert spectrum.averages == pytest.approx(0.947 * 199, rel=1e-3)  # Welch 1967: Hann pieces, half overlapped
+    # Welch 1967: 199 Hann pieces that overlap by half: K / (1 + 2 (K - 1) / K / 36)
+    assert spectrum.averages == pytest.approx(188.576, rel=1e-5)
     assert power_spectrum(NOISE, RATE, segment="2 s", window="boxcar").averages == 100.0
     assert spectrum.mean_square() == pytest.approx(4.0, rel=0.01)
     assert spectrum.mean_square(50.0, 100.0) == pytest.approx(4.0 * 50.0 / 250.0, rel=0.03)

@@ -77,6 +77,7 @@ def test_state_transition_is_the_matrix_exponential() -> None:
 
 
 def test_segments_share_the_state_and_make_up_the_whole() -> None:
+    assert [s.end for s in iri(X, Z).segments] == [100.0, 200.0, 250.0]
     found = iri(X, Z, segment="60 m")
     assert [(s.start, s.end, s.partial) for s in found.segments] == [
         (0.0, 60.0, False),
@@ -163,6 +164,20 @@ def test_what_weakens_the_index_is_said() -> None:
     assert rough.findings[0].value == pytest.approx(50.0)
     assert "smoother than any road" in iri(X, 1e-3 * Z).findings[0].message
     assert iri(X, 0.0 * Z).findings == ()
+
+
+def test_limits_of_what_a_road_can_be() -> None:
+    usual = iri(X, Z).iri_m_per_km
+    for limit, direction in ((0.1, -1.0), (30.0, 1.0)):  # m/km: smoother, rougher than any road
+        within, beyond = (iri(X, Z * limit / usual * (1.0 + 0.01 * side * direction)) for side in (-1.0, 1.0))
+        assert within.findings == ()
+        assert [finding.value for finding in beyond.findings] == [pytest.approx(limit * (1.0 + 0.01 * direction))]
+    assert iri(X, Z * 297.0 / usual).iri_m_per_km == pytest.approx(297.0)
+    with pytest.raises(jn.RecordingError, match="allowed: at most 300 m/km; the roughest tracks have some 30"):
+        iri(X, Z * 303.0 / usual)
+    assert iri(changed(X, 7, X[7] + 0.99e-2 * 0.25), Z).iri_m_per_km == pytest.approx(usual)
+    with pytest.raises(jn.RecordingError, match="within 1 %"):
+        iri(changed(X, 7, X[7] + 1.01e-2 * 0.25), Z)
 
 
 def test_profiles_with_and_without_a_header(tmp_path: Path) -> None:
