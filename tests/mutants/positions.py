@@ -29,6 +29,8 @@ TURNED = (
 """Operators of Cosmic Ray. ``<`` is not made ``<=``: of floats that changes nothing, of counts a constant does it."""
 
 HARMLESS_ARGUMENTS = {"strict", "stacklevel", "frozen", "slots", "kw_only", "repr", "compare", "copy", "maxsize"}
+NO_OPERATORS = {"parameters", "dictorsetmaker"}
+"""Where a star stands before keyword arguments, and two before a table: not what Cosmic Ray takes them for."""
 TINY = 1e-7
 """Constants below it are tolerances and guards against a division by zero: 7 % more of them is the same."""
 
@@ -101,10 +103,8 @@ def _mutants_of(file: Path) -> Iterator[Mutant]:
     for name, operator in OPERATORS.items():
         places = ((node, place) for node in nodes for place, _ in operator().mutation_positions(node))
         for occurrence, (node, (line, column)) in enumerate(places):
-            is_marker = (
-                node.parent is not None and node.parent.type == "parameters"
-            )  # the star before keyword arguments
-            if not is_marker and not any(start <= (line, column) < end for start, end in left_out):
+            is_none = node.parent is not None and node.parent.type in NO_OPERATORS
+            if not is_none and not any(start <= (line, column) < end for start, end in left_out):
                 yield Mutant(file, line, column, name, occurrence)
 
 
@@ -131,8 +131,10 @@ def _left_out(tree: ast.Module, lines: list[str]) -> list[tuple[tuple[int, int],
                 found.append(node)
             case ast.If(test=ast.Name(id="TYPE_CHECKING")):
                 found.append(node)
-            case ast.Assign(value=ast.BinOp(op=ast.BitOr())) if node in tree.body:  # a name for a type
-                found.append(node)
+            case ast.Assign() if node in tree.body:  # names for types
+                found += [
+                    part for part in ast.walk(node) if isinstance(part, ast.BinOp) and isinstance(part.op, ast.BitOr)
+                ]
 
     def place(line: int, offset: int) -> tuple[int, int]:
         return line, len(lines[line - 1].encode()[:offset].decode())

@@ -56,6 +56,24 @@ def test_slopes_are_derivatives_along_travel(near, slope: str, value: str, sign:
     assert sign * differences(found[value].to_numpy()) == pytest.approx(float(found[slope][2]), abs=1e-7 * scale)
 
 
+def test_rates_count_a_stop_that_is_closed() -> None:
+    """The energy of spring and stop, by their laws, has the wheel force as its slope, and this the wheel rate."""
+    stop = {"gap": 0.004, "rate": 60e3, "progression": 4e8}
+    rig = jn.load("reference-double-wishbone").with_changes({"strut.bump_stop": stop})
+    found = jn.sweep_travel(rig, 0.03 + STEP * np.arange(-2, 3))
+    short = rig.hardpoints.length("spring") - found["spring_length"].to_numpy()
+    depth = short - stop["gap"]
+    assert depth.min() > 0.01
+    spring = rig.strut.spring
+    energy = 0.5 * spring.rate * short**2 + spring.preload * short
+    energy += 0.5 * stop["rate"] * depth**2 + 0.25 * stop["progression"] * depth**4
+    assert differences(energy) == pytest.approx(float(found["wheel_force"][2]), rel=1e-7)
+    assert differences(found["wheel_force"].to_numpy()) == pytest.approx(float(found["wheel_rate"][2]), rel=1e-7)
+    lift = (found["motion_ratio"] / found["motion_ratio_contact"]).to_numpy()  # of the patch for one of the centre
+    contact = differences(found["wheel_force"].to_numpy() / lift) / lift[2]
+    assert contact == pytest.approx(float(found["wheel_rate_contact"][2]), rel=1e-7)
+
+
 def test_contact_patch_moves_with_the_upright(near) -> None:
     """The patch is a point of the upright: its path from three of its own points, not from the lowest of the wheel."""
     rig, found = near
@@ -231,6 +249,9 @@ def test_roll_stiffness_is_the_slope_of_the_moment(name: str) -> None:
     rate = differences(found["right.wheel_travel"].to_numpy(), step)
     camber = differences(found["right.camber"].to_numpy(), step)
     assert float(found["right.roll_camber"][2]) == pytest.approx(camber, rel=1e-6)
+    for side in ("left", "right"):
+        steer = differences(found[f"{side}.steer"].to_numpy(), step)
+        assert float(found[f"{side}.roll_steer"][2]) == pytest.approx(steer, rel=1e-6)
     assert rate > 0.0
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.serialise import to_json
-from jounce.identify.damper import damper_curve, damper_law, fit_damper, read_motion
+from jounce.identify.damper import damper_curve, damper_law, fit_damper, hysteresis_share, read_motion
 from jounce.identify.hysteresis_path import bouc_wen_path
 
 TIME = np.arange(0.0, 6.0, 0.005)
@@ -182,6 +182,20 @@ def test_hysteresis_under_a_velocity_law_is_reported():
     force = 200.0 * V + 100.0 * bouc_wen_path(X, 300.0, 1.0, 1.5, 0.0)
     assert "hysteresis" in messages(fit_damper(X, V, force, TIME))
     assert "hysteresis" not in messages(fit_damper(X, V, 900.0 * V, TIME))
+    # two branches 200 N apart over a range of 400 N, with noise that alone would not count as hysteresis
+    noise = np.random.default_rng(3).normal(size=len(TIME))
+    rising = np.gradient(V, TIME) > 0.0
+    motion, _ = read_motion(X, V, np.where(rising, 100.0, -100.0) + 1000.0 * V + 15.0 * noise, TIME)
+    assert hysteresis_share(motion) == pytest.approx(200.0 / np.ptp(motion.force), rel=0.02)
+
+
+def test_hysteresis_begins_where_the_first_stroke_comes_from():
+    for side in (1.0, -1.0):
+        motion, _ = read_motion(side * X, side * V, side * 900.0 * V, TIME, name="first stroke")
+        law = damper_law("bouc-wen", motion)
+        state = law.columns(motion.displacement, motion.velocity, np.array([600.0, 2.5, 1.6]))[:, 2]
+        assert state[0] == -side
+        assert state[40] * side > 0.5
 
 
 def test_missing_velocity_is_derived():

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.kinematics.axle import WheelRows
 from jounce.kinematics.sweeps import prepare_sweep
 
 RIG = jn.load("reference-double-wishbone")
@@ -20,6 +21,16 @@ def test_units_signs_and_coordinates() -> None:
     assert float(found["rack_travel"]) == 0.0
     assert found.attrs["status"] == "completed"
     assert found.attrs["stopped"] == ""
+
+
+def test_the_axis_of_a_wheel_turns_by_both_its_angles() -> None:
+    def wheel(travel: float) -> WheelRows:  # leaning and steered far more than any wheel
+        rows = {"camber": 0.7 + 0.5 * travel, "steer": 0.4 - 0.3 * travel, "camber_gain": 0.5, "bump_steer": -0.3}
+        return WheelRows({name: np.array([value]) for name, value in rows.items()}, 0.3)
+
+    np.testing.assert_allclose(np.linalg.norm(wheel(0.0).axis, axis=1), 1.0, rtol=1e-14)
+    slope = (wheel(1e-4).axis - wheel(-1e-4).axis) / 2e-4
+    np.testing.assert_allclose(wheel(0.0).axis_slope, slope, rtol=1e-7)
 
 
 def test_order_and_fineness_do_not_matter() -> None:

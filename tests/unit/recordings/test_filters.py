@@ -69,6 +69,9 @@ def test_cfc_needs_ten_samples_per_class() -> None:
     with pytest.raises(RecordingError, match=r"found 'class 180 at 1000 Hz'; allowed: .*up to 100"):
         cfc_filter(TIME, 1000.0, 180.0)
     with pytest.raises(RecordingError):
+        cfc_filter(TIME, 1000.0, 100.1)
+    assert len(cfc_filter(TIME, 1000.0, 100.0)) == len(TIME)
+    with pytest.raises(RecordingError):
         cfc_filter(TIME, 1000.0, -60.0)
 
 

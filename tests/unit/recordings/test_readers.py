@@ -32,11 +32,12 @@ def write(path: Path, header: str, *columns: np.ndarray, separator: str = ",") -
 def test_units_and_order_do_not_matter(tmp_path: Path) -> None:
     file = write(
         tmp_path / "a.csv",
-        "unsprung.az [g]; time [ms]; strut.deflection [mm]; tyre.force [kN]",
+        "unsprung.az [g]; time [ms]; strut.deflection [mm]; tyre.force [kN]; road.slope",
         WAVE,
         TIME * 1e3,
         WAVE * 10.0,
         WAVE + 0.2,
+        WAVE / 7.0,
         separator=";",
     )
     run, findings = read_recording(file)
@@ -45,6 +46,7 @@ def test_units_and_order_do_not_matter(tmp_path: Path) -> None:
     np.testing.assert_allclose(run["unsprung.az"], WAVE * 9.80665, rtol=1e-14)
     np.testing.assert_allclose(run["strut.deflection"], WAVE * 0.01, rtol=1e-14)
     np.testing.assert_allclose(run["tyre.force"], (WAVE + 0.2) * 1e3, rtol=1e-14)
+    np.testing.assert_array_equal(run["road.slope"], WAVE / 7.0)  # a plain number needs no unit
     np.testing.assert_allclose(run["time"], TIME, rtol=0.0, atol=1e-15)
 
 
