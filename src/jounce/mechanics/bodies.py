@@ -15,6 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import AssemblyError
+from jounce.core.units import to_si
+from jounce.mechanics.equations import Collection
+from jounce.mechanics.expressions import vector_of
 from jounce.mechanics.frames import GROUND, Carrier, Frame, Moving
 from jounce.mechanics.rotations import skew
 
@@ -33,24 +36,50 @@ class Named:
     """A point or a direction of a body that some expression may name, by the symbols that stand for it."""
 
     body: Body
+    design: ca.SX
     symbol: ca.SX
     value: ca.SX
     is_point: bool
+
+
+@dataclass(frozen=True)
+class BodyPoint(Moving):
+    """A point that is known to be one of a body: that which lies at ``design`` (m) in the design pose."""
+
+    body: Body
+    design: ca.SX
 
 
 @dataclass
 class Poses:
     """Frames of the bodies of one mechanism by name, and what expressions name of them."""
 
+    collection: Collection
     frames: dict[str, Frame] = field(default_factory=lambda: {"ground": GROUND})
     named: dict[int, tuple[Named, int]] = field(default_factory=dict)
 
-    def name(self, body: Body, moving: Moving, *, is_point: bool) -> Moving:
+    def require_still(self, expression: ca.SX, where: str) -> ca.SX:
+        """Refuse an expression of other things than parameters, such as a coordinate, where a number stands."""
+        parameters = [*self.collection.parameters.values(), *(one for one, _ in self.collection.constants.values())]
+        known = {symbol.element_hash() for symbol in parameters}
+        moving = [symbol.name() for symbol in ca.symvar(expression) if symbol.element_hash() not in known]
+        if moving:
+            found, allowed = (
+                f"an expression of {', '.join(moving)}",
+                "numbers, and expressions of this mechanism's parameters",
+            )
+            hint = (
+                "What moves is not described by a place in the design pose: give what moves there a body and a joint."
+            )
+            raise AssemblyError("not a number", where=where, found=found, allowed=allowed, hint=hint)
+        return expression
+
+    def name(self, body: Body, design: ca.SX, moving: Moving, *, is_point: bool) -> Moving:
         """Give symbols for a point or direction; what does not move, or moves in a moving frame, needs none."""
         if body.frame is GROUND or body.carrier.moves:
             return moving
         symbol = ca.SX.sym(f"{body.name} {'point' if is_point else 'direction'}", 3)
-        made = Named(body, symbol, ca.densify(moving.value), is_point)
+        made = Named(body, design, symbol, ca.densify(moving.value), is_point)
         self.named.update({part.element_hash(): (made, i) for i, part in enumerate(ca.vertsplit(symbol))})
         return replace(moving, value=symbol)
 
@@ -80,11 +109,14 @@ class Body:
         Where the joints of its mechanism put the bodies.
     mass_properties : MassProperties, optional
         None for a body that only carries points.
+    axes_of : Body, optional
+        The body whose moving axes these are; None for a body of its own.
     """
 
     name: str
     poses: Poses = field(repr=False)
     mass_properties: MassProperties | None = None
+    axes_of: Body | None = None
 
     @property
     def is_placed(self) -> bool:
@@ -103,17 +135,22 @@ class Body:
         """What the axes of its frame belong to, the ground or a body that moves; "ground axes" are its axes then."""
         return self.frame.carrier
 
-    def point(self, design: ca.SX | Sequence[float]) -> Moving:
-        """Follow the point of the body that lies at ``design`` (m) in the design pose.
+    def point(self, design: ca.SX | Sequence[float | str]) -> BodyPoint:
+        """Follow the point of the body that lies at ``design`` (m, or text with a unit) in the design pose.
 
         Its ``value`` is for expressions that a mechanism takes: they know whose point it is. To differentiate one, use
-        ``rate_of``.
+        ``rate_of``. The design place is made of numbers and parameters; what slides along a body is no point of it.
         """
-        return self.poses.name(self, self.frame.point(as_vector(design)), is_point=True)
+        where = f"point of {self.name}"
+        place = self.poses.require_still(vector_of(design, where), where)
+        named = self.poses.name(self, place, self.frame.point(place), is_point=True)
+        return BodyPoint(named.value, named.rate, named.bias, self, place)
 
-    def direction(self, design: ca.SX | Sequence[float]) -> Moving:
+    def direction(self, design: ca.SX | Sequence[float | str]) -> Moving:
         """Follow the direction of the body that is ``design`` (of any length, m) in the design pose; see ``point``."""
-        return self.poses.name(self, self.frame.direction(as_vector(design)), is_point=False)
+        where = f"direction of {self.name}"
+        along = self.poses.require_still(vector_of(design, where), where)
+        return self.poses.name(self, along, self.frame.direction(along), is_point=False)
 
     @property
     def spin(self) -> ca.SX:
@@ -121,23 +158,18 @@ class Body:
         return self.carrier.spin(self.frame.orientation)
 
 
-def as_vector(numbers: ca.SX | Sequence[float]) -> ca.SX:
-    """Three numbers as an expression; an expression is taken as it is."""
-    return numbers if isinstance(numbers, ca.SX) else ca.SX([float(part) for part in numbers])
-
-
 def tensor_elements(path: str, inertia: Sequence[float | str] | NDArray[np.float64]) -> list[float | str]:
     """Elements xx, yy, zz, xy, xz, yz of a tensor given by three or six of them or as a matrix."""
-    elements = list(inertia)
-    if np.shape(np.asarray(inertia, dtype=object)) == (3, 3):
-        tensor = np.asarray(inertia, dtype=float)
+    elements = np.asarray(inertia, dtype=object)
+    if elements.shape == (3, 3):
+        tensor = np.array([[to_si(part, "kg*m^2", where=path) for part in row] for row in elements])
         if not np.allclose(tensor, tensor.T, rtol=1e-9, atol=1e-12 * float(np.max(np.abs(tensor)))):
             raise AssemblyError("not a tensor of inertia", where=path, found="not symmetric")
-        elements = [tensor[i, j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
-    if len(elements) not in (3, 6):
-        found, allowed = f"{len(elements)} numbers", "xx, yy, zz, or also xy, xz, yz, or a symmetric (3, 3) tensor"
+        elements = np.array([tensor[i, j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))])
+    if elements.shape not in ((3,), (6,)):
+        found, allowed = f"{elements.size} numbers", "xx, yy, zz, or also xy, xz, yz, or a symmetric (3, 3) tensor"
         raise AssemblyError("not a tensor of inertia", where=path, found=found, allowed=allowed)
-    return elements + [0.0] * (6 - len(elements))
+    return [*elements, *[0.0] * (6 - len(elements))]
 
 
 class RigidMass:

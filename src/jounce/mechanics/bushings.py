@@ -49,10 +49,10 @@ class Bushing(Between):
     """
 
     at: Given = place()
-    stiffness: Given = place(unit="N/m")
-    damping: Given = place(unit="N*s/m")
-    rotational_stiffness: Given = place(unit="N*m/rad")
-    rotational_damping: Given = place(unit="N*m*s/rad")
+    stiffness: Given = place(unit="N/m", at_least=0.0)
+    damping: Given = place(unit="N*s/m", at_least=0.0)
+    rotational_stiffness: Given = place(unit="N*m/rad", at_least=0.0)
+    rotational_damping: Given = place(unit="N*m*s/rad", at_least=0.0)
     kind = "bushing"
 
     def action(self, system: System) -> Action:
@@ -81,8 +81,8 @@ class ElasticRod(Between):
 
     at: Given = place()
     second_at: Given = place()
-    stiffness: Given = place(unit="N/m")
-    damping: Given = place(unit="N*s/m")
+    stiffness: Given = place(unit="N/m", at_least=0.0)
+    damping: Given = place(unit="N*s/m", at_least=0.0)
     kind = "elastic rod"
 
     def action(self, system: System) -> Action:
@@ -108,8 +108,8 @@ class SlidingBushing(Between):
     at: Given = place()
     axis: Given = place(unit="1")
     point: Given = place()
-    stiffness: Given = place(unit="N/m")
-    damping: Given = place(unit="N*s/m")
+    stiffness: Given = place(unit="N/m", at_least=0.0)
+    damping: Given = place(unit="N*s/m", at_least=0.0)
     kind = "sliding bushing"
 
     def action(self, system: System) -> Action:

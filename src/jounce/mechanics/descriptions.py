@@ -1,20 +1,25 @@
 """Descriptions: frozen classes that say what a mechanism is made of, and whose numbers become parameters of its model.
 
-A field that is a quantity says so (``place()``, ``direction()``, ``quantity(unit)``). A description as it is written
-holds numbers, texts with a unit, or expressions of parameters; once a mechanism has taken it, symbols of parameters
-``<name>.<field>``. Everything a mechanism lists of itself is read from these fields.
+A field that is a quantity says so (``place()``, ``direction()``, ``quantity(unit)``), and so does one that is a law
+or a point that moves. A description as it is written holds numbers, texts with a unit, or expressions of parameters;
+once a mechanism has taken it, symbols of parameters ``<name>.<field>``. Everything a mechanism lists of itself, and
+everything it checks when numbers change, is read from these fields.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import MISSING, dataclass, field, fields, replace
 from typing import Any, ClassVar, Protocol, Self
 
 import casadi as ca
+import numpy as np
 
-from jounce.mechanics.bodies import Body
+from jounce.core.errors import AssemblyError
+from jounce.core.types import Array
+from jounce.mechanics.bodies import Body, BodyPoint
 from jounce.mechanics.equations import Track
+from jounce.mechanics.frames import Moving
 
 Number = float | str | ca.SX
 """A number in SI, text with a unit, or an expression of parameters."""
@@ -24,6 +29,10 @@ Given = Any
 """A field of a description: numbers as they are written, symbols (casadi.SX) once a mechanism has taken it."""
 Plain = str | float | bool | list[Any] | dict[str, Any] | None
 """What a file of JSON can hold."""
+Write = Callable[[ca.SX], Plain]
+"""Writes an expression: its numbers where it is made of parameters, else a table with its text."""
+Known = Callable[[str], Array]
+"""Gives the numbers of a field as they are now, not a number where they are not known."""
 
 
 class Numbers(Protocol):
@@ -39,19 +48,28 @@ class Numbers(Protocol):
         """Unit vector along three numbers."""
 
 
-def quantity(unit: str, default: Any = MISSING) -> Any:
-    """Say that a field is a number in ``unit``; ``{length}`` and ``{force}`` in it are filled in by the description."""
-    return field(default=default, metadata={"read": "number", "unit": unit})
+def quantity(unit: str, default: Any = MISSING, *, above: float | None = None, at_least: float | None = None) -> Any:
+    """Say that a field is a number in ``unit`` and how large it must be.
+
+    ``{length}`` and ``{force}`` in the unit are filled in by the description.
+    """
+    bounds = {"above": above, "at_least": at_least}
+    return field(default=default, metadata={"read": "number", "unit": unit, **bounds})
 
 
-def place(default: Any = MISSING, *, unit: str = "m") -> Any:
+def place(default: Any = MISSING, *, unit: str = "m", at_least: float | None = None) -> Any:
     """Say that a field is three numbers: a place in the design pose (m), or as many numbers in another unit."""
-    return field(default=default, metadata={"read": "vector", "unit": unit})
+    return field(default=default, metadata={"read": "vector", "unit": unit, "at_least": at_least})
 
 
 def direction() -> Any:
     """Say that a field is a direction in the design pose, of any length."""
     return field(metadata={"read": "direction", "unit": "1"})
+
+
+def law(unit: str, default: Any = MISSING) -> Any:
+    """Say that a field is an expression of what moves, or a point that does, in ``unit``."""
+    return field(default=default, metadata={"law": True, "unit": unit})
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,9 +79,15 @@ class Description:
     name: str
     kind: ClassVar[str] = ""
     """What it is, in a word."""
+    positive: ClassVar[str] = ""
+    """What a force of it that is positive does, where it has one."""
 
     def units(self) -> dict[str, str]:
         """What to fill into the units of the fields."""
+        return {}
+
+    def defaults(self) -> dict[str, ca.SX]:
+        """What fields that were left open stand for."""
         return {}
 
     def with_symbols(self, numbers: Numbers) -> Self:
@@ -71,29 +95,61 @@ class Description:
         made: dict[str, Any] = {}
         for each in fields(self):
             value, read = getattr(self, each.name), each.metadata.get("read")
-            if read and value is not None and not isinstance(value, Track):
-                path, unit = f"{self.name}.{each.name}", each.metadata["unit"].format(**self.units())
+            if read and not isinstance(value, Track) and (value is not None or each.default is MISSING):
+                path, unit = f"{self.name}.{each.name}", self._unit(each.metadata)
                 made[each.name] = (
                     numbers.direction(path, value) if read == "direction" else getattr(numbers, read)(path, value, unit)
                 )
         return replace(self, **made)
 
-    def check(self) -> None:
-        """Refuse numbers that make no sense together; called on the description as it is written."""
+    def check(self, known: Known) -> None:
+        """Refuse numbers that no such thing has; they are looked at when it is made and when they change."""
+        for each in fields(self):
+            limits = [(word, each.metadata.get(word)) for word in ("above", "at_least")]
+            for word, limit in limits:
+                if limit is None or getattr(self, each.name) is None:
+                    continue
+                found, unit = known(each.name), self._unit(each.metadata)
+                if np.any(found <= limit if word == "above" else found < limit):
+                    shown = ", ".join(f"{part:g}" for part in np.atleast_1d(found))
+                    raise AssemblyError(
+                        "out of range",
+                        where=f"{self.name}.{each.name}",
+                        found=f"{shown} {unit}",
+                        allowed=f"{word.replace('_', ' ')} {limit:g} {unit}",
+                    )
 
-    def listed(self, evaluate: Callable[[ca.SX], Plain]) -> dict[str, Plain]:
-        """Name, kind, bodies, numbers and their units as plain data; ``evaluate`` gives the numbers of symbols."""
+    def listed(self, write: Write) -> dict[str, Plain]:
+        """Name, kind, bodies, numbers, laws and their units as plain data."""
         units: dict[str, Plain] = {}
         found: dict[str, Plain] = {"name": self.name, "kind": self.kind, "units": units}
+        if self.positive:
+            found["positive"] = self.positive
+        defaults = self.defaults()
         for each in fields(self):
-            value = getattr(self, each.name)
+            value, key = getattr(self, each.name), each.name
+            if value is None and key in defaults:
+                value = defaults[key]
+                found["as_designed"] = [*(name for name in defaults if getattr(self, name) is None)]
+            if key == "name":
+                continue
             if isinstance(value, Body):
-                found[each.name] = value.name
+                found[key] = value.name
             elif isinstance(value, Track):
-                found[each.name] = value.value.name()
-            elif each.name == "on":
-                found[each.name] = value
-            elif "read" in each.metadata and isinstance(value, ca.SX):
-                found[each.name] = evaluate(value)
-                units[each.name] = each.metadata["unit"].format(**self.units())
+                found[key] = value.value.name()
+            elif "unit" in each.metadata and value is not None:
+                found[key], units[key] = write(_shown(value)), self._unit(each.metadata)
+            elif key in ("on", "joint"):
+                found[key] = value
         return found
+
+    def _unit(self, metadata: Mapping[str, Any]) -> str:
+        unit: str = metadata["unit"]
+        return unit.format(**self.units())
+
+
+def _shown(value: ca.SX | Moving) -> ca.SX:
+    """What is written of a field: of a point of a body its place in the design pose."""
+    if isinstance(value, BodyPoint):
+        return value.design
+    return value.value if isinstance(value, Moving) else value

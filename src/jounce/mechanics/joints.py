@@ -9,7 +9,6 @@ reaction of the joint lies across those directions. To add a joint, write a clas
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -17,10 +16,8 @@ import casadi as ca
 import numpy as np
 
 from jounce.core.errors import AssemblyError
-from jounce.core.types import Array
-from jounce.core.units import to_si
 from jounce.mechanics.bodies import Body
-from jounce.mechanics.descriptions import Description, Given, direction, place, quantity
+from jounce.mechanics.descriptions import Description, Given, Known, direction, place, quantity
 from jounce.mechanics.equations import Track
 from jounce.mechanics.frames import Frame, Moving, by_quaternion
 from jounce.mechanics.rotations import normals
@@ -211,9 +208,10 @@ class Screw(Joint):
     kind = "screw"
     coordinates = (("angle", "rad"),)
 
-    def check(self) -> None:
+    def check(self, known: Known) -> None:
         """Refuse a pitch of zero."""
-        if not isinstance(self.pitch, ca.SX) and to_si(self.pitch, "m", where=f"{self.name}.pitch") == 0.0:
+        super().check(known)
+        if known("pitch") == 0.0:
             hint = "Without pitch it is a revolute joint; a negative one is a left-hand thread."
             raise AssemblyError("a screw without pitch", where=self.name, found="0 m a turn", hint=hint)
 
@@ -256,11 +254,10 @@ class Universal(Joint):
     kind = "universal"
     coordinates = (("angle", "rad"), ("second_angle", "rad"))
 
-    def check(self) -> None:
+    def check(self, known: Known) -> None:
         """Refuse axes that are not at right angles."""
-        one, other = (_given(self, field, "1") for field in ("axis", "second_axis"))
-        if one is None or other is None:
-            return
+        super().check(known)
+        one, other = (known(field) for field in ("axis", "second_axis"))
         cosine = one @ other / np.sqrt(one @ one * (other @ other))
         if abs(cosine) > _SQUARE:
             degrees = float(np.degrees(np.arccos(np.clip(cosine, -1.0, 1.0))))
@@ -418,15 +415,16 @@ class Rod(Joint):
     kind = "rod"
     hangs = False
 
-    def check(self) -> None:
+    def defaults(self) -> dict[str, ca.SX]:
+        """By default it is as long as designed."""
+        return {"length": ca.sqrt(self._squared)} if self.length is None else {}
+
+    def check(self, known: Known) -> None:
         """Refuse a rod without length."""
-        one, other = (_given(self, field, "m") for field in ("at", "second_at"))
-        own = self.length
-        length = None if own is None or isinstance(own, ca.SX) else to_si(own, "m", where=f"{self.name}.length")
-        is_point = own is None and one is not None and other is not None and bool(np.all(one == other))
-        if is_point or (length is not None and length <= 0.0):
+        super().check(known)
+        if known("length") <= 0.0:
             hint = "Use coincident() to keep two points in one place."
-            found = f"{length or 0.0:g} m"
+            found = f"{known('length'):g} m"
             raise AssemblyError("a rod without length", where=self.name, found=found, allowed="above 0 m", hint=hint)
 
     @property
@@ -527,11 +525,3 @@ def _half_square(reach: Moving, squared: ca.SX) -> Moving:
     """Half of what the square of a length is too much."""
     product = reach.dot(reach)
     return Moving(0.5 * (product.value - squared), 0.5 * product.rate, 0.5 * product.bias)
-
-
-def _given(joint: Joint, field: str, unit: str) -> Array | None:
-    """Three numbers of a joint as it is written; None for expressions."""
-    value: Sequence[float | str] | ca.SX = getattr(joint, field)
-    if isinstance(value, ca.SX):
-        return None
-    return np.array([to_si(part, unit, where=f"{joint.name}.{field}") for part in value])

@@ -7,32 +7,111 @@ from math import isfinite
 from typing import Any
 
 import casadi as ca
+import numpy as np
 
+from jounce.core.types import Array
 from jounce.mechanics.bodies import Body
-from jounce.mechanics.descriptions import Description, Plain
+from jounce.mechanics.descriptions import Description, Known, Plain, Write
+from jounce.mechanics.expressions import text_of
 from jounce.mechanics.structure import Structure
 
 _ELEMENTS = {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
 _NO_NUMBERS = {"name", "kind", "units", "first", "second", "body", "carries", "coordinates", "speeds", "loop"}
-_NO_NUMBERS |= {"equations", "tracks", "bodies", "frame"}
+_NO_NUMBERS |= {"equations", "tracks", "bodies", "frame", "positive", "as_designed", "joint"}
+_LONGEST = 160  # characters of a law that a line shows
+
+
+class Reading:
+    """A mechanism read at numbers of its parameters: what expressions are, and how they are written."""
+
+    def __init__(self, mechanism: Structure, values: Mapping[str, float]) -> None:
+        self._mechanism, collection = mechanism, mechanism.collection
+        self._parameters = {symbol.element_hash(): path for path, symbol in collection.parameters.items()}
+        given = {path: (symbol, values[path]) for path, symbol in collection.parameters.items() if path in values}
+        self._values = values
+        self._numbers = {
+            symbol.element_hash(): (symbol, value) for symbol, value in (given | collection.constants).values()
+        }
+
+    def value(self, path: str) -> float | None:
+        """Number of a parameter; None where it has none."""
+        number = self._values.get(path, np.nan)
+        return number if isfinite(number) else None
+
+    def numbers(self, expression: ca.SX) -> Array | None:
+        """Numbers of an expression of parameters, in its shape; None where it names anything that has none."""
+        given = [self._numbers.get(symbol.element_hash()) for symbol in ca.symvar(expression)]
+        pairs = [pair for pair in given if pair is not None]
+        if len(pairs) < len(given):
+            return None
+        symbols = ca.vertcat(*(symbol for symbol, _ in pairs))
+        found = ca.Function("numbers", [symbols], [ca.densify(expression)])([value for _, value in pairs]).full()
+        return (
+            found[:, 0]
+            if found.shape[1] == 1 and len(found) > 1
+            else found.reshape(found.shape if found.size > 1 else ())
+        )
+
+    def known(self, description: Description) -> Known:
+        """Numbers of a description's fields, not a number where they are not known."""
+
+        def known(field: str) -> Array:
+            value = getattr(description, field)
+            value = description.defaults().get(field) if value is None else value
+            if not isinstance(value, ca.SX):
+                return np.array(np.nan)
+            found = self.numbers(value)
+            return np.full(value.numel() if value.numel() > 1 else (), np.nan) if found is None else found
+
+        return known
+
+    def write(self, expression: ca.SX) -> Plain:
+        """Numbers of an expression of parameters; else a table with its text and the parameters in it."""
+        found = self.numbers(expression)
+        if found is not None:
+            parts = [float(part) if isfinite(part) else None for part in found.ravel()]
+            return parts[0] if expression.shape == (1, 1) else parts
+        within = [self._parameters.get(symbol.element_hash()) for symbol in ca.symvar(expression)]
+        if within and all(within):
+            return None  # parameters without a number
+        return self.law(expression)
+
+    def law(self, expression: ca.SX) -> dict[str, Plain]:
+        """Text of an expression, points of bodies written as ``body.point(x, y, z).z``, and its parameters."""
+        for named in self._mechanism.poses.occurring(expression):
+            place = self.numbers(named.design)
+            parts = ca.vertsplit(named.design)
+            shown = ", ".join(map(text_of, parts) if place is None else (f"{part:.6g}" for part in place))
+            whole = f"{named.body.name}.{'point' if named.is_point else 'direction'}({shown})"
+            symbols = ca.vertcat(*(ca.SX.sym(f"{whole}.{axis}") for axis in "xyz"))
+            expression = ca.substitute(expression, named.symbol, symbols)
+        paths = [self._parameters.get(symbol.element_hash()) for symbol in ca.symvar(expression)]
+        units = self._mechanism.units
+        parameters: dict[str, Plain] = {
+            path: {"value": self.value(path), "unit": units.get(path, "")} for path in paths if path is not None
+        }
+        texts: list[Plain] = [text_of(part) for part in ca.vertsplit(expression)]
+        return {"expression": texts[0] if len(texts) == 1 else texts, "parameters": parameters}
+
+    def ratios(self, expression: ca.SX) -> dict[str, Plain] | None:
+        """What a linear expression counts its coordinates and tracks by; None where it is not linear in them."""
+        collection = self._mechanism.collection
+        every = {name: track.value for name, track in collection.tracks.items()} | collection.coordinates
+        within = {symbol.element_hash() for symbol in ca.symvar(expression)}
+        found = {}
+        for name, symbol in every.items():
+            if symbol.element_hash() in within:
+                ratio = self.numbers(ca.jacobian(expression, symbol))
+                if ratio is None:
+                    return None
+                found[name] = float(ratio)
+        return None if self._mechanism.poses.occurring(expression) else found
 
 
 def as_data(mechanism: Structure, values: Mapping[str, float], watched: Iterable[Description]) -> dict[str, Any]:
     """Bodies, joints, loops, conditions, loads, tracks and what is watched (see :meth:`Mechanism.to_dict`)."""
-    collection, loops = mechanism.collection, mechanism.loops()
-    known = {name: (symbol, values[name]) for name, symbol in collection.parameters.items() if name in values}
-    known |= collection.constants
-    numbers = {symbol.element_hash(): (symbol, value) for symbol, value in known.values()}
-
-    def evaluate(expression: ca.SX) -> Plain:
-        needed = [numbers.get(symbol.element_hash()) for symbol in ca.symvar(expression)]
-        given = [pair for pair in needed if pair is not None]
-        if len(given) < len(needed):
-            return None
-        symbols = ca.vertcat(*(symbol for symbol, _ in given))
-        found = ca.Function("numbers", [symbols], [ca.densify(expression)])([value for _, value in given])
-        parts = [float(part) if isfinite(part) else None for part in found.full().ravel()]
-        return parts[0] if expression.shape == (1, 1) else parts
+    collection, loops, read = mechanism.collection, mechanism.loops(), Reading(mechanism, values)
+    write = read.write
 
     def acts_on(symbols: ca.SX) -> dict[str, Plain]:
         names = [symbol.name() for symbol in ca.symvar(symbols)]
@@ -41,10 +120,10 @@ def as_data(mechanism: Structure, values: Mapping[str, float], watched: Iterable
         return {key: [name for name in kept if name in names or key == "bodies"] for key, kept in each}
 
     return {
-        "gravity": evaluate(mechanism.gravity),
-        "bodies": [_body(body, evaluate) for body in mechanism.bodies.values() if body is not mechanism.ground],
+        "gravity": write(mechanism.gravity),
+        "bodies": [_body(body, write) for body in mechanism.bodies.values() if body is not mechanism.ground],
         "joints": [
-            hung.joint.listed(evaluate)
+            hung.joint.listed(write)
             | {
                 "carries": hung.child.name,
                 "coordinates": _with_units(mechanism, (*hung.coordinates, *hung.quaternion)),
@@ -53,7 +132,7 @@ def as_data(mechanism: Structure, values: Mapping[str, float], watched: Iterable
             for hung in mechanism.hanging.values()
         ],
         "closures": [
-            closed.joint.listed(evaluate)
+            closed.joint.listed(write)
             | {
                 "loop": list(loops[name]),
                 "equations": [
@@ -66,27 +145,39 @@ def as_data(mechanism: Structure, values: Mapping[str, float], watched: Iterable
             for name, closed in mechanism.closing.items()
         ],
         "conditions": [
-            {"name": one.name, "kind": one.kind} | acts_on(one.expression) for one, _ in mechanism.conditions.values()
+            {"name": one.name, "kind": one.kind, **read.law(one.expression), "ratios": read.ratios(one.expression)}
+            | acts_on(one.expression)
+            for one, _ in mechanism.conditions.values()
         ],
         "loads": [
-            load.listed(evaluate) | acts_on(ca.vertcat(*(expression for expression, _ in action.along)))
+            load.listed(write) | acts_on(ca.vertcat(*(expression for expression, _ in action.along)))
             if action.along
-            else load.listed(evaluate)
+            else load.listed(write)
             for load, action in mechanism.loads
         ],
         "tracks": list(collection.tracks),
-        "watched": [watch.listed(evaluate) for watch in watched],
+        "switches": [{"name": name, "above_zero": read.law(when)} for name, (_, when) in collection.switches.items()],
+        "internal_states": [
+            {"name": name, "rate": None if rate is None else read.law(rate)}
+            for name, (_, rate) in collection.internal.items()
+        ],
+        "parameters": {
+            path: {"value": read.value(path), "unit": mechanism.units.get(path, "")} for path in collection.parameters
+        },
+        "watched": [watch.listed(write) for watch in watched],
         "outputs": [{"name": one.name, "unit": one.unit, "long_name": one.long_name} for one in collection.outputs],
     }
 
 
-def _body(body: Body, evaluate: Any) -> dict[str, Plain]:
+def _body(body: Body, write: Write) -> dict[str, Plain]:
     found: dict[str, Plain] = {"name": body.name}
+    if body.axes_of is not None:
+        found["axes_of"] = body.axes_of.name
     properties = body.mass_properties
     if properties is not None:
         inertia = ca.vertcat(*(properties.inertia[i, j] for i, j in _ELEMENTS.values()))
-        elements = evaluate(inertia)
-        found |= {"mass": evaluate(properties.mass), "centre_of_mass": evaluate(properties.centre)}
+        elements = write(inertia)
+        found |= {"mass": write(properties.mass), "centre_of_mass": write(properties.centre)}
         found["inertia"] = dict(zip(_ELEMENTS, elements, strict=True)) if isinstance(elements, list) else None
     return found
 
@@ -107,7 +198,8 @@ def as_text(listed: Mapping[str, Any]) -> str:
                 f"inertia {inertia}{' kg m^2' if elements else ''}"
             )
         else:
-            bodies.append(f"{body['name']}: no mass of its own")
+            carried = f"axes of {body['axes_of']}" if "axes_of" in body else "no mass of its own"
+            bodies.append(f"{body['name']}: {carried}")
     joints = []
     for joint in listed["joints"]:
         names = ", ".join(f"{one['name']} [{one['unit']}]" for one in joint["coordinates"])
@@ -115,34 +207,63 @@ def as_text(listed: Mapping[str, Any]) -> str:
     closures = [
         f"{_line(one)}; equations {len(one['equations'])}; loop {', '.join(one['loop'])}" for one in listed["closures"]
     ]
-    conditions = [f"{one['name']}: {one['kind']} of {_names(one)}" for one in listed["conditions"]]
-    loads = [_line(one) + (f" of {_names(one)}" if _names(one) else "") for one in listed["loads"]]
+    conditions = [
+        f"{one['name']}: {one['kind']} of {_names(one)}, {_shown(_law(one))} = 0{_with(one)}"
+        for one in listed["conditions"]
+    ]
+    loads = [_line(one) for one in listed["loads"]]
     parts = {"bodies": bodies, "joints": joints, "loops closed by": closures, "conditions": conditions, "loads": loads}
     parts["tracks"] = listed["tracks"]
+    parts["switches"] = [
+        f"{one['name']}: 1 where {_shown(one['above_zero'])} > 0{_with(one['above_zero'])}"
+        for one in listed["switches"]
+    ]
+    parts["internal states"] = [
+        f"{one['name']}: rate {_shown(one['rate'])}{_with(one['rate'] or {})}" for one in listed["internal_states"]
+    ]
     parts["watched"] = [f"{one['name']}: {one['kind']}" for one in listed["watched"]]
     return "\n".join(line for name, lines in parts.items() if lines for line in (name, *(f"  {one}" for one in lines)))
 
 
 def _line(one: Mapping[str, Any]) -> str:
-    """Name, kind, bodies and numbers."""
-    ends = " - ".join(one[end] for end in ("first", "second", "body") if end in one)
+    """Name, kind, bodies, numbers and laws."""
+    ends = " - ".join(one[end] for end in ("first", "second", "body", "joint") if end in one)
     units = {name: "" if unit == "1" else f" {unit.replace('*', ' ')}" for name, unit in one["units"].items()}
     numbers = [
         f"{name.replace('_', ' ')} {_shown(value)}{units.get(name, '')}"
+        + (" as designed" if name in one.get("as_designed", ()) else "")
+        + (_with(value) if isinstance(value, dict) else "")
         for name, value in one.items()
         if name not in _NO_NUMBERS
     ]
     name = f"{one['name']}: " if one["name"] else ""
-    return name + ", ".join([one["kind"], *([ends] if ends else []), *numbers])
+    positive = [f"positive: {one['positive']}"] if "positive" in one else []
+    return name + ", ".join([one["kind"], *([ends] if ends else []), *numbers, *positive])
 
 
 def _names(one: Mapping[str, Any]) -> str:
     return ", ".join(name for part in ("coordinates", "bodies", "tracks") for name in one.get(part, ()))
 
 
+def _law(one: Mapping[str, Any]) -> dict[str, Any]:
+    return {"expression": one["expression"]}
+
+
+def _with(law: Mapping[str, Any]) -> str:
+    """Parameters of a law with their numbers."""
+    found = (
+        f"{path} {_shown(one['value'])} {one['unit']}".rstrip(" 1") for path, one in law.get("parameters", {}).items()
+    )
+    text = ", ".join(found)
+    return f" with {text}" if text else ""
+
+
 def _shown(value: Plain) -> str:
     if value is None:
         return "not known"
+    if isinstance(value, dict):
+        text = _shown(value["expression"])
+        return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}... ({len(text)} characters, whole in to_dict)"
     if isinstance(value, list):
         return f"({', '.join(_shown(part) for part in value)})"
     return f"{value:.6g}" if isinstance(value, float) else str(value)

@@ -11,8 +11,9 @@ from dataclasses import dataclass
 
 import casadi as ca
 
+from jounce.core.errors import AssemblyError
 from jounce.mechanics.bodies import Body
-from jounce.mechanics.descriptions import Description, Given, place, quantity
+from jounce.mechanics.descriptions import Description, Given, Known, law, place, quantity
 from jounce.mechanics.frames import Moving
 from jounce.mechanics.system import System
 
@@ -58,14 +59,14 @@ class PointForce(Load):
     """A force (N, ground axes) on a point of a body."""
 
     body: Body
-    force: ca.SX
-    point: Moving
+    force: ca.SX = law("N")
+    at: Moving = law("m")
     kind = "force"
 
     def action(self, system: System) -> Action:  # noqa: ARG002
         """What it does."""
-        power = (self.body.carrier.velocity(self.point), self.force)
-        return Action((power,), (Wrench(self.body, self.force, self.point.value),))
+        power = (self.body.carrier.velocity(self.at), self.force)
+        return Action((power,), (Wrench(self.body, self.force, self.at.value),))
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,7 +74,7 @@ class Torque(Load):
     """A torque (N m, ground axes) on a body."""
 
     body: Body
-    torque: ca.SX
+    torque: ca.SX = law("N*m")
     kind = "torque"
 
     def action(self, system: System) -> Action:  # noqa: ARG002
@@ -85,9 +86,15 @@ class Torque(Load):
 class GeneralForce(Load):
     """A force along an expression of coordinates and points of bodies."""
 
-    along: ca.SX
-    magnitude: ca.SX
+    length: str
+    along: ca.SX = law("{length}")
+    magnitude: ca.SX = law("{force}")
     kind = "force along an expression"
+    positive = "to greater values of the expression"
+
+    def units(self) -> dict[str, str]:
+        """Give N and m, or N m and rad."""
+        return _units_along(self.length)
 
     def action(self, system: System) -> Action:
         """What it does."""
@@ -98,9 +105,10 @@ class GeneralForce(Load):
 class PowerOnRate(Load):
     """A force by the rate it does power on."""
 
-    rate: ca.SX
-    magnitude: ca.SX
+    rate: ca.SX = law("m/s or rad/s")
+    magnitude: ca.SX = law("N or N*m")
     kind = "force on a rate"
+    positive = "to greater values of the rate"
 
     def action(self, system: System) -> Action:  # noqa: ARG002
         """What it does."""
@@ -133,14 +141,15 @@ class Between(Load):
 class PushApart(Between):
     """A force (N) that pushes two points apart."""
 
-    one: Moving
-    other: Moving
-    force: ca.SX
+    at: Moving = law("m")
+    second_at: Moving = law("m")
+    force: ca.SX = law("N")
     kind = "force between points"
+    positive = "pushes the points apart"
 
     def action(self, system: System) -> Action:  # noqa: ARG002
         """What it does."""
-        return self.apart(self.one, self.other, self.force)
+        return self.apart(self.at, self.second_at, self.force)
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,11 +158,16 @@ class SpringDamper(Between):
 
     at: Given = place()
     second_at: Given = place()
-    free_length: Given = quantity("m", None)
-    stiffness: Given = quantity("N/m", None)
-    damping: Given = quantity("N*s/m", None)
-    force: ca.SX | None = None
+    free_length: Given = quantity("m", None, at_least=0.0)
+    stiffness: Given = quantity("N/m", None, at_least=0.0)
+    damping: Given = quantity("N*s/m", None, at_least=0.0)
+    force: ca.SX | None = law("N", None)
     kind = "spring and damper"
+    positive = "compression"
+
+    def defaults(self) -> dict[str, ca.SX]:
+        """By default the spring is unloaded as designed."""
+        return {} if self.force is not None else {"free_length": length_of(self.second_at - self.at)}
 
     def action(self, system: System) -> Action:
         """Give length (m) and force (N) to the maker."""
@@ -164,7 +178,7 @@ class SpringDamper(Between):
         if self.force is not None:
             return _with(self.apart(one, other, self.force), shown=(length, self.force))
         rate = ca.dot(reach.value, reach.rate) / length
-        free = length_of(self.second_at - self.at) if self.free_length is None else self.free_length
+        free = self.defaults()["free_length"] if self.free_length is None else self.free_length
         force, stored, lost = _spring_and_damper(self.stiffness, length - free, self.damping, rate)
         return _with(self.apart(one, other, force), stored=stored, lost=lost, shown=(length, force))
 
@@ -175,11 +189,12 @@ class RotationalSpringDamper(Load):
 
     joint: str
     angle: ca.SX
-    stiffness: Given = quantity("N*m/rad", None)
+    stiffness: Given = quantity("N*m/rad", None, at_least=0.0)
     free_angle: Given = quantity("rad", None)
-    damping: Given = quantity("N*m*s/rad", None)
-    torque: ca.SX | None = None
+    damping: Given = quantity("N*m*s/rad", None, at_least=0.0)
+    torque: ca.SX | None = law("N*m", None)
     kind = "rotational spring and damper"
+    positive = "along the angle"
 
     def action(self, system: System) -> Action:
         """Give the torque (N m) to the maker."""
@@ -194,12 +209,12 @@ class RotationalSpringDamper(Load):
 class OnCoordinate(Load):
     """What acts along a coordinate, which counts in ``length`` (``m`` or ``rad``)."""
 
-    coordinate: ca.SX
+    coordinate: ca.SX = law("{length}")
     length: str
 
     def units(self) -> dict[str, str]:
         """Give N and m, or N m and rad."""
-        return {"length": self.length, "force": "N" if self.length == "m" else "N*m"}
+        return _units_along(self.length)
 
     def acts(self, system: System, force: ca.SX, stored: tuple[ca.SX, ...], lost: tuple[ca.SX, ...]) -> Action:
         """Let a force act along the coordinate."""
@@ -211,11 +226,20 @@ class OnCoordinate(Load):
 class Stop(OnCoordinate):
     """Elastic ends of a coordinate's travel; while touched they damp, but never pull."""
 
-    stiffness: Given = quantity("{force}/{length}")
-    damping: Given = quantity("{force}*s/{length}")
+    stiffness: Given = quantity("{force}/{length}", above=0.0)
+    damping: Given = quantity("{force}*s/{length}", at_least=0.0)
     lower: Given = quantity("{length}", None)
     upper: Given = quantity("{length}", None)
     kind = "stop"
+
+    def check(self, known: Known) -> None:
+        """Refuse a stop that is never touched, or at both ends at once."""
+        super().check(known)
+        if self.lower is None and self.upper is None:
+            raise AssemblyError("a stop without limits", where=self.name, hint="Give lower, upper, or both.")
+        if self.lower is not None and self.upper is not None and known("lower") > known("upper"):
+            found, allowed = f"{known('lower'):g} to {known('upper'):g} {self.length}", "lower at most upper"
+            raise AssemblyError("the limits of a stop are crossed", where=self.name, found=found, allowed=allowed)
 
     def action(self, system: System) -> Action:
         """Give its force (N or N m) to the maker."""
@@ -238,8 +262,8 @@ class Stop(OnCoordinate):
 class Friction(OnCoordinate):
     """Coulomb friction on a coordinate, turned over smoothly."""
 
-    regularisation_rate: Given = quantity("{length}/s")
-    force: Given = quantity("{force}")
+    regularisation_rate: Given = quantity("{length}/s", above=0.0)
+    force: Given = quantity("{force}", at_least=0.0)
     kind = "friction"
 
     def action(self, system: System) -> Action:
@@ -249,6 +273,10 @@ class Friction(OnCoordinate):
         system.switch(f"{self.name} sliding", ca.fabs(sharp) - _SLIDING)  # steps land on both sides of the layer
         drag = -self.force * ca.tanh(sharp)
         return self.acts(system, drag, (), (-drag * rate,))
+
+
+def _units_along(length: str) -> dict[str, str]:
+    return {"length": length, "force": "N" if length == "m" else "N*m"}
 
 
 def length_of(vector: ca.SX) -> ca.SX:

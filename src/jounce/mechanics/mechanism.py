@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import fields, replace
 from typing import Any
 
 import casadi as ca
@@ -22,18 +22,21 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.mechanics import joints, listing, loads, outputs
 from jounce.mechanics.assembly import removable
-from jounce.mechanics.bodies import Body, MassProperties, Poses, RigidMass, as_vector, tensor_elements
+from jounce.mechanics.bodies import Body, BodyPoint, MassProperties, Poses, RigidMass, tensor_elements
 from jounce.mechanics.carrier import Carried, MovingCarrier
-from jounce.mechanics.descriptions import Number, Vector
+from jounce.mechanics.descriptions import Description, Number, Vector
 from jounce.mechanics.equations import Collection, Track, form
+from jounce.mechanics.expressions import check_name, expression_of, vector_of
 from jounce.mechanics.frames import GROUND, Moving
 from jounce.mechanics.joints import Joint, Motion
 from jounce.mechanics.loads import Action, Load
+from jounce.mechanics.mass import check_inertia
 from jounce.mechanics.model import Equation, Model
 from jounce.mechanics.outputs import Watch
 from jounce.mechanics.reactions import Reaction, reaction_of
 from jounce.mechanics.rotations import unit
 from jounce.mechanics.structure import Closing, Condition, Hanging, Structure
+from jounce.mechanics.system import all_or_nothing
 
 BALANCE = "energy.balance"
 """Work of all forces as a state; kinetic energy less that as an output, in mechanisms with loops."""
@@ -79,34 +82,39 @@ class Mechanism(Structure):
     def number(self, path: str, value: Number, unit: str = "1") -> ca.SX:
         """Give the parameter at ``path`` with a value of its own (SI ``unit``); an expression is taken as it is."""
         if isinstance(value, ca.SX):
-            return value
-        whole = self._scope[1] + path
-        if whole in self.values:
+            if value.shape != (1, 1):
+                raise AssemblyError("not a number", where=path, found=f"{value.numel()} expressions", allowed="one")
+            return self.poses.require_still(value, path)
+        placed = self._scope[1] + check_name(path, "parameter")
+        if placed in self.values:
             hint = "Give every joint, force and watched point a name of its own."
-            raise AssemblyError("the name is used twice", where=whole, hint=hint)
-        self.units[whole] = unit
-        self.values[whole] = to_si(value, unit, where=path)
+            raise AssemblyError("the name is used twice", where=placed, hint=hint)
+        number = to_si(value, unit, where=path)
+        self.units[placed], self.values[placed] = unit, number
         return self.parameter(path)
 
+    @all_or_nothing
     def vector(self, path: str, value: Vector, unit: str = "m") -> ca.SX:
         """Give three parameters ``path[0]`` to ``path[2]`` with values of their own (SI ``unit``)."""
         shape = value.shape if isinstance(value, ca.SX) else (np.size(np.asarray(value, dtype=object)), 1)
         if shape != (3, 1):
             raise AssemblyError("not a vector", where=path, found=f"{shape[0]} numbers", allowed="three: x, y, z")
         if isinstance(value, ca.SX):
-            return value
+            return self.poses.require_still(value, path)
         return ca.vertcat(*(self.number(f"{path}[{i}]", part, unit) for i, part in enumerate(value)))
 
+    @all_or_nothing
     def direction(self, path: str, value: Vector) -> ca.SX:
         """Give the unit vector along three numbers."""
         if not isinstance(value, ca.SX):
-            found = [to_si(part, "1", where=path) for part in value]
-            if not any(found):
+            found = [to_si(part, "1", where=path) for part in np.atleast_1d(np.asarray(value, dtype=object)).ravel()]
+            if len(found) == 3 and not any(found):
                 raise AssemblyError("an axis without direction", where=path, found=tuple(found), allowed="not all zero")
         return unit(self.vector(path, value, "1"))
 
     # bodies ----------------------------------------------------------------------------------------------------
 
+    @all_or_nothing
     def body(
         self,
         name: str,
@@ -143,6 +151,9 @@ class Mechanism(Structure):
                 self.vector(f"{name}.centre_of_mass", centre_of_mass),
                 self._tensor(f"{name}.inertia", inertia),
             )
+            found = [listing.Reading(self, self.values).numbers(part) for part in (properties.mass, properties.inertia)]
+            if found[0] is not None and found[1] is not None:
+                check_inertia(placed, float(found[0]), found[1])
         elif inertia is not None or centre_of_mass is not None:
             raise AssemblyError("a centre of mass or an inertia without a mass", where=name, hint="Give mass.")
         self.bodies[placed] = Body(placed, self.poses, properties)
@@ -152,12 +163,16 @@ class Mechanism(Structure):
         if inertia is None:
             return ca.SX(3, 3)
         if isinstance(inertia, ca.SX):
-            return inertia
+            if inertia.shape != (3, 3):
+                found, allowed = f"shape {inertia.shape}", "a symmetric (3, 3) tensor"
+                raise AssemblyError("not a tensor of inertia", where=path, found=found, allowed=allowed)
+            return self.poses.require_still(inertia, path)
         names, elements = ("xx", "yy", "zz", "xy", "xz", "yz"), tensor_elements(path, inertia)
         pairs = zip(names, elements, strict=True)
         xx, yy, zz, xy, xz, yz = (self.number(f"{path}.{name}", value, "kg*m^2") for name, value in pairs)
         return ca.vertcat(ca.horzcat(xx, xy, xz), ca.horzcat(xy, yy, yz), ca.horzcat(xz, yz, zz))
 
+    @all_or_nothing
     def moving_frame(self, body: Body, field: ca.SX) -> Body:
         """Give moving axes on a body, for a mechanism that hangs on it: cheaper than joints to the body itself.
 
@@ -174,15 +189,17 @@ class Mechanism(Structure):
             It moves with the body; joints to it and between what hangs on it do not see that motion.
         """
         self._require_placed("moving frame", body)
+        field = vector_of(field, f"field of {body.name} axes", "m/s^2")
         name = f"{body.name} axes"
         if name in self.bodies:
             raise AssemblyError("the name is used twice", where=name)
-        self.bodies[name] = Body(name, self.poses)
+        self.bodies[name] = Body(name, self.poses, axes_of=body)
         self.poses.frames[name] = replace(GROUND, carrier=MovingCarrier(body.frame, field))
         return self.bodies[name]
 
     # joints ----------------------------------------------------------------------------------------------------
 
+    @all_or_nothing
     def add(self, joint: Joint) -> ca.SX:
         """Add a joint of any class.
 
@@ -197,6 +214,9 @@ class Mechanism(Structure):
             Coordinates (m, rad, 1) of a joint that hangs a body; forces (N) and torques (N m) on the second body of
             one that closes a loop.
         """
+        if not isinstance(joint, Joint):
+            hint = "Take a class of jounce.mechanics, such as Revolute, or one of your own."
+            raise AssemblyError("not a joint", where="add", found=type(joint).__name__, hint=hint)
         name, first, second = joint.name, joint.first, joint.second
         self._check(name, first, second)
         if not joint.hangs:
@@ -210,7 +230,7 @@ class Mechanism(Structure):
             text, hint = joint.refusal
             raise AssemblyError(text, where=self.placed(name), found=second.name, hint=hint)
         made = joint.with_symbols(self)
-        joint.check()
+        self._check_numbers([made], self.values)
         placed = self._unused(name, (*self.hanging, *self.closing, *self.conditions))
         return self._close(replace(made, name=placed)) if closes else self._hang(name, replace(made, name=placed))
 
@@ -232,6 +252,7 @@ class Mechanism(Structure):
             allowed = f"{len(speeds)}, one for each speed: {', '.join(speeds)}"
             raise AssemblyError(f"{given} efforts of {type(joint).__name__}", where=name, found=given, allowed=allowed)
         self.hanging[joint.name] = Hanging(joint, parent, child, motion, coordinates, quaternion, speeds)
+        self._refuse_clashes()
         return ca.vertcat(q, e)
 
     def _close(self, joint: Joint) -> ca.SX:
@@ -306,6 +327,7 @@ class Mechanism(Structure):
         """Let a body slide along an axis by a prescribed travel (m): a track, or a parameter."""
         self.add(joints.Driven(name, parent, child, axis, travel))
 
+    @all_or_nothing
     def coincident(self, name: str, first: Body, second: Body, at: Vector, second_at: Vector | None = None) -> ca.SX:
         """Keep a point of one body on a point of another; give the force on the second (N, ground axes)."""
         if second_at is None:
@@ -350,19 +372,24 @@ class Mechanism(Structure):
 
     def coupler(self, name: str, expression: ca.SX) -> ca.SX:
         """Keep a linear combination of coordinates at zero, such as ``rack - radius * pinion``; give its force."""
+        value = self.poses.resolved(expression_of(expression, name))
+        if any(ca.which_depends(value, self.collection.q, 2)):
+            hint = "Take condition() for what is not linear."
+            raise AssemblyError("not a linear combination of coordinates", where=name, found=str(value), hint=hint)
         return self._condition(name, "coupler", expression)
 
     def motion(self, name: str, coordinate: ca.SX, track: Track) -> ca.SX:
         """Drive a coordinate (m or rad) along a prescribed input; give the force or torque that it takes."""
-        return self._condition(name, "motion", coordinate - track.value)
+        self._check_track(name, track)
+        return self._condition(name, "motion", expression_of(coordinate, name) - track.value)
 
     def condition(self, name: str, expression: ca.SX) -> ca.SX:
         """Keep any expression of coordinates, points of bodies and tracks at zero; give its multiplier."""
         return self._condition(name, "condition", expression)
 
+    @all_or_nothing
     def _condition(self, name: str, kind: str, expression: ca.SX) -> ca.SX:
-        expression = ca.SX(expression)
-        self._check_expression(name, expression)
+        expression = self._check_expression(name, expression)
         placed = self._unused(name, (*self.hanging, *self.closing, *self.conditions))
         value = self.poses.resolved(expression)
         rate = self.rate_of(value)
@@ -370,12 +397,21 @@ class Mechanism(Structure):
         self.conditions[placed] = Condition(placed, kind, expression), multiplier
         return multiplier
 
-    def _check_expression(self, name: str, expression: ca.SX) -> None:
+    def _check_track(self, name: str, track: Track) -> None:
+        """Refuse what is no prescribed input of this mechanism."""
+        if not isinstance(track, Track) or all(track is not one for one in self.collection.tracks.values()):
+            found = type(track).__name__ if not isinstance(track, str | Track) else getattr(track, "value", track)
+            hint = "Take what mechanism.track(name) gives, once for each name."
+            raise AssemblyError("not a track of this mechanism", where=name, found=str(found), hint=hint)
+
+    def _check_expression(self, name: str, expression: ca.SX) -> ca.SX:
         """Refuse what is not one expression of coordinates, such as the force that a closing joint gives."""
+        expression = expression_of(expression, check_name(name))
         if expression.shape != (1, 1):
             hint = "Take one of them, as joint[0]; a closing joint gives its forces and has no coordinate."
             raise AssemblyError("not one coordinate", where=name, found=f"{expression.shape[0]} expressions", hint=hint)
         self._check_moves(name, expression, "not a condition on coordinates", self.collection.q)
+        return expression
 
     def _check_moves(self, name: str, expression: ca.SX, text: str, moving: ca.SX, also: Sequence[ca.SX] = ()) -> None:
         """Refuse what names other things than coordinates, parameters, tracks (and ``also``), or nothing ``moving``."""
@@ -392,12 +428,17 @@ class Mechanism(Structure):
         given += [symbol for symbol, _ in self.collection.constants.values()]
         for track in self.collection.tracks.values():
             given += [track.value, track.rate, track.acceleration]
-        known = {symbol.element_hash() for symbol in given}
+        known = {symbol.element_hash() for symbol in given} | self.poses.named.keys()
         return [symbol.name() for symbol in ca.symvar(expression) if symbol.element_hash() not in known]
 
     def _check(self, name: str, *bodies: Body) -> None:
-        """Refuse bodies of another mechanism, and one body twice."""
+        """Refuse what is no body, bodies of another mechanism, and one body twice."""
+        check_name(name)
         for body in bodies:
+            if not isinstance(body, Body):
+                found = body if isinstance(body, str) else type(body).__name__
+                hint = "Take what mechanism.body(name) gave, or mechanism.ground."
+                raise AssemblyError("not a body", where=name, found=found, hint=hint)
             if self.bodies.get(body.name) is not body:
                 raise AssemblyError("the body belongs to another mechanism", where=name, found=body.name)
         if len(bodies) == 2 and bodies[0] is bodies[1]:
@@ -428,59 +469,133 @@ class Mechanism(Structure):
 
     # loads -----------------------------------------------------------------------------------------------------
 
+    @all_or_nothing
     def act(self, load: Load) -> Action:
         """Add a load of any class; what it gives to its maker is ``shown``."""
-        bodies = [value for value in vars(load).values() if isinstance(value, Body)]
+        if not isinstance(load, Load):
+            raise AssemblyError(
+                "not a load", where="act", found=type(load).__name__, hint="Take one of the builder's methods."
+            )
+        if any("read" in each.metadata for each in fields(load)):  # its numbers become parameters by its name
+            check_name(load.name, load.kind)
+        ends = ("first", "second", "body")
+        bodies = [value for key, value in vars(load).items() if isinstance(value, Body) or key in ends]
         self._require_placed(load.name or load.kind, *bodies)
         made = load.with_symbols(self)
+        self._check_numbers([made], self.values)
         action = made.action(self)
+        self._check_laws(load.name or load.kind, action.power)
         self.collection.loads.extend(action.power)
         self.loads.append((replace(made, name=self.placed(load.name)), action))
         return action
 
-    def force(self, along: ca.SX, magnitude: ca.SX) -> None:
+    def _check_laws(self, name: str, power: Iterable[tuple[ca.SX, ca.SX]]) -> None:
+        """Refuse forces that depend on other things than this mechanism has before its equations are solved."""
+        every, moving = self.collection, [*self.collection.speeds.values()]
+        moving += [state for state, _ in every.internal.values()] + [mode for mode, _ in every.switches.values()]
+        strange = self._strange_in(ca.SX(ca.veccat(*(part for pair in power for part in pair))), moving)
+        if strange:
+            found = f"an expression of {', '.join(strange)}"
+            hint = "It may depend on coordinates, speeds, points, tracks and states of its mechanism, not on reactions."
+            raise AssemblyError("a force that cannot be computed", where=name, found=found, hint=hint)
+
+    def force(self, along: ca.SX, magnitude: ca.SX | float | str) -> None:
         """Let ``magnitude`` (N, N m) push ``along`` (m, rad), an expression of coordinates and points of bodies.
 
         Both may be vectors, such as a point of a body and a force in ground axes.
         """
-        along, magnitude = ca.SX(along), ca.SX(magnitude)
+        along = expression_of(along, "force")
+        length = self._length_of(along)
+        magnitude = expression_of(magnitude, "magnitude of force", "N" if length == "m" else "N*m")
         if along.shape != magnitude.shape:
             found = f"{magnitude.numel()} along {along.numel()} expressions"
             raise AssemblyError("as many forces as expressions", where="force", found=found, allowed="one for each")
         moving = [self.collection.q, *(track.value for track in self.collection.tracks.values())]
         text, modes = "a force along what moves nothing of this mechanism", self.collection.switches.values()
         self._check_moves("force", along, text, ca.vertcat(*moving), [mode for mode, _ in modes])
-        self.act(loads.GeneralForce("", along, magnitude))
+        self.act(loads.GeneralForce("", length, along, magnitude))
 
     def load(self, rate: ca.SX, magnitude: ca.SX) -> None:
         """Add a force that does the power ``magnitude * rate``; both may be vectors.
 
         For reactions it acts on coordinates only; ``force`` and ``apply_force`` know the points, too.
         """
+        rate, magnitude = expression_of(rate, "rate of load"), expression_of(magnitude, "magnitude of load", "N")
+        if rate.shape != magnitude.shape:
+            found = f"{magnitude.numel()} on {rate.numel()} rates"
+            raise AssemblyError("as many forces as rates", where="load", found=found, allowed="one for each")
         self.act(loads.PowerOnRate("", rate, magnitude))
 
-    def apply_force(self, body: Body, force: ca.SX | Sequence[float], point: Moving | ca.SX | Sequence[float]) -> None:
+    def apply_force(
+        self, body: Body, force: ca.SX | Sequence[float | str], point: Moving | ca.SX | Sequence[float | str]
+    ) -> None:
         """Let a force (N, ground axes) act on a point of a body, given by ``body.point`` or its design place (m).
 
         In a moving frame, force and point are in its axes.
         """
-        self._require_placed("force", body)
-        where = point if isinstance(point, Moving) else body.frame.point(as_vector(point))
-        owners = {named.body.name for named in self.poses.occurring(where.value)}
-        if owners and body.name not in owners:
-            hint = f"Ask {body.name} for its point, or use push_apart() between two bodies."
-            raise AssemblyError(
-                "a point of another body", where=f"force on {body.name}", found=", ".join(owners), hint=hint
-            )
-        self.act(loads.PointForce("", body, as_vector(force), where))
+        self._require_moving("force", body)
+        where = f"force on {body.name}"
+        place = self._point_of(body, point, where)
+        self.act(loads.PointForce("", body, vector_of(force, where, "N"), place))
 
-    def apply_torque(self, body: Body, torque: ca.SX | Sequence[float]) -> None:
+    def apply_torque(self, body: Body, torque: ca.SX | Sequence[float | str]) -> None:
         """Let a torque (N m, ground axes; in a moving frame its axes) act on a body."""
-        self.act(loads.Torque("", body, as_vector(torque)))
+        self._require_moving("torque", body)
+        self.act(loads.Torque("", body, vector_of(torque, f"torque on {body.name}", "N*m")))
 
-    def push_apart(self, first: Body, second: Body, at: Moving, second_at: Moving, force: ca.SX) -> None:
-        """Let a force (N) push two points apart along the line between them."""
-        self.act(loads.PushApart("", first, second, at, second_at, force))
+    def push_apart(
+        self,
+        first: Body,
+        second: Body,
+        at: Moving | ca.SX | Sequence[float | str],
+        second_at: Moving | ca.SX | Sequence[float | str],
+        force: ca.SX | float | str,
+    ) -> None:
+        """Let a force (N) push two points apart along the line between them; points as for ``apply_force``."""
+        name = loads.PushApart.kind
+        self._require_placed(name, first, second)
+        ends = [self._point_of(body, point, name) for body, point in ((first, at), (second, second_at))]
+        self.act(loads.PushApart("", first, second, *ends, self._law(name, force, "N")))
+
+    def _require_moving(self, name: str, body: Body) -> None:
+        """Refuse bodies that hang on nothing yet, and the ground, which no force moves."""
+        self._require_placed(name, body)
+        if body is self.ground:
+            raise AssemblyError("the ground does not move", where=name, hint="Name the body that it acts on.")
+
+    def _point_of(self, body: Body, point: Moving | ca.SX | Sequence[float | str], where: str) -> Moving:
+        """The point of a body that lies at a design place, or one that is given; refuses those of other bodies."""
+        if not isinstance(point, Moving):
+            design = self.poses.require_still(vector_of(point, where), where)
+            found = body.frame.point(design)
+            return BodyPoint(found.value, found.rate, found.bias, body, design)
+        owners = (
+            {point.body} if isinstance(point, BodyPoint) else {one.body for one in self.poses.occurring(point.value)}
+        )
+        if owners and body not in owners:
+            names = ", ".join(
+                one.name if self.bodies.get(one.name) is one else f"{one.name} of another mechanism" for one in owners
+            )
+            hint = f"Ask {body.name} for its point, or use push_apart() between two bodies."
+            raise AssemblyError("a point of another body", where=where, found=names, hint=hint)
+        return point
+
+    def _law(self, where: str, law: ca.SX | float | str, unit: str) -> ca.SX:
+        """One expression."""
+        found = expression_of(law, where, unit)
+        if found.shape != (1, 1):
+            raise AssemblyError("not one expression", where=where, found=f"{found.numel()} expressions", allowed="one")
+        return found
+
+    def _own_law(self, name: str, law: ca.SX | float | str, unit: str, **beside: Number | None) -> ca.SX:
+        """A law of the user's; refuses numbers of the usual one beside it, which would not count."""
+        given = [key for key, one in beside.items() if one is not None and (isinstance(one, ca.SX) or one != 0.0)]
+        if given:
+            hint = "Put them into the law, or leave it out."
+            raise AssemblyError(
+                "a law of its own takes no other numbers", where=name, found=", ".join(given), hint=hint
+            )
+        return self._law(name, law, unit)
 
     def spring_damper(
         self,
@@ -521,9 +636,10 @@ class Mechanism(Structure):
         """
         law = loads.SpringDamper(name, first, second, at, second_at, free_length, stiffness, damping)
         if force is not None:
-            law = replace(law, free_length=None, stiffness=None, damping=None, force=force)
-        length, force = self.act(law).shown
-        return length, force
+            own = self._own_law(name, force, "N", stiffness=stiffness, damping=damping, free_length=free_length)
+            law = replace(law, free_length=None, stiffness=None, damping=None, force=own)
+        length, pushing = self.act(law).shown
+        return length, pushing
 
     def rotational_spring_damper(
         self,
@@ -558,12 +674,13 @@ class Mechanism(Structure):
             Torque along the angle.
         """
         turning = {text: f"{text}.angle" for text, hung in self.hanging.items() if f"{text}.angle" in hung.coordinates}
-        if joint not in turning:
+        if check_name(joint, name) not in turning:
             raise unknown(joint, turning, what="joint with an angle in the tree", where=name)
         angle = self.collection.coordinates[turning[joint]]
         law = loads.RotationalSpringDamper(name, joint, angle, stiffness, free_angle, damping)
         if torque is not None:
-            law = replace(law, stiffness=None, free_angle=None, damping=None, torque=torque)
+            own = self._own_law(name, torque, "N*m", stiffness=stiffness, damping=damping, free_angle=free_angle)
+            law = replace(law, stiffness=None, free_angle=None, damping=None, torque=own)
         return self.act(law).shown[0]
 
     def stop(
@@ -591,7 +708,7 @@ class Mechanism(Structure):
         damping : float
             N s/m or N m s/rad while touched; a stop does not pull, so the loss ends where it would.
         """
-        self._check_expression(name, coordinate)
+        coordinate = self._check_expression(name, coordinate)
         length = self._length_of(coordinate)
         return self.act(loads.Stop(name, coordinate, length, stiffness, damping, lower, upper)).shown[0]
 
@@ -609,7 +726,7 @@ class Mechanism(Structure):
         regularisation_rate : float
             m/s or rad/s: below about that rate the force turns over smoothly, so a joint that should stick creeps.
         """
-        self._check_expression(name, coordinate)
+        coordinate = self._check_expression(name, coordinate)
         law = loads.Friction(name, coordinate, self._length_of(coordinate), regularisation_rate, force)
         return self.act(law).shown[0]
 
@@ -622,6 +739,7 @@ class Mechanism(Structure):
 
     def watch_point(self, name: str, body: Body, at: Vector) -> None:
         """Let a point of a body be seen: ``<name>.x, .vx, .ax`` and so on, ground axes (m, m/s, m/s^2)."""
+        self._check(name, body)
         self._refuse_moving(name, body)
         self._see(outputs.WatchedPoint(name, body, at))
 
@@ -633,6 +751,7 @@ class Mechanism(Structure):
         negative) and ``.roll``, ``.pitch``, ``.yaw`` (rad): turns about the ground's z axis (yaw), then the new y axis
         (pitch), then the new x axis (roll), as ISO 8855 has them.
         """
+        self._check("watch_body", body)
         if body.mass_properties is None or not body.is_placed:
             raise AssemblyError("a body without mass or joint has nothing to show", where=body.name)
         self._refuse_moving(body.name, body)
@@ -662,6 +781,7 @@ class Mechanism(Structure):
         """
         self._see(outputs.WatchedCoordinates("coordinates"))
 
+    @all_or_nothing
     def watch_reaction(
         self, joint: str, frame: str = "ground", *, at: Vector | None = None, on: str | None = None
     ) -> None:
@@ -681,10 +801,10 @@ class Mechanism(Structure):
             on the one that comes last in the mechanism.
         """
         known = [*self.joints, *self.closures, *self.conditions]
-        if joint not in known:
+        if check_name(joint, "reaction") not in known:
             raise unknown(joint, known, what="joint", where="reaction")
-        for body in (frame, *([on] if on else [])):
-            if body not in self.bodies:
+        for body in (frame, *([] if on is None else [on])):
+            if check_name(body, f"reaction of {joint}") not in self.bodies:
                 raise unknown(body, self.bodies, what="body", where=f"reaction of {joint}")
         key = f"reaction of {joint}"
         kept = self.watched.get(key)
@@ -706,6 +826,7 @@ class Mechanism(Structure):
         """
         self._see(outputs.WatchedEnergy("energy"))
 
+    @all_or_nothing
     def _see(self, watch: Watch) -> None:
         """Watch something; coordinates and energies once, however often that is said."""
         key = watch.kind if watch.name == watch.kind else f"{watch.kind} of {self.placed(watch.name)}"
@@ -713,6 +834,20 @@ class Mechanism(Structure):
             raise AssemblyError("the name is used twice", where=self.placed(watch.name))
         made = watch.with_symbols(self)
         self.watched[key] = replace(made, name=made.name if made.name == made.kind else self.placed(made.name))
+        self._refuse_clashes()
+
+    def _refuse_clashes(self) -> None:
+        """Refuse a point, body or angle that is watched under the name of coordinates that are watched, too."""
+        if not any(isinstance(watch, outputs.WatchedCoordinates) for watch in self.watched.values()):
+            return
+        turning = {one.name for one in self.watched.values() if isinstance(one, outputs.WatchedAngle)}
+        places = {one.name for one in self.watched.values() if isinstance(one, outputs.WatchedPoint)}
+        clashing = [name for name, hung in self.hanging.items() if name in places and hung.joint.has_quaternion]
+        clashing += sorted(turning & set(self.collection.coordinates))
+        if clashing:
+            text = "its coordinates have the names of signals of what is watched by the same name"
+            hint = "Give the joint a name that no watched body or point has."
+            raise AssemblyError(text, where=", ".join(clashing), hint=hint)
 
     def reaction(self, joint: str, on: str | None = None) -> Reaction:
         """Give force (N) and torque (N m) of a joint, closure or condition in ground axes; for outputs only.
@@ -747,13 +882,37 @@ class Mechanism(Structure):
         dict
             Strictly plain data (SI); None for a number that is not known.
         """
-        given = {}
-        for path, value in (values or {}).items():
-            if path not in self.parameters:
+        given = values or {}
+        nothing = {path: value for path, value in given.items() if isinstance(value, float) and not np.isfinite(value)}
+        numbers = self.with_values({path: 0.0 if path in nothing else value for path, value in given.items()})
+        return listing.as_data(self, numbers | nothing, self.watched.values())
+
+    def with_values(self, values: Mapping[str, float | str]) -> dict[str, float]:
+        """Every parameter's number (SI) by path, those given (SI, or text with a unit) in place of those built in."""
+        for path in values:
+            if check_name(path, "values") not in self.parameters:
                 raise unknown(path, self.parameters, what="parameter", where="values")
-            unit = self.units.get(path, "1")
-            given[path] = to_si(value, unit, where=f"values: {path}") if isinstance(value, str) else float(value)
-        return listing.as_data(self, {**self.values, **given}, self.watched.values())
+        units = self.units
+        given = {path: to_si(value, units.get(path, "1"), where=f"values: {path}") for path, value in values.items()}
+        return self.values | given
+
+    def check_values(self, values: Mapping[str, float]) -> None:
+        """Refuse numbers (SI) that no body, joint or load of this mechanism can have."""
+        for name, body in self.mass_values(values).items():
+            check_inertia(name, *body)
+        joints_ = [*(hung.joint for hung in self.hanging.values()), *(closed.joint for closed in self.closing.values())]
+        self._check_numbers([*joints_, *(load for load, _ in self.loads), *self.watched.values()], values)
+
+    def _check_numbers(self, things: Iterable[Description], values: Mapping[str, float]) -> None:
+        """Let descriptions look at their numbers."""
+        reading = listing.Reading(self, values)
+        for each in things:
+            each.check(reading.known(each))
+            for axis in (one.name for one in fields(each) if one.metadata.get("read") == "direction"):
+                found = reading.numbers(getattr(each, axis))
+                if found is not None and not np.all(np.isfinite(found)):
+                    where, hint = f"{each.name}.{axis}", "Its three numbers must not all be zero."
+                    raise AssemblyError("an axis without direction", where=where, hint=hint)
 
     def __str__(self) -> str:
         return listing.as_text(self.to_dict())
@@ -826,6 +985,7 @@ class Mechanism(Structure):
         Model
             The equations.
         """
+        _check_choice(redundant, ("keep", "remove"))
         model = self._formed(frozenset(), balance=False)
         if redundant == "remove" and model.constraints:
             dropped = removable(model, *self._numbers(model, values or {}, inputs or {}), start)
@@ -849,12 +1009,13 @@ class Mechanism(Structure):
         start, values, inputs : mapping, optional
             SI, as for ``finish``.
         """
-        whole = self._kept(frozenset())
-        if redundant != "remove" or not whole.constraints:
-            return whole
+        _check_choice(redundant, ("refuse", "remove"))
+        every = self._kept(frozenset())
+        if redundant != "remove" or not every.constraints:
+            return every
         size = self._size()
         known = [key[0] for key in self._finished if key[1:] == size and isinstance(key[0], frozenset) and key[0]]
-        return self._kept(removable(whole, *self._numbers(whole, values or {}, inputs or {}), start, known))
+        return self._kept(removable(every, *self._numbers(every, values or {}, inputs or {}), start, known))
 
     def _kept(self, dropped: frozenset[str]) -> Model:
         """The model without some of the loop equations, formed once."""
@@ -873,9 +1034,24 @@ class Mechanism(Structure):
         whole = self.complete()
         if balance and whole.collection.constraints:
             whole.watch_balance()
+        self._check_outputs()
         for watch in self.watched.values():
             watch.show(whole)
         return form(_resolved(whole.collection, self.poses), dropped)
+
+    def _check_outputs(self) -> None:
+        """Refuse signals of things that this mechanism does not have."""
+        every = self.collection
+        given = [*every.speeds.values(), *every.accelerations.values()]
+        given += [state for state, _ in every.internal.values()] + [mode for mode, _ in every.switches.values()]
+        given += [part for constraint in every.constraints for part in ca.vertsplit(constraint.multipliers)]
+        if not self._strange_in(ca.SX(ca.veccat(*every.outputs.values())), given):
+            return
+        for output, expression in every.outputs.items():
+            strange = self._strange_in(expression, given)
+            if strange:
+                text = "an expression of what this mechanism does not have"
+                raise AssemblyError(text, where=f"output {output.name}", found=", ".join(strange))
 
     def watch_balance(self) -> None:
         """Show what the loops make of the energy: none may come or go there. Unknown where a track moves a body."""
@@ -889,10 +1065,16 @@ class Mechanism(Structure):
 
     def _numbers(self, model: Model, values: Mapping[str, float], inputs: Mapping[str, float]) -> tuple[Array, Array]:
         """Parameters and inputs of a model."""
-        every = {**self.values, **values}
+        every = self.with_values(values)
+        for name in inputs:
+            if name not in model.tracks:
+                raise unknown(name, model.tracks, what="track", where="inputs")
+        lacking = [name for name in model.parameters if name not in every]
+        if lacking:
+            raise AssemblyError("parameters without a value", where=", ".join(lacking), hint="Give them in values.")
         u = np.zeros(model.u.shape[0])
         for i, name in enumerate(model.tracks):
-            u[i * model.track_order] = inputs.get(name, 0.0)
+            u[i * model.track_order] = to_si(inputs.get(name, 0.0), "1", where=f"inputs: {name}")
         return np.array([every[name] for name in model.parameters]), u
 
 
@@ -917,6 +1099,11 @@ def _resolved(collection: Collection, poses: Poses) -> Collection:
         switches={name: (mode, next(found)) for name, (mode, _) in collection.switches.items()},
         outputs={output: next(found) for output in collection.outputs},
     )
+
+
+def _check_choice(redundant: str, choices: tuple[str, ...]) -> None:
+    if redundant not in choices:
+        raise unknown(str(redundant), choices, what="choice", where="redundant")
 
 
 def _by_place(bodies: Iterable[Body]) -> list[list[Body]]:

@@ -6,10 +6,12 @@ This is what reactions, signals and listings read; :class:`jounce.mechanics.Mech
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import casadi as ca
 
 from jounce.mechanics.bodies import Body, Poses
+from jounce.mechanics.expressions import expression_of
 from jounce.mechanics.joints import Joint, Motion, Row
 from jounce.mechanics.loads import Action, Load
 from jounce.mechanics.system import System
@@ -53,7 +55,7 @@ class Structure(System):
 
     def __init__(self) -> None:
         super().__init__()
-        self.poses = Poses()
+        self.poses = Poses(self.collection)
         self.ground = Body("ground", self.poses)
         self.values: dict[str, float] = {}
         self.units: dict[str, str] = {}
@@ -83,6 +85,10 @@ class Structure(System):
         """Names of the joints that close loops."""
         return tuple(self.closing)
 
+    def growing(self) -> list[dict[str, Any] | list[Any]]:
+        """All that grows when something is added."""
+        return [*super().growing(), self.poses.frames, self.poses.named]
+
     def loops(self) -> dict[str, tuple[str, ...]]:
         """Joint that closes a loop to the joints around that loop, itself first."""
         found = {}
@@ -108,7 +114,7 @@ class Structure(System):
 
     def rate_of(self, expression: ca.SX) -> ca.SX:
         """Give the time derivative of an expression of coordinates, points of bodies and tracks."""
-        return super().rate_of(self.poses.resolved(ca.SX(expression)))
+        return super().rate_of(self.poses.resolved(expression_of(expression, "rate")))
 
     def supplied(self) -> list[ca.SX]:
         """Powers of the motions that tracks prescribe, W."""

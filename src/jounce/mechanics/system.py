@@ -7,15 +7,39 @@ bodies and joints, too. Both only collect; the equations are formed by :func:`jo
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator, Sequence
+from collections.abc import Callable, Container, Iterator, Sequence
 from contextlib import contextmanager
+from functools import wraps
+from typing import Any, Concatenate, ParamSpec, TypeVar
 
 import casadi as ca
 
-from jounce.core.errors import AssemblyError
+from jounce.core.errors import AssemblyError, unknown
 from jounce.mechanics.equations import Collection, Constraint, Inertia, PointMass, Track, form
+from jounce.mechanics.expressions import check_name, expression_of
 from jounce.mechanics.model import Equation, Model, Output, speed_of
 from jounce.mechanics.rotations import quaternion_rate
+
+_Arguments, _Answer, _Builder = ParamSpec("_Arguments"), TypeVar("_Answer"), TypeVar("_Builder", bound="System")
+
+
+def all_or_nothing(
+    method: Callable[Concatenate[_Builder, _Arguments], _Answer],
+) -> Callable[Concatenate[_Builder, _Arguments], _Answer]:
+    """Let a method add all it says or, where it refuses, nothing: a builder only grows, so it is cut back."""
+
+    @wraps(method)
+    def tried(self: _Builder, /, *given: _Arguments.args, **named: _Arguments.kwargs) -> _Answer:
+        before = [(part, len(part)) for part in self.growing()]
+        try:
+            return method(self, *given, **named)
+        except Exception:
+            for part, size in before:
+                while len(part) > size:
+                    part.popitem() if isinstance(part, dict) else part.pop()
+            raise
+
+    return tried
 
 
 class System:
@@ -27,6 +51,12 @@ class System:
     def __init__(self) -> None:
         self.collection = Collection()
         self._scope = ("", "")
+
+    def growing(self) -> list[dict[str, Any] | list[Any]]:
+        """All that grows when something is added."""
+        return [
+            part for part in (*vars(self).values(), *vars(self.collection).values()) if isinstance(part, dict | list)
+        ]
 
     @contextmanager
     def within(self, place: str, path: str | None = None) -> Iterator[None]:
@@ -78,13 +108,17 @@ class System:
 
     def coordinate_named(self, name: str) -> ca.SX:
         """Give the symbol of a coordinate."""
-        return self.collection.coordinates[self.placed(name)]
+        known = self.collection.coordinates
+        if self.placed(check_name(name, "coordinate")) not in known:
+            raise unknown(name, known, what="coordinate")
+        return known[self.placed(name)]
 
     def quaternion(self, name: str) -> tuple[ca.SX, ca.SX]:
         """Add an orientation: four coordinates, three speeds (rad/s in the body's axes); give the symbols of both."""
-        self.collection.quaternions[self.placed(name)] = len(self.collection.coordinates)
+        first = len(self.collection.coordinates)
         names, speeds = [f"{name}.e{i}" for i in range(4)], [f"{name}.w{axis}" for axis in "xyz"]
         e, w = self._symbols_of(names, ["1"] * 4, (1.0, 0.0, 0.0, 0.0), speeds, ["rad/s"] * 3)
+        self.collection.quaternions[self.placed(name)] = first
         self.collection.rates.append(quaternion_rate(e, w))
         return e, w
 
@@ -115,8 +149,10 @@ class System:
 
     def set_internal_rate(self, name: str, rate: ca.SX) -> None:
         """Say how fast an internal state changes."""
-        name = self.placed(name)
-        self.collection.internal[name] = (self.collection.internal[name][0], rate)
+        name, known = self.placed(check_name(name, "internal state")), self.collection.internal
+        if name not in known:
+            raise unknown(name, known, what="internal state")
+        known[name] = (known[name][0], expression_of(rate, f"rate of {name}"))
 
     def track(self, name: str) -> Track:
         """Add a prescribed input motion and give its value and rates."""
@@ -127,16 +163,16 @@ class System:
 
     def parameter(self, path: str) -> ca.SX:
         """Give the symbol of the number at ``path`` of the description; the same path gives the same symbol."""
-        path = self._scope[1] + path
+        path = self._scope[1] + check_name(path, "parameter")
         if path not in self.collection.parameters:
             self.collection.parameters[path] = ca.SX.sym(path)
         return self.collection.parameters[path]
 
     def switch(self, name: str, expression: ca.SX) -> ca.SX:
         """Give the mode symbol that is 1 where ``expression`` is above zero and 0 elsewhere."""
-        name = self._unused(name, self.collection.switches)
+        name, decides = self._unused(name, self.collection.switches), expression_of(expression, f"switch {name}")
         mode = ca.SX.sym(name)
-        self.collection.switches[name] = (mode, ca.SX(expression))
+        self.collection.switches[name] = (mode, decides)
         return mode
 
     def inertia(self, inertia: Inertia) -> None:
@@ -158,9 +194,15 @@ class System:
 
     def constrain(self, equations: Sequence[Equation], value: ca.SX, rate: ca.SX, bias: ca.SX) -> ca.SX:
         """Add equations ``value = 0`` with their two rates; give the symbols of their multipliers (forces)."""
-        known = {equation.name for constraint in self.collection.constraints for equation in constraint.equations}
+        before = (equation for constraint in self.collection.constraints for equation in constraint.equations)
+        known = {equation.name: equation.joint for equation in before}
         for equation in equations:
-            _refuse_twice(equation.name, known)
+            if equation.name in known:
+                text, found = (
+                    "one of its equations has the name of another",
+                    f"{equation.name} of {known[equation.name]}",
+                )
+                raise AssemblyError(text, where=equation.joint, found=found, hint="Give one of the two another name.")
         multipliers = ca.vertcat(*(ca.SX.sym(f"{equation.name} multiplier") for equation in equations))
         self.collection.constraints.append(Constraint(tuple(equations), value, rate, bias, multipliers))
         return multipliers
@@ -181,7 +223,11 @@ class System:
     def output(self, name: str, expression: ca.SX, unit: str, long_name: str) -> None:
         """Add a signal the model can give."""
         name = self._unused(name, {known.name for known in self.collection.outputs})
-        self.collection.outputs[Output(name, unit, long_name)] = ca.SX(expression)
+        shown = expression_of(expression, f"output {name}")
+        if shown.shape != (1, 1):
+            found, hint = f"{shown.numel()} expressions", "Take one of them, as force[0]."
+            raise AssemblyError("not one expression", where=f"output {name}", found=found, hint=hint)
+        self.collection.outputs[Output(name, unit, long_name)] = shown
 
     def finish(self) -> Model:
         """Form the equations of motion."""
@@ -189,7 +235,7 @@ class System:
 
     def _unused(self, name: str, names: Container[str]) -> str:
         """A name with its place, which nothing of its kind has yet."""
-        name = self.placed(name)
+        name = self.placed(check_name(name))
         _refuse_twice(name, names)
         return name
 

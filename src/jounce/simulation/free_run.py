@@ -16,7 +16,6 @@ from jounce.core.units import to_si
 from jounce.kernel.engine import Control, Problem, Status, flatten
 from jounce.mechanics import Mechanism, Model, assemble, constant
 from jounce.mechanics.assembly import Assembly
-from jounce.mechanics.mass import check_inertia
 from jounce.mechanics.mechanism import BALANCE
 from jounce.mechanics.model import moved_by
 from jounce.recordings.schema import recording
@@ -131,7 +130,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     compiled = compile_model(model)
     first, notes = pose.x, [_moved(pose)]
     if at_rest:
-        running = {name for name in start or {} if name in model.speeds}
+        running = {name for name in start or {} if name in model.speeds and pose.x[model.states.index(name)] != 0.0}
         first, neutral = _at_rest(compiled, p, u, pose.x, running, model.quaternions.values())
         if model.constraints:  # the tracks were held so far; with their speeds
             kept = [i for i, name in enumerate(model.states) if name not in model.speeds or name in running]
@@ -176,17 +175,11 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
 
 def _values(mechanism: Mechanism, values: Mapping[str, float | str]) -> dict[str, float]:
     """Every parameter by path, those given in place of those it was built with."""
-    for name in values:
-        if name not in mechanism.parameters:
-            raise unknown(name, mechanism.parameters, what="parameter", where="values")
-    units = mechanism.units
-    given = {name: to_si(value, units.get(name, "1"), where=f"values: {name}") for name, value in values.items()}
-    every = mechanism.values | given
+    every = mechanism.with_values(values)
     lacking = [name for name in mechanism.parameters if name not in every]
     if lacking:
         raise SimulationError("parameters without a value", where=", ".join(lacking), hint="Give them in values.")
-    for name, body in mechanism.mass_values(every).items():
-        check_inertia(name, *body)
+    mechanism.check_values(every)
     return every
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from numbers import Real
 from typing import Literal, get_args
 
 import numpy as np
@@ -50,6 +51,11 @@ class RunSettings:
     method: Method = "auto"
 
     def __post_init__(self) -> None:
+        for name, unit in (("output_step", " in s"), ("tolerance", "")):
+            value = getattr(self, name)
+            if isinstance(value, bool) or not isinstance(value, Real):
+                found = value if isinstance(value, str) else type(value).__name__
+                raise SimulationError("not a number", where=name, found=found, allowed=f"a number{unit}")
         if not (np.isfinite(self.output_step) and self.output_step > 0.0):
             raise SimulationError(
                 "not an output step", where="output_step", found=self.output_step, allowed="above 0 s"

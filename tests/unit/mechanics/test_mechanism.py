@@ -5,10 +5,12 @@ from __future__ import annotations
 import json
 import re
 
+import casadi
 import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.mechanics.expressions import text_of
 from jounce.simulation import compiled
 
 X, Y, Z, ORIGIN = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, 0.0)
@@ -288,3 +290,93 @@ def test_a_listing_takes_units_and_refuses_names_it_does_not_know():
     assert broken["loads"][0]["stiffness"] is None
     with pytest.raises(jn.DescriptionError, match=r"unknown parameter 'strut.stifness'.*strut\.stiffness"):
         mechanism.to_dict({"strut.stifness": 1.0})
+
+
+def test_a_listing_holds_all_that_acts():
+    """Every number and law that was given is found again, in the numbers, expressions and signs of the listing."""
+    mechanism = jn.mechanics.Mechanism()
+    block, other = mechanism.body("block", 1.0, ORIGIN, BALL), mechanism.body("other", 1.0, ORIGIN, BALL)
+    slid = mechanism.prismatic("slide", mechanism.ground, block, axis=Z)
+    turn = mechanism.revolute("turn", mechanism.ground, other, at=ORIGIN, axis=Y)
+    rate = mechanism.number("own.rate", "1.2345678901 kN/m", "N/m")
+    mechanism.apply_force(block, (0.0, 0.0, 1.0 / 3.0), (0.1, 0.2, 0.3))
+    mechanism.apply_torque(other, (0.0, 4.0, 0.0))
+    mechanism.push_apart(block, other, block.point((0.1, 0.0, 0.0)), (0.0, 0.0, 1.0), 5.0 * slid)
+    mechanism.load(mechanism.rate_of(turn), -0.3 * mechanism.rate_of(turn))
+    mechanism.force(block.point((1.0, 0.0, 0.0)).value[2], -rate * slid)
+    mechanism.spring_damper("spring", block, other, ORIGIN, (0.0, 0.0, 2.0), stiffness=3.0)
+    mechanism.spring_damper("law", block, other, ORIGIN, (0.0, 0.0, 2.0), force=rate * slid)
+    mechanism.rotational_spring_damper("torsion", "turn", torque=-0.1 * turn)
+    mechanism.coupler("teeth", slid - 0.05 * turn)
+    mechanism.condition("rule", slid**2 - turn)
+    mechanism.rod("rod", block, other, ORIGIN, (0.0, 0.0, 0.5))
+    mechanism.motion("drive", turn, mechanism.track("go"))
+    listed = json.loads(json.dumps(mechanism.to_dict(), allow_nan=False))
+    push, twist, apart, load, general, spring, law, torsion = listed["loads"]
+    own = {"own.rate": {"value": pytest.approx(1234.5678901, rel=1e-15), "unit": "N/m"}}
+    assert (push["force"], push["at"], push["units"]) == (
+        [0.0, 0.0, 1.0 / 3.0],
+        [0.1, 0.2, 0.3],
+        {"force": "N", "at": "m"},
+    )
+    assert (twist["body"], twist["torque"]) == ("other", [0.0, 4.0, 0.0])
+    assert (apart["at"], apart["second_at"], apart["positive"]) == ([0.1, 0, 0], [0, 0, 1], "pushes the points apart")
+    assert apart["force"] == {"expression": "(5*slide.distance)", "parameters": {}}
+    assert load["magnitude"]["expression"] == "(-0.3*turn.angle rate)"
+    assert general["along"]["expression"] == "block.point(1, 0, 0).z"
+    assert general["magnitude"] == {"expression": "(-(own.rate*slide.distance))", "parameters": own}
+    assert (spring["free_length"], spring["as_designed"]) == (2.0, ["free_length"])
+    assert (law["force"], law["positive"]) == (
+        {"expression": "(own.rate*slide.distance)", "parameters": own},
+        "compression",
+    )
+    assert "free_length" not in law
+    assert (torsion["joint"], torsion["torque"]["expression"], torsion["positive"]) == (
+        "turn",
+        "(-0.1*turn.angle)",
+        "along the angle",
+    )
+    (rod,) = listed["closures"]
+    assert (rod["length"], rod["as_designed"]) == (0.5, ["length"])
+    teeth, rule, drive = listed["conditions"]
+    assert teeth["ratios"] == {"slide.distance": 1.0, "turn.angle": -0.05}
+    assert (rule["expression"], rule["ratios"]) == ("(sq(slide.distance)-turn.angle)", None)
+    assert drive["ratios"] == {"go": -1.0, "turn.angle": 1.0}
+    assert listed["parameters"]["own.rate"] == own["own.rate"]
+    text = str(mechanism)
+    for line in (
+        "  force, block, force (0, 0, 0.333333) N, at (0.1, 0.2, 0.3) m",
+        "  spring: spring and damper, block - other, at (0, 0, 0) m, second at (0, 0, 2) m, free length 2 m as designed",
+        "  rod: rod, block - other, at (0, 0, 0) m, second at (0, 0, 0.5) m, length 0.5 m as designed;",
+        "force (own.rate*slide.distance) N with own.rate 1234.57 N/m, positive: compression",
+        "  teeth: coupler of slide.distance, turn.angle, (slide.distance-(0.05*turn.angle)) = 0",
+    ):
+        assert line in text, line
+
+
+def test_a_listing_holds_switches_states_and_moving_axes():
+    mechanism = jn.mechanics.Mechanism()
+    block = mechanism.body("block", 1.0, ORIGIN, BALL)
+    slid = mechanism.prismatic("slide", mechanism.ground, block, axis=Z)
+    up = mechanism.switch("up", slid - 0.1)
+    lag = mechanism.internal_state("lag")
+    mechanism.set_internal_rate("lag", 2.0 * (slid - lag))
+    mechanism.force(slid, -up * lag)
+    mechanism.moving_frame(block, casadi.vertcat(0.0, 0.0, -9.81))
+    listed = mechanism.to_dict()
+    assert listed["switches"] == [
+        {"name": "up", "above_zero": {"expression": "(slide.distance-0.1)", "parameters": {}}}
+    ]
+    (state,) = listed["internal_states"]
+    assert (state["name"], state["rate"]["expression"]) == ("lag", "(2.*(slide.distance-lag))")
+    assert listed["bodies"][-1] == {"name": "block axes", "axes_of": "block"}
+    assert "  lag: rate (2.*(slide.distance-lag))" in str(mechanism)
+
+
+def test_expressions_are_written_with_all_digits_and_what_they_share_once():
+    a, b = casadi.SX.sym("a"), casadi.SX.sym("b")
+    shared = casadi.sin(a + 1.0 / 3.0)
+    text = text_of(shared**2 + casadi.fmax(shared, b) / 1e-9)
+    assert text == "@1 = sin((a+0.3333333333333333)), (sq(@1)+(fmax(@1,b)/1e-09))"
+    assert text_of(casadi.SX(2.0)) == "2"
+    assert text_of(-a) == "(-a)"

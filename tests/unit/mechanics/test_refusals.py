@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+from types import SimpleNamespace
 
+import casadi
 import numpy as np
 import pytest
 
@@ -68,13 +70,18 @@ def test_masses(changed, text):
         ({"values": {"bob.mas": 1.0}}, "values: unknown parameter 'bob.mas'"),
         ({"values": {"bob.mass": -2.0}}, "bob: not a mass; found '-2 kg'"),
         ({"values": {"gravity": NAN}}, "values: gravity: not a finite number"),
-        ({"values": {"pivot.axis[1]": 0.0}}, "its mass matrix is not finite"),
+        ({"values": {"pivot.axis[1]": 0.0}}, "pivot.axis: an axis without direction"),
         ({"motions": {"go": jn.mechanics.constant(0.0)}}, "motions: unknown track 'go'"),
         ({"duration": 0.0}, "duration: not a duration; found '0 s'"),
         ({"duration": -1.0}, "duration: not a duration"),
         ({"duration": "3 kg"}, "duration: wrong unit"),
         ({"output_step": 0.0}, "output_step: not an output step"),
         ({"tolerance": 0.0}, "tolerance: not a tolerance"),
+        ({"tolerance": NAN}, "tolerance: not a tolerance"),
+        ({"tolerance": "1e-6"}, "tolerance: not a number; found '1e-6'"),
+        ({"output_step": "1 ms"}, "output_step: not a number; found '1 ms'; allowed: a number in s"),
+        ({"output_step": float("inf")}, "output_step: not an output step"),
+        ({"values": {3: 1.0}}, "values: not a name; found 'int'"),
         ({"redundant": "delete"}, "redundant: unknown choice 'delete'"),
     ],
 )
@@ -290,3 +297,243 @@ def test_forces_at_points_of_another_body():
     with refused("force on bob: a point of another body; found 'other'"):
         mechanism.apply_force(body, (0.0, 0.0, 5.0), other.point(ORIGIN))
     mechanism.apply_force(body, (0.0, 0.0, 5.0), body.point(ORIGIN))
+
+
+def state_of(mechanism):
+    """All that a builder has collected."""
+    return mechanism.to_dict(), {name: len(part) for name, part in vars(mechanism.collection).items() if part}
+
+
+def loaded():
+    """A mechanism m with a pendulum b and on it a slider s at the distance q; another mechanism and its pendulum o."""
+    mechanism, body = pendulum()
+    slider = mechanism.body("slider", 0.5, ORIGIN, BALL)
+    distance = mechanism.prismatic("slide", body, slider, axis=(1.0, 0.0, 0.0))
+    mechanism.track("go")
+    return SimpleNamespace(m=mechanism, b=body, s=slider, q=distance, o=pendulum())
+
+
+def symbols(count):
+    return casadi.SX.sym("strange", count)
+
+
+@pytest.mark.parametrize(
+    ("call", "text"),
+    [
+        # points and design places
+        (lambda t: t.b.point(casadi.vertcat(t.q, 0, 0)), "point of bob: not a number; found 'an expression of slide"),
+        (lambda t: t.b.direction(casadi.vertcat(t.q, 0, 1)), "direction of bob: not a number"),
+        (lambda t: t.b.point((1, 0)), "point of bob: not a vector; found '2 numbers'; allowed: three: x, y, z"),
+        (lambda t: t.b.point((NAN, 0, 0)), "point of bob: not a finite number"),
+        (lambda t: t.b.point("here"), "point of bob: not a number with a unit"),
+        (lambda t: t.b.point(None), "point of bob: not an expression; found 'NoneType'"),
+        (lambda t: t.m.rod("rod", t.b, t.m.ground, ORIGIN, (0, 0, 1), length=1 + t.q), "rod.length: not a number"),
+        (lambda t: t.m.spherical("ball", t.m.ground, t.s, casadi.vertcat(t.q, 0, 0)), "ball.at: not a number"),
+        (lambda t: t.m.revolute("h", t.m.ground, t.m.body("n"), ORIGIN, casadi.vertcat(t.q, 0, 1)), "h.axis: not a n"),
+        (lambda t: t.m.watch_point("p", t.b, casadi.vertcat(t.q, 0, 0)), "p.at: not a number"),
+        (lambda t: t.m.body("n", 1.0, casadi.vertcat(t.q, 0, 0)), "n.centre_of_mass: not a number"),
+        (lambda t: t.m.driven("d", t.m.ground, t.m.body("n"), Y, 2 * t.m.collection.tracks["go"].value), "d.travel: n"),
+        # forces and torques
+        (lambda t: t.m.apply_force(t.b, (1, 2), ORIGIN), "force on bob: not a vector; found '2 numbers'"),
+        (lambda t: t.m.apply_force(t.b, "5 N", ORIGIN), "force on bob: not a vector; found '1 numbers'"),
+        (lambda t: t.m.apply_force(t.b, ("5 m", 0, 0), ORIGIN), "force on bob: wrong unit; found 'm'"),
+        (lambda t: t.m.apply_force(t.b, ORIGIN, (1, 0)), "force on bob: not a vector"),
+        (lambda t: t.m.apply_force("bob", ORIGIN, ORIGIN), "force: not a body; found 'bob'"),
+        (lambda t: t.m.apply_force(t.b, ORIGIN, t.m.ground.point(ORIGIN)), "a point of another body; found 'ground'"),
+        (lambda t: t.m.apply_force(t.b, ORIGIN, t.o[1].point(ORIGIN)), "found 'bob of another mechanism'"),
+        (lambda t: t.m.apply_force(t.m.ground, ORIGIN, ORIGIN), "force: the ground does not move"),
+        (lambda t: t.m.apply_force(t.o[1], ORIGIN, ORIGIN), "force: the body belongs to another mechanism"),
+        (lambda t: t.m.apply_force(t.b, symbols(3), ORIGIN), "force: a force that cannot be computed"),
+        (lambda t: t.m.apply_torque(t.b, (1, 2)), "torque on bob: not a vector"),
+        (lambda t: t.m.apply_torque(t.b, (1, 2, NAN)), "torque on bob: not a finite number"),
+        (lambda t: t.m.push_apart(t.b, t.s, ORIGIN, (1, 0), 5.0), "force between points: not a vector"),
+        (lambda t: t.m.push_apart(t.b, t.s, t.s.point(Y), t.s.point(ORIGIN), 5.0), "a point of another body; found 's"),
+        (lambda t: t.m.push_apart(t.b, t.s, ORIGIN, Y, (1.0, 2.0)), "not one expression; found '2 expressions'"),
+        (lambda t: t.m.force(t.q, "5 N*m"), "magnitude of force: wrong unit; found 'N*m'"),
+        (lambda t: t.m.force(t.q, None), "magnitude of force: not an expression"),
+        (lambda t: t.m.force("slide.distance", 5.0), "force: not a number with a unit"),
+        (lambda t: t.m.force(t.q, symbols(1)), "a force that cannot be computed; found 'an expression of strange'"),
+        (lambda t: t.m.load(t.m.rate_of(t.q), (1, 2)), "load: as many forces as rates"),
+        (lambda t: t.m.load("rate", 1.0), "rate of load: not a number with a unit"),
+        # springs, stops, friction
+        (lambda t: t.m.spring_damper("k", t.b, t.s, ORIGIN, Y, stiffness=-1.0), "k.stiffness: out of range; found '-1"),
+        (lambda t: t.m.spring_damper("k", t.b, t.s, ORIGIN, Y, damping=-1.0), "k.damping: out of range"),
+        (lambda t: t.m.spring_damper("k", t.b, t.s, ORIGIN, Y, free_length="-1 m"), "k.free_length: out of range"),
+        (lambda t: t.m.spring_damper("k", t.b, t.s, ORIGIN, Y, stiffness="1 N"), "k.stiffness: wrong unit"),
+        (lambda t: t.m.spring_damper("k", t.b, t.s, ORIGIN, Y, stiffness=1.0, force=t.q), "takes no other numbers"),
+        (lambda t: t.m.spring_damper("", t.b, t.s, ORIGIN, Y), "spring and damper: not a name; found ''"),
+        (lambda t: t.m.spring_damper("k ", t.b, t.s, ORIGIN, Y), "not a name; found 'k '"),
+        (lambda t: t.m.spring_damper("k", t.b, 3, ORIGIN, Y), "k: not a body; found 'int'"),
+        (lambda t: t.m.rotational_spring_damper("r", "pivot", stiffness=-1.0), "r.stiffness: out of range"),
+        (lambda t: t.m.rotational_spring_damper("r", t.b), "r: not a name; found 'Body'; allowed: text without blanks"),
+        (lambda t: t.m.stop("end", t.q, stiffness=1e3), "end: a stop without limits"),
+        (lambda t: t.m.stop("end", t.q, lower=1.0, upper=-1.0, stiffness=1e3), "end: the limits of a stop are cross"),
+        (lambda t: t.m.stop("end", t.q, upper=1.0, stiffness=0.0), "end.stiffness: out of range; found '0 N/m'"),
+        (lambda t: t.m.stop("end", t.q, upper=1.0, stiffness=1.0, damping=-1.0), "end.damping: out of range"),
+        (lambda t: t.m.friction("f", t.q, -5.0), "f.force: out of range; found '-5 N'; allowed: at least 0 N"),
+        (lambda t: t.m.friction("f", t.q, 5.0, regularisation_rate=0.0), "f.regularisation_rate: out of range"),
+        (lambda t: t.m.friction("f", "slide.distance", 5.0), "f: not a number with a unit"),
+        (lambda t: jn.mechanics.add_bushing(t.m, "u", t.b, t.s, ORIGIN, (1, -1, 1)), "u.stiffness: out of range"),
+        (lambda t: jn.mechanics.add_elastic_rod(t.m, "u", t.b, t.s, ORIGIN, Y, (1, -1, 1)), "u.stiffness: out of ra"),
+        # conditions
+        (lambda t: t.m.motion("d", t.q, "go"), "d: not a track of this mechanism; found 'go'"),
+        (lambda t: t.m.motion("d", t.q, t.o[0].track("go")), "d: not a track of this mechanism"),
+        (lambda t: t.m.motion("d", "slide.distance", t.m.collection.tracks["go"]), "d: not a number with a unit"),
+        (lambda t: t.m.coupler("c", t.q * t.q), "c: not a linear combination of coordinates; found 'sq(slide.distance"),
+        (lambda t: t.m.coupler("", t.q), "not a name; found ''"),
+        (lambda t: t.m.condition("c", None), "c: not an expression; found 'NoneType'"),
+        # bodies and joints
+        (lambda t: t.m.body("n", -1.0, ORIGIN), "n: not a mass; found '-1 kg'"),
+        (lambda t: t.m.body("n", 1.0, ORIGIN, (1, 1, -1)), "n: no body has this inertia"),
+        (lambda t: t.m.body("n", 1.0, ORIGIN, 5.0), "n.inertia: not a tensor of inertia; found '1 numbers'"),
+        (lambda t: t.m.body("n", 1.0, ORIGIN, casadi.SX(2, 2)), "n.inertia: not a tensor of inertia"),
+        (lambda t: t.m.body("n", 1.0, "here"), "n.centre_of_mass: not a vector"),
+        (lambda t: t.m.body(""), "not a name; found ''"),
+        (lambda t: t.m.body(3), "not a name; found 'int'"),
+        (lambda t: t.m.revolute("h", t.b, "slider", ORIGIN, Y), "h: not a body; found 'slider'"),
+        (lambda t: t.m.revolute("h", t.m.ground, t.m.body("n"), ORIGIN, None), "h.axis: not a"),
+        (lambda t: t.m.revolute("h", t.m.ground, t.m.body("n"), ORIGIN, (0, 1)), "h.axis: not a vector"),
+        (lambda t: t.m.revolute(None, t.m.ground, t.m.body("n"), ORIGIN, Y), "not a name; found 'NoneType'"),
+        (lambda t: t.m.add("revolute"), "add: not a joint; found 'str'"),
+        (lambda t: t.m.act(5.0), "act: not a load; found 'float'"),
+        (lambda t: t.m.moving_frame(t.b, (0, 1)), "field of bob axes: not a vector"),
+        (lambda t: t.m.screw("t", t.m.ground, t.m.body("n"), ORIGIN, Y, pitch=0.0), "t: a screw without pitch"),
+        (lambda t: t.m.universal("u", t.m.ground, t.m.body("n"), ORIGIN, Y, (0, 1, 1)), "u: the axes of a universal"),
+        # names, signals and what is watched
+        (lambda t: t.m.coordinate_named("pivot.angel"), "unknown coordinate 'pivot.angel'"),
+        (lambda t: t.m.coordinate_named(3), "coordinate: not a name; found 'int'"),
+        (lambda t: t.m.track(""), "not a name; found ''"),
+        (lambda t: t.m.switch("up", "q"), "switch up: not a number with a unit"),
+        (lambda t: t.m.set_internal_rate("z", t.q), "unknown internal state 'z'"),
+        (lambda t: t.m.output("out", t.b.point(Y).value, "m", "-"), "output out: not one expression; found '3 exp"),
+        (lambda t: t.m.output("out", "q", "m", "-"), "output out: not a number with a unit"),
+        (lambda t: t.m.watch_reaction("pivot", frame=t.b), "not a name; found 'Body'"),
+        (lambda t: t.m.watch_reaction("pivot", on=t.s), "reaction of pivot: not a name; found 'Body'"),
+        (lambda t: t.m.watch_reaction(t.q), "reaction: not a name"),
+        (lambda t: t.m.watch_reaction("pivot", at=(1, 0)), "pivot.reaction_at: not a vector"),
+        (lambda t: t.m.watch_body(t.o[1]), "watch_body: the body belongs to another mechanism; found 'bob'"),
+        (lambda t: t.m.watch_body("bob"), "watch_body: not a body; found 'bob'"),
+        (lambda t: t.m.watch_point("p", t.o[1], ORIGIN), "p: the body belongs to another mechanism"),
+        (lambda t: t.m.watch_point("", t.b, ORIGIN), "not a name; found ''"),
+        (lambda t: t.m.watch_angle("a", t.b, t.s, (0, 1)), "a.axis: not a vector"),
+        (lambda t: t.m.rate_of("q"), "rate: not a number with a unit"),
+        # equations
+        (lambda t: t.m.finish("foo"), "redundant: unknown choice 'foo'; allowed: keep, remove"),
+        (lambda t: t.m.model("foo"), "redundant: unknown choice 'foo'; allowed: refuse, remove"),
+        (lambda _: jn.mechanics.Mechanism(gravity="9.81"), "gravity: the unit is missing"),
+        (lambda _: jn.mechanics.Mechanism(gravity=symbols(1)), "gravity: not a number"),
+    ],
+)  # fmt: skip
+def test_wrong_arguments_are_refused_and_leave_the_builder_as_it_was(call, text):
+    given = loaded()
+    before = state_of(given.m)
+    with refused(text):
+        call(given)
+    after = state_of(given.m)
+    bare = [body for body in after[0]["bodies"] if body != {"name": "n"}]  # made for the call, not by it
+    assert (after[0] | {"bodies": bare}, after[1]) == before
+    assert set(given.m.bodies) == {"ground", *(body["name"] for body in after[0]["bodies"])}
+
+
+def test_the_corrected_call_is_taken():
+    given = loaded()
+    mechanism, body, slider, distance = given.m, given.b, given.s, given.q
+    with refused("not a vector"):
+        mechanism.rod("rod", body, slider, (0.0, 0.0, 1.0), (0.0, 1.0))
+    mechanism.rod("rod", body, slider, (0.0, 0.0, 1.0), (0.0, 1.0, 0.0))
+    with refused("limits of a stop are crossed"):
+        mechanism.stop("end", distance, lower=1.0, upper=0.0, stiffness=1e3)
+    mechanism.stop("end", distance, lower=0.0, upper=1.0, stiffness=1e3)
+    with refused("not a mass"):
+        mechanism.body("other", 0.0, ORIGIN)
+    other = mechanism.body("other", 1.0, ORIGIN)
+    with refused("a screw without pitch"):
+        mechanism.screw("thread", mechanism.ground, other, ORIGIN, Y, 0.0)
+    assert not other.is_placed
+    mechanism.screw("thread", mechanism.ground, other, ORIGIN, Y, 0.1)
+    with refused("not a vector"):
+        mechanism.coincident("pin", body, other, (0.0, 1.0))
+    mechanism.coincident("pin", body, other, (0.0, 1.0, 0.0))
+
+
+def test_numbers_with_units_are_taken_where_numbers_stand():
+    given = loaded()
+    mechanism, body, slider, distance = given.m, given.b, given.s, given.q
+    mechanism.apply_force(body, ("5 N", 0.0, "2 kN"), ("80 mm", 0.0, 0.0))
+    mechanism.apply_torque(body, ("5 N*m", 0.0, 0.0))
+    mechanism.force(distance, "3 kN")
+    mechanism.push_apart(body, slider, ("80 mm", 0, 0), (0, 0, 1), "1 kN")
+    loads = mechanism.to_dict()["loads"]
+    assert loads[0]["force"] == [5.0, 0.0, 2000.0]
+    assert loads[0]["at"] == [0.08, 0.0, 0.0]
+    assert loads[1]["torque"] == [5.0, 0.0, 0.0]
+    assert loads[2]["magnitude"] == 3000.0
+    assert (loads[3]["at"], loads[3]["force"]) == ([0.08, 0.0, 0.0], 1000.0)
+
+
+@pytest.mark.parametrize(
+    ("values", "text"),
+    [
+        ({"rod.length": 0.0}, "rod: a rod without length; found '0 m'"),
+        ({"rod.length": "-1 mm"}, "rod: a rod without length; found '-0.001 m'"),
+        ({"tie.at[2]": 0.0}, "tie: a rod without length; found '0 m'"),
+        ({"thread.pitch": 0.0}, "thread: a screw without pitch"),
+        ({"cross.second_axis[1]": 1.0}, "cross: the axes of a universal joint are not at right angles"),
+        ({"cross.axis[1]": 0.0}, "cross.axis: an axis without direction"),
+        ({"spring.stiffness": -3.0}, "spring.stiffness: out of range; found '-3 N/m'"),
+        ({"drag.force": -1.0}, "drag.force: out of range"),
+        ({"end.upper": -2.0}, "end: the limits of a stop are crossed; found '-1 to -2 rad'"),
+        ({"cross body.mass": 0.0}, "cross body: not a mass"),
+    ],
+)
+def test_numbers_that_are_changed_for_a_run_are_checked_as_when_they_are_built_in(values, text):
+    mechanism = jn.mechanics.Mechanism()
+    nut, cross = mechanism.body("nut", 1.0, ORIGIN, BALL), mechanism.body("cross body", 1.0, ORIGIN, BALL)
+    turn = mechanism.screw("thread", mechanism.ground, nut, ORIGIN, Y, "50 mm")
+    mechanism.universal("cross", mechanism.ground, cross, ORIGIN, Y, (1.0, 0.0, 0.0))
+    mechanism.rod("rod", nut, cross, ORIGIN, (0.0, 0.0, 1.0), length=1.0)
+    mechanism.rod("tie", mechanism.ground, cross, (0.0, 0.0, -1.0), ORIGIN)
+    mechanism.spring_damper("spring", nut, cross, ORIGIN, Y, stiffness=3.0)
+    mechanism.friction("drag", turn, 0.1)
+    mechanism.stop("end", turn, lower=-1.0, upper=1.0, stiffness=1e3)
+    with refused(text):
+        jn.simulate_mechanism(mechanism, 0.1, values=values)
+
+
+def test_equations_of_one_name_are_said_with_both_joints():
+    mechanism, body = flying()
+    mechanism.coincident("tie", mechanism.ground, body, ORIGIN)
+    with refused("tie.x: one of its equations has the name of another; found 'tie.x of tie'"):
+        mechanism.rod("tie.x", mechanism.ground, body, ORIGIN, Y)
+    mechanism.rod("other", mechanism.ground, body, ORIGIN, Y)
+
+
+@pytest.mark.parametrize("order", ["body first", "coordinates first", "joint last"])
+def test_signals_of_one_name_are_refused_when_they_are_asked_for(order):
+    mechanism = jn.mechanics.Mechanism()
+    body = mechanism.body("bob", 1.0, ORIGIN, BALL)
+    text = "bob: its coordinates have the names of signals of what is watched by the same name"
+    if order == "joint last":
+        other = mechanism.body("other", 1.0, ORIGIN, BALL)
+        mechanism.free("flight", other)
+        mechanism.watch_point("bob", other, Y)
+        mechanism.watch_coordinates()
+        with refused(text):
+            mechanism.free("bob", body)
+        mechanism.free("flight of bob", body)
+    else:
+        mechanism.free("bob", body)
+        first, second = (mechanism.watch_coordinates, lambda: mechanism.watch_body(body))[
+            :: 1 if order[0] == "c" else -1
+        ]
+        first()
+        with refused(text):
+            second()
+    jn.mechanics.assemble(mechanism.finish(), np.array(list(mechanism.values.values())), np.zeros(0))
+
+
+def test_an_output_of_another_mechanism_is_said_before_anything_is_compiled():
+    given = loaded()
+    given.m.output("strange", given.o[0].coordinate_named("pivot.angle"), "rad", "-")
+    with refused("output strange: an expression of what this mechanism does not have; found 'pivot.angle'"):
+        given.m.finish()

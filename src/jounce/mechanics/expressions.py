@@ -1,0 +1,74 @@
+"""What users give to a builder as names, numbers and expressions, read or refused with one message."""
+
+from __future__ import annotations
+
+from numbers import Real
+
+import casadi as ca
+import numpy as np
+
+from jounce.core.errors import AssemblyError
+from jounce.core.units import to_si
+
+
+def check_name(name: object, where: str = "") -> str:
+    """Refuse what is no name: anything but text, empty text, and blanks around it."""
+    if isinstance(name, str) and name and name == name.strip():
+        return name
+    named = getattr(name, "name", None)
+    hint = f"Give the name, {named!r}." if isinstance(named, str) and not isinstance(name, str) else ""
+    found = name if isinstance(name, str) else type(name).__name__
+    raise AssemblyError("not a name", where=where, found=found, allowed="text without blanks around it", hint=hint)
+
+
+def expression_of(value: object, where: str, unit: str = "1") -> ca.SX:
+    """One or several expressions, numbers (SI) or texts with a unit, as an expression."""
+    if isinstance(value, ca.SX | ca.DM):
+        return ca.SX(value)
+    if isinstance(value, str | Real):
+        return ca.SX(to_si(value, unit, where=where))
+    if isinstance(value, list | tuple | np.ndarray) and len(np.shape(np.asarray(value, dtype=object))) == 1:
+        return ca.vertcat(*(expression_of(part, where, unit) for part in value))
+    allowed = f"numbers in {unit} or with their unit, or expressions of casadi.SX" if unit != "1" else "casadi.SX"
+    raise AssemblyError("not an expression", where=where, found=type(value).__name__, allowed=allowed)
+
+
+def vector_of(value: object, where: str, unit: str = "m") -> ca.SX:
+    """Three expressions, numbers (SI) or texts with a unit, as an expression."""
+    found = expression_of(value, where, unit)
+    if found.shape != (3, 1):
+        raise AssemblyError("not a vector", where=where, found=f"{found.numel()} numbers", allowed="three: x, y, z")
+    return found
+
+
+def text_of(expression: ca.SX) -> str:
+    """One expression written out with all digits of its numbers; what occurs again and again is ``@1``, ``@2``."""
+    symbols = ca.symvar(expression)
+    function = ca.Function("text", symbols, [ca.densify(expression)])
+    count = function.n_instructions()
+    codes = [function.instruction_id(k) for k in range(count)]
+    uses, makers = [0] * count, {}
+    for k, code in enumerate(codes):
+        if code not in (ca.OP_CONST, ca.OP_INPUT):
+            for register in function.instruction_input(k):
+                uses[makers[register]] += 1
+        if code != ca.OP_OUTPUT:
+            makers[function.instruction_output(k)[0]] = k
+    register_texts: dict[int, str] = {}
+    again, x, y = [], ca.SX.sym("x"), ca.SX.sym("y")
+    for k, code in enumerate(codes):
+        if code == ca.OP_OUTPUT:
+            break
+        if code == ca.OP_CONST:
+            text = repr(function.instruction_constant(k)).removesuffix(".0")
+        elif code == ca.OP_INPUT:
+            text = symbols[function.instruction_input(k)[0]].name()
+        else:
+            given = [register_texts[register] for register in function.instruction_input(k)]
+            made = ca.SX.binary(code, x, y) if len(given) == 2 else ca.SX.unary(code, x)
+            text = ca.print_operator(made, given)
+            if uses[k] > 1:
+                again.append(f"@{len(again) + 1} = {text}")
+                text = f"@{len(again)}"
+        register_texts[function.instruction_output(k)[0]] = text
+    return ", ".join([*again, register_texts[function.instruction_input(count - 1)[0]]])
