@@ -61,6 +61,49 @@ def test_equilibrium_leaves_alone_what_nothing_decides_and_says_so():
     np.testing.assert_allclose(run["car.vz"], 0.0, rtol=0.0, atol=1e-6)
 
 
+@pytest.mark.parametrize("sag", [0.5, 12.0, 300.0, 40e3])
+def test_an_equilibrium_is_found_however_far_it_is(sag: float):
+    """A weight on a soft upright spring sags by m g / k; a soft torsion spring winds up by torque over rate."""
+    mechanism = jn.mechanics.Mechanism()
+    block, drum = mechanism.body("block", 1.0, ORIGIN), mechanism.body("drum", 1.0, ORIGIN, (0.1, 0.1, 0.1))
+    fall = mechanism.prismatic("fall", mechanism.ground, block, axis=Z)
+    mechanism.force(fall, -9.81 / sag * fall)
+    mechanism.revolute("wind", mechanism.ground, drum, at=ORIGIN, axis=Y)
+    mechanism.rotational_spring_damper("torsion", "wind", stiffness=2.0 / sag)
+    mechanism.apply_torque(drum, (0.0, 2.0, 0.0))
+    mechanism.watch_coordinates()
+    run = jn.simulate_mechanism(mechanism, 0.1, at_rest=True, output_step=0.1)
+    np.testing.assert_allclose(run["fall.distance"], -sag, rtol=1e-9)
+    np.testing.assert_allclose(run["wind.angle"], sag, rtol=1e-9)
+
+
+def test_a_chain_of_arms_is_found_hanging_far_below_its_design():
+    """Three arms of 30 m that stand nearly upright fall by turning: a way that curves all along."""
+    mechanism = jn.mechanics.Mechanism()
+    below = mechanism.ground
+    for i in range(3):
+        arm = mechanism.body(f"arm {i}", 1.0, (0.0, 0.0, 30.0 * (i + 1)), (1.0, 1.0, 1.0))
+        mechanism.revolute(f"hinge {i}", below, arm, at=(0.0, 0.0, 30.0 * i), axis=Y)
+        below = arm
+    mechanism.spring_damper("spring", mechanism.ground, below, (0.0, 0.0, -200.0), (0.0, 0.0, 90.0), stiffness=1.0)
+    mechanism.watch_body(below)
+    mechanism.watch_coordinates()
+    run = jn.simulate_mechanism(mechanism, 0.1, start={"hinge 0.angle": 2.0}, at_rest=True, output_step=0.1)
+    for name in ("arm 2.vx", "arm 2.vz"):
+        np.testing.assert_allclose(run[name], 0.0, rtol=0.0, atol=1e-6)
+
+
+def test_a_speed_of_zero_that_is_given_is_no_running_motion():
+    """The block sinks into its spring whether its speed of 0 is given or not."""
+    mechanism = jn.mechanics.Mechanism()
+    fall = mechanism.prismatic("fall", mechanism.ground, mechanism.body("block", 1.0, ORIGIN), axis=Z)
+    mechanism.force(fall, -100.0 * fall)
+    mechanism.watch_coordinates()
+    for start in ({}, {"fall.distance rate": 0.0}, {"fall.distance rate": "0 mm/s"}):
+        run = jn.simulate_mechanism(mechanism, 0.1, start=start, at_rest=True)
+        np.testing.assert_allclose(run["fall.distance"], -0.0981, rtol=1e-9)
+
+
 def test_what_nothing_holds_is_named():
     mechanism = jn.mechanics.Mechanism()
     mechanism.prismatic("fall", mechanism.ground, mechanism.body("block", 1.0, ORIGIN), axis=Z)
@@ -68,26 +111,41 @@ def test_what_nothing_holds_is_named():
         jn.simulate_mechanism(mechanism, 0.1, at_rest=True)
 
 
-def test_a_tolerance_that_rounding_forbids_is_found_and_said():
-    """A spring of 40 N/m that is 100 km long: its length, and so its force, is known to some 1e-10 only."""
+def between_springs(length: float):
+    """A free body of 1 kg between six springs of 1 kN/m: their lengths are known to some 1e-16 of themselves only."""
     mechanism = jn.mechanics.Mechanism(gravity=0.0)
-    block = mechanism.body("block", 1.0, ORIGIN)
-    mechanism.prismatic("slide", mechanism.ground, block, axis=X)
-    mechanism.spring_damper("spring", mechanism.ground, block, (-1e5, 0.0, 0.0), ORIGIN, stiffness=40.0)
+    body = mechanism.body("body", 1.0, ORIGIN, (0.1, 0.1, 0.1))
+    mechanism.free("flight", body)
+    for i, axis in enumerate(np.eye(3)):
+        for side in (-1.0, 1.0):
+            end = side * length * axis
+            mechanism.spring_damper(f"spring {i} {side:g}", mechanism.ground, body, end, ORIGIN, stiffness=1e3)
     mechanism.watch_coordinates()
-    given = {"start": {"slide.distance": 0.1}, "output_step": 0.1, "method": "explicit"}
-    fine = jn.simulate_mechanism(mechanism, 2.0, **given, tolerance=1e-8)
-    assert not fine.attrs["findings"]
-    run = jn.simulate_mechanism(mechanism, 2.0, **given, tolerance=1e-10)
-    assert run.attrs["steps"] > 10 * fine.attrs["steps"]
+    return mechanism
+
+
+@pytest.mark.parametrize("duration", [0.1, 0.5, 3.0])
+@pytest.mark.parametrize(
+    ("length", "fine", "coarse", "advised"),
+    [(1e4, 1e-10, 1e-8, 1e-8), (1e5, 1e-9, 1e-7, 1e-7), (10.0, None, 1e-11, None)],
+)
+def test_a_tolerance_that_rounding_forbids_is_said_whatever_the_duration(length, fine, coarse, advised, duration):
+    """What is advised is had, against the closed form, with a part of the steps."""
+    mechanism = between_springs(length)
+    given = {"start": {"flight.x": 0.1, "flight.z rate": 1.0}, "output_step": duration / 10.0, "method": "explicit"}
+    free = jn.simulate_mechanism(mechanism, duration, **given, tolerance=coarse)
+    assert not free.attrs["findings"]
+    if fine is None:
+        return
+    run = jn.simulate_mechanism(mechanism, duration, **given, tolerance=fine)
     (finding,) = run.attrs["findings"]
-    assert "tolerance: 1e-10 is below what rounding allows here" in finding
-    attainable = float(finding.split("steps; ")[1].split(" is as exact")[0])
-    again = jn.simulate_mechanism(mechanism, 2.0, **given, tolerance=attainable)
-    assert again.attrs["steps"] < 0.1 * run.attrs["steps"]
-    exact = 0.1 * np.cos(np.sqrt(40.0) * run["time"])
-    for one in (run, again):
-        np.testing.assert_allclose(one["slide.distance"], exact, rtol=0.0, atol=1e-7)
+    assert f"tolerance: {fine:g} is below what rounding allows here" in finding
+    assert f"; {advised:g} can be had with few" in finding
+    assert run.attrs["steps"] > 5 * free.attrs["steps"]
+    pace = np.sqrt(2e3)  # two of the springs lie along each axis
+    exact = {"x": 0.1 * np.cos(pace * run["time"]), "z": np.sin(pace * run["time"]) / pace}
+    for axis, way in exact.items():
+        assert float(abs(free[f"flight.{axis}"] - way).max()) < advised * float(abs(way).max())
 
 
 def isosceles():

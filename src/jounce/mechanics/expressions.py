@@ -47,7 +47,8 @@ def text_of(expression: ca.SX) -> str:
     function = ca.Function("text", symbols, [ca.densify(expression)])
     count = function.n_instructions()
     codes = [function.instruction_id(k) for k in range(count)]
-    uses, makers = [0] * count, {}
+    uses = [0] * count
+    makers: dict[int, int] = {}
     for k, code in enumerate(codes):
         if code not in (ca.OP_CONST, ca.OP_INPUT):
             for register in function.instruction_input(k):
@@ -55,7 +56,8 @@ def text_of(expression: ca.SX) -> str:
         if code != ca.OP_OUTPUT:
             makers[function.instruction_output(k)[0]] = k
     register_texts: dict[int, str] = {}
-    again, x, y = [], ca.SX.sym("x"), ca.SX.sym("y")
+    again: list[str] = []
+    x, y = ca.SX.sym("x"), ca.SX.sym("y")
     for k, code in enumerate(codes):
         if code == ca.OP_OUTPUT:
             break

@@ -45,12 +45,8 @@ class Reading:
         if len(pairs) < len(given):
             return None
         symbols = ca.vertcat(*(symbol for symbol, _ in pairs))
-        found = ca.Function("numbers", [symbols], [ca.densify(expression)])([value for _, value in pairs]).full()
-        return (
-            found[:, 0]
-            if found.shape[1] == 1 and len(found) > 1
-            else found.reshape(found.shape if found.size > 1 else ())
-        )
+        found = ca.Function("numbers", [symbols], [ca.densify(expression)])([value for _, value in pairs])
+        return np.asarray(found.full(), dtype=np.float64).squeeze()
 
     def known(self, description: Description) -> Known:
         """Numbers of a description's fields, not a number where they are not known."""
@@ -98,7 +94,7 @@ class Reading:
         collection = self._mechanism.collection
         every = {name: track.value for name, track in collection.tracks.items()} | collection.coordinates
         within = {symbol.element_hash() for symbol in ca.symvar(expression)}
-        found = {}
+        found: dict[str, Plain] = {}
         for name, symbol in every.items():
             if symbol.element_hash() in within:
                 ratio = self.numbers(ca.jacobian(expression, symbol))

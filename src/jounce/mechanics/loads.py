@@ -209,8 +209,8 @@ class RotationalSpringDamper(Load):
 class OnCoordinate(Load):
     """What acts along a coordinate, which counts in ``length`` (``m`` or ``rad``)."""
 
-    coordinate: ca.SX = law("{length}")
     length: str
+    coordinate: ca.SX = law("{length}")
 
     def units(self) -> dict[str, str]:
         """Give N and m, or N m and rad."""

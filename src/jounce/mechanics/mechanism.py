@@ -229,6 +229,8 @@ class Mechanism(Structure):
         if closes and not joint.closes:
             text, hint = joint.refusal
             raise AssemblyError(text, where=self.placed(name), found=second.name, hint=hint)
+        for track in (value for value in vars(joint).values() if isinstance(value, Track)):
+            self._check_track(name, track)
         made = joint.with_symbols(self)
         self._check_numbers([made], self.values)
         placed = self._unused(name, (*self.hanging, *self.closing, *self.conditions))
@@ -397,12 +399,12 @@ class Mechanism(Structure):
         self.conditions[placed] = Condition(placed, kind, expression), multiplier
         return multiplier
 
-    def _check_track(self, name: str, track: Track) -> None:
+    def _check_track(self, name: str, track: object) -> None:
         """Refuse what is no prescribed input of this mechanism."""
-        if not isinstance(track, Track) or all(track is not one for one in self.collection.tracks.values()):
-            found = type(track).__name__ if not isinstance(track, str | Track) else getattr(track, "value", track)
-            hint = "Take what mechanism.track(name) gives, once for each name."
-            raise AssemblyError("not a track of this mechanism", where=name, found=str(found), hint=hint)
+        if all(track is not one for one in self.collection.tracks.values()):
+            named = track.value if isinstance(track, Track) else track
+            found, hint = str(named), "Take what mechanism.track(name) gives, once for each name."
+            raise AssemblyError("not a track of this mechanism", where=name, found=found, hint=hint)
 
     def _check_expression(self, name: str, expression: ca.SX) -> ca.SX:
         """Refuse what is not one expression of coordinates, such as the force that a closing joint gives."""
@@ -554,8 +556,8 @@ class Mechanism(Structure):
         """Let a force (N) push two points apart along the line between them; points as for ``apply_force``."""
         name = loads.PushApart.kind
         self._require_placed(name, first, second)
-        ends = [self._point_of(body, point, name) for body, point in ((first, at), (second, second_at))]
-        self.act(loads.PushApart("", first, second, *ends, self._law(name, force, "N")))
+        one, other = self._point_of(first, at, name), self._point_of(second, second_at, name)
+        self.act(loads.PushApart("", first, second, one, other, self._law(name, force, "N")))
 
     def _require_moving(self, name: str, body: Body) -> None:
         """Refuse bodies that hang on nothing yet, and the ground, which no force moves."""
@@ -710,7 +712,7 @@ class Mechanism(Structure):
         """
         coordinate = self._check_expression(name, coordinate)
         length = self._length_of(coordinate)
-        return self.act(loads.Stop(name, coordinate, length, stiffness, damping, lower, upper)).shown[0]
+        return self.act(loads.Stop(name, length, coordinate, stiffness, damping, lower, upper)).shown[0]
 
     def friction(self, name: str, coordinate: ca.SX, force: Number, *, regularisation_rate: Number = 2e-3) -> ca.SX:
         """Put Coulomb friction on a coordinate; give its force or torque on it (N or N m).
@@ -727,7 +729,7 @@ class Mechanism(Structure):
             m/s or rad/s: below about that rate the force turns over smoothly, so a joint that should stick creeps.
         """
         coordinate = self._check_expression(name, coordinate)
-        law = loads.Friction(name, coordinate, self._length_of(coordinate), regularisation_rate, force)
+        law = loads.Friction(name, self._length_of(coordinate), coordinate, regularisation_rate, force)
         return self.act(law).shown[0]
 
     def _length_of(self, expression: ca.SX) -> str:

@@ -85,7 +85,7 @@ class Structure(System):
         """Names of the joints that close loops."""
         return tuple(self.closing)
 
-    def growing(self) -> list[dict[str, Any] | list[Any]]:
+    def growing(self) -> list[dict[Any, Any] | list[Any]]:
         """All that grows when something is added."""
         return [*super().growing(), self.poses.frames, self.poses.named]
 

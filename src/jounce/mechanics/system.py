@@ -20,7 +20,9 @@ from jounce.mechanics.expressions import check_name, expression_of
 from jounce.mechanics.model import Equation, Model, Output, speed_of
 from jounce.mechanics.rotations import quaternion_rate
 
-_Arguments, _Answer, _Builder = ParamSpec("_Arguments"), TypeVar("_Answer"), TypeVar("_Builder", bound="System")
+_Arguments = ParamSpec("_Arguments")
+_Answer = TypeVar("_Answer")
+_Builder = TypeVar("_Builder", bound="System")
 
 
 def all_or_nothing(
@@ -52,7 +54,7 @@ class System:
         self.collection = Collection()
         self._scope = ("", "")
 
-    def growing(self) -> list[dict[str, Any] | list[Any]]:
+    def growing(self) -> list[dict[Any, Any] | list[Any]]:
         """All that grows when something is added."""
         return [
             part for part in (*vars(self).values(), *vars(self.collection).values()) if isinstance(part, dict | list)

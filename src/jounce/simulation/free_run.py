@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from math import comb
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -22,7 +23,7 @@ from jounce.recordings.schema import recording
 from jounce.simulation.compiled import Compiled, compile_model
 from jounce.simulation.prepare import IMPLICIT_SHARE, STEP_SHARE, Prepared, longest_implicit_step, room
 from jounce.simulation.result import Solution, samples_reached
-from jounce.simulation.settings import MAX_STEPS, Method, RunSettings
+from jounce.simulation.settings import COARSEST, MAX_STEPS, Method, RunSettings
 from jounce.simulation.singular_configurations import Begin, run_through
 from jounce.simulation.statics import free_motions
 
@@ -36,9 +37,12 @@ _DECAYING = 0.9  # share of its decay in how fast a motion is, above which it is
 _STIFF, _LONG_RUN = 20.0, 1e4  # decay over oscillation, and decays in a run, beyond which the implicit method pays
 _MASSLESS = 1e-12  # mass that a motion moves, relative to that of the coordinates by themselves
 _MOVING = 1e-3  # share of a coordinate in a motion that is worth naming
-_MANY_STEPS, _PROBED, _STRETCHES = 1000, 600, 3  # steps that are worth a second look, and where that looks
-_ROUNDED, _LOOSEST_PROBE = 4.0, 1e-6  # times more steps for a tenth of the tolerance that no order of a method explains
-_ITERATIONS, _PROJECTIONS = 200, 3
+_PROBES, _PROBED, _MANY_STEPS, _LOOSEST_PROBE = 6, 60, 1000, 1e-3  # how a run is looked at for rounding
+_CLOSE, _DIFFERENCES, _ORDER = 1e-3, 6, 8.0  # of the longest step; differences of the rates; order of the methods
+_UNSEEN, _SEEN, _CHEAP = 0.01, 0.3, 0.1  # shares of a step's error that rounding makes: nothing, much, and little
+_ROUNDED = 3.0  # times more steps than the motion asks for
+_ITERATIONS, _MANY_ITERATIONS, _NEARER = 200, 10_000, 0.1  # without, and with progress of that share of a step
+_PROJECTIONS = 3
 _STRIDE, _FAR = 0.05, 1e6  # m or rad: a step of a mechanism on its way to rest, and one that says that nothing holds it
 _NOISE, _UNDECIDED = 1e-11, 1e-9  # slopes that are rounding beside the largest, and motions that no force decides
 _SETTLED, _UNBALANCED, _SHARE_OF_NEUTRAL = 1e-10, 1e-6, 0.1
@@ -154,7 +158,8 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     attainable = _attainable(begin, solution, tolerance)
     if attainable is not None:
         steps = solution.steps + solution.rejected
-        text = f"{tolerance:g} is below what rounding allows here and took {steps} steps; {attainable:g} is as exact"
+        text = f"{tolerance:g} is below what rounding allows here and took {steps} steps"
+        text += f"; {attainable:g} can be had with few"
         if check and solution.status is Status.TOO_MANY_STEPS:
             raise SimulationError(
                 "a tolerance below what rounding allows", where="tolerance", found=tolerance, hint=text
@@ -273,30 +278,66 @@ def _moved(pose: Assembly) -> list[Finding]:
 
 
 def _attainable(begin: Begin, solution: Solution, tolerance: float) -> float | None:
-    """A larger tolerance that is as exact, where rounding is what makes steps short; None where it is not.
+    """The least power of ten that can be had as tolerance where rounding forbids the one given; None where it does not.
 
-    A tolerance ten times larger takes about half the steps less of a method of any order; where it takes a small part
-    of them, the error that steps are held to is not theirs. That is tried on a few stretches of a run with many steps.
+    A rate that is rounded by ``e`` makes an error of ``h e`` in a step of ``h``. Where that is as large as the error a
+    step may make, steps get short until it is not, and more of them add up to no less. Steps that only the motion asks
+    for are found by a short run at a tolerance beside which rounding is nothing; both say something of the mechanism
+    and its motion, whatever the duration.
     """
-    taken, reached = solution.steps + solution.rejected, int(np.sum(np.isfinite(solution.states[0])))
-    if taken < _MANY_STEPS or reached < 2:
+    reached = int(np.sum(np.isfinite(solution.states[0])))
+    taken = solution.steps + solution.rejected
+    if reached < 2 or not taken:
         return None
-    length = max(2, int(np.ceil(_PROBED / taken * reached)))
-    begins = range(0, max(reached - length, 1), max(1, (reached - length) // _STRETCHES))
+    states, times = solution.states[:, :reached], solution.time[:reached]
+    scale = np.maximum(_SMALLEST, np.max(np.abs(states - states[:, :1]), axis=1))
+    share = IMPLICIT_SHARE if solution.method == "implicit" else STEP_SHARE
+    probed = [(reached - 1) * i // _PROBES for i in range(1, _PROBES)]
+    at = probed[_PROBES // 2 - 1]
+    rounded = np.median(
+        [_rounding(begin(states[:, i], times[i : i + 2], tolerance), states[:, i], scale) for i in probed]
+    )
+    duration = float(times[-1] - times[0])
+    if duration / taken * rounded < _UNSEEN * share * tolerance:
+        return None
+    longest = begin(states[:, at], times[at] + np.array([0.0, _LONG_RUN]), tolerance).control.longest
+    loose = min(max(longest * rounded / (_UNSEEN * share), tolerance), _LOOSEST_PROBE)
+    ahead = np.linspace(times[at], times[at] + _PROBED * longest, _PROBED + 1)
+    probe = begin(states[:, at], ahead, loose)
+    seen = replace(probe, control=probe.control._replace(max_steps=_MANY_STEPS)).run()
+    gone = longest * int(np.sum(np.isfinite(seen.states[0])))
 
-    def steps(error: float) -> int:
-        stretches = [solution.time[i : i + length] for i in begins]
-        runs = [begin(solution.states[:, i], part, error) for i, part in zip(begins, stretches, strict=True)]
-        found = [replace(run, control=run.control._replace(max_steps=4 * _MANY_STEPS)).run() for run in runs]
-        return sum(run.steps + run.rejected for run in found)
+    def asked(error: float) -> float:
+        """Step that the motion asks for at a tolerance, s."""
+        return float(gone / max(seen.steps, 1) * (error / loose) ** (1.0 / _ORDER))
 
-    error, taken = tolerance, steps(tolerance)
-    while error < _LOOSEST_PROBE:
-        fewer = steps(10.0 * error)
-        if taken < _ROUNDED * fewer:
-            break
-        error, taken = 10.0 * error, fewer
-    return error if error > tolerance else None
+    def is_rounding(error: float, limit: float) -> bool:
+        """Whether rounding counts in such steps."""
+        return asked(error) * rounded > limit * share * error
+
+    is_short = taken > _ROUNDED * duration / min(asked(tolerance), _SHARE * duration)
+    if not is_rounding(tolerance, _CHEAP if is_short else _SEEN):
+        return None
+    decade = np.floor(np.log10(tolerance) + 1.0 + 1e-9)
+    while is_rounding(10.0**decade, _CHEAP) and 10.0**decade < COARSEST:
+        decade += 1.0
+    return float(10.0**decade)
+
+
+def _rounding(prepared: Prepared, x: Array, scale: Array) -> float:
+    """Rounding of the rates along the motion at a state, beside the sizes of the states, 1/s.
+
+    What is left of the rates at close and even distances after six differences (an analytic function leaves nothing):
+    of independent errors of size ``e`` their sum of squares, ``e^2 (2 k)! / k!^2``.
+    """
+    compiled, (p, modes) = prepared.compiled, (prepared.problem.p, prepared.problem.m)
+    close = _CLOSE * prepared.control.longest
+    along = compiled.evaluate("rate", x, prepared.still, p, modes)
+    rates = [
+        compiled.evaluate("rate", x + i * close * along, prepared.still, p, modes) for i in range(_DIFFERENCES + 4)
+    ]
+    left = np.diff(np.array(rates) / scale, n=_DIFFERENCES, axis=0)
+    return float(np.sqrt(np.mean(left**2) / comb(2 * _DIFFERENCES, _DIFFERENCES)))
 
 
 def _at_rest(
@@ -330,7 +371,10 @@ def _at_rest(
             x[i : i + 4] /= np.linalg.norm(x[i : i + 4])
         return x
 
-    for _ in range(_ITERATIONS):
+    stride, nearest, idle = _STRIDE, np.inf, 0
+    for tried in range(_MANY_ITERATIONS):
+        if idle > _ITERATIONS:
+            break
         slopes = compiled.slopes("x", x, still, p, modes)
         if facts.constraints:  # the other speeds follow by the loops
             loops = slopes["constraint"][:, :n_q] @ slopes["rate"][:n_q, n_q:end]
@@ -367,10 +411,14 @@ def _at_rest(
         step = closing
         if decided:
             step = step + ways @ np.linalg.lstsq(balance[chosen], -residual[chosen], rcond=1e-12)[0]
-        longest = np.max(np.abs(step[: len(others)]), initial=_STRIDE)
-        if not np.all(np.isfinite(step)) or longest > _FAR:
+        left_to_go = np.max(np.abs(step[: len(others)]), initial=0.0)
+        if not np.all(np.isfinite(step)) or left_to_go > _FAR:
             break
-        x = onto_loops(x + moved @ (step * (_STRIDE / longest)), modes)  # a mechanism curves
+        # A mechanism curves, so the way is gone in short steps; where it is long and comes nearer, in longer ones.
+        nearer = left_to_go < nearest - _NEARER * stride
+        nearest, idle = (left_to_go, 0) if nearer else (nearest, idle + 1)
+        stride = 2.0 * stride if nearer and tried > _ITERATIONS else _STRIDE
+        x = onto_loops(x + moved @ (step * (stride / max(left_to_go, stride))), modes)
         before, modes = modes, (compiled.evaluate("switch", x, still, p, modes) > 0.0).astype(float)
         if np.array_equal(before, modes) and np.max(np.abs(step), initial=0.0) < _SETTLED * (
             1.0 + np.max(np.abs(x[:n_q]))

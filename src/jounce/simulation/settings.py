@@ -16,7 +16,8 @@ METHODS: tuple[str, ...] = get_args(Method)
 MAX_STEPS = 5_000_000
 """Steps, accepted and rejected, after which a run gives up: minutes of computing."""
 _MAX_SAMPLES = 20_000_000  # a dozen channels of so many samples fill the memory of a usual computer
-_FINEST, _COARSEST = 1e-13, 1e-1  # tolerances: rounding, and what is no longer an approximation
+_FINEST, COARSEST = 1e-13, 1e-1
+"""Tolerances: rounding, and what is no longer an approximation."""
 
 
 @dataclass(frozen=True)
@@ -60,8 +61,8 @@ class RunSettings:
             raise SimulationError(
                 "not an output step", where="output_step", found=self.output_step, allowed="above 0 s"
             )
-        if not _FINEST <= self.tolerance <= _COARSEST:
-            allowed = f"{_FINEST:g} to {_COARSEST:g}"
+        if not _FINEST <= self.tolerance <= COARSEST:
+            allowed = f"{_FINEST:g} to {COARSEST:g}"
             raise SimulationError("not a tolerance", where="tolerance", found=self.tolerance, allowed=allowed)
         if self.method not in METHODS:
             raise SimulationError("not a method", where="method", found=self.method, allowed=", ".join(METHODS))

@@ -346,7 +346,7 @@ def test_a_listing_holds_all_that_acts():
     text = str(mechanism)
     for line in (
         "  force, block, force (0, 0, 0.333333) N, at (0.1, 0.2, 0.3) m",
-        "  spring: spring and damper, block - other, at (0, 0, 0) m, second at (0, 0, 2) m, free length 2 m as designed",
+        "  spring: spring and damper, block - other, at (0, 0, 0) m, second at (0, 0, 2) m, free length 2 m as desig",
         "  rod: rod, block - other, at (0, 0, 0) m, second at (0, 0, 0.5) m, length 0.5 m as designed;",
         "force (own.rate*slide.distance) N with own.rate 1234.57 N/m, positive: compression",
         "  teeth: coupler of slide.distance, turn.angle, (slide.distance-(0.05*turn.angle)) = 0",
