@@ -10,6 +10,7 @@ from __future__ import annotations
 import inspect
 import json
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import fields
 from functools import reduce
 from operator import or_
 from pathlib import Path
@@ -279,7 +280,7 @@ def tables() -> dict[str, str]:
                 for row in KINEMATIC_QUANTITIES
             ],
         ),
-        "joints.md": _table(("joint", "coordinates", "what it is", "hangs", "closes"), _joint_rows()),
+        "joints.md": _table(("joint", "takes", "coordinates", "what it is", "hangs", "closes"), _joint_rows()),
         "inspection-methods.md": _table(
             ("method", "plates", "shipped tester", "graded values"),
             [
@@ -298,10 +299,13 @@ def _joint_rows() -> Iterator[tuple[str, ...]]:
     """Every class of joint, those without a body of their own to hang last."""
     for joint in sorted(_kinds_of(Joint), key=lambda one: not one.hangs):
         coordinates = [f"`.{tag}` ({unit})" for tag, unit in joint.coordinates]
+        numbers = [(one.name, one.metadata["unit"]) for one in fields(joint) if "read" in one.metadata]
+        takes = ", ".join(f"`{name}`" if unit == "1" else f"`{name}` ({unit})" for name, unit in numbers)
         quaternion = ["quaternion `.e0` to `.e3` against the ground"] if joint.has_quaternion else []
         says = (inspect.getdoc(joint) or "").partition("\n\n")[0].replace("\n", " ")
         answers = ("yes" if joint.hangs else "no", "yes" if joint.closes else "no")
-        yield (f"`{joint.__name__}`", ", ".join([*coordinates, *quaternion]) or "none", says, *answers)
+        shown = ", ".join([*coordinates, *quaternion]) or "none"
+        yield (f"`{joint.__name__}`", takes or "none", shown, says, *answers)
 
 
 def _kinds_of(base: type[Joint]) -> list[type[Joint]]:

@@ -13,7 +13,24 @@ from jounce.mechanics.elements import (
     tyre_force,
 )
 from jounce.mechanics.equations import Track
-from jounce.mechanics.joints import Joint
+from jounce.mechanics.joints import (
+    Cylindrical,
+    Driven,
+    Fixed,
+    Free,
+    Joint,
+    Link,
+    Parallel,
+    Perpendicular,
+    PointOnLine,
+    PointToPoint,
+    Prismatic,
+    Revolute,
+    Rod,
+    Screw,
+    Spherical,
+    Universal,
+)
 from jounce.mechanics.mass import box, combined, cylinder, mesh, sphere, tube
 from jounce.mechanics.mechanism import Mechanism
 from jounce.mechanics.model import Facts, Model, Output
@@ -24,15 +41,30 @@ from jounce.mechanics.system import System
 __all__ = [
     "Assembly",
     "Body",
+    "Cylindrical",
     "Displacement",
+    "Driven",
     "Facts",
+    "Fixed",
+    "Free",
     "Joint",
+    "Link",
     "Mechanism",
     "Model",
     "Output",
+    "Parallel",
+    "Perpendicular",
+    "PointOnLine",
+    "PointToPoint",
+    "Prismatic",
     "Reaction",
+    "Revolute",
+    "Rod",
+    "Screw",
+    "Spherical",
     "System",
     "Track",
+    "Universal",
     "add_bushing",
     "add_elastic_rod",
     "assemble",

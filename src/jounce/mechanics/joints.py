@@ -118,7 +118,10 @@ class Joint(Description):
 
 @dataclass(frozen=True, eq=False)
 class Fixed(Joint):
-    """Two bodies welded together."""
+    """Two bodies welded together.
+
+    It hangs the body that has no joint yet; it has no coordinate and takes every force and torque.
+    """
 
     kind = "fixed"
     closes = False
@@ -131,7 +134,10 @@ class Fixed(Joint):
 
 @dataclass(frozen=True, eq=False)
 class Prismatic(Joint):
-    """A slide along an axis."""
+    """A slide along an axis.
+
+    ``at`` (m) is a point for which its torque is given, ``axis`` (1, of any length) the way of the second body.
+    """
 
     at: Given = place()
     axis: Given = direction()
@@ -155,7 +161,10 @@ class Prismatic(Joint):
 
 @dataclass(frozen=True, eq=False)
 class Revolute(Joint):
-    """A hinge."""
+    """A hinge.
+
+    ``at`` (m) is a point of its axis, ``axis`` (1, of any length) the direction about which the second body turns.
+    """
 
     at: Given = place()
     axis: Given = direction()
@@ -177,7 +186,10 @@ class Revolute(Joint):
 
 @dataclass(frozen=True, eq=False)
 class Cylindrical(Joint):
-    """A sleeve that slides along an axis and turns about it."""
+    """A sleeve that slides along an axis and turns about it.
+
+    ``at`` (m) is a point of its axis, ``axis`` (1, of any length) the direction of its slide and its turn.
+    """
 
     at: Given = place()
     axis: Given = direction()
@@ -200,7 +212,11 @@ class Cylindrical(Joint):
 
 @dataclass(frozen=True, eq=False)
 class Screw(Joint):
-    """A nut on a thread: a turn of the second body takes it along the axis by the pitch, m."""
+    """A nut on a thread: a turn of the second body takes it along the axis by the pitch, m.
+
+    ``at`` (m) is a point of its axis, ``axis`` (1, of any length) its direction, ``pitch`` (m, not 0) the way of one
+    turn, negative for a left-hand thread.
+    """
 
     at: Given = place()
     axis: Given = direction()
@@ -246,7 +262,10 @@ class Screw(Joint):
 
 @dataclass(frozen=True, eq=False)
 class Universal(Joint):
-    """A cross of two axes at right angles, the first on the first body."""
+    """A cross of two axes at right angles, the first on the first body.
+
+    ``at`` (m) is its centre, ``axis`` and ``second_axis`` (1, of any length) are fixed to the first and second body.
+    """
 
     at: Given = place()
     axis: Given = direction()
@@ -289,7 +308,10 @@ class Universal(Joint):
 
 @dataclass(frozen=True, eq=False)
 class Spherical(Joint):
-    """A ball joint."""
+    """A ball joint.
+
+    ``at`` (m) is its centre; it turns freely in all directions.
+    """
 
     at: Given = place()
     kind = "spherical"
@@ -310,7 +332,11 @@ class Spherical(Joint):
 
 @dataclass(frozen=True, eq=False)
 class Link(Joint):
-    """A rigid link without mass, on a hinge of the first body and a ball joint of the second."""
+    """A rigid link without mass, on a hinge of the first body and a ball joint of the second.
+
+    ``at`` (m) is a point of the hinge and ``axis`` (1, of any length) its direction, ``second_at`` (m) the centre of
+    the ball, not on the hinge's axis.
+    """
 
     at: Given = place()
     axis: Given = direction()
@@ -353,7 +379,10 @@ class Link(Joint):
 
 @dataclass(frozen=True, eq=False)
 class Free(Joint):
-    """No joint at all: the second body flies, against the ground or the moving frame that is the first."""
+    """No joint at all: the second body flies, against the ground or the moving frame that is the first.
+
+    ``at`` (m) is the point of the body whose displacements are the coordinates, mostly its centre of mass.
+    """
 
     at: Given = place()
     kind = "free"
@@ -376,7 +405,10 @@ class Free(Joint):
 
 @dataclass(frozen=True, eq=False)
 class Driven(Joint):
-    """A slide along an axis by a prescribed travel: a track, or a parameter (m)."""
+    """A slide along an axis by a prescribed travel: a track, or a parameter (m).
+
+    ``axis`` (1, of any length) is its direction, ``travel`` the track of the mechanism, or a number in m.
+    """
 
     axis: Given = direction()
     travel: Given = quantity("m")
@@ -393,7 +425,10 @@ class Driven(Joint):
 
 @dataclass(frozen=True, eq=False)
 class PointToPoint(Joint):
-    """A point of the second body on a point of the first."""
+    """A point of the second body on a point of the first.
+
+    ``at`` and ``second_at`` (m) are the points of the first and second body; the mechanism's ``coincident``.
+    """
 
     at: Given = place()
     second_at: Given = place()
@@ -407,7 +442,10 @@ class PointToPoint(Joint):
 
 @dataclass(frozen=True, eq=False)
 class Rod(Joint):
-    """Two points at a distance (m, by default as designed)."""
+    """Two points at a distance (m, by default as designed).
+
+    ``at`` and ``second_at`` (m) are its ends on the first and second body, ``length`` (m, above 0) its length.
+    """
 
     at: Given = place()
     second_at: Given = place()
@@ -445,7 +483,10 @@ class Rod(Joint):
 
 @dataclass(frozen=True, eq=False)
 class PointOnLine(Joint):
-    """A point of the second body on a line of the first."""
+    """A point of the second body on a line of the first.
+
+    ``at`` (m) and ``axis`` (1, of any length) are the line on the first body, ``point`` (m) lies on the second.
+    """
 
     at: Given = place()
     axis: Given = direction()
@@ -460,7 +501,10 @@ class PointOnLine(Joint):
 
 @dataclass(frozen=True, eq=False)
 class Perpendicular(Joint):
-    """Two directions at right angles."""
+    """Two directions at right angles.
+
+    ``axis`` (1, of any length) is fixed to the first body, ``second_axis`` (1, of any length) to the second.
+    """
 
     axis: Given = direction()
     second_axis: Given = direction()
@@ -474,7 +518,10 @@ class Perpendicular(Joint):
 
 @dataclass(frozen=True, eq=False)
 class Parallel(Joint):
-    """A direction of both bodies in parallel."""
+    """A direction of both bodies in parallel.
+
+    ``axis`` (1, of any length) is the direction that is fixed to both in the design pose.
+    """
 
     axis: Given = direction()
     kind = "parallel"

@@ -313,7 +313,7 @@ def _attainable(begin: Begin, solution: Solution, tolerance: float) -> float | N
 
     def is_rounding(error: float, limit: float) -> bool:
         """Whether rounding counts in such steps."""
-        return asked(error) * rounded > limit * share * error
+        return bool(asked(error) * rounded > limit * share * error)
 
     is_short = taken > _ROUNDED * duration / min(asked(tolerance), _SHARE * duration)
     if not is_rounding(tolerance, _CHEAP if is_short else _SEEN):

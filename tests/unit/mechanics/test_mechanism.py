@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.mechanics import joints
 from jounce.mechanics.expressions import text_of
 from jounce.simulation import compiled
 
@@ -371,6 +372,15 @@ def test_a_listing_holds_switches_states_and_moving_axes():
     assert (state["name"], state["rate"]["expression"]) == ("lag", "(2.*(slide.distance-lag))")
     assert listed["bodies"][-1] == {"name": "block axes", "axes_of": "block"}
     assert "  lag: rate (2.*(slide.distance-lag))" in str(mechanism)
+
+
+def test_every_joint_is_exported():
+    classes = {name for name, one in vars(joints).items() if isinstance(one, type) and issubclass(one, joints.Joint)}
+    assert classes <= set(jn.mechanics.__all__)
+    mechanism = jn.mechanics.Mechanism()
+    block = mechanism.body("block", 1.0, ORIGIN, BALL)
+    mechanism.add(jn.mechanics.Revolute("pivot", mechanism.ground, block, at=ORIGIN, axis=Z))
+    assert mechanism.finish().coordinates == ("pivot.angle",)
 
 
 def test_expressions_are_written_with_all_digits_and_what_they_share_once():
