@@ -31,10 +31,9 @@ def kinds_of(base=Joint):
 
 JOINTS = kinds_of()
 KINDS = tuple(kind for kind, one in JOINTS.items() if one.hangs and one.closes)
-ROLES = [
-    (kind, closing) for kind, one in JOINTS.items() for closing, can in ((False, one.hangs), (True, one.closes)) if can
-]
-SAME_BOTH_WAYS = {"revolute", "universal", "spherical", "cylindrical", "prismatic"}  # see the test of reactions below
+_CAN = {kind: ((False, one.hangs), (True, one.closes)) for kind, one in JOINTS.items()}
+ROLES = [(kind, closing) for kind, roles in _CAN.items() for closing, can in roles if can]
+SAME_BOTH_WAYS = {"revolute", "universal", "spherical", "cylindrical", "prismatic"}  # reactions at the joint are
 
 
 def give(mechanism, kind, carrier, body, swapped):
@@ -72,19 +71,17 @@ def model(kind: str, closing: bool, swapped: bool) -> jn.mechanics.Mechanism:
     mechanism.watch_body(body)
     mechanism.watch_energy()
     fields = {one.name for one in dataclasses.fields(JOINTS[kind])}
-    place = (
-        BALL if "second_at" in fields else AT if "at" in fields else CENTRE
-    )  # the same point of a body, however joined
-    mechanism.watch_reaction("J", at=place)
+    place = BALL if "second_at" in fields else AT if "at" in fields else CENTRE  # the same point, hanging and closing
+    mechanism.watch_reaction("J", at=None if kind in SAME_BOTH_WAYS else place)
     mechanism.watch_reaction("hinge")
     found, along = mechanism.reaction("J"), carrier.direction(casadi.SX(unit(AXIS))).value
     mechanism.output("across.force", casadi.dot(found.force, casadi.cross(along, reach_of(carrier, body))), "N*m", "-")
     mechanism.output("along.force", casadi.dot(found.force, along), "N", "force along the joint's axis")
     mechanism.output("along.torque", casadi.dot(found.torque, along), "N*m", "torque along the joint's axis")
-    velocities = [
+    own, other = (
         one.frame.origin.rate + casadi.cross(one.spin, found.point - one.frame.origin.value) for one in (body, carrier)
-    ]
-    power = casadi.dot(found.force, velocities[0] - velocities[1]) + casadi.dot(found.torque, body.spin - carrier.spin)
+    )
+    power = casadi.dot(found.force, own - other) + casadi.dot(found.torque, body.spin - carrier.spin)
     mechanism.output("J.power", power, "W", "power of the reaction on the motion of the bodies against each other")
     return mechanism
 

@@ -80,7 +80,7 @@ class Joint(Description):
     refusal: ClassVar[tuple[str, str]] = ("both bodies hang already", "")
     """What to say, and to advise, where it should close a loop and cannot."""
 
-    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:
+    def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:
         """Frame of the body it hangs on ``parent``.
 
         Coordinates count from the first body to the second, whichever hangs: where the first hangs on the second,
@@ -127,7 +127,7 @@ class Fixed(Joint):
     closes = False
     refusal = ("both bodies hang already", "Make them one body.")
 
-    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: ARG002
+    def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:  # noqa: ARG002
         """Frame of the body that hangs."""
         return parent.at(parent.design)
 
@@ -144,7 +144,7 @@ class Prismatic(Joint):
     kind = "prismatic"
     coordinates = (("distance", "m"),)
 
-    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:
+    def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:
         """Frame of the body that hangs."""
         return parent.at(self.at).translated(sign * self.axis, motion.q, motion.v)
 
@@ -171,7 +171,7 @@ class Revolute(Joint):
     kind = "revolute"
     coordinates = (("angle", "rad"),)
 
-    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:
+    def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:
         """Frame of the body that hangs."""
         return parent.at(self.at).turned(sign * self.axis, motion.q, motion.v)
 
@@ -196,7 +196,7 @@ class Cylindrical(Joint):
     kind = "cylindrical"
     coordinates = (("distance", "m"), ("angle", "rad"))
 
-    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:
+    def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:
         """Frame of the body that hangs."""
         along, (slide, turn), (speed, spin) = sign * self.axis, *(ca.vertsplit(part) for part in (motion.q, motion.v))
         return parent.at(self.at).translated(along, slide, speed).turned(along, turn, spin)
@@ -231,7 +231,7 @@ class Screw(Joint):
             hint = "Without pitch it is a revolute joint; a negative one is a left-hand thread."
             raise AssemblyError("a screw without pitch", where=self.name, found="0 m a turn", hint=hint)
 
-    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:
+    def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:
         """Frame of the body that hangs."""
         along, lead = sign * self.axis, self.pitch / _TURN
         return parent.at(self.at).translated(along, lead * motion.q, lead * motion.v).turned(along, motion.q, motion.v)
@@ -287,7 +287,7 @@ class Universal(Joint):
                 hint="Take as second axis the cross product of the first with a direction across both.",
             )
 
-    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:
+    def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:
         """Frame of the body that hangs."""
         turns = [(sign * axis, motion.q[i], motion.v[i]) for i, axis in enumerate((self.axis, self.second_axis))]
         frame = parent.at(self.at)
@@ -317,7 +317,7 @@ class Spherical(Joint):
     kind = "spherical"
     has_quaternion = True
 
-    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: ARG002
+    def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:  # noqa: ARG002
         """Frame of the body that hangs."""
         return parent.at(self.at).oriented(by_quaternion(motion.e, motion.w))
 
@@ -345,7 +345,7 @@ class Link(Joint):
     coordinates = (("angle", "rad"),)
     has_quaternion = True
 
-    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:
+    def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:
         """From the hinge out to the ball; or from the ball on the parent back to the hinge of the body."""
         orientation = by_quaternion(motion.e, motion.w)
         if sign > 0.0:
@@ -391,7 +391,7 @@ class Free(Joint):
     closes = False
     refusal = ("the body hangs already", "It needs one joint only.")
 
-    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: ARG002
+    def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:  # noqa: ARG002
         """Frame of the body that hangs."""
         origin = Moving(self.at + motion.q, motion.v, ca.SX(3, 1))
         return Frame(self.at, origin, by_quaternion(motion.e, motion.w), parent.carrier)
@@ -416,7 +416,7 @@ class Driven(Joint):
     closes = False
     refusal = ("both bodies hang already", "Drive a body that has no joint yet.")
 
-    def hang(self, parent: Frame, motion: Motion, sign: float) -> Frame:  # noqa: ARG002
+    def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:  # noqa: ARG002
         """Frame of the body that hangs."""
         still = Track(self.travel, ca.SX(0.0), ca.SX(0.0))
         track = self.travel if isinstance(self.travel, Track) else still

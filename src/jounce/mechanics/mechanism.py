@@ -238,9 +238,9 @@ class Mechanism(Structure):
 
     def _hang(self, name: str, joint: Joint) -> ca.SX:
         """Put the body that has no place yet where the joint says."""
-        parent, child, sign = joint.first, joint.second, 1.0
+        parent, child, sign = joint.first, joint.second, 1
         if child.is_placed:
-            parent, child, sign = child, parent, -1.0
+            parent, child, sign = child, parent, -1
         names, units = [f"{name}.{tag}" for tag, _ in joint.coordinates], [unit for _, unit in joint.coordinates]
         q, v = self.coordinates(names, [f"{text} rate" for text in names], units=units) if names else (_EMPTY, _EMPTY)
         e, w = self.quaternion(name) if joint.has_quaternion else (_EMPTY, _EMPTY)
@@ -553,7 +553,11 @@ class Mechanism(Structure):
         second_at: Moving | ca.SX | Sequence[float | str],
         force: ca.SX | float | str,
     ) -> None:
-        """Let a force (N) push two points apart along the line between them; points as for ``apply_force``."""
+        """Let a force (N) push two points apart along the line between them.
+
+        ``at`` on the first body and ``second_at`` on the second are points or design places (m), as for
+        ``apply_force``.
+        """
         name = loads.PushApart.kind
         self._require_placed(name, first, second)
         one, other = self._point_of(first, at, name), self._point_of(second, second_at, name)
@@ -890,7 +894,7 @@ class Mechanism(Structure):
         return listing.as_data(self, numbers | nothing, self.watched.values())
 
     def with_values(self, values: Mapping[str, float | str]) -> dict[str, float]:
-        """Every parameter's number (SI) by path, those given (SI, or text with a unit) in place of those built in."""
+        """Give every parameter's number by path, ``values`` (SI, or text with a unit) in place of those built in."""
         for path in values:
             if check_name(path, "values") not in self.parameters:
                 raise unknown(path, self.parameters, what="parameter", where="values")
@@ -899,7 +903,7 @@ class Mechanism(Structure):
         return self.values | given
 
     def check_values(self, values: Mapping[str, float]) -> None:
-        """Refuse numbers (SI) that no body, joint or load of this mechanism can have."""
+        """Refuse ``values`` (SI) of parameters that no body, joint or load of this mechanism can have."""
         for name, body in self.mass_values(values).items():
             check_inertia(name, *body)
         joints_ = [*(hung.joint for hung in self.hanging.values()), *(closed.joint for closed in self.closing.values())]
