@@ -22,6 +22,33 @@ def test_run(cli, campaign: Path, tmp_path: Path) -> None:
     assert (tmp_path / "results" / "report.html").stat().st_size > 1000
 
 
+def test_the_paper_s_figures_are_written_where_they_are_asked_for(cli, campaign: Path, tmp_path: Path) -> None:
+    outcome = cli("campaign", "run", campaign, "--out", "results", "--figure", "paper", "--json")
+    assert outcome.exit_code == 0, outcome.err
+    names = [f"figures/paper-figure-{name}{suffix}" for name in ("4a", "6", "8") for suffix in (".svg", ".png")]
+    assert outcome.json["figures"] == names
+    assert all((tmp_path / "results" / name).stat().st_size > 1000 for name in names)
+    assert cli("campaign", "run", campaign, "--out", "other", "--figure", "mine").exit_code == 2
+
+
+def test_synthesise(cli, tmp_path: Path) -> None:
+    change = 'rig.strut.damper={coefficient = "104 N*s/m"}'
+    outcome = cli("campaign", "synthesise", "made", "--seed", "7", "--duration", "1 s", "--set", change, "--json")
+    assert outcome.exit_code == 0, outcome.err
+    assert outcome.json["changes"] == {"rig.strut.damper": {"coefficient": "104 N*s/m"}}
+    assert {"campaign.toml", "truth.toml", "trials/16.csv", "bench/decay_4.csv"} <= set(outcome.json["files"])
+    checked = cli("check", "made/truth.toml")
+    assert checked.exit_code == 0
+    assert "records sprung.az" in checked.out
+    again = cli("campaign", "synthesise", "made", "--seed", "8")
+    assert again.exit_code == 2
+    assert "not empty" in again.err
+    wrong = cli("campaign", "synthesise", "other", "--set", "belt.speed=1")
+    assert wrong.exit_code == 2
+    assert "speed_drop" in wrong.err
+    assert not (tmp_path / "other").exists()
+
+
 def test_one_bad_trial_does_not_lose_the_others(cli, campaign: Path, tmp_path: Path) -> None:
     (tmp_path / "trial_2.csv").write_text("time [s], sprung.az [m/s^2]\n0, 1\n0, 2\n", encoding="utf-8")
     outcome = cli("campaign", "run", campaign, "--out", "results", "--json")

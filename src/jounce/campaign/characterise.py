@@ -124,7 +124,10 @@ class DampingChoice:
 
 @dataclass
 class Characterisation:
-    """What the bench says: results of each table, and which rig values they replaced."""
+    """What the bench says: results of each table, and which rig values they replaced.
+
+    ``loaded`` holds the trials of the test machine as they were fitted, by their table: ``bench.tyre."0.31 MPa"``.
+    """
 
     spring: StiffnessResult | None = None
     tyre: dict[str, StiffnessResult] = field(default_factory=dict)
@@ -136,6 +139,7 @@ class Characterisation:
     replaced: list[Replaced] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
     failed: list[str] = field(default_factory=list)
+    loaded: dict[str, list[ForceDeflectionTrial]] = field(default_factory=dict)
 
 
 def characterise(rig: Rig, bench: Bench, folder: Path) -> tuple[Characterisation, Knowledge]:
@@ -204,6 +208,7 @@ def _fit(
         **choice,
     }
     result = fit_stiffness(trials, **settings)
+    found.loaded.setdefault(where.removesuffix(" as polynomial"), trials)
     found.findings += [
         Finding(f"{where}: {f.place}", f.severity, f.message, f.value) for f in (*findings, *result.findings)
     ]

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
@@ -26,6 +27,10 @@ def run(
         Path, typer.Argument(metavar="CAMPAIGN.toml", help="Campaign file: what was measured, and what to update.")
     ],
     out: Annotated[Path, typer.Option(help="Folder for report, figures, updated rigs and results.json.")],
+    figure: Annotated[
+        Literal["paper"] | None,
+        typer.Option(help="Also write the figures of the quarter-car prototype paper (4, 6, 8, 9, 10)."),
+    ] = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -43,7 +48,23 @@ def run(
         result = run_campaign(campaign, progress=say)
         say("writing the report")
         write_campaign(result, out, force=force)
-    return campaign_reply(result, out, as_json=as_json)
+        drawn = [] if figure is None else _paper_figures(result, out, force=force)
+    return campaign_reply(result, out, as_json=as_json, figures=drawn)
+
+
+def _paper_figures(result: CampaignResult, out: Path, *, force: bool) -> list[str]:
+    """Write the paper's figures below ``out`` as SVG and PNG; give their names."""
+    from jounce.plots import add_note, paper_figures, write_figure
+    from jounce.report.campaign import SYNTHETIC_NOTE
+
+    written = []
+    for name, drawn in paper_figures(result).items():
+        add_note(drawn, SYNTHETIC_NOTE if result.campaign.synthetic else "")
+        for suffix in (".svg", ".png"):
+            file = out / "figures" / f"paper-{name}{suffix}"
+            write_figure(drawn, file, force=force)
+            written.append(str(file.relative_to(out)))
+    return written
 
 
 @app.command("new")
@@ -111,9 +132,11 @@ def synthesise(
     return Reply({"folder": str(folder), "seed": seed, "changes": changed, "files": made}, draw, as_json)
 
 
-def campaign_reply(result: CampaignResult, folder: Path, *, as_json: bool) -> Reply:
-    """Answer of a campaign that was run and written to ``folder``."""
+def campaign_reply(result: CampaignResult, folder: Path, *, as_json: bool, figures: Sequence[str] = ()) -> Reply:
+    """Answer of a campaign that was run and written to ``folder``, with the paper's ``figures`` where asked for."""
     plain = {**result.to_dict(), "is_complete": result.is_complete, "out": str(folder)}
+    if figures:
+        plain["figures"] = list(figures)
     exit_code = DONE if result.is_complete else FAILED
     return Reply(plain, lambda console: _draw(console, plain, result.findings, folder), as_json, exit_code)
 

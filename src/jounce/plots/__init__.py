@@ -13,12 +13,14 @@ from jounce.plots.fits import damper_loops, decay_fit, objectives, stiffness_fit
 from jounce.plots.kinematics import kinematic_curves, write_kinematics
 from jounce.plots.mechanisms.animation import animate
 from jounce.plots.mechanisms.drawing import mechanism
+from jounce.plots.paper_figures import adjusted_and_not, paper_figures, update_on_every_trial
 from jounce.plots.signals import frequency_response, modes, road_profile, sweep, time_history
 from jounce.plots.style import add_note, new_figure, rendered, style, styled, write_figure
 
 __all__ = [
     "DisplayUnit",
     "add_note",
+    "adjusted_and_not",
     "animate",
     "damper_loops",
     "decay_fit",
@@ -32,6 +34,7 @@ __all__ = [
     "new_figure",
     "number",
     "objectives",
+    "paper_figures",
     "quantity",
     "rendered",
     "residual_against_speed_and_pitch",
@@ -45,6 +48,7 @@ __all__ = [
     "trial_matrix",
     "tyre_pressure",
     "update",
+    "update_on_every_trial",
     "write_figure",
     "write_kinematics",
 ]

@@ -221,6 +221,11 @@ def rendered(figure: Figure, suffixes: Sequence[str] = (".svg", ".png"), salt: s
         figure.draw_without_rendering()
         engine = figure.get_layout_engine()
         figure.set_layout_engine("none")
+        for axes in figure.axes:  # the layout is solved to rounding, which may differ from one time to the next
+            if axes.get_axes_locator() is None:
+                axes.set_position(tuple(round(x, 9) for x in axes.get_position(original=True).bounds), which="original")
+                axes.apply_aspect()
+                axes.set_in_layout(True)  # a position that was set would take the axes out of the next layout
         try:
             for suffix in suffixes:
                 found[suffix] = _content(figure, suffix)

@@ -42,6 +42,7 @@ from jounce.report.page import (
     worst_first,
 )
 from jounce.report.render import check_folder, write_page
+from jounce.report.strategies import histories, progress
 from jounce.roads import Road, Trial, read_roads
 
 if TYPE_CHECKING:
@@ -404,9 +405,11 @@ def updates(result: CampaignResult) -> Section:
                 f"Objective before and after each update. {words}.",
             ),
         ]
+    if any(strategy.trials for strategy in result.strategies):
+        blocks.append(progress(result))
     files = unique_slugs([f"update {strategy.update.name}" for strategy in result.strategies])
     blocks += [
-        Subsection(strategy.update.name, _strategy(strategy, file))
+        Subsection(strategy.update.name, (*_strategy(strategy, file), *histories(strategy, file)))
         for file, strategy in zip(files, result.strategies, strict=True)
     ]
     return Section("Updates", tuple(blocks))

@@ -6,10 +6,9 @@ import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from jounce.campaign.characterise import files_of, read_force_deflection
+from jounce.campaign.characterise import files_of
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.types import Array
-from jounce.identify.force_deflection import ForceDeflectionTrial
 from jounce.identify.signs import compression_positive
 from jounce.parts.rig import unit_of
 from jounce.plots import decay_fit, display_unit, number, quantity, stiffness_fit, tyre_pressure
@@ -18,7 +17,7 @@ from jounce.report.page import Block, Cell, Details, Paragraph, Picture, Section
 
 if TYPE_CHECKING:
     from jounce.campaign.characterise import DampingChoice
-    from jounce.campaign.description import DecayBench, StiffnessBench
+    from jounce.campaign.description import DecayBench
     from jounce.campaign.result import CampaignResult
     from jounce.identify.decay import DecayResult
     from jounce.identify.stiffness import StiffnessResult
@@ -31,7 +30,7 @@ _NAMES = {"bench.spring": "spring", "bench.tyre": "tyre", "bench.decay": "free d
 
 def characterisation(result: CampaignResult) -> Section:
     """Values replaced, then spring, tyre and damping with tables and figures; failed tables are named."""
-    bench, asked = result.characterisation, result.campaign.bench
+    bench = result.characterisation
     blocks: list[Block] = [
         Paragraph(
             f"The {_NAMES.get(place, place)} could not be evaluated; the value of the rig file is used (see Findings).",
@@ -42,11 +41,11 @@ def characterisation(result: CampaignResult) -> Section:
     if bench.replaced:
         blocks.append(_replaced(result))
     if bench.spring is not None:
-        blocks.append(Subsection("Spring", _stiffness(result, bench.spring, asked.spring, "spring", "bench-spring")))
+        blocks.append(Subsection("Spring", _stiffness(result, bench.spring, "bench.spring", "spring", "bench-spring")))
     files = unique_slugs([f"bench tyre {name}" for name in bench.tyre])
     for file, (name, found) in zip(files, bench.tyre.items(), strict=True):
         blocks.append(
-            Subsection(f"Tyre at {name}", _stiffness(result, found, asked.tyre.get(name), f"tyre, {name}", file))
+            Subsection(f"Tyre at {name}", _stiffness(result, found, f'bench.tyre."{name}"', f"tyre, {name}", file))
         )
     if bench.pressure is not None and len(bench.pressure.pressures) > 1:
         blocks.append(Subsection("Tyre against pressure", _pressure(result)))
@@ -88,10 +87,8 @@ def _replaced(result: CampaignResult) -> Table:
     )
 
 
-def _stiffness(
-    result: CampaignResult, found: StiffnessResult, table: StiffnessBench | None, title: str, file: str
-) -> tuple[Block, ...]:
-    points = _measured_trials(result, table)
+def _stiffness(result: CampaignResult, found: StiffnessResult, place: str, title: str, file: str) -> tuple[Block, ...]:
+    points = result.characterisation.loaded.get(place, [])
     choice = {"drop": "dropped", "shift": "deflection offset", "keep": "kept as preload"}[found.intercept_choice]
     rows: list[tuple[Cell | str, ...]] = [("stiffness", *estimate_cells(found.stiffness, "N/m"))]
     if found.intercept is not None:
@@ -286,17 +283,6 @@ def _each_decay(decays: tuple[DecayResult, ...], names: list[str]) -> Table:
         rows,
         "lrrrr",
     )
-
-
-def _measured_trials(result: CampaignResult, table: StiffnessBench | None) -> list[ForceDeflectionTrial]:
-    """Measured trials of a test machine; none where they cannot be read any more."""
-    if table is None:
-        return []
-    try:
-        files = files_of(table.files, result.folder, "report")
-        return read_force_deflection(files, table, table.stroke_positive, table.force_positive)[0]
-    except JounceError:
-        return []
 
 
 def _decay_records(result: CampaignResult, table: DecayBench | None) -> list[tuple[str, Array, Array]]:

@@ -1,0 +1,176 @@
+"""The figures of the quarter-car prototype paper, drawn from a campaign: its Figs 4, 6, 8, 9 and 10."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from jounce.plots.campaign import lively_window
+from jounce.plots.display import display_unit, words_of
+from jounce.plots.style import AFTER, BEFORE, MEASURED, PALETTE, new_figure, styled
+from jounce.recordings.schema import QUANTITIES, quantity_of
+from jounce.roads import Train, read_roads
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from jounce.campaign.result import CampaignResult, StrategyResult, StrategyTrial
+    from jounce.identify.force_deflection import ForceDeflectionTrial
+    from jounce.identify.stiffness import StiffnessResult
+    from jounce.roads import Road
+
+
+_FIRST_UPDATE, _LAST_UPDATE = 8, 10
+
+
+def paper_figures(result: CampaignResult) -> dict[str, Figure]:
+    """Draw a campaign as the quarter-car prototype paper shows its own, by the paper's numbers.
+
+    Parameters
+    ----------
+    result : CampaignResult
+        A campaign; what it did not measure or update is left out.
+
+    Returns
+    -------
+    dict of str to Figure
+        ``figure-4a`` and ``figure-4b``: force (N) against deflection (mm) of the spring and of the first tyre.
+        ``figure-6``: a single obstacle and a train, height against distance (mm). ``figure-8``, ``figure-9`` and
+        ``figure-10``: the first three updates, each on the first trial that it was fitted on; (a) sprung and (b)
+        unsprung mass over time, experiment and simulation with the model before and after adjustment.
+    """
+    bench = result.characterisation
+    figures: dict[str, Figure] = {}
+    if bench.spring is not None:
+        figures["figure-4a"] = force_against_deflection(
+            "spring", bench.loaded["bench.spring"], {f"{bench.spring.law} fit": bench.spring}
+        )
+    for name, fit in list(bench.tyre.items())[:1]:
+        cubic = bench.tyre_polynomial.get(name)
+        laws = {f"{fit.law} fit": fit} | ({"cubic of the whole curve": cubic} if cubic is not None else {})
+        figures["figure-4b"] = force_against_deflection(f"tyre, {name}", bench.loaded[f'bench.tyre."{name}"'], laws)
+    roads = read_roads(result.campaign.roads, folder=result.folder)
+    kinds = {isinstance(road, Train): road for road in reversed(roads.values())}
+    if kinds:
+        figures["figure-6"] = obstacle_profiles([kinds[kind] for kind in sorted(kinds)])
+    for k, strategy in enumerate(result.strategies[: _LAST_UPDATE - _FIRST_UPDATE + 1]):
+        figures[f"figure-{_FIRST_UPDATE + k}"] = adjusted_and_not(strategy, strategy.trial(strategy.fitted_on[0]))
+    return figures
+
+
+@styled
+def force_against_deflection(
+    title: str, trials: Sequence[ForceDeflectionTrial], laws: dict[str, StiffnessResult]
+) -> Figure:
+    """Draw the measured points of a component and the laws fitted to them, mm and N."""
+    from jounce.identify.force_deflection import seat
+
+    figure = new_figure(3.6, 5.2)
+    axes = figure.subplots()
+    reach = 0.0
+    for k, trial in enumerate(trials):
+        seated, _ = seat(trial, zero=next(iter(laws.values())).zero)
+        reach = max(reach, float(seated.deflection.max()))
+        label = f"experiment, {len(trials)} trials" if k == 0 else None
+        axes.plot(1e3 * seated.deflection, seated.force, ".", color=MEASURED, markersize=2.5, label=label)
+    for colour, (name, law) in zip((AFTER, PALETTE[1]), laws.items(), strict=False):
+        low, high = law.fitted_range
+        offset = law.intercept.value if law.law == "linear" and law.intercept is not None else 0.0
+        x = np.linspace(low, max(high, reach), 200)
+        axes.plot(1e3 * x, law.curve(x) + offset, color=colour, linewidth=1.6, label=name)
+    axes.set(xlabel="deflection [mm]", ylabel="force [N]", title=title)
+    axes.legend(loc="upper left")
+    return figure
+
+
+@styled
+def obstacle_profiles(roads: Sequence[Road]) -> Figure:
+    """Draw obstacles side by side: height against distance, both in mm."""
+    figure = new_figure(2.3)
+    grid = figure.subplots(1, len(roads), squeeze=False, sharey=True)[0]
+    for letter, axes, road in zip("abcdef", grid, roads, strict=False):
+        x = np.linspace(road.start - 0.03, road.end() + 0.03, 2000)
+        axes.plot(1e3 * (x - road.start), 1e3 * road.height_at(x), color=AFTER)
+        what = f"a series of {road.count} obstacles" if isinstance(road, Train) else "single obstacle"
+        axes.set(xlabel="distance [mm]", title=f"({letter}) {what}")
+    grid[0].set_ylabel("height [mm]")
+    return figure
+
+
+@styled
+def adjusted_and_not(strategy: StrategyResult, trial: StrategyTrial) -> Figure:
+    """Draw a trial before and after one update: (a) sprung mass, (b) unsprung mass and whatever else was recorded.
+
+    Parameters
+    ----------
+    strategy : StrategyResult
+        An update of a campaign.
+    trial : StrategyTrial
+        One of its trials.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The part of the record that is lively, over time (s).
+    """
+    signals = trial.signals or trial.signals_before
+    figure = new_figure(0.5 + 2.0 * len(signals))
+    grid = figure.subplots(len(signals), 1, sharex=True, squeeze=False)[:, 0]
+    for letter, axes, name in zip("abcdef", grid, signals, strict=False):
+        _draw(axes, trial, name)
+        axes.set_title(f"({letter}) trial {trial.number}, {strategy.update.name}: {name}")
+    if signals:
+        grid[-1].set(xlim=lively_window(signals), xlabel="time [s]")
+        figure.legend(*grid[0].get_legend_handles_labels(), loc="outside upper right", ncols=3)
+        figure.align_ylabels(grid)
+    return figure
+
+
+def _draw(axes: Axes, trial: StrategyTrial, name: str, *, labels: bool = True) -> None:
+    """Draw the experiment and both simulations of a channel, and how well each of them explains it."""
+    lines = (
+        (trial.signals_before, trial.before, BEFORE, "simulation, not adjusted", (0, (4, 1.6))),
+        (trial.signals, trial.after, AFTER, "simulation, adjusted", "-"),
+    )
+    shown = (trial.signals or trial.signals_before)[name]
+    quantity = quantity_of(name)
+    unit = display_unit(QUANTITIES[quantity][0] if quantity else "1", float(np.abs(shown.measured).max()))
+    axes.plot(shown.time, shown.measured * unit.factor, color=MEASURED, linewidth=2.2, label="experiment")
+    words = []
+    for signals, comparison, colour, label, dashes in lines:
+        if name in signals and comparison is not None:
+            curve = signals[name]
+            axes.plot(
+                curve.time, curve.simulated * unit.factor, color=colour, linewidth=1.0, linestyle=dashes, label=label
+            )
+            words.append(f"{comparison.channels[name].r2:.3f}".replace("-", "−"))
+    axes.set_title(f"R² {' → '.join(words)}", loc="right", fontweight="normal", fontsize=8.5)
+    if labels:
+        axes.set_ylabel(f"{words_of(name)}\n[{unit.name or '–'}]")
+
+
+@styled
+def update_on_every_trial(strategy: StrategyResult) -> Figure:
+    """Draw every trial before and after one update: a row for each trial, a column for each channel, over time (s)."""
+    trials = [trial for trial in strategy.trials if trial.signals or trial.signals_before]
+    channels = list(dict.fromkeys(name for trial in trials for name in (trial.signals or trial.signals_before)))
+    figure = new_figure(0.6 + 1.15 * len(trials), 8.2)
+    grid = figure.subplots(len(trials), len(channels), squeeze=False)
+    for row, trial in zip(grid, trials, strict=True):
+        signals = trial.signals or trial.signals_before
+        for axes, name in zip(row, channels, strict=True):
+            if name not in signals:
+                axes.set_axis_off()
+                continue
+            _draw(axes, trial, name, labels=False)
+            axes.set_title(f"{trial.number}{', fitted' if trial.is_fitted else ''}: {name}", fontsize=8.5)
+            axes.set_xlim(lively_window(signals))
+            axes.tick_params(labelsize=7)
+    for axes in grid[-1]:
+        axes.set_xlabel("time [s]")
+    figure.legend(*grid[0][0].get_legend_handles_labels(), loc="outside upper right", ncols=3)
+    return figure
