@@ -21,7 +21,7 @@ _DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+(?:[eE][+-]?\d+)?")
 _SEPARATOR_NAMES = {",": "comma", ";": "semicolon", "\t": "tab", " ": "blank"}
 _LONGEST_CELL = 1000
 _BLANK = "no cell of the column is filled"
-_NO_NUMBER = "No cell of the column is a number."
+NO_NUMBER = "No cell of the column is a number."
 _SINGLE_LETTERS = set("msNgGVAWJK%°")
 """Units of one letter that count behind a name as in ``Force (N)``: ``(L)`` and ``(R)`` are sides."""
 
@@ -54,7 +54,7 @@ class Column:
     @property
     def is_empty(self) -> bool:
         """Whether no cell of the column is a number."""
-        return self.fault is not None and (self.fault.what == _BLANK or self.fault.hint == _NO_NUMBER)
+        return self.fault is not None and (self.fault.what == _BLANK or self.fault.hint == NO_NUMBER)
 
     def readable(self) -> Column:
         """Give the column itself; raise its fault where it has one."""
@@ -434,5 +434,5 @@ def _bad_cell(cell: str, where: str, *, no_numbers: bool) -> RecordingError:
         )
     if _is_number(cell):
         return RecordingError("not a finite number", where=where, found=cell, hint="Fill the gap or remove the row.")
-    hint = _NO_NUMBER if no_numbers else ""
+    hint = NO_NUMBER if no_numbers else ""
     return RecordingError("text in a number column", where=where, found=cell[:80], allowed="a number", hint=hint)

@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
+import logging
+import re
 import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
-from jounce.core.columns import Column, ColumnTable, parse_header, read_columns_csv
+from jounce.core.columns import NO_NUMBER, Column, ColumnTable, name_and_unit, parse_header, read_columns_csv
 from jounce.core.errors import JounceError, RecordingError, nearest
 from jounce.core.files import existing_file
 from jounce.core.findings import Finding
 from jounce.core.optional import require
 from jounce.core.types import Array
+from jounce.recordings.hdf5 import announcement, check_size, held_rows
+from jounce.recordings.matlab import read_matrices
 
 
 @dataclass(frozen=True)
@@ -154,21 +157,38 @@ def read_signals(path: Path, options: ReaderOptions) -> SignalTable:
 
 def _check_shape(table: ColumnTable, reader: Reader, path: Path) -> None:
     """Refuse what a reader gives that is no table: every column needs as many plain numbers as the others."""
-    lengths = {column.values.shape for column in table if column.fault is None}
-    wrong = next((column for column in table if column.fault is None and not _is_signal(column.values)), None)
-    if wrong is not None or len(lengths) > 1:
-        what = "a column is no row of real numbers" if wrong is not None else "the columns have different lengths"
+    whole = [column for column in table if column.fault is None]
+    for column in whole:
+        if not _is_signal(column.values):
+            raise RecordingError(
+                f"a column is no row of real numbers: the reader {reader.name!r} does not know this file",
+                where=f"{path}: {column.label}",
+                found=f"shape {np.shape(column.values)}, {getattr(column.values, 'dtype', 'no array')}",
+            )
+    if len({column.values.size for column in whole}) > 1:
         raise RecordingError(
-            f"{what}: the reader {reader.name!r} does not know this file",
-            where=f"{path}: {wrong.label}" if wrong is not None else str(path),
-            found=f"shape {np.shape(wrong.values)}, {getattr(wrong.values, 'dtype', type(wrong.values).__name__)}"
-            if wrong is not None
-            else ", ".join(f"{column.label}: {len(column.values)}" for column in table if column.fault is None),
+            f"the columns have different lengths: the reader {reader.name!r} does not know this file",
+            where=str(path),
+            found=", ".join(f"{column.label}: {column.values.size}" for column in whole),
         )
 
 
 def _is_signal(values: object) -> bool:
     return isinstance(values, np.ndarray) and values.ndim == 1 and values.dtype == float and values.size > 0
+
+
+@contextmanager
+def _quiet(*libraries: str) -> Iterator[None]:
+    """What libraries log about damaged files is said by findings."""
+    loggers = [logging.getLogger(library) for library in libraries]
+    levels = [logger.level for logger in loggers]
+    for logger in loggers:
+        logger.setLevel(logging.CRITICAL)
+    try:
+        yield
+    finally:
+        for logger, level in zip(loggers, levels, strict=True):
+            logger.setLevel(level)
 
 
 @contextmanager
@@ -227,25 +247,34 @@ def _read_csv(path: Path, options: ReaderOptions) -> SignalTable:
 )
 def _read_netcdf(path: Path, options: ReaderOptions) -> SignalTable:
     """Every variable over ``time`` with its ``units`` and ``long_name``."""
+    import h5netcdf
     import xarray as xr
 
-    try:
-        with xr.open_dataset(path, engine="h5netcdf", decode_times=False, decode_timedelta=False) as file:
-            dataset = file.load()
-    except (OSError, ValueError, KeyError) as error:
-        raise RecordingError(f"not a netCDF-4 file ({error})", where=str(path)) from None
-    if "time" not in dataset.variables or dataset["time"].dims != ("time",):
-        raise RecordingError("no time", where=str(path), allowed="a coordinate 'time' on a dimension 'time'")
-    columns, long_names, left_out = [], {}, []
-    for name, variable in dataset.variables.items():
-        if variable.dims == ("time",) and variable.dtype.kind in "fiu":
+    columns, long_names, left_out = [], dict[str, str](), []
+    findings: list[Finding] = []
+    with _understood(path, "a netCDF-4 file"), h5netcdf.File(path, "r") as file:
+        signals = {str(name): one for name, one in file.variables.items()}
+        if "time" not in signals or signals["time"].dimensions != ("time",):
+            raise RecordingError("no time", where=str(path), allowed="a coordinate 'time' on a dimension 'time'")
+        over_time = {
+            name: one for name, one in signals.items() if one.dimensions == ("time",) and one.dtype.kind in "fiu"
+        }
+        held = {name: held_rows(one._h5ds)[1] for name, one in over_time.items()}
+        for name, one in over_time.items():
+            findings += announcement(name, one.shape[0], held[name], str(path))
+        rows = min(held.values(), default=0)
+        check_size(rows * len(over_time), str(path))
+        for name, one in over_time.items():
+            raw = xr.Variable(("time",), one[:rows], dict(one.attrs))
+            variable = xr.conventions.decode_cf_variable(name, raw, decode_times=False, decode_timedelta=False)
             values = np.ascontiguousarray(variable.values, dtype=float)
-            columns.append(Column(str(name), str(variable.attrs.get("units", "")), values, str(path)))
-            long_names[str(name)] = str(variable.attrs.get("long_name", ""))
-        else:
-            left_out.append(str(name))
-    attributes = {str(key): value for key, value in dataset.attrs.items()}
-    return SignalTable(_named(columns, path, options), long_names, attributes, tuple(left_out))
+            columns.append(Column(name, str(variable.attrs.get("units", "")), values, str(path)))
+            long_names[name] = str(variable.attrs.get("long_name", ""))
+        left_out = [name for name in signals if name not in over_time]
+        attributes = {str(key): value for key, value in file.attrs.items()}
+    return SignalTable(
+        _named(columns, path, options), long_names, attributes, tuple(left_out), findings=tuple(findings)
+    )
 
 
 _WIDEST = 64
@@ -254,40 +283,60 @@ _WIDEST = 64
 
 @reader(
     "mat",
-    "MATLAB file, version 5 or 7.3, numeric vectors and matrices",
+    "MATLAB file, version 4 to 7.3: vectors and matrices, also in structs and cells",
     (".mat",),
     source="MAT-File Format, The MathWorks",
-    example="columns={'time': 'Tout [s]', 'strut.force': 'x_F(:,3) [N]'}",
+    example="columns={'time': 'Tout [s]', 'strut.force': 'x_F(:,3) [N]', 'sprung.az': 'run.acc [g]'}",
     has_variables=True,
 )
 def _read_mat(path: Path, options: ReaderOptions) -> SignalTable:
-    """Every numeric vector as a column, and the columns of every matrix.
+    """Every numeric vector as a column, and the columns of every matrix, wherever they lie in structs and cells.
 
-    Columns of a matrix ``x_F`` are named as in MATLAB: ``x_F(:,1)``, ``x_F(:,2)``, ... With ``options.header`` those of
-    one matrix (``options.variable``, or the only one as wide as the header) get names and units. Variables of one
-    length become columns: that of the matrix with a header, otherwise the most frequent one.
+    Columns are named as in MATLAB: ``x_F(:,1)``, ``run.acc``, ``Y(2).Data``, ``c{3}``; within the struct
+    ``options.variable``, or the only variable of the file, without its name in front. A struct with its values, a name
+    and a unit is one signal of that name; a list of names (and units) beside a matrix of that width names its columns.
+    With ``options.header`` the columns of one matrix (``options.variable``, or the only one as wide as the header) get
+    names and units. Variables of one length become columns: that of the matrix with a header, otherwise the most
+    frequent one.
     """
-    arrays = _matlab_arrays(path)
+    with _understood(path, "a MATLAB file"):
+        matrices, unread, findings = read_matrices(path)
+    struct, variable = "", options.variable
+    if variable and variable not in matrices:
+        within = tuple(variable + mark for mark in ".({")
+        inside = {name: one for name, one in matrices.items() if name.startswith(within)}
+        if inside:
+            matrices, struct, variable = inside, variable, ""
+    elif not variable:
+        roots = {re.split(r"[.({]", name)[0] for name in matrices}
+        struct = next(iter(roots)) if len(roots) == 1 else ""
+    arrays = {name: one.values for name, one in matrices.items()}
     heads = parse_header(options.header) if options.header else []
-    chosen = _chosen_matrix(arrays, options.variable, len(heads), path)
+    chosen = _chosen_matrix(arrays, variable, len(heads), path)
     lengths = [int(array.shape[0]) for array in arrays.values() if array.shape[0] > 1]
     if chosen:
         rows = arrays[chosen].shape[0]
     elif lengths:
         rows = max(set(lengths), key=lambda length: (lengths.count(length), length))
     else:
-        raise RecordingError("no numeric variable with more than one row", where=str(path))
+        hint = (
+            f"Objects (timeseries, tables) cannot be read: {', '.join(unread)}. Save plain vectors." if unread else ""
+        )
+        raise RecordingError("no numeric variable with more than one row", where=str(path), hint=hint)
     columns = []
-    for name, array in arrays.items():
-        width = array.shape[1]
-        if array.shape[0] == rows and (width <= _WIDEST or name == chosen):
-            own = [(name, "")] if width == 1 else [(f"{name}(:,{index})", "") for index in range(1, width + 1)]
-            named = heads if heads and name == chosen else own
+    for name, one in matrices.items():
+        array = one.values
+        if array.shape[0] == rows and (array.shape[1] <= _WIDEST or name == chosen):
+            own = [(n.removeprefix(f"{struct}."), u, at) for n, u, at in one.columns]
+            named = [(n, u, "") for n, u in heads] if heads and name == chosen else own
             columns += [
-                Column(n, u, np.ascontiguousarray(v), str(path)) for (n, u), v in zip(named, array.T, strict=True)
+                Column(n, u, np.array(v, dtype=float), str(path), written=at if at != n else "")
+                for (n, u, at), v in zip(named, array.T, strict=True)
             ]
-    left_out = tuple(name for name, array in arrays.items() if not chosen and array.shape[0] not in (1, rows))
-    return SignalTable(ColumnTable(tuple(columns), (), str(path)), left_out=left_out)
+    left_out = [name for name, array in arrays.items() if not chosen and array.shape[0] not in (1, rows)]
+    return SignalTable(
+        ColumnTable(tuple(columns), (), str(path)), left_out=(*left_out, *unread), findings=tuple(findings)
+    )
 
 
 def _chosen_matrix(arrays: dict[str, Array], variable: str, width: int, path: Path) -> str:
@@ -313,32 +362,6 @@ def _chosen_matrix(arrays: dict[str, Array], variable: str, width: int, path: Pa
     return variable or fitting[0]
 
 
-def _matlab_arrays(path: Path) -> dict[str, Array]:
-    """Real numeric variables as (rows, columns); row vectors stand up."""
-    from scipy.io import loadmat
-    from scipy.io.matlab import MatReadError
-
-    try:
-        content: dict[str, Any] = loadmat(path)
-    except NotImplementedError:  # version 7.3 is HDF5; MATLAB stores columns first, so its matrices come transposed
-        import h5py
-
-        with h5py.File(path, "r") as file:
-            content = {
-                name: np.asarray(item[()]).T
-                for name, item in file.items()
-                if isinstance(item, h5py.Dataset) and item.attrs.get("MATLAB_class") not in (b"char", b"cell")
-            }
-    except (MatReadError, ValueError, TypeError, OSError, IndexError, KeyError, EOFError) as error:
-        raise RecordingError(f"not a MATLAB file ({error})", where=str(path)) from None
-    found = {}
-    for name, value in content.items():
-        if isinstance(value, np.ndarray) and value.dtype.kind in "fiu" and value.ndim == 2 and value.size > 0:
-            array = np.asarray(value, dtype=float)
-            found[name] = array.T if array.shape[0] == 1 else array
-    return found
-
-
 @reader(
     "tdms",
     "LabVIEW TDMS, one group",
@@ -354,10 +377,10 @@ def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
     Time is a channel of its own, or comes from the waveform properties ``wf_start_offset`` and ``wf_increment``.
     """
     nptdms = require("nptdms", "io")
-    try:
+    with _understood(path, "a TDMS file"), _quiet("nptdms"):
         file = nptdms.TdmsFile.read(path)
-    except Exception as error:  # noqa: BLE001 - nptdms raises bare ValueErrors, KeyErrors and struct errors alike
-        raise RecordingError(f"not a TDMS file ({error})", where=str(path)) from None
+        status = file.file_status
+        expected = dict(status.channel_statuses or {}) if status.incomplete_final_segment else {}
     groups, wanted = {group.name: group for group in file.groups()}, options.variable
     if wanted not in groups and (wanted or len(groups) != 1):
         raise RecordingError(
@@ -367,62 +390,84 @@ def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
             hint="Say which one with variable.",
         )
     group = groups[wanted] if wanted in groups else next(iter(groups.values()))
-    channels = [channel for channel in group.channels() if len(channel) > 1 and channel.dtype.kind in "fiu"]
-    if not channels:
-        raise RecordingError("no numeric channel", where=f"{path}: group {group.name!r}")
-    columns = [
-        Column(one.name, str(one.properties.get("unit_string", "")), np.asarray(one[:], dtype=float), str(path))
-        for one in channels
-    ]
-    increments = {float(one.properties["wf_increment"]) for one in channels if "wf_increment" in one.properties}
-    if len(increments) > 1:
-        raise RecordingError(
-            "the channels have different sample times", where=str(path), found=f"{sorted(increments)} s", allowed="one"
-        )
-    if increments and not any(column.name == "time" for column in columns):
-        start = float(channels[0].properties.get("wf_start_offset", 0.0))
-        instants = np.asarray(start + np.arange(columns[0].values.size) * increments.pop(), dtype=float)
-        columns.insert(0, Column("time", "s", instants, str(path)))
-    return SignalTable(_named(columns, path, options))
+    where = f"{path}: group {group.name!r}"
+    findings: list[Finding] = []
+    for one in group.channels():
+        if one.path in expected and expected[one.path].read_length < expected[one.path].expected_length:
+            lost = expected[one.path].expected_length - expected[one.path].read_length
+            findings += announcement(one.name, len(one) + lost, len(one), where, refused=False)
+    clocks: dict[tuple[object, ...], list[Column]] = {}
+    with _understood(path, "a TDMS file"):
+        for one in group.channels():
+            if len(one) > 1 and one.dtype.kind in "fiu":
+                unit = str(one.properties.get("unit_string", ""))
+                column = Column(one.name, unit, np.array(one[:], dtype=float), str(path))
+                step = one.properties.get("wf_increment")
+                clock = (float(step), float(one.properties.get("wf_start_offset", 0.0))) if step is not None else ()
+                clocks.setdefault(clock if findings else (*clock, len(one)), []).append(column)
+    if not clocks:
+        raise RecordingError("no numeric channel", where=where)
+    tables = []
+    for clock, columns in clocks.items():
+        held = min(len(column.values) for column in columns)  # of a file that was cut off, what all channels have
+        table = [replace(column, values=column.values[:held]) for column in columns]
+        if len(clock) > 1 and not any(column.name == "time" for column in table):
+            instants = np.asarray(clock[1] + np.arange(held) * clock[0], dtype=float)
+            table.insert(0, Column("time", "s", instants, str(path)))
+        tables.append(table)
+    return _by_clock(tables, path, options, findings=tuple(findings))
 
 
 @reader(
     "mdf",
-    "ASAM MDF 3 or 4, channels on one time axis",
+    "ASAM MDF 3 or 4, also with bus frames",
     (".mf4", ".mdf", ".dat"),
     source="ASAM MDF 4.2",
-    example="columns={'sprung.az': 'AccZ_body [g]'}",
+    example="columns={'sprung.az': 'AccZ_body [g]'}, database='vehicle.dbc'",
     extra="io",
+    has_database=True,
 )
 def _read_mdf(path: Path, options: ReaderOptions) -> SignalTable:
-    """Numeric channels on the time axis that most channels share; bus frames are not decoded."""
+    """Numeric channels by time axis; bus frames (CAN, LIN) are decoded with ``options.database``.
+
+    A signal of a bus message is named as in the database.
+    """
     asammdf = require("asammdf", "io")
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            with asammdf.MDF(path) as file:
-                signals = [
-                    signal
-                    for signal in file.iter_channels(skip_master=True)
-                    if signal.samples.ndim == 1 and signal.samples.dtype.kind in "fiu" and signal.samples.size > 1
-                ]
-    except Exception as error:  # noqa: BLE001 - asammdf raises bare exceptions of many kinds
-        raise RecordingError(f"not an MDF file ({error})", where=str(path)) from None
-    if not signals:
-        raise RecordingError("no numeric channel over time", where=str(path), hint="Decode bus frames first.")
-    axes = [signal.timestamps.tobytes() for signal in signals]
-    usual = max(axes, key=axes.count)
-    kept = [signal for signal, axis in zip(signals, axes, strict=True) if axis == usual]
-    columns = [Column("time", "s", np.asarray(kept[0].timestamps, dtype=float), str(path))]
-    columns += [
-        Column(signal.name, str(signal.unit or ""), np.asarray(signal.samples, dtype=float), str(path))
-        for signal in kept
-    ]
-    left_out = tuple(signal.name for signal, axis in zip(signals, axes, strict=True) if axis != usual)
-    return SignalTable(_named(columns, path, options), left_out=left_out)
+    findings: list[Finding] = []
+    with _understood(path, "an MDF file"), _quiet("asammdf", "canmatrix"), asammdf.MDF(path) as file:
+        has_frames = any(name.endswith("DataFrame") for name in file.channels_db)
+        sources = [file]
+        if options.database is not None:
+            databases = [(str(options.database), 0)]
+            with _understood(options.database, "a database of bus messages"):
+                sources.append(file.extract_bus_logging(database_files={"CAN": databases, "LIN": databases}))
+        clocks: dict[bytes, list[Column]] = {}
+        for source in sources:
+            for signal in source.iter_channels(skip_master=True):
+                if signal.name.startswith(_FRAMES) or signal.samples.ndim != 1 or signal.samples.size < 2:
+                    continue
+                if signal.samples.dtype.kind not in "fiu":
+                    continue
+                announced = int(source.groups[signal.group_index].channel_group.cycles_nr)
+                findings += announcement(signal.name, announced, int(signal.samples.size), str(path), refused=False)
+                instants = np.array(signal.timestamps, dtype=float)
+                columns = clocks.setdefault(instants.tobytes(), [Column("time", "s", instants, str(path))])
+                values = np.array(signal.samples, dtype=float)
+                columns.append(Column(signal.name, str(signal.unit or ""), values, str(path)))
+    if not clocks:
+        hint = ""
+        if has_frames:
+            hint = (
+                "None of its bus frames is in the database."
+                if options.database
+                else "It holds bus frames: give the database (.dbc) that decodes them."
+            )
+        raise RecordingError("no numeric channel over time", where=str(path), hint=hint)
+    return _by_clock(list(clocks.values()), path, options, findings=tuple(findings))
 
 
-_TIME_RESPONSE = 1
+_FRAMES = ("CAN_", "LIN_", "ETH_", "FLX_")
+_TIME_RESPONSE, _FUNCTIONS = 1, 58
 
 
 @reader(
@@ -434,38 +479,124 @@ _TIME_RESPONSE = 1
     extra="io",
 )
 def _read_uff(path: Path, options: ReaderOptions) -> SignalTable:
-    """Time responses that share the first one's instants.
+    """Time responses, real numbers over the instants of most of them.
 
     A channel is named after its response entity (or ``point_<node>``), followed by ``:<node><direction>`` when several
-    have that name.
+    have that name. Time is in the unit that the data set gives, s where it gives none.
     """
     pyuff = require("pyuff", "io")
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            file = pyuff.UFF(str(path))
-            kinds = np.atleast_1d(file.get_set_types())
-            sets = [file.read_sets(int(index)) for index in np.flatnonzero(kinds == 58)]
-    except Exception as error:  # noqa: BLE001 - pyuff raises bare Exceptions
-        raise RecordingError(f"not a universal file ({error})", where=str(path)) from None
-    sets = [one for one in sets if one["func_type"] == _TIME_RESPONSE]
+    with _understood(path, "a universal file"):
+        file = pyuff.UFF(str(path))
+        kinds = [int(kind) for kind in np.atleast_1d(file.get_set_types())]
+        functions = [file.read_sets(index) for index, kind in enumerate(kinds) if kind == _FUNCTIONS]
+    findings: list[Finding] = []
+    if sum(line.strip() == b"-1" for line in path.read_bytes().splitlines()) % 2:
+        text = "the last data set has no end: the file was cut off, and that data set was left out"
+        findings.append(Finding(str(path), "problem", text))
+    sets = [one for one in functions if one["func_type"] == _TIME_RESPONSE]
     if not sets:
-        found = ", ".join(f"{int(kind)}" for kind in kinds)
-        raise RecordingError("no time response", where=str(path), found=f"data sets {found}", allowed="data set 58")
-    instants = np.asarray(sets[0]["x"], dtype=float)
-    columns = [Column("time", "s", instants, str(path))]
+        numbers = sorted({int(one["func_type"]) for one in functions})
+        raise RecordingError(
+            "no time response",
+            where=str(path),
+            found=f"data set 58 with functions of type {', '.join(map(str, numbers))}"
+            if functions
+            else f"data sets {', '.join(map(str, kinds))}"
+            if kinds
+            else "no whole data set",
+            allowed=f"data set 58 with functions of type {_TIME_RESPONSE} (time response)",
+        )
     entities = [str(one["rsp_ent_name"]).strip() for one in sets]
     names = [
         entity if entity not in ("", "NONE") else f"point_{one['rsp_node']}"
         for one, entity in zip(sets, entities, strict=True)
     ]
+    clocks: dict[tuple[str, bytes], list[Column]] = {}
     left_out = []
     for one, name in zip(sets, names, strict=True):
         full = name if names.count(name) == 1 else f"{name}:{one['rsp_node']}{one['rsp_dir']:+d}"
-        if np.array_equal(one["x"], instants):
-            unit = str(one["ordinate_axis_units_lab"]).strip()
-            values = np.asarray(one["data"], dtype=float)
-            columns.append(Column(full, "" if unit == "NONE" else unit, values, str(path)))
-        else:
+        values, instants = np.ravel(one["data"]), np.asarray(one["x"], dtype=float)
+        if np.iscomplexobj(values) or values.size < 2:
             left_out.append(full)
-    return SignalTable(_named(columns, path, options), left_out=tuple(left_out))
+            continue
+        findings += announcement(full, int(one.get("num_pts", values.size)), int(values.size), str(path), refused=False)
+        held = min(values.size, instants.size)
+        clock, unit = _label(one["abscissa_axis_units_lab"]) or "s", _label(one["ordinate_axis_units_lab"])
+        columns = clocks.setdefault(
+            (clock, instants[:held].tobytes()), [Column("time", clock, instants[:held], str(path))]
+        )
+        columns.append(Column(full, unit, np.array(values[:held], dtype=float), str(path)))
+    if not clocks:
+        raise RecordingError("no time response of real numbers", where=str(path), found=", ".join(left_out))
+    return _by_clock(list(clocks.values()), path, options, left_out=tuple(left_out), findings=tuple(findings))
+
+
+def _label(text: object) -> str:
+    label = str(text).strip()
+    return "" if label.upper() == "NONE" else label
+
+
+@reader(
+    "parquet",
+    "Parquet table",
+    (".parquet", ".pq"),
+    source="Apache Parquet, https://parquet.apache.org/docs/file-format",
+    example="columns={'sprung.az': 'acc_body [g]'}",
+    extra="io",
+)
+def _read_parquet(path: Path, options: ReaderOptions) -> SignalTable:
+    """Every column with numbers; its unit from the name (``force [N]``) or the field's metadata (``unit``, ``units``).
+
+    Instants and durations (of clocks, not of the calendar) become seconds since the first; the index that pandas
+    writes is a column like the others.
+    """
+    arrow, parquet = require("pyarrow", "io"), require("pyarrow.parquet", "io")
+    columns = []
+    with _understood(path, "a Parquet file"):
+        table = parquet.read_table(path)
+        for field_, chunks in zip(table.schema, table.columns, strict=True):
+            told = {key.decode(): value.decode() for key, value in (field_.metadata or {}).items()}
+            name, unit = name_and_unit(field_.name)
+            unit = unit or told.get("unit") or told.get("units") or ""
+            kind, values, fault = field_.type, np.empty(0), None
+            if arrow.types.is_timestamp(kind) or arrow.types.is_duration(kind):
+                ticks = chunks.cast(arrow.int64()).to_numpy()  # float, with NaN, where instants are missing
+                values, unit = (
+                    (ticks - ticks[0]).astype(float) * {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}[kind.unit],
+                    "s",
+                )
+            elif arrow.types.is_integer(kind) or arrow.types.is_floating(kind) or arrow.types.is_decimal(kind):
+                values = np.array(chunks.cast(arrow.float64()).to_numpy(), dtype=float)
+            else:
+                fault = RecordingError(
+                    "text in a number column",
+                    where=f"{path}: column {field_.name!r}",
+                    found=str(kind),
+                    allowed="numbers",
+                    hint=NO_NUMBER,
+                )
+            columns.append(Column(name, unit, values, str(path), fault, "" if field_.name == name else field_.name))
+    if not columns or not table.num_rows:
+        raise RecordingError("no rows", where=str(path))
+    return SignalTable(_named(columns, path, options))
+
+
+def _by_clock(
+    clocks: list[list[Column]],
+    path: Path,
+    options: ReaderOptions,
+    *,
+    left_out: tuple[str, ...] = (),
+    findings: tuple[Finding, ...] = (),
+) -> SignalTable:
+    """Columns on the clock that most of them share, and those on others; columns without a clock are left out."""
+    usual = max(clocks, key=len)
+    others = [columns for columns in clocks if columns is not usual]
+    timed = [columns for columns in others if columns[0].name == "time"]
+    unclear = tuple(column.name for columns in others if columns[0].name != "time" for column in columns)
+    return SignalTable(
+        _named(usual, path, options),
+        left_out=left_out + unclear,
+        others=tuple(ColumnTable(tuple(columns), (), str(path)) for columns in timed),
+        findings=findings,
+    )

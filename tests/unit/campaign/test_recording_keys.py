@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from jounce.campaign.description import DecayBench, TrialEntry
+from jounce.campaign.characterise import read_force_deflection
+from jounce.campaign.description import DecayBench, StiffnessBench, TrialEntry
 from jounce.core.errors import DescriptionError
 
 TIME = np.concatenate((np.arange(1500) * 0.001, 1.503 + np.arange(1500) * 0.001))  # two samples are missing
@@ -40,3 +41,15 @@ def test_irregular_european_files_in_trials_and_decays(tmp_path: Path, kind: typ
     assert "the largest gap in the recorded time is 0.004 s" in said
     with pytest.raises(DescriptionError, match=r"campaign\.toml: resample: wrong unit"):
         kind.from_table({**needed, "resample": "2 mm"}, where="campaign.toml")
+
+
+def test_bench_tables_choose_a_variable(tmp_path: Path) -> None:
+    from scipy.io import savemat
+
+    savemat(tmp_path / "a.mat", {"first": {"displacement": WAVE[:500], "force": 5.0 * WAVE[:500]}, "other": WAVE})
+    table = StiffnessBench(
+        files=("a.mat",), variable="first", columns={"displacement": "displacement [mm]", "force": "force [N]"}
+    )
+    (trial,), _ = read_force_deflection([tmp_path / "a.mat"], table)
+    np.testing.assert_allclose(trial.force, 5.0 * WAVE[:500])
+    np.testing.assert_allclose(trial.displacement, 1e-3 * WAVE[:500])

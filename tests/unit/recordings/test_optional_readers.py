@@ -83,10 +83,204 @@ def test_mdf(tmp_path: Path) -> None:
     assert "slow.az" in findings[0].message
 
 
-@pytest.mark.parametrize(("package", "suffix"), [("nptdms", ".tdms"), ("pyuff", ".uff"), ("asammdf", ".mf4")])
+@pytest.mark.parametrize(
+    ("package", "suffix"), [("nptdms", ".tdms"), ("pyuff", ".uff"), ("asammdf", ".mf4"), ("pyarrow", ".parquet")]
+)
 def test_broken_file(tmp_path: Path, package: str, suffix: str) -> None:
     pytest.importorskip(package)
     file = tmp_path / f"broken{suffix}"
     file.write_bytes(b"nothing of the kind\n" * 50)
     with pytest.raises(RecordingError, match=r"broken\.\w+: (not an? |no time response)"):
+        read_recording(file)
+
+
+def test_uff_in_the_units_it_gives_and_cut_off(tmp_path: Path) -> None:
+    pytest.importorskip("pyuff")
+    file = tmp_path / "a.uff"
+    whole = data_set_58("Wheel", 2, WAVE)
+    axis = f"{'Time':<20s} {'s':<20s}"
+    file.write_text(whole.replace(axis, f"{'Time':<20s} {'ms':<20s}").replace("1.00000e-03", "1.00000e+00"))
+    run, _ = read_recording(file, columns={"sprung.az": "Wheel"})
+    np.testing.assert_allclose(run["time"], TIME, rtol=1e-12)
+    lines = whole.splitlines()
+    file.write_text("\n".join([*lines[:16], "    -1", ""]))
+    run, (finding,) = read_recording(file, columns={"sprung.az": "Wheel"})
+    assert (finding.severity, finding.value, run.sizes["time"]) == ("problem", 12.0, 12)
+    assert "announces 40 samples and holds 12" in finding.message
+    file.write_text(whole + "\n".join(data_set_58("Body", 3, WAVE).splitlines()[:16]))
+    run, findings = read_recording(file, columns={"sprung.az": "Wheel"})
+    assert "the last data set has no end" in findings[0].message
+    file.write_text("\n".join(lines[:16]))
+    with pytest.raises(RecordingError, match=r"no time response; found 'no whole data set'|damaged"):
+        read_recording(file)
+
+
+def test_uff_messages_do_not_contradict_themselves(tmp_path: Path) -> None:
+    pytest.importorskip("pyuff")
+    file = tmp_path / "a.uff"
+    frequency_response = data_set_58("Wheel", 2, WAVE).replace(f"{1:5d}{0:10d}{0:5d}", f"{4:5d}{0:10d}{0:5d}", 1)
+    file.write_text(frequency_response)
+    says = (
+        r"no time response; found 'data set 58 with functions of type 4'; allowed: data set 58 with functions of type 1"
+    )
+    with pytest.raises(RecordingError, match=says):
+        read_recording(file)
+    file.write_text("    -1\n   151\nmodel\nNONE\nNONE\n01-Jan-26\nNONE\nNONE\nNONE\n    -1\n")
+    with pytest.raises(RecordingError, match=r"found 'data sets 151'; allowed: data set 58 with"):
+        read_recording(file)
+
+
+def test_tdms_cut_off_says_how_much_is_there(tmp_path: Path) -> None:
+    nptdms = pytest.importorskip("nptdms")
+    file = tmp_path / "a.tdms"
+    wave = np.sin(np.arange(2000) * 0.01)
+    told = {"unit_string": "g", "wf_increment": 0.001}
+    with nptdms.TdmsWriter(file) as writer:
+        writer.write_segment([nptdms.ChannelObject("Run", name, wave, properties=told) for name in ("a", "b")])
+    content = file.read_bytes()
+    file.write_bytes(content[: round(0.9 * len(content))])
+    run, findings = read_recording(file, columns={"sprung.az": "a", "unsprung.az": "b"})
+    held = run.sizes["time"]
+    assert 1000 < held < 2000
+    assert (findings[0].severity, findings[0].value) == ("problem", held)
+    assert f"announces 2000 samples and holds {held}" in findings[0].message
+    np.testing.assert_allclose(run["unsprung.az"], 9.80665 * wave[:held])
+    file.write_bytes(content[: round(0.3 * len(content))])
+    run, findings = read_recording(file, columns={"sprung.az": "a"})
+    assert len([one for one in findings if one.severity == "problem"]) == 2  # nothing of b is there
+
+
+def test_tdms_and_mdf_signals_on_other_clocks_are_brought_onto_one(tmp_path: Path) -> None:
+    nptdms, asammdf = pytest.importorskip("nptdms"), pytest.importorskip("asammdf")
+    fast, slow = np.arange(4000) * 0.001, 0.0123 + np.arange(300) * 0.013
+
+    def truth(time: np.ndarray) -> np.ndarray:
+        return np.sin(2.0 * np.pi * 1.5 * time)
+
+    clocks = [(name, clock, {"unit_string": unit, "wf_increment": clock[1] - clock[0], "wf_start_offset": clock[0]})
+              for name, clock, unit in (("az", fast, "g"), ("speed", slow, "m/s"))]  # fmt: skip
+    with nptdms.TdmsWriter(tmp_path / "a.tdms") as writer:
+        writer.write_segment([nptdms.ChannelObject("R", name, truth(t), properties=told) for name, t, told in clocks])
+    with asammdf.MDF(version="4.10") as content:
+        for name, time, told in clocks:
+            content.append([asammdf.Signal(truth(time), time, name=name, unit=told["unit_string"])])
+        content.save(tmp_path / "a.mf4")
+    columns = {"sprung.az": "az", "body.speed": "speed"}
+    for file in (tmp_path / "a.tdms", tmp_path / "a.mf4"):
+        with pytest.raises(RecordingError, match=r"recorded at other instants than the others.*with resample"):
+            read_recording(file, columns=columns)
+        alone, notes = read_recording(file, columns={"sprung.az": "az"})
+        assert "speed [m/s]; resample brings them onto one time" in notes[0].message
+        np.testing.assert_allclose(alone["sprung.az"], 9.80665 * truth(fast), atol=1e-9)
+        run, notes = read_recording(file, columns=columns, resample="5 ms")
+        time = run["time"].to_numpy()
+        assert time[0] == pytest.approx(0.0123)
+        np.testing.assert_allclose(run["body.speed"][5:-5], truth(time)[5:-5], atol=2e-4)
+        np.testing.assert_allclose(run["sprung.az"][20:-20], 9.80665 * truth(time)[20:-20], atol=2e-3)
+        assert any("largest gap in the recorded time of body.speed is 0.013 s" in note.message for note in notes)
+
+
+DATABASE = """VERSION ""
+NS_ :
+BS_:
+BU_: ECU
+BO_ 256 Body: 8 ECU
+ SG_ AccZ : 0|16@1- (0.001,0) [-32|32] "g" ECU
+ SG_ Travel : 16|16@1- (0.01,0) [-300|300] "mm" ECU
+BO_ 257 Car: 8 ECU
+ SG_ Speed : 0|16@1+ (0.01,0) [0|600] "km/h" ECU
+"""
+
+
+def bus_file(folder: Path) -> Path:
+    """400 frames of the message Body every 5 ms, 100 of the message Car every 20 ms, as a CAN logger stores them."""
+    asammdf = pytest.importorskip("asammdf")
+    from asammdf.blocks import v4_constants
+
+    first, second = np.arange(400) * 0.005, 0.0007 + np.arange(100) * 0.02
+    payload = np.zeros((500, 8), np.uint8)
+    payload[:400, 0:2] = np.round(np.sin(first * 9.0) / 0.001).astype("<i2").view(np.uint8).reshape(-1, 2)
+    payload[:400, 2:4] = np.round(20.0 * np.cos(first * 9.0) / 0.01).astype("<i2").view(np.uint8).reshape(-1, 2)
+    payload[400:, 0:2] = np.round((50.0 + second) / 0.01).astype("<u2").view(np.uint8).reshape(-1, 2)
+    fields = {
+        "BusChannel": "u1",
+        "ID": "<u4",
+        "IDE": "u1",
+        "DLC": "u1",
+        "DataLength": "u1",
+        "DataBytes": "(8,)u1",
+        "Dir": "u1",
+    }
+    frames = np.zeros(500, np.dtype([(f"CAN_DataFrame.{name}", kind) for name, kind in fields.items()]))
+    frames["CAN_DataFrame.BusChannel"] = 1
+    frames["CAN_DataFrame.ID"] = np.repeat([256, 257], [400, 100])
+    frames["CAN_DataFrame.DLC"] = frames["CAN_DataFrame.DataLength"] = 8
+    frames["CAN_DataFrame.DataBytes"] = payload
+    stamps = np.concatenate((first, second))
+    order = np.argsort(stamps, kind="stable")
+    source = asammdf.Source("CAN1", "CAN1", "", v4_constants.SOURCE_BUS, v4_constants.BUS_TYPE_CAN)
+    with asammdf.MDF(version="4.10") as content:
+        content.append(
+            asammdf.Signal(frames[order], stamps[order], name="CAN_DataFrame", source=source),
+            acq_source=source,
+            common_timebase=True,
+        )
+        flags = v4_constants.FLAG_CG_BUS_EVENT | v4_constants.FLAG_CG_PLAIN_BUS_EVENT
+        content.groups[0].channel_group.flags |= flags
+        content.save(folder / "bus.mf4")
+    (folder / "car.dbc").write_text(DATABASE)
+    return folder / "bus.mf4"
+
+
+def test_mdf_bus_frames_with_a_database(tmp_path: Path) -> None:
+    file, database = bus_file(tmp_path), tmp_path / "car.dbc"
+    columns = {"sprung.az": "AccZ", "strut.deflection": "Travel"}
+    run, findings = read_recording(file, columns=columns, database=database)
+    np.testing.assert_allclose(run["time"], np.arange(400) * 0.005, atol=1e-9)
+    time = run["time"].to_numpy()
+    np.testing.assert_allclose(run["sprung.az"], 9.80665 * np.sin(time * 9.0), atol=0.01)
+    np.testing.assert_allclose(run["strut.deflection"], 0.02 * np.cos(time * 9.0), atol=1e-5)
+    assert "Speed [km/h]" in findings[0].message
+    together, findings = read_recording(
+        file, columns={**columns, "body.speed": "Speed"}, database=database, resample="10 ms"
+    )
+    np.testing.assert_allclose(together["body.speed"], (50.0 + together["time"]) / 3.6, atol=5e-3)
+    with pytest.raises(RecordingError, match=r"It holds bus frames: give the database \(\.dbc\)"):
+        read_recording(file, columns=columns)
+    database.write_text(DATABASE.replace("BO_ 256", "BO_ 300").replace("BO_ 257", "BO_ 301"))
+    with pytest.raises(RecordingError, match="None of its bus frames is in the database"):
+        read_recording(file, columns=columns, database=database)
+    with pytest.raises(RecordingError, match="no such file"):
+        read_recording(file, columns=columns, database=tmp_path / "none.dbc")
+    plain = tmp_path / "a.csv"
+    plain.write_text("time [s], sprung.az [g]\n0, 1\n")
+    with pytest.raises(RecordingError, match=r"a database of bus messages means nothing.*allowed: \.mf4"):
+        read_recording(plain, database=database)
+
+
+def test_parquet(tmp_path: Path) -> None:
+    pa, pq = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
+    file = tmp_path / "a.parquet"
+    stamps = pa.array(1_700_000_000_000_000_000 + np.arange(40) * 1_000_000, pa.timestamp("ns"))
+    fields = [
+        pa.field("clock", stamps.type),
+        pa.field("acc [g]", pa.float32()),
+        pa.field("force", pa.int32(), metadata={"unit": "N"}),
+        pa.field("remark", pa.string()),
+        pa.field("seconds", pa.float64()),
+    ]
+    arrays = [stamps, pa.array(WAVE, pa.float32()), pa.array(np.arange(40), pa.int32()), pa.array(["a"] * 40), TIME]
+    pq.write_table(pa.table(arrays, schema=pa.schema(fields)), file)
+    columns = {"sprung.az": "acc", "strut.force": "force"}
+    for time in ("clock", "seconds [s]"):
+        run, findings = read_recording(file, columns={"time": time, **columns})
+        np.testing.assert_allclose(run["sprung.az"], WAVE * 9.80665, rtol=1e-6, atol=1e-7)
+        np.testing.assert_allclose(run["strut.force"], np.arange(40.0))
+        np.testing.assert_allclose(run["time"], TIME, atol=1e-9)
+        assert "remark" in findings[0].message
+    with pytest.raises(RecordingError, match="column 'remark': text in a number column; found 'string'"):
+        read_recording(file, columns={"time": "clock", "sprung.az": "remark [g]"})
+    holes = pa.table({"time [s]": TIME, "sprung.az [g]": pa.array([None, *WAVE[1:]])})
+    pq.write_table(holes, file)
+    with pytest.raises(RecordingError, match="not a finite number at row 1"):
         read_recording(file)

@@ -1,0 +1,180 @@
+"""Numbers of MATLAB files: vectors and matrices, also in the structs and cells that testers and Simulink write."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from jounce.core.columns import name_and_unit
+from jounce.core.findings import Finding
+from jounce.core.types import Array
+from jounce.recordings.hdf5 import held_part
+
+_VALUES = ("data", "values", "value", "signal", "samples", "y")
+_NAMES = ("name", "label", "title", "signalname", "channel")
+_UNITS = ("unit", "units")
+_LISTS = ("names", "labels", "channels", "channelnames", "channel_names", "headers", "header", "columns", "signals")
+_DEEPEST = 20
+
+
+@dataclass(frozen=True)
+class Matrix:
+    """A numeric variable, or one within structs and cells: rows are samples.
+
+    ``path`` is what MATLAB calls it, ``heads`` names and units of its columns (empty where the file has none).
+    """
+
+    path: str
+    values: Array
+    heads: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def columns(self) -> list[tuple[str, str, str]]:
+        """Name, unit and what MATLAB calls it, of each column."""
+        width = self.values.shape[1]
+        own = [self.path] if width == 1 else [f"{self.path}(:,{index})" for index in range(1, width + 1)]
+        heads = self.heads or tuple((name, "") for name in own)
+        return [(name, unit, path) for (name, unit), path in zip(heads, own, strict=True)]
+
+
+def read_matrices(path: Path) -> tuple[dict[str, Matrix], list[str], list[Finding]]:
+    """Numeric matrices of a file by what MATLAB calls them; what could not be read; doubts about the file."""
+    from scipy.io import loadmat
+
+    findings: list[Finding] = []
+    try:
+        content: dict[str, Any] = loadmat(path, simplify_cells=True)
+    except NotImplementedError:  # version 7.3 is HDF5
+        content = _content_of_hdf5(path, findings)
+    plain = {name: value for name, value in content.items() if not name.startswith(("__", "#"))}
+    found: dict[str, Matrix] = {}
+    left_out: list[str] = []
+    _walk("", plain, found, left_out, 0)
+    return found, left_out, findings
+
+
+def _walk(path: str, value: Any, found: dict[str, Matrix], left_out: list[str], depth: int) -> None:
+    if depth > _DEEPEST:
+        left_out.append(path)
+    elif isinstance(value, dict):
+        _walk_struct(path, value, found, left_out, depth)
+    elif isinstance(value, list) or (isinstance(value, np.ndarray) and value.dtype == object):
+        items = list(np.ravel(np.array(value, dtype=object)) if isinstance(value, np.ndarray) else value)
+        marks = "()" if items and all(isinstance(item, dict) for item in items) else "{}"
+        for index, item in enumerate(items, 1):
+            _walk(f"{path}{marks[0]}{index}{marks[1]}", item, found, left_out, depth + 1)
+    elif (values := _numbers(value)) is not None:
+        found[path] = Matrix(path, values)
+    elif not _is_text(value) and np.size(value):
+        left_out.append(path)
+
+
+def _walk_struct(path: str, struct: dict[str, Any], found: dict[str, Matrix], left_out: list[str], depth: int) -> None:
+    """Fields of a struct (or the variables of the file): one signal with name and unit, or many."""
+    before = f"{path}." if path else ""
+    keys = {str(key).lower(): str(key) for key in struct}
+    data = [keys[key] for key in _VALUES if key in keys and _numbers(struct[keys[key]]) is not None]
+    name, unit = (_text_under(struct, keys, options) for options in (_NAMES, _UNITS))
+    one_signal = path and len(data) == 1 and (name or unit)
+    units = next((struct[keys[key]] for key in _UNITS if key in keys), None)
+    for key, value in struct.items():
+        at = f"{before}{key}"
+        values = _numbers(value)
+        if values is None:
+            _walk(at, value, found, left_out, depth + 1)
+        elif one_signal and key == data[0]:
+            named, own = name_and_unit(name) if name else (path, "")
+            width = values.shape[1]
+            names = [named] if width == 1 else [f"{named}(:,{index})" for index in range(1, width + 1)]
+            found[at] = Matrix(at, values, tuple((one, unit or own) for one in names))
+        else:
+            found[at] = Matrix(at, values, _heads(str(key), at, values, struct, keys, units))
+
+
+def _heads(
+    key: str, path: str, values: Array, struct: Mapping[str, Any], keys: Mapping[str, str], units: Any
+) -> tuple[tuple[str, str], ...]:
+    """Names and units beside a matrix: a list of as many names as it has columns, units by its name or by column."""
+    width = values.shape[1]
+    lists = [list(map(str, np.ravel(np.array(struct[keys[name]])))) for name in _LISTS if name in keys
+             and _is_texts(struct[keys[name]])]  # fmt: skip
+    names = next((texts for texts in lists if len(texts) == width > 1), None)
+    if isinstance(units, Mapping):
+        own = units.get(key)
+        return ((path, str(own)),) if width == 1 and _is_text(own) and str(own) else ()
+    by_column = list(map(str, np.ravel(np.array(units)))) if _is_texts(units) else []
+    if names is None:
+        return ()
+    heads = [name_and_unit(name) for name in names]
+    if len(by_column) == width:
+        heads = [(name, unit or own) for (name, own), unit in zip(heads, by_column, strict=True)]
+    return tuple(heads)
+
+
+def _text_under(struct: Mapping[str, Any], keys: Mapping[str, str], options: tuple[str, ...]) -> str:
+    texts = (struct[keys[option]] for option in options if option in keys)
+    return next((str(text).strip() for text in texts if _is_text(text) and str(text).strip()), "")
+
+
+def _is_text(value: Any) -> bool:
+    return isinstance(value, (str, np.str_)) or (isinstance(value, np.ndarray) and value.dtype.kind == "U")
+
+
+def _is_texts(value: Any) -> bool:
+    items = value.ravel().tolist() if isinstance(value, np.ndarray) else value
+    return isinstance(items, list) and len(items) > 1 and all(isinstance(item, str) for item in items)
+
+
+def _numbers(value: Any) -> Array | None:
+    """Real numbers as (rows, columns), row vectors stood up; None for everything else."""
+    if not isinstance(value, (np.ndarray, np.generic, int, float)) or isinstance(value, bool):
+        return None
+    array = np.asarray(value)
+    if array.dtype.kind not in "fiu" or array.ndim > 2 or array.size == 0:
+        return None
+    numbers = np.asarray(array, dtype=float)
+    if numbers.ndim == 2:
+        return numbers.T if numbers.shape[0] == 1 else numbers
+    return numbers.reshape(-1, 1)
+
+
+def _content_of_hdf5(path: Path, findings: list[Finding]) -> dict[str, Any]:
+    import h5py
+
+    with h5py.File(path, "r") as file:
+        return {
+            name: _plain(item, file, findings, str(path), 0) for name, item in file.items() if not name.startswith("#")
+        }
+
+
+def _plain(item: Any, file: Any, findings: list[Finding], where: str, depth: int) -> Any:
+    """Struct, cell, text or numbers of a version 7.3 file, as the older versions give them."""
+    import h5py
+
+    if depth > _DEEPEST or "MATLAB_object_decode" in item.attrs:
+        return b"object"
+    if isinstance(item, h5py.Group):
+        fields = {name: _plain(field, file, findings, where, depth + 1) for name, field in item.items()}
+        lists = [value for value in fields.values() if isinstance(value, _Several)]
+        if fields and len(lists) == len(fields) and len({len(value) for value in lists}) == 1:  # an array of structs
+            return [dict(zip(fields, row, strict=True)) for row in zip(*fields.values(), strict=True)]
+        return fields
+    kind = item.attrs.get("MATLAB_class", b"")
+    if item.attrs.get("MATLAB_empty", 0):
+        return "" if kind == b"char" else np.empty(0)
+    if kind == b"char":
+        return "".join(map(chr, np.asarray(item[()]).T.ravel(order="F").tolist())) if item.size < 10_000 else ""
+    if item.dtype == h5py.ref_dtype:
+        items = [_plain(file[one], file, findings, where, depth + 1) for one in np.asarray(item[()]).ravel() if one]
+        return items if kind == b"cell" else _Several(items)
+    values, finding = held_part(item, where)
+    findings.extend(finding)
+    return np.asarray(values).T  # MATLAB stores columns first
+
+
+class _Several(list[Any]):
+    """One field of an array of structs: a value for each of them."""

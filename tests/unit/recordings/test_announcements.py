@@ -1,0 +1,82 @@
+"""HDF5 files that announce more samples than they hold, and readers that answer with something that is no table."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+from jounce.core.columns import Column, ColumnTable
+from jounce.core.errors import RecordingError
+from jounce.recordings import read_recording, readers
+
+TIME = np.arange(3000) * 0.001
+WAVE = np.sin(TIME * 20.0)
+
+
+def written(file: Path, announced: int, held: int, *, matlab: bool = False) -> Path:
+    with h5py.File(file, "w", userblock_size=512 if matlab else 0) as content:
+        for name, values, unit in (("time", TIME, "s"), ("sprung.az", WAVE, "g")):
+            shape = (1, announced) if matlab else (announced,)
+            signal = content.create_dataset(name, shape, float, chunks=(1, 1000) if matlab else (1000,))
+            signal[..., :held] = values[:held]
+            signal.attrs["units"] = unit
+            if matlab:
+                signal.attrs["MATLAB_class"] = np.bytes_("double")
+        if not matlab:
+            content["time"].make_scale("time")
+            content["sprung.az"].dims[0].attach_scale(content["time"])
+    if matlab:
+        file.write_bytes(b"MATLAB 7.3 MAT-file".ljust(124) + b"\x00\x02IM" + file.read_bytes()[128:])
+    return file
+
+
+@pytest.mark.parametrize("suffix", [".nc", ".mat"])
+def test_a_file_that_announces_more_than_it_holds(tmp_path: Path, suffix: str) -> None:
+    told = {"columns": {"time": "time [s]", "sprung.az": "sprung.az [g]"}} if suffix == ".mat" else {}
+    for announced in (5000, 2_000_000_000):  # the larger one would be 16 GB
+        file = written(tmp_path / f"a{suffix}", announced, 3000, matlab=suffix == ".mat")
+        run, findings = read_recording(file, **told)
+        problems = [finding for finding in findings if finding.severity == "problem"]
+        assert len(problems) == 2
+        assert problems[0].value == 3000.0
+        assert f"announces {announced} samples and holds 3000" in problems[0].message
+        np.testing.assert_allclose(run["sprung.az"], 9.80665 * WAVE)
+    with pytest.raises(RecordingError, match="holds none of the samples"):
+        read_recording(written(tmp_path / f"b{suffix}", 2_000_000_000, 0, matlab=suffix == ".mat"), **told)
+
+
+def test_a_gap_within_is_no_end(tmp_path: Path) -> None:
+    file = written(tmp_path / "a.nc", 5000, 1000)
+    with h5py.File(file, "a") as content:
+        content["sprung.az"][4000:5000] = 1.0
+    with pytest.raises(RecordingError, match="parts of the record were never written"):
+        read_recording(file)
+
+
+@pytest.mark.parametrize(
+    ("values", "says"),
+    [
+        (np.zeros((40, 2)), r"sprung\.az \[g\]: a column is no row of real numbers: the reader 'odd'.*shape \(40, 2\)"),
+        (np.zeros(40, dtype=complex), "no row of real numbers.*complex128"),
+        ([0.0] * 40, "no row of real numbers.*no array"),
+        (np.zeros(0), "no row of real numbers"),
+        (np.array(1.0), "no row of real numbers"),
+        (np.zeros(39), r"the columns have different lengths: the reader 'odd'.*time \[s\]: 40, sprung\.az \[g\]: 39"),
+    ],
+)
+def test_an_answer_that_is_no_table_is_refused_where_readers_are_called(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, values: object, says: str
+) -> None:
+    monkeypatch.setattr(readers, "READERS", [*readers.READERS])
+
+    @readers.reader("odd", "odd", (".odd",), source="this test", example="none")
+    def read_odd(path: Path, options: readers.ReaderOptions) -> readers.SignalTable:
+        columns = Column("time", "s", TIME[:40]), Column("sprung.az", "g", values)  # type: ignore[arg-type]
+        return readers.SignalTable(ColumnTable(columns, (), str(path)))
+
+    (tmp_path / "a.odd").write_text("1")
+    with pytest.raises(RecordingError, match=says):
+        read_recording(tmp_path / "a.odd")
