@@ -48,6 +48,7 @@ LIBRARIES = (
     "scipy.signal",
 )
 LIBRARIES += ("scipy.optimize", "tomlkit", "typer", "xarray")
+CHEAP = ("tests/unit", "tests/architecture")
 GOAL, BROKEN = 0.9, 70
 PATIENCE = 10.0
 """A mutant may take this many times as long as the tests took without it, and this many seconds more."""
@@ -115,21 +116,23 @@ class Tests:
         print(f"{len(self.seconds)} tests, {sum(self.seconds.values()):.0f} s", flush=True)
 
     def of(self, mutant: Mutant) -> Iterator[list[str]]:
-        """First the tests that run the changed statement, then what else stands in files that use its module.
+        """First the tests that run the changed statement, then unit tests and examples in files that use its module.
 
-        The second round is for what is computed once for several tests, or when a module is loaded.
+        The second round is for what is computed once for several tests. What runs when a module is loaded is the
+        business of all tests in those files.
         """
         lines = statement(mutant)
         runs = self._runs.contexts_by_lineno(str(mutant.file))
-        near = {context.rpartition("|")[0] for line in lines for context in runs.get(line, ())}
+        near = {context.rpartition("|")[0] for line in lines for context in runs.get(line, ())} - {""}
         files = {context.partition("::")[0] for contexts in runs.values() for context in contexts} - {""}
+        rest = {test for test in self.seconds if test.partition("::")[0] in files or not files} - near
         yield self._quick_first(near)
-        yield self._quick_first({test for test in self.seconds if test.partition("::")[0] in files or not files} - near)
+        yield self._quick_first({test for test in rest if not near or test.startswith(CHEAP)})
 
     def _quick_first(self, tests: Iterable[str]) -> list[str]:
         """Unit tests before the others, and each kind in the order of its time."""
         known = [test for test in tests if test in self.seconds]
-        return sorted(known, key=lambda test: (not test.startswith("tests/unit"), self.seconds[test]))
+        return sorted(known, key=lambda test: (not test.startswith(CHEAP), self.seconds[test]))
 
     def notice(self, mutant: Mutant, tests: Sequence[str]) -> bool:
         """Whether one of some tests fails, or does not end, with a mutant in the place of its file."""

@@ -28,6 +28,14 @@ def test_a_lag_comes_back(lag):
     assert best_lag([pair(lag)], 0.02) == pytest.approx(lag, abs=1e-8)
 
 
+def test_what_lies_before_and_after_a_record_is_its_first_and_last_value():
+    ramp = 3.0 + 2.0 * np.arange(50.0)
+    shifted = Shifted.of(ramp, ramp[:, None], 1.0, RATE, offset=False)
+    early, late = (shifted.at(lag)[0][:, 0] for lag in (-4.0 / RATE, 4.0 / RATE))
+    assert early == pytest.approx(np.minimum(ramp + 8.0, ramp[-1]))
+    assert late == pytest.approx(np.maximum(ramp - 8.0, ramp[0]))
+
+
 def test_a_lag_beyond_its_bound_is_held_there():
     assert best_lag([pair(0.03)], 0.02) == 0.02
 

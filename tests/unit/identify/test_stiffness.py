@@ -69,6 +69,7 @@ def test_operating_point_in_the_discarded_zone_is_reported_with_the_slope_there(
     assert result.operating_deflection == pytest.approx(math.sqrt(100.0 * 0.004 / 138468.0), rel=1e-3)
     assert result.tangent_stiffness.value == pytest.approx(138468.0 * result.operating_deflection / 0.002, rel=0.02)
     assert "outside the fitted range" in messages(result)
+    assert f"the slope measured there is {result.tangent_stiffness.value:.4g} N/m" in messages(result)
     inside = fit_stiffness(trials, discard_below=0.002, operating_force=500.0)
     assert "outside the fitted range" not in messages(inside)
 
@@ -242,3 +243,18 @@ def test_unusable_data_are_refused(trials, options, text):
 def test_unknown_choices_are_refused(wrong):
     with pytest.raises(DescriptionError, match="unknown"):
         fit_stiffness([line(1e4)], **wrong)
+
+
+def test_a_table_through_points_with_a_gap_is_still_the_line():
+    x = np.concatenate([np.linspace(0.0, 0.002, 60), np.linspace(0.008, 0.010, 60)])
+    curve = fit_stiffness([ForceDeflectionTrial(x, 2e5 * x)], law="monotone-spline").curve
+    assert [float(curve(place)) for place in (0.001, 0.005, 0.009)] == pytest.approx([200.0, 1000.0, 1800.0], rel=1e-9)
+
+
+@pytest.mark.parametrize(("reach", "is_told"), [(0.99, False), (1.01, True)])
+def test_a_deflection_beyond_a_metre_is_a_problem(reach, is_told):
+    x = np.linspace(0.0, reach, 60)
+    result = fit_stiffness([ForceDeflectionTrial(x, 2e3 * x)])
+    assert [f.value for f in result.findings if "exceeds 1 m" in f.message] == (
+        [pytest.approx(reach)] if is_told else []
+    )
