@@ -110,6 +110,7 @@ class Campaign(Description):
     schema_: Literal["jounce.campaign/1"] = Field(alias="schema")
     title: str = "Bench campaign"
     synthetic: str = ""
+    estimated: tuple[str, ...] = ()
     rig: str
     bench: Bench = Bench()
     sensors: dict[str, Sensor] = {}

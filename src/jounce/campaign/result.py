@@ -213,6 +213,7 @@ class CampaignResult:
             "schema": "jounce.results/1",
             "title": self.campaign.title,
             "synthetic": self.campaign.synthetic,
+            "estimated": list(self.campaign.estimated),
             "characterisation": to_plain(
                 {
                     "spring": _stiffness(bench.spring),

@@ -9,6 +9,7 @@ from pydantic import Field, field_validator, model_validator
 
 from jounce.core.description import Description, check_schema, read_toml
 from jounce.core.errors import DescriptionError
+from jounce.core.files import chosen_file, shipped_files
 from jounce.core.units import (
     NonNegativeLength,
     Number,
@@ -97,6 +98,10 @@ class BenchTruth(Description):
         The channels that are recorded, each through its measuring chain.
     passes : dict of str to TruePass
         Speed and lag of trials, by their number; those of the others are drawn from the seed.
+    source : str
+        Where the values are from.
+    estimated : tuple of str
+        Paths that no source gives.
 
     Examples
     --------
@@ -116,6 +121,8 @@ class BenchTruth(Description):
         default={"sprung.az": Sensor(), "unsprung.az": Sensor()}, min_length=1, validate_default=True
     )
     passes: dict[str, TruePass] = {}
+    source: str = ""
+    estimated: tuple[str, ...] = ()
 
     @field_validator("rig", mode="before")
     @classmethod
@@ -179,13 +186,19 @@ class BenchTruth(Description):
         return type(self).from_table({**table, "changes": {**table["changes"], **of_rig}})
 
 
+def truth_library() -> dict[str, Path]:
+    """Truths that come with jounce: name to file."""
+    return shipped_files("jounce.campaign", "library")
+
+
 def load_truth(path: Path | str) -> BenchTruth:
-    r"""Read a truth file.
+    """Read a truth file, or a shipped truth.
 
     Parameters
     ----------
     path : Path or str
-        TOML file with ``schema = "jounce.truth/1"``; a rig file that it names is relative to its folder.
+        TOML file with ``schema = "jounce.truth/1"``; a rig file that it names is relative to its folder. Or the name of
+        a shipped one: ``"kart-prototype"``, ``"kart-low-friction"``.
 
     Returns
     -------
@@ -199,13 +212,10 @@ def load_truth(path: Path | str) -> BenchTruth:
 
     Examples
     --------
-    >>> import tempfile
-    >>> file = Path(tempfile.mkdtemp()) / "truth.toml"
-    >>> _ = file.write_text('schema = "jounce.truth/1"\nrig = "kart-quarter-car"\n')
-    >>> load_truth(file).true_rig().sprung.mass
-    16.0
+    >>> load_truth("kart-low-friction").true_rig().strut.damper.coefficient
+    85.0
     """
-    file = Path(path)
+    file = chosen_file(path, truth_library(), "truth")
     table, text = read_toml(file)
     check_schema(table, (SCHEMA,), str(file))
     beside = file.parent / str(table.get("rig"))

@@ -94,8 +94,9 @@ def new(
 def synthesise(
     folder: Annotated[Path, typer.Argument(metavar="DIR", help="Folder to create.")],
     truth: Annotated[
-        Path | None, typer.Option(help="File of what the bench really is; by default that of the shipped campaign.")
-    ] = None,
+        str,
+        typer.Option(help="What the bench really is: a file, or a shipped name (kart-prototype, kart-low-friction)."),
+    ] = "kart-prototype",
     set_: Annotated[
         list[str] | None,
         typer.Option(

@@ -291,17 +291,18 @@ def library(
     name: Annotated[str | None, typer.Argument(help="File to print, or road to describe.")] = None,
     as_json: AsJson = False,
 ) -> Reply:
-    """List the shipped rigs, vehicles, roads, testers and limits, or print one of them.
+    """List the shipped rigs, vehicles, roads, testers, limits and truths of virtual benches, or print one of them.
 
     Example: jounce library kart-quarter-car > my-rig.toml
     """
+    from jounce.campaign.truth import truth_library
     from jounce.inspection.limits import SHIPPED, shipped_limits
     from jounce.parts import library as rigs
     from jounce.parts.testers import library as testers
     from jounce.roads import road_library as roads
 
     shipped_rigs, shipped_roads, shipped_testers = rigs(), roads(), testers()
-    limits = {SHIPPED: shipped_limits()}
+    limits, truths = {SHIPPED: shipped_limits()}, truth_library()
     if name is None:
         described = [_rig(*item) for item in shipped_rigs.items()]
         plain = {
@@ -310,13 +311,16 @@ def library(
             "roads": [_road(*item) for item in shipped_roads.items()],
             "testers": [_tester(*item) for item in shipped_testers.items()],
             "limits": [_limits(*item) for item in limits.items()],
+            "truths": [_truth(*item) for item in truths.items()],
         }
         return Reply(plain, lambda out: _draw_list(out, plain), as_json)
-    for shipped, about in ((shipped_rigs, _rig), (shipped_testers, _tester), (limits, _limits)):
+    for shipped, about in ((shipped_rigs, _rig), (shipped_testers, _tester), (limits, _limits), (truths, _truth)):
         if name in shipped:
             return _printed(about(name, shipped[name]), as_json=as_json)
     if name not in shipped_roads:
-        raise unknown(name, [*shipped_rigs, *shipped_roads, *shipped_testers, *limits], what="name", where="NAME")
+        raise unknown(
+            name, [*shipped_rigs, *shipped_roads, *shipped_testers, *limits, *truths], what="name", where="NAME"
+        )
     road = _road(name, shipped_roads[name])
     lines = f"{name}: {road['what']}\nfile: {road['file']}\n\n{road['source']}"
     return Reply(road, lambda out: out.print(lines), as_json)
@@ -344,6 +348,14 @@ def _limits(name: str, file: Path) -> dict[str, Any]:
     limits = load_limits(file)
     what = f"limits {limits.version} of {', '.join(limits.methods)}"
     return {"name": name, "kind": "limits", "what": what, "source": limits.source, "file": str(file)}
+
+
+def _truth(name: str, file: Path) -> dict[str, Any]:
+    from jounce.campaign import load_truth
+
+    truth = load_truth(file)
+    about = {"name": name, "kind": "truth", "what": f"of a virtual bench, {truth.true_rig().model}"}
+    return {**about, "source": truth.source, "estimated": list(truth.estimated), "file": str(file)}
 
 
 def _road(name: str, file: Path) -> dict[str, Any]:

@@ -24,7 +24,6 @@ from jounce.papers import Array, Progress, no_progress
 from jounce.papers.table2 import Table2Row, table2
 
 SYNTHETIC = "Synthetic: made by jounce's virtual bench from a richer model (truth.toml); not a laboratory record."
-CAMPAIGN = "kart-prototype"
 _OBSTACLES_IN_TRAIN = 5
 _WEIGHT = 2.5  # kg; weights that press the sprung mass down before a free decay
 _LEVEL = 24
@@ -49,27 +48,27 @@ class BenchPlan:
     seed: int = 2008
 
 
-def campaign_texts(campaign: str = CAMPAIGN) -> dict[str, str]:
-    """Give the description files of a shipped campaign, its ``truth.toml`` among them: file name to text.
+def campaign_texts() -> dict[str, str]:
+    """Give the description files of the shipped campaign, the kart-scale prototype: file name to text.
 
     Examples
     --------
     >>> sorted(campaign_texts())
-    ['campaign.toml', 'quarter-car.toml', 'quick-look.toml', 'rig.toml', 'truth.toml']
+    ['campaign.toml', 'quarter-car.toml', 'quick-look.toml', 'rig.toml']
     """
-    folder = resources.files("jounce") / "library" / "campaigns" / campaign
+    folder = resources.files("jounce") / "library" / "campaigns" / "kart-prototype"
     return {file.name: file.read_text(encoding="utf-8") for file in folder.iterdir() if file.is_file()}
 
 
-def shipped_truth(campaign: str = CAMPAIGN) -> jn.BenchTruth:
-    """Give what the virtual bench of a shipped campaign is.
+def shipped_truth() -> jn.BenchTruth:
+    """Give what the virtual bench of the shipped campaign is.
 
     Examples
     --------
     >>> shipped_truth().true_rig().guide_friction.force
     9.0
     """
-    return jn.load_truth(Path(str(resources.files("jounce"))) / "library" / "campaigns" / campaign / "truth.toml")
+    return jn.load_truth("kart-prototype")
 
 
 @dataclass(frozen=True)
@@ -100,7 +99,8 @@ def virtual_bench(
     folder : Path or str
         Where to; it is made.
     truth : BenchTruth, Path, str or None
-        What the bench really is: a description, or the file of one; None: that of the shipped campaign.
+        What the bench really is: a description, the file of one, or a shipped name (``"kart-low-friction"``); None:
+        ``"kart-prototype"``.
     changes : dict or None
         Other values by path, of the truth (``"belt.speed_drop"``) or its rig (``"rig.strut.friction.force"``); whole
         elements may be given, such as ``{"rig.strut.damper": {"coefficient": "104 N*s/m"}}``.

@@ -652,6 +652,9 @@ def method(result: CampaignResult) -> Section:
         blocks.append(Paragraph(f"Origin of the data: {result.campaign.synthetic}", "bad"))
     if result.rig.source:
         blocks.append(Paragraph(f"Source of the values in the rig file: {result.rig.source}."))
+    if result.campaign.estimated:
+        listed = ", ".join(result.campaign.estimated)
+        blocks.append(Paragraph(f"Of the campaign itself, estimated because no source gives them: {listed}."))
     if result.rig.estimated:
         blocks.append(Paragraph(f"Estimated, because no source gives them: {', '.join(result.rig.estimated)}."))
     blocks += [
