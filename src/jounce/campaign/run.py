@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Any
 
 import xarray as xr
 
@@ -27,7 +28,7 @@ from jounce.design.lumping import lumped_from
 from jounce.design.model_comparison import ModelComparison, PeakDifference, compare_models, compare_peaks
 from jounce.identify.datum import start_findings, with_datum
 from jounce.identify.fit_problem import FitTrial, check_free
-from jounce.identify.signs import compression_positive
+from jounce.identify.signs import compression_positive, sign_of
 from jounce.identify.update import update_model
 from jounce.parts import Corner, Rig, load, rig_findings, rig_path
 from jounce.parts.variants import strut_angle_findings, with_strut_angle
@@ -166,10 +167,10 @@ def _load_trials(
             measured, notes = entry.read(folder / entry.recording, folder)
             measured = compression_positive(measured, entry.stroke_positive, entry.force_positive)
             duration = entry.duration or float(measured["time"][-1])
-            if entry.excitation is not None:
-                trial = Trial(excitation=folder / entry.excitation, duration=duration)
-            else:
-                trial = Trial(road=roads[str(entry.road)], speed=entry.speed, duration=duration)
+            known = inputs_of(entry, folder, notes)
+            if entry.road is not None:
+                known = {"road": roads[entry.road], "speed": entry.speed, **known}
+            trial = Trial(duration=duration, **known)
             _check_length(trial, measured)
             loaded[entry.number] = _Loaded(entry, trial, measured.sel(time=slice(None, duration)))
         except JounceError as error:
@@ -177,6 +178,24 @@ def _load_trials(
         else:
             findings += [Finding(f"{place}: {note.place}", note.severity, note.message, note.value) for note in notes]
     return loaded
+
+
+def inputs_of(entry: TrialEntry, folder: Path, findings: list[Finding]) -> dict[str, Any]:
+    """Read the measured inputs of a trial, the base motion and the force of an actuator, as fields of a `Trial`."""
+    known: dict[str, Any] = {}
+    base = entry.excitation
+    if base is not None and base.is_plain and Path(base.file).suffix.lower() in (".csv", ".txt"):
+        known["excitation"] = folder / base.file  # time may be uneven there
+    elif base is not None:
+        time, height, notes = base.signal(folder, "road.z")
+        known["excitation"] = {"time": time, "height": height}
+        findings += notes
+    if entry.actuator_force is not None:
+        time, force, notes = entry.actuator_force.signal(folder, "actuator.force")
+        sign = sign_of(entry.force_positive, "force")
+        known["actuator_force"] = {"time": time, "force": sign * force}
+        findings += notes
+    return known
 
 
 def _check_length(trial: Trial, measured: xr.Dataset) -> None:

@@ -230,9 +230,9 @@ def _check_campaign(checked: Checked) -> None:
     """The campaign, its rig and roads, and every file of bench and trials."""
     from jounce.campaign import load_campaign
     from jounce.campaign.characterise import files_of, read_force_deflection
-    from jounce.campaign.run import check_strut_angles
+    from jounce.campaign.run import check_strut_angles, inputs_of
     from jounce.parts import load, rig_path
-    from jounce.roads import Excitation, read_roads
+    from jounce.roads import Trial, read_roads
 
     campaign, text = load_campaign(checked.file)
     folder, where = checked.file.parent, str(checked.file)
@@ -252,9 +252,10 @@ def _check_campaign(checked: Checked) -> None:
                 entry.read(folder / entry.recording, folder)
             except JounceError as error:
                 raise RecordingError(f"{place}: {error}") from None
-        if entry.excitation is not None:
-            with checked.step():
-                Excitation(file=folder / entry.excitation)
+        with checked.step():
+            known = inputs_of(entry, folder, [])
+            if "excitation" in known:
+                Trial(**known)
     bench = campaign.bench
     tables = {"bench.spring": bench.spring, **{f'bench.tyre."{name}"': item for name, item in bench.tyre.items()}}
     for name, asked in tables.items():

@@ -25,7 +25,7 @@ from jounce.recordings.signals import shift_signals
 from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import solve
-from jounce.simulation.problem import excitation
+from jounce.simulation.problem import excitation, known_actuator
 from jounce.simulation.result import Solution
 
 _FREE_LAG = 1.0 - 1e-9
@@ -301,7 +301,7 @@ def _prepare(
     trial: FitTrial, free: tuple[Free, ...], names: Sequence[str] | None, weights: str | Mapping[str, float]
 ) -> Prepared:
     paths = tuple(item.path for item in free)
-    compiled = compile_rig(trial.rig, paths)
+    compiled = compile_rig(trial.rig, paths, actuator=known_actuator(trial.trial))
     _check_channels(compiled.output_names, names, weights)
     values = trial.rig.parameters()
     time = trial.measured["time"].to_numpy()
@@ -315,7 +315,12 @@ def _prepare(
             allowed=f"at least {trial.trial.obstacle_end():.4g} s",
             hint="Check speed and start, or record longer.",
         )
-    common = [name for name in compiled.output_names if name in trial.measured and (names is None or name in names)]
+    given = ("command", "actuator.force") if trial.trial.actuator_force is not None else ()  # inputs, not answers
+    common = [
+        name
+        for name in compiled.output_names
+        if name in trial.measured and name not in given and (names is None or name in names)
+    ]
     if not common:
         raise FitError(
             "the recording holds no channel that the model gives",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 # values and the order of the walk -------------------------------------------------------------------------------------
 
 
-Values = float | str | Sequence[float] | Array
+Values = float | str | Sequence[float | str] | Array
 """Values to sweep over: numbers in SI, or text such as "-80 mm:80 mm:4 mm" (first, last, step)."""
 _MOST_POSES = 1_000_000
 _WHOLE = 1e-9  # share of a step by which the end of a range may miss it
@@ -80,14 +80,29 @@ def _quantity(text: str, unit: str, where: str) -> float:
         return to_si(text, unit, where=where)
 
 
+def si_values(values: object, unit: str, name: str) -> Array:
+    """Read a number or an array in SI, or a list in which each is a number or a text with its unit.
+
+    >>> si_values(["-4 cm", 0.0, "40 mm"], "m", "travel").tolist()
+    [-0.04, 0.0, 0.04]
+    """
+    if isinstance(values, np.ndarray) and values.dtype.kind in "fiu":
+        return np.atleast_1d(np.asarray(values, dtype=np.float64))
+    if isinstance(values, str) or not isinstance(values, Iterable):
+        return np.array([to_si(_plain(values), unit, where=name)])
+    return np.array([to_si(_plain(item), unit, where=f"{name}[{i}]") for i, item in enumerate(values)])
+
+
+def _plain(item: object) -> object:
+    """A number of NumPy as a plain one."""
+    return item.item() if isinstance(item, np.generic) else item
+
+
 def sweep_values(values: Values, name: str, unit: str = "m") -> Array:
     """Check values to sweep over: finite, ascending, at least one; text is read as a range."""
     if isinstance(values, str):
         return text_range(values, unit, name)
-    try:
-        checked = np.atleast_1d(np.asarray(values, dtype=np.float64))
-    except (TypeError, ValueError):
-        raise DescriptionError("not numbers", where=name, found=values, allowed="numbers in SI") from None
+    checked = si_values(values, unit, name)
     if checked.ndim != 1 or not len(checked):
         raise DescriptionError(
             "not a list of values", where=name, found=f"shape {checked.shape}", allowed="(n,), n > 0"
@@ -585,10 +600,10 @@ _MOST_RESULTS = 200_000_000  # numbers in one result
 
 def sweep_variants(
     rig: Rig,
-    changes: Mapping[str, Sequence[float] | Array],
+    changes: Mapping[str, Sequence[float | str] | Array],
     travel: Values,
     *,
-    rack: float | None = None,
+    rack: float | str | None = None,
     quantities: Sequence[str] | None = None,
 ) -> xr.Dataset:
     """Sweep many variants of a corner over the same travel, all in one native loop.
@@ -598,7 +613,7 @@ def sweep_variants(
     rig : Rig
         The corner that all variants start from.
     changes : mapping of str to array_like, shape (k,)
-        Path of a number of the description to its value in each variant, SI; all of one length.
+        Path of a number of the description to its value in each variant, SI or texts with units; all of one length.
     travel : float, str or array_like, shape (n,)
         Vertical travel of the wheel centre from design, m, bump positive, ascending.
     rack : float, optional
@@ -660,7 +675,7 @@ def _variant_coordinate(xr: object, rig: Rig, path: str, column: Array) -> objec
     return xr.Variable(("variant",), column, {"units": unit_of(rig, path), "long_name": path})  # type: ignore[attr-defined]
 
 
-def _changed(model: KinematicModel, rig: Rig, changes: Mapping[str, Sequence[float] | Array]) -> dict[str, Array]:
+def _changed(model: KinematicModel, rig: Rig, changes: Mapping[str, Sequence[float | str] | Array]) -> dict[str, Array]:
     if not changes:
         raise DescriptionError("no variants", where="changes", allowed="path of a number to its values")
     known = rig.parameters()
@@ -672,7 +687,7 @@ def _changed(model: KinematicModel, rig: Rig, changes: Mapping[str, Sequence[flo
             raise DescriptionError(
                 "does not enter the kinematics", where=path, hint=nearest(path, model.parameters) or "Leave it out."
             )
-        column = np.atleast_1d(np.asarray(given, dtype=np.float64))
+        column = si_values(given, unit_of(rig, path), f"changes: {path}")
         if column.ndim != 1 or not len(column) or not np.all(np.isfinite(column)):
             raise DescriptionError("not a list of finite numbers", where=f"changes: {path}", found=str(given)[:60])
         found[path] = column

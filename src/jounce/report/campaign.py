@@ -46,6 +46,7 @@ from jounce.report.strategies import histories, progress
 from jounce.roads import Road, Trial, read_roads
 
 if TYPE_CHECKING:
+    from jounce.campaign.description import TrialEntry
     from jounce.campaign.result import CampaignResult, StrategyResult, TrialResult
     from jounce.design.model_comparison import ModelComparison, PeakDifference
 
@@ -224,9 +225,15 @@ def trials(result: CampaignResult) -> Section:
     return Section("Trials", tuple(blocks))
 
 
+def _driven(entry: TrialEntry) -> str:
+    """What was driven over, or the file of the base motion; and that of the actuator's force."""
+    words = entry.road or (f"excitation {entry.excitation.file}" if entry.excitation else "")
+    return words if entry.actuator_force is None else f"{words}, actuator force {entry.actuator_force.file}"
+
+
 def _setting(trial: TrialResult) -> tuple[Cell | str, ...]:
     entry = trial.entry
-    road = entry.road if entry.road is not None else f"excitation {entry.excitation}"
+    road = _driven(entry)
     lost = Cell(entry.recording, "bad", "not usable, see Findings") if trial.after is None else entry.recording
     return (
         str(entry.number),
@@ -339,7 +346,7 @@ def _heading(trial: TrialResult) -> str:
     parts = [f"Trial {entry.number} ({_USES[entry.use]})"]
     if entry.speed is not None:
         parts.append(given(entry.speed, "m/s"))
-    parts.append(f"road {entry.road}" if entry.road is not None else f"excitation {entry.excitation}")
+    parts.append(f"road {entry.road}" if entry.road is not None else _driven(entry))
     return f"{', '.join(parts)}: {verdict(trial)}"
 
 

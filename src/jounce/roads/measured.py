@@ -34,6 +34,7 @@ def _plain(value: object) -> object:
 
 
 Lengths = Annotated[tuple[Annotated[float, Unit("m")], ...], BeforeValidator(_plain)]
+Forces = Annotated[tuple[Annotated[float, Unit("N")], ...], BeforeValidator(_plain)]
 Times = Annotated[tuple[Annotated[float, Unit("s")], ...], BeforeValidator(_plain)]
 
 

@@ -16,6 +16,7 @@ from jounce.core.segments import Segments, flat
 from jounce.core.units import Acceleration, Number, PositiveSpeed, Unit
 from jounce.parts import HalfCar, Rig, Vehicle
 from jounce.roads.measured import (
+    Forces,
     Interpolation,
     Lengths,
     Times,
@@ -163,6 +164,42 @@ class Excitation(Description):
         return float(self.profile().edges[-1])
 
 
+class ActuatorForce(Description):
+    """Force of an actuator beside spring and damper against time, as it was measured: a known input.
+
+    The first force holds before the first sample and is part of the equilibrium, the last one holds after the last.
+
+    Attributes
+    ----------
+    time : tuple of float
+        Samples in s, strictly ascending, at least 4; time 0 is the start of the trial. Arrays are accepted.
+    force : tuple of float
+        Force in N at these times, positive where it pushes body and wheel apart. Arrays are accepted.
+    interpolation : {"cubic", "linear"}
+        Not-a-knot cubic spline, or lines (for steps).
+
+    Examples
+    --------
+    >>> ActuatorForce(time=[0.0, 0.1, 0.2, 0.3], force=["0 N", "50 N", "0 N", "-50 N"]).force
+    (0.0, 50.0, 0.0, -50.0)
+    """
+
+    time: Times
+    force: Forces
+    interpolation: Interpolation = "cubic"
+
+    @model_validator(mode="after")
+    def _checked(self) -> Self:
+        if len(self.time) < FEWEST_SAMPLES:
+            raise ValueError(f"{len(self.time)} samples; an actuator force needs at least {FEWEST_SAMPLES}")
+        check_source(None, {"time": self.time, "force": self.force}, self.interpolation)
+        return self
+
+    def segments(self, duration: float) -> Segments:
+        """Give the force (N) over [0, ``duration``] (s) as pieces."""
+        return laid_out(point_profile(self.time, self.force, self.interpolation), [(0.0, 0.0)], 0.0, duration)
+
+
 def _from_file(value: object) -> object:
     return {"file": value} if isinstance(value, str | Path) else value
 
@@ -188,6 +225,8 @@ class Trial(Description):
         Braking, m/s^2: its moment is that of the body's mass at the height of its centre of gravity.
     lateral_acceleration : DrivingAcceleration or None
         Of a full car, m/s^2, positive to the left.
+    actuator_force : ActuatorForce or None
+        Measured force of an actuator beside spring and damper of a single corner, a known input.
 
     Examples
     --------
@@ -205,6 +244,7 @@ class Trial(Description):
     pitch_moment: PitchMoment | None = None
     deceleration: DrivingAcceleration | None = None
     lateral_acceleration: DrivingAcceleration | None = None
+    actuator_force: ActuatorForce | None = None
 
     @model_validator(mode="after")
     def _checked(self) -> Self:

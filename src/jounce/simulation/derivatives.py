@@ -17,7 +17,7 @@ from jounce.recordings.schema import place_of
 from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import solve
-from jounce.simulation.problem import excitation
+from jounce.simulation.problem import excitation, known_actuator
 from jounce.simulation.result import Solution
 from jounce.simulation.settings import RunSettings
 
@@ -188,7 +188,7 @@ def _run(
     for path in parameters:
         if path not in values:
             raise unknown_path(f"parameters: {path}", values, name=path)
-    compiled = compile_rig(rig, tuple(parameters))
+    compiled = compile_rig(rig, tuple(parameters), actuator=known_actuator(trial))
     signals = excitation(compiled.facts, rig, trial, compiled.free)
     solution = solve(compiled, compiled.parameter_values(values), signals, times, tolerance=tolerance)
     if solution.status is not Status.COMPLETED:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from jounce.control.actuators import ActiveActuator
 from jounce.core.errors import SimulationError
 from jounce.core.segments import Segments, flat
 from jounce.mechanics.model import ROAD, Facts, is_road
@@ -28,9 +29,19 @@ def excitation(facts: Facts, rig: Rig, trial: Trial, free: tuple[str, ...] = ())
         if is_road(track):
             place = wheels[track.removesuffix(ROAD).removesuffix(".")]
             found.append(trial.segments(place.behind, place.side))
+        elif track == COMMAND and trial.actuator_force is not None:
+            found.append(trial.actuator_force.segments(trial.duration))
         else:
             found.append(trial.load(track) if track in LOADS else flat(trial.duration))
     return found
+
+
+COMMAND = "command"  # the track of an actuator
+
+
+def known_actuator(trial: Trial) -> ActiveActuator | None:
+    """The actuator whose force a trial knows: it follows its command at once; None where there is none."""
+    return None if trial.actuator_force is None else ActiveActuator(lag=0.0)
 
 
 def _refuse_unknown_ground(trial: Trial) -> None:
@@ -51,6 +62,12 @@ def _refuse_unfelt(facts: Facts, rig: Rig, trial: Trial) -> None:
                 allowed=", ".join(track for track in facts.tracks if not is_road(track)) or "the road only",
                 hint=hint,
             )
+    if trial.actuator_force is not None and COMMAND not in facts.tracks:
+        raise SimulationError(
+            "the model has no actuator whose force could be given",
+            where="trial: actuator_force",
+            allowed="a single corner with a strut",
+        )
     if trial.right is not None and not any(place.side for place in _sides(rig)):
         raise SimulationError(
             "a road under the right wheels is given",

@@ -14,7 +14,7 @@ from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.controlled import AnyControl, check_stable, close_loop, raise_controller_error
 from jounce.simulation.prepare import prepare
-from jounce.simulation.problem import excitation
+from jounce.simulation.problem import excitation, known_actuator
 from jounce.simulation.result import held_to_its_branch, samples_reached
 from jounce.simulation.settings import Method, RunSettings
 
@@ -76,7 +76,13 @@ def simulate(
     """
     times = RunSettings(output_step, tolerance, method).times(trial.duration)
     loop = close_loop(rig, control)
-    compiled = compile_rig(rig, detail=detail, actuator=loop.actuator if loop else None)
+    if loop and trial.actuator_force is not None:
+        raise SimulationError(
+            "the actuator has a controller and a known force",
+            where="trial: actuator_force",
+            allowed="one of the two",
+        )
+    compiled = compile_rig(rig, detail=detail, actuator=loop.actuator if loop else known_actuator(trial))
     p = compiled.parameter_values({**rig.parameters(), **(loop.parameters(compiled) if loop else {})})
     start = _offset(compiled, offset)
     signals = excitation(compiled.facts, rig, trial)
