@@ -6,6 +6,7 @@
 #   make quick     the tests that compile nothing             make clean   remove what was made here
 #   make test-all  the slow tests too                         make format  what `make lint` can mend by itself
 #   make mutants   change a package in one place at a time: do its tests notice? PACKAGE=ride SAMPLE=200 SEED=1
+#   make loops     machine code of the loops, which `make setup` makes, too: again where their sources have changed
 #   make faces     write stubs and JSON schemas from the registries
 #   make pins      compile requirements/*.txt again (needs uv)
 #
@@ -22,28 +23,31 @@ BIN := $(VENV)/$(if $(filter Windows_NT,$(OS)),Scripts,bin)
 
 # The pins are complete, so pip resolves nothing; wheels only, so that no unpinned build tool is fetched.
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes --no-deps --only-binary :all:
+LOOPS := $(wildcard src/jounce/kernel/*.py src/jounce/kernel/*/*.py)
 PINS := runtime build test lint docs bench mutants
 COMPILE := $(UV) pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header \
            --no-emit-index-url --no-emit-find-links
 
-.PHONY: help setup demo quick test test-all lint check-style check-imports format bench docs mutants faces pins clean
+.PHONY: help setup loops demo quick test test-all lint check-style check-imports format bench docs mutants faces pins clean
 .DELETE_ON_ERROR:
 
 help:
 	@sed -n '2,/^$$/s/^# \{0,1\}//p' Makefile
 
-setup: $(VENV)/.runtime
+setup: $(VENV)/.loops
+
+loops: $(VENV)/.loops
 
 demo: setup
 	$(BIN)/jounce demo $(DEMO_ARGUMENTS)
 
-quick: $(VENV)/.test
+quick: $(VENV)/.test $(VENV)/.loops
 	$(BIN)/python -m pytest -n auto --dist loadfile --quick
 
-test: $(VENV)/.test
+test: $(VENV)/.test $(VENV)/.loops
 	$(BIN)/python -m pytest -n auto --dist loadfile
 
-test-all: $(VENV)/.test
+test-all: $(VENV)/.test $(VENV)/.loops
 	$(BIN)/python -m pytest -n auto --dist loadfile -m "slow or not slow"
 
 lint: check-style check-imports
@@ -60,17 +64,17 @@ format: $(VENV)/.lint
 	$(BIN)/ruff check --fix
 	$(BIN)/ruff format
 
-bench: $(VENV)/.bench
+bench: $(VENV)/.bench $(VENV)/.loops
 	$(BIN)/python benchmarks/run.py
 
-docs: $(VENV)/.docs
+docs: $(VENV)/.docs $(VENV)/.loops
 	$(BIN)/python -m sphinx -W --keep-going -b html docs docs/_build/html
 	@echo "docs/_build/html/index.html"
 
-mutants: $(VENV)/.test $(VENV)/.mutants
+mutants: $(VENV)/.test $(VENV)/.mutants $(VENV)/.loops
 	$(BIN)/python tests/mutants/run.py $(PACKAGE) --sample $(SAMPLE) --seed $(SEED) --place "$(PLACE)"
 
-faces: $(VENV)/.runtime
+faces: $(VENV)/.loops
 	$(BIN)/python docs/make_faces.py
 
 $(VENV)/.created:
@@ -88,6 +92,11 @@ $(VENV)/.runtime: $(VENV)/.created requirements/runtime.txt requirements/build.t
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
 	@touch $@
 
+# A run calls its loops by name; what they are made of is compiled here, once for all runs.
+$(VENV)/.loops: $(VENV)/.runtime $(LOOPS)
+	$(BIN)/python -m jounce.kernel.loops.make
+	@touch $@
+
 $(VENV)/.test $(VENV)/.lint $(VENV)/.docs $(VENV)/.bench $(VENV)/.mutants: $(VENV)/.%: requirements/%.txt $(VENV)/.runtime
 	$(INSTALL) -r $<
 	@touch $@
@@ -100,5 +109,5 @@ pins:
 	  known="$$known -c requirements/$$name.txt"; done
 
 clean:
-	rm -rf .venv .venv-* build dist docs/_build docs/public-names.md docs/_generated .coverage .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
+	rm -rf .venv .venv-* build dist src/jounce/kernel/loops/built docs/_build docs/public-names.md docs/_generated .coverage .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
 	find src tests -name __pycache__ -type d -prune -exec rm -rf {} +

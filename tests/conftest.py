@@ -55,14 +55,11 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
 
 def _skip_where_something_is_compiled() -> None:
     """Skip a test where it would wait for LLVM or for a typeset page, so that no list of such tests must be kept."""
-    from numba.core.dispatcher import Dispatcher
-
-    from jounce.kernel import native
+    from jounce.kernel import call, native
     from jounce.report import protocol
 
     def skip(*_: object, **__: object) -> None:
         raise pytest.skip.Exception("compiles: left out of the quick tests", allow_module_level=True)
 
-    native._emit = skip
-    Dispatcher.compile = skip
+    native._emit = call.object_for = call.bitcode_from_sources = skip
     protocol.compiled = skip

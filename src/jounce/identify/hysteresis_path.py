@@ -5,34 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from jounce.core.types import Array
-from jounce.kernel.call import kept
+from jounce.kernel.call import Loop
+
+_follow = Loop("hysteresis")
 
 
-@kept()
-def _rate(u: float, sigma: float, exponent: float) -> float:
-    """du/ds for motion in the direction in which u is counted."""
-    if u >= 0.0:
-        return float(1.0 - u**exponent)
-    return float(1.0 + (2.0 * sigma - 1.0) * (-u) ** exponent)
-
-
-@kept()
-def _advance(u: float, distance: float, sigma: float, exponent: float) -> float:
-    while distance > 0.0:
-        if u >= 1.0 - 1e-13:
-            return 1.0
-        first = _rate(u, sigma, exponent)
-        step = 0.2 / exponent if u >= 0.0 else (0.005 - 0.1 * u) / first
-        step = min(step, distance)
-        second = _rate(u + 0.5 * step * first, sigma, exponent)
-        third = _rate(u + 0.5 * step * second, sigma, exponent)
-        fourth = _rate(u + step * third, sigma, exponent)
-        u = min(1.0, u + step / 6.0 * (first + 2.0 * second + 2.0 * third + fourth))
-        distance -= step
-    return u
-
-
-@kept()
 def bouc_wen_path(displacement: Array, rate: float, sigma: float, exponent: float, start: float) -> Array:
     """Follow ``z' = rate (v - sigma |v| |z|^(n-1) z + (sigma - 1) v |z|^n)`` along a path of displacements.
 
@@ -67,14 +44,7 @@ def bouc_wen_path(displacement: Array, rate: float, sigma: float, exponent: floa
     ----------
     Ikhouane and Rodellar (2007), Systems with Hysteresis, Wiley (normalised form).
     """
-    state = np.empty(len(displacement))
-    z = start
-    state[0] = z
-    for index in range(1, len(displacement)):
-        change = displacement[index] - displacement[index - 1]
-        if change > 0.0:
-            z = _advance(z, rate * change, sigma, exponent)
-        elif change < 0.0:
-            z = -_advance(-z, -rate * change, sigma, exponent)
-        state[index] = z
+    path = np.ascontiguousarray(displacement, dtype=np.float64)
+    state = np.empty(len(path))
+    _follow(path, rate, sigma, exponent, start, state)
     return state

@@ -1,7 +1,7 @@
 """Expression graphs to machine code, and the integrators that run it: arrays in, arrays out.
 
 - ``lowering``, ``packing``, ``native``: expression graphs become native functions, kept on disk;
-- ``engine``: what a run is computed from and into; ``signals``: its inputs, samples and commands; ``events``;
-- ``methods``: ``adaptive`` steps, ``explicit`` or ``implicit``, and ``exact`` propagation;
-- ``poses``: a mechanism along prescribed motions; ``call``: how the loops are compiled.
+- ``engine``: what a run is computed from and into; ``arrays``: how its arrays lie in memory;
+- ``methods``: ``explicit`` and ``implicit`` steps, ``exact`` propagation; ``poses``: a mechanism along given motions;
+- ``loops``: what these run through, compiled when jounce is built; ``call``: how that code is found and called.
 """

@@ -1,144 +1,233 @@
-"""How the loops are compiled by Numba, and calls from them to native code by address."""
+"""Loops by name: machine code made where jounce is built, loaded at the first call.
+
+The code is looked for in this order: the object for this platform that came with the package, one made here before,
+the bitcode that came with the package (compiled for this processor, and kept), and last the sources of the loops, which
+takes Numba. Whatever is stale, damaged, or of another machine or LLVM is passed over; what takes long is logged.
+
+A loop takes tuples, arrays and numbers as they are: the code walks them itself, and checks type, number of dimensions
+and order in memory of every array before it reads the first.
+"""
 
 from __future__ import annotations
 
+import contextlib
+import ctypes
+import logging
+import sys
+import sysconfig
 from collections.abc import Callable
+from functools import cache, cached_property
 from typing import Any
 
-from llvmlite import ir
-from numba import njit, types
-from numba.core import cgutils
-from numba.extending import intrinsic
+import numpy as np
+from llvmlite import binding as llvm
 
+from jounce.core.optional import require
 from jounce.core.sources import digest_of
+from jounce.kernel import native
+from jounce.kernel.loops import BUILT, PLATFORMS, Platform, key_of, this_platform
+
+ENTRY = "entry"
+"""Name of the function that a loop's code is called by."""
+PYTHON = (
+    "PyErr_Clear",
+    "PyErr_Occurred",
+    "PyFloat_AsDouble",
+    "PyLong_AsLongLong",
+    "PyObject_IsTrue",
+    "PyTuple_GetItem",
+    "PyTuple_Size",
+)
+"""Functions of the interpreter that the code calls."""
+FAILED = -(1 << 62)
+"""What the code gives where the loop itself raises."""
+_PROTOTYPE = ctypes.PYFUNCTYPE(ctypes.c_int64, ctypes.py_object, ctypes.c_void_p)
+_LOG = logging.getLogger("jounce")
+Head = dict[str, Any]
 
 
-def compiled() -> Callable[[Callable[..., Any]], Any]:
-    """Compile a loop that neither makes nor keeps arrays, and keep its code on disk.
+class Loop:
+    """A loop by its name (see ``loops.LOOPS``), to be called with what its annotations say; it gives an integer."""
 
-    So it needs no reference counts (``_nrt``), which otherwise cost more than the arithmetic between them.
-    """
-    return kept(error_model="numpy", _nrt=False)
+    def __init__(self, name: str) -> None:
+        self.name = name
 
+    def __call__(self, *arguments: Any) -> int:
+        """Run the loop.
 
-def kept(**options: Any) -> Callable[[Callable[..., Any]], Any]:
-    """Compile a function and keep its code on disk; only for this process where no folder can be written.
+        Raises
+        ------
+        TypeError
+            Where an argument is not what the code was made for; nothing is read or written then.
+        """
+        code = self._call(arguments)
+        if code < 0:
+            raise self._refusal(code, arguments)
+        return code
 
-    Numba trusts stored code as long as the function's own file is unchanged, also where a function it calls or a
-    constant it uses comes from another file. Here the stored code goes with all sources of the kernel.
-    """
+    @cached_property
+    def _loaded(self) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
+        if not objects_are_known():
+            _LOG.warning("this build of Python is not known to the loops of jounce: Numba compiles %r here", self.name)
+            return {}, _by_numba(self.name)
+        return _load(self.name)
 
-    def compile_one(function: Callable[..., Any]) -> Any:
-        try:
-            dispatcher = njit(cache=True, **options)(function)
-        except RuntimeError:  # Numba finds no place for its files
-            return njit(**options)(function)
-        file = dispatcher._cache._cache_file
-        file._source_stamp = (file._source_stamp, digest_of("kernel"))
-        return dispatcher
+    @cached_property
+    def _call(self) -> Callable[[tuple[Any, ...]], int]:
+        return self._loaded[1]
 
-    return compile_one
-
-
-def part(**options: Any) -> Callable[[Callable[..., Any]], Any]:
-    """Compile a part of such loops, without entries from Python and C: they are most of the work for many arrays."""
-
-    def compile_one(function: Callable[..., Any]) -> Any:
-        inner = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-        # A part inherits what it does not say from the one that calls it first: without a word, all that a part that is
-        # to be inlined calls would be inlined, too, and loops compile for twice as long.
-        settings = {"forceinline": False, **inner, **options}
-        dispatcher = njit(error_model="numpy", _nrt=False, **settings)(function)
-        template = dispatcher.get_call_template
-
-        def one_for_all_numbers(arguments: Any, keywords: Any) -> Any:
-            # Numba would compile a part once more for every constant that it is called with, which takes a fifth of the
-            # time of all and gains nothing: what is worth a constant is inlined by LLVM.
-            return template(tuple(types.unliteral(kind) for kind in arguments), keywords)
-
-        dispatcher.get_call_template = one_for_all_numbers
-        return dispatcher
-
-    return compile_one
+    def _refusal(self, code: int, arguments: tuple[Any, ...]) -> Exception:
+        if code == FAILED:
+            return RuntimeError(f"the loop {self.name!r} failed")
+        path, wanted = self._loaded[0]["leaves"][-1 - code]
+        found: Any = arguments
+        with contextlib.suppress(Exception):
+            for place, _ in path:
+                found = found[place]
+        where = ".".join(name for _, name in path) or "arguments"
+        return TypeError(f"loop {self.name!r}: {where} is {_described(found)}, allowed is {wanted}")
 
 
-def array_of(context: Any, builder: Any, signature: Any, arguments: Any, i: int) -> Any:
-    """The array that argument ``i`` is, with its data and shape."""
-    return context.make_array(signature.args[i])(context, builder, arguments[i])
+def _described(value: Any) -> str:
+    if type(value) is not np.ndarray:
+        return f"{type(value).__name__} of {len(value)}" if isinstance(value, tuple) else type(value).__name__
+    flags = value.flags
+    order = "C" if flags.c_contiguous else "F" if flags.f_contiguous else "neither C nor F"
+    return f"{value.dtype.str}, {value.ndim} dimensions, order {order}{'' if flags.aligned else ', unaligned'}"
 
 
-def row_of(context: Any, builder: Any, signature: Any, arguments: Any, i: int, row: int) -> Any:
-    """Pointer to the row of the C-ordered matrix ``i`` that argument ``row`` names."""
-    array = array_of(context, builder, signature, arguments, i)
-    return builder.gep(array.data, [builder.mul(arguments[row], builder.extract_value(array.shape, 1))])
+@cache
+def _facts() -> Any:
+    """What the code has to know of this interpreter: the type of arrays, where their fields begin, numbers of types."""
+    kinds = (np.float64, np.int64, np.complex128)
+    return (ctypes.c_int64 * 5)(id(np.ndarray), object.__basicsize__, *(np.dtype(kind).num for kind in kinds))
 
 
-def call_address(builder: Any, address: Any, arguments: list[Any]) -> Any:
-    """Call a function that gives nothing at an address, with arguments of their own types."""
-    function = ir.FunctionType(ir.VoidType(), [argument.type for argument in arguments]).as_pointer()
-    builder.call(builder.inttoptr(address, function), arguments)
-    return cgutils.get_null_value(ir.IntType(8).as_pointer())
+@cache
+def objects_are_known() -> bool:
+    """Whether Python's tuples and NumPy's arrays look in memory as the code takes them to look."""
+    if (
+        sys.implementation.name != "cpython"
+        or sysconfig.get_config_var("Py_GIL_DISABLED")
+        or sys.byteorder != "little"
+        or ctypes.sizeof(ctypes.c_void_p) != 8
+    ):
+        return False
+    array, head = np.zeros((3, 2)), object.__basicsize__
+
+    def at(offset: int, kind: Any) -> Any:
+        return kind.from_address(id(array) + head + offset).value
+
+    fields = (at(-8, ctypes.c_int64), at(0, ctypes.c_int64), at(8, ctypes.c_int32), at(40, ctypes.c_int64))
+    if fields != (id(np.ndarray), array.__array_interface__["data"][0], 2, id(array.dtype)):
+        return False
+    shape, strides = ((ctypes.c_int64 * 2).from_address(at(offset, ctypes.c_int64)) for offset in (16, 24))
+    kind = (ctypes.c_char.from_address(id(array.dtype) + head + 10).value, array.dtype.num)
+    number = ctypes.c_int32.from_address(id(array.dtype) + head + 12).value
+    flags = at(48, ctypes.c_int32)
+    return (
+        (tuple(shape), tuple(strides)) == (array.shape, array.strides)
+        and kind == (b"=", number)
+        and flags & 0x503 == 0x501  # rows side by side, aligned, to be written to; not columns
+    )
 
 
-@intrinsic  # type: ignore[untyped-decorator]
-def call_native(
-    typing_context: Any, address: Any, x: Any, x_row: Any, u: Any, p: Any, m: Any, out: Any, out_row: Any
-) -> Any:
-    """Call ``void f(double* x, double* u, double* p, double* m, double* out)`` at an address.
-
-    ``x`` and ``out`` are C-ordered matrices; the call reads row ``x_row`` of one, writes row ``out_row`` of the other.
-    """
-    signature = types.void(types.int64, x, types.int64, u, p, m, out, types.int64)
-
-    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        at = (context, builder, signature, arguments)
-        between = [array_of(*at, i).data for i in (3, 4, 5)]
-        return call_address(builder, arguments[0], [row_of(*at, 1, 2), *between, row_of(*at, 6, 7)])
-
-    return signature, generate
+def _load(name: str) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
+    """Code of a loop from the first place where it is sound."""
+    platform = this_platform()
+    ways: tuple[Callable[[], bytes | None], ...] = (
+        lambda: _shipped(name, platform),
+        lambda: native.recall(native.key_here(f"loop {name}")),
+        lambda: _compiled(name, platform),
+    )
+    for way in ways:
+        found = way()
+        if found is not None:
+            with contextlib.suppress(Exception):  # whatever is wrong with it: the next way
+                return _ready(found)
+    raise RuntimeError(f"the code of the loop {name!r} cannot be loaded here")
 
 
-@intrinsic  # type: ignore[untyped-decorator]
-def call_step(typing_context: Any, address: Any, rows: Any, u: Any, p: Any, m: Any, g: Any, h: Any) -> Any:
-    """Call ``void f(double* rows, double* u, double* p, double* m, double* g, double h)`` at an address."""
-    signature = types.void(types.int64, rows, u, p, m, g, types.float64)
+def _ready(content: bytes) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
+    for symbol in PYTHON:
+        llvm.add_symbol(symbol, ctypes.cast(getattr(ctypes.pythonapi, symbol), ctypes.c_void_p).value)
+    head, code = native.parted(content)
+    loaded = native.Native(code, (ENTRY,))
+    function, facts = _PROTOTYPE(loaded.address[ENTRY]), _facts()
+    place = ctypes.addressof(facts)
 
-    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        at = (context, builder, signature, arguments)
-        return call_address(builder, arguments[0], [*(array_of(*at, i).data for i in range(1, 6)), arguments[6]])
+    def call(arguments: tuple[Any, ...], _loaded: Any = (loaded, facts)) -> int:  # which live as long as this function
+        return int(function(arguments, place))
 
-    return signature, generate
-
-
-@intrinsic  # type: ignore[untyped-decorator]
-def call_many(
-    typing_context: Any, address: Any, x: Any, u: Any, p: Any, m: Any, out: Any, first: Any, count: Any
-) -> Any:
-    """Call ``void f(x, u, p, m, out, int64 total, int64 first, int64 count)`` at an address.
-
-    ``x``, ``u`` and ``out`` are C-ordered matrices with one row an element and one column a sample.
-    """
-    signature = types.void(types.int64, x, u, p, m, out, types.int64, types.int64)
-
-    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        at = (context, builder, signature, arguments)
-        arrays = [array_of(*at, i) for i in range(1, 6)]
-        total = builder.extract_value(arrays[0].shape, 1)
-        pointers = [array.data for array in arrays]
-        return call_address(builder, arguments[0], [*pointers, total, arguments[6], arguments[7]])
-
-    return signature, generate
+    return head, call
 
 
-@intrinsic  # type: ignore[untyped-decorator]
-def sine_and_cosine(typing_context: Any, angle: Any) -> Any:
-    """Sine and cosine by calls that the optimiser may not move out of their branch, as it does with ``math.sin``."""
-    signature = types.UniTuple(types.float64, 2)(types.float64)
+def _shipped(name: str, platform: str) -> bytes | None:
+    if not _suits(platform):
+        return None
+    return native.read_sealed(BUILT / platform / f"{name}.o", key_of(name, digest_of("kernel"), platform))
 
-    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        kind = ir.FunctionType(ir.DoubleType(), [ir.DoubleType()])
-        functions = [cgutils.get_or_insert_function(builder.module, kind, name) for name in ("sin", "cos")]
-        values = [builder.call(function, arguments) for function in functions]
-        return context.make_tuple(builder, signature.return_type, values)
 
-    return signature, generate
+@cache
+def _suits(platform: str) -> bool:
+    """Whether objects are made for this platform, and its processor has what they need."""
+    if platform not in PLATFORMS:
+        return False
+    features = llvm.get_host_cpu_features()
+    return all(features.get(feature, False) for feature in PLATFORMS[platform].needs)
+
+
+def _compiled(name: str, platform: str) -> bytes:
+    """Compile the bitcode of a loop, which is made from its sources where none came along, and keep the object."""
+    content = native.read_sealed(BUILT / f"{name}.bc", key_of(name, digest_of("kernel")))
+    with contextlib.suppress(Exception):  # a newer LLVM's, for example
+        if content is not None:
+            return _kept_object(content, name, platform)
+    return _kept_object(bitcode_from_sources(name), name, platform)
+
+
+def _kept_object(bitcode: bytes, name: str, platform: str) -> bytes:
+    """Object of a loop, kept beside its sources where that is possible, else in the user's cache."""
+    if _suits(platform):
+        content = object_for(bitcode, PLATFORMS[platform])
+        key = key_of(name, digest_of("kernel"), platform)
+        if native.write_sealed(BUILT / platform / f"{name}.o", key, content):
+            return content
+    else:
+        content = object_for(bitcode)
+    native.keep(native.key_here(f"loop {name}"), content)
+    return content
+
+
+def bitcode_from_sources(name: str) -> bytes:
+    """Compile a loop by Numba, and keep its bitcode beside the sources where that is possible."""
+    require("numba", "loops")
+    from jounce.kernel.loops.build import bitcode_of
+
+    _LOG.warning("compiling the loop %r (once; 2 to 30 s)", name)
+    content = bitcode_of(name)
+    native.write_sealed(BUILT / f"{name}.bc", key_of(name, digest_of("kernel")), content)
+    return content
+
+
+def object_for(bitcode: bytes, platform: Platform | None = None) -> bytes:
+    """Object of a loop for a platform; for this very processor without one."""
+    machine = native.this_machine()
+    if platform is not None:
+        # On Windows llvmlite itself says that it wants ELF.
+        triple = platform.triple.removesuffix("-elf") if sys.platform == "win32" else platform.triple
+        target = llvm.Target.from_triple(triple)
+        machine = target.create_target_machine(cpu=platform.processor, opt=3, jit=True)
+    head, code = native.parted(bitcode)
+    module = llvm.parse_bitcode(code)
+    module.triple, module.data_layout = machine.triple, str(machine.target_data)
+    return native.joined(head, native.machine_code(module, machine, 2))
+
+
+def _by_numba(name: str) -> Callable[[tuple[Any, ...]], int]:
+    """Compile a loop as Numba does, with its own entry: slower to start, and it knows every build of Python."""
+    require("numba", "loops")
+    from jounce.kernel.loops.build import function_of
+
+    function = function_of(name)
+    return lambda arguments: int(function(*arguments) or 0)

@@ -1,6 +1,6 @@
 """What the loops of a run work on: addresses of native functions, inputs, samples, a controller, scratch arrays.
 
-Nothing here computes. The loops (``signals``, ``events``, ``methods``) read these tuples and write into their arrays,
+Nothing here computes. The loops (``kernel.loops``) read these tuples and write into their arrays,
 so that one run after another needs no new memory and no compiled code sees a Python object.
 """
 
@@ -12,10 +12,10 @@ from enum import Enum
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from jounce.core.segments import Segments
 from jounce.core.types import Array
+from jounce.kernel.arrays import Columns, Integers, Matrix, Vector
 
 
 class Status(Enum):
@@ -85,12 +85,12 @@ FIRST_PROBE = STAGES
 class Tracks(NamedTuple):
     """Pieces of all tracks, one after another; piece ``i`` of the flat arrays is valid on ``[start, stop]``."""
 
-    first: NDArray[np.int64]
-    start: Array
-    stop: Array
-    kind: NDArray[np.int64]
-    coefficients: Array
-    rate: Array
+    first: Integers
+    start: Vector
+    stop: Vector
+    kind: Integers
+    coefficients: Matrix
+    rate: Vector
 
 
 def flatten(signals: list[Segments]) -> Tracks:
@@ -137,8 +137,8 @@ class Control(NamedTuple):
     """
 
     tolerance: float
-    scale: Array
-    dead_band: Array
+    scale: Vector
+    dead_band: Vector
     max_steps: int
     longest: float
 
@@ -151,10 +151,10 @@ class Problem(NamedTuple):
 
     engine: Engine
     tracks: Tracks
-    piece: NDArray[np.int64]
-    p: Array
-    m: Array
-    x0: Array
+    piece: Integers
+    p: Vector
+    m: Vector
+    x0: Vector
     inputs: int
 
 
@@ -169,13 +169,13 @@ class Samples(NamedTuple):
     sensitivities; both run through the parameters fastest.
     """
 
-    times: Array
-    states: Array
-    inputs: Array
-    outputs: Array
-    projected: Array
-    tangents: Array = _NONE
-    carried: Array = _NONE
+    times: Vector
+    states: Matrix
+    inputs: Matrix
+    outputs: Matrix
+    projected: Matrix
+    tangents: Matrix = _NONE
+    carried: Matrix = _NONE
 
 
 class Feedback(NamedTuple):
@@ -216,20 +216,20 @@ class Feedback(NamedTuple):
 
     law: int
     period: float
-    pieces: NDArray[np.int64]
-    select: NDArray[np.int64]
-    offset: Array
-    noise: Array
-    bound: Array
-    p: Array
-    memory: Array
-    measured: Array
-    result: Array
-    time: Array
-    states: Array
-    inputs: Array
-    outputs: Array
-    instants: NDArray[np.int64]
+    pieces: Integers
+    select: Integers
+    offset: Vector
+    noise: Matrix
+    bound: Vector
+    p: Vector
+    memory: Matrix
+    measured: Vector
+    result: Matrix
+    time: Vector
+    states: Matrix
+    inputs: Matrix
+    outputs: Matrix
+    instants: Integers
 
 
 _ROW, _COLUMN, _FLAT, _NUMBERS = np.zeros((1, 0)), np.zeros((0, 1)), np.zeros(0), np.zeros(0, dtype=np.int64)
@@ -243,12 +243,12 @@ def feedback(
     law: int,
     period: float,
     *,
-    pieces: NDArray[np.int64],
-    select: NDArray[np.int64],
-    offset: Array,
-    noise: Array,
-    bound: Array,
-    p: Array,
+    pieces: Integers,
+    select: Integers,
+    offset: Vector,
+    noise: Matrix,
+    bound: Vector,
+    p: Vector,
     counts: tuple[int, int, int],
 ) -> Feedback:
     """Make the arrays around a law, for ``counts`` of memory, inputs and outputs; the others are as in the class."""
@@ -303,18 +303,18 @@ class Work(NamedTuple):
     ``sampled`` the inputs at a sample; ``marks`` how many samples are placed, and how many of them finished.
     """
 
-    rows: Array
-    times: Array
-    nodes: Array
-    u: Array
-    g: Array
-    step: Array
-    errors: Array
-    slope: Array
-    widest: Array
-    projected: Array
-    sampled: Array
-    marks: NDArray[np.int64]
+    rows: Matrix
+    times: Vector
+    nodes: Vector
+    u: Columns
+    g: Matrix
+    step: Vector
+    errors: Matrix
+    slope: Matrix
+    widest: Vector
+    projected: Matrix
+    sampled: Matrix
+    marks: Integers
 
 
 def scratch(problem: Problem, control: Control, nodes: Array) -> Work:

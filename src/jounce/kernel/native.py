@@ -12,16 +12,17 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
-import casadi as ca
 import llvmlite
 import numpy as np
 from llvmlite import binding as llvm
 from numpy.typing import NDArray
 
 from jounce.core.sources import digest_of
-from jounce.kernel.lowering import AnyFunction, Lowering
+
+if TYPE_CHECKING:
+    from jounce.kernel.lowering import AnyFunction, Lowering
 
 MANY = ("output", "project_many", "switch_many")
 SELDOM = ("slopes", "switch_slope", "derived", "derived_lanes", "constraint", "constraint_s")
@@ -58,7 +59,7 @@ class Native:
     """Loaded machine code; ``address[name]`` is where the function of that name lives while this object does."""
 
     def __init__(self, code: bytes, names: tuple[str, ...]) -> None:
-        self._engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), _machine())
+        self._engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), this_machine())
         self._engine.add_object_file(llvm.ObjectFileRef.from_data(code))
         self._engine.finalize_object()
         self.address = {name: int(self._engine.get_function_address(name)) for name in names}
@@ -79,6 +80,8 @@ def compile_functions(functions: Mapping[str, AnyFunction], step: AnyStep | None
 
     ``step`` adds the functions of an integration step around them.
     """
+    import casadi as ca
+
     digest = hashlib.sha256(repr(step).encode())
     for name, function in functions.items():
         graph, form = (function, "()") if isinstance(function, ca.Function) else (function.function, function.form)
@@ -92,9 +95,8 @@ def kept_code(identity: str, make: Callable[[], Source]) -> tuple[Native, str]:
     ``identity`` says everything that the code depends on, apart from this processor, the kernel and versions of the
     compiler; ``make`` gives the functions where the cache holds no sound entry.
     """
-    target = f"{llvm.get_host_cpu_name()} {llvm.get_host_cpu_features().flatten()} {llvm.llvm_version_info}"
-    key = hashlib.sha256(f"{digest_of('kernel')} {llvmlite.__version__} {target} {identity}".encode()).hexdigest()
-    cached = _read(key)
+    key = key_here(identity)
+    cached = recall(key)
     if cached is not None:
         with contextlib.suppress(Exception):  # whatever is wrong with it: rebuild
             return _load(cached)
@@ -102,16 +104,32 @@ def kept_code(identity: str, make: Callable[[], Source]) -> tuple[Native, str]:
     # Code is kept as an object file: loading one takes a millisecond, where optimising the same functions takes
     # seconds.
     names = [*source.functions, *_singles(source.functions), *(source.step.names if source.step else ())]
-    head = json.dumps({"names": names, "notes": source.notes}).encode()
-    content = len(head).to_bytes(_LENGTH, "little") + head + _emit(source.functions, source.step)
-    _write(key, content)
+    content = joined({"names": names, "notes": source.notes}, _emit(source.functions, source.step))
+    keep(key, content)
     return _load(content)
 
 
 def _load(content: bytes) -> tuple[Native, str]:
+    head, code = parted(content)
+    return Native(code, tuple(head["names"])), str(head["notes"])
+
+
+def key_here(identity: str) -> str:
+    """Key of code for this processor, made by these versions of the kernel and the compiler."""
+    target = f"{llvm.get_host_cpu_name()} {llvm.get_host_cpu_features().flatten()} {llvm.llvm_version_info}"
+    return hashlib.sha256(f"{digest_of('kernel')} {llvmlite.__version__} {target} {identity}".encode()).hexdigest()
+
+
+def joined(head: dict[str, Any], code: bytes) -> bytes:
+    """Give code with what is to be known of it before."""
+    text = json.dumps(head).encode()
+    return len(text).to_bytes(_LENGTH, "little") + text + code
+
+
+def parted(content: bytes) -> tuple[dict[str, Any], bytes]:
+    """Give back what ``joined`` has put together."""
     start = _LENGTH + int.from_bytes(content[:_LENGTH], "little")
-    head = json.loads(content[_LENGTH:start])
-    return Native(content[start:], tuple(head["names"])), str(head["notes"])
+    return json.loads(content[_LENGTH:start]), content[start:]
 
 
 def cache_folder() -> Path:
@@ -128,6 +146,8 @@ def _singles(functions: Mapping[str, object]) -> dict[str, str]:
 
 
 def _emit(functions: Mapping[str, AnyFunction], step: AnyStep | None = None) -> bytes:
+    from jounce.kernel.lowering import Lowering
+
     lowering = Lowering()
     for name, function in functions.items():
         (lowering.add_many if name in MANY else lowering.add)(name, function)
@@ -142,11 +162,21 @@ def _emit(functions: Mapping[str, AnyFunction], step: AnyStep | None = None) -> 
         step.add(lowering)
     module = llvm.parse_assembly(str(lowering.module))
     module.verify()
-    tuning = llvm.create_pipeline_tuning_options(speed_level=3)
-    tuning.loop_vectorization, tuning.slp_vectorization = True, False  # packing scalars costs more than it gains
-    builder = llvm.create_pass_builder(_machine(), tuning)
+    return machine_code(module, this_machine(), 3)
+
+
+def machine_code(module: Any, machine: Any, level: int) -> bytes:
+    """Optimise a module, and give the object for a machine."""
+    optimise(module, machine, level)
+    return bytes(machine.emit_object(module))
+
+
+def optimise(module: Any, machine: Any, level: int) -> None:
+    """Run LLVM's passes over a module; from level 2 on loops are made vectors."""
+    tuning = llvm.create_pipeline_tuning_options(speed_level=level)
+    tuning.loop_vectorization, tuning.slp_vectorization = level > 1, False  # packing scalars costs more than it gains
+    builder = llvm.create_pass_builder(machine, tuning)
     builder.getModulePassManager().run(module, builder)
-    return bytes(_machine().emit_object(module))
 
 
 @cache
@@ -155,34 +185,51 @@ def _initialise() -> None:
     llvm.initialize_native_asmprinter()
 
 
-def _machine() -> Any:
+def this_machine() -> Any:
+    """Give the machine that this process runs on."""
     _initialise()
     return llvm.Target.from_default_triple().create_target_machine(
         opt=3, cpu=llvm.get_host_cpu_name(), features=llvm.get_host_cpu_features().flatten(), jit=True
     )
 
 
-def _read(key: str) -> bytes | None:
+def recall(key: str) -> bytes | None:
     """Give a cached entry whose checksum holds, else None."""
+    with contextlib.suppress(RuntimeError):  # there is no home folder
+        return read_sealed(cache_folder() / f"{key}.o", key)
+    return None
+
+
+def keep(key: str, content: bytes) -> None:
+    """Store an entry; a folder that cannot be written means no cache."""
+    with contextlib.suppress(RuntimeError):  # there is no home folder
+        write_sealed(cache_folder() / f"{key}.o", key, content)
+
+
+def read_sealed(file: Path, key: str) -> bytes | None:
+    """Give what a file holds if it was written for this key and is whole, else None."""
     try:
-        content = (cache_folder() / f"{key}.o").read_bytes()
-    except (OSError, RuntimeError):  # RuntimeError: there is no home folder
+        content = file.read_bytes()
+    except OSError:
         return None
     checksum, rest = content[:_CHECKSUM], content[_CHECKSUM:]
     return rest if rest and _checksum(key, rest) == checksum else None
 
 
+def write_sealed(file: Path, key: str, content: bytes) -> bool:
+    """Write a file through a temporary one and a rename; tell whether that was possible."""
+    try:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        handle, name = tempfile.mkstemp(dir=file.parent)
+        with os.fdopen(handle, "wb") as stream:
+            stream.write(_checksum(key, content) + content)
+        Path(name).chmod(0o644)  # the package may be used by others than the one who installs it
+        Path(name).replace(file)
+    except OSError:
+        return False
+    return True
+
+
 def _checksum(key: str, content: bytes) -> bytes:
     """Checksum of an entry, with what it was made for."""
     return hashlib.sha256(key.encode() + content).digest()
-
-
-def _write(key: str, content: bytes) -> None:
-    """Store an entry through a temporary file and a rename; a folder that cannot be written means no cache."""
-    with contextlib.suppress(OSError, RuntimeError):  # RuntimeError: there is no home folder
-        folder = cache_folder()
-        folder.mkdir(parents=True, exist_ok=True)
-        handle, name = tempfile.mkstemp(dir=folder)
-        with os.fdopen(handle, "wb") as stream:
-            stream.write(_checksum(key, content) + content)
-        Path(name).replace(folder / f"{key}.o")

@@ -178,12 +178,8 @@ def room(compiled: Compiled, times: Array) -> Samples:
     """Arrays for a run sampled at ``times`` (s); what is not reached stays without a number."""
     facts, free, count = compiled.facts, len(compiled.free), len(times)
     n, outputs = len(facts.states), len(facts.outputs)
-    # Remembered times come read-only, others do not, and to Numba these are two types: each loop would be compiled for
-    # both.
-    times = np.ascontiguousarray(times).view()
-    times.flags.writeable = False
     return Samples(
-        times,
+        np.ascontiguousarray(times, dtype=np.float64),
         np.full((n, count), np.nan),
         np.empty((len(facts.tracks) * facts.track_order, count)),
         np.full((outputs, count), np.nan),

@@ -8,9 +8,9 @@ import pytest
 
 from jounce.core.segments import Segments
 from jounce.kernel.engine import Control, Problem, Status, flatten
+from jounce.kernel.loops.signals import fill, fill_rates
 from jounce.kernel.methods import rosenbrock
 from jounce.kernel.methods.implicit import integrate
-from jounce.kernel.signals import fill, fill_rates
 from jounce.mechanics import System
 from jounce.simulation.compiled import compile_model
 from jounce.simulation.linear_systems import slopes_of

@@ -6,37 +6,17 @@ iterated. Fast modes that decay or that nothing excites do not limit the step.
 
 from __future__ import annotations
 
-import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from jounce.core.types import Array
-from jounce.kernel.call import call_native, call_step, compiled, part
-from jounce.kernel.engine import (
-    DENSE,
-    FIRST_PROBE,
-    NO_FEEDBACK,
-    PROBES,
-    RATES,
-    ROWS,
-    STATE,
-    TRIAL,
-    Control,
-    Problem,
-    Samples,
-    scratch,
-)
-from jounce.kernel.methods.adaptive import inputs, way_through
-from jounce.kernel.methods.rosenbrock import GAMMA, STAGE_RATE, STAGES, C
+from jounce.kernel.arrays import Integers, Matrix, Vector
+from jounce.kernel.call import Loop
+from jounce.kernel.engine import DENSE, NO_FEEDBACK, ROWS, Control, Problem, Samples, scratch
+from jounce.kernel.methods.rosenbrock import STAGES
 from jounce.kernel.methods.runge_kutta import NODES
-from jounce.kernel.signals import fill, fill_rates, finish_samples
 
-_OWN = 6  # stages that see an input of their own: the last three all stand at the end of the step
-_ORDER = 5.0
-_SOUND = 1e-9  # soundness of the factors below which a shorter step is taken: a larger shift makes pivots sound
-_SAFETY, _SHRINK, _GROW = 0.9, 0.2, 4.0
+_integrate = Loop("implicit")
 
 
 class Slopes(NamedTuple):
@@ -50,7 +30,7 @@ class Slopes(NamedTuple):
     look: int
     along_input: int
     factor: int
-    stages: NDArray[np.int64]
+    stages: Integers
     interpolant: int
     size: int
     room: int
@@ -63,82 +43,17 @@ class Rosenbrock(NamedTuple):
     """
 
     slopes_at: Slopes
-    k: Array
-    slopes: Array
-    factors: Array
-    right: Array
-    by_input: Array
-    moving: Array
+    k: Matrix
+    slopes: Matrix
+    factors: Matrix
+    right: Vector
+    by_input: Matrix
+    moving: Vector
     first: float = 1e-4
     waits: bool = True
 
 
-@part()
-def _look(problem: Any, method: Any, work: Any, t: float, changed: bool) -> None:
-    """Rates and their slopes at the state and ``t``, and how the rates change in time through the input alone."""
-    work.times[0] = t
-    fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
-    address = method.slopes_at
-    call_native(address.look, work.rows, STATE, work.u, problem.p, problem.m, method.slopes, 0)
-    n, drift = method.k.shape[1], method.k[STAGES]
-    for d in range(n):
-        work.rows[RATES, d] = method.slopes[0, address.size - n + d]
-        drift[d] = 0.0
-    fill_rates(problem.tracks, problem.piece, t, method.moving)
-    still = True
-    for i in range(problem.inputs):
-        still = still and method.moving[i] == 0.0
-    if still:  # on flat road, and in the air: the slopes along the inputs cost as much as a stage
-        return
-    call_native(address.along_input, work.rows, STATE, work.u, problem.p, problem.m, method.by_input, 0)
-    for i in range(problem.inputs):
-        for d in range(n):
-            drift[d] += method.by_input[0, i * n + d] * method.moving[i]
-
-
-@part()
-def _step(problem: Any, method: Any, control: Any, work: Any, t: float, h: float) -> float:
-    """One step from the state to the end row."""
-    method.right[0] = 1.0 / (GAMMA * h)
-    address = method.slopes_at
-    call_native(address.factor, method.slopes, 0, method.right, problem.p, problem.m, method.factors, 0)
-    if not method.factors[0, 0] > _SOUND:
-        return -0.1
-    for i in range(1, _OWN):
-        work.times[i] = t + C[i] * h
-    fill(problem.tracks, problem.piece, work.times[1:_OWN], work.u[:, 1:_OWN])
-    for i in range(STAGES):
-        call_step(address.stages[i], work.rows, method.k, method.slopes, method.factors, method.right, h)
-        if i + 1 < STAGES:
-            u = work.u[:, min(i + 1, _OWN - 1) :]
-            call_native(problem.engine.rate, work.rows, TRIAL, u, problem.p, problem.m, work.rows, STAGE_RATE)
-    error = _error(work, method, control.tolerance)
-    if not math.isfinite(error):
-        return -0.1
-    factor = min(_GROW, _SAFETY * (error + 1e-12) ** (-1.0 / _ORDER))
-    return float(-max(_SHRINK, factor) if error > 1.0 else factor)
-
-
-@part(fastmath={"contract", "reassoc"})
-def _error(work: Any, method: Any, tolerance: float) -> float:
-    """Error of the states relative to what is allowed (root mean square): the last stage, of order 4."""
-    total, n = 0.0, len(work.widest)
-    for d in range(n):
-        share = method.k[STAGES - 1, d] / (tolerance * work.widest[d] + 1e-15 * abs(work.rows[STATE, d]))
-        total += share * share
-    return math.sqrt(total / n)
-
-
-@part()
-def _dense(problem: Any, method: Any, work: Any, t: float, h: float) -> None:
-    """Coefficients of the interpolant, in the nested form of the explicit one, and the inputs at the probes."""
-    address = method.slopes_at
-    call_step(address.interpolant, work.rows, method.k, method.slopes, method.factors, method.right, h)
-    if len(problem.m) > 0:
-        inputs(problem, work, t, h, FIRST_PROBE, FIRST_PROBE + len(PROBES))
-
-
-def integrate(problem: Problem, slopes: Slopes, control: Control, out: Samples, counts: NDArray[np.int64]) -> int:
+def integrate(problem: Problem, slopes: Slopes, control: Control, out: Samples, counts: Integers) -> int:
     """Integrate from the first to the last sample; fill the arrays at every sample; give a status code.
 
     At an input edge the samples are those just after it. ``counts`` gets steps, rejected steps and events. The state
@@ -157,14 +72,4 @@ def integrate(problem: Problem, slopes: Slopes, control: Control, out: Samples, 
     problem = problem._replace(x0=np.ascontiguousarray(problem.x0))  # of one type, whatever it is a part of
     work = scratch(problem, control, NODES)
     work.rows[DENSE:ROWS] = 0.0
-    return int(_integrate(problem, NO_FEEDBACK, method, control, work, out, counts))
-
-
-_walk = way_through(_look, _step, _dense)
-
-
-@compiled()
-def _integrate(problem: Any, feedback: Any, method: Any, control: Any, work: Any, out: Any, counts: Any) -> int:
-    status = _walk(method, problem, feedback, control, work, out, counts)
-    finish_samples(problem, work, out)
-    return int(status)
+    return _integrate(problem, NO_FEEDBACK, method, control, work, out, counts)

@@ -21,13 +21,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-import casadi as ca
 import numpy as np
 from llvmlite import ir
 
 from jounce.kernel.engine import DENSE, END, RATES, STATE, TRIAL
-from jounce.kernel.lowering import Lowering
+
+if TYPE_CHECKING:
+    import casadi as ca
+
+    from jounce.kernel.lowering import Lowering
 
 # fmt: off
 STAGES = 8
@@ -129,6 +133,8 @@ class RosenbrockStep:
 
 def _element_functions() -> dict[str, ca.Function]:
     """Functions of one state: its place or rate, its stages ``k`` (last the drift) and the step ``h``."""
+    import casadi as ca
+
     x, end, h, none = (ca.SX.sym(name) for name in ("x", "end", "h", "none"))
     k = ca.SX.sym("k", STAGES + 1)
 

@@ -6,18 +6,18 @@ loops are native code for one length of rows, made by ``row_loops`` and called b
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from llvmlite import ir
-from numba import types
-from numba.core import cgutils
-from numba.extending import intrinsic
 
-from jounce.kernel.call import array_of, call_address, row_of
-from jounce.kernel.lowering import Lowering
 from jounce.kernel.native import Native, Source, kept_code
+
+if TYPE_CHECKING:
+    from jounce.kernel.lowering import Lowering
 
 _DOUBLE, _INDEX, _LANE = ir.DoubleType(), ir.IntType(64), ir.IntType(32)
 _POINTER, _WIDEST = _DOUBLE.as_pointer(), 8
@@ -90,6 +90,31 @@ class _Rows:
             self._builder.store(value, self._at(row, place), align=8)
 
 
+def _variable(builder: Any, value: Any) -> Any:
+    """Make a place in the function's own memory that holds a value."""
+    with builder.goto_entry_block():
+        place = builder.alloca(value.type)
+    builder.store(value, place)
+    return place
+
+
+@contextmanager
+def _counting(builder: Any, start: Any, stop: Any, step: Any) -> Iterator[Any]:
+    """Loop over ``range(start, stop, step)``."""
+    before = builder.block
+    head, body, leave = (builder.append_basic_block(name) for name in ("head", "body", "leave"))
+    builder.branch(head)
+    builder.position_at_end(head)
+    index = builder.phi(_INDEX)
+    index.add_incoming(start, before)
+    builder.cbranch(builder.icmp_signed("<", index, stop), body, leave)
+    builder.position_at_end(body)
+    yield index
+    index.add_incoming(builder.add(index, step), builder.block)
+    builder.branch(head)
+    builder.position_at_end(leave)
+
+
 def _lane(builder: Any, value: Any, lane: int) -> Any:
     """Make a vector of equal numbers: one of those in ``value``."""
     mask = ir.Constant(ir.VectorType(_LANE, value.type.count), [lane] * value.type.count)
@@ -114,8 +139,8 @@ def _function(module: ir.Module, name: str, pointers: int, integers: int) -> tup
 def _sum_of_rows(builder: Any, start: list[Any], matrix: _Rows, count: Any, weights: Any, stride: Any) -> list[Any]:
     """Add to a row the weighted ``count`` first rows; in two sums, so that none waits long for the term before."""
     zero = ir.Constant(matrix.vector, [0.0] * matrix.vector.count)
-    totals = [cgutils.alloca_once_value(builder, value) for value in start]
-    others = [cgutils.alloca_once_value(builder, zero) for _ in start]
+    totals = [_variable(builder, value) for value in start]
+    others = [_variable(builder, zero) for _ in start]
 
     def add(row: Any, sums: list[Any]) -> None:
         weight = builder.load(builder.gep(weights, [builder.mul(row, stride)]))
@@ -124,7 +149,7 @@ def _sum_of_rows(builder: Any, start: list[Any], matrix: _Rows, count: Any, weig
             builder.store(_add_product(builder, spread, value, builder.load(total)), total)
 
     whole = builder.and_(count, _INDEX(-2))
-    with cgutils.for_range_slice(builder, _INDEX(0), whole, _INDEX(2), intp=_INDEX) as (row, _):
+    with _counting(builder, _INDEX(0), whole, _INDEX(2)) as row:
         add(row, totals)
         add(builder.add(row, _INDEX(1)), others)
     with builder.if_then(builder.icmp_signed("<", whole, count)):
@@ -147,8 +172,8 @@ def _set_rows(module: ir.Module, width: int) -> None:
     function, builder = _function(module, "set_rows", 2, 1)
     to, row, count = function.args
     target, values = _Rows(builder, to, width), _Rows(builder, row, width).load(_INDEX(0))
-    with cgutils.for_range(builder, count, intp=_INDEX) as loop:
-        target.store(values, loop.index)
+    with _counting(builder, _INDEX(0), count, _INDEX(1)) as k:
+        target.store(values, k)
     builder.ret_void()
 
 
@@ -160,7 +185,7 @@ def _march(module: ir.Module, width: int, states: int) -> None:
     rows, matrix, forcing, signals, to, count, forced, stride = function.args
     given, acting = _Rows(builder, rows, width), _Rows(builder, forcing, width)
     images = [_Rows(builder, matrix, width).load(_INDEX(j)) for j in range(states)]
-    kept = [cgutils.alloca_once_value(builder, value) for value in given.load(_INDEX(0))]
+    kept = [_variable(builder, value) for value in given.load(_INDEX(0))]
 
     def acted(k: Any) -> list[Any]:
         start = given.load(builder.add(k, _INDEX(1)))
@@ -186,12 +211,12 @@ def _march(module: ir.Module, width: int, states: int) -> None:
     paired = builder.and_(count, _INDEX(-2)) if width <= given.vector.count else _INDEX(0)
     if width <= given.vector.count:
         twice = [_applied(builder, image, images, _sum(builder, image, image)) for image in images]
-        with cgutils.for_range_slice(builder, _INDEX(0), paired, _INDEX(2), intp=_INDEX) as (k, _):
+        with _counting(builder, _INDEX(0), paired, _INDEX(2)) as k:
             following = builder.add(k, _INDEX(1))
             first, second = acted(k), acted(following)
             write(move(images, first), k)
             advance(move(twice, _applied(builder, first, images, _sum(builder, first, second))), following)
-    with cgutils.for_range_slice(builder, paired, count, _INDEX(1), intp=_INDEX) as (k, _):
+    with _counting(builder, paired, count, _INDEX(1)) as k:
         advance(move(images, acted(k)), k)
     builder.ret_void()
 
@@ -211,71 +236,3 @@ def _applied(builder: Any, x: list[Any], images: list[list[Any]], start: list[An
 
 def _sum(builder: Any, x: list[Any], y: list[Any]) -> list[Any]:
     return [builder.fadd(*pair) for pair in zip(x, y, strict=True)]
-
-
-@intrinsic  # type: ignore[untyped-decorator]
-def add_rows(
-    typing_context: Any,
-    address: Any,
-    to: Any,
-    row: Any,
-    matrix: Any,
-    first: Any,
-    weights: Any,
-    at: Any,
-    count: Any,
-    stride: Any,
-) -> Any:
-    """``to[row] += sum_j weight_j matrix[first + j]``, ``j < count``; weights lie ``stride`` apart, from ``at`` on."""
-    integer = types.int64
-    signature = types.void(integer, to, integer, matrix, integer, weights, integer, integer, integer)
-
-    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        weights = array_of(context, builder, signature, arguments, 5)
-        rows = [row_of(context, builder, signature, arguments, i, i + 1) for i in (1, 3)]
-        return call_address(builder, arguments[0], [*rows, builder.gep(weights.data, [arguments[6]]), *arguments[7:]])
-
-    return signature, generate
-
-
-@intrinsic  # type: ignore[untyped-decorator]
-def set_rows(typing_context: Any, address: Any, to: Any, first: Any, matrix: Any, row: Any, count: Any) -> Any:
-    """Make ``count`` rows equal to one of a matrix."""
-    integer = types.int64
-    signature = types.void(integer, to, integer, matrix, integer, integer)
-
-    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        rows = [row_of(context, builder, signature, arguments, i, i + 1) for i in (1, 3)]
-        return call_address(builder, arguments[0], [*rows, arguments[5]])
-
-    return signature, generate
-
-
-@intrinsic  # type: ignore[untyped-decorator]
-def march(
-    typing_context: Any,
-    address: Any,
-    rows: Any,
-    count: Any,
-    matrix: Any,
-    first: Any,
-    forced: Any,
-    signals: Any,
-    to: Any,
-) -> Any:
-    """From the state in row 0 on, write the states after each of ``count`` steps into the columns of ``to``.
-
-    ``x <- x + E x + rows[k + 1] + sum_j signals[j, k] matrix[first + j]``, ``j < forced``; the images of ``E`` are the
-    first rows of ``matrix``. ``signals`` and ``to`` have as many columns as each other.
-    """
-    integer = types.int64
-    signature = types.void(integer, rows, integer, matrix, integer, integer, signals, to)
-
-    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        arrays = {i: array_of(context, builder, signature, arguments, i) for i in (1, 3, 6, 7)}
-        forcing = row_of(context, builder, signature, arguments, 3, 4)
-        stride = builder.extract_value(arrays[6].shape, 1)
-        data = [arrays[1].data, arrays[3].data, forcing, arrays[6].data, arrays[7].data]
-        return call_address(builder, arguments[0], [*data, arguments[2], arguments[5], stride])
-
-    return signature, generate

@@ -15,15 +15,18 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import casadi as ca
 import numpy as np
 from llvmlite import ir
 
 from jounce.core.types import Array
 from jounce.kernel.engine import DENSE, END, FIRST_PROBE, LAST_STAGE, PROBES, RATES, ROWS, STAGES, STATE, TRIAL
-from jounce.kernel.lowering import Lowering
+
+if TYPE_CHECKING:
+    import casadi as ca
+
+    from jounce.kernel.lowering import Lowering
 
 
 def _spread(weights: dict[int, float]) -> Array:
@@ -140,6 +143,8 @@ def _element_functions() -> dict[str, ca.Function]:
     - ``interpolant((x, end), k, h, -)``, ``short_interpolant``: the seven coefficients of the interpolant;
     - ``point(x, coefficients, theta, -)``: value at a fraction of the step.
     """
+    import casadi as ca
+
     x, end, h, theta, none = (ca.SX.sym(name) for name in ("x", "end", "h", "theta", "none"))
     k, c = ca.SX.sym("k", STAGES), ca.SX.sym("c", 7)
     stages = {f"stage{i}": [x + h * _sum(A[i], k)] for i in range(1, STAGES)}
@@ -164,6 +169,8 @@ def _error_function(size: int, controlled: int, *, short: bool = False) -> ca.Fu
     Of the pair of lower order the fourth-order one, then zero. The inputs are the work matrix (see ``engine``), none,
     (step, tolerance) and the widest motion so far.
     """
+    import casadi as ca
+
     rows, none = ca.SX.sym("rows", size, ROWS), ca.SX.sym("none")
     h, tolerance, widest = ca.SX.sym("h"), ca.SX.sym("tolerance"), ca.SX.sym("widest", controlled)
     bound = tolerance * widest + 1e-15 * ca.fabs(rows[:controlled, 0])
@@ -177,6 +184,8 @@ def _error_function(size: int, controlled: int, *, short: bool = False) -> ca.Fu
 
 def _sum(weights: Iterable[float], k: Any) -> ca.SX:
     """Weighted sum of the stages' rates; zero weights cost nothing."""
+    import casadi as ca
+
     return sum((float(weight) * k[j] for j, weight in enumerate(weights) if weight != 0.0), ca.SX(0.0))
 
 

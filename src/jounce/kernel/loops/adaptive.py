@@ -17,7 +17,6 @@ from typing import Any
 
 import numpy as np
 
-from jounce.kernel.call import call_native, call_step, part
 from jounce.kernel.engine import (
     CHATTER,
     COMPLETED,
@@ -34,8 +33,9 @@ from jounce.kernel.engine import (
     STEP_TOO_SMALL,
     TOO_MANY_STEPS,
 )
-from jounce.kernel.events import crossing, flip
-from jounce.kernel.signals import advance, fill, finish_samples, place_samples, regulate
+from jounce.kernel.loops.compiling import call_native, call_step, part
+from jounce.kernel.loops.events import crossing, flip
+from jounce.kernel.loops.signals import advance, fill, finish_samples, place_samples, regulate
 
 _LAST_RATE, _INTERVALS = RATES + LAST_STAGE, len(PROBES) - 1
 _PROJECTIONS = 4

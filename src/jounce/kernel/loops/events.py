@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from jounce.kernel.call import call_native, call_step, part
 from jounce.kernel.engine import PROBES, RATES, STATE
-from jounce.kernel.signals import fill
+from jounce.kernel.loops.compiling import call_native, call_step, part
+from jounce.kernel.loops.signals import fill
 
 _VERTICES = 3  # parabolas followed into a dip: each shrinks the bracket to a quarter
 _NEAR = 0.3  # a dip is followed where its parabola comes within this share of the nearest probe's distance

@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from jounce.kernel.call import call_many, call_native, call_step, part, sine_and_cosine
 from jounce.kernel.engine import COMPLETED, DIVERGED, NO_COMMAND, STATE, TRIAL
+from jounce.kernel.loops.compiling import call_many, call_native, call_step, part, sine_and_cosine
 
 _BLOCK = 256
 """Samples whose outputs are computed at once: enough for vectors of them, few enough to stay in the cache."""

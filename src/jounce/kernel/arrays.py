@@ -1,0 +1,30 @@
+"""What the loops are given, array by array: type, number of dimensions and order in memory.
+
+The machine code of a loop is made for just these. A loop's own annotations, and those of the tuples that it takes, are
+where that is said; they are checked at every call (``call.Loop``).
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.types import Array, Complex
+
+
+class Layout(NamedTuple):
+    """Number of dimensions and order in memory: rows (C) or columns (F) side by side, with nothing between."""
+
+    dimensions: int
+    order: str = "C"
+
+
+Vector: TypeAlias = Annotated[Array, Layout(1)]
+Matrix: TypeAlias = Annotated[Array, Layout(2)]
+Block: TypeAlias = Annotated[Array, Layout(3)]
+Columns: TypeAlias = Annotated[Array, Layout(2, "F")]
+Integers: TypeAlias = Annotated[NDArray[np.int64], Layout(1)]
+IntegerMatrix: TypeAlias = Annotated[NDArray[np.int64], Layout(2)]
+ComplexVector: TypeAlias = Annotated[Complex, Layout(1)]

@@ -1,0 +1,67 @@
+"""Steps of the explicit method (see ``methods.explicit``)."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from jounce.kernel.arrays import Integers
+from jounce.kernel.engine import FIRST_PROBE, LAST_STAGE, PROBES, RATES, Control, Feedback, Problem, Samples, Work
+from jounce.kernel.loops.adaptive import inputs, way_through
+from jounce.kernel.loops.compiling import call_native, call_step, part
+from jounce.kernel.loops.events import rate
+from jounce.kernel.loops.signals import finish_samples
+from jounce.kernel.methods.explicit import Pair
+
+_SAFETY, _SHRINK, _GROW = 0.9, 0.2, 5.0  # usual choices (Hairer, Norsett, Wanner, section II.4)
+
+
+@part(forceinline=True)
+def _look(problem: Any, method: Any, work: Any, t: float, changed: bool) -> None:
+    """Rate at the start of a step; it is that at the end of the last one unless something has moved the state since."""
+    if changed or problem.engine.project != 0:
+        rate(problem, work, t, RATES)
+
+
+@part(forceinline=True)
+def _step(problem: Any, method: Any, control: Any, work: Any, t: float, h: float) -> float:
+    """One step from the state to the end row, with the rate there."""
+    inputs(problem, work, t, h, problem.engine.first, LAST_STAGE + 1)
+    call_step(problem.engine.step, work.rows, work.u, problem.p, problem.m, work.g, h)
+    work.step[0] = h
+    call_native(problem.engine.error, work.rows, 0, work.u, work.step, work.widest, work.errors, 0)
+    # DOP853's blend: the fifth-order error, made smaller where the third-order one says that it overestimates.
+    fifth, third = work.errors[0, 0], work.errors[0, 1]
+    blend = fifth + 0.01 * third
+    error = 0.0 if blend == 0.0 else float(abs(h) * fifth / math.sqrt(blend * len(work.widest)))
+    if not math.isfinite(error):
+        return -0.1
+    if error > 1.0:
+        return -float(max(_SHRINK, _SAFETY * error**problem.engine.shrink))
+    return float(min(_GROW, _SAFETY * (error + 1e-12) ** problem.engine.shrink))
+
+
+@part(forceinline=True)
+def _dense(problem: Any, method: Any, work: Any, t: float, h: float) -> None:
+    """Three more stages, the coefficients of the interpolant on this step and the inputs at the probes."""
+    inputs(problem, work, t, h, problem.engine.after, FIRST_PROBE + len(PROBES))
+    call_step(problem.engine.dense, work.rows, work.u, problem.p, problem.m, work.g, h)
+
+
+_walk = way_through(_look, _step, _dense)
+
+
+@part()
+def integrate(
+    problem: Problem,
+    feedback: Feedback,
+    method: Pair,
+    control: Control,
+    work: Work,
+    out: Samples,
+    counts: Integers,
+) -> int:
+    """Go from the first sample to the last; give a status code."""
+    status = _walk(method, problem, feedback, control, work, out, counts)
+    finish_samples(problem, work, out)
+    return int(status)

@@ -1,0 +1,109 @@
+"""The quarter car in the bins of a record (see ``inspection.quarter_car``)."""
+
+from __future__ import annotations
+
+import math
+
+from jounce.kernel.arrays import ComplexVector, Matrix, Vector
+from jounce.kernel.loops.compiling import part
+
+_FREE = 6
+_FAST = {"reassoc", "contract", "arcp", "nsz"}  # sums in any order; NaN stays NaN
+
+
+@part(fastmath=_FAST)
+def _over(value):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
+    return value.conjugate() / (value.real * value.real + value.imag * value.imag)
+
+
+@part(fastmath=_FAST)
+def _dot(a, b):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
+    total = 0.0
+    for i in range(a.size):
+        total += a[i] * b[i]
+    return total
+
+
+@part(fastmath=_FAST)
+def _take_off(row, basis):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
+    """Make a row orthogonal to those of a basis; gives nothing back but the row."""
+    for k in range(basis.shape[0]):
+        share = _dot(basis[k], row)
+        for i in range(row.size):
+            row[i] -= share * basis[k, i]
+
+
+@part(fastmath=_FAST)
+def _bins(parameters, speed, height, force, basis, gap, slopes, falls):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
+    """Fill transients, what the response misses, its slopes, and relative slopes of the denominator, bin by bin."""
+    unsprung, rate, damping, stiffness, loss, sprung = parameters
+    n = speed.size
+    for i in range(n):
+        s, square = complex(0.0, speed[i]), -speed[i] * speed[i]
+        strut, tyre = complex(rate, damping * speed[i]), complex(stiffness, loss * speed[i])
+        hung, wheel = sprung * square + strut, unsprung * square + strut + tyre
+        over = _over(hung * wheel - strut * strut)
+        body, moved = strut * _over(hung), tyre * hung * over
+        missed = force[i] - (tyre - tyre * moved) * height[i]
+        gap[i], gap[n + i] = missed.real, missed.imag
+        through, left, contact = moved * moved, (1.0 - body), (1.0 - moved)
+        by_strut, by_tyre = through * left * left, contact * contact
+        both = hung + wheel - 2.0 * strut
+        column, relative = over, complex(0.0, speed[i] / speed[n - 1])
+        for k in range(basis.shape[0]):
+            basis[k, i], basis[k, n + i] = column.real, column.imag
+            column *= relative
+        of_bin = (through * square, by_strut, by_strut * s, by_tyre, by_tyre * s, through * square * body * body)
+        of_poles = (square * hung, both, both * s, hung, hung * s, square * wheel)
+        for k in range(_FREE):
+            slope, fall = of_bin[k] * height[i], of_poles[k] * over
+            slopes[k, i], slopes[k, n + i] = slope.real, slope.imag
+            falls[k, i], falls[k, n + i] = fall.real, fall.imag
+
+
+@part(fastmath=_FAST)
+def _make_orthonormal(basis):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
+    """Gram and Schmidt, twice, which is enough."""
+    for k in range(basis.shape[0]):
+        for _ in range(2):
+            size = math.sqrt(_dot(basis[k], basis[k]))
+            for i in range(basis.shape[1]):
+                basis[k, i] /= size
+            _take_off(basis[k], basis[:k])
+        size = math.sqrt(_dot(basis[k], basis[k]))
+        for i in range(basis.shape[1]):
+            basis[k, i] /= size
+
+
+@part(fastmath=_FAST)
+def equations(
+    parameters: Vector,
+    speed: Vector,
+    height: ComplexVector,
+    force: ComplexVector,
+    basis: Matrix,
+    transient: Vector,
+    slopes: Matrix,
+    falls: Matrix,
+    gap: Vector,
+    normal: Matrix,
+    right: Vector,
+) -> None:
+    """Fill in what is left of the force and the normal equations; the first four arrays behind the bins are room."""
+    n = speed.size
+    _bins(parameters, speed, height, force, basis, gap, slopes, falls)
+    _make_orthonormal(basis)
+    for k in range(basis.shape[0]):
+        share = _dot(basis[k], gap)
+        for i in range(2 * n):
+            transient[i] += share * basis[k, i]
+    for i in range(2 * n):
+        gap[i] -= transient[i]
+    for k in range(_FREE):
+        for i in range(n):
+            slopes[k, i] -= transient[i] * falls[k, i] - transient[n + i] * falls[k, n + i]
+            slopes[k, n + i] -= transient[i] * falls[k, n + i] + transient[n + i] * falls[k, i]
+        _take_off(slopes[k], basis)
+        right[k] = _dot(slopes[k], gap)
+        for j in range(k + 1):
+            normal[k, j] = normal[j, k] = _dot(slopes[k], slopes[j])

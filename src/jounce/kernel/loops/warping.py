@@ -1,0 +1,109 @@
+"""Costs along anti-diagonals and the path back through them (see ``identify.warping``)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from jounce.core.types import Array
+from jounce.kernel.arrays import Block, IntegerMatrix, Matrix, Vector
+from jounce.kernel.loops.compiling import part
+
+_COMPARED, _REFERENCE, _BOTH = 0, 1, 2
+
+
+@part(forceinline=True)
+def _span(s: int, n: int, radius: int) -> tuple[int, int]:
+    """First and last m of anti-diagonal ``s`` inside the table and the band (k = 2 m + s % 2)."""
+    odd = s % 2
+    lowest = max(-radius, -s, s - 2 * (n - 1))
+    highest = min(radius, s, 2 * (n - 1) - s)
+    return (lowest - odd + 1) // 2, (highest - odd) // 2
+
+
+@part()
+def _advance(costs: Array, x: Array, backwards: Array, s: int, first: int, last: int, centre: int) -> None:
+    """Compute anti-diagonal ``s`` for m from ``first`` to ``last`` in place; ``costs[s % 2, m + centre]``."""
+    if last < first:
+        return
+    n, odd, width = x.size, s % 2, last - first + 1
+    i = (s + odd) // 2 + first
+    j_backwards = n - 1 - (s - odd) // 2 + first
+    left = x[i : i + width]
+    right = backwards[j_backwards : j_backwards + width]
+    own = costs[odd, first + centre : first + centre + width]
+    before = costs[1 - odd, first + centre - 1 + odd : first + centre - 1 + odd + width]
+    behind = costs[1 - odd, first + centre + odd : first + centre + odd + width]
+    for m in range(width):
+        difference = left[m] - right[m]
+        least = own[m]
+        least = before[m] if before[m] < least else least
+        least = behind[m] if behind[m] < least else least
+        own[m] = least + difference * difference
+
+
+@part()
+def _direction(costs: Array, s: int, m: int, centre: int) -> int:
+    """Which step leads into cell ``m`` of anti-diagonal ``s``, before that anti-diagonal is computed."""
+    odd = s % 2
+    from_compared = costs[1 - odd, m + centre - 1 + odd]
+    from_reference = costs[1 - odd, m + centre + odd]
+    from_both = costs[odd, m + centre]
+    if from_compared <= from_reference and from_compared <= from_both:
+        return _COMPARED
+    return _REFERENCE if from_reference <= from_both else _BOTH
+
+
+@part()
+def _store(x: Array, backwards: Array, radius: int, costs: Array, stores: Array, block: int) -> None:
+    """Costs just before anti-diagonals 1, 1 + block, 1 + 2 block, ..."""
+    n, centre = x.size, costs.shape[1] // 2
+    costs[:] = np.inf
+    costs[0, centre] = (x[0] - backwards[n - 1]) ** 2
+    for s in range(1, 2 * n - 1):
+        if (s - 1) % block == 0:
+            store = stores[(s - 1) // block]
+            for odd in range(2):
+                for m in range(costs.shape[1]):
+                    store[odd, m] = costs[odd, m]
+        first, last = _span(s, n, radius)
+        _advance(costs, x, backwards, s, first, last, centre)
+
+
+@part()
+def path_back(
+    x: Vector,
+    backwards: Vector,
+    radius: int,
+    costs: Matrix,
+    stores: Block,
+    directions: IntegerMatrix,
+    path: IntegerMatrix,
+) -> int:
+    """Fill in the pairs of samples on the path, the last one last; give the column of the first.
+
+    ``directions`` has a row for each anti-diagonal between two of ``stores``, with the cells near the path.
+    """
+    n, centre, block, half = x.size, costs.shape[1] // 2, directions.shape[0], directions.shape[1] // 2
+    at = 2 * n - 2
+    path[0, at] = path[1, at] = n - 1
+    if n > 1:
+        _store(x, backwards, radius, costs, stores, block)
+    i, j = n - 1, n - 1
+    for stored in range(stores.shape[0] - 1, -1, -1):
+        start = 1 + stored * block
+        around = (i - j) // 2
+        before = stores[stored]
+        for s in range(start, i + j + 1):
+            first, last = _span(s, n, radius)
+            first, last = max(first, around - half), min(last, around + half)
+            for m in range(first, last + 1):
+                directions[s - start, m - around + half] = _direction(before, s, m, centre)
+            _advance(before, x, backwards, s, first, last, centre)
+        while i + j >= start:
+            s = i + j
+            step = directions[s - start, (i - j - s % 2) // 2 - around + half]
+            i -= step != _REFERENCE
+            j -= step != _COMPARED
+            at -= 1
+            path[0, at], path[1, at] = i, j
+    return at
