@@ -59,7 +59,7 @@ class Enveloped(RoadOf):
         Longest piece in m where there is no closed form; a twentieth of the contact length for the mean, an eighth
         of the radius for circle and cams.
     tolerance : float
-        How far in m the pieces under circle and cams may be off, 1 micrometre: longer ones are cut.
+        How far in m the pieces may be off, 1 micrometre: longer ones are cut.
 
     Notes
     -----
@@ -155,7 +155,7 @@ class Enveloped(RoadOf):
     def _computed(self, road: Segments, low: float, high: float) -> tuple[Segments, Segments]:
         if self.method == "moving-average":
             length = _given(self.contact_length)
-            mean = averaged(road, 0.5 * length, low, high, self.step or length / 20.0)
+            mean = averaged(road, 0.5 * length, (low, high), self.step or length / 20.0, self.tolerance)
             return mean, mean
         step = self.step or _given(self.radius) / 8.0
         if self.method == "rigid-circle":
@@ -287,26 +287,34 @@ class Cam:
         return np.asarray(np.sign(slope) * self.a * (ratio / (1.0 + ratio)) ** (1.0 / self.c))
 
 
-def averaged(road: Segments, half: float, low: float, high: float, step: float) -> Segments:
-    """Mean height over ``half`` metres to either side, for distances from ``low`` to ``high`` (m).
+def averaged(road: Segments, half: float, window: tuple[float, float], step: float, tolerance: float) -> Segments:
+    """Mean height over ``half`` metres to either side, over a window (m, m).
 
     Exact where the road is made of lines and parabolas; elsewhere cubics at most ``step`` metres long with exact
-    heights and slopes at their ends.
+    heights and slopes at their ends, shorter where they would be off by more than ``tolerance`` (m).
     """
     upright = road.edges[:-1][road.kind == CIRCLE], road.edges[1:][road.kind == CIRCLE]
     near = [feet + by + step * share for feet in upright for by in (-half, half) for share in _GRADED]
-    borders = _borders([road.edges - half, road.edges + half, *near], low, high)
+    borders = _borders([road.edges - half, road.edges + half, *near], *window)
     behind, ahead = _pieces(road, borders, -half), _pieces(road, borders, half)
     simple = (road.kind == POLYNOMIAL) & (road.coefficients[:, 3] == 0.0)
     borders = _refined(borders, np.where(simple[behind] & simple[ahead], np.inf, step))
-    behind, ahead = _pieces(road, borders, -half), _pieces(road, borders, half)
     whole = np.concatenate([[0.0], np.cumsum(_area(road, np.arange(len(road.kind)), road.edges[1:]))])
-    ends = []
-    for x in (borders[:-1], borders[1:]):
+
+    def mean(x: Array) -> tuple[Array, Array]:
+        """Height and slope at one place of each interval between borders."""
         area = whole[ahead] - whole[behind] + _area(road, ahead, x + half) - _area(road, behind, x - half)
         slope = road.on_pieces(ahead, x + half)[0] - road.on_pieces(behind, x - half)[0]
-        ends.append((area / (2.0 * half), slope / (2.0 * half)))
-    return _joined(borders, *ends)
+        return area / (2.0 * half), slope / (2.0 * half)
+
+    while True:
+        behind, ahead = _pieces(road, borders, -half), _pieces(road, borders, half)
+        span, begin, end = np.diff(borders), mean(borders[:-1]), mean(borders[1:])
+        missed = [_cubic(span, begin, end, share) - mean(borders[:-1] + share * span)[0] for share in _SHARES]
+        off = np.flatnonzero((np.max(np.abs(missed), axis=0) > tolerance) & (span > 1e3 * SHORTEST))
+        if not len(off):
+            return _joined(borders, begin, end)
+        borders = np.insert(borders, off + 1, borders[off] + 0.5 * span[off])
 
 
 def combined(road: Segments, apart: float, low: float, high: float) -> tuple[Segments, Segments]:
@@ -495,9 +503,15 @@ def _error(parts: _Parts, begin: Array, end: Array, share: float) -> tuple[Array
     span = end[0] - begin[0]
     x = begin[0] + share * span
     height, at = parts.contact(x)
-    rise = share**2 * (3.0 - 2.0 * share) * (end[1] - begin[1])
-    lean = span * share * (1.0 - share) * ((1.0 - share) * begin[2] - share * end[2])
-    return np.array([x, height, parts.cam.slope(at - x), at]), np.abs(begin[1] + rise + lean - height)
+    missed = _cubic(span, (begin[1], begin[2]), (end[1], end[2]), share) - height
+    return np.array([x, height, parts.cam.slope(at - x), at]), np.abs(missed)
+
+
+def _cubic(span: Array, begin: tuple[Array, Array], end: tuple[Array, Array], share: float) -> Array:
+    """Height in m at a share of intervals of a span (m), of the cubics with these heights and slopes at their ends."""
+    rise = share**2 * (3.0 - 2.0 * share) * (end[0] - begin[0])
+    lean = span * share * (1.0 - share) * ((1.0 - share) * begin[1] - share * end[1])
+    return np.asarray(begin[0] + rise + lean)
 
 
 def _bisected(parts: _Parts, begin: Array, end: Array) -> tuple[Array, Array]:
