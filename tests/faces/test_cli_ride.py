@@ -175,3 +175,11 @@ def test_points_too_far_apart_for_the_speed_are_refused(cli, tmp_path: Path) -> 
     assert outcome.exit_code == 2
     assert "too far apart" in outcome.err
     assert "10 Hz" in outcome.err
+
+
+def test_help_names_every_controller(cli):
+    from jounce.control import CONTROLS
+
+    text = " ".join(cli("compare", "--help").out.replace("│", " ").split())
+    for name in CONTROLS:
+        assert name in text

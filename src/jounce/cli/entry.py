@@ -47,7 +47,7 @@ def application() -> typer.Typer:
     app.command("adjust")(kinematics.adjust)
     app.command("kinematics")(kinematics.kinematics)
     app.command("ride")(ride.ride)
-    app.command("compare")(ride.compare)
+    app.command("compare", cls=ride.NamesControllers)(ride.compare)
     app.command("iri")(ride.iri)
     app.add_typer(design.app, name="design")
     app.command("plot")(pictures.plot)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -18,7 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
     from rich.console import Console
 
-    from jounce.design.adjustments import Effect, Lengths, WheelState
+    from jounce.design.adjustments import Effect, Lengths, OverTravel, WheelState
     from jounce.kinematics.sweeps import AxleLayout
     from jounce.parts import Rig
 
@@ -174,7 +173,7 @@ def plain_sweep(sweep: xr.Dataset) -> dict[str, Any]:
 def _draw(out: Console, rig: str, sweep: xr.Dataset, written: list[str]) -> None:
     import numpy as np
 
-    from jounce.plots.display import display_unit
+    from jounce.plots.display import display_unit, kinematic_value
 
     along, *others = map(str, sweep.dims)
     shown = sweep.sel(dict.fromkeys(others, 0.0), method="nearest") if others else sweep
@@ -183,15 +182,10 @@ def _draw(out: Console, rig: str, sweep: xr.Dataset, written: list[str]) -> None
     unit = display_unit(str(sweep[along].attrs["units"]))
     rows = []
     for name, variable in shown.data_vars.items():
-        values = variable.to_numpy()
-        own = display_unit(str(variable.attrs["units"]), float(np.nanmax(np.abs(values), initial=0.0)))
-        rows.append(
-            [
-                str(name),
-                own.name or "1",
-                *(float(value * own.factor) if isfinite(value) else None for value in values[at]),
-            ]
-        )
+        values, si = variable.to_numpy(), str(variable.attrs["units"])
+        own = display_unit(si, float(np.nanmax(np.abs(values), initial=0.0)))
+        shown_values = (kinematic_value(str(name), float(value), si) for value in values[at])
+        rows.append([str(name), own.name or "1", *shown_values])
     header = ("quantity", "unit", *(f"{value * unit.factor:.4g} {unit.name}" for value in shown[along].to_numpy()[at]))
     out.print(table(f"Kinematics of {rig} over {along.replace('_', ' ')}", header, rows, text=(0, 1)))
     many = "".join(f" at each of {sweep.sizes[name]} values of {name.replace('_', ' ')}" for name in others)
@@ -252,6 +246,7 @@ def adjust(
         "lengths": to_plain(lengths),
         "before": to_plain(report.before),
         "after": to_plain(report.after),
+        "over_travel": to_plain(report.over_travel),
         "effects": [{**to_plain(effect), **sources[effect.setting]} for effect in report.effects],
         "findings": to_plain(list(report.findings)),
         "out": None if out is None else str(out),
@@ -269,20 +264,43 @@ def _draw_adjusted(console: Console, plain: dict[str, Any], report: Any, lengths
     else:
         console.print(table(plain["rig"], ("quantity", "unit", "present"), _states(report.before), text=(0, 1)))
         _draw_effects(console, report.effects)
+    _draw_over_travel(console, report.over_travel, changed=bool(plain["settings"]))
     if lengths is not None:
         console.print(f"reached: camber {shown(lengths.camber, 'rad')}, toe {shown(lengths.toe, 'rad')}")
     show_findings(console, report.findings)
     show_written(console, plain)
 
 
+def _seen(value: float | None, unit: str, factor: float) -> float | None:
+    """A value (SI) for people: nothing in place of what rounding leaves of it."""
+    from jounce.plots.display import SMALLEST
+
+    return None if value is None else 0.0 if abs(value) < SMALLEST.get(unit, 0.0) else value * factor
+
+
+def _draw_over_travel(console: Console, found: OverTravel, *, changed: bool) -> None:
+    """Quantities over travel, each before and after."""
+    from jounce.design.adjustments import OVER_TRAVEL
+
+    rows = []
+    for name, unit in OVER_TRAVEL.items():
+        factor, people = _FACTORS.get(unit, (1.0, unit))
+        for when, values in (("before", found.before), ("after", found.after))[: 2 if changed else 1]:
+            label = (name.replace("_", " "), people) if when == "before" else ("", "")
+            cells = (_seen(value, unit, factor) for value in values[name])
+            rows.append((*label, *((when,) if changed else ()), *cells))
+    header = ("quantity", "unit", *(("",) if changed else ()), *(f"{1e3 * travel:g} mm" for travel in found.travel))
+    console.print(table("Over wheel travel, bump positive", header, rows, text=(0, 1, 2) if changed else (0, 1)))
+
+
 def _states(*states: WheelState) -> list[tuple[object, ...]]:
     from jounce.design.adjustments import QUANTITIES
 
-    rows = []
+    rows: list[tuple[object, ...]] = []
     for name, unit in QUANTITIES.items():
         factor, people = _FACTORS.get(unit, (1.0, unit))
-        values = [getattr(state, name) for state in states]
-        rows.append((name.replace("_", " "), people, *(None if value is None else value * factor for value in values)))
+        values = (getattr(state, name) for state in states)
+        rows.append((name.replace("_", " "), people, *(_seen(value, unit, factor) for value in values)))
     return rows
 
 

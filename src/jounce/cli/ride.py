@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
+from typer.core import TyperCommand
 
 from jounce.cli.options import (
     AsJson,
@@ -83,16 +84,37 @@ def ride(
         from jounce.recordings import write_recording
 
         write_recording(study.rides[0].run, out, force=force)
-    write_picture(study.rides, figure, force=force)
+    if figure is not None:
+        from jounce.plots.design import ride_spectra
+        from jounce.plots.style import FIGURES
+
+        title = f"{vehicle} on {road} at {study.trial.trial.speed:g} m/s"
+        FIGURES.write(ride_spectra(study.rides, study.stationary, title), figure, force=force)
     plain = {**plain, "out": out and str(out), "figure": figure and str(figure)}
     return Reply(plain, lambda console: _draw_ride(console, plain, study), as_json)
+
+
+_SOME = "passive, skyhook, lqr, ..."
+
+
+class NamesControllers(TyperCommand):
+    """A command whose help names every controller; they are loaded only when the help is shown."""
+
+    def format_help(self, ctx: Any, formatter: Any) -> None:
+        """Fill in the names of the registry."""
+        from jounce.control import CONTROLS
+
+        for parameter in self.params:
+            if parameter.name == "control":
+                parameter.help = str(parameter.help).replace(_SOME, ", ".join(CONTROLS))  # type: ignore[attr-defined]
+        super().format_help(ctx, formatter)
 
 
 def compare(
     vehicle: VehicleName,
     control: Annotated[
         list[str] | None,
-        typer.Option(help="all, or controllers by name or file: passive, skyhook, lqr, ... Repeat it."),
+        typer.Option(help=f"all, or controllers by name or file: {_SOME}. Repeat it."),
     ] = None,
     road: RideRoad = "iso:C",
     speed: RideSpeed = "20 m/s",
@@ -193,13 +215,19 @@ def _draw_stationary(console: Console, study: RideStudy, ride: Ride) -> None:
     if study.stationary is None or ride.control != "passive":
         return
     linear = study.stationary.standard_deviation
+    chances = {name: study.stationary.chance(name, ride.duration) for name in linear}
     rows = [
-        (name, study.stationary.units[name], ride.standard_deviation(name), linear[name])
+        (
+            name, study.stationary.units[name], ride.standard_deviation(name), linear[name],
+            "–" if (share := chances[name]) is None else f"± {100.0 * share:.2g} %",
+        )
         for name in linear
         if linear[name]
-    ]
-    header = ("channel", "unit", "simulated", "linear model")
-    console.print(table("Standard deviations", header, rows, text=(0, 1)))
+    ]  # fmt: skip
+    header = ("channel", "unit", "simulated", "linear model", "by chance")
+    title = f"Standard deviations: simulated over {ride.duration:.3g} s, and of the linear model over endless time"
+    console.print(table(title, header, rows, text=(0, 1)))
+    console.print(f"by chance: 95 % of runs of {ride.duration:.3g} s differ by no more from an endless one")
     show_findings(console, study.stationary.findings)
 
 

@@ -374,6 +374,15 @@ QUANTITIES: Mapping[str, str] = {
     "wheel_rate": "N/m",
 }
 """What is reported, with its SI unit."""
+OVER_TRAVEL: Mapping[str, str] = {
+    "camber": "rad",
+    "toe": "rad",
+    "roll_centre_height": "m",
+    "motion_ratio": "1",
+    "wheel_rate": "N/m",
+}
+"""What is reported over travel, with its SI unit: what arms of another length change shows away from design only."""
+_TRAVELS = (-0.03, -0.015, 0.0, 0.015, 0.03)  # m
 _STEP = 1e-3
 """Share of a setting's range over which its effect per unit is taken."""
 _CLOSE = 1e-10  # rad
@@ -437,10 +446,20 @@ class Effect:
 
 
 @dataclass(frozen=True)
+class OverTravel:
+    """Quantities (SI) over wheel travel (m, bump positive), NaN where the wheel does not get to."""
+
+    travel: tuple[float, ...]
+    before: dict[str, tuple[float, ...]]
+    after: dict[str, tuple[float, ...]]
+
+
+@dataclass(frozen=True)
 class AdjustReport:
     """What adjustments do to a rig: settings that were made (SI), the wheel before and after, the rig with them.
 
-    ``effects`` says what each setting would do to the rig as given.
+    ``effects`` says what each setting would do to the rig as given, ``over_travel`` what the settings did away from
+    design.
     """
 
     settings: dict[str, float]
@@ -448,6 +467,7 @@ class AdjustReport:
     after: WheelState
     rig: DoubleWishbone
     effects: tuple[Effect, ...]
+    over_travel: OverTravel
     findings: tuple[Finding, ...] = field(default_factory=tuple)
 
 
@@ -526,7 +546,22 @@ def adjust_report(rig: Rig, settings: Mapping[str, Value] | None = None, *, effe
         except JounceError as error:
             findings.append(Finding(setting.name, "note", f"is not available: {error}"))
     after = wheel_state(changed) if values else before
-    return AdjustReport(values, before, after, changed, tuple(found), tuple(findings))
+    first = _over_travel(rig)
+    over = OverTravel(_TRAVELS, first, _over_travel(changed) if values else first)
+    return AdjustReport(values, before, after, changed, tuple(found), over, tuple(findings))
+
+
+def _over_travel(rig: DoubleWishbone) -> dict[str, tuple[float, ...]]:
+    """Quantities at all travels that the linkage reaches."""
+    rows = []
+    for travel in _TRAVELS:
+        try:
+            pose = sweep_travel(rig, [travel]).isel(wheel_travel=0)
+        except JounceError:
+            rows.append(dict.fromkeys(OVER_TRAVEL, float("nan")))
+        else:
+            rows.append({name: float(pose[name]) for name in OVER_TRAVEL})
+    return {name: tuple(row[name] for row in rows) for name in OVER_TRAVEL}
 
 
 def lengths_for(rig: Rig, camber: Value | None = None, toe: Value | None = None) -> Lengths:

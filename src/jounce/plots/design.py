@@ -9,7 +9,7 @@ import numpy as np
 
 from jounce.plots.display import display_unit, number, quantity
 from jounce.plots.labels import name_points
-from jounce.plots.style import AFTER, BEFORE, INK, MUTED, PALETTE, log_axes, new_figure, styled
+from jounce.plots.style import AFTER, BEFORE, INK, MUTED, PALETTE, WIDTH, log_axes, new_figure, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from jounce.design.optimise import DesignConstraint, DesignNumber, Optimisation
     from jounce.design.pareto import ParetoFront, ParetoMark
+    from jounce.ride.stationary import StationaryResponse
     from jounce.ride.study import Ride, RideStudy
 
 
@@ -230,18 +231,23 @@ def _draw_metrics(axes: Axes, rows: list[_Row]) -> None:
 
 
 _HIGHEST = 50.0  # Hz
-_POINT_SIZES = (40.0, 260.0)  # points^2
+_POINT_SIZE = 200.0  # points^2, of the ride with the greatest travel
 
 
 @styled
-def ride_spectra(rides: Sequence[Ride]) -> Figure:
-    """Draw the spectra of body acceleration ((m/s²)²/Hz) and wheel load (N²/Hz) over frequency, a line per ride."""
+def ride_spectra(rides: Sequence[Ride], stationary: StationaryResponse | None = None, title: str = "") -> Figure:
+    """Draw power spectral densities of the body's acceleration ((m/s²)²/Hz) and of all wheel loads (N²/Hz).
+
+    A line per ride over frequency (Hz), and the linear model's where its ``stationary`` response is given. The title
+    says what was driven, over how long, and what these spectra can tell apart.
+    """
     spectra = [ride.spectra() for ride in rides]
     channels = list(spectra[0])
-    figure = new_figure(2.9 * len(channels))
-    rows = figure.subplots(len(channels), 1, sharex=True, squeeze=False)[:, 0]
-    labels = {"az": "acceleration [(m/s²)²/Hz]", "force": "wheel load [N²/Hz]"}
-    for name, axes in zip(channels, rows, strict=True):
+    columns = 1 if len(channels) < 3 else 2
+    figure = new_figure(0.6 + 2.6 * -(-len(channels) // columns), 9.6 if columns > 1 else WIDTH)
+    grid = figure.subplots(-(-len(channels) // columns), columns, sharex=True, squeeze=False)
+    labels = {"az": "power spectral density [(m/s²)²/Hz]", "force": "power spectral density [N²/Hz]"}
+    for name, axes in zip(channels, grid.flat, strict=False):
         for i, (ride, spectrum) in enumerate(zip(rides, spectra, strict=True)):
             found = spectrum[name]
             band = (found.frequency > 0.0) & (found.frequency <= _HIGHEST)
@@ -249,13 +255,35 @@ def ride_spectra(rides: Sequence[Ride]) -> Figure:
             axes.plot(
                 found.frequency[band], found.density[band], style, color=PALETTE[i % len(PALETTE)], label=ride.control
             )
+        if stationary is not None and stationary.frequency is not None and name in stationary.spectra:
+            line = {"color": INK, "linewidth": 1.0, "linestyle": (0, (4, 2)), "label": "linear model, passive"}
+            axes.plot(stationary.frequency, stationary.spectra[name], **line)
         log_axes(axes)
-        axes.set(title=name, ylabel=labels[name.rpartition(".")[2]])
-    rows[-1].set_xlabel("frequency [Hz]")
-    rows[-1].set_xlim(0.2, _HIGHEST)
-    if len(rides) > 1:
-        rows[0].legend(ncols=min(len(rides), 4), fontsize=8)
+        axes.set(title=name, ylabel=labels[name.rpartition(".")[2]], xlim=(0.2, _HIGHEST))
+        low, high = _seen(axes)
+        axes.set_ylim(low, high)
+    for axes in grid.flat[len(channels) :]:
+        axes.remove()
+    for axes in list(grid.flat)[max(len(channels) - columns, 0) : len(channels)]:
+        axes.set_xlabel("frequency [Hz]")
+        axes.tick_params(labelbottom=True)
+    handles, words = grid.flat[0].get_legend_handles_labels()
+    if len(handles) > 1:
+        grid.flat[0].legend(handles, words, loc="lower left", fontsize=8)
+    first = next(iter(spectra[0].values()))
+    told = f"{rides[0].duration:.3g} s, resolution {first.resolution:.2g} Hz"
+    figure.suptitle(f"{title}, {told}" if title else told, x=0.01, ha="left", fontsize=10)
     return figure
+
+
+def _seen(axes: Axes) -> tuple[float, float]:
+    """Room for the lines within the frequencies shown, five decades at most."""
+    greatest = max(float(np.nanmax(line.get_ydata(), initial=0.0)) for line in axes.lines)
+    least = min(
+        float(np.min(y[(y > 0.0) & (x >= axes.get_xlim()[0]) & (x <= _HIGHEST)], initial=greatest))
+        for x, y in ((np.asarray(line.get_xdata()), np.asarray(line.get_ydata())) for line in axes.lines)
+    )
+    return max(0.5 * least, 1e-5 * greatest), 2.0 * greatest
 
 
 @styled
@@ -273,7 +301,7 @@ def trade_off(study: RideStudy) -> Figure:
     axes = figure.subplots()
     travel = np.array([ride.merits["travel"] for ride in study.rides])
     low, high = float(travel.min()), float(max(travel.max(), travel.min() * (1.0 + 1e-9)))
-    sizes = np.interp(travel, (low, high), _POINT_SIZES)
+    sizes = _POINT_SIZE * travel / (high or 1.0)  # areas: three times as large is three times the travel
     factor = 1e3 if up.unit == "m" else 1.0
     places = np.array([(ride.merits[across.name], factor * ride.merits[up.name]) for ride in study.rides])
     for i in np.argsort(-sizes, kind="stable"):  # small ones upon large ones
@@ -285,7 +313,7 @@ def trade_off(study: RideStudy) -> Figure:
             axes.axvline(x, color=MUTED, linewidth=0.8, linestyle=":")
             axes.axhline(y, color=MUTED, linewidth=0.8, linestyle=":")
     axes.set(xlabel=f"{across.label} [m/s²]", ylabel=f"{up.label} [{'–' if up.unit == '1' else 'mm'}]")
-    axes.set_title(f"Better is to the lower left; size shows travel, {1e3 * low:.3g} to {1e3 * high:.3g} mm r.m.s.")
+    axes.set_title(f"Better is to the lower left; area shows travel, {1e3 * low:.3g} to {1e3 * high:.3g} mm r.m.s.")
     axes.margins(0.1)
     axes.autoscale_view()
     name_points(axes, [ride.control for ride in study.rides], places, np.sqrt(sizes / np.pi))

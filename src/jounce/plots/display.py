@@ -6,6 +6,9 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+import numpy as np
+
+from jounce.core.types import Array
 from jounce.recordings.schema import QUANTITIES, quantity_of
 
 if TYPE_CHECKING:
@@ -76,6 +79,38 @@ def display_unit(si: str, largest: float = 0.0) -> DisplayUnit:
     if si in _LARGE and abs(largest) >= _LARGE[si][0]:
         return _LARGE[si][1]
     return _UNITS.get(si) or DisplayUnit(si.replace("^2", "²").replace("^3", "³").replace("*", "·"), 1.0)
+
+
+SMALLEST = {"rad": 1e-5, "rad/m": 1e-4, "m": 1e-6}
+"""Below these (SI) is what rounding leaves of nothing, as far as people who build suspensions are concerned."""
+PARALLEL = 1e2
+"""Arms whose instant centre or swing arm is farther away than this (m) are parallel."""
+FAR_AWAY = ("instant_centre", "swing_arm")
+
+
+def settled(values: Array, si: str) -> Array:
+    """Values (n,) of an SI unit, 0 where only rounding is left, and all alike where they differ by rounding only."""
+    least = SMALLEST.get(si, 0.0)
+    found = np.where(np.abs(values) < least, 0.0, values)
+    known = found[np.isfinite(found)]
+    if known.size and np.ptp(known) <= max(1e-9 * float(np.max(np.abs(known))), least):
+        return np.where(np.isfinite(found), float(np.mean(known)), np.nan)
+    return found
+
+
+def kinematic_value(name: str, value: float, si: str) -> float | str | None:
+    """Give a kinematic quantity in its display unit; ``parallel`` where its arms meet nowhere, None where unknown.
+
+    Examples
+    --------
+    >>> kinematic_value("camber", -1.4e-6, "rad"), kinematic_value("front_view_swing_arm_length", 3.1e6, "m")
+    (0.0, 'parallel')
+    """
+    if any(word in name for word in FAR_AWAY) and si == "m" and not abs(value) < PARALLEL:
+        return "parallel" if not math.isnan(value) else None
+    if not math.isfinite(value):
+        return None
+    return 0.0 if abs(value) < SMALLEST.get(si, 0.0) else value * display_unit(si, value).factor
 
 
 def words_of(name: str) -> str:

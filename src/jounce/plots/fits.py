@@ -359,7 +359,7 @@ def update(result: UpdateResult, units: Mapping[str, str] | None = None) -> Figu
         figure.set_figwidth(5.4)
         _draw_parameters(figure.subplots(), result.parameters, units or {})
         return figure
-    left, right = figure.subplots(1, 2, gridspec_kw={"width_ratios": [1.0, 0.3 + 0.11 * min(count, 8)]})
+    left, right = figure.subplots(1, 2, gridspec_kw={"width_ratios": [1.0, 0.3 + 0.11 * min(count, 10)]})
     _draw_parameters(left, result.parameters, units or {})
     _draw_correlation(right, result.correlation, count)
     return figure
@@ -403,16 +403,20 @@ def _value_text(p: UpdatedParameter, si: str) -> str:
     return f"{text} {unit.name}".rstrip() + (" (at bound)" if p.at_bound else "")
 
 
+_MOST_NUMBERS = 7  # parameters whose correlations have room for two decimals
+
+
 def _draw_correlation(axes: Axes, correlation: Sequence[Sequence[float]], count: int) -> None:
     values = np.array(correlation)[:count, :count]
+    size, digits = (8.0, 2) if count <= _MOST_NUMBERS else (max(8.0 * _MOST_NUMBERS / count, 4.0), 1)
     axes.imshow(values, cmap="RdBu_r", vmin=-1.0, vmax=1.0, aspect="auto")
     axes.grid(visible=False)
     for row in range(len(values)):
         for column in range(len(values)):
             known = values[row, row] > 0.0 and values[column, column] > 0.0
-            text = ("1" if row == column else f"{values[row, column]:+.2f}".replace("-", "−")) if known else "–"
+            text = ("1" if row == column else f"{values[row, column]:+.{digits}f}".replace("-", "−")) if known else "–"
             shade = "white" if abs(values[row, column]) > 0.6 else INK
-            axes.text(column, row, text, ha="center", va="center", fontsize=8, color=shade)
+            axes.text(column, row, text, ha="center", va="center", fontsize=size, color=shade)
     axes.set_xticks(range(count), [str(k) for k in range(1, count + 1)])
     axes.set_yticks(range(count), [str(k) for k in range(1, count + 1)])
     axes.set_xlabel("parameter number")

@@ -11,7 +11,7 @@ import numpy as np
 from jounce.core.errors import RecordingError, nearest
 from jounce.core.serialise import write_files
 from jounce.core.types import Array
-from jounce.plots.display import display_unit
+from jounce.plots.display import FAR_AWAY, PARALLEL, display_unit, settled
 from jounce.plots.style import MUTED, PALETTE, new_figure, rendered, styled
 
 if TYPE_CHECKING:
@@ -170,12 +170,18 @@ def _along(sweep: xr.Dataset) -> str:
 def _draw(axes: Axes, sweep: xr.Dataset, name: str) -> None:
     along = _along(sweep)
     lines = _lines(sweep, name, along)
+    si = str(sweep[lines[0][2]].attrs.get("units", "1"))
+    if si == "m" and any(word in name for word in FAR_AWAY):
+        lines = [
+            (label, np.where(np.abs(values) < PARALLEL, values, np.nan), variable) for label, values, variable in lines
+        ]
+    lines = [(label, settled(values, si), variable) for label, values, variable in lines]
     if any(word in name for word in _TO_INFINITY):
         lines = [(label, _cut(values), variable) for label, values, variable in lines]
     everything = np.concatenate([values for _, values, _ in lines])
     finite = everything[np.isfinite(everything)]
     largest = float(np.max(np.abs(finite), initial=0.0))
-    unit = display_unit(str(sweep[lines[0][2]].attrs.get("units", "1")), largest)
+    unit = display_unit(si, largest)
     across = display_unit(str(sweep[along].attrs.get("units", "1")))
     x = sweep[along].to_numpy() * across.factor
     for k, (label, values, _) in enumerate(lines):
@@ -183,6 +189,8 @@ def _draw(axes: Axes, sweep: xr.Dataset, name: str) -> None:
         axes.plot(x, values * unit.factor, color=PALETTE[k % len(PALETTE)], label=label, marker=mark)
     axes.set_title(unit.label(name.replace("_", " ")), loc="left")
     axes.axvline(0.0, color=MUTED, linewidth=0.6, zorder=0.5)
+    if not finite.size and any(word in name for word in FAR_AWAY):
+        axes.text(0.5, 0.5, "parallel", ha="center", va="center", color=MUTED, transform=axes.transAxes)
     _steady(axes, finite * unit.factor)
 
 

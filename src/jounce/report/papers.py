@@ -9,7 +9,7 @@ from jounce.papers.audi_a6_paper import FREQUENCY, LOAD, POWER, Erratum
 from jounce.papers.proving_ground import FIGURES, LAW, SHOWN_SPEED, ProvingGround
 from jounce.plots import damper_loops, road_profile, sweep, time_history
 from jounce.plots.audi_a6 import case_curve, case_overview, exciter_spring, exciter_torque_curve, start_up_transient
-from jounce.plots.display import number, quantity
+from jounce.plots.display import number, percent, quantity
 from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table
 from jounce.report.render import curve_files
 
@@ -54,16 +54,28 @@ def proving_ground_page(study: ProvingGround) -> Page:
 
 
 def _ride_summary(study: ProvingGround) -> Section:
-    shown = study.figures.sel(speed=SHOWN_SPEED, method="nearest")
-    facts = tuple(
-        Fact(
-            str(name),
-            quantity(float(shown["body_acceleration"].sel(damper=name)), "m/s^2", 3),
-            f"r.m.s. of the body at {3.6 * SHOWN_SPEED:.0f} km/h",
-        )
-        for name in study.figures["damper"].to_numpy()
-    )
+    facts = tuple(_headline(study, str(name)) for name in study.figures["damper"].to_numpy())
     return Section("Summary", (Paragraph(_ABOUT_PROVING_GROUND), Facts(facts), Paragraph(_LIMITS, "muted")))
+
+
+def _headline(study: ProvingGround, damper: str) -> Fact:
+    """Body acceleration at the highest speed at which the travel suffices: beyond it the model says nothing."""
+    speeds = [float(speed) for speed in study.figures["speed"].to_numpy()]
+    used = {speed: _travel_used(study, damper, speed) for speed in speeds}
+    within = [speed for speed in speeds if used[speed] <= 1.0]
+    if not within:
+        least = min(speeds, key=lambda speed: used[speed])
+        why = f"{percent(used[least], 0)} of the travel used even at {3.6 * least:.0f} km/h, without stops in the model"
+        return Fact(damper, "not valid", why)
+    found = study.figures["body_acceleration"].sel(damper=damper, speed=within[-1])
+    words = f"r.m.s. of the body at {3.6 * within[-1]:.0f} km/h, {percent(used[within[-1]], 0)} of the travel used"
+    return Fact(damper, quantity(float(found), "m/s^2", 3), words)
+
+
+def _travel_used(study: ProvingGround, damper: str, speed: float) -> float:
+    """Greater share (1) of bump and rebound travel that a run at a speed (m/s) uses."""
+    run = study.figures.sel(damper=damper).sel(speed=speed, method="nearest")
+    return max(float(run[key]) for key in ("bump_travel_utilisation", "rebound_travel_utilisation"))
 
 
 def _damper(study: ProvingGround) -> Section:
@@ -135,7 +147,8 @@ def _course(study: ProvingGround) -> Section:
     averaged = study.figures["body_acceleration"].sel(damper=first).sel(speed=SHOWN_SPEED, method="nearest")
     text = (
         f"{_ENVELOPE} For {first} at {3.6 * SHOWN_SPEED:.0f} km/h the r.m.s. body acceleration is "
-        f"{quantity(float(averaged), 'm/s^2', 3)}; a point contact would give {point}."
+        f"{quantity(float(averaged), 'm/s^2', 3)}; a point contact would give {point} (both without stops, "
+        f"{percent(_travel_used(study, first, SHOWN_SPEED), 0)} of the travel used)."
     )
     return Section("Course", (Picture(road_profile(study.courses), "course", words, words), Paragraph(text)))
 
@@ -181,7 +194,9 @@ def _signals(study: ProvingGround) -> Section:
     pictures = []
     for name, run in study.runs.items():
         words = (
-            f"Signals with {name} at {3.6 * SHOWN_SPEED:.0f} km/h; deflections are measured from the design position."
+            f"Signals with {name} at {3.6 * SHOWN_SPEED:.0f} km/h, "
+            f"{percent(_travel_used(study, name, SHOWN_SPEED), 0)} of the travel used; deflections are measured from "
+            "the design position."
         )
         part = run.isel(time=(run["time"] > 20.0) & (run["time"] < 32.0))
         file = f"signals-{name.replace(' ', '-').replace('.', '')}"

@@ -481,12 +481,16 @@ class BandVariance:
         """What a squared response counts, shape (outputs, f)."""
         return self.band.power * self.band.gain
 
-    def variances(self) -> Array:
-        """Variance of each output, in the square of its SI unit."""
+    def shares(self) -> Array:
+        """What each frequency gives to the variance of each output, in the square of its SI unit: (outputs, f)."""
         found = np.sum([np.abs(part) ** 2 for part in self._responses], axis=0)
         if self.band.coherence is not None:
             found = found + 2.0 * self.band.coherence * self._shared()
-        return np.asarray(np.sum(found * self._weights, axis=1))
+        return np.asarray(found * self._weights)
+
+    def variances(self) -> Array:
+        """Variance of each output, in the square of its SI unit."""
+        return np.asarray(np.sum(self.shares(), axis=1))
 
     def _shared(self) -> Array:
         left, right = self._responses
@@ -599,6 +603,24 @@ class Analysis:
         static_slopes = np.array([part.static for part in moving]).reshape(len(moving), count)
         variance_slopes = np.array(found[1]).reshape(len(moving), count)
         return Moments(found[0], chosen.static, variance_slopes, static_slopes, found[2], model, along)
+
+    def densities(self, frequency: Array) -> Array:
+        """One-sided densities of the signals, (signals, f), their SI units squared per Hz, at frequencies (f,) in Hz.
+
+        The surface must have a band; outside it they are 0.
+        """
+        values = self.family.start
+        model, _ = self.family.at(values, slopes=False)
+        chosen, _ = without_unreached(model.of_rows([signal.output for signal in self.signals]), [])
+        sources, surface = self._sources(values), self.surface
+        assert surface.band is not None
+        n = frequency / surface.speed
+        inside = (n >= surface.band[0]) & (n <= surface.band[1])
+        track = float(self.family.geometry_at(values)[-1])
+        shared = surface.shared(n, track) if len(sources) == 2 else None
+        gain = np.ones((len(self.signals), len(n)))
+        band = Band(frequency, inside * surface.heights(n) / surface.speed, gain, shared)
+        return BandVariance(relative(chosen), sources, band).shares()
 
     def _sources(self, values: Array) -> tuple[Source, ...]:
         delays = self.family.geometry_at(values)[:-1] / self.surface.speed

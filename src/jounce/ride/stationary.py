@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 import numpy as np
 
+from jounce.core.constants import NORMAL_95
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.findings import Finding
 from jounce.core.serialise import Plain
+from jounce.core.types import Array
 from jounce.parts import Rig
 from jounce.recordings.schema import channels_of, is_channel
 from jounce.ride.covariance import KICKED, WANDERS, Analysis, Gain, Signal
@@ -52,9 +54,14 @@ class StationaryResponse(Plain):
         Road and speed.
     findings : tuple of Finding
         Where the linear model says more than the rig could do.
+    spectra : Mapping of str to ndarray
+        Channel to its one-sided density at ``frequency`` (Hz), SI unit squared per Hz; empty where none was asked for.
+    frequency : ndarray or None
+        Hz.
     """
 
     also = ("load_coefficients",)
+    left_out = ("spectra", "frequency")
 
     standard_deviation: dict[str, float]
     weighted: dict[str, float]
@@ -65,6 +72,21 @@ class StationaryResponse(Plain):
     weighted_slopes: dict[str, dict[str, float]]
     surface: Surface
     findings: tuple[Finding, ...] = ()
+    spectra: Mapping[str, Array] = field(default_factory=dict)
+    frequency: Array | None = None
+
+    def chance(self, channel: str, duration: float) -> float | None:
+        """By what share (1) the standard deviation over a ``duration`` (s) differs by chance: half its 95 % interval.
+
+        The variance of a Gaussian signal scatters by the integral of its squared density over the time. None where the
+        spectrum is not known.
+        """
+        if self.frequency is None or channel not in self.spectra:
+            return None
+        density = self.spectra[channel]
+        variance = float(np.trapezoid(density, self.frequency))
+        scatter = math.sqrt(float(np.trapezoid(density**2, self.frequency)) / duration)
+        return 0.5 * NORMAL_95 * scatter / variance if variance > 0.0 else None
 
     def __getitem__(self, channel: str) -> float:
         """Standard deviation of a channel, SI.
@@ -211,6 +233,20 @@ def stationary(
         chosen,
         tuple(linear_findings(family.rig, values, static)),
     )
+
+
+def with_spectra(response: StationaryResponse, rig: Rig, *, points: int = 800) -> StationaryResponse:
+    """Add the densities of a rig's channels over the band of the road, at so many frequencies."""
+    surface_ = response.surface
+    if surface_.band is None:
+        return response
+    family = LinearFamily(rig, ())
+    names = [output.name for output in family.compiled.facts.outputs]
+    low, high = (n * surface_.speed for n in surface_.band)
+    frequency = np.geomspace(low, high, points)
+    densities = Analysis(family, surface_, tuple(Signal(i) for i in range(len(names)))).densities(frequency)
+    known = {name: row for name, row in zip(names, densities, strict=True) if name in response.standard_deviation}
+    return replace(response, spectra=known, frequency=frequency)
 
 
 def weighting_gain(weighting: str | Gain) -> Gain:

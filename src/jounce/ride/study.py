@@ -17,7 +17,7 @@ from jounce.parts import FullCar, FullCar3D, Rig, Vehicle
 from jounce.recordings.schema import channels_of
 from jounce.ride.metrics import RideMetrics, ride_metrics
 from jounce.ride.spectra import Spectrum, power_spectrum
-from jounce.ride.stationary import StationaryResponse, stationary
+from jounce.ride.stationary import StationaryResponse, stationary, with_spectra
 from jounce.roads import Crg, Iso8608, Road, Trial
 from jounce.roads.trial import FASTEST
 from jounce.simulation import simulate
@@ -204,6 +204,7 @@ Progress = Callable[[str], None]
 AnyControl = Controller | str | Path | Callable[..., Any]
 PASSIVE = "passive"
 _BODY = ("body.az", "sprung.az")
+_SEGMENT = 8.0  # s: resolves the body's bounce
 
 
 @dataclass(frozen=True)
@@ -257,14 +258,24 @@ class Ride(Plain):
         """Signals from the settling time on, SI."""
         return self.run.sel(time=slice(self.settling, None))
 
+    @property
+    def duration(self) -> float:
+        """Time that counts, s."""
+        time = self.settled["time"].to_numpy()
+        return float(time[-1] - time[0])
+
     def spectra(self) -> dict[str, Spectrum]:
-        """Power spectral densities by channel: body acceleration, and wheel load where the rig has a tyre."""
+        """Power spectral densities by channel: body acceleration, and the load of every wheel where there are tyres.
+
+        Pieces are an eighth of the run, at least 8 s, so that they resolve the body's bounce, and at most half of it.
+        """
         signals = self.settled
         rate = 1.0 / float(signals["time"][1] - signals["time"][0])
         channels = list(map(str, signals.data_vars))
         found = [channels_of(name, channels) for name in (*_BODY, "tyre.force")]
-        names = [*(found[0] or found[1])[:1], *found[2][:1]]
-        return {name: power_spectrum(signals[name].to_numpy(), rate) for name in names}
+        names = [*(found[0] or found[1])[:1], *found[2]]
+        segment = min(max(self.duration / 8.0, _SEGMENT), self.duration / 2.0)
+        return {name: power_spectrum(signals[name].to_numpy(), rate, segment=segment) for name in names}
 
     def standard_deviation(self, channel: str) -> float:
         """Of a channel after settling, in its SI unit."""
@@ -457,4 +468,4 @@ def _stationary(rig: Rig, trial: RideTrial, names: Sequence[str]) -> StationaryR
         return None
     channels = compile_rig(rig).output_names
     weighting = {name: "Wk" for name in _BODY if channels_of(name, channels)}
-    return stationary(rig, road.degree_of_roughness, speed, band="iso", weighting=weighting)
+    return with_spectra(stationary(rig, road.degree_of_roughness, speed, band="iso", weighting=weighting), rig)

@@ -8,12 +8,14 @@ import sqlite3
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError
+from jounce.inspection.archive import database
 from jounce.inspection.archive.database import DamagedStoreError
 from jounce.inspection.archive.entries import Grading, RecordEntry, digest_of, plate_key
 from jounce.inspection.archive.store import Store
@@ -293,3 +295,34 @@ def test_packed_signals_are_the_same_bit_by_bit() -> None:
     for broken in (b"", packed[:-9], packed[:50] + b"?" + packed[51:]):
         with pytest.raises(RecordingError, match="packed"):
             unpack(broken)
+
+
+class TestWithoutHardLinks:
+    """File systems without hard links (FAT, some network shares) hold stores as well."""
+
+    @pytest.fixture(autouse=True)
+    def no_links(self, monkeypatch):
+        def refuse(*_):
+            raise PermissionError(1, "Operation not permitted")
+
+        monkeypatch.setattr(Path, "hardlink_to", refuse)
+
+    def test_store_is_made(self, tmp_path):
+        with closing(Store(tmp_path / "lane.sqlite")) as store:
+            assert store.numbers() == []
+        assert [file.name for file in tmp_path.iterdir() if "sqlite-" not in file.name] == ["lane.sqlite"]
+
+    def test_claim_left_over_is_overcome(self, tmp_path, monkeypatch):
+        monkeypatch.setattr(database, "_CLAIMED", 0.05)
+        (tmp_path / ".lane.sqlite.claim").touch()
+        with closing(Store(tmp_path / "lane.sqlite")) as store:
+            assert store.numbers() == []
+        assert not (tmp_path / ".lane.sqlite.claim").exists()
+
+    def test_faster_process_wins(self, tmp_path):
+        """What is there already is never replaced."""
+        made, file = tmp_path / "made", tmp_path / "lane.sqlite"
+        made.write_text("second")
+        file.write_text("first")
+        database._give_name(made, file)
+        assert file.read_text() == "first"

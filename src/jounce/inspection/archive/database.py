@@ -122,6 +122,7 @@ _MAGIC = b"SQLite format 3\0"
 _PLAIN_SQLITE = "sqlite:///"
 _PASSWORD, _PASSWORD_ASKED = re.compile(r"(://[^/:@]*:).*@"), re.compile(r"([?&]\w*passw\w*=)[^&]*")
 _PATIENCE = 10  # s to wait for a server
+_CLAIMED = 5.0  # s after which the claim on a store's name counts as left over
 _MAKING = 0x6A6F756E6365  # lock under which tables are made: "jounce"
 _LEFT_ALONE = "It was left as it is; use a copy of the store. What can still be read: jounce inspect export --damaged."
 
@@ -297,13 +298,35 @@ def _make(file: Path) -> None:
                 create_tables(connection)
         engine.dispose()
         temporary.chmod(0o644)  # mkstemp made it private
-        with contextlib.suppress(FileExistsError):  # another process was faster; its store is as good
-            file.hardlink_to(temporary)
+        _give_name(temporary, file)
     finally:
         engine.dispose()
         for left in (temporary, *(Path(f"{temporary}{end}") for end in ("-journal", "-wal", "-shm"))):
             left.unlink(missing_ok=True)
     _write_through(file.parent)
+
+
+def _give_name(made: Path, file: Path) -> None:
+    """Give a store its name, unless another process was faster: its store is as good."""
+    try:
+        file.hardlink_to(made)
+    except FileExistsError:
+        return
+    except OSError:  # no hard links here: a network share, FAT; one process at a time looks and renames
+        claim = file.with_name(f".{file.name}.claim")
+        end = time.monotonic() + _CLAIMED
+        while not file.exists():
+            try:
+                os.close(os.open(claim, os.O_CREAT | os.O_EXCL | os.O_WRONLY))
+            except FileExistsError:
+                if time.monotonic() < end:
+                    time.sleep(0.01)
+                    continue
+            try:  # a claim as old as that is left over from a process that was killed
+                if not file.exists():
+                    made.replace(file)
+            finally:
+                claim.unlink(missing_ok=True)
 
 
 def _write_through(folder: Path) -> None:

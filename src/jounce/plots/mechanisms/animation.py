@@ -20,7 +20,7 @@ from jounce.core.optional import MissingPackageError
 from jounce.core.serialise import Formats
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.plots.display import display_unit
+from jounce.plots.display import display_unit, settled
 from jounce.plots.mechanisms.drawing import (
     COILS,
     DAMPER_BODY,
@@ -417,18 +417,23 @@ def _signals(poses: Poses) -> list[dict[str, Any]]:
             continue
         known = values[np.isfinite(values)]
         unit = display_unit(poses.signal_units[name], float(np.abs(known).max()))
-        shown, digits = _digits(values * unit.factor)
+        shown, digits = _digits(settled(values, poses.signal_units[name]) * unit.factor)
         words = _SIGN.sub("", poses.signal_words[name])
         found.append({"name": name, "words": words, "unit": unit.name, "digits": digits, "values": shown})
     return found
 
 
 def _digits(values: Array) -> tuple[list[float | None], int]:
-    """Values with four significant digits of their largest, and how many digits stand behind the point."""
+    """Values as they are drawn, and how many digits stand behind the point where they are written.
+
+    Written are four significant digits of the largest; drawn is what a screen shows of their range.
+    """
     finite = np.isfinite(values)
     largest = float(np.abs(values[finite]).max(initial=0.0))
+    range_ = float(np.ptp(values[finite])) if finite.any() else 0.0
     digits = 0 if largest == 0.0 else int(np.clip(3 - np.floor(np.log10(largest)), 0, _MOST_DIGITS))
-    rounded = np.round(values, digits) + 0.0
+    drawn = digits + 2 if range_ == 0.0 else int(np.clip(4 - np.floor(np.log10(range_)), digits, 12))
+    rounded = np.round(values, drawn) + 0.0
     return [float(value) if ok else None for value, ok in zip(rounded, finite, strict=True)], digits
 
 
