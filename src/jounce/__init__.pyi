@@ -39,6 +39,8 @@ from .identify.damper import DamperResult as DamperResult
 from .identify.damper import damper_curve as damper_curve
 from .identify.damper import fit_damper as fit_damper
 from .identify.decay import fit_decay as fit_decay
+from .identify.discrepancy import Discrepancy as Discrepancy
+from .identify.doubt import Doubt as Doubt
 from .identify.fit_problem import FitTrial as FitTrial
 from .identify.force_deflection import ForceDeflectionTrial as ForceDeflectionTrial
 from .identify.hysteresis_path import bouc_wen_path as bouc_wen_path

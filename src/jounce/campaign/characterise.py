@@ -17,7 +17,7 @@ from jounce.core.findings import Finding
 from jounce.core.units import to_si
 from jounce.design.lumping import lump
 from jounce.identify.decay import CombinedDecay, DecayResult, combine_decays, fit_decay, ratio_from_decrement
-from jounce.identify.estimate import Estimate
+from jounce.identify.estimate import Estimate, estimate
 from jounce.identify.force_deflection import ForceDeflectionTrial
 from jounce.identify.signs import ForcePositive, StrokePositive, check_stroke, compression_positive
 from jounce.identify.stiffness import PressureStiffness, StiffnessResult, fit_stiffness, stiffness_against_pressure
@@ -456,3 +456,33 @@ def _at_wheel(rig: Rig) -> _AtWheel:
     both = -values["unsprung.mass"] * model.A[row["unsprung.vz"], row["unsprung.z"]]
     lever = math.cos(values.get("strut.angle", 0.0)) ** 2
     return _AtWheel(float(wheel_rate), float(both - wheel_rate), values["sprung.mass"], lever)
+
+
+_MACHINE = 0.005
+"""Share of a value that a test machine is off by, at least."""
+
+
+def bench_values(found: Characterisation, rig: Rig, pressure: float | None) -> dict[str, Estimate]:
+    """Values that the bench gave for numbers of a rig, by path, SI; those of the tyre at a pressure (Pa).
+
+    Intervals hold the slope over the fitted range and the one at the static load, and what a test machine is off by.
+    """
+    values, given = rig.parameters(), dict[str, Estimate]()
+    if found.spring is not None and "strut.spring.rate" in values:
+        given["strut.spring.rate"] = _tested(found.spring.stiffness, found.spring.tangent_stiffness)
+    by_pressure = {to_si(name, "Pa"): result for name, result in found.tyre.items()}
+    tyre = by_pressure.get(pressure) if pressure is not None else next(iter(by_pressure.values()), None)
+    if tyre is not None and "tyre.stiffness" in values:
+        given["tyre.stiffness"] = _tested(tyre.stiffness, tyre.tangent_stiffness)
+    for one in found.replaced:
+        if one.source == "bench.decay" and one.path in values:
+            given[one.path] = _tested(estimate(one.measured, one.standard_error))
+    return given
+
+
+def _tested(*readings: Estimate | None) -> Estimate:
+    """One estimate whose interval holds all readings of a component test."""
+    known = [one for one in readings if one is not None]
+    ends = [end for one in known for end in (one.interval or (one.value, one.value))]
+    unsure = _MACHINE * abs(known[0].value)
+    return Estimate(known[0].value, known[0].standard_error, (min(ends) - unsure, max(ends) + unsure))

@@ -12,6 +12,7 @@ from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.core.units import NonNegativeLength, PositiveSpeed, PositiveTime, Unit, to_si
+from jounce.identify.doubt import Doubt
 from jounce.identify.signs import ForcePositive, StrokePositive
 from jounce.recordings import Sensor
 from jounce.recordings.formats import RecordingFormat, TableFormat
@@ -148,6 +149,7 @@ class Campaign(Description):
     rig: str
     bench: Bench = Bench()
     sensors: dict[str, Sensor] = {}
+    doubt: Doubt = Doubt()
     roads: dict[str, Any] = {}
     trial: tuple[TrialEntry, ...] = Field(min_length=1)
     update: tuple[UpdateEntry, ...] = ()

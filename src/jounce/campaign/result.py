@@ -126,6 +126,8 @@ class StrategyResult:
     """One update: what was known before (``start``) and after it, the trials it was fitted on, and all compared.
 
     ``rig_texts`` are its rig files, one for each tyre pressure by its name; the name is empty where there is only one.
+    ``truth`` has the values behind synthetic recordings, as a test machine would find them, by path (SI), where they
+    stand beside the campaign.
     """
 
     update: UpdateResult
@@ -134,6 +136,7 @@ class StrategyResult:
     fitted_on: tuple[int, ...]
     rig_texts: dict[str, str] = field(default_factory=dict)
     trials: tuple[StrategyTrial, ...] = ()
+    truth: dict[str, float] = field(default_factory=dict)
 
     def trial(self, number: int) -> StrategyTrial:
         """Give a trial before and after this update, by its number."""
@@ -273,6 +276,7 @@ def _update(strategy: StrategyResult) -> dict[str, Any]:
     return {
         **plain,
         "trials": list(strategy.fitted_on),
+        "truth": strategy.truth,
         "objective_by_channel": {name: {"before": pair[0], "after": pair[1]} for name, pair in split.items()},
         "comparisons": [
             {"number": t.number, "is_fitted": t.is_fitted, "before": to_plain(t.before), "after": to_plain(t.after)}

@@ -10,7 +10,7 @@ from typing import Any
 
 import xarray as xr
 
-from jounce.campaign.characterise import Characterisation, Knowledge, characterise, polynomial_tyres
+from jounce.campaign.characterise import Characterisation, Knowledge, bench_values, characterise, polynomial_tyres
 from jounce.campaign.description import Campaign, TrialEntry, UpdateEntry, load_campaign
 from jounce.campaign.result import (
     CampaignResult,
@@ -21,6 +21,7 @@ from jounce.campaign.result import (
     TrialResult,
     compare_trial,
 )
+from jounce.campaign.truth import BenchTruth, load_truth, true_values
 from jounce.campaign.updated_rigs import updated_rigs
 from jounce.core.errors import DescriptionError, FitError, JounceError, unknown
 from jounce.core.findings import Finding
@@ -29,7 +30,7 @@ from jounce.design.model_comparison import ModelComparison, PeakDifference, comp
 from jounce.identify.datum import start_findings, with_datum
 from jounce.identify.fit_problem import FitTrial, check_free
 from jounce.identify.signs import compression_positive, sign_of
-from jounce.identify.update import update_model
+from jounce.identify.update import bounds_and_priors, update_model
 from jounce.parts import Corner, Rig, load, rig_findings, rig_path
 from jounce.parts.variants import strut_angle_findings, with_strut_angle
 from jounce.recordings import Sensor
@@ -92,6 +93,7 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
     findings += bench.findings
     loaded = _load_trials(campaign, roads, file.parent, findings)
     runner = _Runner(campaign, file.parent, loaded, rig_file.read_text(encoding="utf-8"), bench, findings, progress)
+    runner.truth = _truth(campaign, file.parent, findings)
     runner.decide_datums(knowledge)
     strategies = runner.compare_strategies(runner.update_all(knowledge))
     trials = runner.compare_all(knowledge, strategies)
@@ -104,9 +106,29 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
         bench,
         tuple(strategies),
         tuple(trials),
-        tuple(_unique(findings)),
+        tuple(_leading(_unique(findings))),
         lumped,
     )
+
+
+def _truth(campaign: Campaign, folder: Path, findings: list[Finding]) -> BenchTruth | None:
+    """What lies behind the recordings of a synthetic campaign, where it stands beside it."""
+    file = folder / "truth.toml"
+    if not (campaign.synthetic and file.is_file()):
+        return None
+    try:
+        return load_truth(file)
+    except JounceError as error:
+        findings.append(Finding("truth.toml", "note", f"{error} Truths are not shown beside the estimates."))
+        return None
+
+
+_LEADING = ("strongly correlated", "from what the rig states", "ends on its bound", "contradicts the value measured")
+
+
+def _leading(findings: list[Finding]) -> list[Finding]:
+    """What says that parameters are not those of the parts, first."""
+    return sorted(findings, key=lambda finding: not any(text in finding.message for text in _LEADING))
 
 
 def _rig_file(name: str, folder: Path) -> Path:
@@ -149,9 +171,10 @@ def _check_updates(campaign: Campaign, rig: Rig, file: Path) -> None:
     for i, entry in enumerate(campaign.update):
         place = f"{file}: update[{i}].free ({entry.name})"
         curve = {path for path in entry.free if path.startswith("tyre.curve") and entry.tyre_law == "polynomial"}
+        ranges, _ = bounds_and_priors(rig, entry.free, place)
         check_free(
             rig,
-            {path: bounds for path, bounds in entry.free.items() if path not in curve},
+            {path: bounds for path, bounds in ranges.items() if path not in curve},
             where=place,
             more=len(curve),
         )
@@ -220,6 +243,7 @@ class _Runner:
     progress: Progress
     sensors: dict[int, Mapping[str, Sensor]] = field(default_factory=dict)
     compared: dict[tuple[str, float | None, str], _Compared] = field(default_factory=dict)
+    truth: BenchTruth | None = None
 
     def fit_trial(self, item: _Loaded, knowledge: Knowledge) -> FitTrial:
         entry = item.entry
@@ -265,6 +289,8 @@ class _Runner:
             channels=entry.channels,
             align=entry.align,
             starts=entry.starts,
+            doubt=self.campaign.doubt,
+            bench=bench_values(self.bench, trials[0].rig, chosen[0].entry.tyre_pressure),
         )
         self.findings += [
             f if f.place == entry.name else Finding(f"{entry.name}: {f.place}", f.severity, f.message, f.value)
@@ -272,7 +298,8 @@ class _Runner:
         ]
         after = knowledge.after(result.parameters, [item.entry.tyre_pressure for item in chosen])
         numbers = tuple(item.entry.number for item in chosen)
-        strategy = StrategyResult(result, knowledge, after, numbers)
+        truth = {} if self.truth is None else true_values(self.truth, list(result.parameters), trials, chosen[0].entry)
+        strategy = StrategyResult(result, knowledge, after, numbers, truth=truth)
         chain = [*self._before(entry, done), strategy]
         return replace(strategy, rig_texts=updated_rigs(self.campaign, self.rig_text, self.bench, chain))
 

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
 
+import numpy as np
 from pydantic import Field, field_validator, model_validator
 
+from jounce.campaign.description import TrialEntry
 from jounce.core.description import Description, check_schema, read_toml
 from jounce.core.errors import DescriptionError
 from jounce.core.files import chosen_file, shipped_files
@@ -18,10 +21,14 @@ from jounce.core.units import (
     Unit,
     to_si,
 )
+from jounce.identify.fit_problem import FitTrial
 from jounce.parts import Corner, QuarterCar, load, rig_from_table
+from jounce.parts.elements import Curve, PolynomialCurve, PowerCurve, VelocityTable
 from jounce.parts.rig import change_table
+from jounce.parts.variants import with_strut_angle
 from jounce.recordings import Sensor
 from jounce.roads import HalfSine, Road
+from jounce.simulation import simulate
 
 SCHEMA = "jounce.truth/1"
 _Share = Annotated[float, Unit("1", at_least=0.0, at_most=0.5)]
@@ -222,6 +229,42 @@ def load_truth(path: Path | str) -> BenchTruth:
     if beside.suffix == ".toml":
         table["rig"] = _table_of(load(beside))
     return BenchTruth.from_table(table, where=str(file), text=text)
+
+
+def true_values(
+    truth: BenchTruth, paths: Sequence[str], trials: Sequence[FitTrial], first: TrialEntry
+) -> dict[str, float]:
+    """Give the values behind synthetic recordings as a test machine would find them, by path, SI.
+
+    Stiffnesses are tangents at the static load, the damper's coefficient is the one nearest to its force over the
+    velocities ridden in the ``trials``; ``first`` is the entry of the first, which says pressure and strut angle. Paths
+    that the truth has nothing of are left out.
+    """
+    rig = truth.true_rig(first.tyre_pressure)
+    rig = rig if first.strut_angle is None else with_strut_angle(rig, first.strut_angle)
+    values, found = rig.parameters(), dict[str, float]()
+    for path in paths:
+        other = path.replace("guide.friction", "guide_friction") if path not in values else path
+        other = path.replace("guide_friction", "guide.friction") if other not in values else other
+        if other in values:
+            found[path] = values[other]
+    if "tyre.stiffness" in paths and rig.tyre.curve is not None:
+        run = simulate(rig, trials[0].trial)
+        found["tyre.stiffness"] = _tangent(rig.tyre.curve, float(run["tyre.deflection"][0]))
+    if "strut.damper.coefficient" in paths and isinstance(rig.strut.damper, VelocityTable):
+        velocity = np.concatenate([simulate(rig, one.trial)["strut.velocity"].to_numpy() for one in trials])
+        force = np.interp(velocity, rig.strut.damper.velocity, rig.strut.damper.force)
+        found["strut.damper.coefficient"] = float(velocity @ force / (velocity @ velocity))
+    return found
+
+
+def _tangent(curve: Curve, at: float) -> float:
+    """Slope of a curve (N/m) at a deflection (m)."""
+    if isinstance(curve, PolynomialCurve):
+        return float(sum((i + 1) * c * at**i for i, c in enumerate(curve.coefficients)))
+    if isinstance(curve, PowerCurve):
+        return float(curve.coefficient * curve.exponent * at ** (curve.exponent - 1.0))
+    return float(np.interp(at, curve.deflection[1:], np.diff(curve.force) / np.diff(curve.deflection)))
 
 
 def _table_of(rig: Any) -> dict[str, Any]:

@@ -105,7 +105,13 @@ def _origins(
                 interval = "at its bound" if p.at_bound else "no interval"
             else:
                 low, high = (f"{factor * end:.5g}" for end in p.interval)
-                interval = f"95 % {low} to {high}{_unit(rig, path)}"
+                interval = f"95 % {low} to {high}{_unit(rig, path)} (noise only)"
+            told = strategy.update.discrepancy
+            if told is not None:
+                law = told.parameters[path]
+                low, high = (f"{factor * end:.5g}" for end in law.interval)
+                verdict = "" if law.identified else ", not identified with this model"
+                interval += f"; 95 % {low} to {high}{_unit(rig, path)} with model error{verdict}"
             words[path] = f"fitted: {name}; {interval}"
     return words
 

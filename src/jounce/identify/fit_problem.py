@@ -200,7 +200,7 @@ class UpdateProblem:
         tolerance: float,
     ) -> None:
         self.free, self.align, self.lag_bound, self.tolerance = tuple(free), align, lag_bound, tolerance
-        self.trials = tuple(_prepare(trial, self.free, channels, weights) for trial in trials)
+        self.trials = tuple(prepare_trial(trial, self.free, channels, weights) for trial in trials)
         self.evaluations = 0
         count = sum(len(c.measured) for trial in self.trials for c in trial.channels)
         unknowns = self.size + (len(self.trials) if align else 0)
@@ -287,7 +287,7 @@ def readings(trial: FitTrial, *, lag: float = 0.0, tolerance: float = 1e-6) -> d
     Gives channel to (time in s, measured, simulated), in the channel's SI unit; ``lag`` (s) is that of the recording
     behind the simulation.
     """
-    prepared = _prepare(trial, (), None, "printed")
+    prepared = prepare_trial(trial, (), None, "printed")
     solution = prepared.solve(np.zeros(0), tolerance)
     time = trial.measured["time"].to_numpy()
     found = {}
@@ -297,9 +297,10 @@ def readings(trial: FitTrial, *, lag: float = 0.0, tolerance: float = 1e-6) -> d
     return found
 
 
-def _prepare(
+def prepare_trial(
     trial: FitTrial, free: tuple[Free, ...], names: Sequence[str] | None, weights: str | Mapping[str, float]
 ) -> Prepared:
+    """Compile a trial's model with the free parameters and get its channels ready; refuse what cannot be compared."""
     paths = tuple(item.path for item in free)
     compiled = compile_rig(trial.rig, paths, actuator=known_actuator(trial.trial))
     _check_channels(compiled.output_names, names, weights)

@@ -4,14 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
-from jounce.core.errors import FitError
+from jounce.core.errors import FitError, SimulationError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
+from jounce.core.units import to_si
 from jounce.identify.datum import with_datums
-from jounce.identify.fit_problem import FitTrial, UpdateProblem, free_parameters
+from jounce.identify.discrepancy import FEWEST_TRIALS, Discrepancy, calibrate
+from jounce.identify.doubt import Doubt
+from jounce.identify.estimate import Estimate
+from jounce.identify.fit_problem import FitTrial, Free, UpdateProblem, free_parameters
+from jounce.parts import Rig
+from jounce.parts.rig import unit_of
 from jounce.simulation.settings import RunSettings
 
 # what the data can tell -----------------------------------------------------------------------------------------------
@@ -151,8 +158,17 @@ def _least_squares(problem: UpdateProblem, start: Array) -> tuple[Array, int]:
     from scipy.optimize import least_squares
 
     inside = np.clip(np.where(np.abs(start) < 1e-6, 0.0, start), -_BOUND, _BOUND)  # SciPy's first radius is |start|
+    count = len(problem.residuals(inside).vector)
+
+    def vector(x: Array) -> Array:
+        """Residuals; infinite where a step cannot be simulated, which makes the search try a shorter one."""
+        try:
+            return problem.residuals(x).vector
+        except SimulationError:
+            return np.full(count, np.inf)
+
     result = least_squares(
-        lambda x: problem.residuals(x).vector,
+        vector,
         inside,
         jac=lambda x: problem.residuals(x).jacobian,
         bounds=(-1.0, 1.0),
@@ -247,10 +263,11 @@ class UpdatedParameter:
     initial, value : float
         Start value and estimate, in SI.
     standard_error : float or None
-        In SI; None where the estimate lies on a bound or the data do not
-        react to the parameter.
+        In SI, of the noise only: how far the estimate would scatter if the trials were run again. What the model lacks
+        shifts it each time by the same amount and is not in it; see ``UpdateResult.discrepancy``. None where the
+        estimate lies on a bound or the data do not react to the parameter.
     interval : tuple of float or None
-        95 % interval, in SI.
+        95 % interval of the noise only, in SI.
     lower, upper : float
         Bounds, in SI.
     at_bound : bool
@@ -289,6 +306,9 @@ class UpdateResult:
         What the data could tell before the fit.
     findings : tuple of Finding
         What weakens the result.
+    discrepancy : Discrepancy or None
+        The parameters again with intervals that count what the model lacks; None where that was not asked for or fewer
+        than three trials were fitted.
     """
 
     name: str
@@ -303,6 +323,7 @@ class UpdateResult:
     lags: dict[str, float]
     identifiability: Identifiability
     findings: tuple[Finding, ...] = field(default_factory=tuple)
+    discrepancy: Discrepancy | None = None
 
     def values(self) -> dict[str, float]:
         """Fitted values by path, SI."""
@@ -311,7 +332,7 @@ class UpdateResult:
 
 def update_model(  # noqa: PLR0913 - each is a choice of its own
     trials: Sequence[FitTrial],
-    free: Mapping[str, str | float | Sequence[str | float]],
+    free: Mapping[str, str | float | Sequence[str | float] | Mapping[str, Any]],
     *,
     name: str = "update",
     method: str = "least-squares",
@@ -322,6 +343,8 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
     starts: int = 1,
     seed: int = 1,
     tolerance: float = 1e-8,
+    doubt: Doubt | Mapping[str, Any] | None = None,
+    bench: Mapping[str, Estimate] | None = None,
 ) -> UpdateResult:
     """Fit parameters of a rig to the recordings of one or several trials.
 
@@ -333,7 +356,9 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
         Where a channel's zero lies is the ``datum`` of its sensor, by default found from the quiet start of the record,
         with a finding.
     free : dict
-        Path to bounds: ``"10 %"`` of the start value to either side, or ``[lower, upper]`` with units.
+        Path to bounds: ``"10 %"`` of the start value to either side, or ``[lower, upper]`` with units. With ``doubt``
+        also ``{"bounds": "10 %", "prior": ["22.7 N/mm", "0.1 N/mm"]}``: mean and standard deviation of what is known
+        beforehand, which counts where the interval counts what the model lacks.
     name : str
         Names the result.
     method : {"least-squares", "bfgs"}
@@ -353,6 +378,11 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
         Of the start points.
     tolerance : float
         Relative error of the simulated displacements.
+    doubt : Doubt or dict, optional
+        How far model and measurements may be off; then the result has intervals that count it (``discrepancy``), from
+        three trials on. ``jn.Doubt()`` has the defaults.
+    bench : dict, optional
+        Path to what a component test gave (SI): where the update contradicts it, a finding says so.
 
     Returns
     -------
@@ -388,7 +418,14 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
         raise FitError("not a number of starts", where=name, found=starts, allowed="1 or more")
     if not (np.isfinite(lag_bound) and lag_bound > 0.0):
         raise FitError("not a largest lag", where=name, found=f"{lag_bound} s", allowed="above 0 s")
-    bounds = free_parameters(trials[0].rig, free, where=name)
+    ranges, priors = bounds_and_priors(trials[0].rig, free, name)
+    if priors and doubt is None:
+        raise FitError(
+            "a prior counts with doubt only",
+            where=f"{name}: {next(iter(priors))}",
+            hint="Give doubt, e.g. doubt = jn.Doubt(), or leave out the prior.",
+        )
+    bounds = free_parameters(trials[0].rig, ranges, where=name)
     trials, datums = with_datums(trials, channels)
     problem = UpdateProblem(
         trials,
@@ -410,7 +447,7 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
     residuals = problem.residuals(best.scaled)
     at_bound = np.abs(best.scaled) > 1.0 - 1e-5
     whole = _whole(problem, best.scaled)
-    inner = whole.any(axis=0)
+    inner = np.atleast_1d(whole.any(axis=0))
     inner[: len(at_bound)] &= ~at_bound
     covariance = np.zeros((len(inner), len(inner)))
     if inner.any():
@@ -426,7 +463,20 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
         if at_bound[i]:
             text = "ends on its bound: the data call for a value beyond it, or the model lacks something"
             findings.append(Finding(item.path, "warning", text, value))
-    lags = zip(problem.trials, residuals.lags, strict=True) if problem.align else ()
+    lags = dict(zip((t.source.name for t in problem.trials), residuals.lags.tolist(), strict=True)) if align else {}
+    correlations = correlation_of(covariance)
+    alike = _correlated(names[: len(bounds)], correlations)
+    at_start = [one for one in known.findings if any(one.place == pair.place for pair in alike)]
+    findings = [*alike, *_far_masses(trials[0].rig, parameters), *(one for one in findings if one not in at_start)]
+    discrepancy = None
+    if doubt is not None:
+        counted = doubt if isinstance(doubt, Doubt) else Doubt.from_table(dict(doubt), where="doubt")
+        values = {path: parameter.value for path, parameter in parameters.items()}
+        settings = {"channels": channels, "weights": weights, "tolerance": problem.tolerance}
+        discrepancy, more = _with_doubt(
+            trials, bounds, values, counted, priors, bench or {}, lags=lags, align=align == "lag", **settings
+        )
+        findings = [*more, *findings]
     return UpdateResult(
         name,
         method,
@@ -437,10 +487,93 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
         problem.evaluations,
         parameters,
         tuple(tuple(float(v) for v in row) for row in correlation_of(covariance)),
-        {trial.source.name: float(lag) for trial, lag in lags},
+        lags,
         known,
         tuple(findings),
+        discrepancy,
     )
+
+
+_CORRELATED = 0.9
+_FAR = 0.05  # of a mass that was weighed
+
+
+def _correlated(names: Sequence[str], correlation: Array) -> list[Finding]:
+    """Pairs of estimates of which the data know a combination rather than each."""
+    found = []
+    for i, name in enumerate(names):
+        for j in range(i):
+            value = float(correlation[i, j])
+            if abs(value) > _CORRELATED:
+                text = (
+                    f"strongly correlated with {names[j]} ({value:+.2f}): the data know a combination of the two, and "
+                    "each by itself only as well as the model is right"
+                )
+                found.append(Finding(name, "warning", text, value))
+    return found
+
+
+def _far_masses(rig: Rig, parameters: Mapping[str, UpdatedParameter]) -> list[Finding]:
+    """Masses that end far from what the scale says."""
+    found = []
+    for path, parameter in parameters.items():
+        guessed = any(path == name or path.startswith(f"{name}.") for name in rig.estimated)
+        if not path.endswith("mass") or guessed or parameter.initial <= 0.0:
+            continue
+        moved = parameter.value / parameter.initial - 1.0
+        if abs(moved) > _FAR:
+            text = (
+                f"ends {100.0 * moved:+.1f} % from what the rig states: a mass is known from the scale; where a fit "
+                "moves it, it makes up for something else"
+            )
+            found.append(Finding(path, "warning", text, moved))
+    return found
+
+
+def bounds_and_priors(
+    rig: Rig, free: Mapping[str, Any], name: str
+) -> tuple[dict[str, Any], dict[str, tuple[float, float]]]:
+    """Bounds, and mean and standard deviation (SI) of the parameters that have a prior."""
+    ranges, priors = {}, {}
+    for path, given in free.items():
+        ranges[path] = given
+        if not isinstance(given, Mapping):
+            continue
+        where = f"{name}: {path}"
+        if set(given) != {"bounds", "prior"} or not isinstance(given["prior"], Sequence) or len(given["prior"]) != 2:
+            allowed = '{bounds = "10 %", prior = [mean, standard deviation]}'
+            raise FitError("not bounds with a prior", where=where, found=dict(given), allowed=allowed)
+        ranges[path] = given["bounds"]
+        if path in rig.parameters():
+            mean, deviation = (to_si(value, unit_of(rig, path), where=where) for value in given["prior"])
+            if deviation <= 0.0:
+                raise FitError("not a standard deviation", where=where, found=given["prior"][1], allowed="above 0")
+            priors[path] = mean, deviation
+    return ranges, priors
+
+
+def _with_doubt(
+    trials: Sequence[FitTrial],
+    free: Sequence[Free],
+    values: Mapping[str, float],
+    doubt: Doubt,
+    priors: Mapping[str, tuple[float, float]],
+    bench: Mapping[str, Estimate],
+    **settings: Any,
+) -> tuple[Discrepancy | None, list[Finding]]:
+    """The parameters with what the model lacks counted, or why there is no such thing."""
+    if len(trials) < FEWEST_TRIALS:
+        text = (
+            f"no interval that counts what the model lacks: that takes {FEWEST_TRIALS} trials, fitted: {len(trials)}; "
+            "intervals are those of the noise only"
+        )
+        return None, [Finding("intervals", "warning" if priors else "note", text, float(len(trials)))]
+    try:
+        found = calibrate(trials, free, values, doubt=doubt, bench=bench, priors=priors, **settings)
+    except SimulationError as error:
+        text = f"no interval that counts what the model lacks: {error} Intervals are those of the noise only."
+        return None, [Finding("intervals", "warning", text)]
+    return found, list(found.findings)
 
 
 def _whole(problem: UpdateProblem, scaled: Array) -> Array:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from jounce.core.errors import JounceError
 from jounce.core.findings import Finding
 from jounce.core.serialise import to_json
+from jounce.identify.estimate import Estimate
 from jounce.plots import (
     measured_against_simulated,
     objectives,
@@ -49,6 +50,7 @@ if TYPE_CHECKING:
     from jounce.campaign.description import TrialEntry
     from jounce.campaign.result import CampaignResult, StrategyResult, TrialResult
     from jounce.design.model_comparison import ModelComparison, PeakDifference
+    from jounce.identify.discrepancy import Discrepancy
 
 
 SYNTHETIC_NOTE = "Synthetic data, not measurements"
@@ -164,6 +166,7 @@ def _reduction(strategy: StrategyResult) -> Fact:
 def _verdicts(label: str, verdicts: list[str]) -> Fact:
     counts = Counter(verdicts)
     note = ", ".join(f"{counts[word]} {words}" for word, words in _OTHERS.items() if counts[word])
+    note = f"prediction within limits{'; ' if note else ''}{note}"
     tone: Tone = "good" if counts["holds"] == len(verdicts) else "bad" if counts["does not hold"] else "fair"
     return Fact(label, f"{counts['holds']} of {len(verdicts)} hold", note, tone)
 
@@ -254,7 +257,8 @@ def validation(result: CampaignResult) -> Section:
         Paragraph(
             f"Each trial is simulated with the model {model} and compared with its recording. The worst channel "
             "decides the verdict: the model holds with an ISO/TS 18571 rating above 0.80 and R² above 0.95, and holds "
-            "partly with a rating above 0.58 and R² above 0.75."
+            "partly with a rating above 0.58 and R² above 0.75. A verdict says how well the model predicts a recording "
+            "within these limits; it does not say that its parameters are those of the parts."
         ),
         Picture(
             trial_matrix(result.trials),
@@ -462,11 +466,12 @@ def _strategy(strategy: StrategyResult, file: str) -> tuple[Block, ...]:
     picture = Picture(
         update(found, units),
         file,
-        "Initial and fitted values within their bounds, with 95 % intervals; correlation of the estimates (– where a "
-        "parameter is at a bound).",
+        "Initial and fitted values within their bounds, with 95 % intervals of the noise only; correlation of the "
+        "estimates (– where a parameter is at a bound).",
         f"Fitted parameters of {found.name}: {fitted}.",
     )
-    blocks: list[Block] = [_parameters(strategy, units), picture, _identifiability(strategy)]
+    blocks: list[Block] = [_parameters(strategy, units), *discrepancy_blocks(strategy, units)]
+    blocks += [picture, _identifiability(strategy)]
     if found.lags:
         rows = tuple((name, number(1e3 * lag, 3)) for name, lag in found.lags.items())
         blocks.append(Table("Time lag of each recording relative to the simulation", ("trial", "lag [ms]"), rows, "lr"))
@@ -483,9 +488,91 @@ def _parameters(strategy: StrategyResult, units: dict[str, str]) -> Table:
         bounds = f"{number(p.lower * unit.factor)} to {number(p.upper * unit.factor)}"
         fitted = Cell(value, "fair", "at its bound") if p.at_bound else value
         rows.append((path, number(p.initial * unit.factor), fitted, error, interval, bounds, name or "–"))
-    header = ("parameter", "initial", "fitted", "standard error", "95 % interval", "bounds", "unit")
-    note = "Standard errors allow for correlated residuals; none is given for a parameter at its bound."
+    header = ("parameter", "initial", "fitted", "standard error", "95 %, noise only", "bounds", "unit")
+    note = (
+        "Standard errors and intervals are those of the noise only, which may be correlated: how far the values would "
+        "scatter if the trials were run again. They say nothing of what the model lacks. None is given for a parameter "
+        "at its bound."
+    )
     return Table(f"Parameters of {strategy.update.name}", header, tuple(rows), "lrrrrrl", note)
+
+
+def discrepancy_blocks(strategy: StrategyResult, units: dict[str, str]) -> tuple[Block, ...]:
+    """What may be said of the parts themselves, and what the intervals count."""
+    found = strategy.update.discrepancy
+    if found is None:
+        text = (
+            "Of the parts themselves nothing is said here: an interval that counts what the model lacks takes three "
+            "fitted trials or more."
+        )
+        shown = _beside_truth(strategy, units)
+        return (Paragraph(text), *((shown,) if shown is not None else ()))
+    rows: list[tuple[Cell | str, ...]] = []
+    for path, law in found.parameters.items():
+        spread = 0.5 * law.half_width
+        value, _, interval, name = estimate_cells(Estimate(law.value, spread, law.interval), units[path])
+        unit = display_unit(units[path], law.value)
+        readings = " / ".join(number(one.value * unit.factor, 4) for one in (law.component, law.effective))
+        word = Cell("identified", "good") if law.identified else Cell("not identified with this model", "fair", law.why)
+        truth = strategy.truth.get(path)
+        true = (number(truth * unit.factor, 4) if truth is not None else "–",) if strategy.truth else ()
+        rows.append((path, value, interval, readings, *true, name or "–", _mostly(law.shares), word))
+    header = (
+        "parameter",
+        "value",
+        "95 %, model error counted",
+        "part / model",
+        *(("truth",) if strategy.truth else ()),
+    )
+    header = (*header, "unit", "mostly from", "verdict")
+    return (
+        Table(
+            "Parameters as the parts have them",
+            header,
+            tuple(rows),
+            "lrrr" + "r" * bool(strategy.truth) + "lll",
+            "Value of the law over the states ridden. The interval holds what a test machine would give of the part "
+            "and what the model's law has to be to give the part's force best; both are shown. "
+            + ("Truth: the value behind the synthetic recordings. " if strategy.truth else "")
+            + "Mostly from: what the width would shrink by most if it were known.",
+        ),
+        Paragraph(_counted(found)),
+    )
+
+
+def _beside_truth(strategy: StrategyResult, units: dict[str, str]) -> Table | None:
+    if not strategy.truth:
+        return None
+    rows = []
+    for path, truth in strategy.truth.items():
+        unit = display_unit(units[path], truth)
+        fitted = strategy.update.parameters[path].value
+        rows.append((path, number(fitted * unit.factor, 4), number(truth * unit.factor, 4), unit.name or "–"))
+    note = "Truth: the value behind the synthetic recordings, as a test machine would find it."
+    return Table("Fitted beside the truth", ("parameter", "fitted", "truth", "unit"), tuple(rows), "lrrl", note)
+
+
+def _mostly(shares: dict[str, float]) -> str:
+    """The group that most of an interval's width comes from."""
+    if not shares:
+        return "–"
+    group = max(shares, key=lambda name: shares[name])
+    return f"{group.replace('_', ' ')} ({percent(shares[group], 0)})"
+
+
+def _counted(found: Discrepancy) -> str:
+    groups = ", ".join(group.replace("_", " ") for group in found.counted)
+    worst = "; ".join(f"{percent(share, 0)} in {name}" for name, share in found.unexplained.items())
+    more = (
+        f" More freedom for {found.would_reduce.replace('_', ' ')} would leave {percent(found.reduced_to, 0)} of all."
+        if found.would_reduce
+        else ""
+    )
+    return (
+        f"Counted as uncertain, with the standard deviations of the campaign's doubt table: {groups}. Of the "
+        f"residual's energy nothing of this explains {worst}; it counts as one observation for each channel and trial "
+        f"({found.trials} trials).{more}"
+    )
 
 
 def _identifiability(strategy: StrategyResult) -> Table:

@@ -1,0 +1,878 @@
+"""Intervals that count what the model lacks.
+
+What may be wrong is written as further unknowns inside the model, with priors (:mod:`jounce.identify.richer`), and
+found together with the parameters. What even this leaves unexplained is no noise: it repeats in every sample, so each
+channel of each trial counts as one observation of it. Scatter of the residuals, between trials or inside them, cannot
+tell how wrong a model is: least squares has taken that part of its error into the parameters already.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import SimulationError
+from jounce.core.findings import Finding
+from jounce.core.segments import POLYNOMIAL, Segments
+from jounce.core.types import Array
+from jounce.identify.doubt import Doubt
+from jounce.identify.estimate import Estimate, at_least_zero, estimate
+from jounce.identify.fit_problem import Channel, FitTrial, Free, Prepared, prepare_trial, project_out
+from jounce.identify.laws import Laws, States
+from jounce.identify.richer import Nuisance, Richer, Ridden
+from jounce.kernel.engine import Status
+from jounce.mechanics.model import is_road
+from jounce.parts import Rig
+from jounce.recordings.sensors import Sensor
+from jounce.recordings.signals import shift_with_derivative
+from jounce.roads import Enveloped
+from jounce.simulation.compiled import Compiled, compile_rig
+from jounce.simulation.prepare import solve
+from jounce.simulation.problem import excitation
+from jounce.simulation.result import Solution
+
+Mask = NDArray[np.bool_]
+FEWEST_TRIALS = 3
+"""Fewer do not tell what repeats from what the parameters do."""
+USEFUL = 0.5
+"""Half-width over value above which a parameter is not identified."""
+FAR = 3.0
+"""Prior standard deviations beyond which a nuisance has left its prior."""
+_ROUNDS, _PASSES = 8, 4
+_SETTLED = 0.05  # standard errors: a smaller step ends the search
+_STEP = 0.1  # of a prior standard deviation: differences of inputs and sensors
+_NOISE_FROM = 0.55  # of the Nyquist frequency: above it, records hold noise only
+_LAG_UNSURE = 0.5  # samples, where lags are not fitted
+
+
+@dataclass(frozen=True)
+class LawEstimate:
+    """What is known of a parameter when what the model lacks is counted, SI.
+
+    Attributes
+    ----------
+    value : float
+        Middle of the interval.
+    interval : tuple of float
+        95 % interval of the value of the law over the states ridden: the hull of those of ``component`` and
+        ``effective``.
+    component : Estimate
+        What a test machine gives of the part.
+    effective : Estimate
+        What the model's law gives that is nearest to the force of the part over the ride.
+    identified : bool
+        Whether the interval may be used.
+    why : str
+        Why not; empty where it is.
+    shares : dict
+        Group of doubts to the share (1) of the variance that would be gone if it were known exactly.
+    """
+
+    value: float
+    interval: tuple[float, float]
+    component: Estimate
+    effective: Estimate
+    identified: bool
+    why: str
+    shares: dict[str, float]
+
+    @property
+    def half_width(self) -> float:
+        """Half of the interval's width, SI."""
+        return 0.5 * (self.interval[1] - self.interval[0])
+
+
+@dataclass(frozen=True)
+class NuisanceEstimate:
+    """What became of something that was doubted: before (``mean``, ``deviation``) and after, in ``unit``."""
+
+    group: str
+    unit: str
+    mean: float
+    deviation: float
+    value: float
+    standard_error: float
+
+    @property
+    def moved(self) -> float:
+        """Distance from its mean in prior standard deviations."""
+        return (self.value - self.mean) / self.deviation
+
+
+@dataclass(frozen=True)
+class Discrepancy:
+    """Parameters of an update with intervals that count what the model lacks.
+
+    Attributes
+    ----------
+    parameters : dict
+        Path to ``LawEstimate``.
+    nuisances : dict
+        Name to ``NuisanceEstimate``: what was doubted and common to all trials.
+    correlation : tuple
+        Correlation matrix (1) of the parameters with all doubts, in their order.
+    unexplained : dict
+        Channel to the share (1) of the update's residual energy that neither noise nor any doubt explains.
+    would_reduce : str
+        The group of doubts that would explain most of it if its prior were wider; empty where none would.
+    reduced_to : float
+        Unexplained share (1) over all channels that it would leave.
+    noise : dict
+        Channel to the standard deviation of its noise, SI.
+    counted : dict
+        Group of doubts to how many unknowns stand for it.
+    trials : int
+        Number of trials.
+    objective : float
+        Weighted sum of squares that the richer model leaves, over that of the plain one (1).
+    findings : tuple of Finding
+        What weakens the result.
+    """
+
+    parameters: dict[str, LawEstimate]
+    nuisances: dict[str, NuisanceEstimate]
+    correlation: tuple[tuple[float, ...], ...]
+    unexplained: dict[str, float]
+    would_reduce: str
+    reduced_to: float
+    noise: dict[str, float]
+    counted: dict[str, int]
+    trials: int
+    objective: float
+    findings: tuple[Finding, ...] = field(default_factory=tuple)
+
+
+@dataclass(frozen=True)
+class _Block:
+    """One channel of one trial: residual and what each unknown would change of it, all SI; ``lag`` is one more."""
+
+    channel: str
+    trial: int
+    residual: Array
+    common: Array
+    own: Array
+    lag: Array
+
+
+@dataclass
+class _State:
+    """Unknowns: scaled parameters, whitened nuisances, and those of each trial (own, lag in s)."""
+
+    theta: Array
+    xi: Array
+    own: Array
+    lags: Array
+
+
+class _Run:
+    """One trial with its richer model, ready to be simulated for any state."""
+
+    def __init__(self, prepared: Prepared, calibration: _Calibration) -> None:
+        self.prepared, self.all = prepared, calibration
+        self.values = prepared.source.rig.parameters()
+        richer = calibration.richer.of(prepared.source.rig)
+        self.compiled = calibration.compile(richer)
+        self.base = richer.parameters()
+        names = self.compiled.output_names
+        self.channels = [replace(channel, column=names.index(channel.name)) for channel in prepared.channels]
+        self.sliding: Array | None = None
+        trial = prepared.source.trial
+        self.road = trial.road is not None
+        self.speed = trial.speed or 0.0
+        course = trial.road is None or trial.road.is_course()
+        self.patched = self.road and not course and not isinstance(trial.road, Enveloped)
+        first = float(trial.segments().edges[1]) if not course and len(trial.segments().edges) > 2 else 0.0
+        self.passing = (first, trial.duration if course else max(trial.end(), first + 1e-3))
+        self._roads: dict[float, list[Segments]] = {}
+
+    def numbers(self, state: _State) -> dict[str, float]:
+        return self.all.richer.numbers(self.values, self.fitted(state.theta), state.xi)
+
+    def fitted(self, theta: Array) -> dict[str, float]:
+        pairs = zip(self.all.free, theta, self.prepared.factors, strict=True)
+        return {free.path: free.value(s) * f for free, s, f in pairs}
+
+    def signals(self, inputs: Mapping[str, float]) -> list[Segments]:
+        """Tracks with the inputs as they may be: patch (m^2), height (1), presliding (N), speed (m/s), slowing (1)."""
+        patch = max(np.sqrt(max(inputs.get("contact_patch", 0.0), 0.0)), _SHORTEST_PATCH) if self.patched else 0.0
+        found = []
+        for name, track in zip(self.compiled.facts.tracks, self._tracks(patch), strict=True):
+            if name.endswith("command"):
+                force = inputs.get("presliding", 0.0)
+                found.append(track if self.sliding is None else self._command(force))
+            elif is_road(name):
+                found.append(_scaled(self._warped(track, inputs), 1.0 + inputs.get("height", 0.0)))
+            else:
+                found.append(track)
+        return found
+
+    def _tracks(self, patch: float) -> list[Segments]:
+        if patch not in self._roads:
+            source = self.prepared.source
+            trial = source.trial
+            if patch > 0.0 and trial.road is not None:
+                step = min(max(0.2 * patch, _FINEST), _COARSEST)
+                averaged = Enveloped(of=trial.road, method="moving-average", contact_length=patch, step=step)
+                trial = trial.model_copy(update={"road": averaged})
+            self._roads[patch] = excitation(self.compiled.facts, source.rig, trial, self.compiled.free)
+        return self._roads[patch]
+
+    def _warped(self, track: Segments, inputs: Mapping[str, float]) -> Segments:
+        if not self.road:
+            return track
+        speed, slowing = inputs.get("speed", 0.0), inputs.get("slowing", 0.0)
+        begin, end = self.passing
+        time = track.edges * self.speed / (self.speed + speed)
+        into = np.clip((track.edges - begin) / (end - begin), 0.0, 1.0)
+        time = time + slowing * (0.5 * into**2 * (end - begin) + np.maximum(track.edges - end, 0.0))
+        return _moved(track, time)
+
+    def _command(self, force: float) -> Segments:
+        assert self.sliding is not None
+        times = self.prepared.times
+        z = force * self.sliding
+        rise = np.diff(z) / np.diff(times)
+        table = np.column_stack([z[:-1], rise, np.zeros(len(rise)), np.zeros(len(rise))])
+        return Segments(times, np.zeros(len(rise), dtype=np.int64), table)
+
+    def simulate(self, compiled: Compiled, numbers: Mapping[str, float], inputs: Mapping[str, float]) -> Solution:
+        p = compiled.parameter_values({**self.base, **numbers})
+        signals = self.signals(inputs)
+        solution = solve(compiled, p, signals, self.prepared.times, tolerance=self.all.tolerance)
+        if solution.status is not Status.COMPLETED:
+            raise SimulationError(
+                "the richer model diverged", where=self.prepared.source.name, found=solution.status.help
+            )
+        return solution
+
+
+_SHORTEST_PATCH = 5e-4  # m
+_FINEST, _COARSEST = 5e-4, 3e-3  # m
+
+
+class _Calibration:
+    """The search: linearise, weigh, step."""
+
+    def __init__(
+        self, trials: Sequence[FitTrial], free: Sequence[Free], doubt: Doubt, *, channels: Sequence[str] | None,
+        weights: str | Mapping[str, float], align: bool, tolerance: float, priors: Mapping[str, tuple[float, float]],
+    ) -> None:  # fmt: skip
+        self.free, self.align, self.tolerance, self.doubt = tuple(free), align, tolerance, doubt
+        prepared = [prepare_trial(trial, self.free, channels, weights) for trial in trials]
+        prepared = [
+            replace(one, channels=tuple(channel for channel in one.channels if channel.weight > 0.0))
+            for one in prepared
+        ]
+        rig = trials[0].rig
+        used = compile_rig(rig).facts.parameters
+        self.richer = Richer(rig, [item.path for item in free], doubt, _ridden(prepared[0]), used)
+        self.lanes = len(self.richer.nuisances)
+        self.columns = self.richer.columns()
+        self.runs = [_Run(one, self) for one in prepared]
+        self.names = list(dict.fromkeys(channel.name for run in self.runs for channel in run.channels))
+        self.nuisances = [*self.richer.nuisances, *self._inputs(), *self._sensors()]
+        self.place = {nuisance.name: i for i, nuisance in enumerate(self.nuisances)}
+        self.own = [
+            (name, deviation)
+            for name, deviation in (("speed", doubt.speed), ("slowing", doubt.slowing))
+            if deviation > 0.0 and any(run.road for run in self.runs)
+        ]
+        self.priors = np.zeros((len(free), 2))
+        for i, item in enumerate(free):
+            if item.path in priors:
+                mean, deviation = priors[item.path]
+                self.priors[i] = item.scaled(mean), item.half_range / deviation
+
+    def compile(self, rig: Rig) -> Compiled:
+        if self.richer.has_laws and self.doubt.presliding > 0.0:
+            from jounce.control.actuators import ActiveActuator
+
+            return compile_rig(rig, self.columns, actuator=ActiveActuator(lag=0.0))
+        return compile_rig(rig, self.columns)
+
+    def _inputs(self) -> list[Nuisance]:
+        doubt, found = self.doubt, []
+        if doubt.height > 0.0:
+            found.append(Nuisance("height", "height", "1", 0.0, doubt.height))
+        patch = doubt.contact_patch * self.richer.ridden.tyre
+        if patch > 0.0 and any(run.patched for run in self.runs):
+            found.append(Nuisance("contact_patch", "contact_patch", "m^2", patch**2, 1.5 * patch**2))
+        if self.richer.has_laws and doubt.presliding > 0.0:
+            found.append(Nuisance("presliding", "presliding", "N", 0.0, doubt.presliding))
+        return found
+
+    def _sensors(self) -> list[Nuisance]:
+        doubt, found = self.doubt, []
+        channels = {channel.name: channel for run in self.runs for channel in run.channels}
+        for name, channel in channels.items():
+            if doubt.gain > 0.0:
+                found.append(Nuisance(f"{name} gain", "gain", "1", 0.0, doubt.gain))
+            if doubt.bias > 0.0:
+                found.append(Nuisance(f"{name} bias", "bias", "SI", 0.0, doubt.bias * float(np.std(channel.measured))))
+            if doubt.corner > 0.0 and channel.sensor is not None and channel.sensor.low_pass is not None:
+                found.append(Nuisance(f"{name} corner", "corner", "ln", 0.0, doubt.corner))
+        return found
+
+    def value(self, name: str, xi: Array) -> float:
+        """Value of a nuisance by its name, 0 where it is not doubted."""
+        if name not in self.place:
+            return 0.0
+        i = self.place[name]
+        return self.nuisances[i].mean + self.nuisances[i].deviation * float(xi[i])
+
+    def inputs(self, state: _State, trial: int) -> dict[str, float]:
+        found = {name: self.value(name, state.xi) for name in ("height", "contact_patch", "presliding")}
+        return found | {name: d * float(state.own[trial, j]) for j, (name, d) in enumerate(self.own)}
+
+    # one linearisation ----------------------------------------------------------------------------------------------
+
+    def blocks(self, state: _State) -> tuple[list[_Block], list[States]]:
+        found, states = [], []
+        for i, run in enumerate(self.runs):
+            numbers, inputs = run.numbers(state), self.inputs(state, i)
+            solution = run.simulate(run.compiled, numbers, inputs)
+            states.append(States.of(run.compiled, solution))
+            slopes = self._slopes(run, state)
+            varied = self._varied(run, numbers, inputs, states[-1])
+            for channel in run.channels:
+                found.append(self._block(run, i, channel, solution, slopes, varied, state))  # noqa: PERF401
+        return found, states
+
+    def _slopes(self, run: _Run, state: _State) -> Array:
+        """Derivatives of the richer rig's numbers by scaled parameters and whitened nuisances: algebra only."""
+        unknowns = np.concatenate([state.theta, state.xi[: self.lanes]])
+        p = len(self.free)
+
+        def numbers(x: Array) -> Array:
+            one = run.numbers(_State(x[:p], np.concatenate([x[p:], state.xi[self.lanes :]]), state.own, state.lags))
+            return np.array([one[path] for path in self.columns])
+
+        table = np.empty((len(self.columns), len(unknowns)))
+        for k in range(len(unknowns)):
+            move = np.zeros(len(unknowns))
+            move[k] = 1e-4
+            table[:, k] = (numbers(unknowns + move) - numbers(unknowns - move)) / 2e-4
+        return table
+
+    def _varied(
+        self, run: _Run, numbers: Mapping[str, float], inputs: Mapping[str, float], states: States
+    ) -> dict[str, tuple[Solution, float]]:
+        """Simulations with one input changed by a tenth of its doubt, and one over that in prior units."""
+        plain, found = run.compiled.plain, {}
+        base = run.simulate(plain, numbers, inputs)
+        found[""] = base, 0.0
+        deviations = {name: self.nuisances[self.place[name]].deviation for name in _INPUTS if name in self.place}
+        deviations |= dict(self.own) if run.road else {}
+        run.sliding = states.sliding()
+        for name, deviation in deviations.items():
+            if name == "contact_patch" and not run.patched:
+                continue
+            changed = {**inputs, name: inputs[name] + _STEP * deviation}
+            found[name] = run.simulate(plain, numbers, changed), 1.0 / _STEP
+        return found
+
+    def _block(
+        self, run: _Run, trial: int, channel: Channel, solution: Solution, slopes: Array,
+        varied: dict[str, tuple[Solution, float]], state: _State,
+    ) -> _Block:  # fmt: skip
+        prepared, lag = run.prepared, float(state.lags[trial])
+        now = self._sensed(channel, state.xi)
+        table = prepared.table(now, solution)
+        p, q = len(self.free), len(self.nuisances)
+        columns = [table[:, 0], *(table[:, 1:] @ slopes).T]
+        names = {nuisance.name: p + i for i, nuisance in enumerate(self.nuisances)}
+        common = np.zeros((len(table), p + q))
+        own = np.zeros((len(table), len(self.own)))
+        base = prepared.table(now, varied[""][0])[:, 0]
+        moved = {name: (prepared.table(now, one)[:, 0] - base) * scale for name, (one, scale) in varied.items() if name}
+        gained = (table[:, 0] - now.bias) / (1.0 + self.value(f"{channel.name} gain", state.xi))
+        sensed = {f"{channel.name} gain": gained * self.doubt.gain}
+        if f"{channel.name} corner" in self.place:
+            step = state.xi.copy()
+            step[self.place[f"{channel.name} corner"]] += _STEP
+            sensed[f"{channel.name} corner"] = (
+                prepared.table(self._sensed(channel, step), solution)[:, 0] - table[:, 0]
+            ) / _STEP
+        keys = [*moved, *sensed]
+        stack = np.column_stack([*columns, *moved.values(), *sensed.values()])
+        shifted, by_lag = shift_with_derivative(stack, prepared.rate, lag)
+        if channel.datum == "free offset":
+            shifted, by_lag = shifted - shifted.mean(axis=0), by_lag - by_lag.mean(axis=0)
+            shifted[:, 0] += channel.measured.mean()
+        common[:, : p + self.lanes] = shifted[:, 1 : 1 + p + self.lanes]
+        for k, key in enumerate(keys, 1 + p + self.lanes):
+            if key in names:
+                common[:, names[key]] = shifted[:, k]
+            else:
+                own[:, [name for name, _ in self.own].index(key)] = shifted[:, k]
+        bias = f"{channel.name} bias"
+        if bias in names and channel.datum != "free offset":
+            common[:, names[bias]] = self.nuisances[self.place[bias]].deviation
+        return _Block(channel.name, trial, channel.measured - shifted[:, 0], common, own, by_lag[:, 0])
+
+    def _sensed(self, channel: Channel, xi: Array) -> Channel:
+        """The channel with its sensor as it may be."""
+        sensor = channel.sensor or Sensor()
+        change: dict[str, float] = {"gain": sensor.gain * (1.0 + self.value(f"{channel.name} gain", xi))}
+        if f"{channel.name} corner" in self.place and sensor.low_pass is not None:
+            change["low_pass"] = sensor.low_pass * float(np.exp(self.value(f"{channel.name} corner", xi)))
+        bias = channel.bias + self.value(f"{channel.name} bias", xi)
+        return replace(channel, sensor=sensor.model_copy(update=change), bias=bias)
+
+    # from blocks to a step ------------------------------------------------------------------------------------------
+
+    def system(self, blocks: Sequence[_Block], state: _State) -> _System:
+        """Lay the blocks out for steps: lags taken out, or held where they are not fitted."""
+        p, q, trials = len(self.free), len(self.nuisances), len(self.runs)
+        own = len(self.own) + (0 if self.align else 1)
+        rows = []
+        for trial, run in enumerate(self.runs):
+            group = [block for block in blocks if block.trial == trial]
+            unsure = _LAG_UNSURE / run.prepared.rate
+            extra = [block.own if self.align else np.column_stack([block.own, unsure * block.lag]) for block in group]
+            whole = np.vstack(
+                [np.column_stack([b.common, own_, b.residual]) for b, own_ in zip(group, extra, strict=True)]
+            )
+            if self.align:
+                project_out(whole, np.concatenate([block.lag for block in group]))
+            index = np.r_[np.arange(p + q), p + q + own * trial + np.arange(own)]
+            at = 0
+            for block in group:
+                part = whole[at : at + len(block.residual)]
+                rows.append((block.channel, part[:, :-1], part[:, -1], index))
+                at += len(part)
+        dim = p + q + own * trials
+        away = np.concatenate([np.zeros(p), state.xi, self._own_now(state).ravel()])
+        prior = np.ones(dim)
+        prior[:p], away[:p] = self.priors[:, 1] ** 2, state.theta - self.priors[:, 0]
+        return _System(self.names, rows, prior, away)
+
+    def _own_now(self, state: _State) -> Array:
+        if self.align:
+            return state.own
+        unsure = np.array([_LAG_UNSURE / run.prepared.rate for run in self.runs])
+        return np.column_stack([state.own, state.lags / unsure])
+
+    def moved(self, state: _State, step: Array, blocks: Sequence[_Block], share: float) -> _State:
+        """The state after a share of a step; lags follow."""
+        p, q = len(self.free), len(self.nuisances)
+        theta, xi = state.theta + share * step[:p], state.xi + share * step[p : p + q]
+        own = share * step[p + q :].reshape(len(self.runs), -1)
+        lowest = np.array([item.scaled(0.0) if item.lower >= 0.0 else -np.inf for item in self.free])
+        theta = np.maximum(theta, lowest)
+        lags = state.lags.copy()
+        for trial, run in enumerate(self.runs):
+            if not self.align:
+                lags[trial] += own[trial, -1] * _LAG_UNSURE / run.prepared.rate
+                continue
+            group = [block for block in blocks if block.trial == trial]
+            lag = np.concatenate([block.lag for block in group])
+            left = np.concatenate([b.residual - b.common @ (share * step[: p + q]) - b.own @ own[trial] for b in group])
+            lags[trial] += float(lag @ left) / max(float(lag @ lag), 1e-300)
+        return _State(theta, xi, state.own + own[:, : len(self.own)], lags)
+
+
+@dataclass
+class _System:
+    """Linear equations of one step: rows by channel, prior precision of the unknowns and how far they are from it."""
+
+    names: list[str]
+    rows: list[tuple[str, Array, Array, NDArray[np.int64]]]
+    prior: Array
+    away: Array
+
+    def __post_init__(self) -> None:
+        dim = len(self.prior)
+        self.normal = {name: (np.zeros((dim, dim)), np.zeros(dim)) for name in self.names}
+        for name, columns, residual, index in self.rows:
+            self.normal[name][0][np.ix_(index, index)] += columns.T @ columns
+            self.normal[name][1][index] += columns.T @ residual
+
+    def solved(self, prior: Array | None = None) -> _Step:
+        """Step and covariance; the weights and what is left depend on each other."""
+        prior = self.prior if prior is None else prior
+        step = np.zeros(len(prior))
+        for _ in range(_PASSES):
+            noise, energy, total = self._left(step)
+            step, covariance = self._with(prior, {name: noise[name] + energy[name] for name in self.names})
+        return _Step(step, covariance, noise, energy, total)
+
+    def _with(self, prior: Array, variance: Mapping[str, float]) -> tuple[Array, Array]:
+        information, score = np.diag(prior), -prior * self.away
+        for name in self.names:
+            information = information + self.normal[name][0] / variance[name]
+            score = score + self.normal[name][1] / variance[name]
+        covariance = np.asarray(np.linalg.pinv(information, hermitian=True), dtype=float)
+        return covariance @ score, covariance
+
+    def known(self, which: Mask, step: _Step, *, rest: bool = True) -> Array:
+        """Covariance with some unknowns known exactly (a mask), or without the unexplained rest."""
+        variance = {name: step.noise[name] + (step.energy[name] if rest else 0.0) for name in self.names}
+        information = np.diag(self.prior)
+        for name in self.names:
+            information = information + self.normal[name][0] / variance[name]
+        covariance = np.zeros_like(information)
+        kept = np.ix_(~which, ~which)
+        covariance[kept] = np.linalg.pinv(information[kept], hermitian=True)
+        return covariance
+
+    def _left(self, step: Array) -> tuple[dict[str, float], dict[str, float], dict[str, float]]:
+        """Variance of the noise, energy of the rest of one block, and mean square of what is left, by channel."""
+        noise: dict[str, list[float]] = {name: [] for name in self.names}
+        energy: dict[str, list[float]] = {name: [] for name in self.names}
+        square: dict[str, list[float]] = {name: [] for name in self.names}
+        for name, columns, residual, index in self.rows:
+            left = residual - columns @ step[index]
+            white = noise_variance(left)
+            mean = float(np.mean(left**2))
+            noise[name].append(white)
+            square[name].append(mean)
+            energy[name].append(max(mean - white, 0.0) * len(left))
+        return tuple({name: max(float(np.mean(part[name])), 1e-300) for name in self.names}
+                     for part in (noise, energy, square))  # type: ignore[return-value]  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Step:
+    """A step with its covariance; by channel the noise's variance, the rest's energy in a block, the mean square."""
+
+    step: Array
+    covariance: Array
+    noise: dict[str, float]
+    energy: dict[str, float]
+    square: dict[str, float]
+
+
+def noise_variance(residual: Array) -> float:
+    """Variance of white noise in a residual: its mean power above 0.55 of the Nyquist frequency.
+
+    What is coloured lies below and counts as something that the model lacks.
+    """
+    power = np.abs(np.fft.rfft(residual)) ** 2 / len(residual)
+    return float(np.mean(power[int(_NOISE_FROM * len(power)) : -1]))
+
+
+def calibrate(  # noqa: PLR0913 - each is a choice of its own
+    trials: Sequence[FitTrial],
+    free: Sequence[Free],
+    start: Mapping[str, float],
+    *,
+    doubt: Doubt,
+    lags: Mapping[str, float],
+    align: bool,
+    channels: Sequence[str] | None = None,
+    weights: str | Mapping[str, float] = "normalised",
+    tolerance: float = 1e-8,
+    bench: Mapping[str, Estimate] | None = None,
+    priors: Mapping[str, tuple[float, float]] | None = None,
+) -> Discrepancy:
+    """Find the parameters again with all doubts as further unknowns, from where an update ended.
+
+    ``start`` are fitted values by path, ``lags`` (s) those of the trials; ``bench`` are values of component tests to
+    hold the result against, ``priors`` mean and standard deviation of parameters that are known beforehand (both SI,
+    of the first trial's set-up).
+    """
+    one = _Calibration(
+        trials, free, doubt, channels=channels, weights=weights, align=align, tolerance=tolerance, priors=priors or {}
+    )
+    state = _State(
+        np.array([item.scaled(start[item.path]) for item in free]),
+        np.zeros(len(one.nuisances)),
+        np.zeros((len(trials), len(one.own))),
+        np.array([lags.get(trial.name, 0.0) for trial in trials]),
+    )
+    p = len(free)
+    first = None
+    blocks, states = one.blocks(state)
+    for _ in range(_ROUNDS):
+        system = one.system(blocks, state)
+        found = system.solved()
+        first = first or _mean_squares(blocks)
+        share = min(1.0, _LONGEST / max(float(np.max(np.abs(found.step[p:]), initial=0.0)), 1e-12))
+        state, blocks, states = _next(one, state, found.step, blocks, share)
+        errors = np.sqrt(np.diag(found.covariance)[:p])
+        if share == 1.0 and np.all(np.abs(found.step[:p]) < _SETTLED * errors):
+            break
+    system = one.system(blocks, state)
+    return _reported(one, state, system, system.solved(), states, bench or {}, first)
+
+
+def _mean_squares(blocks: Sequence[_Block]) -> dict[str, float]:
+    """Mean square of the residuals of each channel."""
+    found: dict[str, list[float]] = {}
+    for block in blocks:
+        found.setdefault(block.channel, []).append(float(np.mean(block.residual**2)))
+    return {name: float(np.mean(values)) for name, values in found.items()}
+
+
+_LONGEST = 3.0  # prior standard deviations that a step may go
+
+
+def _next(
+    one: _Calibration, state: _State, step: Array, blocks: Sequence[_Block], share: float
+) -> tuple[_State, list[_Block], list[States]]:
+    """Go a step, or as much of it as can be simulated."""
+    for _ in range(5):
+        following = one.moved(state, step, blocks, share)
+        try:
+            return following, *one.blocks(following)
+        except SimulationError as error:
+            share, last = 0.5 * share, error
+    raise last
+
+
+# what is reported ---------------------------------------------------------------------------------------------------
+
+
+def _reported(
+    one: _Calibration, state: _State, system: _System, found: _Step, states: Sequence[States],
+    bench: Mapping[str, Estimate], first: Mapping[str, float] | None,
+) -> Discrepancy:  # fmt: skip
+    p, q, count = len(one.free), len(one.nuisances), len(one.runs)
+    laws = Laws(one.richer, states)
+    run = one.runs[0]
+
+    def readings(x: Array) -> Array:
+        rig = one.richer.plain(run.values, run.fitted(x[:p]), x[p:])
+        presliding = one.value("presliding", x[p:])
+        return np.array([laws.readings(item.path, rig, x[p:], presliding) for item in one.free]).T
+
+    here = np.concatenate([state.theta, state.xi])
+    values = readings(here)
+    slopes = np.stack(
+        [(readings(here + move) - readings(here - move)) / 2e-4 for move in 1e-4 * np.eye(p + q)], axis=-1
+    )
+    covariance = found.covariance[: p + q, : p + q]
+    errors = np.sqrt(np.maximum(np.einsum("kij,jl,kil->ki", slopes, covariance, slopes), 0.0))
+    shares = _shares(one, system, found, slopes[0], errors[0])
+    after = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    nuisances = _nuisances(one, state, after[p:])
+    unexplained = {n: found.energy[n] / (found.energy[n] + _length(system, n) * found.noise[n]) for n in one.names}
+    reducer, reduced, strays = _freed(one, state, system, found)
+    estimates = {
+        item.path: (estimate(values[0, i], errors[0, i], count), estimate(values[1, i], errors[1, i], count))
+        for i, item in enumerate(one.free)
+    }
+    for item in one.free:
+        if item.lower >= 0.0:
+            estimates[item.path] = at_least_zero(estimates[item.path][0]), at_least_zero(estimates[item.path][1])
+    contradicted = _contradictions(estimates, bench)
+    parameters = {
+        item.path: _law_estimate(*estimates[item.path], shares[item.path], strays, contradicted, item.path)
+        for item in one.free
+    }
+    sizes = np.sqrt(np.maximum(np.diag(covariance), 1e-300))
+    correlation = (covariance / np.outer(sizes, sizes))[:p, :p]
+    before = sum(first[n] / found.noise[n] for n in one.names) if first else 0.0
+    left = sum(found.square[n] / found.noise[n] for n in one.names)
+    counted: dict[str, int] = {}
+    for group in (*(nuisance.group for nuisance in one.nuisances), *(name for name, _ in one.own)):
+        counted[group] = counted.get(group, 0) + 1
+    return Discrepancy(
+        parameters,
+        nuisances,
+        tuple(tuple(float(v) for v in row) for row in correlation),
+        unexplained,
+        reducer,
+        reduced,
+        {n: float(np.sqrt(found.noise[n])) for n in one.names},
+        counted,
+        count,
+        left / before if before > 0.0 else 1.0,
+        tuple(_findings(strays, nuisances, contradicted, unexplained, reducer, reduced)),
+    )
+
+
+def _length(system: _System, name: str) -> float:
+    """Mean number of samples of a channel's blocks."""
+    return float(np.mean([len(residual) for channel, _, residual, _ in system.rows if channel == name]))
+
+
+def _nuisances(one: _Calibration, state: _State, after: Array) -> dict[str, NuisanceEstimate]:
+    found = {}
+    xi, error = _unwhitened(one, state.xi), after
+    for i, nuisance in enumerate(one.nuisances):
+        found[nuisance.name] = NuisanceEstimate(
+            nuisance.group, nuisance.unit, nuisance.mean, nuisance.deviation,
+            nuisance.mean + nuisance.deviation * float(xi[i]), nuisance.deviation * float(error[i]),
+        )  # fmt: skip
+    return found
+
+
+def _unwhitened(one: _Calibration, xi: Array) -> Array:
+    """Doubts in their own prior standard deviations: the damper's forces are correlated."""
+    knotted, found = one.richer.whitened(), xi.copy()
+    if knotted is not None:
+        places, root = list(knotted[0]), knotted[1]
+        found[places] = root @ xi[places] / np.array([one.nuisances[i].deviation for i in places])
+    return found
+
+
+def _groups(one: _Calibration, size: int) -> dict[str, Mask]:
+    """Mask of the unknowns of each group of doubts."""
+    p, q = len(one.free), len(one.nuisances)
+    own = (size - p - q) // max(len(one.runs), 1)
+    names = [name for name, _ in one.own] + ([] if one.align else ["lag"])
+    masks: dict[str, Mask] = {}
+    for i, nuisance in enumerate(one.nuisances):
+        masks.setdefault(nuisance.group, np.zeros(size, dtype=bool))[p + i] = True
+    for j, name in enumerate(names):
+        masks.setdefault(name, np.zeros(size, dtype=bool))[p + q + j :: own] = True
+    return masks
+
+
+def _shares(
+    one: _Calibration, system: _System, found: _Step, slopes: Array, errors: Array
+) -> dict[str, dict[str, float]]:
+    """Share of each reading's variance that would be gone if a group were known, or the model explained the rest."""
+    p, q = len(one.free), len(one.nuisances)
+    covariances = {g: system.known(mask, found) for g, mask in _groups(one, len(system.prior)).items()}
+    covariances["unexplained rest"] = system.known(np.zeros(len(system.prior), dtype=bool), found, rest=False)
+    shares: dict[str, dict[str, float]] = {item.path: {} for item in one.free}
+    for group, covariance in covariances.items():
+        variance = np.einsum("ij,jl,il->i", slopes, covariance[: p + q, : p + q], slopes)
+        for i, item in enumerate(one.free):
+            shares[item.path][group] = float(np.clip(1.0 - variance[i] / max(errors[i] ** 2, 1e-300), 0.0, 1.0))
+    return shares
+
+
+def _freed(one: _Calibration, state: _State, system: _System, found: _Step) -> tuple[str, float, dict[str, float]]:
+    """Set each group of doubts free in turn: which would explain most of the rest, and which doubts leave their priors.
+
+    Gives the group with what would then be left unexplained (1), and name to where a doubt would go, in prior standard
+    deviations. Held by its prior a doubt never goes far: the rest that it leaves weakens the data until it need not.
+    """
+    p, q = len(one.free), len(one.nuisances)
+
+    def rest(step: _Step) -> float:
+        """Energy of the rest over that of the noise, mean of the channels."""
+        return float(np.mean([step.energy[n] / (_length(system, n) * found.noise[n]) for n in one.names]))
+
+    now = best = rest(found)
+    name, strays = "", dict[str, float]()
+    for group, mask in _groups(one, len(system.prior)).items():
+        freer = system.solved(np.where(mask, _FREER * system.prior, system.prior))
+        left = rest(freer)
+        if left < best:
+            best, name = left, group
+        if left > _WORTH * now:
+            continue
+        to = _unwhitened(one, state.xi + freer.step[p : p + q])
+        error = _unwhitened(one, np.sqrt(np.diag(freer.covariance)[p : p + q]))
+        for i in np.flatnonzero(mask[p : p + q]):
+            if abs(to[i]) > max(FAR, _SIGNIFICANT * abs(error[i])):
+                strays[one.nuisances[i].name] = float(to[i])
+    if best > _WORTH * now:
+        name, best = "", now
+    return name, best / (1.0 + best), strays
+
+
+_FREER = 1e-4  # of a prior's precision: a hundred times its standard deviation
+_SIGNIFICANT = 2.0  # standard errors
+_WORTH = 0.8  # of the rest's energy: a smaller reduction is not worth naming
+
+
+def _contradictions(
+    estimates: Mapping[str, tuple[Estimate, Estimate]], bench: Mapping[str, Estimate]
+) -> dict[str, str]:
+    found = {}
+    for path, both in estimates.items():
+        if path not in bench:
+            continue
+        low, high = _hull(both)
+        tested = bench[path]
+        half = 0.0 if tested.interval is None else 0.5 * (tested.interval[1] - tested.interval[0])
+        apart, allowed = abs(0.5 * (low + high) - tested.value), float(np.hypot(0.5 * (high - low), half))
+        if apart > allowed:
+            found[path] = f"{2.0 * apart / max(allowed, 1e-300):.1f} combined standard errors"
+    return found
+
+
+def _hull(both: tuple[Estimate, Estimate]) -> tuple[float, float]:
+    intervals = [one.interval or (one.value, one.value) for one in both]
+    return min(low for low, _ in intervals), max(high for _, high in intervals)
+
+
+def _law_estimate(
+    component: Estimate, effective: Estimate, shares: dict[str, float], strays: Mapping[str, float],
+    contradicted: Mapping[str, str], path: str,
+) -> LawEstimate:  # fmt: skip
+    low, high = _hull((component, effective))
+    value, why = 0.5 * (low + high), ""
+    if path in contradicted:
+        why = f"contradicts its bench value by {contradicted[path]}"
+    elif 0.5 * (high - low) > USEFUL * abs(value):
+        why = "its interval is wider than its value"
+    elif strays:
+        why = f"{next(iter(strays))} leaves its prior"
+    return LawEstimate(value, (low, high), component, effective, not why, why, shares)
+
+
+def _findings(
+    strays: Mapping[str, float], nuisances: Mapping[str, NuisanceEstimate], contradicted: Mapping[str, str],
+    unexplained: Mapping[str, float], reducer: str, reduced: float,
+) -> list[Finding]:  # fmt: skip
+    found = []
+    for path, by in contradicted.items():
+        text = (
+            f"the update contradicts the value measured on the bench by {by}: the model lacks something that this "
+            "parameter makes up for, or the bench measured something else (another load, rate or temperature)"
+        )
+        found.append(Finding(path, "warning", text))
+    for name, moved in strays.items():
+        text = (
+            f"wants to be {abs(moved):.1f} standard deviations from what was taken for possible: state it better or "
+            f"widen doubt.{nuisances[name].group}; no parameter of this update counts as identified"
+        )
+        found.append(Finding(name, "warning", text, moved))
+    worst = max(unexplained, key=lambda name: unexplained[name])
+    if unexplained[worst] > USEFUL:
+        more = f"; more freedom for {reducer} would leave {100.0 * reduced:.0f} % of all" if reducer else ""
+        text = (
+            f"{100.0 * unexplained[worst]:.0f} % of the residual's energy is neither noise nor anything that was "
+            f"doubted{more}"
+        )
+        found.append(Finding(worst, "note", text, unexplained[worst]))
+    return found
+
+
+_INPUTS = ("height", "contact_patch", "presliding")
+
+
+def _ridden(prepared: Prepared) -> Ridden:
+    """Static deflections and the largest strut velocity of a trial, by the rig as it is."""
+    solution = replace(prepared, compiled=prepared.compiled.plain).solve(np.zeros(0), 1e-5)
+    names = prepared.compiled.output_names
+
+    def seen(name: str) -> Array:
+        return solution.outputs[names.index(name)] if name in names else np.zeros(1)
+
+    velocity = float(np.max(np.abs(seen("strut.velocity"))))
+    return Ridden(float(seen("strut.deflection")[0]), float(seen("tyre.deflection")[0]), max(velocity, 1e-3))
+
+
+def _scaled(track: Segments, factor: float) -> Segments:
+    """The same pieces, higher."""
+    if factor == 1.0:
+        return track
+    if np.all(track.kind == POLYNOMIAL):
+        return replace(track, coefficients=factor * track.coefficients)
+    table = track.coefficients.copy()
+    waves = track.kind != POLYNOMIAL
+    table[~waves] *= factor
+    table[waves, :2] *= factor
+    return replace(track, coefficients=table)
+
+
+def _moved(track: Segments, edges: Array) -> Segments:
+    """The same pieces between other edges, stretched to fit."""
+    stretch = np.diff(track.edges) / np.diff(edges)
+    table = track.coefficients.copy()
+    polynomial = track.kind == POLYNOMIAL
+    for power in (1, 2, 3):
+        table[polynomial, power] *= stretch[polynomial] ** power
+    table[~polynomial, 2] *= stretch[~polynomial]
+    return replace(track, edges=edges, coefficients=table)

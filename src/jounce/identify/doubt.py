@@ -1,0 +1,86 @@
+"""What may be wrong with a model and its measurements, and by how much: standard deviations of what is never exact."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+from jounce.core.description import Description
+from jounce.core.units import NonNegativeForce, Unit
+
+Share = Annotated[float, Unit("1", at_least=0.0)]
+
+
+class Doubt(Description):
+    """How far model and measurements may be off, each as one standard deviation; 0 takes a thing as exact.
+
+    The defaults are those of a careful small laboratory. Half or double of them changes intervals little: what the
+    recordings contradict counts by itself.
+
+    Attributes
+    ----------
+    stated : float
+        Masses that the rig states, in 3-D, as a share (1).
+    lumped : float
+        The same of lumped models, whose masses are on no scale: the arms are sprung in part.
+    estimated : float
+        Masses that the rig's ``estimated`` list names, as a share (1).
+    values : dict
+        Path of any number of the rig to its own: a share (``"3 %"``), or in its unit (``"0.2 kg"``).
+    angle : float
+        Strut angle, rad.
+    damper_shape : float
+        Force of the damper beside its law, as a share (1) of it, at velocities as far apart as slow and fast; in
+        addition ``damper_force`` (N).
+    damper_force : float
+        See there, N.
+    presliding : float
+        Hysteretic force of damper, mounts and seals that builds up over half a millimetre, N.
+    friction : float
+        Friction that is not fitted, as a share (1) of the load on the spring.
+    friction_onset : float
+        Regularisation velocities of friction, as a factor: 1 for between half and double (1).
+    spring_curvature : float
+        Change of the spring's rate at the strut for a deflection as large as the static one, as a share (1); of lumped
+        models, which have no motion ratio that changes.
+    tyre_curvature : float
+        The same of the tyre's stiffness.
+    height : float
+        Height of obstacles, or size of a base motion, as a share (1).
+    contact_patch : float
+        Length of the patch over which the tyre averages an obstacle, in static deflections of the tyre (1).
+    speed : float
+        Speed of each trial, m/s.
+    slowing : float
+        Share (1) by which the speed changes during a pass, of each trial.
+    gain : float
+        Gain of a sensor, as a share (1).
+    corner : float
+        Corner frequency of a low pass, as a share (1).
+    bias : float
+        Constant error of a sensor, as a share (1) of the standard deviation of its record.
+
+    Examples
+    --------
+    >>> Doubt(height="3 %", values={"unsprung.mass": "0.1 kg"}).height
+    0.03
+    """
+
+    stated: Share = 0.005
+    lumped: Share = 0.02
+    estimated: Share = 0.03
+    values: dict[str, Any] = {}
+    angle: Annotated[float, Unit("rad", at_least=0.0)] = 0.0087
+    damper_shape: Share = 0.2
+    damper_force: NonNegativeForce = 2.0
+    presliding: NonNegativeForce = 4.0
+    friction: Share = 0.02
+    friction_onset: Share = 1.0
+    spring_curvature: Share = 0.03
+    tyre_curvature: Share = 0.02
+    height: Share = 0.015
+    contact_patch: Share = 6.0
+    speed: Annotated[float, Unit("m/s", at_least=0.0)] = 0.003
+    slowing: Share = 0.02
+    gain: Share = 0.01
+    corner: Share = 0.15
+    bias: Share = 0.03

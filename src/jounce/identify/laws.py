@@ -1,0 +1,132 @@
+"""What a parameter stands for: the value of its law over the states of a ride, in two readings.
+
+The *component value* is what a test machine gives of the part: the slope of the damper's force over velocity alone,
+its force of sliding, the tangent of spring and tyre at the static load. The *effective value* is what the model's law
+has to be to give the part's force over the ride as well as it can: a degressive damper without friction is, to a model
+with a line, a damper and some friction. They differ by definition, not by error; an interval for a parameter has to
+hold both.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from jounce.core.types import Array
+from jounce.identify.richer import SLIDING_OVER, Richer
+from jounce.simulation.compiled import Compiled
+from jounce.simulation.result import Solution
+
+_ONSET = 0.002  # m/s over which the model's friction turns over where the rig does not say
+
+
+@dataclass(frozen=True)
+class States:
+    """Where a ride has been, each shape (n,): time (s), strut and tyre deflections (m), rates (m/s), body velocity."""
+
+    time: Array
+    strut: Array
+    velocity: Array
+    tyre: Array
+    tyre_rate: Array
+    body: Array
+
+    @classmethod
+    def of(cls, compiled: Compiled, solution: Solution) -> States:
+        """Read them off a simulation; what the model does not show is zero."""
+        names, time = compiled.output_names, solution.time
+
+        def seen(name: str) -> Array:
+            return solution.outputs[names.index(name)] if name in names else np.zeros(len(time))
+
+        tyre = seen("tyre.deflection")
+        return cls(
+            time, seen("strut.deflection"), seen("strut.velocity"), tyre, np.gradient(tyre, time), seen("sprung.vz")
+        )
+
+    @classmethod
+    def joined(cls, all_of: Sequence[States], every: int = 1) -> States:
+        """Rides one after another, every so many samples."""
+        names = ("time", "strut", "velocity", "tyre", "tyre_rate", "body")
+        return cls(*(np.concatenate([getattr(one, name)[::every] for one in all_of]) for name in names))
+
+    def sliding(self) -> Array:
+        """Share of a presliding force between -1 and 1 after Dahl: it builds up over a distance, whatever the speed."""
+        z = np.zeros(len(self.time))
+        moved = 0.5 * (self.velocity[1:] + self.velocity[:-1]) * np.diff(self.time)
+        left, ends = np.exp(-np.abs(moved) / SLIDING_OVER), np.sign(moved)
+        for i in range(len(moved)):
+            z[i + 1] = ends[i] + (z[i] - ends[i]) * left[i] if ends[i] else z[i]
+        return z
+
+
+class Laws:
+    """Readings of the fitted parameters from the richer rig's numbers over the states ridden."""
+
+    def __init__(self, richer: Richer, states: Sequence[States], every: int = 3) -> None:
+        self.richer = richer
+        self.seen = States.joined(states, every)
+        self.sliding = np.concatenate([one.sliding()[::every] for one in states])
+        self.static = richer.ridden.tyre
+        self._inverse: dict[str, Array] = {}
+
+    def readings(self, path: str, p: Mapping[str, float], xi: Array, presliding: float) -> tuple[float, float]:
+        """Component and effective value of a parameter, SI; ``p`` are the rig's numbers with those fitted."""
+        if not self.richer.has_laws:
+            return p[path], p[path]
+        if path in ("tyre.stiffness", "tyre.damping_coefficient"):
+            stiffness, damping = self._tyre(p, xi)
+            return p[path], stiffness if path == "tyre.stiffness" else damping
+        if path.endswith("friction.force") and path.startswith("guide"):
+            return p[path], self._guide(path, p, xi)
+        if path in ("strut.spring.rate", "strut.damper.coefficient", "strut.friction.force"):
+            component, effective = self._strut_components(p, xi, presliding), self._strut(p, xi, presliding)
+            return component[path], effective.get(path, component[path])
+        return p[path], p[path]
+
+    def _strut_components(self, p: Mapping[str, float], xi: Array, presliding: float) -> dict[str, float]:
+        v = self.seen.velocity
+        force = self.richer.damper_force(p, xi, v)
+        return {
+            "strut.spring.rate": p.get("strut.spring.rate", 0.0),
+            "strut.damper.coefficient": float(v @ force / (v @ v)),
+            "strut.friction.force": p.get("strut.friction.force", 0.0) + presliding,
+        }
+
+    def _strut(self, p: Mapping[str, float], xi: Array, presliding: float) -> dict[str, float]:
+        """Line, damper and friction nearest to the strut's force."""
+        x, v = self.seen.strut, self.seen.velocity
+        onset = p.get("strut.friction.regularisation_velocity", _ONSET)
+        force = self.richer.elastic_force("strut.spring", p, xi, x) + self.richer.damper_force(p, xi, v)
+        force = force + p.get("strut.friction.force", 0.0) * np.tanh(v / onset) + presliding * self.sliding
+        names = ["strut.spring.rate", "strut.damper.coefficient"]
+        columns = [np.ones(len(v)), x, v]
+        if "strut.friction.force" in self.richer.free:
+            names.append("strut.friction.force")
+            columns.append(np.tanh(v / self._nominal("strut.friction")))
+        return dict(zip(names, self._nearest("strut", columns, force)[1:], strict=True))
+
+    def _tyre(self, p: Mapping[str, float], xi: Array) -> tuple[float, float]:
+        touching = self.seen.tyre > 0.0
+        d, rate = self.seen.tyre[touching], self.seen.tyre_rate[touching]
+        force = self.richer.elastic_force("tyre", p, xi, d) + p.get("tyre.damping_coefficient", 0.0) * rate
+        _, stiffness, damping = self._nearest("tyre", [np.ones(len(d)), d, rate], force)
+        return float(stiffness), float(damping)
+
+    def _guide(self, path: str, p: Mapping[str, float], xi: Array) -> float:
+        del xi
+        u, place = self.seen.body, path.removesuffix(".force")
+        turned = np.tanh(u / p.get(f"{place}.regularisation_velocity", _ONSET))
+        column = np.tanh(u / self._nominal(place))
+        return float(self._nearest(place, [column], p[path] * turned)[0])
+
+    def _nominal(self, place: str) -> float:
+        """Velocity over which the plain rig's friction turns over."""
+        return self.richer.rig.parameters().get(f"{place}.regularisation_velocity", _ONSET)
+
+    def _nearest(self, name: str, columns: Sequence[Array], force: Array) -> Array:
+        if name not in self._inverse:
+            self._inverse[name] = np.linalg.pinv(np.column_stack(columns))
+        return np.asarray(self._inverse[name] @ force)

@@ -1,0 +1,301 @@
+"""The same rig with more to it: laws that may bend, friction that may be elsewhere, masses that may be off.
+
+With all of it at zero the richer rig moves as the rig does, so its exact sensitivities say what each would change.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError
+from jounce.core.types import Array
+from jounce.core.units import to_si
+from jounce.identify.doubt import Doubt
+from jounce.parts import Corner, QuarterCar, Rig
+from jounce.parts.elements import BilinearDamper, LinearDamper
+from jounce.parts.rig import unit_of, unknown_path
+
+_KNOTS = (0.03, 0.12, 0.35, 1.0)  # of the largest strut velocity: where the damper's law may bend, either way
+_KNEE = 0.1  # of the largest strut velocity: below it velocities count by their difference, above by their ratio
+_STIFFENS = 0.5  # of its doubt: tyres stiffen with deflection as a rule
+_ONSET, _ONSET_VELOCITY = math.log(2.0), 0.002
+SLIDING_OVER = 5e-4
+"""Deflection in m over which a presliding force builds up."""
+
+
+@dataclass(frozen=True)
+class Nuisance:
+    """Something of which only a mean and a standard deviation are known beforehand, in ``unit``.
+
+    ``group`` names the entry of :class:`Doubt` that it comes from.
+    """
+
+    name: str
+    group: str
+    unit: str
+    mean: float
+    deviation: float
+
+
+@dataclass(frozen=True)
+class Ridden:
+    """Where a ride begins and how far it goes: static deflections of strut and tyre (m), largest strut speed (m/s)."""
+
+    strut: float
+    tyre: float
+    velocity: float
+
+
+class Richer:
+    """A richer rig: its description, what may be off, and its numbers for values of both.
+
+    ``free`` are the paths of the fitted parameters; ``nuisances`` stand in the order of the whitened unknowns ``xi``
+    (independent, mean 0, standard deviation 1) that stand for them.
+    """
+
+    def __init__(self, rig: Rig, free: Sequence[str], doubt: Doubt, ridden: Ridden, used: Sequence[str]) -> None:
+        self.rig, self.free, self.doubt, self.ridden = rig, tuple(free), doubt, ridden
+        self.has_laws = isinstance(rig, (QuarterCar, Corner))
+        self.nuisances: list[Nuisance] = []
+        self._values = rig.parameters()
+        self._shares: dict[int, str] = {}
+        self._added: dict[int, str] = {}
+        self._factors: dict[int, str] = {}
+        self._table = rig.model_dump(by_alias=True, exclude_none=True)
+        self._knots: Array | None = None
+        self._knotted: tuple[tuple[int, ...], Array] | None = None
+        self._curved: dict[str, tuple[int, ...]] = {}
+        self._masses(used)
+        if self.has_laws:
+            self._damper()
+            self._frictions()
+            self._springs()
+        self._others(used)
+
+    @property
+    def described(self) -> Rig:
+        """The richer rig's description, with the values of the rig."""
+        return type(self.rig).from_table(self._table)
+
+    def of(self, rig: Rig) -> Rig:
+        """The richer description of another set-up of the same rig (angle, pressure)."""
+        table = rig.model_dump(by_alias=True, exclude_none=True)
+        return type(rig).from_table(_merged(self._table, table, self._replaced()))
+
+    def columns(self) -> tuple[str, ...]:
+        """Paths of the richer rig that move with fitted parameters and nuisances."""
+        return tuple(self.numbers(self._values, {}, np.zeros(len(self.nuisances))))
+
+    def plain(self, values: Mapping[str, float], fitted: Mapping[str, float], xi: Array) -> dict[str, float]:
+        """Numbers of the rig by path, with masses, angle and friction as they may be."""
+        p = {**values, **fitted}
+        for i, path in self._shares.items():
+            p[path] = p[path] * (1.0 + self.nuisances[i].deviation * xi[i])
+        for i, path in self._added.items():
+            p[path] = p.get(path, 0.0) + self.nuisances[i].deviation * xi[i]
+        for i, path in self._factors.items():
+            p[path] = p.get(path, _ONSET_VELOCITY) * math.exp(self.nuisances[i].deviation * xi[i])
+        return p
+
+    def numbers(self, values: Mapping[str, float], fitted: Mapping[str, float], xi: Array) -> dict[str, float]:
+        """Numbers of the richer rig by path, from those of a set-up, fitted ones and nuisances."""
+        p = self.plain(values, fitted, xi)
+        moving = (*self.free, *self._shares.values(), *self._added.values(), *self._factors.values())
+        out = {path: p[path] for path in moving if path not in self._gone()}
+        if self._knots is not None:
+            force = self.damper_force(p, xi, self._knots)
+            out.update({f"strut.damper.force[{i}]": float(f) for i, f in enumerate(force) if self._knots[i] != 0.0})
+        for part, places in self._curved.items():
+            out.update({f"{part}.curve.coefficients[{i}]": c for i, c in enumerate(self.curve(part, p, xi, places))})
+        return out
+
+    def damper_force(self, p: Mapping[str, float], xi: Array, velocity: Array) -> Array:
+        """Force in N of the damper's law with its bends at strut velocities (m/s), straight between the knots."""
+        bump, rebound = (p.get(f"strut.damper.{side}_coefficient", 0.0) for side in ("bump", "rebound"))
+        linear = p.get("strut.damper.coefficient")
+        bump, rebound = (bump, rebound) if linear is None else (linear, linear)
+        force = np.where(velocity > 0.0, bump, rebound) * velocity
+        if self._knotted is None or self._knots is None:
+            return np.asarray(force)
+        places, root = self._knotted
+        bends = np.zeros(len(self._knots))
+        bends[self._knots != 0.0] = root @ xi[list(places)]
+        return np.asarray(force + _straight(velocity, self._knots, bends))
+
+    def curve(self, part: str, p: Mapping[str, float], xi: Array, places: tuple[int, ...]) -> list[float]:
+        """Coefficients of spring or tyre, whose tangent at the static deflection is the rig's rate or stiffness."""
+        rate, rest = (p["strut.spring.rate"], self.ridden.strut) if part == "strut.spring" else (
+            p["tyre.stiffness"], self.ridden.tyre
+        )  # fmt: skip
+        bends = [self.nuisances[i].mean + self.nuisances[i].deviation * xi[i] for i in places]
+        square = rate * bends[0] / (2.0 * rest)
+        cube = rate * bends[1] / (3.0 * rest**2) if len(bends) > 1 else 0.0
+        found = [rate - 2.0 * square * rest - 3.0 * cube * rest**2, square]
+        return [*found, cube] if len(bends) > 1 else found
+
+    def elastic_force(self, part: str, p: Mapping[str, float], xi: Array, deflection: Array) -> Array:
+        """Force in N of spring or tyre at deflections (m), without preload."""
+        if part not in self._curved:
+            rate = p.get("strut.spring.rate" if part == "strut.spring" else "tyre.stiffness", 0.0)
+            return rate * deflection
+        coefficients = self.curve(part, p, xi, self._curved[part])
+        return np.asarray(np.polyval([*reversed(coefficients), 0.0], deflection))
+
+    # what may be off ------------------------------------------------------------------------------------------------
+
+    def _add(self, name: str, group: str, deviation: float, *, unit: str = "1", mean: float = 0.0) -> int | None:
+        if deviation <= 0.0:
+            return None
+        self.nuisances.append(Nuisance(name, group, unit, mean, deviation))
+        return len(self.nuisances) - 1
+
+    def _masses(self, used: Sequence[str]) -> None:
+        for path, value in self._values.items():
+            if not path.endswith("mass") or path not in used or path in self.free or value <= 0.0:
+                continue
+            guessed = any(path == name or path.startswith(f"{name}.") for name in self.rig.estimated)
+            group = "estimated" if guessed else "stated" if isinstance(self.rig, Corner) else "lumped"
+            share, group = self._own(path, getattr(self.doubt, group), group)
+            i = self._add(path, group, share)
+            if i is not None:
+                self._shares[i] = path
+
+    def _own(self, path: str, share: float, group: str) -> tuple[float, str]:
+        """Share by which a value may be off: its own, or that of its group."""
+        if path not in self.doubt.values:
+            return share, group
+        given, value, where = self.doubt.values[path], self._values[path], f"doubt.values: {path}"
+        try:
+            own = to_si(given, "1", where=where)
+        except DescriptionError:
+            own = to_si(given, unit_of(self.rig, path), where=where) / abs(value) if value else 0.0
+        if own < 0.0:
+            raise DescriptionError("a doubt below zero", where=where, found=given, allowed="0 or more")
+        return own, "values"
+
+    def _others(self, used: Sequence[str]) -> None:
+        angle = "strut.angle"
+        if angle in self._values and angle in used and angle not in self.free and angle not in self.doubt.values:
+            i = self._add(angle, "angle", self.doubt.angle, unit="rad")
+            if i is not None:
+                self._added[i] = angle
+        for path in self.doubt.values:
+            if path not in self._values:
+                raise unknown_path(f"doubt.values: {path}", self._values, name=path)
+            if path in self._shares.values() or path in self.free or path in self._gone():
+                continue
+            if path not in used:
+                raise DescriptionError("not a number of the equations", where=f"doubt.values: {path}")
+            i = self._add(path, "values", self._own(path, 0.0, "values")[0])
+            if i is not None:
+                self._shares[i] = path
+
+    def _damper(self) -> None:
+        damper = getattr(self.rig, "strut").damper  # noqa: B009 - rigs with laws have one
+        if not isinstance(damper, (LinearDamper, BilinearDamper)) or self.doubt.damper_shape <= 0.0:
+            return
+        positive = np.array(_KNOTS) * self.ridden.velocity
+        knots = np.concatenate([-positive[::-1], [0.0], positive])
+        moving = knots[knots != 0.0]
+        scale = self.doubt.damper_shape * np.abs(self.damper_force(self._values, np.zeros(0), moving))
+        scale = scale + self.doubt.damper_force
+        at = np.arcsinh(moving / (_KNEE * self.ridden.velocity))
+        apart = math.sqrt(3.0) * np.abs(at[:, None] - at)
+        root = np.linalg.cholesky((1.0 + apart) * np.exp(-apart) * np.outer(scale, scale) + 1e-9 * np.diag(scale**2))
+        places = [
+            self._add(f"damper force at {v:+.2g} m/s", "damper_shape", float(s), unit="N")
+            for v, s in zip(moving, scale, strict=True)
+        ]
+        self._knotted = tuple(i for i in places if i is not None), root
+        self._knots = knots
+        force = self.damper_force(self._values, np.zeros(len(self.nuisances)), knots)
+        self._table["strut"]["damper"] = {"velocity": tuple(knots), "force": tuple(force)}
+
+    def whitened(self) -> tuple[tuple[int, ...], Array] | None:
+        """Places of the damper's forces among the nuisances, and the root of their prior covariance, N."""
+        return self._knotted
+
+    def _frictions(self) -> None:
+        load = self._values.get("sprung.mass", 0.0) * self._values.get("gravity", 0.0)
+        for path, holder in self._friction_places().items():
+            table = holder.setdefault(path.rpartition(".")[2], {"force": 0.0})
+            table.setdefault("regularisation_velocity", _ONSET_VELOCITY)
+            if f"{path}.force" not in self.free:
+                i = self._add(f"{path}.force", "friction", self.doubt.friction * load, unit="N")
+                if i is not None:
+                    self._added[i] = f"{path}.force"
+            if f"{path}.regularisation_velocity" not in self.free:
+                deviation = self.doubt.friction_onset * _ONSET
+                i = self._add(f"{path}.regularisation_velocity", "friction_onset", deviation, unit="ln")
+                if i is not None:
+                    self._factors[i] = f"{path}.regularisation_velocity"
+
+    def _friction_places(self) -> dict[str, dict[str, Any]]:
+        """Path of each friction to the table that holds it."""
+        places = {"strut.friction": self._table["strut"]}
+        if isinstance(self.rig, QuarterCar):
+            places["guide.friction"] = self._table.setdefault("guide", {})
+        elif getattr(self.rig, "guide", "fixed") != "fixed":
+            places["guide_friction"] = self._table
+        return places
+
+    def _springs(self) -> None:
+        doubt = self.doubt
+        if isinstance(self.rig, QuarterCar) and "strut.spring.rate" in self._values and self.ridden.strut > 0.0:
+            self._bend("strut.spring", "spring_curvature", [(0.0, doubt.spring_curvature)], "rate")
+        if "tyre.stiffness" in self._values and self.ridden.tyre > 0.0:
+            share = doubt.tyre_curvature
+            self._bend("tyre", "tyre_curvature", [(_STIFFENS * share, share), (0.0, 0.1 * share)], "stiffness")
+
+    def _bend(self, part: str, group: str, bends: list[tuple[float, float]], law: str) -> None:
+        names = ("curvature", "change of curvature")
+        places = [
+            self._add(f"{part} {name}", group, deviation, mean=mean)
+            for name, (mean, deviation) in zip(names, bends, strict=False)
+        ]
+        if None in places:
+            return
+        self._curved[part] = tuple(i for i in places if i is not None)
+        table = self._table["strut"]["spring"] if part == "strut.spring" else self._table["tyre"]
+        table.pop(law)
+        table["curve"] = {"kind": "polynomial", "coefficients": (1.0,) * (1 + len(places))}
+
+    def _replaced(self) -> set[str]:
+        """Tables that are the richer rig's own."""
+        parts = {f"{part}.curve" for part in self._curved}
+        return parts | ({"strut.damper"} if self._knots is not None else set())
+
+    def _gone(self) -> set[str]:
+        """Paths of the rig that the richer one does not have."""
+        gone = {
+            f"{part}.{law}" for part, law in (("strut.spring", "rate"), ("tyre", "stiffness")) if part in self._curved
+        }
+        names = ("coefficient", "bump_coefficient", "rebound_coefficient")
+        return gone | ({f"strut.damper.{name}" for name in names} if self._knots is not None else set())
+
+
+def _merged(richer: dict[str, Any], plain: dict[str, Any], own: set[str], prefix: str = "") -> dict[str, Any]:
+    """Values of ``plain`` in the shape of ``richer``; tables in ``own`` and what ``plain`` lacks are the richer's."""
+    found = {}
+    for key, value in richer.items():
+        path = f"{prefix}{key}"
+        other = plain.get(key)
+        if path in own or key not in plain:
+            found[key] = value
+        elif isinstance(value, dict) and isinstance(other, dict):
+            found[key] = _merged(value, other, own, f"{path}.")
+        else:
+            found[key] = other
+    return found
+
+
+def _straight(x: Array, knots: Array, values: Array) -> Array:
+    """Straight lines through points, going on beyond the ends."""
+    inside = np.interp(x, knots, values)
+    first, last = ((values[i + 1] - values[i]) / (knots[i + 1] - knots[i]) for i in (0, len(knots) - 2))
+    return np.asarray(inside + np.minimum(x - knots[0], 0.0) * first + np.maximum(x - knots[-1], 0.0) * last)

@@ -1,0 +1,251 @@
+"""Intervals that count what the model lacks: richer rigs, exact slopes, what is claimed and when it is withheld."""
+
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.core.errors import DescriptionError, FitError
+from jounce.identify.discrepancy import _Calibration, _State, noise_variance
+from jounce.identify.estimate import Estimate
+from jounce.identify.fit_problem import free_parameters
+from jounce.identify.laws import Laws, States
+from jounce.identify.richer import Richer, Ridden
+from jounce.simulation.compiled import compile_rig
+
+RIG = jn.load("kart-quarter-car").with_changes({
+    "strut.friction": {"force": 4.0, "regularisation_velocity": 0.005},
+    "guide.friction": {"force": 6.0, "regularisation_velocity": 0.005},
+    "tyre.damping_coefficient": 15.0,
+})  # fmt: skip
+FREE = {
+    "strut.spring.rate": "15 %",
+    "strut.damper.coefficient": "50 %",
+    "guide.friction.force": ["0 N", "30 N"],
+    "tyre.stiffness": "15 %",
+}
+BUMP = {"height": "10 mm", "length": "60 mm", "start": "0.2 m"}
+DEGRESSIVE = {"velocity": [-1.2, -0.5, -0.15, 0.0, 0.15, 0.5, 1.2], "force": [-150, -85, -32, 0, 28, 70, 125]}
+
+
+def trial(speed, truth, *, told=RIG, noise=0.0, seed=0):
+    """One pass of a true rig, described by another one."""
+    course = jn.Trial(road=jn.HalfSine(**BUMP), speed=speed, duration=0.8)
+    run = jn.simulate(truth, course, tolerance=1e-7)[["sprung.az", "unsprung.az"]]
+    draw = np.random.default_rng(seed)
+    for name, size in (("sprung.az", noise), ("unsprung.az", 4.0 * noise)):
+        run[name].values = run[name].values + size * draw.standard_normal(run.sizes["time"])
+    return jn.FitTrial(f"{speed} m/s", told, course, run)
+
+
+def trials(changes, *, count=3, **more):
+    truth = RIG.with_changes(changes)
+    return [trial(speed, truth, seed=i, **more) for i, speed in enumerate((1.95, 2.86, 3.79)[:count])]
+
+
+@pytest.fixture(scope="module")
+def wrong():
+    """A degressive damper fitted by a linear one."""
+    made = trials({"strut.damper": DEGRESSIVE}, noise=0.1)
+    return made, jn.update_model(made, FREE, weights="normalised", align="lag", doubt=jn.Doubt())
+
+
+# the richer rig ---------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["kart-quarter-car", "kart-double-wishbone"])
+def test_the_richer_rig_moves_as_the_rig_does(name):
+    rig = jn.load(name)
+    free = [
+        path for path in ("strut.spring.rate", "strut.damper.coefficient", "tyre.stiffness") if path in rig.parameters()
+    ]
+    doubt = jn.Doubt(tyre_curvature=0.0)
+    richer = Richer(rig, free, doubt, Ridden(0.007, 0.0015, 1.0), compile_rig(rig).facts.parameters)
+    numbers = richer.numbers(rig.parameters(), {}, np.zeros(len(richer.nuisances)))
+    course = jn.Trial(road=jn.HalfSine(**BUMP), speed=1.95, duration=0.5)
+    plain = jn.simulate(rig, course, tolerance=1e-7)
+    rich = jn.simulate(richer.described.with_changes(numbers), course, tolerance=1e-7)
+    for channel in ("sprung.az", "unsprung.az", "strut.force", "tyre.force"):
+        size = float(np.abs(plain[channel]).max())
+        assert np.abs(rich[channel] - plain[channel]).max() < 2e-4 * size, channel
+    assert len(richer.nuisances) > 12
+
+
+def test_slopes_of_all_doubts_are_those_of_differences():
+    free = free_parameters(RIG, FREE)
+    one = _Calibration(
+        trials({}, count=1),
+        free,
+        jn.Doubt(),
+        channels=None,
+        weights="normalised",
+        align=True,
+        tolerance=1e-8,
+        priors={},
+    )
+    here = _State(np.zeros(len(free)), np.zeros(len(one.nuisances)), np.zeros((1, 2)), np.zeros(1))
+    blocks, _ = one.blocks(here)
+    names = [*FREE, *(nuisance.name for nuisance in one.nuisances)]
+    assert {"height", "contact_patch", "presliding", "sprung.mass", "tyre curvature"} <= set(names)
+    for k, name in enumerate(names):
+        vectors = []
+        for step in (1e-3, -1e-3):
+            moved = _State(here.theta.copy(), here.xi.copy(), here.own, here.lags)
+            (moved.theta if k < len(free) else moved.xi)[k if k < len(free) else k - len(free)] += step
+            vectors.append([block.residual for block in one.blocks(moved)[0]])
+        rough = 0.1 if name in ("height", "contact_patch", "presliding") or "corner" in name else 1e-3
+        for block, after, before in zip(blocks, *vectors, strict=True):
+            slope = (before - after) / 2e-3
+            error = np.sort(np.abs(slope - block.common[:, k]))[: int(0.98 * len(slope))]  # but for jumps at landings
+            assert np.linalg.norm(error) <= rough * max(np.linalg.norm(slope), 1e-3), name
+
+
+def test_presliding_builds_up_over_a_distance_and_turns_over_with_the_motion():
+    time = np.linspace(0.0, 1.0, 2001)
+    still = np.zeros_like(time)
+    wave = 0.1 * np.sin(2.0 * np.pi * 2.0 * time)
+    z = States(time, still, wave, still, still, still).sliding()
+    assert np.abs(z).max() <= 1.0
+    assert z[250] > 0.99
+    assert z[499] > 0.99
+    assert z[750] < -0.99
+    slow = States(10.0 * time, still, 0.1 * wave, still, still, still).sliding()
+    assert slow == pytest.approx(z, abs=1e-9)  # a distance, whatever the speed
+
+
+def test_a_bend_of_the_damper_is_friction_to_a_model_with_a_line():
+    """Degressive law without friction: the nearest line and friction have friction; a linear one has none."""
+    v = 0.5 * np.sin(np.linspace(0.0, 20.0, 2000))
+    still = np.zeros_like(v)
+    seen = States(np.linspace(0.0, 1.0, 2000), np.cos(np.linspace(0.0, 20.0, 2000)), v, still, still, still)
+    free = ["strut.damper.coefficient", "strut.friction.force"]
+    richer = Richer(RIG, free, jn.Doubt(), Ridden(0.007, 0.0015, 0.5), compile_rig(RIG).facts.parameters)
+    laws = Laws(richer, [seen], every=1)
+    p = {**RIG.parameters(), "strut.friction.force": 0.0, "strut.damper.coefficient": 150.0}
+    xi = np.zeros(len(richer.nuisances))
+    assert laws.readings("strut.friction.force", p, xi, 0.0) == pytest.approx((0.0, 0.0), abs=1e-9)
+    places, root = richer.whitened()
+    bends = np.array([20.0, 5.0, -2.0, -1.0, 1.0, 2.0, -5.0, -20.0])
+    xi[list(places)] = np.linalg.solve(root, bends)
+    component, effective = laws.readings("strut.friction.force", p, xi, 0.0)
+    assert component == 0.0
+    assert effective > 1.0
+
+
+def test_noise_is_what_lies_above_the_motion():
+    time = np.arange(2000) / 1000.0
+    noise = 0.3 * np.random.default_rng(1).standard_normal(2000)
+    assert noise_variance(noise) == pytest.approx(0.09, rel=0.1)
+    assert noise_variance(noise + 5.0 * np.sin(2.0 * np.pi * 30.0 * time)) == pytest.approx(0.09, rel=0.1)
+
+
+# what is claimed --------------------------------------------------------------------------------------------------
+
+
+def test_intervals_hold_the_truth_where_those_of_the_noise_do_not(wrong):
+    _, found = wrong
+    truth = {"strut.spring.rate": 22730.0, "guide.friction.force": 6.0, "tyre.stiffness": 138468.0}
+    for path, value in truth.items():
+        law = found.discrepancy.parameters[path]
+        assert law.interval[0] <= value <= law.interval[1], path
+        assert law.interval[0] <= law.component.value <= law.interval[1]
+        assert law.interval[0] <= law.effective.value <= law.interval[1]
+        assert law.value == pytest.approx(0.5 * sum(law.interval))
+    low, high = found.parameters["guide.friction.force"].interval
+    assert not low <= 6.0 <= high
+    plain = abs(found.parameters["guide.friction.force"].value - 6.0)
+    assert abs(found.discrepancy.parameters["guide.friction.force"].component.value - 6.0) < 0.5 * plain
+
+
+def test_what_is_counted_is_told(wrong):
+    _, found = wrong
+    told = found.discrepancy
+    assert told.trials == 3
+    assert set(told.unexplained) == {"sprung.az", "unsprung.az"}
+    assert all(0.0 <= share <= 1.0 for share in told.unexplained.values())
+    assert told.objective < 0.5  # the richer model leaves less than half of what the plain one leaves
+    assert told.noise["sprung.az"] == pytest.approx(0.1, rel=0.2)
+    assert told.counted["damper_shape"] == 8
+    shares = told.parameters["strut.damper.coefficient"].shares
+    assert {"damper_shape", "unexplained rest", "height"} <= set(shares)
+    assert all(0.0 <= share <= 1.0 for share in shares.values())
+
+
+def test_without_model_error_the_price_is_small():
+    made = trials({"strut.spring.rate": 23500.0}, noise=0.1)
+    found = jn.update_model(made, FREE, weights="normalised", align="lag", doubt=jn.Doubt())
+    rate, tyre = (found.discrepancy.parameters[path] for path in ("strut.spring.rate", "tyre.stiffness"))
+    assert rate.identified
+    assert tyre.identified
+    assert rate.interval[0] < 23500.0 < rate.interval[1]
+    assert rate.half_width < 0.1 * rate.value
+    assert max(found.discrepancy.unexplained.values()) < 0.5
+
+
+def test_fewer_than_three_trials_give_no_such_interval():
+    found = jn.update_model(trials({}, count=2), FREE, weights="normalised", doubt=jn.Doubt())
+    assert found.discrepancy is None
+    assert any("that takes 3 trials, fitted: 2" in finding.message for finding in found.findings)
+
+
+def test_a_contradicted_bench_value_withholds_its_parameter(wrong):
+    made, _ = wrong
+    bench = {"tyre.stiffness": Estimate(170e3, 500.0, (169e3, 171e3))}
+    found = jn.update_model(made, FREE, weights="normalised", align="lag", doubt=jn.Doubt(), bench=bench)
+    law = found.discrepancy.parameters["tyre.stiffness"]
+    assert not law.identified
+    assert "contradicts its bench value" in law.why
+    assert found.findings[0].place == "tyre.stiffness"
+    assert "the model lacks something that this parameter makes up for" in found.findings[0].message
+
+
+def test_a_doubt_that_leaves_its_prior_is_named():
+    made = trials({"unsprung.mass": 6.0}, noise=0.05)
+    sure = jn.Doubt(values={"unsprung.mass": "0.5 %"}, contact_patch=0.0)
+    found = jn.update_model(made, FREE, weights="normalised", align="lag", doubt=sure)
+    assert found.discrepancy.would_reduce in ("values", "lumped")
+    assert not any(law.identified for law in found.discrepancy.parameters.values())
+    assert any(finding.place == "unsprung.mass" and "doubt.values" in finding.message for finding in found.findings)
+
+
+# priors and doubts as they are written ------------------------------------------------------------------------------
+
+
+def test_a_prior_narrows_and_draws(wrong):
+    made, without = wrong
+    tight = {"bounds": "15 %", "prior": ["22.73 N/mm", "0.05 N/mm"]}
+    found = jn.update_model(
+        made, {**FREE, "strut.spring.rate": tight}, weights="normalised", align="lag", doubt=jn.Doubt()
+    )
+    before, after = (one.discrepancy.parameters["strut.spring.rate"] for one in (without, found))
+    assert after.half_width < 0.5 * before.half_width
+    assert after.component.value == pytest.approx(22730.0, abs=100.0)
+    assert found.parameters["strut.spring.rate"].value == without.parameters["strut.spring.rate"].value
+
+
+@pytest.mark.parametrize(
+    ("given", "doubt", "message"),
+    [
+        ({"bounds": "15 %", "prior": ["22.7 N/mm", "0.1 N/mm"]}, None, "with doubt only"),
+        ({"bounds": "15 %", "prior": ["22.7 N/mm"]}, {}, "not bounds with a prior"),
+        ({"prior": ["22.7 N/mm", "0.1 N/mm"]}, {}, "not bounds with a prior"),
+        ({"bounds": "15 %", "prior": ["22.7 N/mm", "0 N/mm"]}, {}, "not a standard deviation"),
+        ({"bounds": "15 %", "prior": ["22.7 kg", "0.1 N/mm"]}, {}, "unit"),
+        ("15 %", {"heigth": "1 %"}, "heigth"),
+        ("15 %", {"height": "-1 %"}, "height"),
+        ("15 %", {"values": {"unsprung.mas": "1 %"}}, "no such parameter"),
+        ("15 %", {"values": {"unsprung.mass": "-1 %"}}, "below zero"),
+    ],
+)
+def test_priors_and_doubts_that_cannot_be_meant_are_refused(given, doubt, message):
+    with pytest.raises((FitError, DescriptionError), match=message):
+        jn.update_model(trials({}), {"strut.spring.rate": given}, doubt=doubt)
+
+
+def test_masses_that_move_far_and_pairs_that_act_alike_lead():
+    free = {"sprung.mass": "20 %", "strut.spring.rate": "20 %"}
+    found = jn.update_model(trials({"strut.damper": DEGRESSIVE, "sprung.mass": 17.5}), free, weights="normalised")
+    places = [finding.place for finding in found.findings]
+    assert "sprung.mass" in places
+    assert any("known from the scale" in finding.message for finding in found.findings)
+    value = found.correlation[0][1]
+    assert any("strongly correlated" in finding.message for finding in found.findings) == (abs(value) > 0.9)
