@@ -1,19 +1,10 @@
-"""Bench campaigns: from a folder of measurements to an updated model with its evidence."""
+"""Bench campaigns: from a folder of measurements to an updated model with its evidence.
 
-from jounce.campaign.description import Campaign, load_campaign
-from jounce.campaign.result import CampaignResult, StrategyResult, TrialResult
-from jounce.campaign.run import run_campaign
-from jounce.campaign.template import new_campaign
-from jounce.campaign.truth import BenchTruth, load_truth
+Names are loaded on first use, so that a list of files loads no fit; the one list of them is ``__init__.pyi``.
+"""
 
-__all__ = [
-    "BenchTruth",
-    "Campaign",
-    "CampaignResult",
-    "StrategyResult",
-    "TrialResult",
-    "load_campaign",
-    "load_truth",
-    "new_campaign",
-    "run_campaign",
-]
+from __future__ import annotations
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -29,11 +29,11 @@ from jounce.cli.options import (
 from jounce.cli.reply import Reply, progress, show_findings, show_written, table
 
 if TYPE_CHECKING:
-    import xarray as xr
     from rich.console import Console
 
     from jounce.core.findings import Finding
     from jounce.roads import Trial
+    from jounce.simulation.run import Solved
     from jounce.simulation.settings import Method
 
 
@@ -70,16 +70,18 @@ def simulate(
     trial = trial_of(road, excitation, speed, duration, where="jounce simulate", right=right_road, loads=loads)
     with progress() as say:
         say("loading")
-        from jounce.recordings import write_recording
         from jounce.roads.trial import trial_findings
-        from jounce.simulation import simulate as run_simulation
+        from jounce.simulation.run import solved
+        from jounce.simulation.settings import RunSettings
 
         wanted = changes(set_)
         chosen = chosen_rig(rig, wanted)
         say("simulating")
-        run = run_simulation(chosen, trial, output_step=step, tolerance=error, method=cast("Method", method))
+        run = solved(chosen, trial, RunSettings(step, error, cast("Method", method)))
         if out is not None:
-            write_recording(run, out, force=force)
+            from jounce.recordings import write_recording
+
+            write_recording(run.recording(), out, force=force)
     findings = trial_findings(trial, chosen, output_step=step)
     setup: dict[str, Any] = {"rig": rig, "changes": wanted, "road": road, "right_road": right_road, "loads": loads}
     setup |= {"excitation": excitation and str(excitation)}
@@ -87,19 +89,19 @@ def simulate(
     return Reply(plain, lambda console: _draw(console, plain, findings), as_json)
 
 
-def _summary(run: xr.Dataset, trial: Trial) -> dict[str, Any]:
-    """What the recording holds: extremes of every channel with their times, and the state of rest it starts from."""
+def _summary(run: Solved, trial: Trial) -> dict[str, Any]:
+    """What a recording would hold: extremes of every channel with their times, and the rest that it starts from."""
     from jounce.recordings.schema import extremes
 
     return {
         "speed": trial.speed,
         "duration": trial.duration,
-        "samples": run.sizes["time"],
-        "status": run.attrs["status"],
-        "method": run.attrs["method"],
-        "steps": int(run.attrs["steps"]),
-        "events": int(run.attrs["events"]),
-        "channels": extremes(run),
+        "samples": len(run.time),
+        "status": run.attributes["status"],
+        "method": run.attributes["method"],
+        "steps": run.attributes["steps"],
+        "events": run.attributes["events"],
+        "channels": extremes(run.time, run.channels),
     }
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.errors import RecordingError, nearest
+from jounce.core.types import Array
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -86,15 +87,16 @@ def channels_of(name: str, names: Sequence[str]) -> list[str]:
     return [name] if name in names else [channel for channel in names if is_channel(channel, name)]
 
 
-def extremes(run: xr.Dataset) -> dict[str, dict[str, str | float]]:
-    """First, least and greatest value of every channel in its unit, with the times (s) of the extremes."""
-    time = run["time"].to_numpy()
+def extremes(time: Array, channels: Mapping[str, tuple[Array, str, str]]) -> dict[str, dict[str, str | float]]:
+    """First, least and greatest value of every channel in its unit, with the times (s) of the extremes.
+
+    The channels are those that :func:`recording` takes.
+    """
     found: dict[str, dict[str, str | float]] = {}
-    for name, channel in run.data_vars.items():
-        values = channel.to_numpy()
+    for name, (values, unit, _) in channels.items():
         low, high = int(values.argmin()), int(values.argmax())
-        found[str(name)] = {
-            "unit": str(channel.attrs["units"]),
+        found[name] = {
+            "unit": unit,
             "static": float(values[0]),
             "minimum": float(values[low]),
             "time_of_minimum": float(time[low]),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -74,7 +75,35 @@ def simulate(
     >>> bool(run["tyre.force"].min() == 0.0)   # the tyre lifts off
     True
     """
-    times = RunSettings(output_step, tolerance, method).times(trial.duration)
+    settings = RunSettings(output_step, tolerance, method)
+    return solved(rig, trial, settings, offset=offset, detail=detail, check=check, control=control).recording()
+
+
+@dataclass(frozen=True)
+class Solved:
+    """A run that is no recording yet: sample times (s), channels as ``recording`` takes them, and how it went."""
+
+    time: Array
+    channels: dict[str, tuple[Array, str, str]]
+    attributes: dict[str, str | int]
+
+    def recording(self) -> xr.Dataset:
+        """Give it as everyone reads it."""
+        return recording(self.time, self.channels, attributes=self.attributes)
+
+
+def solved(
+    rig: Rig,
+    trial: Trial,
+    settings: RunSettings,
+    *,
+    offset: dict[str, float] | None = None,
+    detail: bool = False,
+    check: bool = True,
+    control: AnyControl | None = None,
+) -> Solved:
+    """Run what :func:`simulate` records; who shows only some numbers of it needs no Dataset."""
+    times, method = settings.times(trial.duration), settings.method
     loop = close_loop(rig, control)
     if loop and trial.actuator_force is not None:
         raise SimulationError(
@@ -90,7 +119,7 @@ def simulate(
         raise SimulationError("controlled runs are explicit", where="method", found=method, allowed="auto, explicit")
     if loop:
         signals, method = loop.with_rest(compiled, signals), "explicit"
-    prepared = prepare(compiled, p, signals, times, tolerance=tolerance, offset=start, method=method)
+    prepared = prepare(compiled, p, signals, times, tolerance=settings.tolerance, offset=start, method=method)
     if loop:
         if check and prepared.equilibrium is not None:
             check_stable(loop, compiled, p, prepared.equilibrium, prepared.still)
@@ -104,10 +133,8 @@ def simulate(
         output.name: (solution.outputs[i, :reach], output.unit, output.long_name)
         for i, output in enumerate(compiled.facts.outputs)
     }
-    run = recording(times[:reach], channels)
-    run.attrs["status"] = solution.status.name.lower()
-    run.attrs["method"], run.attrs["steps"], run.attrs["events"] = solution.method, solution.steps, solution.events
-    return run
+    how: dict[str, str | int] = {"status": solution.status.name.lower(), "method": solution.method}
+    return Solved(times[:reach], channels, {**how, "steps": solution.steps, "events": solution.events})
 
 
 def _offset(compiled: Compiled, offset: dict[str, float] | None) -> Array | None:

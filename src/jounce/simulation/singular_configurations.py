@@ -11,7 +11,6 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
-from scipy.interpolate import BarycentricInterpolator
 
 from jounce.core.segments import Segments
 from jounce.core.types import Array
@@ -87,6 +86,8 @@ def _carried_over(begin: Begin, run: Solution, reached: int, ahead: int, toleran
     before = begin(run.states[:, last - width], nodes, tolerance).run()
     if _reached(before) < _NODES:
         return None
+    from scipy.interpolate import BarycentricInterpolator
+
     curve = BarycentricInterpolator(nodes, before.states, axis=1)
     states, outputs = run.states.copy(), run.outputs.copy()
     for i in range(last + 1, target + 1):

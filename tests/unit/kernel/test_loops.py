@@ -74,6 +74,23 @@ def test_built_code_is_of_the_sources_as_they_are() -> None:
             assert native.read_sealed(file, key_of("another", digest, platform)) is None
 
 
+def test_a_printed_table_of_a_cached_run_imports_no_table_library(tmp_path) -> None:
+    (tmp_path / "bump.toml").write_text('kind = "half-sine"\nheight = "10 mm"\nlength = "60 mm"\n')
+    script = """
+import sys
+from jounce.cli import main
+sys.argv[1:] = ["simulate", "kart-quarter-car", "--road", sys.argv[1], "--speed", "1.95 m/s", "--duration", "0.5 s"]
+try:
+    main()
+except SystemExit as end:
+    assert not end.code, end
+print(sorted({"numba", "pandas", "scipy.interpolate", "xarray"} & set(sys.modules)))
+"""
+    command = [sys.executable, "-c", script, str(tmp_path / "bump.toml")]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert done.stdout.endswith("[]\n"), done.stdout
+
+
 @pytest.mark.skipif(not BUILT.exists(), reason="make loops")
 def test_a_first_run_compiles_no_loop_and_imports_no_compiler_of_them(tmp_path) -> None:
     script = """

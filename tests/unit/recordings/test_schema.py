@@ -118,8 +118,8 @@ def test_check_refuses_what_is_no_recording() -> None:
 
 
 def test_extremes_with_their_times() -> None:
-    run = recording([0.0, 0.1, 0.2, 0.3], {"tyre.force": ([5.0, 9.0, -1.0, 9.0], "N", "")})
-    assert extremes(run)["tyre.force"] == {
+    channels = {"tyre.force": (np.array([5.0, 9.0, -1.0, 9.0]), "N", "")}
+    assert extremes(np.array([0.0, 0.1, 0.2, 0.3]), channels)["tyre.force"] == {
         "unit": "N", "static": 5.0,
         "minimum": -1.0, "time_of_minimum": 0.2, "maximum": 9.0, "time_of_maximum": 0.1,
     }  # fmt: skip
