@@ -52,4 +52,4 @@ def test_bench_tables_choose_a_variable(tmp_path: Path) -> None:
     )
     (trial,), _ = read_force_deflection([tmp_path / "a.mat"], table)
     np.testing.assert_allclose(trial.force, 5.0 * WAVE[:500])
-    np.testing.assert_allclose(trial.displacement, 1e-3 * WAVE[:500])
+    np.testing.assert_allclose(trial.deflection, 1e-3 * WAVE[:500])

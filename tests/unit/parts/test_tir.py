@@ -201,3 +201,25 @@ def test_spellings_that_other_programs_write(tmp_path) -> None:
     text = SMALL.replace("\n", "\r\n").replace("= 210  ", "=2.1D+02").replace("'mm'", "'MM'")
     (tmp_path / "other.tir").write_bytes(text.replace("[VERTICAL]", "[ vertical ]").encode("cp1252"))
     assert read_tir(tmp_path / "other.tir").stiffness == pytest.approx(210e3)
+
+
+def test_bottoming_curves_are_read_and_named_as_dropped(tmp_path: Path) -> None:
+    text = (
+        "[UNITS]\nLENGTH = 'mm'\nFORCE = 'newton'\nTIME = 'second'\n[DIMENSION]\nUNLOADED_RADIUS = 300\n"
+        "[VERTICAL]\nVERTICAL_STIFFNESS = 200\nBOTTOMING_RADIUS = 210\n"
+        "[BOTTOMING_CURVE]\n{pen fz}\n0 0\n5 4000\n10 20000\n"
+    )
+    file = tmp_path / "rim.tir"
+    file.write_text(text)
+    tyre = read_tir(file)
+    assert (tyre.bottoming_penetration, tyre.bottoming_load) == ((0.0, 0.005, 0.01), (0.0, 4000.0, 20000.0))
+    assert tyre.bottoming_radius == pytest.approx(0.21)
+    (finding,) = tyre.findings
+    assert (finding.severity, finding.value) == ("note", pytest.approx(0.09))
+    assert "the rim hits the road from a deflection of 0.09 m on" in finding.message
+    assert tyre.tyre()["stiffness"] == pytest.approx(2e5)
+    file.write_text(text.replace("BOTTOMING_RADIUS = 210\n", ""))
+    assert "it never acts" in read_tir(file).findings[0].message
+    file.write_text(text.replace("5 4000", "5 -4000"))
+    with pytest.raises(DescriptionError, match=r"line 13: \[BOTTOMING_CURVE\]: the curve does not ascend"):
+        read_tir(file)

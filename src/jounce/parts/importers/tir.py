@@ -60,8 +60,12 @@ class TyreProperties:
         Q_FZ2 (1): share of the load that rises with the square of deflection over radius; 0 where there is none.
     bottoming_radius, bottoming_stiffness : float or None
         Radius in m below which the rim hits the road, and its stiffness in N/m; None where the file has none, or 0.
+    bottoming_penetration, bottoming_load : tuple of float
+        Curve of the rim's force (N), which adds to the tyre's, over what the radius is below ``bottoming_radius``
+        (m); empty where the file has none.
     findings : tuple of Finding
-        Values that are unusual, so that a wrong unit is seen.
+        Values that are unusual, so that a wrong unit is seen, and a note where the rim's bottoming is dropped by
+        `tyre`, with the deflection (m) from which on.
     """
 
     name: str
@@ -79,6 +83,8 @@ class TyreProperties:
     load_curvature: float = 0.0
     bottoming_radius: float | None = None
     bottoming_stiffness: float | None = None
+    bottoming_penetration: tuple[float, ...] = ()
+    bottoming_load: tuple[float, ...] = ()
     findings: tuple[Finding, ...] = field(default=(), compare=False)
 
     def stiffness_at(self, pressure: float | None = None) -> float:
@@ -125,7 +131,8 @@ class TyreProperties:
         """Give a tyre table for rigs: ``stiffness`` or ``curve``, ``damping_coefficient`` and ``undeformed_radius``.
 
         A curve is given where the file has a measured one or one with Q_FZ2; ``pressure`` is in Pa, by default that
-        of the file. ``undeformed_radius`` (m) is not a field of lumped tyres: take it out for them.
+        of the file. ``undeformed_radius`` (m) is not a field of lumped tyres: take it out for them. The rim, which
+        hits the road below ``bottoming_radius``, is left out.
         """
         factor = self._pressure_factor(pressure)
         tyre: dict[str, Any] = {"stiffness": self.stiffness * factor}
@@ -190,6 +197,9 @@ def read_tir(path: Path | str) -> TyreProperties:
     conditions = ("TIRE_CONDITIONS", "OPERATING_CONDITIONS", "INFLATION_PRESSURE", "VERTICAL", "MODEL")
     pressures = [entries.pressure(conditions, names) for names in (("IP", "INFLPRES"), ("IP_NOM", "NOMPRES"))]
     deflection, load = entries.curve("DEFLECTION_LOAD_CURVE", length, force)
+    penetration, rim_load = entries.curve("BOTTOMING_CURVE", length, force)
+    rim_radius = entries.number(("DIMENSION", "VERTICAL"), "BOTTOMING_RADIUS", length) or None
+    rim_stiffness = entries.number(("VERTICAL",), "BOTTOM_STIFF", rate) or None
     found: dict[str, Any] = {
         "stiffness": (stiffness or 0.0) * (scale or 1.0),
         "damping_coefficient": damping or 0.0,
@@ -207,10 +217,26 @@ def read_tir(path: Path | str) -> TyreProperties:
         deflection=deflection,
         load=load,
         load_curvature=entries.number(("VERTICAL",), "Q_FZ2", 1.0) or 0.0,
-        bottoming_radius=entries.number(("DIMENSION", "VERTICAL"), "BOTTOMING_RADIUS", length) or None,
-        bottoming_stiffness=entries.number(("VERTICAL",), "BOTTOM_STIFF", rate) or None,
-        findings=_unusual(entries.file.stem, found),
+        bottoming_radius=rim_radius,
+        bottoming_stiffness=rim_stiffness,
+        bottoming_penetration=penetration,
+        bottoming_load=rim_load,
+        findings=(
+            *_unusual(entries.file.stem, found),
+            *_dropped(entries.file.stem, found["radius"], rim_radius, has_rim=bool(penetration or rim_stiffness)),
+        ),
     )
+
+
+def _dropped(name: str, radius: float, rim_radius: float | None, *, has_rim: bool) -> tuple[Finding, ...]:
+    """A note where the file knows when the rim hits the road, which a rig's tyre does not."""
+    if not has_rim:
+        return ()
+    if rim_radius is None:
+        text = "the file has the force of the rim on the road, but no BOTTOMING_RADIUS: it never acts, and is left out."
+        return (Finding(name, "note", text),)
+    text = "the rim hits the road from a deflection of {:.4g} m on; a rig's tyre has no rim, so this is left out."
+    return (Finding(name, "note", text.format(radius - rim_radius), radius - rim_radius),)
 
 
 def _unusual(name: str, found: dict[str, float]) -> tuple[Finding, ...]:
