@@ -13,8 +13,9 @@ from jounce.core.findings import Finding
 from jounce.core.text import aligned
 from jounce.core.units import to_si
 from jounce.parts import Rig
+from jounce.recordings.plausibility import implausible
 from jounce.recordings.quality import check_time
-from jounce.recordings.schema import check_recording, is_channel
+from jounce.recordings.schema import check_recording, is_channel, quantity_of
 from jounce.ride import comfort
 from jounce.ride.catalogue import (
     CATALOGUE,
@@ -290,7 +291,12 @@ def ride_metrics(
             raise RecordingError(f"the metric is not available: {reason}", where=row.name)
     totals = {item.place: item.value for item in values if item.metric == "vibration_total_value"}
     words = {place: comfort.comfort_words(value) for place, value in totals.items()}
-    findings = tuple(_findings(views, values, {row.name for row in wanted}, rate, choices.exposure / 3600.0))
+    used = {name for row in wanted for name in names if any(is_channel(name, part) for part in row.needs)}
+    signals = {name: run[name].to_numpy()[first:] for name in names if name in used and quantity_of(name) != "command"}
+    findings = (
+        *implausible(signals, 1.0 / rate, where=""),
+        *_findings(views, values, {row.name for row in wanted}, rate, choices.exposure / 3600.0),
+    )
     duration = (run["time"].size - 1 - first) / rate
     return RideMetrics(tuple(values), tuple(absent), words, duration, left_out, rate, findings)
 
@@ -371,6 +377,12 @@ def _findings(
             name, limit = ("limit", comfort.LIMIT_VALUE) if is_over else ("action", comfort.ACTION_VALUE)
             text = f"for {hours:g} h a day A(8) is {item.value:.3g} m/s^2, above the {name} value of "
             yield Finding(item.place, "note", text + f"{limit:g} (2002/44/EC)", item.value)
+        if item.metric == "motion_sickness" and item.value > 1.0:
+            text = (
+                f"{100.0 * item.value:.3g} % of the people cannot be: no vehicle shakes so, or for so long; check the "
+                "unit of the acceleration (mm/s^2 or mg rather than m/s^2?) and of time"
+            )
+            yield Finding(item.place, "problem", text, item.value)
     whole = [corner for corner, view in views["corner"] if view.has("strut.force")]
     by_damper = any(view.has("strut.damper_force") for _, view in views["corner"])
     if "dissipated_power" in wanted and whole and not by_damper:

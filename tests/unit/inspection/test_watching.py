@@ -128,3 +128,19 @@ def test_a_folder_that_goes_away_may_come_back(folder, store) -> None:
     assert len(watch.look()) == 1
     with pytest.raises(JounceError, match="no such folder"):
         FolderWatch(folder / "nowhere", store)
+
+
+def test_what_jounce_writes_into_the_folder_is_no_record(folder, store, clock, monkeypatch) -> None:
+    """A protocol's values and exported tables are formats that recordings are read from, or may be one day."""
+    from jounce.inspection.archive.exporting import export
+
+    monkeypatch.setattr(watching, "record_suffixes", lambda: (".csv", ".parquet", ".json"))
+    watch = FolderWatch(folder, store, settle=0.0, clock=clock)
+    (folder / "car.json").write_text('{\n  "schema": "jounce.protocol/1",\n  "software": {}}')
+    export([{"number": 1, "wheel": "left", "adhesion": 0.5}], folder / "lane.csv")
+    pytest.importorskip("pyarrow")
+    export([{"number": 1, "wheel": "left", "adhesion": 0.5}], folder / "lane.parquet")
+    (folder / "record.csv").write_text(HALF + "0, 1\n")
+    assert [seen.file.name for seen in watch.look()] == ["record.csv"]
+    assert not watch.is_waiting
+    assert watch.look() == []

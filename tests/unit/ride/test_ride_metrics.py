@@ -292,3 +292,16 @@ def test_places_must_be_clear() -> None:
         found.value("adhesion", "front")
     with pytest.raises(jn.DescriptionError, match="unknown metric"):
         found.value("adhesions")
+
+
+def test_a_ride_that_no_vehicle_gives_is_a_problem() -> None:
+    """Accelerations of mm/s^2 taken for m/s^2: motion sickness of far more than everybody."""
+    time = np.arange(20_000) * 0.01
+    heave = 0.9 * np.sin(2.0 * np.pi * 0.2 * time)
+    usual = ride_metrics(recording(time, {"sprung.az": (heave, "m/s^2", "")}), settling=0.0)
+    assert [found for found in usual.findings if found.severity == "problem"] == []
+    wrong = ride_metrics(recording(time, {"sprung.az": (1000.0 * heave, "m/s^2", "")}), settling=0.0)
+    assert wrong.value("motion_sickness") > 3.73
+    problems = [found for found in wrong.findings if found.severity == "problem"]
+    assert any("no suspension reaches" in found.message and "mm/s^2" in found.message for found in problems)
+    assert any("% of the people cannot be" in found.message for found in problems)

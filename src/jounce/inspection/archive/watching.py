@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from jounce.parts.testers import Tester
 
 _Stamp = tuple[int, int]
+_END = 1 << 15
+_OWN = (b'"jounce.protocol/', b"axle_verdict")
+"""What only a protocol's values and an exported table hold, near their beginning or end."""
 
 
 def record_suffixes() -> tuple[str, ...]:
@@ -116,8 +119,12 @@ class FolderWatch:
         return file.suffix.lower() in self._suffixes and file.name[0] not in ".~" and not file.is_dir()
 
     def _take(self, file: Path, path: str, stamp: _Stamp) -> Seen | None:
-        """Import one file; None where the store cannot be written to now, so that it comes again."""
+        """Import a file; None where the store cannot be written to now, so that it comes again; and for own output."""
         try:
+            if _is_own_output(file):
+                self._done[path] = stamp
+                self._waiting.pop(path, None)
+                return None
             imported = import_record(file, self.store, self.tester, limits=self.limits)
             seen, self._busy = Seen(file, imported, imported.problem), ""
         except DamagedStoreError:
@@ -136,6 +143,15 @@ class FolderWatch:
             self._done[path] = stamp
         self._waiting.pop(path, None)
         return seen
+
+
+def _is_own_output(file: Path) -> bool:
+    """Whether a file is a protocol or an exported table: formats of records, but written from the store."""
+    with file.open("rb") as content:
+        ends = content.read(_END)
+        content.seek(max(0, file.stat().st_size - _END))
+        ends += content.read(_END)
+    return any(mark in ends for mark in _OWN)
 
 
 def _path_of(file: Path) -> str:
