@@ -52,7 +52,7 @@ def read_record(path: Path | str, tester: Tester | None = None) -> tuple[xr.Data
         known about the car stands in lines ``# left.static_load = "4316 N"`` before the columns, or in a TOML file of
         the same name beside it; the lines win.
     tester : Tester, optional
-        Whose ``columns`` say how the columns are called in its files.
+        Whose ``columns``, ``variable``, ``sample_time`` and ``resample`` say how its files are read.
 
     Returns
     -------
@@ -81,10 +81,13 @@ def read_record(path: Path | str, tester: Tester | None = None) -> tuple[xr.Data
     from jounce.recordings.files import read_recording
 
     file = Path(path)
-    columns = dict(tester.columns) if tester is not None else {}
+    told: dict[str, Any] = {}
+    if tester is not None:
+        told = {"columns": dict(tester.columns) or None, "variable": tester.variable}
+        told |= {"sample_time": tester.sample_time, "resample": tester.resample}
     header, findings = _header(file)
     try:
-        dataset, found = read_recording(file, columns=columns or None)
+        dataset, found = read_recording(file, **told)
     except DescriptionError as error:
         raise _unit_error(error) from None
     except RecordingError as error:

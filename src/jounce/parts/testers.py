@@ -23,6 +23,7 @@ from jounce.core.units import (
     NonNegativeForce,
     PositiveLength,
     PositiveStiffness,
+    PositiveTime,
     Unit,
 )
 from jounce.parts.rig import change_table
@@ -164,6 +165,9 @@ class Tester(Description):
         What a test must keep to.
     columns : dict
         Channel of a record (``left.plate.z``) to the name of its column in this tester's files.
+    variable, sample_time, resample
+        Of this tester's files, as in `read_recording`: matrix or group, step (s) of files without time, and the
+        constant step (s) that records with irregular time are brought onto.
     name, source : str
         Of the tester, and of its numbers.
     estimated : tuple of str
@@ -186,6 +190,9 @@ class Tester(Description):
     drive: Drive | None = None
     limits: TesterLimits = TesterLimits()
     columns: dict[str, str] = {}
+    variable: str = ""
+    sample_time: PositiveTime | None = None
+    resample: PositiveTime | None = None
     sides: ClassVar[tuple[str, ...]] = ("left", "right")
     __test__: ClassVar[bool] = False  # not a test of pytest's
 

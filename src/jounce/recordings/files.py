@@ -27,7 +27,6 @@ if TYPE_CHECKING:
     import xarray as xr
 
 Columns = Mapping[str, str] | str | None
-_SAME_DURATION = 5e-3
 
 
 def read_recording(
@@ -146,7 +145,7 @@ def _positive(given: float | str | None, where: str, what: str) -> float | None:
 
 
 def _contradiction(recorded: Column | None, step: float, rows: int, file: str) -> list[Finding]:
-    """A warning where a given sample time makes the record longer or shorter than its own time does."""
+    """A warning where a given sample time puts a sample half a step or more from where its own time does."""
     try:
         time = in_si(recorded, "s") if recorded is not None else np.empty(0)
     except JounceError:  # the file's time cannot be read: that is why a step is given
@@ -154,11 +153,12 @@ def _contradiction(recorded: Column | None, step: float, rows: int, file: str) -
     if time.size < 2:
         return []
     given, own = (rows - 1) * step, float(time[-1] - time[0])
-    if abs(given - own) <= _SAME_DURATION * given:
+    departure = float(np.abs(time - time[0] - np.arange(rows) * step).max())
+    if departure < 0.5 * step:
         return []
     text = (
-        f"with the given sample time of {step:g} s the record is {given:g} s long, by its recorded time {own:g} s; "
-        "the sample time was taken"
+        f"with the given sample time of {step:g} s the record is {given:g} s long, by its recorded time {own:g} s "
+        f"(samples lie up to {departure:.3g} s apart); the sample time was taken"
     )
     return [Finding(f"{file}: time", "warning", text, own)]
 

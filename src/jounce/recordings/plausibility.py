@@ -34,15 +34,17 @@ _MOTION = (
     Reach("rate", 30.0, (5e-3, 5.0)),  # r.m.s. of the change from sample to sample
 )
 _ACCELERATION = (Reach("mean", 30.0, (0.02, 15.0)), Reach("r.m.s.", 1000.0, (0.05, 50.0)))
-_BODY_ACCELERATION = (Reach("mean", 30.0, (0.02, 15.0)), Reach("r.m.s.", 100.0, (0.05, 20.0)))
-_VELOCITY = (Reach("r.m.s.", 30.0, (5e-3, 5.0)),)
-_FORCE = (Reach("peak", 1e6, (50.0, 1e5)),)
+_HEAVE = (_ACCELERATION[0], Reach("r.m.s.", 1000.0, (0.05, 50.0), least=0.01))
+_BODY_HEAVE = (_ACCELERATION[0], Reach("r.m.s.", 100.0, (0.05, 20.0), least=0.01))
+_VELOCITY = (Reach("r.m.s.", 30.0, (5e-3, 5.0), least=1e-3),)
+_FORCE = (Reach("peak", 1e6, (50.0, 1e5), least=10.0),)
 _ANGLE = (Reach("peak", 1.6, (1e-3, 0.6)),)
 _MOMENT = (Reach("peak", 1e6, (1.0, 1e5)),)
 REACHES: dict[str, tuple[Reach, ...]] = {
     **dict.fromkeys(("deflection", "displacement", "stroke", "travel"), _MOTION),
     "z": (_MOTION[1],),  # a road may climb
-    **dict.fromkeys(("ax", "ay", "az", "acceleration"), _ACCELERATION),
+    **dict.fromkeys(("ax", "ay", "acceleration"), _ACCELERATION),
+    "az": _HEAVE,
     **dict.fromkeys(("deflection_velocity", "velocity", "vz"), _VELOCITY),
     **dict.fromkeys(("speed", "vx", "vy"), (Reach("peak", 150.0, (1.0, 80.0)),)),
     **dict.fromkeys(("force", "load"), _FORCE),
@@ -98,7 +100,8 @@ def implausible(
     list of Finding
         A problem for each channel beyond ``REACHES``, with the unit that was likely meant; for steps at which no
         suspension moves; for a force that does more work over its stroke than any damper; for a velocity that is not
-        the rate of the displacement beside it. A warning for strokes below 0.1 mm and a mean of one gravity in m/s^2.
+        the rate of the displacement beside it. Where ``written`` is given, a warning for
+        what hardly moves (strokes below 0.1 mm, forces below 10 N) and for a mean of 1 m/s^2 (gravity?).
 
     Examples
     --------
@@ -110,7 +113,9 @@ def implausible(
     units = {name: (written or {}).get(name) or channel_unit(name) for name in channels}
     found = list(_of_time(step, where)) if step is not None else []
     for name, values in channels.items():
-        found += _of_channel(name, values, step, units[name], f"{where}: {name}" if where else name)
+        found += _of_channel(
+            name, values, step, units[name], f"{where}: {name}" if where else name, is_read=written is not None
+        )
     if not found and step is not None:
         found += _of_work(channels, step, where)
         found += _of_rates(channels, step, where)
@@ -139,12 +144,12 @@ def _number(kind: str, values: Array, step: float | None) -> float:
     return float(np.abs(values).max())
 
 
-def _of_channel(name: str, values: Array, step: float | None, unit: str, at: str) -> Iterator[Finding]:
+def _of_channel(
+    name: str, values: Array, step: float | None, unit: str, at: str, *, is_read: bool
+) -> Iterator[Finding]:
     quantity = quantity_of(name)
     is_body = any(part in _BODY for part in name.split("."))
-    reaches = (
-        _BODY_ACCELERATION if is_body and quantity in ("ax", "ay", "az", "acceleration") else REACHES.get(quantity)
-    )
+    reaches = _BODY_HEAVE if is_body and quantity == "az" else REACHES.get(quantity)
     if values.size < 2 or reaches is None or "road" in place_of(name).split("."):
         return
     si = channel_unit(name)
@@ -158,7 +163,7 @@ def _of_channel(name: str, values: Array, step: float | None, unit: str, at: str
             text = f"{what} {number:.3g} {of}, and no suspension reaches {reach.most:g} {of}"
             yield Finding(at, "problem", f"{text}; {_advice(number, reach, unit, si)}", number)
             return
-        if 1e-2 * reach.least < number < reach.least:
+        if is_read and 1e-2 * reach.least < number < reach.least:
             text = f"the {reach.number} is only {number:.3g} {si}; {_advice(number, reach, unit, si)}"
             yield Finding(at, "warning", text, number)
             return

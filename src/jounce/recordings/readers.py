@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import gc
 import logging
 import re
+import sys
+import traceback
 import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
@@ -178,17 +181,14 @@ def _is_signal(values: object) -> bool:
 
 
 @contextmanager
-def _quiet(*libraries: str) -> Iterator[None]:
+def _quiet() -> Iterator[None]:
     """What libraries log about damaged files is said by findings."""
-    loggers = [logging.getLogger(library) for library in libraries]
-    levels = [logger.level for logger in loggers]
-    for logger in loggers:
-        logger.setLevel(logging.CRITICAL)
+    before = logging.root.manager.disable
+    logging.disable(logging.CRITICAL)
     try:
         yield
     finally:
-        for logger, level in zip(loggers, levels, strict=True):
-            logger.setLevel(level)
+        logging.disable(before)
 
 
 @contextmanager
@@ -201,7 +201,13 @@ def _understood(path: Path, what: str) -> Iterator[None]:
     except JounceError:
         raise
     except Exception as error:  # noqa: BLE001 - bare Exceptions, KeyErrors and struct errors alike
-        text = " ".join(str(error).split())[:200]
+        text, hook = " ".join(str(error).split())[:200], sys.unraisablehook
+        sys.unraisablehook = lambda _: None  # half-made objects print tracebacks of their own when they are freed
+        try:
+            traceback.clear_frames(error.__traceback__)
+            gc.collect()
+        finally:
+            sys.unraisablehook = hook
         raise RecordingError(f"not {what}, or damaged ({text or type(error).__name__})", where=str(path)) from None
 
 
@@ -377,7 +383,7 @@ def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
     Time is a channel of its own, or comes from the waveform properties ``wf_start_offset`` and ``wf_increment``.
     """
     nptdms = require("nptdms", "io")
-    with _understood(path, "a TDMS file"), _quiet("nptdms"):
+    with _understood(path, "a TDMS file"), _quiet():
         file = nptdms.TdmsFile.read(path)
         status = file.file_status
         expected = dict(status.channel_statuses or {}) if status.incomplete_final_segment else {}
@@ -434,7 +440,7 @@ def _read_mdf(path: Path, options: ReaderOptions) -> SignalTable:
     """
     asammdf = require("asammdf", "io")
     findings: list[Finding] = []
-    with _understood(path, "an MDF file"), _quiet("asammdf", "canmatrix"), asammdf.MDF(path) as file:
+    with _understood(path, "an MDF file"), _quiet(), asammdf.MDF(path) as file:
         has_frames = any(name.endswith("DataFrame") for name in file.channels_db)
         sources = [file]
         if options.database is not None:

@@ -116,3 +116,25 @@ def test_resampling_in_python_takes_irregular_time() -> None:
     time = irregular(1)
     instants, values = resample(time, np.stack((truth(time), 2.0 * truth(time)), axis=1), 100.0)
     np.testing.assert_allclose(values[20:-20, 1], 2.0 * truth(instants)[20:-20], rtol=0.0, atol=4e-3)
+
+
+def test_testers_say_how_their_files_are_read(tmp_path: Path) -> None:
+    from jounce.inspection.record import read_record
+    from jounce.parts.testers import Tester, load_tester
+
+    time = np.arange(0.0, 3.0, 0.001)
+    time = np.delete(time, slice(700, 705))
+    height, force = np.sin(40.0 * time) * 3.0, 4000.0 + 500.0 * np.sin(40.0 * time + 0.5)
+    rows = "\n".join(f"{t:.6g};{z:.9g};{f:.9g}".replace(".", ",") for t, z, f in zip(time, height, force, strict=True))
+    (tmp_path / "lane.csv").write_text(f"Zeit (s);Hub (mm);Kraft (N)\n{rows}\n")
+    columns = {"time": "Zeit", "left.plate.z": "Hub", "left.plate.force": "Kraft"}
+    table = load_tester("eusama").model_dump(by_alias=True, exclude_none=True) | {"columns": columns}
+    with pytest.raises(RecordingError, match="resample fills the gap"):
+        read_record(tmp_path / "lane.csv", Tester.from_table(table))
+    record, findings = read_record(tmp_path / "lane.csv", Tester.from_table({**table, "resample": "1 ms"}))
+    instants = record["time"].to_numpy()
+    outside = np.abs(instants - 0.7025) > 0.02
+    np.testing.assert_allclose(
+        record["left.plate.z"].to_numpy()[outside], 3e-3 * np.sin(40.0 * instants)[outside], atol=1e-6
+    )
+    assert any("the largest gap in the recorded time is 0.006 s" in found.message for found in findings)
