@@ -1,4 +1,4 @@
-"""Writes docs/recording-variants.md: files made from a known truth in every variant, and what became of them."""
+"""Writes the table of docs/recordings.md: files made from a known truth in every variant, and what became of them."""
 
 from __future__ import annotations
 
@@ -19,7 +19,8 @@ from jounce.recordings import read_recording
 from jounce.recordings.plausibility import implausible
 from jounce.recordings.schema import channel_unit
 
-PAGE = Path(__file__).with_name("recording-variants.md")
+PAGE = Path(__file__).with_name("recordings.md")
+MARK = "<!-- what follows is written by docs/make_variants.py -->\n\n"
 TIME = np.arange(1500) * 0.002
 CHANNELS = ("sprung.az", "strut.deflection", "strut.force")
 UNITS = {
@@ -334,8 +335,8 @@ def mislabelled() -> list[tuple[str, int, int]]:
     return [(kind, *counts[kind]) for kind in sorted(counts)]
 
 
-def page() -> str:
-    """The page's text."""
+def tables() -> str:
+    """The end of the page."""
     groups = outcomes(itertools.chain(texts(), binaries()))
     names = ("right", "refused", "flagged", "silently wrong")
     rows = [[group.what, sum(group.outcomes.values()), *(group.outcomes[name] for name in names)] for group in groups]
@@ -348,4 +349,4 @@ def page() -> str:
 
 
 if __name__ == "__main__":
-    PAGE.write_text(page(), encoding="utf-8")
+    PAGE.write_text(PAGE.read_text(encoding="utf-8").partition(MARK)[0] + MARK + tables(), encoding="utf-8")
