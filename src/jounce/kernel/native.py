@@ -175,6 +175,7 @@ def optimise(module: Any, machine: Any, level: int) -> None:
     """Run LLVM's passes over a module; from level 2 on loops are made vectors."""
     tuning = llvm.create_pipeline_tuning_options(speed_level=level)
     tuning.loop_vectorization, tuning.slp_vectorization = level > 1, False  # packing scalars costs more than it gains
+    tuning.loop_unrolling = level > 1  # unrolled loops would not become vectors any more
     builder = llvm.create_pass_builder(machine, tuning)
     builder.getModulePassManager().run(module, builder)
 

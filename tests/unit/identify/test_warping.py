@@ -50,3 +50,43 @@ def test_long_path_stays_in_its_band_and_moves_by_single_steps() -> None:
 def test_shapes_must_fit(x: np.ndarray, y: np.ndarray) -> None:
     with pytest.raises(ValueError, match="same length"):
         warping_path(x, y, 2)
+
+
+@pytest.mark.parametrize("nrmse", [0.01, 0.3, 1.5])
+@pytest.mark.parametrize(("n", "share"), [(1500, 0.1), (4001, 0.1), (9000, 0.1), (3000, 0.6), (2000, 1.0)])
+def test_leaving_out_what_costs_too_much_changes_nothing(n: int, share: float, nrmse: float) -> None:
+    """Exact pruning: the path is that of the whole band, also with ties, late signals and steps."""
+    rng = np.random.default_rng(n)
+    rough = np.convolve(rng.standard_normal(n + 40), np.hanning(41), mode="valid")
+    other = np.convolve(rng.standard_normal(n + 40), np.hanning(41), mode="valid")
+    radius = round(share * n)
+    noisy = rough + nrmse * other
+    for x, y in ((rough, noisy), (np.roll(rough, n // 25), noisy), (np.round(rough), np.round(noisy))):
+        whole = warping_path(x, y, radius, narrow=-1)
+        for narrow in (0, radius // 50, radius // 8, None):
+            np.testing.assert_array_equal(warping_path(x, y, radius, narrow=narrow), whole)
+
+
+def least_cost(x: np.ndarray, y: np.ndarray, radius: int) -> float:
+    """Cost of the cheapest path, anti-diagonal by anti-diagonal, k = i - j from -radius to radius."""
+    n = x.size
+    k = np.arange(-radius, radius + 1)
+    before = behind = np.full(k.size + 2, np.inf)
+    for s in range(2 * n - 1):
+        i, j = (s + k) // 2, (s - k) // 2
+        inside = ((s + k) % 2 == 0) & (i >= 0) & (j >= 0) & (i < n) & (j < n)
+        cost = np.where(inside, (x[np.clip(i, 0, n - 1)] - y[np.clip(j, 0, n - 1)]) ** 2, np.inf)
+        least = np.minimum(np.minimum(before[:-2], before[2:]), behind[1:-1]) if s else 0.0
+        now = np.full(k.size + 2, np.inf)
+        now[1:-1] = np.where(inside, least + cost, np.inf)
+        behind, before = before, now
+    return float(before[radius + 1])
+
+
+@pytest.mark.parametrize("radius", [700, 2100, 4999])
+def test_strips_wider_than_one_give_the_least_cost(radius: int) -> None:
+    rng = np.random.default_rng(radius)
+    x, y = rng.standard_normal((2, 5000)).cumsum(axis=1)
+    for narrow in (-1, None):
+        i, j = warping_path(x, y, radius, narrow=narrow)
+        assert float(np.sum((x[i] - y[j]) ** 2)) == pytest.approx(least_cost(x, y, radius), rel=1e-12)

@@ -9,6 +9,7 @@ from jounce.kernel.arrays import Block, IntegerMatrix, Matrix, Vector
 from jounce.kernel.loops.compiling import part
 
 _COMPARED, _REFERENCE, _BOTH = 0, 1, 2
+_STRIP = 1024  # cells of one anti-diagonal
 
 
 @part(forceinline=True)
@@ -54,19 +55,66 @@ def _direction(costs: Array, s: int, m: int, centre: int) -> int:
 
 
 @part()
-def _store(x: Array, backwards: Array, radius: int, costs: Array, stores: Array, block: int) -> None:
-    """Costs just before anti-diagonals 1, 1 + block, 1 + 2 block, ..."""
-    n, centre = x.size, costs.shape[1] // 2
+def _begin(x: Array, backwards: Array, costs: Array) -> None:
     costs[:] = np.inf
-    costs[0, centre] = (x[0] - backwards[n - 1]) ** 2
-    for s in range(1, 2 * n - 1):
-        if (s - 1) % block == 0:
-            store = stores[(s - 1) // block]
-            for odd in range(2):
-                for m in range(costs.shape[1]):
-                    store[odd, m] = costs[odd, m]
-        first, last = _span(s, n, radius)
-        _advance(costs, x, backwards, s, first, last, centre)
+    costs[0, costs.shape[1] // 2] = (x[0] - backwards[x.size - 1]) ** 2
+
+
+@part()
+def _advance_block(
+    costs: Array, x: Array, backwards: Array, start: int, block: int, radius: int, low: int, high: int
+) -> None:
+    """Compute ``block`` anti-diagonals for k from ``low`` to ``high``, in strips that stay in the processor's cache.
+
+    A strip goes through all anti-diagonals of the block before the next one begins. It moves by one ``k`` to the left
+    with each, so that what a cell needs is computed already, in its strip or the one before, and not yet overwritten.
+    """
+    n, centre = x.size, costs.shape[1] // 2
+    end = min(start + block, 2 * n - 1)
+    at = low
+    while at <= high + end - start:
+        for s in range(start, end):
+            first, last = _span(s, n, radius)
+            left, odd = max(at - (s - start), low), s % 2
+            right = min(at - (s - start) + 2 * _STRIP - 1, high)
+            first, last = max(first, (left - odd + 1) // 2), min(last, (right - odd) // 2)
+            _advance(costs, x, backwards, s, first, last, centre)
+        at += 2 * _STRIP
+
+
+@part()
+def _cost_of(x: Array, backwards: Array, radius: int, costs: Array, block: int) -> float:
+    """Cost of the cheapest path in a band."""
+    _begin(x, backwards, costs)
+    for start in range(1, 2 * x.size - 1, block):
+        _advance_block(costs, x, backwards, start, block, radius, -radius, radius)
+    return float(costs[0, costs.shape[1] // 2])
+
+
+@part()
+def _store(x: Array, backwards: Array, radius: int, most: float, costs: Array, stores: Array, block: int) -> None:
+    """Costs just before anti-diagonals 1, 1 + block, 1 + 2 block, ..., near the cells in use.
+
+    A cell that costs more than ``most``, the cost of some path, is on no cheapest path: the ends of the band where all
+    cells do are left out, and infinite.
+    """
+    centre = costs.shape[1] // 2
+    _begin(x, backwards, costs)
+    low, high = 0, 0
+    for stored in range(stores.shape[0]):
+        while low < high and costs[low % 2, (low - low % 2) // 2 + centre] > most:
+            costs[low % 2, (low - low % 2) // 2 + centre] = np.inf
+            low += 1
+        while high > low and costs[high % 2, (high - high % 2) // 2 + centre] > most:
+            costs[high % 2, (high - high % 2) // 2 + centre] = np.inf
+            high -= 1
+        store = stores[stored]
+        first, last = max(low // 2 + centre - block, 0), min(high // 2 + centre + block, costs.shape[1])
+        for odd in range(2):
+            for m in range(first, last):
+                store[odd, m] = costs[odd, m]
+        low, high = max(low - block, -radius), min(high + block, radius)
+        _advance_block(costs, x, backwards, 1 + stored * block, block, radius, low, high)
 
 
 @part()
@@ -74,6 +122,7 @@ def path_back(
     x: Vector,
     backwards: Vector,
     radius: int,
+    narrow: int,
     costs: Matrix,
     stores: Block,
     directions: IntegerMatrix,
@@ -81,13 +130,15 @@ def path_back(
 ) -> int:
     """Fill in the pairs of samples on the path, the last one last; give the column of the first.
 
+    A band of radius ``narrow`` gives some path first, where that is not negative; what costs more is left out.
     ``directions`` has a row for each anti-diagonal between two of ``stores``, with the cells near the path.
     """
     n, centre, block, half = x.size, costs.shape[1] // 2, directions.shape[0], directions.shape[1] // 2
     at = 2 * n - 2
     path[0, at] = path[1, at] = n - 1
     if n > 1:
-        _store(x, backwards, radius, costs, stores, block)
+        most = _cost_of(x, backwards, narrow, costs, block) if narrow >= 0 else np.inf
+        _store(x, backwards, radius, most, costs, stores, block)
     i, j = n - 1, n - 1
     for stored in range(stores.shape[0] - 1, -1, -1):
         start = 1 + stored * block
