@@ -22,6 +22,7 @@ from jounce.papers.virtual_bench import (
     measurement_texts,
     shipped_truth,
     true_pass,
+    truth_text,
 )
 from jounce.parts import rig_from_table
 
@@ -34,7 +35,9 @@ STRUT_FRICTION, GUIDE_FRICTION = TRUE_RIG.strut.friction.force, TRUE_RIG.guide_f
 def shipped(tmp_path_factory):
     """The shipped campaign's quick look; recordings of 1 s, all obstacles passed by then, to save time."""
     folder = tmp_path_factory.mktemp("shipped")
-    write_files(folder, {**campaign_texts(), **measurement_texts(BenchPlan(duration=1.0))})
+    plan = BenchPlan(duration=1.0)
+    truth = {"truth.toml": truth_text(plan, shipped_truth())}
+    write_files(folder, {**campaign_texts(), **measurement_texts(plan), **truth})
     said = []
     return run_campaign(folder / "quick-look.toml", progress=said.append), said
 
@@ -225,7 +228,7 @@ def test_fitted_values_carry_their_intervals_and_what_they_are_from(result):
     second, third, fourth = result.strategies[1:]
     low, high = second.update.parameters["tyre.stiffness"].interval
     assert line(second.rig_texts["0.31 MPa"], "stiffness").endswith(
-        f"# fitted: strategy 2; 95 % {low:.5g} to {high:.5g} N/m"
+        f"# fitted: strategy 2; 95 % {low:.5g} to {high:.5g} N/m (noise only)"
     )
     assert '# measured: bench.tyre."0.25 MPa" +- ' in line(second.rig_texts["0.25 MPa"], "stiffness")
     assert "# fitted: strategy 2;" in line(third.rig_texts["0.31 MPa"], "stiffness")  # 3 left this pressure alone
@@ -249,6 +252,67 @@ def test_fitted_values_carry_their_intervals_and_what_they_are_from(result):
 def test_speed_of_the_campaign_and_truth_differ_within_rounding(result):
     assert any(true_pass(row).speed != row.speed for row in table2())
     assert all(course(row).start == 0.2 for row in table2())
+
+
+# --- what the model lacks ------------------------------------------------------------------------------------------
+
+
+def test_intervals_with_model_error_stand_beside_those_of_the_noise(result):
+    for name in ("strategy 1", "strategy 2", "strategy 3"):  # one trial each
+        assert update(result, name).discrepancy is None
+        assert any("that takes 3 trials, fitted: 1" in finding.message for finding in update(result, name).findings)
+    found = update(result, "strategy 4")
+    truth = next(strategy.truth for strategy in result.strategies if strategy.update is found)
+    assert truth["strut.spring.rate"] == SPRING_RATE
+    assert truth["guide.friction.force"] == GUIDE_FRICTION
+    assert 125e3 < truth["tyre.stiffness"] < 135e3
+    assert set(truth) == set(found.parameters)
+    for path, true in truth.items():
+        low, high = found.discrepancy.parameters[path].interval
+        assert low <= true <= high, path
+    missed = [path for path, true in truth.items() if not _within(true, found.parameters[path].interval)]
+    assert len(missed) >= 4  # of six, by those of the noise
+
+
+def _within(value, interval):
+    return interval is not None and interval[0] <= value <= interval[1]
+
+
+def test_results_and_report_tell_both_intervals_and_the_truth(result):
+    from jounce.report.campaign import discrepancy_blocks, validation
+
+    plain = json.loads(to_json(result.to_dict()))["updates"][3]
+    law = plain["discrepancy"]["parameters"]["tyre.stiffness"]
+    assert {"value", "interval", "component", "effective", "identified", "why", "shares"} <= set(law)
+    assert plain["truth"]["strut.friction.force"] == STRUT_FRICTION
+    strategy = result.strategies[3]
+    table, words = discrepancy_blocks(strategy, dict.fromkeys(strategy.update.parameters, "1"))
+    assert "truth" in table.header
+    assert {row[-1].text for row in table.rows} <= {"identified", "not identified with this model"}
+    assert "one observation for each channel and trial (6 trials)" in words.text
+    beside = discrepancy_blocks(result.strategies[1], dict.fromkeys(result.strategies[1].update.parameters, "1"))
+    assert "three fitted trials" in beside[0].text
+    assert "does not say that its parameters are those of the parts" in validation(result).blocks[0].text
+
+
+def test_what_says_that_parameters_are_not_those_of_the_parts_leads(result):
+    def leads(finding):
+        return "ends on its bound" in finding.message or "contradicts the value measured" in finding.message
+
+    found = [leads(finding) for finding in result.findings]
+    assert any(found)
+    assert found[: sum(found)] == [True] * sum(found)
+
+
+def test_doubts_are_read_from_the_campaign(template):
+    text = template.read_text()
+    template.write_text(text + '\n[doubt]\nheight = "4 %"\nvalues = {"unsprung.mass" = "0.2 kg"}\n')
+    campaign, _ = load_campaign(template)
+    assert campaign.doubt.height == 0.04
+    assert campaign.doubt.values == {"unsprung.mass": "0.2 kg"}
+    template.write_text(text + '\n[doubt]\nheigth = "4 %"\n')
+    with pytest.raises(DescriptionError, match="heigth"):
+        load_campaign(template)
 
 
 # --- folders -------------------------------------------------------------------------------------------------------

@@ -298,8 +298,15 @@ class _Runner:
         ]
         after = knowledge.after(result.parameters, [item.entry.tyre_pressure for item in chosen])
         numbers = tuple(item.entry.number for item in chosen)
-        truth = {} if self.truth is None else true_values(self.truth, list(result.parameters), trials, chosen[0].entry)
-        strategy = StrategyResult(result, knowledge, after, numbers, truth=truth)
+        strategy = StrategyResult(result, knowledge, after, numbers)
+        if self.truth is not None:
+            try:
+                truth = true_values(self.truth, list(result.parameters), trials, chosen[0].entry)
+                strategy = replace(strategy, truth=truth)
+            except JounceError as error:
+                self.findings.append(
+                    Finding("truth.toml", "note", f"{error} Truths are not shown beside {entry.name}.")
+                )
         chain = [*self._before(entry, done), strategy]
         return replace(strategy, rig_texts=updated_rigs(self.campaign, self.rig_text, self.bench, chain))
 

@@ -115,7 +115,8 @@ class Discrepancy:
     correlation : tuple
         Correlation matrix (1) of the parameters with all doubts, in their order.
     unexplained : dict
-        Channel to the share (1) of the update's residual energy that neither noise nor any doubt explains.
+        Channel to the share (1) of what the richer model leaves of the residual's energy that is no noise: nothing that
+        was doubted explains it.
     would_reduce : str
         The group of doubts that would explain most of it if its prior were wider; empty where none would.
     reduced_to : float
@@ -682,7 +683,7 @@ def _reported(
         counted,
         count,
         left / before if before > 0.0 else 1.0,
-        tuple(_findings(strays, nuisances, contradicted, unexplained, reducer, reduced)),
+        (*_findings(strays, nuisances, contradicted, unexplained, reducer, reduced), *_undoubted(one.richer)),
     )
 
 
@@ -811,6 +812,18 @@ def _law_estimate(
     return LawEstimate(value, (low, high), component, effective, not why, why, shares)
 
 
+def _undoubted(richer: Richer) -> list[Finding]:
+    """Say which laws the interval takes for right."""
+    laws = richer.undoubted()
+    if not laws:
+        return []
+    text = (
+        f"taken as described in the interval that counts model error: the law of {', '.join(laws)}; where it is wrong "
+        "the interval is too short"
+    )
+    return [Finding("intervals", "note" if richer.has_laws else "warning", text)]
+
+
 def _findings(
     strays: Mapping[str, float], nuisances: Mapping[str, NuisanceEstimate], contradicted: Mapping[str, str],
     unexplained: Mapping[str, float], reducer: str, reduced: float,
@@ -832,8 +845,8 @@ def _findings(
     if unexplained[worst] > USEFUL:
         more = f"; more freedom for {reducer} would leave {100.0 * reduced:.0f} % of all" if reducer else ""
         text = (
-            f"{100.0 * unexplained[worst]:.0f} % of the residual's energy is neither noise nor anything that was "
-            f"doubted{more}"
+            f"{100.0 * unexplained[worst]:.0f} % of what is left of the residual with all doubts fitted is no noise: "
+            f"nothing that was doubted explains it{more}"
         )
         found.append(Finding(worst, "note", text, unexplained[worst]))
     return found

@@ -216,6 +216,13 @@ class Richer:
         force = self.damper_force(self._values, np.zeros(len(self.nuisances)), knots)
         self._table["strut"]["damper"] = {"velocity": tuple(knots), "force": tuple(force)}
 
+    def undoubted(self) -> list[str]:
+        """Laws of the rig that are taken as they are described."""
+        if not self.has_laws:
+            return ["dampers", "friction", "springs", "tyres"]
+        found = [] if self._knots is not None or self.doubt.damper_shape <= 0.0 else ["damper"]
+        return [*found, *(["tyre"] if "tyre" not in self._curved and self.doubt.tyre_curvature > 0.0 else [])]
+
     def whitened(self) -> tuple[tuple[int, ...], Array] | None:
         """Places of the damper's forces among the nuisances, and the root of their prior covariance, N."""
         return self._knotted

@@ -569,8 +569,9 @@ def _counted(found: Discrepancy) -> str:
         else ""
     )
     return (
-        f"Counted as uncertain, with the standard deviations of the campaign's doubt table: {groups}. Of the "
-        f"residual's energy nothing of this explains {worst}; it counts as one observation for each channel and trial "
+        f"Counted as uncertain, with the standard deviations of the campaign's doubt table: {groups}. With all of it "
+        f"fitted, too, {percent(found.objective, 0)} of the residual's energy is left. Of that {worst} is no noise and "
+        "unexplained; it counts as one observation for each channel and trial "
         f"({found.trials} trials).{more}"
     )
 

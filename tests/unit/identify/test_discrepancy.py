@@ -207,6 +207,38 @@ def test_a_doubt_that_leaves_its_prior_is_named():
     assert any(finding.place == "unsprung.mass" and "doubt.values" in finding.message for finding in found.findings)
 
 
+def test_laws_that_are_not_doubted_are_named():
+    """In vehicles no law is: the interval says so, since it would look better than it is."""
+    car, passes = jn.load("audi-a6-half-car-4dof"), []
+    truth = car.with_changes({"front.spring_rate": 31e3})
+    for speed in (8.0, 10.0, 14.0):
+        bump = jn.HalfSine(height="20 mm", length="0.5 m", start="2 m")
+        course = jn.Trial(road=bump, speed=speed, duration="1.2 s")
+        run = jn.simulate(truth, course)[["body.az", "body.pitch_rate"]]
+        passes.append(jn.FitTrial(f"{speed}", car, course, run))
+    found = jn.update_model(passes, {"front.spring_rate": "20 %"}, weights="normalised", doubt=jn.Doubt())
+    law = found.discrepancy.parameters["front.spring_rate"]
+    assert law.interval[0] <= 31e3 <= law.interval[1]
+    said = [finding for finding in found.findings if finding.place == "intervals"]
+    assert [finding.severity for finding in said] == ["warning"]
+    assert "dampers, friction, springs, tyres" in said[0].message
+
+
+def test_base_motion_is_doubted_in_its_size():
+    time = np.linspace(0.0, 1.2, 241)
+    truth, passes = RIG.with_changes({"strut.damper": DEGRESSIVE}), []
+    for frequency in (1.5, 3.0, 6.0):
+        height = 0.006 * np.sin(2.0 * np.pi * frequency * time) * np.minimum(time / 0.3, 1.0)
+        course = jn.Trial(excitation=jn.Excitation(time=time, height=height), duration=1.2)
+        run = jn.simulate(truth, course)[["sprung.az", "unsprung.az"]]
+        passes.append(jn.FitTrial(f"{frequency} Hz", RIG, course, run))
+    found = jn.update_model(passes, FREE, weights="normalised", doubt=jn.Doubt())
+    assert "height" in found.discrepancy.nuisances
+    assert not {"speed", "slowing", "contact_patch"} & set(found.discrepancy.counted)
+    law = found.discrepancy.parameters["strut.spring.rate"]
+    assert law.interval[0] <= 22730.0 <= law.interval[1]
+
+
 # priors and doubts as they are written ------------------------------------------------------------------------------
 
 
