@@ -45,6 +45,7 @@ _FEWEST_TURNS = 6
 _LOWEST, _HIGHEST, _POINTS = 1.5, 15.0, 541
 _FEWEST_EXTREMES = 4
 _EVEN = 0.2
+_VAGUE = 0.1  # half width of a damping ratio that says nothing any more
 _LOWEST_RESONANCE = 2.0  # Hz; below it is the body's
 
 
@@ -472,8 +473,10 @@ def _theta(test: WheelTest) -> Found:
         theta = theta_by_fit(test.fit, test.tester)
         found.values = {"theta_rig": theta.rig, "theta_road": theta.road, "theta_methods": {"fit": theta.rig}}
         found.half_widths = {"theta_rig": theta.rig_half_width, "theta_road": theta.road_half_width}
-        found.values["body_damping_ratio"] = _of_body(test.fit.corner)
-        found.half_widths["body_damping_ratio"] = NORMAL_95 * test.fit.spread(_of_body)
+        half = NORMAL_95 * test.fit.spread(_of_body)
+        if half < _VAGUE:
+            found.values["body_damping_ratio"] = _of_body(test.fit.corner)
+            found.half_widths["body_damping_ratio"] = half
         if theta.road <= theta.road_half_width:
             found.findings.append(warning(f"{wheel}.theta", "undamped", theta.road))
         if theta.road >= 1.0:
