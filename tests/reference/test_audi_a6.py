@@ -237,6 +237,20 @@ def test_the_paper_beside_what_is_correct():
     assert "43.9 mm" in start.why
     assert "−0.120122 m" in start.printed
     assert "exactly the defaults" in errata["table 2, K_f and K_r"].why
+    assert "THETA" in errata["conclusions, half car"].printed
+
+
+def test_more_damping_is_not_more_comfort() -> None:
+    """Paper 2, "the greater is damping rate, the greater is comfort": the named damping is the best, on any road."""
+    best = next(one for one in study("case-b").errata if one.place == "Theta, comfort").correct_value
+    corner = jn.load("audi-a6-quarter-car").with_changes({"tyre.damping_coefficient": 0.0})
+
+    def acceleration(coefficient: float) -> float:
+        car = corner.with_changes({"strut.damper": {"coefficient": coefficient}})
+        return float(jn.stationary(car, "B", 20.0)["sprung.az"])
+
+    assert acceleration(best) < acceleration(0.7 * best)
+    assert acceleration(best) < acceleration(1.4 * best) < acceleration(3.0 * best)
 
 
 def test_unknown_case():

@@ -162,7 +162,14 @@ def paper_errata() -> tuple[Erratum, ...]:
     assert isinstance(car, jn.HalfCar)
     assert isinstance(demo, jn.HalfCar)
     assert isinstance(corner, jn.QuarterCar)
-    return (*_stand(corner), *_stand_results(corner), *_loads(car, corner), *_equations(car), *_demo(car, demo))
+    return (
+        *_stand(corner),
+        *_stand_results(corner),
+        *_loads(car, corner),
+        *_equations(car),
+        *_demo(car, demo),
+        *_words(corner),
+    )
 
 
 def _stand(corner: jn.QuarterCar) -> tuple[Erratum, ...]:
@@ -353,5 +360,29 @@ def _demo(car: jn.HalfCar, demo: jn.HalfCar) -> tuple[Erratum, ...]:
             "m_b a h: mass × deceleration × height of the centre of gravity",
             "the demo has a step of 100 N m at 3 s; 3 m/s² at 0.55 m (estimated) would be "
             f"{car.body.mass * 3.0 * 0.55:.1f} N m",
+        ),
+    )
+
+
+def _words(corner: jn.QuarterCar) -> tuple[Erratum, ...]:
+    """What the text says of damping and of its methods."""
+    spring, tyre = corner.strut.spring.rate or np.nan, corner.tyre.stiffness or np.nan
+    best = spring * float(np.sqrt((corner.sprung.mass + corner.unsprung.mass) / tyre))
+    return (
+        Erratum(
+            "Theta, comfort",
+            "the greater the damping rate, the greater the comfort",
+            f"comfort is best near {best:.0f} N s/m and falls beyond",
+            f"on a rough road the body's acceleration is least with c = k sqrt(M / k_t); this corner has "
+            f"{_damping(corner):.0f} N s/m; a high Theta means that the damper works",
+            None,
+            best,
+            "N*s/m",
+        ),
+        Erratum(
+            "conclusions, half car",
+            'the Simulink half car has "design principle THETA"',
+            "THETA is a method of testing dampers",
+            "the half car is driven by steps of road height and by a moment; no tester occurs in it",
         ),
     )
