@@ -273,7 +273,9 @@ def _check_truth(checked: Checked) -> None:
 
     truth = load_truth(checked.file)
     channels, rig = ", ".join(truth.sensors), truth.true_rig()
-    checked.what = f"virtual bench: {rig.model} with {len(rig.parameters())} parameters; records {channels}"
+    checked.what = (
+        f"virtual bench: {getattr(rig, 'model', '')} with {len(rig.parameters())} parameters; records {channels}"
+    )
 
 
 _SCHEMAS: dict[str, Callable[[Checked], None]] = {
@@ -355,7 +357,7 @@ def _truth(name: str, file: Path) -> dict[str, Any]:
     from jounce.campaign import load_truth
 
     truth = load_truth(file)
-    about = {"name": name, "kind": "truth", "what": f"of a virtual bench, {truth.true_rig().model}"}
+    about = {"name": name, "kind": "truth", "what": f"of a virtual bench, {getattr(truth.true_rig(), 'model', '')}"}
     return {**about, "source": truth.source, "estimated": list(truth.estimated), "file": str(file)}
 
 

@@ -375,7 +375,7 @@ def _decimal_mark(cells: list[str]) -> str:
 
 def _mixed_marks(table: list[list[str]], lines: Sequence[int], heads: list[str], file: Path) -> RecordingError:
     """The error for a file that has decimal commas and decimal points, which may also separate thousands."""
-    first = {}
+    first: dict[str, str] = {}
     for head, cells in zip(heads, table, strict=True):
         for cell, line in zip(cells, lines, strict=True):
             mark = "," if _DECIMAL_COMMA.fullmatch(cell) else "." if "." in cell and _is_number(cell) else ""

@@ -517,7 +517,7 @@ def _not_negative(
         wrong = [i for i in (_RATIO, _FRICTION, _DRAG) if left[i] and values[i] < 0.0]
         if not wrong:
             break
-        clearest = min(wrong, key=lambda i: values[i] / math.sqrt(max(doubt[i], 1e-300)))
+        clearest = min(wrong, key=lambda i: float(values[i] / np.sqrt(max(doubt[i], 1e-300))))
         left[clearest] = False
         start = values.copy()
         start[clearest] = 0.0

@@ -134,7 +134,8 @@ def virtual_bench(
     >>> jn.load_truth(file.with_name("truth.toml")).true_rig().strut.friction.force
     0.0
     """
-    if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
+    given_seed: object = seed
+    if isinstance(given_seed, bool) or not isinstance(given_seed, int) or seed < 0:
         raise jn.DescriptionError("not a seed", where="seed", found=seed, allowed="a whole number of 0 or more")
     given = jn.load_truth(truth) if isinstance(truth, (str, Path)) else truth or shipped_truth()
     real = given.with_changes(changes) if changes else given
@@ -340,7 +341,9 @@ def _pass(row: Table2Row, plan: BenchPlan, truth: jn.BenchTruth) -> str:
 def _springs(plan: BenchPlan, truth: jn.BenchTruth) -> dict[str, str]:
     texts = {}
     strut = truth.true_rig().strut
-    if plan.spring_trials and strut.spring.rate is None:
+    if not plan.spring_trials:
+        return texts
+    if strut.spring.rate is None:
         raise jn.DescriptionError("the test machine needs a spring rate", where="rig.strut.spring", allowed="rate")
     friction = 0.0 if strut.friction is None else strut.friction.force
     for i in range(1, plan.spring_trials + 1):
@@ -374,6 +377,8 @@ def _decays(plan: BenchPlan, truth: jn.BenchTruth) -> dict[str, str]:
     texts = {}
     level = jn.Trial(excitation=jn.Excitation(time=[0.0, 0.7, 1.4, 2.0], height=[0.0] * 4), duration=2.0)
     rig = truth.true_rig()
+    if rig.sprung is None:
+        raise jn.DescriptionError("the bench needs a sprung mass", where="rig.sprung", allowed="its mass and its guide")
     at_rest = jn.linearise(rig).equilibrium
     for i in range(1, plan.decays + 1):
         generator = _generator(plan.seed, f"decay {i}")

@@ -409,7 +409,9 @@ def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
                 unit = str(one.properties.get("unit_string", ""))
                 column = Column(one.name, unit, np.array(one[:], dtype=float), str(path))
                 step = one.properties.get("wf_increment")
-                clock = (float(step), float(one.properties.get("wf_start_offset", 0.0))) if step is not None else ()
+                clock: tuple[object, ...] = ()
+                if step is not None:
+                    clock = (float(step), float(one.properties.get("wf_start_offset", 0.0)))
                 clocks.setdefault(clock if findings else (*clock, len(one)), []).append(column)
     if not clocks:
         raise RecordingError("no numeric channel", where=where)
