@@ -508,16 +508,14 @@ def _not_negative(
 
     What is at zero keeps the doubt of the fit that had it free, and nothing else is known better than there.
     """
-    left, doubt, residual = (
-        list(free),
-        np.diag(spread.covariance).copy(),
-        signal - decay_response(t, _unpack(values), quantity),
-    )
+    left = list(free)
+    doubt: Array = np.diag(spread.covariance).copy()
+    residual = signal - decay_response(t, _unpack(values), quantity)
     while True:
         wrong = [i for i in (_RATIO, _FRICTION, _DRAG) if left[i] and values[i] < 0.0]
         if not wrong:
             break
-        clearest = min(wrong, key=lambda i: float(values[i] / np.sqrt(max(doubt[i], 1e-300))))
+        clearest = min(wrong, key=lambda i: float(values[i]) / math.sqrt(max(float(doubt[i]), 1e-300)))
         left[clearest] = False
         start = values.copy()
         start[clearest] = 0.0

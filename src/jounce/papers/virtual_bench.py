@@ -339,7 +339,7 @@ def _pass(row: Table2Row, plan: BenchPlan, truth: jn.BenchTruth) -> str:
 
 
 def _springs(plan: BenchPlan, truth: jn.BenchTruth) -> dict[str, str]:
-    texts = {}
+    texts: dict[str, str] = {}
     strut = truth.true_rig().strut
     if not plan.spring_trials:
         return texts

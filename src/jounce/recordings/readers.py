@@ -402,14 +402,14 @@ def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
         if one.path in expected and expected[one.path].read_length < expected[one.path].expected_length:
             lost = expected[one.path].expected_length - expected[one.path].read_length
             findings += announcement(one.name, len(one) + lost, len(one), where, refused=False)
-    clocks: dict[tuple[object, ...], list[Column]] = {}
+    clocks: dict[tuple[float, ...], list[Column]] = {}
     with _understood(path, "a TDMS file"):
         for one in group.channels():
             if len(one) > 1 and one.dtype.kind in "fiu":
                 unit = str(one.properties.get("unit_string", ""))
                 column = Column(one.name, unit, np.array(one[:], dtype=float), str(path))
                 step = one.properties.get("wf_increment")
-                clock: tuple[object, ...] = ()
+                clock: tuple[float, ...] = ()
                 if step is not None:
                     clock = (float(step), float(one.properties.get("wf_start_offset", 0.0)))
                 clocks.setdefault(clock if findings else (*clock, len(one)), []).append(column)
@@ -420,7 +420,7 @@ def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
         held = min(len(column.values) for column in columns)  # of a file that was cut off, what all channels have
         table = [replace(column, values=column.values[:held]) for column in columns]
         if len(clock) > 1 and not any(column.name == "time" for column in table):
-            instants = np.asarray(clock[1] + np.arange(held) * clock[0], dtype=float)
+            instants = np.asarray(clock[1] + np.arange(held) * clock[0], dtype=np.float64)
             table.insert(0, Column("time", "s", instants, str(path)))
         tables.append(table)
     return _by_clock(tables, path, options, findings=tuple(findings))
