@@ -108,6 +108,18 @@ def test_weaker_records_say_so(name, car_run, load, left_record, eusama):
     assert_weakened(left_record(time, height, force, load), eusama, message)
 
 
+def test_limits_of_a_static_load_that_is_off(car_run, left_record, eusama):
+    time, height, force, _ = car_run
+    measured = evaluate(left_record(time, height, force), eusama).wheel("left").static_load
+    for off, words in ((0.0195, ""), (0.0205, "where 2 % is allowed"), (0.0795, "where 2 % is allowed")):
+        found = evaluate(left_record(time, height, force, measured / (1.0 + off)), eusama).wheel("left")
+        told = [one.value for one in found.findings if "% is allowed" in one.message]
+        assert told == ([pytest.approx(1.0 + off, abs=1e-4)] if words else [])
+    assert_unfit(
+        left_record(time, height, force, measured / 1.0805), eusama, "the static weight contradicts the signal"
+    )
+
+
 def test_small_jitter_is_resampled(car_run, load, left_record, eusama):
     time, height, force, _ = car_run
     straight = evaluate(left_record(time, height, force, load), eusama).wheel("left")

@@ -4,17 +4,22 @@ from __future__ import annotations
 
 import csv
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+import jounce as jn
 from jounce.core.errors import OutputError
 from jounce.core.optional import MissingPackageError
 from jounce.inspection.archive import exporting
 from jounce.inspection.archive.entries import Grading, RecordEntry
 from jounce.inspection.archive.exporting import COLUMNS, export, rows_of
 from jounce.inspection.archive.history import WheelVisit, history_of, trends_of
+from jounce.inspection.archive.lane import entry_of, stored_tester
 from jounce.inspection.archive.store import Store
+from jounce.parts import rig_from_table
+from jounce.parts.testers import load_tester
 
 WHEEL = {
     "wheel": "left", "verdict": "advise", "reasons": ['adhesion "low", 30 %.', "Second, one."], "lift_off": False,
@@ -78,6 +83,19 @@ def test_parquet_without_its_package_says_what_to_install(tmp_path: Path, monkey
     with pytest.raises(OutputError, match=r"allowed: \.csv, \.parquet"):
         export([], tmp_path / "lane.xls")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_descriptions_that_a_store_keeps_are_read_again(tmp_path: Path) -> None:
+    record = tmp_path / "2025.csv"
+    record.write_text("# axle = 'rear'\ntime [s]\n0\n", encoding="utf-8")
+    tester, car = load_tester("boge"), jn.load("audi-a6-quarter-car")
+    kept = entry_of(record, tester=tester, vehicle=car)
+    assert stored_tester(json_again(kept, "tester_table")) == tester
+    assert rig_from_table(json_again(kept, "vehicle_table").vehicle_table) == car
+
+
+def json_again(entry: RecordEntry, name: str) -> RecordEntry:
+    return replace(entry, **{name: json.loads(json.dumps(getattr(entry, name)))})
 
 
 def test_history_is_drawn(store, tmp_path: Path) -> None:
