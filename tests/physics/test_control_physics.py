@@ -97,6 +97,21 @@ def test_invariant_points_do_not_move_under_any_law(gains: tuple[float, ...]) ->
     assert abs(response(np.sqrt(200e3 / 440.0))[0]) == pytest.approx(1.1, rel=1e-9)
 
 
+def test_channels_of_the_corner_model_are_those_of_the_rig() -> None:
+    model = jn.linearise(car())
+    names = ("strut.deflection", "strut.velocity", "sprung.vz", "sprung.az")
+    names += ("tyre.deflection", "tyre.force", "unsprung.vz", "unsprung.az")
+    A, _, G = corner_equations(CORNER)
+    C, _ = corner_outputs(CORNER, names)
+    for frequency in (0.7, 6.0):
+        s = 2j * np.pi * frequency
+        found = C @ np.linalg.solve(s * np.eye(4) - A, G[:, 0]) * s
+        for name, value in zip(names, found, strict=True):
+            assert value == pytest.approx(model.frequency_response([frequency], name)[0], rel=1e-9), name
+    _, D = corner_outputs(CORNER, ("sprung.az", "unsprung.az", "tyre.force"))
+    assert D.ravel() == pytest.approx([1.0 / 400.0, -1.0 / 40.0, 0.0])  # a force lifts the body
+
+
 @pytest.mark.parametrize("name", [n for n in FORMULAS if not isinstance(controller(n).actuator, ActiveActuator)])
 def test_a_damper_only_takes_energy_within_its_bounds(name: str, bump: jn.Trial) -> None:
     damper = SemiActiveDamper(minimum=300.0, maximum=4000.0, lag=0.005)

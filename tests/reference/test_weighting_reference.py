@@ -131,3 +131,12 @@ def test_tolerances_are_those_of_the_tables() -> None:
     low, high = tolerance("Wk", [0.2, 10**-0.6, 0.4, 10**-0.2, 10.0, 10**1.8, 100.0, 10**2.2, 300.0])
     assert low.tolist() == [0.0, 0.0, 0.79, 0.89, 0.89, 0.89, 0.79, 0.0, 0.0]
     assert high.tolist() == [1.26, 1.26, 1.26, 1.12, 1.12, 1.12, 1.26, 1.26, 1.26]
+
+
+@pytest.mark.parametrize("name", WEIGHTINGS)
+def test_tolerances_change_at_the_limits_of_each_weighting(name: str) -> None:
+    # ISO 8041-1, tables of Annex B: tenths of a decade
+    tenths = np.array([-13, -9, -4, 0] if name == "Wf" else [-6, -2, 18, 22])
+    below, above = (tolerance(name, 10.0 ** (0.1 * tenths + shift)) for shift in (-0.01, 0.01))
+    assert np.stack(below).T.tolist() == [[0.0, 1.26], [0.79, 1.26], [0.89, 1.12], [0.79, 1.26]]
+    assert np.stack(above).T.tolist() == [[0.79, 1.26], [0.89, 1.12], [0.79, 1.26], [0.0, 1.26]]

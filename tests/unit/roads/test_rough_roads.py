@@ -58,6 +58,9 @@ def test_filtered_noise_has_the_density_of_the_road() -> None:
     frequency = np.geomspace(1e-4, 1e4, 200_001)
     variance = np.trapezoid(gain**2 / ((2 * np.pi * frequency) ** 2 + pole**2), frequency)
     assert gain**2 / (4 * pole) == pytest.approx(variance, rel=1e-3)
+    for cutoff in (-0.01, 0.0, np.inf):
+        with pytest.raises(DescriptionError, match="not a spatial frequency"):
+            filtered_noise("B", 25.0, cutoff=cutoff)
     with pytest.raises(DescriptionError, match="not a speed"):
         filtered_noise("B", 0.0)
 

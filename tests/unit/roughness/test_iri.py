@@ -130,6 +130,11 @@ def changed(values: np.ndarray, row: int, value: float) -> np.ndarray:
             np.where(X > 240.0, np.nan, Z),
             "not finite numbers, the first at row 962; found 'nan'. Cut the padding off",
         ),
+        (
+            X,
+            changed(Z, -2, np.nan),
+            "1 values are not finite numbers, the first at row 1000; found 'nan'. Fill the gap",
+        ),
         (X, np.full_like(X, np.nan), "1001 values are not finite"),
         (X[:45], Z[:45], "too short for the roughness index; found '11 m'; allowed: at least 11.25 m"),
         (X[:2], Z[:2], "too few samples"),
