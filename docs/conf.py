@@ -53,3 +53,6 @@ sys.path.insert(0, str(Path(__file__).parent))
 import make_faces  # noqa: E402
 
 make_faces.write_tables()
+import identification_variants  # noqa: E402
+
+identification_variants.write_table(make_faces.TABLES)

@@ -22,6 +22,7 @@ from jounce.recordings.sensors import Datum, Sensor, filter_signals
 _STILL = 1e-3  # of the range of the simulated signal: less is no motion yet
 _MARGIN, _FEW = 0.02, 8  # s by which a recording may be early; samples that show noise
 _TURNED = -0.6  # correlation with the model below which a record is turned
+_TINY = 0.002  # of the range of the record: a constant below this does no harm
 _SMALL = 0.02  # of the range of the record: a constant below this is no datum
 _AT_REST, _ABSOLUTE = 0.1, 0.35  # of the static value: how far zeros, and start values of the model, may be off
 _MEANING: dict[Datum, str] = {
@@ -56,7 +57,8 @@ class QuietStart:
         if self.recorded is None:
             return "undeformed" if load <= small else "free offset"
         if load <= small:
-            return "undeformed" if abs(self.recorded - self.static) <= small else "free offset"
+            tiny = _TINY * self.reach + 4.0 * self.doubt  # nothing of the model's values is in this static value
+            return "undeformed" if abs(self.recorded - self.static) <= tiny else "free offset"
         if abs(self.recorded - self.zero) <= small + _AT_REST * load:
             return "rest"
         return "undeformed" if abs(self.recorded - self.static) <= small + _ABSOLUTE * load else "free offset"
