@@ -112,6 +112,24 @@ def test_channels_of_the_corner_model_are_those_of_the_rig() -> None:
     assert D.ravel() == pytest.approx([1.0 / 400.0, -1.0 / 40.0, 0.0])  # a force lifts the body
 
 
+def test_the_observer_is_where_predicting_and_correcting_settle() -> None:
+    deviations, period = np.array([2e-3, 0.05, 0.4]), 0.01
+    channels = ("strut.deflection", "sprung.vz", "sprung.az")
+    found = observer(CORNER, channels, deviations, 1e-3, 2e-3, period)
+    A, _, G = corner_equations(CORNER)
+    spread = 1e-3 * G @ G.T + np.diag([0.0, 2e-3, 0.0, 2e-3])
+    grown = [expm(A * t) for t in period * (np.arange(200) + 0.5) / 200]
+    added = sum(one @ spread @ one.T for one in grown) * period / 200
+    C, _ = corner_outputs(CORNER, channels)
+    P, L = 1e-2 * np.eye(4), np.zeros((4, 3))
+    for _ in range(3000):
+        P = found.F @ P @ found.F.T + added
+        L = P @ C.T @ np.linalg.inv(C @ P @ C.T + np.diag(deviations**2))
+        P = (np.eye(4) - L @ C) @ P
+    np.testing.assert_allclose(found.F, expm(A * period), atol=1e-10)
+    np.testing.assert_allclose(found.L, L, rtol=1e-3, atol=1e-3 * abs(L).max(axis=0).min())
+
+
 @pytest.mark.parametrize("name", [n for n in FORMULAS if not isinstance(controller(n).actuator, ActiveActuator)])
 def test_a_damper_only_takes_energy_within_its_bounds(name: str, bump: jn.Trial) -> None:
     damper = SemiActiveDamper(minimum=300.0, maximum=4000.0, lag=0.005)
