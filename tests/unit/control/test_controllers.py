@@ -22,6 +22,7 @@ from jounce.control import (
 )
 from jounce.control.actuators import Instant
 from jounce.control.controller import DamperLaw
+from jounce.control.design import _least
 from jounce.control.program import program, sensor_noise, values
 from jounce.core.errors import DescriptionError
 
@@ -168,3 +169,13 @@ def test_a_controller_is_one_class(monkeypatch: pytest.MonkeyPatch) -> None:
     numbers = values({"": law}, {"": CORNER}, made.numbers)
     command = made.function([0.0], [-0.01, -0.2, 0.0], numbers, [])
     assert float(command[0]) == pytest.approx(4000.0), "the spring is extended, and the strut extends"
+
+
+@pytest.mark.parametrize("least", [0.037, 0.8, 5.0, 700.0])
+def test_the_least_bound_is_found_to_one_percent(least: float) -> None:
+    found = _least(lambda bound: () if bound >= least else None)
+    assert least <= found <= 1.01 * least
+
+
+def test_no_bound_is_infinite() -> None:
+    assert _least(lambda _: None) == float("inf")
