@@ -254,6 +254,10 @@ def test_coherence_of_the_models() -> None:
     surface = (0.1**2 + m**2) ** -1.5
     gamma = np.trapezoid(surface * np.cos(2 * np.pi * m * 1.5), m) / np.trapezoid(surface, m)
     assert track_coherence(0.1, 1.5) == pytest.approx(gamma**2, rel=1e-4)
+    # w = 3: gamma = (1 + y) exp(-y), the Bessel function of order 3/2 in closed form
+    n = np.array([0.01, 0.1, 0.3])
+    y = 2.0 * np.pi * n * 1.5
+    assert track_coherence(n, 1.5, waviness=3.0) == pytest.approx(((1.0 + y) * np.exp(-y)) ** 2, rel=1e-12)
 
 
 @pytest.mark.parametrize(
