@@ -310,9 +310,15 @@ def test_doubts_are_read_from_the_campaign(template):
     campaign, _ = load_campaign(template)
     assert campaign.doubt.height == 0.04
     assert campaign.doubt.values == {"unsprung.mass": "0.2 kg"}
-    template.write_text(text + '\n[doubt]\nheigth = "4 %"\n')
-    with pytest.raises(DescriptionError, match="heigth"):
-        load_campaign(template)
+    for line, message in (
+        ('heigth = "4 %"', "heigth"),
+        ('height = "-4 %"', "height"),
+        ('values = {"unsprung.mas" = "1 %"}', "no such parameter"),
+        ('values = {"unsprung.mass" = "1 mm"}', "unit"),
+    ):
+        template.write_text(f"{text}\n[doubt]\n{line}\n")
+        with pytest.raises(DescriptionError, match=message):
+            run_campaign(template)
 
 
 # --- folders -------------------------------------------------------------------------------------------------------

@@ -29,6 +29,7 @@ from jounce.design.lumping import lumped_from
 from jounce.design.model_comparison import ModelComparison, PeakDifference, compare_models, compare_peaks
 from jounce.identify.datum import start_findings, with_datum
 from jounce.identify.fit_problem import FitTrial, check_free
+from jounce.identify.richer import own_doubt
 from jounce.identify.signs import compression_positive, sign_of
 from jounce.identify.update import bounds_and_priors, update_model
 from jounce.parts import Corner, Rig, load, rig_findings, rig_path
@@ -167,7 +168,9 @@ def check_strut_angles(campaign: Campaign, rig: Rig, file: Path) -> list[Finding
 
 
 def _check_updates(campaign: Campaign, rig: Rig, file: Path) -> None:
-    """Refuse updates that cannot be meant, before any work is done."""
+    """Refuse updates and doubts that cannot be meant, before any work is done."""
+    for path, given in campaign.doubt.values.items():
+        own_doubt(rig, path, given, f"{file}: doubt.values")
     for i, entry in enumerate(campaign.update):
         place = f"{file}: update[{i}].free ({entry.name})"
         curve = {path for path in entry.free if path.startswith("tyre.curve") and entry.tyre_law == "polynomial"}

@@ -174,8 +174,18 @@ def _draw_updates(out: Console, updates: list[dict[str, Any]]) -> None:
         for update in updates
         for path, fitted in update["parameters"].items()
     ]
-    header = ("update", "parameter", "initial", "value", "standard error", "at bound")
+    header = ("update", "parameter", "initial", "value", "standard error, noise only", "at bound")
     out.print(table("Parameters (SI)", header, rows, text=(0, 1)))
+    known = [
+        (update["name"], path, law["value"], *law["interval"], law["why"] and f"not identified: {law['why']}")
+        for update in updates
+        if update["discrepancy"]
+        for path, law in update["discrepancy"]["parameters"].items()
+    ]
+    if known:
+        header = ("update", "parameter", "value", "95 % from", "to", "verdict")
+        rows = [(*row[:5], row[5] or "identified") for row in known]
+        out.print(table("Parameters as the parts have them, model error counted (SI)", header, rows, text=(0, 1, 5)))
 
 
 def _draw_trials(out: Console, trials: list[dict[str, Any]]) -> None:

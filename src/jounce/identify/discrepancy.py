@@ -837,8 +837,9 @@ def _findings(
         found.append(Finding(path, "warning", text))
     for name, moved in strays.items():
         text = (
-            f"wants to be {abs(moved):.1f} standard deviations from what was taken for possible: state it better or "
-            f"widen doubt.{nuisances[name].group}; no parameter of this update counts as identified"
+            f"wants to be {abs(moved):.1f} standard deviations from what was taken for possible: state it better, "
+            f"widen doubt.{nuisances[name].group}, or the model lacks something that it makes up for; no parameter of "
+            "this update counts as identified"
         )
         found.append(Finding(name, "warning", text, moved))
     worst = max(unexplained, key=lambda name: unexplained[name])

@@ -169,14 +169,7 @@ class Richer:
         """Share by which a value may be off: its own, or that of its group."""
         if path not in self.doubt.values:
             return share, group
-        given, value, where = self.doubt.values[path], self._values[path], f"doubt.values: {path}"
-        try:
-            own = to_si(given, "1", where=where)
-        except DescriptionError:
-            own = to_si(given, unit_of(self.rig, path), where=where) / abs(value) if value else 0.0
-        if own < 0.0:
-            raise DescriptionError("a doubt below zero", where=where, found=given, allowed="0 or more")
-        return own, "values"
+        return own_doubt(self.rig, path, self.doubt.values[path], "doubt.values"), "values"
 
     def _others(self, used: Sequence[str]) -> None:
         angle = "strut.angle"
@@ -185,13 +178,12 @@ class Richer:
             if i is not None:
                 self._added[i] = angle
         for path in self.doubt.values:
-            if path not in self._values:
-                raise unknown_path(f"doubt.values: {path}", self._values, name=path)
+            share = own_doubt(self.rig, path, self.doubt.values[path], "doubt.values")
             if path in self._shares.values() or path in self.free or path in self._gone():
                 continue
             if path not in used:
                 raise DescriptionError("not a number of the equations", where=f"doubt.values: {path}")
-            i = self._add(path, "values", self._own(path, 0.0, "values")[0])
+            i = self._add(path, "values", share)
             if i is not None:
                 self._shares[i] = path
 
@@ -284,6 +276,20 @@ class Richer:
         }
         names = ("coefficient", "bump_coefficient", "rebound_coefficient")
         return gone | ({f"strut.damper.{name}" for name in names} if self._knots is not None else set())
+
+
+def own_doubt(rig: Rig, path: str, given: object, where: str) -> float:
+    """Share (1) by which a number of a rig may be off, given as a share or in its unit; errors name ``where``."""
+    values, place = rig.parameters(), f"{where}: {path}"
+    if path not in values:
+        raise unknown_path(place, values, name=path)
+    try:
+        share = to_si(given, "1", where=place)
+    except DescriptionError:
+        share = to_si(given, unit_of(rig, path), where=place) / abs(values[path]) if values[path] else 0.0
+    if share < 0.0:
+        raise DescriptionError("a doubt below zero", where=place, found=given, allowed="0 or more")
+    return share
 
 
 def _merged(richer: dict[str, Any], plain: dict[str, Any], own: set[str], prefix: str = "") -> dict[str, Any]:
