@@ -143,7 +143,13 @@ class StrategyResult:
         return next(trial for trial in self.trials if trial.number == number)
 
     def objective_by_channel(self) -> dict[str, tuple[float, float]]:
-        """Split Eq. 2 over the trials it was fitted on: channel to its sum of squares before and after, unweighted."""
+        """Split Eq. 2 over the trials it was fitted on, unweighted.
+
+        Returns
+        -------
+        dict of str to (float, float)
+            Channel to its sum of squared differences before and after, in the square of its SI unit: (m/s^2)^2.
+        """
         fitted = [t for t in self.trials if t.is_fitted and t.before is not None and t.after is not None]
         split: dict[str, tuple[float, float]] = {}
         for trial in fitted:

@@ -145,27 +145,25 @@ class BenchTruth(Description):
 
     @model_validator(mode="after")
     def _has_a_rig(self) -> Self:
-        rig = self.true_rig()
-        if not isinstance(rig, QuarterCar | Corner):
-            raise DescriptionError(
-                "this rig does not stand on the bench",
-                where="rig",
-                found=rig.model,
-                allowed="a quarter car or a corner",
-            )
+        self.true_rig()
         return self
 
     def true_rig(self, pressure: float | None = None) -> QuarterCar | Corner:
         """Give the rig as it is, with the rolling tyre of a pressure (Pa; None: the first of ``tyre``)."""
         described = load(self.rig) if isinstance(self.rig, str) else rig_from_table(self.rig, where="rig")
         rig = described.with_changes(self.changes) if self.changes else described
+        if not isinstance(rig, QuarterCar | Corner):
+            raise DescriptionError(
+                "this rig does not stand on the bench",
+                where="rig",
+                found=type(rig).__name__,
+                allowed="a quarter car or a corner",
+            )
         curve = self.curve_at(pressure)
         if curve is None:
-            return rig  # type: ignore[return-value]  # checked when the truth was built
+            return rig
         tyre = {key: value for key, value in _table_of(rig)["tyre"].items() if key not in ("stiffness", "curve")}
-        return rig.with_changes(  # type: ignore[return-value]
-            {"tyre": {**tyre, "curve": {"kind": "polynomial", "coefficients": curve}}}
-        )
+        return rig.with_changes({"tyre": {**tyre, "curve": {"kind": "polynomial", "coefficients": curve}}})
 
     def curve_at(self, pressure: float | None) -> tuple[float, ...] | None:
         """Give the coefficients of the rolling tyre at a pressure (Pa), SI; None where the rig's own tyre holds."""

@@ -137,7 +137,7 @@ def virtual_bench(
     given_seed: object = seed
     if isinstance(given_seed, bool) or not isinstance(given_seed, int) or seed < 0:
         raise jn.DescriptionError("not a seed", where="seed", found=seed, allowed="a whole number of 0 or more")
-    given = jn.load_truth(truth) if isinstance(truth, (str, Path)) else truth or shipped_truth()
+    given = shipped_truth() if truth is None else jn.load_truth(truth) if isinstance(truth, (str, Path)) else truth
     real = given.with_changes(changes) if changes else given
     plan = BenchPlan(seed=seed, duration=duration)
     measured = measurement_texts(plan, real, progress=progress)
@@ -343,12 +343,13 @@ def _springs(plan: BenchPlan, truth: jn.BenchTruth) -> dict[str, str]:
     strut = truth.true_rig().strut
     if not plan.spring_trials:
         return texts
-    if strut.spring.rate is None:
+    true_rate = strut.spring.rate
+    if true_rate is None:
         raise jn.DescriptionError("the test machine needs a spring rate", where="rig.strut.spring", allowed="rate")
     friction = 0.0 if strut.friction is None else strut.friction.force
     for i in range(1, plan.spring_trials + 1):
         generator = _generator(plan.seed, f"spring {i}")
-        rate = strut.spring.rate * (1.0 + 0.002 * generator.standard_normal())
+        rate = true_rate * (1.0 + 0.002 * generator.standard_normal())
         cycle = spring_cycle(0.015, 151, rate, friction)
         texts[f"bench/spring_{i}.csv"] = _cycle(*cycle, generator)
     return texts
@@ -382,7 +383,7 @@ def _decays(plan: BenchPlan, truth: jn.BenchTruth) -> dict[str, str]:
     at_rest = jn.linearise(rig).equilibrium
     for i in range(1, plan.decays + 1):
         generator = _generator(plan.seed, f"decay {i}")
-        laden = rig.with_changes({"sprung.mass": rig.sprung.mass + _WEIGHT * (8.0 + i)})
+        laden = rig.with_changes({"sprung.mass": rig.parameters()["sprung.mass"] + _WEIGHT * (8.0 + i)})
         pressed = jn.linearise(laden).equilibrium
         offset = {name: value - at_rest[name] for name, value in pressed.items() if value != at_rest[name]}
         run = jn.simulate(rig, level, output_step=1.0 / plan.sample_rate, offset=offset)
