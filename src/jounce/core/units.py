@@ -175,14 +175,14 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
             number *= conversion_factor(match[2], si, where=where)
     if not math.isfinite(number):
         raise DescriptionError("not a finite number", where=where, found=value, allowed="a finite number")
-    if number != 0.0 and not _SMALLEST <= abs(number) <= _LARGEST:
-        allowed = f"0, or a size of {_SMALLEST:g} to {_LARGEST:g} {si}".rstrip(" 1")
+    if abs(number) > _LARGEST:
+        allowed = f"sizes up to {_LARGEST:g} {si}".removesuffix(" 1")
         raise DescriptionError("not a size that anything has", where=where, found=value, allowed=allowed)
     return number
 
 
-_SMALLEST, _LARGEST = 1e-300, 1e30
-"""Sizes in SI beyond which nothing of a vehicle lies, and products of a few values are no numbers any more."""
+_LARGEST = 1e30
+"""Size in SI beyond which nothing of a vehicle lies, and products of a few values are no numbers any more."""
 
 
 def positive_si(value: object, si: str, *, where: str, zero: bool = False) -> float:

@@ -39,7 +39,7 @@ _MOST_HALF_CYCLES = 5000
 
 @dataclass(frozen=True)
 class DecayParameters:
-    """What a free decay of m x'' + c x' + F_c sign(x') + d x' |x'| + k (x - x_eq) = 0 depends on.
+    """What a free decay of ``m x'' + c x' + F_c sign(x') + d x' |x'| + k (x - x_eq) = 0`` depends on.
 
     Attributes
     ----------
@@ -641,7 +641,7 @@ class DecayResult:
     coulomb_force : Estimate
         Dry friction F_c [N]; not negative.
     quadratic_drag : Estimate or None
-        d [N s^2/m^2] of a force d x' |x'|, not negative; None where the record shows none.
+        d [N s^2/m^2] of a force ``d x' |x'|``, not negative; None where the record shows none.
     natural_frequency_hz : Estimate
         Undamped natural frequency [Hz].
     equilibrium : Estimate or None
@@ -708,13 +708,13 @@ def fit_decay(
 ) -> DecayResult:
     """Find viscous damping, dry friction and quadratic drag from a free decay.
 
-    The response of m x'' + c x' + F_c sign(x') + d x' |x'| + k (x - x_eq) = 0 is fitted to the record from the moment
-    the largest excursion is left, final sticking included; without drag it is known in closed form from turning point
-    to turning point. Start values come from the recursion of the turning points. None of c, F_c, d can be negative:
-    what would be is fitted again at zero. Holding before the release, an initial velocity and a release in the middle
-    of the record are all allowed; the hit of an impact test is left out where it is the largest excursion, and so is
-    what follows a second one, with findings. Displacement is best; an acceleration jumps at every
-    turning point where there is friction, and its intervals for the friction come out some 10 % too narrow.
+    The response of ``m x'' + c x' + F_c sign(x') + d x' |x'| + k (x - x_eq) = 0`` is fitted to the record from the
+    moment the largest excursion is left, final sticking included; without drag it is known in closed form from turning
+    point to turning point. Start values come from the recursion of the turning points. None of c, F_c, d can be
+    negative: what would be is fitted again at zero. Holding before the release, an initial velocity and a release in
+    the middle of the record are all allowed; the hit of an impact test is left out where it is the largest excursion,
+    and so is what follows a second one, with findings. Displacement is best; an acceleration jumps at every turning
+    point where there is friction, and its intervals for the friction come out some 10 % too narrow.
 
     Parameters
     ----------
