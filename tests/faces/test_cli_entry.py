@@ -143,7 +143,7 @@ def test_interrupted_run_leaves_nothing(cli, bump: Path, tmp_path: Path, monkeyp
     def interrupt(*words: object, **options: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("jounce.simulation.simulate", interrupt)
+    monkeypatch.setattr("jounce.simulation.run.solved", interrupt)
     outcome = cli("simulate", "kart-quarter-car", "--road", bump, "--speed", 2, "--duration", 1, "--out", "run.nc")
     assert outcome.exit_code == 130
     assert "no file is left half-written" in outcome.err

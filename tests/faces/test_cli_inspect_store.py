@@ -80,7 +80,7 @@ def test_import_acknowledges_every_record_once(cli, lane) -> None:
 
 def test_what_cannot_be_graded_is_stored_with_its_reason_and_exit_code_2(cli, tmp_path: Path) -> None:
     (tmp_path / "bad.csv").write_text(
-        '# plate_number = "B 1"\ntime [s], left.plate.z [mm], left.plate.force [N]\n0,1,x\n'
+        '# plate_number = "B 1"\ntime [s], left.plate.z [mm], left.plate.force [N]\n0,1,x\n0.01,1,2\n'
     )
     (tmp_path / "empty.csv").write_text("")
     found = cli("inspect", "import", "bad.csv", "empty.csv", "--store", "lane.sqlite", "--tester", "eusama", "--json")

@@ -293,7 +293,7 @@ class _Runner:
             align=entry.align,
             starts=entry.starts,
             doubt=self.campaign.doubt,
-            bench=bench_values(self.bench, trials[0].rig, chosen[0].entry.tyre_pressure),
+            bench=bench_values(self.bench, trials[0].rig, chosen[0].entry.tyre_pressure) if chosen else {},
         )
         self.findings += [
             f if f.place == entry.name else Finding(f"{entry.name}: {f.place}", f.severity, f.message, f.value)

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from jounce.cli.reply import tell
-from jounce.core.description import toml_table
 from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
@@ -141,6 +140,8 @@ def bare_number(text: str) -> str | float:
 
 def _toml_value(text: str) -> Any:
     try:
+        from jounce.core.description import toml_table
+
         value = toml_table(f"value = {text}")["value"]
     except tomllib.TOMLDecodeError:
         return text

@@ -102,11 +102,10 @@ def sweep_values(values: Values, name: str, unit: str = "m") -> Array:
     """Check values to sweep over: finite, ascending, at least one; text is read as a range."""
     if isinstance(values, str):
         return text_range(values, unit, name)
+    shape = np.shape(np.asarray(values, dtype=object))
+    if len(shape) > 1 or 0 in shape:
+        raise DescriptionError("not a list of values", where=name, found=f"shape {shape}", allowed="(n,), n > 0")
     checked = si_values(values, unit, name)
-    if checked.ndim != 1 or not len(checked):
-        raise DescriptionError(
-            "not a list of values", where=name, found=f"shape {checked.shape}", allowed="(n,), n > 0"
-        )
     if not np.all(np.isfinite(checked)):
         raise DescriptionError("not a finite number", where=name, found=checked[~np.isfinite(checked)][0])
     falls = np.flatnonzero(np.diff(checked) <= 0.0)

@@ -43,7 +43,7 @@ def test_the_walk_starts_nearest_to_design() -> None:
         ([0.0, np.inf], "not a finite number"),
         ([0.02, 0.0], "do not ascend"),
         ([0.0, 0.0], "do not ascend"),
-        (["x"], "not numbers"),
+        (["x"], "not a number with a unit"),
     ],
 )
 def test_bad_values_are_refused(values: object, text: str) -> None:
