@@ -152,7 +152,14 @@ def test_the_whole_record_of_an_impact_test(quantity, ratio, sign):
 
 
 @pytest.mark.parametrize("quantity", ["displacement", "velocity", "acceleration"])
-@pytest.mark.parametrize("sizes", [(0.5, 0.4, 0.5), (0.5, 0.7, 0.3), (0.5, 0.2, 0.2)])
+@pytest.mark.parametrize(
+    "sizes",
+    [
+        (0.5, 0.4, 0.5),
+        pytest.param((0.5, 0.7, 0.3), marks=pytest.mark.slow),
+        pytest.param((0.5, 0.2, 0.2), marks=pytest.mark.slow),
+    ],
+)
 def test_several_hits_in_one_record(quantity, sizes):
     time, motion = struck(0.03, list(zip((0.5, 1.9, 3.1), sizes, strict=True)), seconds=5.0)
     result = fit_decay(time, motion[quantity], mass=MASS, quantity=quantity)

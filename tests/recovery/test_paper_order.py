@@ -81,15 +81,18 @@ def test_dry_friction_alone_takes_the_body_away(run):
     assert represented(result, 2) == (False, True)
 
 
+@pytest.mark.slow
 def test_a_tyre_that_settles_less_is_represented_by_its_curve(run):
     """The measured curve is then right within its 10 %: strategy 1 represents the wheel, too."""
     assert represented(run("kart-low-friction", ("settles less",)), 1) == (True, True)
 
 
+@pytest.mark.slow
 def test_a_degressive_damper_hides_what_the_tyre_curve_lacks(run):
     assert represented(run("kart-low-friction", ("degressive",)), 1) == (True, True)
 
 
+@pytest.mark.slow
 def test_two_masses_in_place_of_the_linkage_lose_the_body(run):
     """The paper's model was a multibody model; a quarter car bends the spring rate to fit the wheel."""
     assert represented(run("kart-low-friction", file="quick-look.toml"), 2) == (False, True)
@@ -103,6 +106,7 @@ def test_the_shipped_bench_gives_the_opposite_order(run):
     assert split["unsprung.az"][0] > 5.0 * split["sprung.az"][0]  # Eq. 2 as printed is the wheel's
 
 
+@pytest.mark.slow
 def test_weights_help_the_body_and_friction_still_holds_it(run):
     printed, normalised = (
         run("kart-prototype", weights=weights).strategies[0].trial(1).after.channels["sprung.az"].r2
@@ -121,6 +125,7 @@ def test_closer_trains_are_met_better(run, truth):
     assert misfit[4] < misfit[6]
 
 
+@pytest.mark.slow
 def test_a_belt_that_keeps_its_speed_meets_wide_trains_as_well(run):
     found = run("kart-prototype", ("even belt",)).strategies[1]
     close, wide = (sum(c.nrmse for c in found.trial(number).after.channels.values()) for number in (4, 6))
@@ -142,6 +147,7 @@ def test_a_decrement_takes_dry_friction_for_damping(run):
     assert decrement.seen.value > 1.8 * viscous.seen.value  # of four decays: 225 and 104 N s/m
 
 
+@pytest.mark.slow
 def test_the_paper_s_damping_leaves_the_model_unable_to_follow(run):
     """With the decrement put straight into the model, 10 % of it cannot be taken back far enough."""
     result = run("kart-prototype", decay="logarithmic-decrement")

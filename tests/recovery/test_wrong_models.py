@@ -24,7 +24,7 @@ def summed_up(rows):
     return float(covered), float(np.mean([row.was_covered for row in rows])), firm, len(known) / len(rows)
 
 
-@pytest.mark.parametrize("seed", [200, 201])  # in 3-D, and a quarter car
+@pytest.mark.parametrize("seed", [200, pytest.param(201, marks=pytest.mark.slow)])  # in 3-D, and a quarter car
 def test_truths_lie_in_the_intervals_that_count_model_error(seed):
     rows = wrong_models.rows_of(seed)
     assert ("3-D" in rows[0].kind) == (seed == 200)

@@ -140,7 +140,7 @@ def test_damaged_files_are_refused_in_one_way(tmp_path: Path) -> None:
     good = (tmp_path / "a.mat").read_bytes()
     random = np.random.default_rng(5)
     outcomes = []
-    for _ in range(60):
+    for _ in range(20):
         bad = bytearray(good)
         for place in random.integers(128, len(bad), 3):
             bad[place] = random.integers(256)
@@ -149,5 +149,5 @@ def test_damaged_files_are_refused_in_one_way(tmp_path: Path) -> None:
             read_recording(tmp_path / "b.mat", columns={"time": "t [s]", "sprung.az": "s.acc [g]"})
         except RecordingError as error:
             outcomes.append(str(error))
-    assert len(outcomes) > 40
+    assert len(outcomes) > 13
     assert all("b.mat" in text for text in outcomes)
