@@ -25,10 +25,8 @@ from llvmlite import binding as llvm
 from jounce.core.optional import require
 from jounce.core.sources import digest_of
 from jounce.kernel import native
-from jounce.kernel.loops import BUILT, PLATFORMS, Platform, key_of, this_platform
+from jounce.kernel.loops import BUILT, ENTRY, FAILED, PLATFORMS, Platform, key_of, this_platform
 
-ENTRY = "entry"
-"""Name of the function that a loop's code is called by."""
 PYTHON = (
     "PyErr_Clear",
     "PyErr_Occurred",
@@ -39,8 +37,6 @@ PYTHON = (
     "PyTuple_Size",
 )
 """Functions of the interpreter that the code calls."""
-FAILED = -(1 << 62)
-"""What the code gives where the loop itself raises."""
 _PROTOTYPE = ctypes.PYFUNCTYPE(ctypes.c_int64, ctypes.py_object, ctypes.c_void_p)
 _LOG = logging.getLogger("jounce")
 Head = dict[str, Any]

@@ -26,6 +26,12 @@ LOOPS = {
 }
 """Loops that are called from Python: module and function."""
 
+ENTRY = "entry"
+"""Name of the function that a loop's code is called by."""
+
+FAILED = -(1 << 62)
+"""What the code gives where the loop itself raises."""
+
 BUILT = Path(__file__).parent / "built"
 """Where built code lies: ``<loop>.bc`` for every machine, ``<platform>/<loop>.o`` for one."""
 

@@ -20,8 +20,7 @@ from numba.core.registry import cpu_target
 
 from jounce.kernel import native
 from jounce.kernel.arrays import Layout
-from jounce.kernel.call import ENTRY, FAILED
-from jounce.kernel.loops import LOOPS
+from jounce.kernel.loops import ENTRY, FAILED, LOOPS
 
 _BYTE, _SHORT, _INDEX = ir.IntType(8), ir.IntType(32), ir.IntType(64)
 _POINTER, _DOUBLE = _BYTE.as_pointer(), ir.DoubleType()
