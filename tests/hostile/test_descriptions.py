@@ -52,7 +52,14 @@ def test_a_file_that_is_no_description_by_its_size(tmp_path: Path, capsys: pytes
     assert "too large for a description" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("value", [10**400, 1e31, "1e300 N/m", -1e300])
+@pytest.mark.parametrize("value", [10**400, 10**5000, 1e31, "1e300 N/m", -1e300], ids=range(5))
 def test_sizes_that_nothing_has(value: object) -> None:
     with pytest.raises(DescriptionError, match=r"not a finite number|not a size that anything has"):
         to_si(value, "N/m")
+
+
+def test_the_length_that_is_told_is_that_of_the_value() -> None:
+    with pytest.raises(DescriptionError) as caught:
+        to_si("x" * 200_000, "N/m")
+    assert "xxx... (200002 characters)" in str(caught.value)  # with its quotes
+    assert len(str(caught.value)) < 500

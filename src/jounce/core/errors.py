@@ -67,8 +67,16 @@ class OutputError(JounceError):
 
 
 def shown(value: object) -> str:
-    """A value as messages show it: text in quotes, anything of a length that can be read."""
-    return shortened(repr(value[: 2 * _LONGEST_VALUE]) if isinstance(value, str) else str(value), _LONGEST_VALUE)
+    """A value as messages show it: text in quotes, anything of a length that can be read.
+
+    >>> shown("5 mm"), shown([0.1, 0.2])
+    ("'5 mm'", '[0.1, 0.2]')
+    """
+    try:
+        text = repr(value) if isinstance(value, str) else str(value)
+    except ValueError:  # Python does not write integers of more than some thousand digits
+        text = "an integer of thousands of digits"
+    return shortened(text, _LONGEST_VALUE)
 
 
 def nearest(name: str, options: Iterable[str]) -> str:

@@ -8,6 +8,7 @@ import pytest
 import jounce as jn
 from jounce.core.errors import OutputError
 from jounce.plots import add_note, new_figure, rendered, road_profile, write_figure
+from jounce.plots.style import log_axes, style
 
 OBSTACLE = jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m")
 MAGIC = {".svg": b"<?xml", ".png": b"\x89PNG", ".pdf": b"%PDF"}
@@ -65,3 +66,24 @@ def test_empty_note_changes_nothing() -> None:
     figure = new_figure(2.0)
     add_note(figure, "")
     assert figure.texts == []
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "expected"),
+    [
+        (1e-6, 1e6, ["10⁻⁶", "0.0001", "0.01", "1", "100", "10⁴", "10⁶"]),
+        (0.2, 30.0, ["1", "10"]),
+        (2e4, 9e4, ["2·10⁴", "3·10⁴", "4·10⁴", "6·10⁴"]),
+    ],
+)
+def test_logarithmic_ticks_are_written_without_markup(low: float, high: float, expected: list[str]) -> None:
+    with style():
+        figure = new_figure(2.0)
+        axes = figure.subplots()
+        axes.plot([low, high], [low, high])
+        log_axes(axes)
+        axes.set_xlim(low, high)
+        figure.draw_without_rendering()
+        ticks = [*axes.get_xticklabels(), *axes.get_xticklabels(minor=True)]
+    shown = [tick.get_text() for tick in ticks if tick.get_text() and low <= tick.get_position()[0] <= high]
+    assert shown == expected
