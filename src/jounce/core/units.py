@@ -68,7 +68,7 @@ def _plain_spelling(unit: str) -> str:
 def _parsed(unit: str) -> Any:
     """The library's unit of a text; ValueError when it is none, or so long or raised so high that it cannot be one."""
     plain = _plain_spelling(unit) if len(unit) <= _LONGEST_UNIT else "^"
-    if not _UNIT_TEXT.fullmatch(plain) or plain.count("^") != len(_POWER.findall(plain)):
+    if not plain or not _UNIT_TEXT.fullmatch(plain) or plain.count("^") != len(_POWER.findall(plain)):
         raise ValueError(f"{unit[:_LONGEST_UNIT]!r} is not a unit")
     try:
         found = _registry().Unit(plain)
@@ -105,23 +105,35 @@ def _factor(unit: str, si: str) -> float:
     target = registry.Unit(si if si not in _DIMENSIONLESS else "dimensionless")
     turning = si in ("Hz", "rad/s", "N*m", "N*m/rad")
     found = _parsed(_WHOLE.get(unit, unit) if turning else unit)
+    wrong = f"{unit!r} is not a unit of {si if si not in _DIMENSIONLESS else 'a plain number'}"
     try:
-        factor = float(registry.Quantity(1.0, found).to(target).magnitude)
+        factor, thrice = (float(registry.Quantity(number, found).to(target).magnitude) for number in (1.0, 3.0))
     except Exception as error:
-        raise ValueError(f"{unit!r} is not a unit of {si if si not in _DIMENSIONLESS else 'a plain number'}") from error
-    # the library takes radians for plain numbers, so that it would read 60 rpm as 6.28 Hz
+        raise ValueError(wrong) from error
+    if not math.isclose(thrice, 3.0 * factor, rel_tol=1e-9):  # dB, octaves, degrees Celsius
+        raise ValueError(wrong)
     angles = _angles(found)
     if si == "Hz" and angles == 1.0:
         return factor / (2.0 * math.pi)
-    if (si in _DIMENSIONLESS and angles != 0.0) or (si.startswith("rad/s") and "hertz" in str(found)):
-        raise ValueError(f"{unit!r} is not a unit of {si if si not in _DIMENSIONLESS else 'a plain number'}")
+    if not (angles == _angles(target) or (angles == 0.0 and si.startswith("rad") and _has_dimensions(found))):
+        raise ValueError(wrong)
+    if si.startswith("rad/s") and "hertz" in str(found):
+        raise ValueError(wrong)
     return factor
 
 
 def _angles(unit: Any) -> float:
-    """Exponent of the angle in a unit: 1 for rad/s and rpm, 0 for Hz."""
+    """Exponent of the angle in a unit: 1 for rad/s and rpm, 0 for Hz.
+
+    The library takes radians for plain numbers: it would read 60 rpm as 6.28 Hz, and a count as 1 rad.
+    """
     root = _registry().Quantity(1.0, unit).to_root_units().units
     return float(root._units.get("radian", 0.0))
+
+
+def _has_dimensions(unit: Any) -> bool:
+    """Whether a unit is more than a count or a share: mm/m is an angle without saying so, 1/s turns, % and bits not."""
+    return any(_registry().Unit(name).dimensionality for name in unit._units)
 
 
 def conversion_factor(unit: str, si: str, *, where: str = "") -> float:

@@ -26,8 +26,8 @@ SPELLINGS = {  # units that are written between bars, and what one of them is
     "Pa": [("N/mm2|MPa", 1e6), ("bar", 1e5)],
     "kg*m^2": [("kg.m2|kg m²", 1.0)],
     "Hz": [("rpm|U/min|1/min", 1.0 / 60.0), ("rad/s", 0.5 / math.pi), ("1/s", 1.0)],
-    "rad/s": [("rpm|U/min", math.pi / 30.0), ("°/s|deg/s", math.pi / 180.0)],
-    "rad": [("Grad|°|deg", math.pi / 180.0)],
+    "rad/s": [("rpm|U/min", math.pi / 30.0), ("1/s", 1.0), ("°/s|deg/s", math.pi / 180.0)],
+    "rad": [("Grad|°|deg", math.pi / 180.0), ("mm/m", 1e-3)],
     "s": [("sec|Sek|s", 1.0), ("µs|us|\N{GREEK SMALL LETTER MU}s", 1e-6)],
     "m/s": [("km/h|kph|kmh", 1.0 / 3.6)],
     "1": [("%", 0.01), ("-", 1.0), ("mm/m", 1e-3)],
@@ -45,8 +45,9 @@ def test_spellings_and_dimensions(si: str, unit: str, factor: float) -> None:
 
 
 NONE = {
-    "m/s^2": ["kg", "mm", "ms-2"], "N": ["kg", "lb", "Nm", "KN"], "rad/s": ["Hz"], "1": ["deg"], "kg": ["milli-g"],
-    "s": ["hh:mm:ss"],
+    "m/s^2": ["kg", "mm", "ms-2"], "N": ["kg", "lb", "Nm", "KN"], "rad/s": ["Hz"], "kg": ["milli-g", "G"],
+    "s": ["hh:mm:ss"], "N*m": ["Nm/deg"], "N*m/rad": ["Nm"], "K": ["°C"],
+    "1": ["deg", "dB", "Np", "octave", "''", "'", '"'], "rad": ["''", "'", '"', "%", "1", "count", "bit", "dB", "pi"],
     "m": [
         "MM", "-mm", "−mm", "10*mm", "mm;N", ":,1", "m\0", "m" * 100, "m^9**9**9**9", "m^(9^9)", "m**1e9", "m^9999",
         "((((" * 20, "m" + "²" * 60,
