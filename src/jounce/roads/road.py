@@ -17,7 +17,7 @@ from jounce.core.kinds import Kinds
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.core.units import NonNegativeLength, PositiveLength
-from jounce.roads.profile import Profile, laid_out, passes
+from jounce.roads.profile import SHORTEST, Profile, laid_out, passes
 
 LEVEL = 1e-6  # m; a belt loop whose ends differ by more is not closed
 
@@ -75,7 +75,7 @@ class Road(Description, ABC):
         Raises
         ------
         DescriptionError
-            When ``distance`` is not a finite length above 0.
+            When ``distance`` is not a finite length above 0, or is lost in the digits of ``behind``.
 
         Examples
         --------
@@ -85,6 +85,12 @@ class Road(Description, ABC):
         """
         if not (np.isfinite(distance) and distance > 0.0):
             raise DescriptionError("not a distance to drive", found=f"{distance} m", allowed="above 0 m and finite")
+        if not distance > SHORTEST * abs(behind):  # the run would begin and end at the same number
+            raise DescriptionError(
+                "the wheel is too far behind the front axle for its road to be laid out",
+                found=f"{behind:g} m",
+                allowed=f"up to {distance / SHORTEST:.0e} m where {distance:g} m are driven",
+            )
         pieces = self._between(0.0 - behind, float(distance) - behind)
         return replace(pieces, edges=pieces.edges + behind) if behind else pieces
 

@@ -60,6 +60,18 @@ def test_a_run_longer_than_the_road_is_refused() -> None:
         TABLE.check_covers(7.0, where="trial")
 
 
+@pytest.mark.parametrize(
+    "road", [BUMP, TABLE, SineSum(), Train(of=BUMP, count=2, pitch=1), HalfSine(height=1, length=1, recurrence=9)]
+)
+def test_a_wheel_so_far_behind_that_the_run_is_lost_in_the_digits_is_refused(road) -> None:
+    road.segments(10.0, behind=1e9)
+    for behind in (1e14, 1e29, -1e29):
+        with pytest.raises(
+            DescriptionError, match=r"too far behind .*; found '-?1e\+(14|29) m'; allowed: up to 1e\+13 m"
+        ):
+            road.segments(10.0, behind=behind)
+
+
 def test_points_of_tables(tmp_path) -> None:
     x, z = TABLE.points()
     assert (x.tolist(), z.tolist()) == ([0, 0.5, 1, 4], [0, 0.01, 0.01, 0])
