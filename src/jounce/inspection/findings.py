@@ -62,6 +62,19 @@ SENTENCES: dict[str, Sentence] = {
         "Die Zeitschritte schwanken um {percent:.2g} % (zulässig: 1 %); auf gleiche Schritte umgerechnet.",
     ),
     "reading_columns": Sentence("{text}", "Nicht alle Spalten der Datei wurden verwendet (englisch): {text}"),
+    "reading_commas": Sentence("{text}", "Die Datei hat Dezimalkommas."),
+    "reading_units": Sentence("{text}", "Die Einheiten wurden der Zeile unter den Namen entnommen."),
+    "reading_steps": Sentence(
+        "{text}", "Auf gleiche Zeitschritte umgerechnet; die größte Lücke der aufgezeichneten Zeit ist {value:.4g} s."
+    ),
+    "reading_sample_time": Sentence(
+        "{text}",
+        "Die angegebene Schrittweite wurde verwendet; nach der aufgezeichneten Zeit dauert die Messung {value:.4g} s.",
+    ),
+    "reading_cut_off": Sentence(
+        "{text}", "Die Datei wurde abgeschnitten; gelesen wurde, was sie enthält (englisch): {text}"
+    ),
+    "reading_implausible": Sentence("{text}", "Die Größe der Werte ist zweifelhaft, Einheit prüfen (englisch): {text}"),
     # plates and units
     "columns_swapped": Sentence(
         "the plate would move {stroke:.4g} mm and the force would reach only {force:.3g} N: the columns of plate and "
@@ -349,7 +362,17 @@ _OF_READER = {
     "the time step varies": "reading_resampled",
     "columns that are no known channel": "reading_columns",
     "signals of another length": "reading_columns",
+    "channels without a single number": "reading_columns",
+    "decimal commas": "reading_commas",
+    "the units were read from the line": "reading_units",
+    "resampled to": "reading_steps",
+    "with the given sample time": "reading_sample_time",
+    "the file announces": "reading_cut_off",
+    "the last data set has no end": "reading_cut_off",
+    **dict.fromkeys(("the mean is", "the r.m.s. is", "the peak is", "the range is"), "reading_implausible"),
+    **dict.fromkeys(("it changes by", "the samples are", "the force does", "it is "), "reading_implausible"),
 }
+"""Begins of what the reader of files says, and the code that each gets."""
 
 
 def of_reader(finding: Finding) -> Finding:

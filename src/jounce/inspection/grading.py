@@ -379,7 +379,7 @@ def _grade_wheel(
     used = deciding if deciding is not None else tuple(firm)
     conditions = [one for one in _conditions(wheel, limits, used) if bands]
     failed = () if any(m in firm for m in used) else tuple(m for m, band in firm.items() if band.verdict == "fail")
-    if failed and bands:
+    if failed:
         conditions.append(Reason("counts", "fail", {"methods": failed}))
     verdict = worst([*(firm[m].verdict if m in firm else NOT_GRADED for m in used), *_verdicts(conditions)])
     order = sorted(reasons, key=lambda m: (m not in used, -_severity(bands.get(m))))

@@ -210,7 +210,7 @@ def _axle(value: object, where: str) -> str:
 
 def _unit_error(error: DescriptionError) -> DescriptionError:
     """Say what is meant by a pound or a kilogram in a force column."""
-    words = {"lb": "lbf", "lbs": "lbf", "pound": "lbf", "kg": "kgf", "kp": "kgf"}
+    words = {"lb": "lbf", "lbs": "lbf", "pound": "lbf", "kg": "kgf"}
     unit = str(error.found or "")
     hint = error.hint
     if unit in words and "convert" in error.allowed:

@@ -21,7 +21,7 @@ def held_rows(dataset: Any) -> tuple[int, int]:
     announced = int(shape[axis]) if shape else 1
     if dataset.chunks is None:
         written = dataset.id.get_storage_size()
-        return axis, announced if written or dataset.nbytes == 0 or dataset.compression else 0
+        return axis, announced if written or dataset.nbytes == 0 else 0
     count = dataset.id.get_num_chunks()
     expected = math.prod(-(-size // chunk) for size, chunk in zip(shape, dataset.chunks, strict=True))
     if count >= expected:

@@ -13,12 +13,14 @@ import jounce.inspection
 from jounce.core.findings import Finding
 from jounce.inspection import Inspection, WheelResult, evaluate, read_record
 from jounce.inspection.archive.entries import pack, unpack
-from jounce.inspection.findings import SENTENCES, Remark, remark, sentence_of
+from jounce.inspection.findings import SENTENCES, Remark, of_reader, remark, sentence_of
 from jounce.inspection.grading import grade, grade_vehicle
 from jounce.inspection.record import read_facts
 from jounce.parts import load
 from jounce.parts.testers import load_tester
 from jounce.parts.variants import worn
+from jounce.recordings import read_recording
+from jounce.recordings.hdf5 import announcement
 from jounce.report.protocol import protocol_html
 from jounce.testers.testing import simulate_test
 
@@ -104,6 +106,42 @@ def test_findings_of_the_reader_are_german_too(tmp_path: Path) -> None:
     assert german[0].startswith("Nicht alle Spalten der Datei wurden verwendet")
     assert german[1].startswith("Der Kanal ist unverändert (0,0005)")
     assert [sentence_of(one) for one in findings] == [one.message for one in findings]
+
+
+_LANE = "time [s]; left.plate.z [{0}]; left.plate.force [{1}]; right.plate.z [mm]\n"
+READ = [  # header, step (s), what the reader is told, and what a German page says of it
+    (_LANE.format("mm", "N"), 0.01, {}, ["Die Datei hat Dezimalkommas.", "Nicht alle Spalten"]),
+    ("time; left.plate.z; left.plate.force; note\ns; mm; N; -\n", 0.01, {}, [
+        "Die Datei hat Dezimalkommas.", "Die Einheiten wurden der Zeile", "Nicht alle Spalten"]),
+    (_LANE.format("mm", "N"), 0.01, {"resample": 0.02}, [
+        "Die Datei hat Dezimalkommas.", "Nicht alle Spalten",
+        "Auf gleiche Zeitschritte umgerechnet; die größte Lücke der aufgezeichneten Zeit ist 0,01 s."]),
+    (_LANE.format("mm", "N"), 0.01, {"sample_time": 0.02}, [
+        "Die Datei hat Dezimalkommas.", "Nicht alle Spalten", "Die angegebene Schrittweite"]),
+    (_LANE.format("mm", "N"), 0.5, {}, ["Die Datei hat Dezimalkommas.", "Nicht alle Spalten", "Die Größe der Werte"]),
+    (_LANE.format("mm", "mN"), 0.01, {}, ["Die Datei hat Dezimalkommas.", "Nicht alle Spalten", "Die Größe der Werte"]),
+    (_LANE.format("mm", "kN"), 0.01, {}, ["Die Datei hat Dezimalkommas.", "Nicht alle Spalten", "Die Größe der Werte"]),
+    (_LANE.format("m", "N"), 0.01, {}, ["Die Datei hat Dezimalkommas.", "Nicht alle Spalten", "Die Größe der Werte"]),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("header", "step", "told", "german"), READ)
+def test_whatever_the_reader_finds_is_german(
+    tmp_path: Path, header: str, step: float, told: dict[str, float], german: list[str]
+) -> None:
+    file = tmp_path / "lane.csv"
+    rows = (f"{i * step:.6g}; {3.0 * np.sin(i):.6f}; {4000.0 + 900.0 * np.cos(i):.3f};" for i in range(100))
+    file.write_text(header + "\n".join(rows).replace(".", ","), encoding="utf-8")
+    found = [of_reader(one) for one in read_recording(file, **told)[1]]
+    said = [sentence_of(one, "de") for one in found]
+    assert len(said) == len(german), said
+    assert all(one.startswith(begin) for one, begin in zip(said, german, strict=True)), said
+    assert [sentence_of(one) for one in found] == [one.message for one in found]
+
+
+def test_a_file_that_was_cut_off_is_german() -> None:
+    (cut,) = map(of_reader, announcement("left.plate.z", 100, 40, "a.tdms"))
+    assert sentence_of(cut, "de").startswith("Die Datei wurde abgeschnitten; gelesen wurde, was sie enthält")
 
 
 @pytest.mark.parametrize(
