@@ -65,6 +65,8 @@ def test_several_controls_and_a_picture(cli, tmp_path: Path) -> None:
     assert outcome.exit_code == 0, outcome.err
     assert "skyhook, on iso:C" in outcome.out
     assert (tmp_path / "spectra.png").stat().st_size > 10_000
+    assert cli("ride", CAR, *SHORT, "--control", "skyhook", "--figure", "one.svg").exit_code == 0
+    assert f"{CAR}, skyhook, on iso:C" in (tmp_path / "one.svg").read_text(encoding="utf-8")
     refused = cli("ride", CAR, *SHORT, "--figure", "spectra.png")
     assert refused.exit_code == 2
     assert "exists" in refused.err

@@ -259,9 +259,7 @@ def evaluate(
         str | None, typer.Option(help="Store record and result: a SQLite file (created if missing), or a database URL.")
     ] = None,
     language: Annotated[str, typer.Option(help="Language of the protocol: en or de.")] = "en",
-    date: Annotated[
-        str | None, typer.Option(help="Day of the test, e.g. 2026-11-21, where the header lacks it.")
-    ] = None,
+    date: Annotated[str | None, typer.Option(help="Day of the test, e.g. 2026-11-21.")] = None,
     place: Annotated[str | None, typer.Option(help="Where it was made.")] = None,
     plate: Annotated[str | None, typer.Option(help="Number plate of the vehicle.")] = None,
     inspector: Annotated[str | None, typer.Option(help="Who made it.")] = None,

@@ -88,7 +88,8 @@ def ride(
         from jounce.plots.design import ride_spectra
         from jounce.plots.style import FIGURES
 
-        title = f"{vehicle} on {road} at {study.trial.trial.speed:g} m/s"
+        driven = f"{vehicle}, {names[0]}," if len(names) == 1 else vehicle  # several have a legend
+        title = f"{driven} on {road} at {study.trial.trial.speed:g} m/s"
         FIGURES.write(ride_spectra(study.rides, study.stationary, title), figure, force=force)
     plain = {**plain, "out": out and str(out), "figure": figure and str(figure)}
     return Reply(plain, lambda console: _draw_ride(console, plain, study), as_json)

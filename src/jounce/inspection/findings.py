@@ -227,6 +227,12 @@ SENTENCES: dict[str, Sentence] = {
         "Die Kraft schwingt bei {frequency:.1f} Hz um {force:.0f} N, die diese Platte nicht erzeugt: Läuft die andere "
         "Platte oder eine andere Maschine?",
     ),
+    "swings_on": Sentence(
+        "the force swings at {frequency:.1f} Hz with {force:.0f} N, which this plate does not cause: so lightly damped "
+        "a wheel swings on by itself, and its body with it; or does another machine shake it?",
+        "Die Kraft schwingt bei {frequency:.1f} Hz um {force:.0f} N, die diese Platte nicht erzeugt: Ein so schwach "
+        "gedämpftes Rad schwingt von selbst nach und der Aufbau mit ihm; oder rüttelt eine andere Maschine daran?",
+    ),
     # the sweep
     "few_turns": Sentence(
         "the plate makes fewer than {fewest} turns: no sweep.",

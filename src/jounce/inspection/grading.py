@@ -438,16 +438,17 @@ def near_edges(criterion: Criterion, value: float, half: float | None, method: s
 
 
 def _conditions(wheel: WheelResult, limits: Limits, used: Sequence[str]) -> list[Reason]:
-    """What does not hold of what the methods used need."""
+    """What does not hold of what the methods used need, or not for certain."""
     found = []
     for condition in limits.conditions.values():
-        value = wheel.value(condition.quantity)
-        if value is None or not set(condition.methods) & set(used):
+        value, needed = wheel.value(condition.quantity), [method for method in condition.methods if method in used]
+        if value is None or not needed:
             continue
         band, half = condition.band_of(value), wheel.uncertainty.get(condition.quantity)
         if band is not None and band.verdict != "pass":
             values = {"criterion": condition, "value": value, "half": half, "band": band, "verdict": band.verdict}
             found.append(Reason("condition", band.verdict, values))
+        found += near_edges(condition, value, half, needed[0])
     return found
 
 

@@ -19,7 +19,17 @@ from jounce.core.errors import FitError
 from jounce.core.findings import Finding
 from jounce.core.types import Array, Complex
 from jounce.inspection.findings import problem, warning
-from jounce.inspection.quarter_car import TYRES, ResponseFit, Stretch, fit_response, predicted_force, stretch_of
+from jounce.inspection.quarter_car import (
+    TYRES,
+    Corner,
+    ResponseFit,
+    Stretch,
+    fit_response,
+    predicted_force,
+    road_poles,
+    stretch_of,
+    wheel_damping,
+)
 from jounce.inspection.signals import WheelSignals, plate_acceleration
 from jounce.inspection.sweep import Sweep
 from jounce.kernel.call import Loop
@@ -204,6 +214,8 @@ _AFTER_LIFT_OFF = 0.06
 _SHORTEST_STRETCH = 0.8
 _WINDOW = (-0.12, 0.63)
 _WHOLE_TURN = (-0.1, 1.1)
+_UNDAMPED, _OWN = 0.05, 0.2  # damping ratio, and the share by which lift-off moves the wheel's natural frequency
+_HIGHEST_OF_BODY = 2.5  # Hz; it heaves, pitches and rolls upon the other wheels, too
 
 
 @dataclass(frozen=True)
@@ -343,5 +355,12 @@ def _doubts(
         at = int(np.argmax(size))
         if size[at] > 0.01 * load and size[at] > 12.0 * float(np.median(size)):
             frequency = float(one.s[at].imag / (2.0 * np.pi))
-            findings.append(warning(place, "vibrates", frequency, frequency=frequency, force=float(size[at])))
+            code = "swings_on" if _is_own(frequency, fit.corner) else "vibrates"
+            findings.append(warning(place, code, frequency, frequency=frequency, force=float(size[at])))
     return findings
+
+
+def _is_own(frequency: float, corner: Corner) -> bool:
+    """Whether a frequency (Hz) is one at which a wheel that is next to undamped, or the body upon it, swings on."""
+    ratio, own = wheel_damping(road_poles(corner))
+    return ratio < _UNDAMPED and (frequency < _HIGHEST_OF_BODY or abs(frequency / own - 1.0) < _OWN)

@@ -609,7 +609,7 @@ def _sources(vehicle: VehicleGrade, limits: Limits, language: Language) -> list[
         using = [limits.methods[method], *(one for one in others if method in one.methods)]
         texts = [text for one in using if (text := one.cited(language)) not in said]
         said |= {text for text in texts if text.startswith("jounce")}
-        lines.append(f"{METHODS[method].name}: {shortened('; '.join(dict.fromkeys(texts)), 300)}.")
+        lines.append(f"{METHODS[method].name}: {shortened('; '.join(dict.fromkeys(texts)), 600)}.")
     return lines
 
 

@@ -53,7 +53,20 @@ def test_both_wheels_of_a_full_car_fail(method, axle):
         assert wheel.verdict == "fail", wheel.reasons
         said = " ".join(one.message for one in wheel.findings)
         assert "other plate runs" not in said
+        assert "another machine running" not in said or method == "boge"  # its plate swings as well
         assert "slips" not in said
+
+
+@pytest.mark.parametrize(("value", "half", "near"), [(0.014, 0.005, True), (0.014, 0.003, False), (0.006, 0.005, True)])
+def test_a_damped_body_within_its_interval_only_is_told(value, half, near):
+    wheel = WheelResult(
+        "left", static_load=4e3, phase_angle_min_deg=50.0, uncertainty={"body_damping_ratio": half},
+        more={"body_damping_ratio": value},
+    )  # fmt: skip
+    graded = grade(Inspection((wheel,), {"axle": "front"}, methods=("egea",)))
+    assert graded.wheels[0].verdict == ("pass" if value > 0.01 else "fail")
+    told = [one for one in graded.wheels[0].reasons if "body" in one and "the class is uncertain" in one]
+    assert bool(told) is near
 
 
 def _twice(record: xr.Dataset) -> xr.Dataset:
