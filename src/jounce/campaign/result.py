@@ -23,7 +23,7 @@ from jounce.recordings import estimate_lag
 
 HOLDS, PARTLY, FAILS = "holds", "holds partly", "does not hold"
 _GOOD, _FAIR = 0.80, 0.58  # ISO/TS 18571 grades
-_CLOSE, _LOOSE = 0.95, 0.75  # R2: a residual of 22 % and 50 % of the signal
+CLOSE, LOOSE = 0.95, 0.75  # R2: a residual of 22 % and 50 % of the signal
 
 
 @dataclass(frozen=True)
@@ -98,9 +98,9 @@ def verdict_of(channels: dict[str, ChannelComparison]) -> str:
     """
     rating = min(channel.iso18571 for channel in channels.values())
     explained = min(channel.r2 for channel in channels.values())
-    if rating > _GOOD and explained > _CLOSE:
+    if rating > _GOOD and explained > CLOSE:
         return HOLDS
-    return PARTLY if rating > _FAIR and explained > _LOOSE else FAILS
+    return PARTLY if rating > _FAIR and explained > LOOSE else FAILS
 
 
 def _lag(curves: dict[str, tuple[Array, Array, Array]]) -> float:

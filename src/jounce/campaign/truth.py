@@ -253,7 +253,7 @@ def true_values(
         velocity = np.concatenate([simulate(rig, one.trial)["strut.velocity"].to_numpy() for one in trials])
         force = np.interp(velocity, rig.strut.damper.velocity, rig.strut.damper.force)
         found["strut.damper.coefficient"] = float(velocity @ force / (velocity @ velocity))
-    return found
+    return {path: found[path] for path in paths if path in found}
 
 
 def _tangent(curve: Curve, at: float) -> float:

@@ -17,6 +17,8 @@ from jounce.core.units import to_si
 from jounce.parts import Rig, changed_text, rig_from_table
 from jounce.parts.rig import parameters_of, split_path, unit_of
 
+_OF_THE_PART = "Intervals of the part count what the model lacks; a fitted value makes up for it and may lie outside."
+
 
 def pressures_of(campaign: Campaign) -> dict[str, float | None]:
     """Give the tyre pressures at which trials were run (Pa) by name; without one, or only one, the name is empty."""
@@ -66,6 +68,7 @@ def _updated(
     head = [
         f"The rig after {name} of the campaign {campaign.title!r}{tyre}.",
         "Comments say what was measured and fitted, with 95 % intervals; the rest is as in the campaign's rig file.",
+        *([_OF_THE_PART] if any(strategy.update.discrepancy is not None for strategy in chain) else []),
         *([campaign.synthetic] if campaign.synthetic else []),
     ]
     return "\n".join(f"# {line}" for line in head) + "\n" + _without_head(tomlkit.dumps(document))
@@ -104,16 +107,19 @@ def _origins(
             if p.interval is None:
                 interval = "at its bound" if p.at_bound else "no interval"
             else:
-                low, high = (f"{factor * end:.5g}" for end in p.interval)
-                interval = f"95 % {low} to {high}{_unit(rig, path)} (noise only)"
+                interval = f"95 % {_range(p.interval, factor)}{_unit(rig, path)} (noise only)"
             told = strategy.update.discrepancy
             if told is not None:
                 law = told.parameters[path]
-                low, high = (f"{factor * end:.5g}" for end in law.interval)
                 verdict = "" if law.identified else ", not identified with this model"
-                interval += f"; 95 % {low} to {high}{_unit(rig, path)} with model error{verdict}"
+                interval += f"; of the part 95 % {_range(law.interval, factor)}{_unit(rig, path)}{verdict}"
             words[path] = f"fitted: {name}; {interval}"
     return words
+
+
+def _range(interval: tuple[float, float], factor: float) -> str:
+    """Both ends of an interval, scaled; people read 118173 more easily than 1.1817e+05."""
+    return " to ".join(f"{factor * end:.6g}" for end in interval)
 
 
 def _measured(bench: Characterisation, pressure: float | None, rig: Rig) -> Iterator[tuple[str, str]]:
@@ -159,8 +165,9 @@ def _annotate(document: tomlkit.TOMLDocument, path: str, words: str) -> None:
     kept = ""
     if isinstance(item, InlineTable):
         kept, words = item.trivia.comment.removeprefix("#").strip(), f"{last} {words}"
-    item.trivia.comment_ws = item.trivia.comment_ws or "  "
+    gap = item.trivia.comment_ws or "  "
     item.comment(f"{kept}; {words}" if kept else words)
+    item.trivia.comment_ws = gap  # which the comment made one blank
 
 
 def _drop_comments_above(container: Container, name: str) -> None:
