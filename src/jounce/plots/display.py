@@ -248,9 +248,9 @@ def given(value: float | None, si: str) -> str:
     return f"{value * unit.factor:.5g} {unit.name}".strip().replace("-", "−")
 
 
-def milliseconds(time: float) -> str:
-    """Write a time in s as milliseconds with one decimal and no sign before zero, without the unit."""
-    return f"{round(1e3 * time, 1) + 0.0:.1f}".replace("-", "−")
+def milliseconds(time: float, decimals: int = 1) -> str:
+    """Write a time in s as milliseconds with so many decimals and no sign before zero, without the unit."""
+    return f"{round(1e3 * time, decimals) + 0.0:.{decimals}f}".replace("-", "−")
 
 
 def correlation(value: float) -> str:

@@ -359,7 +359,7 @@ def update(result: UpdateResult, units: Mapping[str, str] | None = None) -> Figu
         figure.set_figwidth(5.4)
         _draw_parameters(figure.subplots(), result.parameters, units or {})
         return figure
-    left, right = figure.subplots(1, 2, gridspec_kw={"width_ratios": [1.0, 0.3 + 0.11 * min(count, 10)]})
+    left, right = figure.subplots(1, 2, gridspec_kw={"width_ratios": [1.0, 0.3 + 0.14 * min(count, 8)]})
     _draw_parameters(left, result.parameters, units or {})
     _draw_correlation(right, result.correlation, count)
     return figure
@@ -408,7 +408,7 @@ _MOST_NUMBERS = 7  # parameters whose correlations have room for two decimals
 
 def _draw_correlation(axes: Axes, correlation: Sequence[Sequence[float]], count: int) -> None:
     values = np.array(correlation)[:count, :count]
-    size, digits = (8.0, 2) if count <= _MOST_NUMBERS else (max(8.0 * _MOST_NUMBERS / count, 4.0), 1)
+    size, digits = (min(8.0, 38.0 / count), 2) if count <= _MOST_NUMBERS else (max(8.0 * _MOST_NUMBERS / count, 4.0), 1)
     axes.imshow(values, cmap="RdBu_r", vmin=-1.0, vmax=1.0, aspect="auto")
     axes.grid(visible=False)
     for row in range(len(values)):

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from jounce.plots.campaign import lively_window
-from jounce.plots.display import display_unit, words_of
+from jounce.plots.display import DisplayUnit, display_unit, quantity, words_of
 from jounce.plots.style import AFTER, BEFORE, MEASURED, PALETTE, new_figure, styled
 from jounce.recordings.schema import QUANTITIES, quantity_of
 from jounce.roads import Train, read_roads
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from jounce.campaign.result import CampaignResult, StrategyResult, StrategyTrial
+    from jounce.campaign.result import CampaignResult, Signals, StrategyResult, StrategyTrial
     from jounce.identify.force_deflection import ForceDeflectionTrial
     from jounce.identify.stiffness import StiffnessResult
     from jounce.roads import Road
@@ -46,13 +46,11 @@ def paper_figures(result: CampaignResult) -> dict[str, Figure]:
     bench = result.characterisation
     figures: dict[str, Figure] = {}
     if bench.spring is not None:
-        figures["figure-4a"] = force_against_deflection(
-            "spring", bench.loaded["bench.spring"], {f"{bench.spring.law} fit": bench.spring}
-        )
+        figures["figure-4a"] = force_against_deflection("(a) spring", bench.loaded["bench.spring"], [bench.spring])
     for name, fit in list(bench.tyre.items())[:1]:
         cubic = bench.tyre_polynomial.get(name)
-        laws = {f"{fit.law} fit": fit} | ({"cubic of the whole curve": cubic} if cubic is not None else {})
-        figures["figure-4b"] = force_against_deflection(f"tyre, {name}", bench.loaded[f'bench.tyre."{name}"'], laws)
+        laws = [fit] if cubic is None else [fit, cubic]
+        figures["figure-4b"] = force_against_deflection(f"(b) tyre, {name}", bench.loaded[f'bench.tyre."{name}"'], laws)
     roads = read_roads(result.campaign.roads, folder=result.folder)
     kinds = {isinstance(road, Train): road for road in reversed(roads.values())}
     if kinds:
@@ -64,24 +62,26 @@ def paper_figures(result: CampaignResult) -> dict[str, Figure]:
 
 @styled
 def force_against_deflection(
-    title: str, trials: Sequence[ForceDeflectionTrial], laws: dict[str, StiffnessResult]
+    title: str, trials: Sequence[ForceDeflectionTrial], laws: Sequence[StiffnessResult]
 ) -> Figure:
-    """Draw the measured points of a component and the laws fitted to them, mm and N."""
+    """Draw the measured points of a component and the laws fitted to them, mm and N, where they were fitted."""
     from jounce.identify.force_deflection import seat
 
     figure = new_figure(3.6, 5.2)
     axes = figure.subplots()
     reach = 0.0
     for k, trial in enumerate(trials):
-        seated, _ = seat(trial, zero=next(iter(laws.values())).zero)
+        seated, _ = seat(trial, zero=laws[0].zero)
         reach = max(reach, float(seated.deflection.max()))
-        label = f"experiment, {len(trials)} trials" if k == 0 else None
-        axes.plot(1e3 * seated.deflection, seated.force, ".", color=MEASURED, markersize=2.5, label=label)
-    for colour, (name, law) in zip((AFTER, PALETTE[1]), laws.items(), strict=False):
+        label = f"experiment, {len(trials)} trial{'s' if len(trials) > 1 else ''}" if k == 0 else None
+        axes.plot(1e3 * seated.deflection, seated.force, ".", color=MEASURED, alpha=0.35, markersize=3.0, label=label)
+    for (colour, dashes), law in zip(((AFTER, "-"), (PALETTE[1], (0, (4, 1.6)))), laws, strict=False):
         low, high = law.fitted_range
         offset = law.intercept.value if law.law == "linear" and law.intercept is not None else 0.0
         x = np.linspace(low, max(high, reach), 200)
-        axes.plot(1e3 * x, law.curve(x) + offset, color=colour, linewidth=1.6, label=name)
+        name = f"{law.law} fit" + (f" from {1e3 * low:.3g} mm" if low > 0.0 else ", all deflections")
+        name += f": {quantity(law.stiffness.value, 'N/m')}" if law.law == "linear" else ""
+        axes.plot(1e3 * x, law.curve(x) + offset, color=colour, linewidth=1.5, linestyle=dashes, label=name)
     axes.set(xlabel="deflection [mm]", ylabel="force [N]", title=title)
     axes.legend(loc="upper left")
     return figure
@@ -137,8 +137,7 @@ def _draw(axes: Axes, trial: StrategyTrial, name: str, *, labels: bool = True) -
         (trial.signals, trial.after, AFTER, "simulation, adjusted", "-"),
     )
     shown = (trial.signals or trial.signals_before)[name]
-    quantity = quantity_of(name)
-    unit = display_unit(QUANTITIES[quantity][0] if quantity else "1", float(np.abs(shown.measured).max()))
+    unit = _unit(name, shown)
     axes.plot(shown.time, shown.measured * unit.factor, color=MEASURED, linewidth=2.2, label="experiment")
     words = []
     for signals, comparison, colour, label, dashes in lines:
@@ -151,6 +150,11 @@ def _draw(axes: Axes, trial: StrategyTrial, name: str, *, labels: bool = True) -
     axes.set_title(f"R² {' → '.join(words)}", loc="right", fontweight="normal", fontsize=8.5)
     if labels:
         axes.set_ylabel(f"{words_of(name)}\n[{unit.name or '–'}]")
+
+
+def _unit(name: str, shown: Signals) -> DisplayUnit:
+    kind = quantity_of(name)
+    return display_unit(QUANTITIES[kind][0] if kind else "1", float(np.abs(shown.measured).max()))
 
 
 @styled
@@ -167,7 +171,8 @@ def update_on_every_trial(strategy: StrategyResult) -> Figure:
                 axes.set_axis_off()
                 continue
             _draw(axes, trial, name, labels=False)
-            axes.set_title(f"{trial.number}{', fitted' if trial.is_fitted else ''}: {name}", fontsize=8.5)
+            unit = _unit(name, signals[name]).name or "–"
+            axes.set_title(f"{trial.number}{', fitted' if trial.is_fitted else ''}: {name} [{unit}]", fontsize=8.5)
             axes.set_xlim(lively_window(signals))
             axes.tick_params(labelsize=7)
     for axes in grid[-1]:

@@ -466,14 +466,14 @@ def _strategy(strategy: StrategyResult, file: str) -> tuple[Block, ...]:
     picture = Picture(
         update(found, units),
         file,
-        "Initial and fitted values within their bounds, with 95 % intervals of the noise only; correlation of the "
-        "estimates (– where a parameter is at a bound).",
+        "Initial and fitted values within their bounds, with 95 % intervals of the noise only"
+        + ("." if len(units) == 1 else "; correlation of the estimates (– where a parameter is at a bound)."),
         f"Fitted parameters of {found.name}: {fitted}.",
     )
     blocks: list[Block] = [_parameters(strategy, units), *discrepancy_blocks(strategy, units)]
     blocks += [picture, _identifiability(strategy)]
     if found.lags:
-        rows = tuple((name, number(1e3 * lag, 3)) for name, lag in found.lags.items())
+        rows = tuple((name, milliseconds(lag, 2)) for name, lag in found.lags.items())
         blocks.append(Table("Time lag of each recording relative to the simulation", ("trial", "lag [ms]"), rows, "lr"))
     if found.findings:
         blocks.append(Findings(found.findings))
@@ -502,8 +502,8 @@ def discrepancy_blocks(strategy: StrategyResult, units: dict[str, str]) -> tuple
     found = strategy.update.discrepancy
     if found is None:
         text = (
-            "Of the parts themselves nothing is said here: an interval that counts what the model lacks takes three "
-            "fitted trials or more."
+            "This update says nothing of the parts themselves: an interval that counts what the model lacks takes at "
+            "least three fitted trials."
         )
         shown = _beside_truth(strategy, units)
         return (Paragraph(text), *((shown,) if shown is not None else ()))
@@ -548,7 +548,10 @@ def _beside_truth(strategy: StrategyResult, units: dict[str, str]) -> Table | No
         unit = display_unit(units[path], truth)
         fitted = strategy.update.parameters[path].value
         rows.append((path, number(fitted * unit.factor, 4), number(truth * unit.factor, 4), unit.name or "–"))
-    note = "Truth: the value behind the synthetic recordings, as a test machine would find it."
+    note = (
+        "Truth: the value behind the synthetic recordings; of a tyre stiffness the slope at the static load, of a "
+        "damping coefficient the one nearest to the damper's force over the velocities ridden."
+    )
     return Table("Fitted beside the truth", ("parameter", "fitted", "truth", "unit"), tuple(rows), "lrrl", note)
 
 
@@ -562,16 +565,16 @@ def _mostly(shares: dict[str, float]) -> str:
 
 def _counted(found: Discrepancy) -> str:
     groups = ", ".join(group.replace("_", " ") for group in found.counted)
-    worst = "; ".join(f"{percent(share, 0)} in {name}" for name, share in found.unexplained.items())
+    worst = _listed([f"{percent(share, 0)} in {name}" for name, share in found.unexplained.items()])
     more = (
         f" More freedom for {found.would_reduce.replace('_', ' ')} would leave {percent(found.reduced_to, 0)} of all."
         if found.would_reduce
         else ""
     )
     return (
-        f"Counted as uncertain, with the standard deviations of the campaign's doubt table: {groups}. With all of it "
-        f"fitted, too, {percent(found.objective, 0)} of the residual's energy is left. Of that {worst} is no noise and "
-        "unexplained; it counts as one observation for each channel and trial "
+        f"Counted as uncertain, with the standard deviations of the campaign's doubt table: {groups}. With all of "
+        f"these fitted, too, {percent(found.objective, 0)} of the residual's energy is left. Of that, {worst} is "
+        "neither noise nor explained; it counts as one observation for each channel and trial "
         f"({found.trials} trials).{more}"
     )
 
@@ -598,6 +601,8 @@ def _identifiability(strategy: StrategyResult) -> Table:
     return Table(caption, header, rows, "lr" + "r" * count, note)
 
 
+_ROUNDING = 1e-5
+"""Share of a body's mass below which its part is 0: the ends of the differences that found it."""
 _NOTICED = 0.05
 """Share from which a difference of a peak is coloured."""
 
@@ -644,9 +649,10 @@ def _shares(found: ModelComparison) -> Table:
             name.replace("_", " "),
             number(part.mass),
             number(part.wheel_share, 3),
-            number(part.sprung_mass, 3),
-            number(part.unsprung_mass, 3),
-            number(part.inertance, 3),
+            *(
+                number(kilograms if abs(kilograms) > _ROUNDING * part.mass else 0.0, 3)
+                for kilograms in (part.sprung_mass, part.unsprung_mass, part.inertance)
+            ),
         )
         for name, part in found.lumping.shares.items()
     )
@@ -749,9 +755,10 @@ def method(result: CampaignResult) -> Section:
         blocks.append(Paragraph(f"Source of the values in the rig file: {result.rig.source}."))
     if result.campaign.estimated:
         listed = ", ".join(result.campaign.estimated)
-        blocks.append(Paragraph(f"Of the campaign itself, estimated because no source gives them: {listed}."))
+        blocks.append(Paragraph(f"Estimated in the campaign file, because no source gives them: {listed}."))
     if result.rig.estimated:
-        blocks.append(Paragraph(f"Estimated, because no source gives them: {', '.join(result.rig.estimated)}."))
+        listed = ", ".join(result.rig.estimated)
+        blocks.append(Paragraph(f"Estimated in the rig file, because no source gives them: {listed}."))
     blocks += [
         Subsection("Definitions", (Table("Definitions of the quantities", ("quantity", "definition"), _DEFINITIONS),)),
         Subsection("Sources", (Bullets(_SOURCES),)),

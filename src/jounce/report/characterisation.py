@@ -236,8 +236,8 @@ def _decay_table(found: Any, caption: str) -> Table:
 
 
 _METHODS = {
-    "viscous-and-coulomb": "viscous damping, dry friction beside it",
-    "logarithmic-decrement": "logarithmic decrement, all losses as viscous",
+    "viscous-and-coulomb": "viscous and dry friction",
+    "logarithmic-decrement": "logarithmic decrement only",
 }
 
 
@@ -245,9 +245,10 @@ def _damping_choices(choices: tuple[DampingChoice, ...]) -> Table:
     rows = tuple(
         (
             _METHODS[choice.method],
-            estimate_text(choice.damping_ratio, "1"),
-            estimate_text(choice.seen, "N*s/m"),
-            estimate_text(choice.at_strut, "N*s/m"),
+            *(
+                _with_interval(*estimate_cells(found, si))
+                for found, si in ((choice.damping_ratio, "1"), (choice.seen, "N*s/m"), (choice.at_strut, "N*s/m"))
+            ),
             "yes" if choice.is_used else "no",
         )
         for choice in choices
@@ -257,8 +258,14 @@ def _damping_choices(choices: tuple[DampingChoice, ...]) -> Table:
         ("way", "damping ratio", "of the sprung mass [N·s/m]", "at the strut [N·s/m]", "used"),
         rows,
         "lrrrl",
-        "The decrement holds dry friction for viscous damping: it is right at the amplitudes of the decays only.",
+        "With 95 % intervals. The decrement takes dry friction for viscous damping: it is right at the amplitudes of "
+        "the decays only.",
     )
+
+
+def _with_interval(value: str, _error: str, interval: str, _unit: str) -> str:
+    """Cells of an estimate as one, its unit in the header."""
+    return f"{value} ({interval})" if interval != "–" else value
 
 
 def _each_decay(decays: tuple[DecayResult, ...], names: list[str]) -> Table:
@@ -266,11 +273,11 @@ def _each_decay(decays: tuple[DecayResult, ...], names: list[str]) -> Table:
         (
             name,
             *(
-                f"{value} ({interval})" if interval != "–" else value
-                for value, _, interval, _ in (
-                    estimate_cells(d.damping_coefficient, "N*s/m"),
-                    estimate_cells(d.coulomb_force, "N"),
-                    estimate_cells(d.natural_frequency_hz, "Hz"),
+                _with_interval(*estimate_cells(found, si))
+                for found, si in (
+                    (d.damping_coefficient, "N*s/m"),
+                    (d.coulomb_force, "N"),
+                    (d.natural_frequency_hz, "Hz"),
                 )
             ),
             number(d.cycles, 2),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from jounce.campaign.result import CLOSE, LOOSE
 from jounce.plots.display import number, percent
 from jounce.plots.paper_figures import adjusted_and_not, update_on_every_trial
 from jounce.report.page import Block, Cell, Details, Paragraph, Picture, Subsection, Table, Tone
@@ -14,7 +15,6 @@ if TYPE_CHECKING:
     from jounce.campaign.result import CampaignResult, ChannelComparison, StrategyResult, StrategyTrial
 
 
-_CLOSE, _LOOSE = 0.95, 0.75  # R2 from which a channel is explained, and partly
 _METRICS: tuple[tuple[str, str, Callable[[ChannelComparison], float]], ...] = (
     ("R²", "R² of every trial before and after each update", lambda channel: channel.r2),
     ("NRMSE", "NRMSE of every trial before and after each update", lambda channel: channel.nrmse),
@@ -70,7 +70,7 @@ def _parts(result: CampaignResult) -> Table:
 
 
 def _tone(r2: float) -> Tone:
-    return "good" if r2 > _CLOSE else "fair" if r2 > _LOOSE else "bad"
+    return "good" if r2 > CLOSE else "fair" if r2 > LOOSE else "bad"
 
 
 def _metric(result: CampaignResult, label: str, caption: str, value: Callable[[ChannelComparison], float]) -> Table:

@@ -32,6 +32,16 @@ def test_there_is_a_figure_for_all_that_was_done(result):
     for name in ("figure-4a", "figure-4b"):
         (axes,) = figures[name].axes
         assert (axes.get_xlabel(), axes.get_ylabel()) == ("deflection [mm]", "force [N]")
+    (axes,) = figures["figure-4b"].axes
+    linear = result.characterisation.tyre["0.31 MPa"]
+    low = 1e3 * linear.fitted_range[0]
+    assert low == pytest.approx(2.0, abs=0.06)  # the first point of this trial above the 2 mm that are discarded
+    assert [line.get_label() for line in axes.get_lines()] == [
+        "experiment, 1 trial",
+        f"linear fit from {low:.3g} mm: {1e-3 * linear.stiffness.value:.1f} N/mm",
+        "polynomial fit, all deflections",
+    ]
+    assert [line.get_xdata()[0] for line in axes.get_lines()[1:]] == pytest.approx([low, 0.0], abs=1e-9)
     assert [axes.get_title("left") for axes in figures["figure-6"].axes] == [
         "(a) single obstacle",
         "(b) a series of 5 obstacles",
@@ -58,7 +68,9 @@ def test_curves_are_experiment_and_both_simulations(result):
 def test_an_update_is_drawn_on_every_trial_with_the_fitted_ones_marked(result):
     figure = update_on_every_trial(result.strategies[0])
     titles = [axes.get_title("left") for axes in figure.axes]
-    assert titles == ["1, fitted: sprung.az", "1, fitted: unsprung.az", "4: sprung.az", "4: unsprung.az"]
+    assert titles == [
+        f"{trial}: {name} [m/s²]" for trial in ("1, fitted", "4") for name in ("sprung.az", "unsprung.az")
+    ]
 
 
 def test_the_measured_points_are_those_that_were_fitted(result):
