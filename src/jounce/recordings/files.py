@@ -91,7 +91,8 @@ def read_recording(
     new_step = _positive(resample, f"{file}: resample", "the step to resample to")
     given_step = _positive(sample_time, f"{file}: sample time", "the sample time")
     main = _main_table(signals, mapping)
-    tables = signals.tables if new_step is not None else (main,)
+    has_clocks = new_step is not None and given_step is None  # a given step is that of one clock only
+    tables = signals.tables if has_clocks else (main,)
     located, findings = _locate_channels(signals, main, tables, mapping, has_step=given_step is not None)
     findings = [*signals.findings, *(Finding(str(file), "note", text) for text in main.remarks), *findings]
     clocks = {table: table["time"] for table in tables if table is not main and "time" in table.names}
@@ -325,6 +326,7 @@ def _locate_channels(
 ) -> tuple[dict[str, tuple[Column, ColumnTable]], list[Finding]]:
     """Columns by channel with their tables: the mapped ones, then those whose own name is a channel's."""
     located: dict[str, tuple[Column, ColumnTable]] = {}
+    without = " and without a sample time" if has_step else ""
     for name, spec in mapping.items():
         channel_unit(name)
         home = next((table for table in (main, *signals.tables) if _is_home(table, spec)), main)
@@ -333,7 +335,7 @@ def _locate_channels(
                 "the signal is recorded at other instants than the others",
                 where=f"{main.file}: {name}",
                 found=spec,
-                hint="Bring them onto one time with resample, e.g. '10 ms'.",
+                hint=f"Bring them onto one time with resample, e.g. '10 ms'{without}.",
             )
         located[name] = locate(home, spec), home
     used = {(column.name, id(table)) for column, table in located.values()}
@@ -380,7 +382,9 @@ def _locate_channels(
         text = (
             f"signals of another length or at other instants were left out: {', '.join([*signals.left_out, *others])}"
         )
-        findings.append(Finding(main.file, "note", text + ("; resample brings them onto one time" if others else "")))
+        findings.append(
+            Finding(main.file, "note", text + (f"; resample{without} brings them onto one time" if others else ""))
+        )
     return located, findings
 
 

@@ -94,17 +94,25 @@ def check_instants(time: Array, *, where: str, name_row: Callable[[int], str] = 
     _check_finite(time, at, name_row)
     if time.size > 1 and not np.any(time):
         raise RecordingError("time is zero in every row", where=at, hint="Was the clock column exported?")
-    steps = np.diff(time)
+    steps = check_ascending(time, "time", "s", where=at, name_row=name_row)
+    if time.size < FEWEST_SAMPLES:
+        raise RecordingError("too few samples", where=at, found=str(time.size), allowed=f"at least {FEWEST_SAMPLES}")
+    return steps
+
+
+def check_ascending(
+    values: Array, name: str, unit: str, *, where: str, name_row: Callable[[int], str] = row_number
+) -> Array:
+    """Refuse values that do not ascend strictly, with the first row; give their steps."""
+    steps = np.diff(values)
     if np.any(steps <= 0.0):
         row = int(np.argmax(steps <= 0.0)) + 1
         raise RecordingError(
-            f"time does not ascend at {name_row(row)}",
-            where=at,
-            found=f"{time[row]:.9g} s after {time[row - 1]:.9g} s",
-            allowed="strictly ascending time",
+            f"{name} does not ascend at {name_row(row)}",
+            where=where,
+            found=f"{values[row]:.9g} {unit} after {values[row - 1]:.9g} {unit}",
+            allowed=f"strictly ascending {name}",
         )
-    if time.size < FEWEST_SAMPLES:
-        raise RecordingError("too few samples", where=at, found=str(time.size), allowed=f"at least {FEWEST_SAMPLES}")
     return np.asarray(steps, dtype=float)
 
 

@@ -16,6 +16,7 @@ from jounce.core.recursion import first_order
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.recordings.files import read_columns
+from jounce.recordings.quality import check_ascending
 from jounce.roads.loading import road_library
 from jounce.roads.measured import read_crg_profile
 
@@ -251,17 +252,9 @@ def _checked_spacing(x: Array, z: Array, place: str) -> float:
         raise RecordingError("too few samples", where=place, found=x.size, allowed="a profile longer than 11 m")
     for name, values in (("distance", x), ("height", z)):
         _check_finite(values, f"{place}: {name}")
-    steps = np.diff(x)
-    if np.all(steps < 0.0):
+    if np.all(np.diff(x) < 0.0):
         raise RecordingError("distance runs backwards", where=place, hint="Reverse the order of the rows.")
-    if np.any(steps <= 0.0):
-        row = int(np.argmax(steps <= 0.0)) + 1
-        raise RecordingError(
-            f"distance does not ascend at row {row + 1}",
-            where=place,
-            found=f"{x[row]:.9g} m after {x[row - 1]:.9g} m",
-            allowed="strictly ascending distance",
-        )
+    steps = check_ascending(x, "distance", "m", where=place)
     spacing = float(x[-1] - x[0]) / (x.size - 1)
     usual = float(np.median(steps))
     jitter = abs(steps - usual)

@@ -178,6 +178,11 @@ def test_tdms_and_mdf_signals_on_other_clocks_are_brought_onto_one(tmp_path: Pat
         np.testing.assert_allclose(run["body.speed"][5:-5], truth(time)[5:-5], atol=2e-4)
         np.testing.assert_allclose(run["sprung.az"][20:-20], 9.80665 * truth(time)[20:-20], atol=2e-3)
         assert any("largest gap in the recorded time of body.speed is 0.013 s" in note.message for note in notes)
+        with pytest.raises(RecordingError, match=r"with resample, e\.g\. '10 ms' and without a sample time"):
+            read_recording(file, columns=columns, resample="5 ms", sample_time="2 ms")
+        slowed, notes = read_recording(file, columns={"sprung.az": "az"}, resample="5 ms", sample_time="2 ms")
+        assert float(slowed["time"][-1]) == pytest.approx(7.995)
+        assert any("resample and without a sample time brings" in note.message for note in notes)
 
 
 DATABASE = """VERSION ""
