@@ -13,10 +13,12 @@ VARIANTS = importlib.util.module_from_spec(_SPEC)
 _SPEC.loader.exec_module(VARIANTS)
 
 
+RIGHT = {"dampers": (132, 192), "springs": (8, 8), "free decays": (48, 48), "updates": (15, 30)}
+"""Golden: how many of how many variants are right. The others are turned, and a finding says so."""
+
+
 @pytest.mark.parametrize("subject", VARIANTS.SUBJECTS)
 def test_nothing_is_silently_wrong(subject):
-    tried, right, flagged, silent = VARIANTS.counts(subject)
+    tried, right, _, silent = VARIANTS.counts(subject)
     assert silent == 0
-    assert right + flagged == tried
-    assert tried >= 8
-    assert right >= tried // 2 - tried // 8
+    assert (right, tried) == RIGHT[subject.partition(":")[0]]
