@@ -350,8 +350,8 @@ def update(result: UpdateResult, units: Mapping[str, str] | None = None) -> Figu
     Returns
     -------
     matplotlib.figure.Figure
-        Parameters from lower (-100 %) to upper bound (+100 %) with 95 % intervals; correlation matrix
-        of the parameters (lags left out).
+        Parameters from lower (-100 %) to upper bound (+100 %) with 95 % intervals of the noise only; correlation
+        matrix of the parameters (lags left out).
     """
     count = len(result.parameters)
     figure = new_figure(1.15 + 0.42 * max(count, 2))
@@ -392,7 +392,7 @@ def _draw_parameters(axes: Axes, parameters: Mapping[str, UpdatedParameter], uni
     axes.set_xticks([-100, -50, 0, 50, 100])
     axes.grid(axis="y", visible=False)
     axes.set_xlabel("position between lower and upper bound [%]")
-    axes.set_title("initial ○, fitted ●, at a bound ■", fontweight="normal", fontsize=9)
+    axes.set_title("initial ○, fitted ●, at a bound ■, line: 95 % of the noise only", fontweight="normal", fontsize=9)
 
 
 def _value_text(p: UpdatedParameter, si: str) -> str:
