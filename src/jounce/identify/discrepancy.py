@@ -19,7 +19,7 @@ from jounce.core.findings import Finding
 from jounce.core.segments import POLYNOMIAL, Segments
 from jounce.core.types import Array
 from jounce.identify.doubt import Doubt
-from jounce.identify.estimate import Estimate, at_least_zero, estimate
+from jounce.identify.estimate import Estimate, at_least_zero, correlation_of, estimate
 from jounce.identify.fit_problem import Channel, FitTrial, Free, Prepared, prepare_trial, project_out
 from jounce.identify.laws import Laws, States
 from jounce.identify.richer import Nuisance, Richer, Ridden
@@ -68,7 +68,7 @@ class LawEstimate:
     why : str
         Why not; empty where it is.
     shares : dict
-        Group of doubts to the share (1) of the variance that would be gone if it were known exactly.
+        Group of doubts to the share (1) of the variance of ``component`` that would be gone if it were known exactly.
     """
 
     value: float
@@ -113,7 +113,7 @@ class Discrepancy:
     nuisances : dict
         Name to ``NuisanceEstimate``: what was doubted and common to all trials.
     correlation : tuple
-        Correlation matrix (1) of the parameters with all doubts, in their order.
+        Correlation matrix (1) of the parameters, in their order, with all doubts counted.
     unexplained : dict
         Channel to the share (1) of what the richer model leaves of the residual's energy that is no noise: nothing that
         was doubted explains it.
@@ -363,11 +363,11 @@ class _Calibration:
     ) -> dict[str, tuple[Solution, float]]:
         """Simulations with one input changed by a tenth of its doubt, and one over that in prior units."""
         plain, found = run.compiled.plain, {}
+        run.sliding = states.sliding()  # before all of them: what it changes is no difference of the inputs
         base = run.simulate(plain, numbers, inputs)
         found[""] = base, 0.0
         deviations = {name: self.nuisances[self.place[name]].deviation for name in _INPUTS if name in self.place}
         deviations |= dict(self.own) if run.road else {}
-        run.sliding = states.sliding()
         for name, deviation in deviations.items():
             if name == "contact_patch" and not run.patched:
                 continue
@@ -400,9 +400,7 @@ class _Calibration:
         keys = [*moved, *sensed]
         stack = np.column_stack([*columns, *moved.values(), *sensed.values()])
         shifted, by_lag = shift_with_derivative(stack, prepared.rate, lag)
-        if channel.datum == "free offset":
-            shifted, by_lag = shifted - shifted.mean(axis=0), by_lag - by_lag.mean(axis=0)
-            shifted[:, 0] += channel.measured.mean()
+        shifted, slope = channel.offset(shifted, by_lag[:, 0])
         common[:, : p + self.lanes] = shifted[:, 1 : 1 + p + self.lanes]
         for k, key in enumerate(keys, 1 + p + self.lanes):
             if key in names:
@@ -412,7 +410,7 @@ class _Calibration:
         bias = f"{channel.name} bias"
         if bias in names and channel.datum != "free offset":
             common[:, names[bias]] = self.nuisances[self.place[bias]].deviation
-        return _Block(channel.name, trial, channel.measured - shifted[:, 0], common, own, by_lag[:, 0])
+        return _Block(channel.name, trial, channel.measured - shifted[:, 0], common, own, slope)
 
     def _sensed(self, channel: Channel, xi: Array) -> Channel:
         """The channel with its sensor as it may be."""
@@ -665,8 +663,7 @@ def _reported(
         item.path: _law_estimate(*estimates[item.path], shares[item.path], strays, contradicted, item.path)
         for item in one.free
     }
-    sizes = np.sqrt(np.maximum(np.diag(covariance), 1e-300))
-    correlation = (covariance / np.outer(sizes, sizes))[:p, :p]
+    correlation = correlation_of(covariance[:p, :p])
     before = sum(first[n] / found.noise[n] for n in one.names) if first else 0.0
     left = sum(found.square[n] / found.noise[n] for n in one.names)
     counted: dict[str, int] = {}
@@ -728,7 +725,7 @@ def _groups(one: _Calibration, size: int) -> dict[str, Mask]:
 def _shares(
     one: _Calibration, system: _System, found: _Step, slopes: Array, errors: Array
 ) -> dict[str, dict[str, float]]:
-    """Share of each reading's variance that would be gone if a group were known, or the model explained the rest."""
+    """Share of each value's variance that would be gone if a group were known, or the model explained the rest."""
     p, q = len(one.free), len(one.nuisances)
     covariances = {g: system.known(mask, found) for g, mask in _groups(one, len(system.prior)).items()}
     covariances["unexplained rest"] = system.known(np.zeros(len(system.prior), dtype=bool), found, rest=False)
@@ -788,7 +785,7 @@ def _contradictions(
         half = 0.0 if tested.interval is None else 0.5 * (tested.interval[1] - tested.interval[0])
         apart, allowed = abs(0.5 * (low + high) - tested.value), float(np.hypot(0.5 * (high - low), half))
         if apart > allowed:
-            found[path] = f"{2.0 * apart / max(allowed, 1e-300):.1f} combined standard errors"
+            found[path] = f"{apart / max(allowed, 1e-300):.1f} times what both intervals allow"
     return found
 
 

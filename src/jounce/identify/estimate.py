@@ -214,6 +214,14 @@ def linear_least_squares(regressors: Array, target: Array) -> tuple[Array, Array
     return coefficients, residual, uncertainty(regressors, residual)
 
 
+def correlation_of(covariance: Array) -> Array:
+    """Correlation matrix of a covariance; rows without variance become zero."""
+    deviation = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        correlation = covariance / np.outer(deviation, deviation)
+    return np.asarray(np.nan_to_num(correlation, nan=0.0, posinf=0.0, neginf=0.0), dtype=float)
+
+
 def r_squared(measured: Array, residual: Array) -> float:
     """Share of the variance explained [1]; 0 when the measured values do not vary."""
     spread = measured - measured.mean()

@@ -15,11 +15,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from jounce.core.types import Array
-from jounce.identify.richer import SLIDING_OVER, Richer
+from jounce.identify.richer import ONSET_VELOCITY, SLIDING_OVER, Richer
 from jounce.simulation.compiled import Compiled
 from jounce.simulation.result import Solution
-
-_ONSET = 0.002  # m/s over which the model's friction turns over where the rig does not say
 
 
 @dataclass(frozen=True)
@@ -69,7 +67,6 @@ class Laws:
         self.richer = richer
         self.seen = States.joined(states, every)
         self.sliding = np.concatenate([one.sliding()[::every] for one in states])
-        self.static = richer.ridden.tyre
         self._inverse: dict[str, Array] = {}
 
     def readings(self, path: str, p: Mapping[str, float], xi: Array, presliding: float) -> tuple[float, float]:
@@ -80,7 +77,7 @@ class Laws:
             stiffness, damping = self._tyre(p, xi)
             return p[path], stiffness if path == "tyre.stiffness" else damping
         if path.endswith("friction.force") and path.startswith("guide"):
-            return p[path], self._guide(path, p, xi)
+            return p[path], self._guide(path, p)
         if path in ("strut.spring.rate", "strut.damper.coefficient", "strut.friction.force"):
             component, effective = self._strut_components(p, xi, presliding), self._strut(p, xi, presliding)
             return component[path], effective.get(path, component[path])
@@ -98,7 +95,7 @@ class Laws:
     def _strut(self, p: Mapping[str, float], xi: Array, presliding: float) -> dict[str, float]:
         """Line, damper and friction nearest to the strut's force."""
         x, v = self.seen.strut, self.seen.velocity
-        onset = p.get("strut.friction.regularisation_velocity", _ONSET)
+        onset = p.get("strut.friction.regularisation_velocity", ONSET_VELOCITY)
         force = self.richer.elastic_force("strut.spring", p, xi, x) + self.richer.damper_force(p, xi, v)
         force = force + p.get("strut.friction.force", 0.0) * np.tanh(v / onset) + presliding * self.sliding
         names = ["strut.spring.rate", "strut.damper.coefficient"]
@@ -115,16 +112,15 @@ class Laws:
         _, stiffness, damping = self._nearest("tyre", [np.ones(len(d)), d, rate], force)
         return float(stiffness), float(damping)
 
-    def _guide(self, path: str, p: Mapping[str, float], xi: Array) -> float:
-        del xi
+    def _guide(self, path: str, p: Mapping[str, float]) -> float:
         u, place = self.seen.body, path.removesuffix(".force")
-        turned = np.tanh(u / p.get(f"{place}.regularisation_velocity", _ONSET))
+        turned = np.tanh(u / p.get(f"{place}.regularisation_velocity", ONSET_VELOCITY))
         column = np.tanh(u / self._nominal(place))
         return float(self._nearest(place, [column], p[path] * turned)[0])
 
     def _nominal(self, place: str) -> float:
         """Velocity over which the plain rig's friction turns over."""
-        return self.richer.rig.parameters().get(f"{place}.regularisation_velocity", _ONSET)
+        return self.richer.rig.parameters().get(f"{place}.regularisation_velocity", ONSET_VELOCITY)
 
     def _nearest(self, name: str, columns: Sequence[Array], force: Array) -> Array:
         if name not in self._inverse:

@@ -17,13 +17,15 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.identify.doubt import Doubt
 from jounce.parts import Corner, QuarterCar, Rig
-from jounce.parts.elements import BilinearDamper, LinearDamper
+from jounce.parts.elements import BilinearDamper, Friction, LinearDamper
 from jounce.parts.rig import unit_of, unknown_path
 
 _KNOTS = (0.03, 0.12, 0.35, 1.0)  # of the largest strut velocity: where the damper's law may bend, either way
 _KNEE = 0.1  # of the largest strut velocity: below it velocities count by their difference, above by their ratio
 _STIFFENS = 0.5  # of its doubt: tyres stiffen with deflection as a rule
-_ONSET, _ONSET_VELOCITY = math.log(2.0), 0.002
+_ONSET = math.log(2.0)
+ONSET_VELOCITY: float = Friction.model_fields["regularisation_velocity"].default
+"""Velocity in m/s over which friction turns over where the rig does not say."""
 SLIDING_OVER = 5e-4
 """Deflection in m over which a presliding force builds up."""
 
@@ -99,7 +101,7 @@ class Richer:
         for i, path in self._added.items():
             p[path] = p.get(path, 0.0) + self.nuisances[i].deviation * xi[i]
         for i, path in self._factors.items():
-            p[path] = p.get(path, _ONSET_VELOCITY) * math.exp(self.nuisances[i].deviation * xi[i])
+            p[path] = p.get(path, ONSET_VELOCITY) * math.exp(self.nuisances[i].deviation * xi[i])
         return p
 
     def numbers(self, values: Mapping[str, float], fitted: Mapping[str, float], xi: Array) -> dict[str, float]:
@@ -158,8 +160,8 @@ class Richer:
         for path, value in self._values.items():
             if not path.endswith("mass") or path not in used or path in self.free or value <= 0.0:
                 continue
-            guessed = any(path == name or path.startswith(f"{name}.") for name in self.rig.estimated)
-            group = "estimated" if guessed else "stated" if isinstance(self.rig, Corner) else "lumped"
+            told = "stated" if isinstance(self.rig, Corner) else "lumped"
+            group = "estimated" if self.rig.is_estimated(path) else told
             share, group = self._own(path, getattr(self.doubt, group), group)
             i = self._add(path, group, share)
             if i is not None:
@@ -223,7 +225,7 @@ class Richer:
         load = self._values.get("sprung.mass", 0.0) * self._values.get("gravity", 0.0)
         for path, holder in self._friction_places().items():
             table = holder.setdefault(path.rpartition(".")[2], {"force": 0.0})
-            table.setdefault("regularisation_velocity", _ONSET_VELOCITY)
+            table.setdefault("regularisation_velocity", ONSET_VELOCITY)
             if f"{path}.force" not in self.free:
                 i = self._add(f"{path}.force", "friction", self.doubt.friction * load, unit="N")
                 if i is not None:

@@ -15,7 +15,7 @@ from jounce.core.units import to_si
 from jounce.identify.datum import with_datums
 from jounce.identify.discrepancy import FEWEST_TRIALS, Discrepancy, calibrate
 from jounce.identify.doubt import Doubt
-from jounce.identify.estimate import Estimate
+from jounce.identify.estimate import Estimate, correlation_of
 from jounce.identify.fit_problem import FitTrial, Free, UpdateProblem, free_parameters
 from jounce.parts import Rig
 from jounce.parts.rig import unit_of
@@ -72,14 +72,6 @@ def identifiability(jacobian: Array, names: tuple[str, ...]) -> Identifiability:
         tuple(tuple(float(value) for value in row) for row in correlation),
         tuple(findings),
     )
-
-
-def correlation_of(covariance: Array) -> Array:
-    """Correlation matrix of a covariance; rows without variance become zero."""
-    deviation = np.sqrt(np.maximum(np.diag(covariance), 0.0))
-    with np.errstate(divide="ignore", invalid="ignore"):
-        correlation = covariance / np.outer(deviation, deviation)
-    return np.asarray(np.nan_to_num(correlation, nan=0.0, posinf=0.0, neginf=0.0), dtype=float)
 
 
 # optimisers -----------------------------------------------------------------------------------------------------------
@@ -486,7 +478,7 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
         best.iterations,
         problem.evaluations,
         parameters,
-        tuple(tuple(float(v) for v in row) for row in correlation_of(covariance)),
+        tuple(tuple(float(v) for v in row) for row in correlations),
         lags,
         known,
         tuple(findings),
@@ -517,8 +509,7 @@ def _far_masses(rig: Rig, parameters: Mapping[str, UpdatedParameter]) -> list[Fi
     """Masses that end far from what the scale says."""
     found = []
     for path, parameter in parameters.items():
-        guessed = any(path == name or path.startswith(f"{name}.") for name in rig.estimated)
-        if not path.endswith("mass") or guessed or parameter.initial <= 0.0:
+        if not path.endswith("mass") or rig.is_estimated(path) or parameter.initial <= 0.0:
             continue
         moved = parameter.value / parameter.initial - 1.0
         if abs(moved) > _FAR:

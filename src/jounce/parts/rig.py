@@ -172,6 +172,10 @@ class Rig(Description):
         """Give every number of the rig by its path, SI: ``{"strut.spring.rate": 22730.0, ...}``."""
         return parameters_of(self)
 
+    def is_estimated(self, path: str) -> bool:
+        """Whether the rig's ``estimated`` list names a number, or a part that it belongs to."""
+        return any(path == name or path.startswith(f"{name}.") for name in self.estimated)
+
     def with_changes(self, changes: dict[str, Any]) -> Self:
         """Give a copy with other values; nothing is ever mutated.
 

@@ -99,6 +99,31 @@ def test_slopes_of_all_doubts_are_those_of_differences():
             assert np.linalg.norm(error) <= rough * max(np.linalg.norm(slope), 1e-3), name
 
 
+def test_slopes_do_not_depend_on_where_the_search_comes_from():
+    """What a presliding force did in the last motion is no part of what an input changes in this one."""
+    free = free_parameters(RIG, FREE)
+    one = _Calibration(
+        trials({}, count=1),
+        free,
+        jn.Doubt(),
+        channels=None,
+        weights="normalised",
+        align=True,
+        tolerance=1e-8,
+        priors={},
+    )
+    xi = np.zeros(len(one.nuisances))
+    xi[one.place["presliding"]] = 1.0
+    here = _State(np.zeros(len(free)), xi, np.zeros((1, 2)), np.zeros(1))
+    one.blocks(_State(np.full(len(free), 0.5), xi, np.full((1, 2), 2.0), np.zeros(1)))  # elsewhere, at another speed
+    arriving, _ = one.blocks(here)
+    staying, _ = one.blocks(here)
+    column = len(free) + one.place["height"]
+    for now, again in zip(arriving, staying, strict=True):
+        slope = again.common[:, column]
+        assert np.linalg.norm(now.common[:, column] - slope) < 0.1 * np.linalg.norm(slope), now.channel
+
+
 def test_presliding_builds_up_over_a_distance_and_turns_over_with_the_motion():
     time = np.linspace(0.0, 1.0, 2001)
     still = np.zeros_like(time)
@@ -194,6 +219,8 @@ def test_a_contradicted_bench_value_withholds_its_parameter(wrong):
     law = found.discrepancy.parameters["tyre.stiffness"]
     assert not law.identified
     assert "contradicts its bench value" in law.why
+    middle, half = 0.5 * sum(law.interval), np.hypot(law.half_width, 1e3)
+    assert f"{abs(middle - 170e3) / half:.1f} times what both intervals allow" in law.why
     assert found.findings[0].place == "tyre.stiffness"
     assert "the model lacks something that this parameter makes up for" in found.findings[0].message
 
