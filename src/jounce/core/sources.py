@@ -19,3 +19,8 @@ def digest_of(*packages: str) -> str:
         for file in sorted((root / package).rglob("*.py")):
             digest.update(f"{file.relative_to(root)}\n".encode() + file.read_bytes())
     return digest.hexdigest()
+
+
+def edited_since(*packages: str) -> bool:
+    """Whether modules of the packages are others than when this process first asked for their digest."""
+    return digest_of.__wrapped__(*packages) != digest_of(*packages)

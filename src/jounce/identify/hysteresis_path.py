@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
+from jounce.core.errors import DescriptionError
 from jounce.core.types import Array
 from jounce.kernel.call import Loop
 
 _follow = Loop("hysteresis")
+_RANGES = {"rate": (0.0, 1e30), "sigma": (0.5, 1e6), "exponent": (1.0, 1e3), "start": (-1.0, 1.0)}
+_BEYOND = 0.01  # slopes by differences at a bound look a little beyond it
 
 
 def bouc_wen_path(displacement: Array, rate: float, sigma: float, exponent: float, start: float) -> Array:
@@ -21,11 +24,11 @@ def bouc_wen_path(displacement: Array, rate: float, sigma: float, exponent: floa
     displacement : array (n,)
         Displacements in the order they are passed [m].
     rate : float
-        Inverse of the distance over which the force builds up [1/m].
+        Inverse of the distance over which the force builds up [1/m], at least 0.
     sigma : float
-        Shape of the unloading [1], at least 1/2; 1/2 is symmetric.
+        Shape of the unloading [1], 1/2 to 1e6; 1/2 is symmetric.
     exponent : float
-        n, sharpness of the yield [1], at least 1.
+        n, sharpness of the yield [1], 1 to 1000.
     start : float
         z at the first sample [1], -1 to 1.
 
@@ -33,6 +36,11 @@ def bouc_wen_path(displacement: Array, rate: float, sigma: float, exponent: floa
     -------
     array (n,)
         z at each sample [1], within -1...1.
+
+    Raises
+    ------
+    DescriptionError
+        When the path is not a list of finite displacements, or a number is outside of its range.
 
     Examples
     --------
@@ -45,6 +53,13 @@ def bouc_wen_path(displacement: Array, rate: float, sigma: float, exponent: floa
     Ikhouane and Rodellar (2007), Systems with Hysteresis, Wiley (normalised form).
     """
     path = np.ascontiguousarray(displacement, dtype=np.float64)
+    if path.ndim != 1 or not np.all(np.isfinite(path)):
+        raise DescriptionError(
+            "not a path", where="displacement", found=f"shape {path.shape}", allowed="finite numbers of shape (n,)"
+        )
+    for name, value, (least, most) in zip(_RANGES, (rate, sigma, exponent, start), _RANGES.values(), strict=True):
+        if not least - _BEYOND <= value <= most + _BEYOND:
+            raise DescriptionError("out of range", where=name, found=value, allowed=f"{least:g} to {most:g}")
     state = np.empty(len(path))
     _follow(path, rate, sigma, exponent, start, state)
     return state

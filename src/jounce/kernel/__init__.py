@@ -5,3 +5,9 @@
 - ``methods``: ``explicit`` and ``implicit`` steps, ``exact`` propagation; ``poses``: a mechanism along given motions;
 - ``loops``: what these run through, compiled when jounce is built; ``call``: how that code is found and called.
 """
+
+from __future__ import annotations
+
+from jounce.core.sources import digest_of
+
+digest_of("kernel")  # before any module is loaded: `native` keeps nothing that is made of modules edited since

@@ -1,4 +1,7 @@
-"""Native code of expression graphs, cached on disk. A damaged or stale cache entry is rebuilt, never trusted."""
+"""Native code of expression graphs, cached on disk.
+
+A cache entry that is damaged or stale, or that others could have written, is rebuilt, never trusted.
+"""
 
 from __future__ import annotations
 
@@ -6,8 +9,9 @@ import contextlib
 import ctypes
 import hashlib
 import json
+import logging
 import os
-import tempfile
+import stat
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -19,7 +23,8 @@ import numpy as np
 from llvmlite import binding as llvm
 from numpy.typing import NDArray
 
-from jounce.core.sources import digest_of
+from jounce.core.errors import OutputError
+from jounce.core.sources import digest_of, edited_since
 
 if TYPE_CHECKING:
     from jounce.kernel.lowering import AnyFunction, Lowering
@@ -44,6 +49,7 @@ SINGLE = {"project": "project_many"}
 """Functions of one sample that are made of those of many, where a module has these."""
 _PROTOTYPE = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5, *[ctypes.c_int64] * 3)
 _CHECKSUM, _LENGTH = 32, 8
+_LOG = logging.getLogger("jounce")
 
 
 @dataclass(frozen=True)
@@ -208,9 +214,17 @@ def keep(key: str, content: bytes) -> None:
 
 
 def read_sealed(file: Path, key: str) -> bytes | None:
-    """Give what a file holds if it was written for this key and is whole, else None."""
+    """Give what a file holds if it was written for this key, is whole, and nobody else could have put it there."""
     try:
-        content = file.read_bytes()
+        if not _is_ours(file.parent.stat(), file.parent):
+            return None
+        # Opened, then looked at: what is looked at is what is read. A pipe must not keep us waiting.
+        flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
+        with os.fdopen(os.open(file, flags), "rb") as stream:
+            found = os.fstat(stream.fileno())
+            if not (stat.S_ISREG(found.st_mode) and _is_ours(found, file)):
+                return None
+            content = stream.read()
     except OSError:
         return None
     checksum, rest = content[:_CHECKSUM], content[_CHECKSUM:]
@@ -218,17 +232,47 @@ def read_sealed(file: Path, key: str) -> bytes | None:
 
 
 def write_sealed(file: Path, key: str, content: bytes) -> bool:
-    """Write a file through a temporary one and a rename; tell whether that was possible."""
+    """Write a file whole or not at all; tell whether that was possible, where nobody else writes.
+
+    Nothing is written where the kernel has been edited meanwhile: code of modules as they were would pass for new code.
+    """
+    from jounce.core.serialise import replacing
+
     try:
-        file.parent.mkdir(parents=True, exist_ok=True)
-        handle, name = tempfile.mkstemp(dir=file.parent)
-        with os.fdopen(handle, "wb") as stream:
-            stream.write(_checksum(key, content) + content)
-        Path(name).chmod(0o644)  # the package may be used by others than the one who installs it
-        Path(name).replace(file)
-    except OSError:
+        file.parent.mkdir(mode=0o755, parents=True, exist_ok=True)
+        if edited_since("kernel") or not _is_ours(file.parent.stat(), file.parent):
+            return False
+        with replacing(file) as temporary:
+            temporary.write_bytes(_checksum(key, content) + content)
+    except (OSError, OutputError):
         return False
     return True
+
+
+def _is_ours(found: os.stat_result, where: Path) -> bool:
+    """Whether only those may have written something who may write this module, too; who else may is told to the user.
+
+    A checksum tells damage, not purpose: whoever can write a file of code here has it run by whoever uses jounce.
+    """
+    if os.name != "posix":  # owners and modes say nothing there
+        return True
+    own = Path(__file__).stat()
+    others = found.st_mode & ~own.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
+    if found.st_gid != own.st_gid:
+        others |= found.st_mode & stat.S_IWGRP
+    if found.st_uid in (os.geteuid(), own.st_uid, 0) and not others:
+        return True
+    _tell_foreign(where)
+    return False
+
+
+@cache
+def _tell_foreign(where: Path) -> None:
+    _LOG.warning(
+        "%s belongs to another user or can be written by others: native code is neither read from there nor kept there "
+        "(own it, and chmod go-w, or set JOUNCE_CACHE_DIR to a folder of your own)",
+        ascii(str(where)),
+    )
 
 
 def _checksum(key: str, content: bytes) -> bytes:

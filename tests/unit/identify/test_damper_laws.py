@@ -51,6 +51,18 @@ def test_path_is_the_same_with_turned_signs_and_stays_bounded():
     assert np.abs(z).max() > 0.99
 
 
+def test_the_shortest_paths_and_what_is_none():
+    assert bouc_wen_path(np.zeros(0), 400.0, 3.0, 1.6, 0.5).shape == (0,)
+    assert bouc_wen_path(np.ones(1), 400.0, 3.0, 1.6, 0.5) == [0.5]
+    for path in (np.ones((2, 2)), [0.0, np.nan], [0.0, np.inf]):
+        with pytest.raises(DescriptionError, match="displacement: not a path"):
+            bouc_wen_path(path, 400.0, 3.0, 1.6, 0.0)
+    given = {"rate": 400.0, "sigma": 3.0, "exponent": 1.6, "start": 0.0}
+    for name, bad in (("rate", -1.0), ("sigma", 0.4), ("exponent", 0.0), ("exponent", np.inf), ("start", np.nan)):
+        with pytest.raises(DescriptionError, match=f"{name}: out of range"):
+            bouc_wen_path(X, **{**given, name: bad})
+
+
 def test_path_depends_on_the_way_and_not_on_its_division():
     coarse = np.array([0.0, 0.004, -0.002, 0.001])
     fine = np.concatenate([np.linspace(a, b, 50) for a, b in itertools.pairwise(coarse)])

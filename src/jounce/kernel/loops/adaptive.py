@@ -100,9 +100,8 @@ def way_through(look: Any, step: Any, dense: Any) -> Any:
         times = out.times
         t, end = times[0], times[-1]
         slack = 1e-12 * max(1.0, abs(end))  # rounding of times: what is closer together is the same instant
-        edge = instant = (
-            t  # the run begins with an edge and a control instant, so that pieces and commands are set there
-        )
+        # The run begins with an edge and a control instant, so that pieces and commands are set there.
+        edge = instant = t
         h, stalled = min(method.first, end - t, control.longest), 0
         at_edge = moved = changed = True
         rejected = False
@@ -140,13 +139,10 @@ def way_through(look: Any, step: Any, dense: Any) -> Any:
                     call_step(problem.engine.probe, work.rows, work.u, problem.p, problem.m, work.g, 0.0)
                     event, which = crossing(problem, work, t, tried, work.g, control.dead_band, _INTERVALS, at_edge)
                     if which >= 0:
-                        share, factor = (
-                            event,
-                            max(1.0 - event, 0.1),
-                        )  # behind the event what is left of the step is tried
-                        if (
-                            0.0 < share < 1.0
-                        ):  # the interpolant is less exact than a step, so there is one up to the event
+                        # Behind the event what is left of the step is tried.
+                        share, factor = event, max(1.0 - event, 0.1)
+                        # The interpolant is less exact than a step, so there is one up to the event.
+                        if 0.0 < share < 1.0:
                             step(problem, method, control, work, t, share * tried)
                             dense(problem, method, work, t, share * tried)
             # A step cut short by an edge says little of how long the next may be: h is kept, unless it has to shrink.

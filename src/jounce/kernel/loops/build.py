@@ -153,9 +153,8 @@ class _Entry:
     def _check(self, holds: Any, path: tuple[tuple[int, str], ...], wanted: str) -> None:
         self.leaves.append((path, wanted))
         with self.builder.if_then(self.builder.not_(holds), likely=False):
-            self.builder.call(
-                self._python("PyErr_Clear", ir.VoidType(), []), []
-            )  # what asking no tuple for its size left
+            # What asking no tuple for its size has left.
+            self.builder.call(self._python("PyErr_Clear", ir.VoidType(), []), [])
             self.builder.ret(_INDEX(-len(self.leaves)))
 
     def _value(self, value: Any, kind: Any, path: tuple[tuple[int, str], ...]) -> Any:

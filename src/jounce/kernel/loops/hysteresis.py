@@ -34,9 +34,8 @@ def _advance(u: float, distance: float, sigma: float, exponent: float) -> float:
 def follow(displacement: Vector, rate: float, sigma: float, exponent: float, start: float, state: Vector) -> None:
     """Fill in the state at each sample of the displacement."""
     z = start
-    state[0] = z
-    for index in range(1, len(displacement)):
-        change = displacement[index] - displacement[index - 1]
+    for index in range(len(displacement)):
+        change = displacement[index] - displacement[max(index - 1, 0)]
         if change > 0.0:
             z = _advance(z, rate * change, sigma, exponent)
         elif change < 0.0:

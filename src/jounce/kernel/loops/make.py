@@ -40,7 +40,7 @@ def make(name: str, platforms: list[str]) -> float:
 
 def _write(file: Path, key: str, content: bytes) -> None:
     if not native.write_sealed(file, key, content):
-        raise SystemExit(f"{file} cannot be written")
+        raise SystemExit(f"{file} cannot be written, or the kernel was edited meanwhile: run it again")
 
 
 def main(arguments: list[str] | None = None) -> None:
@@ -52,7 +52,7 @@ def main(arguments: list[str] | None = None) -> None:
     print(f"making the loops of jounce for {', '.join(platforms) or 'any machine'}: up to a minute", flush=True)
     if BUILT.exists():  # loops that are no more
         for file in [*BUILT.glob("*.bc"), *BUILT.glob("*/*.o")]:
-            if file.stem not in LOOPS:
+            if file.stem not in LOOPS and not file.name.startswith("."):  # another process may be writing one
                 file.unlink()
     with ProcessPoolExecutor(os.cpu_count(), mp_context=get_context("spawn")) as pool:
         for name, spent in zip(LOOPS, pool.map(make, LOOPS, [platforms] * len(LOOPS)), strict=True):

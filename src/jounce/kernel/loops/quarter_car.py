@@ -5,35 +5,26 @@ from __future__ import annotations
 import math
 
 from jounce.kernel.arrays import ComplexVector, Matrix, Vector
-from jounce.kernel.loops.compiling import part
+from jounce.kernel.loops.compiling import FAST, dot, part
 
 _FREE = 6
-_FAST = {"reassoc", "contract", "arcp", "nsz"}  # sums in any order; NaN stays NaN
 
 
-@part(fastmath=_FAST)
+@part(fastmath=FAST)
 def _over(value):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
     return value.conjugate() / (value.real * value.real + value.imag * value.imag)
 
 
-@part(fastmath=_FAST)
-def _dot(a, b):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
-    total = 0.0
-    for i in range(a.size):
-        total += a[i] * b[i]
-    return total
-
-
-@part(fastmath=_FAST)
+@part(fastmath=FAST)
 def _take_off(row, basis):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
     """Make a row orthogonal to those of a basis; gives nothing back but the row."""
     for k in range(basis.shape[0]):
-        share = _dot(basis[k], row)
+        share = dot(basis[k], row)
         for i in range(row.size):
             row[i] -= share * basis[k, i]
 
 
-@part(fastmath=_FAST)
+@part(fastmath=FAST)
 def _bins(parameters, speed, height, force, basis, gap, slopes, falls):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
     """Fill transients, what the response misses, its slopes, and relative slopes of the denominator, bin by bin."""
     unsprung, rate, damping, stiffness, loss, sprung = parameters
@@ -61,21 +52,21 @@ def _bins(parameters, speed, height, force, basis, gap, slopes, falls):  # type:
             falls[k, i], falls[k, n + i] = fall.real, fall.imag
 
 
-@part(fastmath=_FAST)
+@part(fastmath=FAST)
 def _make_orthonormal(basis):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
     """Gram and Schmidt, twice, which is enough."""
     for k in range(basis.shape[0]):
         for _ in range(2):
-            size = math.sqrt(_dot(basis[k], basis[k]))
+            size = math.sqrt(dot(basis[k], basis[k]))
             for i in range(basis.shape[1]):
                 basis[k, i] /= size
             _take_off(basis[k], basis[:k])
-        size = math.sqrt(_dot(basis[k], basis[k]))
+        size = math.sqrt(dot(basis[k], basis[k]))
         for i in range(basis.shape[1]):
             basis[k, i] /= size
 
 
-@part(fastmath=_FAST)
+@part(fastmath=FAST)
 def equations(
     parameters: Vector,
     speed: Vector,
@@ -94,7 +85,7 @@ def equations(
     _bins(parameters, speed, height, force, basis, gap, slopes, falls)
     _make_orthonormal(basis)
     for k in range(basis.shape[0]):
-        share = _dot(basis[k], gap)
+        share = dot(basis[k], gap)
         for i in range(2 * n):
             transient[i] += share * basis[k, i]
     for i in range(2 * n):
@@ -104,6 +95,6 @@ def equations(
             slopes[k, i] -= transient[i] * falls[k, i] - transient[n + i] * falls[k, n + i]
             slopes[k, n + i] -= transient[i] * falls[k, n + i] + transient[n + i] * falls[k, i]
         _take_off(slopes[k], basis)
-        right[k] = _dot(slopes[k], gap)
+        right[k] = dot(slopes[k], gap)
         for j in range(k + 1):
-            normal[k, j] = normal[j, k] = _dot(slopes[k], slopes[j])
+            normal[k, j] = normal[j, k] = dot(slopes[k], slopes[j])

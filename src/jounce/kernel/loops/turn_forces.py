@@ -5,21 +5,12 @@ from __future__ import annotations
 import math
 
 from jounce.kernel.arrays import Block, Matrix, Vector
-from jounce.kernel.loops.compiling import part
+from jounce.kernel.loops.compiling import FAST, dot, part
 
 _PER_TURN = 40.0  # samples of a turn that are worked out, at least
-_FAST = {"reassoc", "contract", "arcp", "nsz"}  # sums in any order; NaN stays NaN
 
 
-@part(fastmath=_FAST)
-def _dot(weight, values):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
-    total = 0.0
-    for j in range(values.size):
-        total += weight[j] * values[j]
-    return total
-
-
-@part(fastmath=_FAST)
+@part(fastmath=FAST)
 def _weigh(weight, wave, bell, reach, period, taps, half):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
     """Taps of one period; the sampled ones, too, are given the gain 1 at 0 and at the period's frequency."""
     for j in range(reach + 1):
@@ -69,7 +60,7 @@ def _vertex(smooth, at):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
     return smooth[at] - 0.125 * tilt * tilt / bend, 0.5 * tilt / bend
 
 
-@part(fastmath=_FAST)
+@part(fastmath=FAST)
 def find(
     signals: Matrix,
     rate: float,
@@ -99,12 +90,13 @@ def find(
         if first - reach < 0 or last + reach >= samples:
             continue
         _weigh(weight, wave, bell, reach, period, taps, half)
+        weights = weight[: 2 * reach + 1]
         step = max(1, int(period / _PER_TURN))
         length = (last - first) // step + 1
         for row in range(rows):
             for m in range(length):
                 begin = first + m * step - reach
-                smooth[m] = _dot(weight, signals[row, begin : begin + 2 * reach + 1])
+                smooth[m] = dot(weights, signals[row, begin : begin + weights.size])
             begin = math.ceil((middle + low * period - first) / step)
             end = math.floor((middle + high * period - first) / step)
             at = begin
