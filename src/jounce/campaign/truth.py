@@ -24,7 +24,7 @@ from jounce.core.units import (
 from jounce.identify.fit_problem import FitTrial
 from jounce.parts import Corner, QuarterCar, load, rig_from_table
 from jounce.parts.elements import Curve, PolynomialCurve, PowerCurve, VelocityTable
-from jounce.parts.rig import change_table
+from jounce.parts.rig import change_table, split_path
 from jounce.parts.variants import with_strut_angle
 from jounce.recordings import Sensor
 from jounce.roads import HalfSine, Road
@@ -151,7 +151,8 @@ class BenchTruth(Description):
     def true_rig(self, pressure: float | None = None) -> QuarterCar | Corner:
         """Give the rig as it is, with the rolling tyre of a pressure (Pa; None: the first of ``tyre``)."""
         described = load(self.rig) if isinstance(self.rig, str) else rig_from_table(self.rig, where="rig")
-        rig = described.with_changes(self.changes) if self.changes else described
+        whole_first = dict(sorted(self.changes.items(), key=lambda change: len(split_path(change[0]))))
+        rig = described.with_changes(whole_first) if self.changes else described
         if not isinstance(rig, QuarterCar | Corner):
             raise DescriptionError(
                 "this rig does not stand on the bench",
@@ -188,7 +189,12 @@ class BenchTruth(Description):
         own = {path: value for path, value in changes.items() if not path.startswith("rig.")}
         table = change_table(self, own)
         of_rig = {path.removeprefix("rig."): value for path, value in changes.items() if path.startswith("rig.")}
-        return type(self).from_table({**table, "changes": {**table["changes"], **of_rig}})
+        kept = {
+            path: value
+            for path, value in table["changes"].items()
+            if not any(path.startswith((f"{new}.", f"{new}[")) for new in of_rig)
+        }
+        return type(self).from_table({**table, "changes": {**kept, **of_rig}})
 
 
 def truth_library() -> dict[str, Path]:

@@ -236,7 +236,10 @@ def _check_campaign(checked: Checked) -> None:
 
     campaign, text = load_campaign(checked.file)
     folder, where = checked.file.parent, str(checked.file)
-    checked.what = f"{len(campaign.trial)} trials, {len(campaign.update)} updates"
+    checked.what = ", ".join(
+        f"{count} {word}{'' if count == 1 else 's'}"
+        for count, word in ((len(campaign.trial), "trial"), (len(campaign.update), "update"))
+    )
     with checked.step():
         rig = load(folder / campaign.rig if campaign.rig.endswith(".toml") else rig_path(campaign.rig))
         check_strut_angles(campaign, rig, checked.file)

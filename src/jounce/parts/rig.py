@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import re
 from collections.abc import Iterable
+from copy import deepcopy
 from typing import Any, ClassVar, Self
 
 from pydantic import BaseModel, model_validator
@@ -79,7 +80,7 @@ def _set(table: Any, parts: list[str | int], value: Any, path: str, known: dict[
         raise unknown_path(path, known)
     if not isinstance(here, (dict, list)):
         raise unknown_path(path, known)
-    here[last] = value  # type: ignore[index]
+    here[last] = deepcopy(value)  # type: ignore[index]  # a later path may lead into it
 
 
 def unknown_path(where: str, known: Iterable[str], *, name: str = "") -> DescriptionError:

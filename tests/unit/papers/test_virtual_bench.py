@@ -247,6 +247,24 @@ def test_what_cannot_be_is_refused_and_nothing_is_written(tmp_path, arguments, p
     assert not (tmp_path / "made").exists()
 
 
+def test_a_change_within_an_element_leaves_it_to_others_and_survives_its_file(tmp_path):
+    """In a file the tables of whole elements stand behind the numbers within them; whole elements still come first."""
+    given = {"force": "5 N", "regularisation_velocity": "1 mm/s"}
+    truth = jn.BenchTruth(rig="kart-quarter-car", changes={"strut.friction": given, "strut.friction.force": "2 N"})
+    assert truth.true_rig().strut.friction.force == 2.0
+    assert given["force"] == truth.changes["strut.friction"]["force"] == "5 N"
+    (tmp_path / "truth.toml").write_text(virtual_bench.truth_text(BenchPlan(trials=()), truth), encoding="utf-8")
+    assert jn.load_truth(tmp_path / "truth.toml").true_rig() == truth.true_rig()
+    renewed = truth.with_changes({"rig.strut.friction": {"force": "3 N"}})
+    assert renewed.true_rig().strut.friction.force == 3.0
+
+
+def test_a_rig_s_changes_leave_what_was_given_as_it_was():
+    given = {"force": "5 N"}
+    jn.load("kart-quarter-car").with_changes({"strut.friction": given, "strut.friction.force": "0 N"})
+    assert given == {"force": "5 N"}
+
+
 def test_vehicles_do_not_stand_on_the_bench():
     with pytest.raises(jn.DescriptionError, match="a quarter car or a corner"):
         jn.BenchTruth(rig="audi-a6-half-car")
