@@ -392,14 +392,16 @@ def _draw_parameters(axes: Axes, parameters: Mapping[str, UpdatedParameter], uni
     axes.set_xticks([-100, -50, 0, 50, 100])
     axes.grid(axis="y", visible=False)
     axes.set_xlabel("position between lower and upper bound [%]")
-    axes.set_title("initial ○, fitted ●, at a bound ■, line: 95 % of the noise only", fontweight="normal", fontsize=9)
+    axes.set_title("initial ○, fitted ●, at a bound ■; line and ±: 95 %, noise only", fontweight="normal", fontsize=9)
 
 
 def _value_text(p: UpdatedParameter, si: str) -> str:
     unit = display_unit(si, p.value)
-    text = number(p.value * unit.factor, digits_for(p.value, p.standard_error))
-    if p.standard_error is not None:
-        text += f" ± {number(p.standard_error * unit.factor, 2)}"
+    half = None if p.interval is None else 0.5 * (p.interval[1] - p.interval[0])
+    value = 0.0 if abs(p.value) < 1e-9 * (p.upper - p.lower) else p.value  # what is left of a bound at zero
+    text = number(value * unit.factor, digits_for(value, half))
+    if half is not None:
+        text += f" ± {number(half * unit.factor, 2)}"
     return f"{text} {unit.name}".rstrip() + (" (at bound)" if p.at_bound else "")
 
 
@@ -414,7 +416,7 @@ def _draw_correlation(axes: Axes, correlation: Sequence[Sequence[float]], count:
     for row in range(len(values)):
         for column in range(len(values)):
             known = values[row, row] > 0.0 and values[column, column] > 0.0
-            text = ("1" if row == column else f"{values[row, column]:+.{digits}f}".replace("-", "−")) if known else "–"
+            text = ("1" if row == column else f"{values[row, column]:.{digits}f}".replace("-", "−")) if known else "–"
             shade = "white" if abs(values[row, column]) > 0.6 else INK
             axes.text(column, row, text, ha="center", va="center", fontsize=size, color=shade)
     axes.set_xticks(range(count), [str(k) for k in range(1, count + 1)])

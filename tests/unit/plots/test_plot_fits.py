@@ -112,7 +112,7 @@ def test_update_places_parameters_between_bounds(update_result) -> None:
     interval = next(line for line in left.lines if len(line.get_xdata()) == 2 and line.get_alpha() == 0.6)
     assert interval.get_xdata() == pytest.approx([40.2, 59.8])
     texts = [text.get_text() for text in left.texts]
-    assert texts == ["21.00 ± 0.10 N/mm", "110.0 N/mm (at bound)"]
+    assert texts == ["21.00 ± 0.20 N/mm", "110.0 N/mm (at bound)"]
     assert [text.get_text() for text in right.texts] == ["1", "–", "–", "–"]
 
 
