@@ -392,7 +392,7 @@ def _draw_parameters(axes: Axes, parameters: Mapping[str, UpdatedParameter], uni
     axes.set_xticks([-100, -50, 0, 50, 100])
     axes.grid(axis="y", visible=False)
     axes.set_xlabel("position between lower and upper bound [%]")
-    axes.set_title("initial ○, fitted ●, at a bound ■; line and ±: 95 %, noise only", fontweight="normal", fontsize=9)
+    axes.set_title("initial ○, fitted ●, at a bound ■\nline and ±: 95 %, noise only", fontweight="normal", fontsize=9)
 
 
 def _value_text(p: UpdatedParameter, si: str) -> str:
