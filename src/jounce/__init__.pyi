@@ -24,7 +24,7 @@ from .core.errors import SimulationError as SimulationError
 from .core.findings import Finding as Finding
 from .core.serialise import Plain as Plain
 from .core.serialise import plain_table as plain_table
-from .core.serialise import write_files as write_files
+from .core.writing import write_files as write_files
 from .design.adjustments import adjust_report as adjust_report
 from .design.adjustments import adjusted as adjusted
 from .design.adjustments import lengths_for as lengths_for

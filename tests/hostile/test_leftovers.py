@@ -11,13 +11,13 @@ from pathlib import Path
 
 import pytest
 
-from jounce.core import serialise
+from jounce.core import writing
 from jounce.core.errors import OutputError
-from jounce.core.serialise import replacing, write_atomically, write_files
+from jounce.core.writing import replacing, write_atomically, write_files
 
 WRITER = """
 import sys
-from jounce.core.serialise import replacing, write_files
+from jounce.core.writing import replacing, write_files
 from pathlib import Path
 with replacing(Path(sys.argv[1]) / "run.csv") as temporary:
     temporary.write_text("half")
@@ -28,7 +28,7 @@ with replacing(Path(sys.argv[1]) / "run.csv") as temporary:
 
 @pytest.fixture(autouse=True)
 def not_swept_yet() -> None:
-    serialise._sweep.cache_clear()
+    writing._sweep.cache_clear()
 
 
 @pytest.mark.skipif(os.name != "posix", reason="elsewhere leftovers go after a day")
@@ -41,7 +41,7 @@ def test_what_a_killed_process_left_is_swept_by_the_next_one(tmp_path: Path) -> 
         assert len(list(tmp_path.glob(".jounce-*"))) == 1  # it still runs
         child.send_signal(signal.SIGKILL)
     assert not (tmp_path / "run.csv").exists()
-    serialise._sweep.cache_clear()
+    writing._sweep.cache_clear()
     write_atomically(tmp_path / "run.csv", "whole")
     assert sorted(file.name for file in tmp_path.iterdir()) == ["other.csv", "run.csv"]
 

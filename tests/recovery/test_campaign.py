@@ -11,8 +11,9 @@ from jounce.campaign import new_campaign, run_campaign
 from jounce.campaign.description import load_campaign
 from jounce.campaign.speed_sweep import misfit_against_speed
 from jounce.core.errors import DescriptionError, JounceError, OutputError
-from jounce.core.serialise import to_json, write_files
+from jounce.core.serialise import to_json
 from jounce.core.units import to_si
+from jounce.core.writing import write_files
 from jounce.papers.demo import prepare_demo, run_demo
 from jounce.papers.table2 import table2
 from jounce.papers.virtual_bench import (

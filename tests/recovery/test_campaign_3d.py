@@ -11,8 +11,8 @@ import jounce as jn
 from jounce.campaign import run_campaign
 from jounce.cli.files import check_file
 from jounce.core.errors import DescriptionError
-from jounce.core.serialise import write_files
 from jounce.core.units import to_si
+from jounce.core.writing import write_files
 from jounce.design.lumping import lump
 from jounce.papers import demo, virtual_bench
 from jounce.papers.table2 import table2

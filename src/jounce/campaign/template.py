@@ -5,7 +5,7 @@ from __future__ import annotations
 from importlib import resources
 from pathlib import Path
 
-from jounce.core.serialise import write_files
+from jounce.core.writing import write_files
 
 
 def new_campaign(folder: Path | str, *, force: bool = False) -> Path:

@@ -259,7 +259,7 @@ def _weights(texts: list[str]) -> dict[str, float]:
 
 def _write_rig(rig: Rig, out: Path | None, comment: str, *, force: bool) -> None:
     if out is not None:
-        from jounce.core.serialise import write_atomically
+        from jounce.core.writing import write_atomically
         from jounce.parts.files import rig_text
 
         write_atomically(out, rig_text(rig, [comment]), force=force)

@@ -425,7 +425,7 @@ def chrono(
 
     Example: jounce import chrono suspension.json --out rig.toml --wheel-radius "344 mm"
     """
-    from jounce.core.serialise import check_writable, write_atomically
+    from jounce.core.writing import check_writable, write_atomically
     from jounce.parts import rig_findings
     from jounce.parts.importers import import_chrono
 

@@ -218,7 +218,8 @@ def adjust(
     Example: jounce adjust kart-double-wishbone --camber "-2 deg" --toe "0.5 deg" --out cambered.toml
     """
     from jounce.campaign.updated_rigs import updated_text
-    from jounce.core.serialise import check_writable, to_plain, write_atomically
+    from jounce.core.serialise import to_plain
+    from jounce.core.writing import check_writable, write_atomically
     from jounce.design.adjustments import SETTINGS, adjust_report, lengths_for
     from jounce.parts import rig_path
 

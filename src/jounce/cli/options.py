@@ -172,7 +172,7 @@ def check_outputs(
     force: bool,
 ) -> None:
     """Refuse files of another suffix, in a missing folder, or (without ``force``) that exist; folders not empty."""
-    from jounce.core.serialise import check_writable
+    from jounce.core.writing import check_writable
 
     if rig is not None:
         check_writable(rig, what="rigs", suffixes=(".toml",), force=force)

@@ -22,6 +22,7 @@ from typing import Any
 import numpy as np
 from llvmlite import binding as llvm
 
+from jounce.core.errors import JounceError
 from jounce.core.optional import require
 from jounce.core.sources import digest_of
 from jounce.kernel import native
@@ -134,14 +135,19 @@ def _load(name: str) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
     ways: tuple[Callable[[], bytes | None], ...] = (
         lambda: _shipped(name, platform),
         lambda: native.recall(native.key_here(f"loop {name}")),
-        lambda: _compiled(name, platform),
     )
     for way in ways:
-        found = way()
-        if found is not None:
-            with contextlib.suppress(Exception):  # whatever is wrong with it: the next way
+        with contextlib.suppress(Exception):  # whatever is wrong with it: the next way
+            found = way()
+            if found is not None:
                 return _ready(found)
-    raise RuntimeError(f"the code of the loop {name!r} cannot be loaded here")
+    try:
+        return _ready(_compiled(name, platform))
+    except JounceError:  # Numba is missing
+        raise
+    except Exception as error:  # noqa: BLE001 - whatever LLVM says to this platform
+        _LOG.warning("the code of the loop %r cannot be loaded here (%s): Numba compiles it", name, error)
+        return {}, _by_numba(name)
 
 
 def _ready(content: bytes) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
@@ -169,8 +175,7 @@ def _suits(platform: str) -> bool:
     """Whether objects are made for this platform, and its processor has what they need."""
     if platform not in PLATFORMS:
         return False
-    features = llvm.get_host_cpu_features()
-    return all(features.get(feature, False) for feature in PLATFORMS[platform].needs)
+    return all(native.features().get(feature, False) for feature in PLATFORMS[platform].needs)
 
 
 def _compiled(name: str, platform: str) -> bytes:

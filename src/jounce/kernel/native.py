@@ -11,7 +11,6 @@ import hashlib
 import json
 import logging
 import os
-import stat
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -24,6 +23,7 @@ from llvmlite import binding as llvm
 from numpy.typing import NDArray
 
 from jounce.core.errors import OutputError
+from jounce.core.ownership import ForeignError, own_folder, read_own
 from jounce.core.sources import digest_of, edited_since
 
 if TYPE_CHECKING:
@@ -122,7 +122,7 @@ def _load(content: bytes) -> tuple[Native, str]:
 
 def key_here(identity: str) -> str:
     """Key of code for this processor, made by these versions of the kernel and the compiler."""
-    target = f"{llvm.get_host_cpu_name()} {llvm.get_host_cpu_features().flatten()} {llvm.llvm_version_info}"
+    target = f"{llvm.get_host_cpu_name()} {_features()} {llvm.llvm_version_info}"
     return hashlib.sha256(f"{digest_of('kernel')} {llvmlite.__version__} {target} {identity}".encode()).hexdigest()
 
 
@@ -139,12 +139,27 @@ def parted(content: bytes) -> tuple[dict[str, Any], bytes]:
 
 
 def cache_folder() -> Path:
-    """Folder of compiled models: ``$JOUNCE_CACHE_DIR``, else ``$XDG_CACHE_HOME/jounce``, else ``~/.cache/jounce``."""
+    """Folder of compiled models: ``$JOUNCE_CACHE_DIR``, else ``$XDG_CACHE_HOME/jounce``, else ``~/.cache/jounce``.
+
+    Raises
+    ------
+    RuntimeError
+        Where none can be named: no home folder, or a ``$JOUNCE_CACHE_DIR`` that is not absolute. What lies below the
+        folder that one happens to stand in may be anybody's, an unpacked archive's for example.
+    """
     own = os.environ.get("JOUNCE_CACHE_DIR")
     if own:
+        if not Path(own).is_absolute():
+            _tell_relative(own)
+            raise RuntimeError("no absolute path")
         return Path(own)
-    shared = os.environ.get("XDG_CACHE_HOME")
-    return (Path(shared) if shared else Path.home() / ".cache") / "jounce"
+    shared = os.environ.get("XDG_CACHE_HOME")  # the standard says: not absolute, not valid
+    return (Path(shared) if shared and Path(shared).is_absolute() else Path.home() / ".cache") / "jounce"
+
+
+@cache
+def _tell_relative(given: str) -> None:
+    _LOG.warning("JOUNCE_CACHE_DIR is not an absolute path: %s; no native code is kept", ascii(given))
 
 
 def _singles(functions: Mapping[str, object]) -> dict[str, str]:
@@ -196,8 +211,20 @@ def this_machine() -> Any:
     """Give the machine that this process runs on."""
     _initialise()
     return llvm.Target.from_default_triple().create_target_machine(
-        opt=3, cpu=llvm.get_host_cpu_name(), features=llvm.get_host_cpu_features().flatten(), jit=True
+        opt=3, cpu=llvm.get_host_cpu_name(), features=_features(), jit=True
     )
+
+
+@cache
+def features() -> dict[str, bool]:
+    """Special instructions of this processor by name, whether it has them; none where LLVM does not know it."""
+    with contextlib.suppress(RuntimeError):
+        return dict(llvm.get_host_cpu_features())
+    return {}
+
+
+def _features() -> str:
+    return ",".join(f"{'+' if has else '-'}{name}" for name, has in sorted(features().items()))
 
 
 def recall(key: str) -> bytes | None:
@@ -216,15 +243,10 @@ def keep(key: str, content: bytes) -> None:
 def read_sealed(file: Path, key: str) -> bytes | None:
     """Give what a file holds if it was written for this key, is whole, and nobody else could have put it there."""
     try:
-        if not _is_ours(file.parent.stat(), file.parent):
-            return None
-        # Opened, then looked at: what is looked at is what is read. A pipe must not keep us waiting.
-        flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
-        with os.fdopen(os.open(file, flags), "rb") as stream:
-            found = os.fstat(stream.fileno())
-            if not (stat.S_ISREG(found.st_mode) and _is_ours(found, file)):
-                return None
-            content = stream.read()
+        content = read_own(file)
+    except ForeignError as error:
+        _tell_foreign(file.parent, str(error.filename))
+        return None
     except OSError:
         return None
     checksum, rest = content[:_CHECKSUM], content[_CHECKSUM:]
@@ -236,43 +258,34 @@ def write_sealed(file: Path, key: str, content: bytes) -> bool:
 
     Nothing is written where the kernel has been edited meanwhile: code of modules as they were would pass for new code.
     """
-    from jounce.core.serialise import replacing
+    from jounce.core.writing import replacing
 
     try:
-        file.parent.mkdir(mode=0o755, parents=True, exist_ok=True)
-        if edited_since("kernel") or not _is_ours(file.parent.stat(), file.parent):
+        folder = own_folder(file.parent)
+        if edited_since("kernel"):
             return False
-        with replacing(file) as temporary:
+        with replacing(folder / file.name) as temporary:
             temporary.write_bytes(_checksum(key, content) + content)
+    except ForeignError as error:
+        _tell_foreign(file.parent, str(error.filename))
+        return False
     except (OSError, OutputError):
         return False
     return True
 
 
-def _is_ours(found: os.stat_result, where: Path) -> bool:
-    """Whether only those may have written something who may write this module, too; who else may is told to the user.
-
-    A checksum tells damage, not purpose: whoever can write a file of code here has it run by whoever uses jounce.
-    """
-    if os.name != "posix":  # owners and modes say nothing there
-        return True
-    own = Path(__file__).stat()
-    others = found.st_mode & ~own.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
-    if found.st_gid != own.st_gid:
-        others |= found.st_mode & stat.S_IWGRP
-    if found.st_uid in (os.geteuid(), own.st_uid, 0) and not others:
-        return True
-    _tell_foreign(where)
-    return False
+_TOLD: set[Path] = set()
 
 
-@cache
-def _tell_foreign(where: Path) -> None:
-    _LOG.warning(
-        "%s belongs to another user or can be written by others: native code is neither read from there nor kept there "
-        "(own it, and chmod go-w, or set JOUNCE_CACHE_DIR to a folder of your own)",
-        ascii(str(where)),
-    )
+def _tell_foreign(folder: Path, where: str) -> None:
+    """Say once of a folder that it is not used, and why."""
+    if folder not in _TOLD:
+        _TOLD.add(folder)
+        _LOG.warning(
+            "%s belongs to another user or can be written by others: native code is neither read from there nor kept "
+            "there (own it, and chmod go-w, or set JOUNCE_CACHE_DIR to a folder of your own)",
+            ascii(where),
+        )
 
 
 def _checksum(key: str, content: bytes) -> bytes:

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError, SimulationError, nearest
-from jounce.core.serialise import Formats
 from jounce.core.types import Array
 from jounce.core.units import PositiveLength, Unit, to_si
+from jounce.core.writing import Formats
 from jounce.kernel.poses import END_OF_TRAVEL, REACHED, Found, Walk, Work, space_for, walk_poses, walk_variants
 from jounce.kinematics.model import KinematicModel, check_corner, check_rack, kinematic_model
 from jounce.parts import Corner, Rig

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from jounce.core.errors import RecordingError, nearest
-from jounce.core.serialise import write_files
 from jounce.core.types import Array
+from jounce.core.writing import write_files
 from jounce.plots.display import FAR_AWAY, PARALLEL, display_unit, settled
 from jounce.plots.style import MUTED, PALETTE, new_figure, rendered, styled
 

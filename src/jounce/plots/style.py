@@ -9,7 +9,7 @@ from functools import wraps
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec
 
-from jounce.core.serialise import Formats
+from jounce.core.writing import Formats
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

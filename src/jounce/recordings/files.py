@@ -14,9 +14,10 @@ from jounce.core.columns import Column, ColumnTable, name_and_unit
 from jounce.core.errors import JounceError, RecordingError, nearest
 from jounce.core.files import existing_file
 from jounce.core.findings import Finding
-from jounce.core.serialise import Formats, to_plain
+from jounce.core.serialise import to_plain
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor, to_si
+from jounce.core.writing import Formats
 from jounce.recordings.plausibility import implausible
 from jounce.recordings.quality import FEWEST_SAMPLES, check_channels, check_instants, check_time
 from jounce.recordings.readers import ReaderOptions, SignalTable, read_signals

@@ -14,7 +14,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import unknown
-from jounce.core.serialise import Formats, check_writable, to_json, to_plain, write_atomically
+from jounce.core.serialise import to_json, to_plain
+from jounce.core.writing import Formats, check_writable, write_atomically
 from jounce.inspection.findings import sentence_of
 from jounce.inspection.grading import Difference, GradedInspection, VehicleGrade, WheelGrade, grade_vehicle
 from jounce.inspection.limits import Band, Criterion, Limits

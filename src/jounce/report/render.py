@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import OutputError
-from jounce.core.serialise import write_files
+from jounce.core.writing import write_files
 from jounce.plots import add_note, rendered
 from jounce.recordings.files import write_recording
 from jounce.report.page import Findings, Page, Table, slug, unique_slugs, worst_first

@@ -13,8 +13,8 @@ import numpy as np
 
 from jounce.core.errors import SimulationError
 from jounce.core.findings import Finding
-from jounce.core.serialise import write_atomically
 from jounce.core.types import Array
+from jounce.core.writing import write_atomically
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Tester
 from jounce.parts.vehicles import FrontViewAxle, FullCar, HalfCar4DOF, axle_of

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from jounce.core.errors import OutputError
-from jounce.core.serialise import Formats, Plain, to_plain
+from jounce.core.serialise import Plain, to_plain
+from jounce.core.writing import Formats
 
 
 @dataclass(frozen=True)

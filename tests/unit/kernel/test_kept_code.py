@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import os
 import stat
+from pathlib import Path
 
 import pytest
 
+from jounce.core import ownership
+from jounce.core.ownership import ForeignError
 from jounce.kernel import native
 
 
@@ -42,10 +45,11 @@ def cache(monkeypatch, tmp_path):
     """A cache with an entry, which is read; jounce is its owner's alone."""
     module = tmp_path / "native.py"
     module.touch(0o644)
-    monkeypatch.setattr(native, "__file__", str(module))
+    monkeypatch.setattr(ownership, "__file__", str(module))
+    monkeypatch.setattr(ownership, "_is_private", lambda *_: False)
     folder = tmp_path / "cache"
     monkeypatch.setenv("JOUNCE_CACHE_DIR", str(folder))
-    native._tell_foreign.cache_clear()
+    native._TOLD.clear()
     native.keep("key", b"code")
     assert native.recall("key") == b"code"
     return folder
@@ -69,11 +73,19 @@ def test_code_that_others_could_have_written_is_not_run_and_that_is_said(cache, 
     assert native.recall("key") == b"code"
 
 
+def is_ours(found: os.stat_result, where: Path) -> bool:
+    try:
+        ownership._check(found, where)
+    except ForeignError:
+        return False
+    return True
+
+
 def test_code_of_another_user_is_not_run_unless_jounce_is_theirs(cache, monkeypatch) -> None:
-    own = native.Path(native.__file__).stat()
+    own = Path(ownership.__file__).stat()
     for user, trusted in {0: True, own.st_uid: True, os.geteuid(): True, 54321: False}.items():
         found = os.stat_result((stat.S_IFREG | 0o644, 0, 0, 1, user, 54321, 0, 0, 0, 0))
-        assert native._is_ours(found, cache) == trusted
+        assert is_ours(found, cache) == trusted
     if os.geteuid() == 0:
         os.chown(cache / "key.o", 54321, -1)
         assert native.recall("key") is None
@@ -83,10 +95,10 @@ def test_what_is_open_to_others_as_jounce_itself_is_is_run(cache, monkeypatch) -
     """Where all files are made for their group (umask 002), or no modes are known, refusing wins nothing."""
     (cache / "key.o").chmod(0o664)
     own = (cache / "key.o").stat()
-    monkeypatch.setattr(native, "__file__", str(cache / "key.o"))
-    assert native._is_ours(own, cache)
+    monkeypatch.setattr(ownership, "__file__", str(cache / "key.o"))
+    assert is_ours(own, cache)
     found = os.stat_result((own.st_mode, 0, 0, 1, own.st_uid, own.st_gid + 1, 0, 0, 0, 0))
-    assert not native._is_ours(found, cache)  # another group
+    assert not is_ours(found, cache)  # another group
 
 
 def test_what_is_no_file_is_not_waited_for(cache) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from jounce.core.serialise import write_atomically
+from jounce.core.writing import write_atomically
 from jounce.parts import library, load, rig_findings
 from jounce.parts.importers import import_chrono
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.optional import require
-from jounce.core.serialise import Formats
+from jounce.core.writing import Formats
 from jounce.inspection.methods import METHODS, QUANTITIES
 
 if TYPE_CHECKING:

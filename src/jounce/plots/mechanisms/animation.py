@@ -17,9 +17,9 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.optional import MissingPackageError
-from jounce.core.serialise import Formats
 from jounce.core.types import Array
 from jounce.core.units import to_si
+from jounce.core.writing import Formats
 from jounce.plots.display import display_unit, settled
 from jounce.plots.mechanisms.drawing import (
     COILS,

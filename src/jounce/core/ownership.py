@@ -1,0 +1,129 @@
+"""Files that are run, not only read: none that another user could have put there.
+
+A checksum tells damage, not purpose: whoever can write a file of code has it run by whoever uses jounce. Trusted are
+the user, root, and whoever may write jounce itself; nobody else may be able to write the file, its folder, or any
+folder or link on the way to it.
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+from functools import cache
+from pathlib import Path
+
+_MOST_LINKS = 40
+
+
+class ForeignError(OSError):
+    """Another user could have written the file; ``filename`` says what of its path is open to others."""
+
+
+def read_own(file: Path) -> bytes:
+    """Give what a file holds.
+
+    Raises
+    ------
+    ForeignError
+        Where another user could have written it.
+    OSError
+        Where there is no such regular file that can be read.
+    """
+    place = _walked(file)
+    # Opened, then looked at: what is looked at is what is read. A pipe must not keep us waiting.
+    flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0) | getattr(os, "O_NOFOLLOW", 0)
+    with os.fdopen(os.open(place, flags), "rb") as stream:
+        found = os.fstat(stream.fileno())
+        if not stat.S_ISREG(found.st_mode):
+            raise FileNotFoundError(place)
+        _check(found, place)
+        return stream.read()
+
+
+def own_folder(folder: Path) -> Path:
+    """Make a folder with those on the way to it, and give its place; nobody else can write there.
+
+    Raises
+    ------
+    ForeignError
+        Where somebody else can.
+    OSError
+        Where it cannot be made.
+    """
+    for one in (*reversed(folder.parents), folder):
+        one.mkdir(mode=0o755, exist_ok=True)  # whatever the mask is
+    return _walked(folder / "file").parent
+
+
+def _walked(file: Path) -> Path:
+    """The place of a file without links, every folder and link on the way to it looked at.
+
+    From the root downwards: what lies in a folder that only trusted people can write stays what it is after it was
+    looked at. In a folder with the sticky bit, as /tmp, this holds for what they own.
+    """
+    if os.name != "posix":  # owners and modes say nothing there
+        return file
+    waiting, here, links = list(reversed(file.absolute().parts[1:])), Path("/"), 0
+    while waiting:
+        _check_folder(here, last=len(waiting) == 1)
+        name = waiting.pop()
+        if name == "..":
+            here = here.parent
+            continue
+        try:
+            found = (here / name).lstat()
+        except FileNotFoundError:
+            if waiting:
+                raise
+            return here / name
+        if not stat.S_ISLNK(found.st_mode):
+            here /= name
+            continue
+        if found.st_uid not in _trusted() or (links := links + 1) > _MOST_LINKS:
+            raise ForeignError(None, "a link of another user", str(here / name))
+        target = Path((here / name).readlink())
+        waiting += reversed(target.parts[target.is_absolute() :])
+        here = Path("/") if target.is_absolute() else here
+    return here
+
+
+def _check_folder(folder: Path, *, last: bool) -> None:
+    """Refuse a folder where others can exchange what is on the way; in the ``last`` one, also where they can add."""
+    if folder in Path(__file__).resolve().parents:
+        return  # whoever can write there can write jounce
+    found = folder.lstat()
+    if not stat.S_ISDIR(found.st_mode):
+        raise NotADirectoryError(folder)
+    _check(found, folder, sticky_will_do=not last)
+
+
+def _check(found: os.stat_result, where: Path, *, sticky_will_do: bool = False) -> None:
+    if os.name != "posix":
+        return
+    own = Path(__file__).stat()
+    others = found.st_mode & ~own.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
+    if found.st_gid != own.st_gid:
+        others |= found.st_mode & stat.S_IWGRP
+    if others & stat.S_IWGRP and _is_private(found.st_gid, found.st_uid):
+        others &= ~stat.S_IWGRP
+    if sticky_will_do and found.st_mode & stat.S_ISVTX:
+        others = 0
+    if found.st_uid not in _trusted() or others:
+        raise ForeignError(None, "belongs to another user or can be written by others", str(where))
+
+
+def _trusted() -> tuple[int, ...]:
+    return (os.geteuid(), Path(__file__).stat().st_uid, 0)
+
+
+@cache
+def _is_private(group: int, user: int) -> bool:
+    """Whether a group is a user's own, as many systems make one for each: of the same name, without other members."""
+    import grp
+    import pwd
+
+    try:
+        found, owner = grp.getgrgid(group), pwd.getpwuid(user)
+    except KeyError:
+        return False
+    return found.gr_name == owner.pw_name and owner.pw_gid == group and set(found.gr_mem) <= {owner.pw_name}
