@@ -66,6 +66,22 @@ class OutputError(JounceError):
     """A file that cannot be written without losing something."""
 
 
+def unforeseen(error: Exception, where: str = "", kind: type[JounceError] = JounceError) -> JounceError:
+    """The error itself where it is one of ours, otherwise what is told of it where the work goes on without the file.
+
+    >>> str(unforeseen(KeyError("x"), "a.mat"))
+    "a.mat: this cannot be used, for a reason that was not foreseen (KeyError: 'x'). Please report it with the file."
+    """
+    if isinstance(error, JounceError):
+        return error
+    if isinstance(error, MemoryError):
+        told = " ".join(str(error).split())
+        return kind("this takes more memory than there is", where=where, found=told or None)
+    text = shortened(f"{type(error).__name__}: {' '.join(str(error).split())}".removesuffix(": "), _LONGEST_VALUE)
+    hint = "Please report it with the file."
+    return kind(f"this cannot be used, for a reason that was not foreseen ({text})", where=where, hint=hint)
+
+
 def shown(value: object) -> str:
     """A value as messages show it: text in quotes, anything of a length that can be read.
 

@@ -1,41 +1,11 @@
-"""Measured and simulated signals: one schema, readers, quality checks, sensors, filters, alignment."""
+"""Measured and simulated signals: one schema, readers, quality checks, sensors, filters, alignment.
+
+Names are loaded on first use, so that a process that only reads files starts at once; the one list of them is
+``__init__.pyi``.
+"""
 
 from __future__ import annotations
 
-from jounce.recordings.files import read_columns, read_recording, write_recording
-from jounce.recordings.quality import check_channels, check_time
-from jounce.recordings.readers import READERS, Reader
-from jounce.recordings.schema import channel_unit, check_recording, recording
-from jounce.recordings.sensors import Sensor, apply_sensors, filter_signals
-from jounce.recordings.signals import (
-    band_limit,
-    cfc_filter,
-    derivative,
-    estimate_lag,
-    resample,
-    shift_signals,
-    shift_with_derivative,
-)
+import lazy_loader
 
-__all__ = [
-    "READERS",
-    "Reader",
-    "Sensor",
-    "apply_sensors",
-    "band_limit",
-    "cfc_filter",
-    "channel_unit",
-    "check_channels",
-    "check_recording",
-    "check_time",
-    "derivative",
-    "estimate_lag",
-    "filter_signals",
-    "read_columns",
-    "read_recording",
-    "recording",
-    "resample",
-    "shift_signals",
-    "shift_with_derivative",
-    "write_recording",
-]
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

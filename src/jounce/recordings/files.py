@@ -18,9 +18,10 @@ from jounce.core.serialise import to_plain
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor, to_si
 from jounce.core.writing import Formats
+from jounce.recordings import isolated
 from jounce.recordings.plausibility import implausible
 from jounce.recordings.quality import FEWEST_SAMPLES, check_channels, check_instants, check_time
-from jounce.recordings.readers import ReaderOptions, SignalTable, read_signals
+from jounce.recordings.readers import ReaderOptions, SignalTable, is_read_in_child, read_signals
 from jounce.recordings.schema import channel_unit, quantity_of, recording
 from jounce.recordings.signals import read_at, uniform_instants
 
@@ -86,7 +87,10 @@ def read_recording(
     >>> float(run["sprung.az"].max()), float(run["time"][1]), [finding.message for finding in findings]
     (19.6133, 0.001, ['decimal commas were read as decimal points'])
     """
-    file = Path(path)
+    file = existing_file(path, RecordingError)
+    if is_read_in_child(file):
+        isolated.prepare()  # it starts while this process loads what recordings are made of
+        import xarray  # noqa: F401
     signals = _read_table(file, columns, variable, database)
     mapping = dict(columns) if isinstance(columns, Mapping) else {}
     new_step = _positive(resample, f"{file}: resample", "the step to resample to")

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import io
+import struct
+import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from jounce.core.columns import name_and_unit
+from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.recordings.hdf5 import held_part
@@ -47,7 +51,7 @@ def read_matrices(path: Path) -> tuple[dict[str, Matrix], list[str], list[Findin
 
     findings: list[Finding] = []
     try:
-        content: dict[str, Any] = loadmat(path, simplify_cells=True)
+        content: dict[str, Any] = loadmat(_inflated(path), simplify_cells=True)
     except NotImplementedError:  # version 7.3 is HDF5
         content = _content_of_hdf5(path, findings)
     plain = {name: value for name, value in content.items() if not name.startswith(("__", "#"))}
@@ -55,6 +59,38 @@ def read_matrices(path: Path) -> tuple[dict[str, Matrix], list[str], list[Findin
     left_out: list[str] = []
     _walk("", plain, found, left_out, 0)
     return found, left_out, findings
+
+
+_HEAD, _COMPRESSED = 128, 15  # bytes before the first variable, and the type of one that is compressed
+_MOST_INFLATED = 4_000_000_000  # bytes
+
+
+def _inflated(path: Path) -> io.BytesIO:
+    """A file of version 5 with its variables inflated and what they announce checked; others as they are.
+
+    The library takes a variable before its checksum is reached, and reads those behind which the file was cut off.
+    """
+    content = path.read_bytes()
+    order = {b"IM": "<", b"MI": ">"}.get(content[126:_HEAD])
+    if order is None or content[124:126] not in (b"\0\1", b"\1\0"):
+        return io.BytesIO(content)
+    parts, at = [content[:_HEAD]], _HEAD
+    while at < len(content):
+        kind, size = struct.unpack(f"{order}II", content[at : at + 8].ljust(8, b"\0"))
+        body = content[at + 8 : at + 8 + size]
+        if len(body) < size or at + 8 > len(content):
+            what = "the file was cut off within a variable"
+            raise RecordingError(what, where=str(path), found=f"{len(body)} bytes", allowed=f"{size} bytes")
+        if kind == _COMPRESSED:
+            inflater = zlib.decompressobj()
+            inside = inflater.decompress(body, _MOST_INFLATED - sum(map(len, parts)))
+            if not inflater.eof:
+                raise ValueError("a compressed variable has no end")
+            parts.append(inside)
+        else:
+            parts.append(content[at : at + 8 + size])
+        at += 8 + size
+    return io.BytesIO(b"".join(parts))
 
 
 def _walk(path: str, value: Any, found: dict[str, Matrix], left_out: list[str], depth: int) -> None:

@@ -22,6 +22,7 @@ from jounce.core.findings import Finding
 from jounce.core.optional import require
 from jounce.core.types import Array
 from jounce.recordings.hdf5 import announcement, check_size, held_rows
+from jounce.recordings.isolated import is_possible, read_isolated, too_much_memory
 from jounce.recordings.matlab import read_matrices
 
 
@@ -92,6 +93,8 @@ class Reader:
         Whether the file holds several matrices or groups, of which the user may choose one.
     has_database : bool
         Whether its bus frames are decoded with a database.
+    is_isolated : bool
+        Whether it is read in a child process with limits of memory and time: formats of jounce that are not text.
     """
 
     name: str
@@ -103,6 +106,7 @@ class Reader:
     extra: str = ""
     has_variables: bool = False
     has_database: bool = False
+    is_isolated: bool = False
 
 
 READERS: list[Reader] = []
@@ -132,6 +136,11 @@ def reader_of(path: Path) -> Reader:
     )
 
 
+def is_read_in_child(path: Path) -> bool:
+    """Whether a file is of a format that a child process reads, where this process can have one."""
+    return is_possible() and any(known.is_isolated for known in READERS if path.suffix.lower() in known.suffixes)
+
+
 def read_signals(path: Path, options: ReaderOptions) -> SignalTable:
     """Columns of a file of any known format."""
     chosen = reader_of(path)
@@ -152,10 +161,17 @@ def read_signals(path: Path, options: ReaderOptions) -> SignalTable:
                 allowed=formats,
             )
         existing_file(options.database, RecordingError)
-    signals = chosen.read(path, options)
+    try:
+        signals = (read_isolated if is_read_in_child(path) else _read_here)(chosen, path, options)
+    except MemoryError as error:
+        raise too_much_memory(error, str(path)) from None
     for table in signals.tables:
         _check_shape(table, chosen, path)
     return signals
+
+
+def _read_here(chosen: Reader, path: Path, options: ReaderOptions) -> SignalTable:
+    return chosen.read(path, options)
 
 
 def _check_shape(table: ColumnTable, reader: Reader, path: Path) -> None:
@@ -198,7 +214,7 @@ def _understood(path: Path, what: str) -> Iterator[None]:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             yield
-    except JounceError:
+    except (JounceError, MemoryError):
         raise
     except Exception as error:  # noqa: BLE001 - bare Exceptions, KeyErrors and struct errors alike
         text, hook = " ".join(str(error).split())[:200], sys.unraisablehook
@@ -250,6 +266,7 @@ def _read_csv(path: Path, options: ReaderOptions) -> SignalTable:
     (".nc", ".nc4"),
     source="netCDF-4, https://docs.unidata.ucar.edu/netcdf-c",
     example="run.nc written by jounce simulate --out run.nc",
+    is_isolated=True,
 )
 def _read_netcdf(path: Path, options: ReaderOptions) -> SignalTable:
     """Every variable over ``time`` with its ``units`` and ``long_name``."""
@@ -294,6 +311,7 @@ _WIDEST = 64
     source="MAT-File Format, The MathWorks",
     example="columns={'time': 'Tout [s]', 'strut.force': 'x_F(:,3) [N]', 'sprung.az': 'run.acc [g]'}",
     has_variables=True,
+    is_isolated=True,
 )
 def _read_mat(path: Path, options: ReaderOptions) -> SignalTable:
     """Every numeric vector as a column, and the columns of every matrix, wherever they lie in structs and cells.
@@ -376,6 +394,7 @@ def _chosen_matrix(arrays: dict[str, Array], variable: str, width: int, path: Pa
     example="columns={'sprung.az': 'Accelerometer 1 [g]'}",
     extra="io",
     has_variables=True,
+    is_isolated=True,
 )
 def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
     """Channels of one group (``options.variable``; the only one otherwise) with their ``unit_string``.
@@ -434,6 +453,7 @@ def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
     example="columns={'sprung.az': 'AccZ_body [g]'}, database='vehicle.dbc'",
     extra="io",
     has_database=True,
+    is_isolated=True,
 )
 def _read_mdf(path: Path, options: ReaderOptions) -> SignalTable:
     """Numeric channels by time axis; bus frames (CAN, LIN) are decoded with ``options.database``.
@@ -485,6 +505,7 @@ _TIME_RESPONSE, _FUNCTIONS = 1, 58
     source="Universal File Format, University of Cincinnati SDRL",
     example="columns={'sprung.az': 'Mic 01 [m/s^2]'}",
     extra="io",
+    is_isolated=True,
 )
 def _read_uff(path: Path, options: ReaderOptions) -> SignalTable:
     """Time responses, real numbers over the instants of most of them.
@@ -551,6 +572,7 @@ def _label(text: object) -> str:
     source="Apache Parquet, https://parquet.apache.org/docs/file-format",
     example="columns={'sprung.az': 'acc_body [g]'}",
     extra="io",
+    is_isolated=True,
 )
 def _read_parquet(path: Path, options: ReaderOptions) -> SignalTable:
     """Every column with numbers; its unit from the name (``force [N]``) or the field's metadata (``unit``, ``units``).

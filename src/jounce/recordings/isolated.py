@@ -1,0 +1,392 @@
+"""Readers of binary formats work in a child process: a damaged file can end it, or keep it busy, and only it.
+
+One child serves many files, so that starting it is paid once. What it is asked and answers is JSON, and the plain bytes
+of arrays behind it: nothing from a file is executed or unpickled. Its memory and its time are limited by the size of
+the file.
+"""
+
+from __future__ import annotations
+
+import atexit
+import contextlib
+import json
+import os
+import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, BinaryIO
+
+import numpy as np
+
+from jounce.core import errors, optional
+from jounce.core.columns import Column, ColumnTable
+from jounce.core.errors import JounceError, RecordingError, shown
+from jounce.core.findings import Finding
+
+if TYPE_CHECKING:
+    from jounce.recordings.readers import Reader, ReaderOptions, SignalTable
+
+MEMORY, MEMORY_A_BYTE = 1.5e9, 32.0
+"""Bytes that reading a file may take, and those for each byte of the file (in memory it is not compressed)."""
+TIME, TIME_A_BYTE = 10.0, 1e-6
+"""Seconds of computing that reading a file may take, and those for each byte; by the clock it is three times that."""
+
+_PATH = "import json, sys; sys.path[:] = json.loads(sys.argv[1])\n"
+_CHILD = f"{_PATH}from jounce.recordings.isolated import serve; serve()"
+_NUMBERS = "fiub"
+_LARGEST_WORKER = 1e9  # bytes that a child may keep between two files
+
+
+def is_possible() -> bool:
+    """Whether this process can start another Python: not where it is part of another program, or in a browser."""
+    name = Path(sys.executable or "").name.lower()
+    return name.startswith(("python", "pypy")) and not getattr(sys, "frozen", False)
+
+
+def read_isolated(reader: Reader, path: Path, options: ReaderOptions) -> SignalTable:
+    """Read a file with one of jounce's own readers in a child; crash, endless work and memory are a RecordingError."""
+    child = _taken()
+    try:
+        answer, arrays = child.ask(reader.name, path, options)
+    except BaseException:
+        child.end()
+        raise
+    if answer["is_last"]:
+        child.end()
+    else:
+        _IDLE.append(child)
+    if "error" in answer:
+        raise _error(answer["error"])
+    return _signals(answer["signals"], arrays)
+
+
+def prepare() -> None:
+    """Start a child, if there is none that waits, without waiting for it."""
+    if not _IDLE:
+        _IDLE.append(_Child())
+
+
+class _Child:
+    """A process that reads files, and the pipes to it."""
+
+    def __init__(self) -> None:
+        threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
+        try:
+            self.process = subprocess.Popen(
+                [sys.executable, "-P", "-c", _CHILD, json.dumps(sys.path)],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.DEVNULL,
+                env={**os.environ, **threads},
+            )
+        except OSError as error:
+            raise RecordingError(
+                f"no process to read files in could be started ({error.strerror or error})",
+                hint="Close other programs, or raise the limit of processes.",
+            ) from None
+
+    def ask(self, reader: str, path: Path, options: ReaderOptions) -> tuple[dict[str, Any], list[Any]]:
+        """Give what the child answers about a file."""
+        size = path.stat().st_size
+        seconds = TIME + size * TIME_A_BYTE
+        told = {
+            "reader": reader,
+            "path": str(path),
+            "folder": str(Path.cwd()),
+            "variable": options.variable,
+            "header": options.header,
+            "database": None if options.database is None else str(options.database),
+            "memory": MEMORY + size * MEMORY_A_BYTE,
+            "seconds": seconds,
+        }
+        stdin, stdout = self.process.stdin, self.process.stdout
+        assert stdin is not None
+        assert stdout is not None
+        watchdog = threading.Timer(3.0 * seconds, self.process.kill)
+        watchdog.daemon = True
+        watchdog.start()
+        try:
+            stdin.write(json.dumps(told).encode() + b"\n")
+            stdin.flush()
+            return _received(stdout)
+        except (EOFError, BrokenPipeError, ConnectionError):
+            raise self._fate(path, seconds, late=not watchdog.is_alive()) from None
+        finally:
+            watchdog.cancel()
+
+    def _fate(self, path: Path, seconds: float, *, late: bool) -> RecordingError:
+        """Why the child has ended, as the error about the file."""
+        code = self.process.wait()
+        if late or -code == getattr(signal, "SIGXCPU", None):
+            return RecordingError(
+                "reading the file does not end: it is damaged",
+                where=str(path),
+                found=f"more than {seconds:.0f} s",
+                allowed=f"{TIME:.0f} s and 1 s for each {1e-6 / TIME_A_BYTE:.0f} MB",
+                hint="Use an original copy.",
+            )
+        with contextlib.suppress(ValueError):
+            return RecordingError(
+                f"reading the file ended the process that reads it ({signal.Signals(-code).name}): it is damaged",
+                where=str(path),
+                hint="Use an original copy.",
+            )
+        return RecordingError(
+            f"the process that reads the file ended (exit code {code})", where=str(path), hint="Use an original copy."
+        )
+
+    def end(self) -> None:
+        """Stop the process, whatever it does."""
+        with contextlib.suppress(OSError):
+            self.process.kill()
+        self.process.wait()
+        for pipe in (self.process.stdin, self.process.stdout):
+            if pipe is not None:
+                with contextlib.suppress(OSError):
+                    pipe.close()
+
+
+_IDLE: list[_Child] = []
+
+
+def _taken() -> _Child:
+    """A child that waits, or a new one."""
+    with contextlib.suppress(IndexError):
+        while True:
+            child = _IDLE.pop()
+            if child.process.poll() is None:
+                return child
+            child.end()
+    return _Child()
+
+
+@atexit.register
+def _end_all() -> None:
+    while _IDLE:
+        _IDLE.pop().end()
+
+
+def _forget() -> None:
+    """Leave the children to the process that started them."""
+    for child in _IDLE:
+        child.process.returncode = 0
+    _IDLE.clear()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_forget)
+
+
+# --- what the child does
+
+
+def serve() -> None:
+    """Answer requests from standard input until it ends."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent decides
+    answers = os.fdopen(os.dup(1), "wb")
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what libraries print is no answer
+    for line in sys.stdin.buffer:
+        told = json.loads(line)
+        arrays: list[np.ndarray[Any, Any]] = []
+        answer: dict[str, Any] = {}
+        try:
+            os.chdir(told["folder"])
+            _limit(told["memory"], told["seconds"])
+            answer["signals"] = _plain_signals(_read(told), arrays)
+        except JounceError as error:
+            answer, arrays = {"error": _plain_error(error)}, []
+        except MemoryError as error:
+            answer, arrays = {"error": _plain_error(too_much_memory(error, told["path"], told["memory"]))}, []
+        except Exception as error:  # noqa: BLE001 - whatever it is, the parent shall hear of it
+            answer, arrays = {"error": _plain_error(errors.unforeseen(error, told["path"], RecordingError))}, []
+        os.chdir(Path(sys.executable).anchor or os.sep)  # a folder where a process stands cannot be removed everywhere
+        answer["is_last"] = _used_memory() > _LARGEST_WORKER
+        _send(answers, answer, arrays)
+
+
+def too_much_memory(error: MemoryError, path: str, allowed: float = 0.0) -> RecordingError:
+    """The error about a file that takes more memory than one of its size may, or than there is."""
+    return RecordingError(
+        f"the file takes more memory than {'a file of its size may' if allowed else 'there is'}",
+        where=path,
+        found=str(error) or None,
+        allowed=f"{allowed / 1e9:.1f} GB" if allowed else "",
+        hint="It is damaged, or holds far more than its size tells.",
+    )
+
+
+def _read(told: Mapping[str, Any]) -> SignalTable:
+    from jounce.recordings.readers import READERS, ReaderOptions
+
+    database = None if told["database"] is None else Path(told["database"])
+    reader = next(one for one in READERS if one.name == told["reader"])
+    return reader.read(Path(told["path"]), ReaderOptions(told["variable"], told["header"], database))
+
+
+def _limit(memory: float, seconds: float) -> None:
+    """Bound memory and computing time from now on, where the system can."""
+    try:
+        import resource
+    except ImportError:  # Windows: the parent's clock alone
+        return
+    own = resource.getrusage(resource.RUSAGE_SELF)
+    for kind, most in (
+        (resource.RLIMIT_DATA, int(_used_memory() + memory)),
+        (resource.RLIMIT_CPU, int(own.ru_utime + own.ru_stime + seconds) + 1),
+        (resource.RLIMIT_CORE, 0),
+    ):
+        _, hard = resource.getrlimit(kind)
+        with contextlib.suppress(ValueError, OSError):
+            resource.setrlimit(kind, (most if hard == resource.RLIM_INFINITY else min(most, hard), hard))
+
+
+def _used_memory() -> float:
+    """Bytes of data that this process has, 0 where the system does not tell."""
+    try:
+        pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[5])
+    except (OSError, ValueError, IndexError):
+        return 0.0
+    return float(pages * os.sysconf("SC_PAGE_SIZE"))
+
+
+# --- what goes through the pipe
+
+
+def _send(stream: BinaryIO, answer: Mapping[str, Any], arrays: list[Any]) -> None:
+    text = json.dumps(answer).encode()
+    stream.write(len(text).to_bytes(8, "little") + text)
+    for array in arrays:
+        stream.write(memoryview(np.ascontiguousarray(array).reshape(-1)).cast("B"))
+    stream.flush()
+
+
+def _received(stream: BinaryIO) -> tuple[dict[str, Any], list[Any]]:
+    text = bytearray(int.from_bytes(_filled(stream, bytearray(8)), "little"))
+    answer: dict[str, Any] = json.loads(_filled(stream, text))
+    arrays = []
+    for dtype, shape in answer.get("signals", {}).get("arrays", ()):
+        array = np.empty(shape, np.dtype(dtype))
+        if array.size:
+            _filled(stream, memoryview(array.reshape(-1)).cast("B"))
+        arrays.append(array)
+    return answer, arrays
+
+
+def _filled(stream: BinaryIO, room: Any) -> Any:
+    view, got = memoryview(room), 0
+    while got < len(view):
+        count = stream.readinto(view[got:])  # type: ignore[attr-defined]
+        if not count:
+            raise EOFError
+        got += count
+    return room
+
+
+def _plain_signals(signals: SignalTable, arrays: list[Any]) -> dict[str, Any]:
+    def kept(value: Any) -> Any:
+        return _plain(value, arrays)
+
+    plain = {
+        "tables": [
+            {
+                "columns": [
+                    [
+                        one.name,
+                        one.unit,
+                        kept(one.values),
+                        one.file,
+                        None if one.fault is None else _plain_error(one.fault),
+                        one.written,
+                    ]
+                    for one in table
+                ],
+                "comments": table.comments,
+                "file": table.file,
+                "lines": list(table.lines),
+                "remarks": table.remarks,
+            }
+            for table in signals.tables
+        ],
+        "long_names": dict(signals.long_names),
+        "attributes": {name: kept(value) for name, value in signals.attributes.items()},
+        "left_out": signals.left_out,
+        "findings": [[one.place, one.severity, one.message, kept(one.value)] for one in signals.findings],
+    }
+    return {**plain, "arrays": [[array.dtype.str, array.shape] for array in arrays]}
+
+
+def _signals(plain: Mapping[str, Any], arrays: list[Any]) -> SignalTable:
+    from jounce.recordings.readers import SignalTable
+
+    def found(value: Any) -> Any:
+        return _unpacked(value, arrays)
+
+    tables = [
+        ColumnTable(
+            tuple(
+                Column(name, unit, found(values), file, None if fault is None else _error(fault), written)  # type: ignore[arg-type]
+                for name, unit, values, file, fault, written in table["columns"]
+            ),
+            tuple(table["comments"]),
+            table["file"],
+            table["lines"],
+            tuple(table["remarks"]),
+        )
+        for table in plain["tables"]
+    ]
+    return SignalTable(
+        tables[0],
+        plain["long_names"],
+        {name: found(value) for name, value in plain["attributes"].items()},
+        tuple(plain["left_out"]),
+        tuple(tables[1:]),
+        tuple(Finding(place, severity, message, found(value)) for place, severity, message, value in plain["findings"]),
+    )
+
+
+def _plain(value: Any, arrays: list[Any]) -> Any:
+    """A value as JSON; arrays stand beside it. What is neither text nor number becomes the text of it."""
+    if value is None or isinstance(value, (bool, int, str)) or type(value) is float:
+        return value
+    if isinstance(value, np.generic) and value.dtype.kind in "U":
+        return str(value)
+    if isinstance(value, (np.ndarray, np.generic)) and np.asarray(value).dtype.kind in _NUMBERS:
+        arrays.append(np.asarray(value))
+        return {"array": len(arrays) - 1, "is_scalar": isinstance(value, np.generic)}
+    if isinstance(value, np.ndarray):
+        return {"texts": [_text(item) for item in value.ravel()]}
+    return _text(value)
+
+
+def _text(value: Any) -> str:
+    return value.decode(errors="replace") if isinstance(value, bytes) else str(value)
+
+
+def _unpacked(value: Any, arrays: list[Any]) -> Any:
+    if not isinstance(value, dict):
+        return value
+    if "texts" in value:
+        return np.array(value["texts"], dtype=object)
+    array = arrays[value["array"]]
+    return array[()] if value["is_scalar"] else array
+
+
+_KINDS: dict[str, Callable[..., JounceError]] = {
+    kind.__name__: kind
+    for module in (errors, optional)
+    for kind in vars(module).values()
+    if isinstance(kind, type) and issubclass(kind, JounceError)
+}
+
+
+def _plain_error(error: JounceError) -> dict[str, Any]:
+    found = error.found if isinstance(error.found, (str, int, float, type(None))) else shown(error.found)
+    return {"kind": type(error).__name__, "told": [error.what, error.where, found, error.allowed, error.hint]}
+
+
+def _error(plain: Mapping[str, Any]) -> JounceError:
+    what, where, found, allowed, hint = plain["told"]
+    return _KINDS.get(plain["kind"], RecordingError)(what, where=where, found=found, allowed=allowed, hint=hint)

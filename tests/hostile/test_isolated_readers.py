@@ -1,0 +1,158 @@
+"""Files that end the process that reads them, keep it busy or fill its memory: one message, and the next is read."""
+
+from __future__ import annotations
+
+import io
+import struct
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from jounce.core.errors import JounceError, RecordingError
+from jounce.recordings import isolated, read_recording, readers, recording, write_recording
+from jounce.recordings.isolated import read_isolated
+from jounce.recordings.readers import Reader, ReaderOptions, SignalTable
+
+EVIL = """
+import os, signal, time
+import numpy as np
+from jounce.core.columns import Column, ColumnTable
+from jounce.core.errors import DescriptionError
+from jounce.recordings import readers
+
+def evil(path, options):
+    what = path.read_text()
+    if what == "crash":
+        os.kill(os.getpid(), signal.SIGSEGV)
+    if what == "exit":
+        os._exit(7)
+    if what == "loop":
+        while True:
+            pass
+    if what == "sleep":
+        time.sleep(60.0)
+    if what == "memory":
+        np.ones(300_000_000)
+    if what == "unknown":
+        raise KeyError("x")
+    if what == "refused":
+        raise DescriptionError("wrong", where="here", found=3, allowed="less", hint="Try.")
+    print("noise on the standard output")
+    fault = readers.RecordingError("text", where="a")
+    columns = (Column("a", "m", np.arange(3.0), "f"), Column("b", "", np.empty(0), "f", fault, "B"))
+    other = ColumnTable((Column("\\ud800", "s", np.arange(2.0)),), ("c",), "g", [4, 5], ("r",))
+    attributes = {"n": np.float64(2.5), "i": np.int64(7), "t": np.array(["x", "y"], dtype=object), "l": np.arange(2)}
+    attributes |= {"text": "µ", "nan": float("nan"), "bytes": b"ab", "odd": object}
+    findings = (readers.Finding("p", "note", "m", np.float64(1.0)),)
+    return readers.SignalTable(ColumnTable(columns), {"a": "long"}, attributes, ("z",), (other,), findings)
+
+readers.reader("evil", "a reader of this test", (".evil",), source="none", example="none", is_isolated=True)(evil)
+"""
+EVIL_READER = Reader("evil", "", (".evil",), lambda *_: SignalTable(None), "", "", is_isolated=True)
+
+
+@pytest.fixture
+def evil(monkeypatch, tmp_path):
+    """Read a file that misbehaves as its text says, with limits that are soon reached."""
+    boot = f"{isolated._PATH}{EVIL}from jounce.recordings.isolated import serve; serve()"
+    monkeypatch.setattr(isolated, "_CHILD", boot)
+    monkeypatch.setattr(isolated, "TIME", 1.0)
+    monkeypatch.setattr(isolated, "MEMORY", 3e8)
+    monkeypatch.setattr(isolated, "_IDLE", [])
+
+    def read(what: str) -> SignalTable:
+        file = tmp_path / "a.evil"
+        file.write_text(what)
+        return read_isolated(EVIL_READER, file, ReaderOptions())
+
+    yield read
+    isolated._end_all()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals and limits of POSIX")
+@pytest.mark.parametrize(
+    ("what", "says"),
+    [
+        ("crash", r"a\.evil: reading the file ended the process that reads it \(SIGSEGV\): it is damaged"),
+        ("exit", r"a\.evil: the process that reads the file ended \(exit code 7\)"),
+        ("loop", r"a\.evil: reading the file does not end: it is damaged; found 'more than 1 s'; allowed: "),
+        ("sleep", r"a\.evil: reading the file does not end"),
+        ("unknown", r"a\.evil: this cannot be used.*\(KeyError: 'x'\)"),
+        ("refused", r"^here: wrong; found 3; allowed: less\. Try\.$"),
+    ],
+)
+def test_what_a_file_does_is_one_message(evil, what: str, says: str) -> None:
+    with pytest.raises(JounceError, match=says):
+        evil(what)
+    assert evil("whole").columns["a"].values.tolist() == [0.0, 1.0, 2.0]
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="elsewhere memory is not limited")
+def test_memory_is_limited_by_the_size_of_the_file(evil) -> None:
+    with pytest.raises(
+        RecordingError, match=r"a\.evil: the file takes more memory than a file of its size may; found '"
+    ):
+        evil("memory")
+    assert evil("whole").left_out == ("z",)
+
+
+def test_everything_comes_back_as_it_was_read(evil) -> None:
+    signals = evil("whole")
+    a, b = signals.columns
+    assert (a.name, a.unit, a.file, a.fault, a.written) == ("a", "m", "f", None, "")
+    assert a.values.flags.writeable
+    assert str(b.fault) == "a: text."
+    assert (b.written, b.values.size) == ("B", 0)
+    (other,) = signals.others
+    assert (other.names, other.comments, other.name_row(1), other.remarks) == (("\ud800",), ("c",), "line 5", ("r",))
+    found = dict(signals.attributes)
+    assert isinstance(found["n"], np.float64)
+    assert isinstance(found["i"], np.int64)
+    assert np.isnan(found.pop("nan"))
+    assert found.pop("t").tolist() == ["x", "y"]
+    assert found.pop("l").tolist() == [0, 1]
+    assert found == {"n": 2.5, "i": 7, "text": "µ", "bytes": "ab", "odd": "<class 'object'>"}
+    assert [str(one) for one in signals.findings] == ["note: p: m"]
+    assert signals.long_names == {"a": "long"}
+
+
+def test_a_child_that_was_killed_while_it_waits_is_replaced(tmp_path: Path) -> None:
+    file = tmp_path / "a.nc"
+    write_recording(recording(np.arange(50) * 0.01, {"tyre.force": (np.arange(50.0), "N", "")}), file)
+    read_recording(file)
+    waiting = isolated._IDLE[-1].process
+    waiting.kill()
+    waiting.wait()
+    assert read_recording(file)[0].sizes["time"] == 50
+
+
+def test_the_same_in_a_process_that_can_start_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    file = tmp_path / "a.nc"
+    write_recording(recording(np.arange(50) * 0.01, {"tyre.force": (np.arange(50.0), "N", "")}), file)
+    in_child = read_recording(file)[0]
+    monkeypatch.setattr(readers, "is_possible", lambda: False)
+    monkeypatch.setattr(isolated, "read_isolated", None)
+    here = read_recording(file)[0]
+    assert here.identical(in_child)
+    assert {key: type(value) for key, value in here.attrs.items()} == {
+        key: type(value) for key, value in in_child.attrs.items()
+    }
+
+
+def test_a_file_that_promises_more_than_the_memory_is_refused_in_seconds(tmp_path: Path) -> None:
+    from scipy.io import savemat
+
+    stream = io.BytesIO()
+    savemat(stream, {"time": np.arange(100) * 0.01, "az": np.ones(100)})
+    content = bytearray(stream.getvalue())
+    at = content.index(struct.pack("<ii", 1, 100))
+    content[at : at + 8] = struct.pack("<ii", 1, 2_000_000_000)
+    file = tmp_path / "a.mat"
+    file.write_bytes(content)
+    start = time.monotonic()
+    with pytest.raises(RecordingError, match=r"a\.mat"):
+        read_recording(file)
+    assert time.monotonic() - start < 60.0
