@@ -17,7 +17,7 @@ import sys
 import threading
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO
+from typing import IO, TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -255,27 +255,27 @@ def _used_memory() -> float:
 # --- what goes through the pipe
 
 
-def _send(stream: BinaryIO, answer: Mapping[str, Any], arrays: list[Any]) -> None:
+def _send(stream: IO[bytes], answer: Mapping[str, Any], arrays: list[Any]) -> None:
     text = json.dumps(answer).encode()
     stream.write(len(text).to_bytes(8, "little") + text)
     for array in arrays:
-        stream.write(memoryview(np.ascontiguousarray(array).reshape(-1)).cast("B"))
+        stream.write(_bytes_of(np.ascontiguousarray(array)))
     stream.flush()
 
 
-def _received(stream: BinaryIO) -> tuple[dict[str, Any], list[Any]]:
+def _received(stream: IO[bytes]) -> tuple[dict[str, Any], list[Any]]:
     text = bytearray(int.from_bytes(_filled(stream, bytearray(8)), "little"))
     answer: dict[str, Any] = json.loads(_filled(stream, text))
     arrays = []
     for dtype, shape in answer.get("signals", {}).get("arrays", ()):
         array = np.empty(shape, np.dtype(dtype))
         if array.size:
-            _filled(stream, memoryview(array.reshape(-1)).cast("B"))
+            _filled(stream, _bytes_of(array))
         arrays.append(array)
     return answer, arrays
 
 
-def _filled(stream: BinaryIO, room: Any) -> Any:
+def _filled(stream: IO[bytes], room: Any) -> Any:
     view, got = memoryview(room), 0
     while got < len(view):
         count = stream.readinto(view[got:])  # type: ignore[attr-defined]
@@ -283,6 +283,10 @@ def _filled(stream: BinaryIO, room: Any) -> Any:
             raise EOFError
         got += count
     return room
+
+
+def _bytes_of(array: Any) -> memoryview:
+    return memoryview(array.reshape(-1)).cast("B")
 
 
 def _plain_signals(signals: SignalTable, arrays: list[Any]) -> dict[str, Any]:

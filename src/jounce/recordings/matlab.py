@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import io
+import math
 import struct
+import warnings
 import zlib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -51,7 +53,11 @@ def read_matrices(path: Path) -> tuple[dict[str, Matrix], list[str], list[Findin
 
     findings: list[Finding] = []
     try:
-        content: dict[str, Any] = loadmat(_inflated(path), simplify_cells=True)
+        with warnings.catch_warnings(record=True) as doubts:
+            warnings.simplefilter("always")
+            content: dict[str, Any] = loadmat(_inflated(path), simplify_cells=True)
+        told = (" ".join(str(doubt.message).split(chr(10))[0].split()) for doubt in doubts)
+        findings += [Finding(str(path), "problem", text) for text in dict.fromkeys(told)]
     except NotImplementedError:  # version 7.3 is HDF5
         content = _content_of_hdf5(path, findings)
     plain = {name: value for name, value in content.items() if not name.startswith(("__", "#"))}
@@ -81,16 +87,57 @@ def _inflated(path: Path) -> io.BytesIO:
         if len(body) < size or at + 8 > len(content):
             what = "the file was cut off within a variable"
             raise RecordingError(what, where=str(path), found=f"{len(body)} bytes", allowed=f"{size} bytes")
+        variable = content[at : at + 8 + size]
         if kind == _COMPRESSED:
             inflater = zlib.decompressobj()
-            inside = inflater.decompress(body, _MOST_INFLATED - sum(map(len, parts)))
-            if not inflater.eof:
-                raise ValueError("a compressed variable has no end")
-            parts.append(inside)
-        else:
-            parts.append(content[at : at + 8 + size])
+            variable = inflater.decompress(body, _MOST_INFLATED - sum(map(len, parts)))
+            if not inflater.eof or inflater.unused_data:
+                raise ValueError("a compressed variable does not end where it should")
+        for inner, held in _elements(variable, order):
+            if inner == _MATRIX:
+                _check_matrix(held, order, 0)
+        parts.append(variable)
         at += 8 + size
     return io.BytesIO(b"".join(parts))
+
+
+_MATRIX, _CELL, _STRUCT, _OBJECT, _DOUBLE, _LAST = 14, 1, 2, 3, 6, 15
+_SIZES = {1: 1, 2: 1, 3: 2, 4: 2, 5: 4, 6: 4, 7: 4, 9: 8, 12: 8, 13: 8}
+"""Bytes of each stored kind of number."""
+
+
+def _elements(content: bytes | memoryview, order: str) -> Iterator[tuple[int, memoryview]]:
+    """Kind and content of the data elements that lie one behind the other; ValueError where one is cut off."""
+    view, at = memoryview(content), 0
+    while at + 8 <= len(view):
+        (kind,) = struct.unpack_from(f"{order}I", view, at)
+        if kind >> 16:  # four bytes or fewer stand in the tag itself
+            kind, size, start, after = kind & 0xFFFF, kind >> 16, at + 4, at + 8
+        else:
+            (size,) = struct.unpack_from(f"{order}I", view, at + 4)
+            start, after = at + 8, at + 8 + -(-size // 8) * 8
+        if start + size > min(after, len(view)):
+            raise ValueError("a part of a variable is cut off")
+        yield kind, view[start : start + size]
+        at = after
+
+
+def _check_matrix(matrix: memoryview, order: str, depth: int) -> None:
+    """Refuse a matrix of numbers, also within structs and cells, that announces another count than it holds."""
+    parts = list(_elements(matrix, order))
+    if len(parts) < 4 or depth > _DEEPEST or len(parts[0][1]) < 4:
+        return
+    kind = struct.unpack_from(f"{order}I", parts[0][1])[0] & 0xFF
+    if kind in (_CELL, _STRUCT, _OBJECT):
+        for inner, held in parts[3:]:
+            if inner == _MATRIX:
+                _check_matrix(held, order, depth + 1)
+    elif _DOUBLE <= kind <= _LAST:
+        stored, numbers = parts[3]
+        announced = math.prod(struct.unpack(f"{order}{len(parts[1][1]) // 4}i", parts[1][1]))
+        count = len(numbers) // _SIZES.get(stored, 8)
+        if count != announced:
+            raise ValueError(f"a matrix announces {announced} numbers and holds {count}")
 
 
 def _walk(path: str, value: Any, found: dict[str, Matrix], left_out: list[str], depth: int) -> None:
