@@ -2,6 +2,8 @@
 
 2026-11-21, first version: 972 operations a Newton step and 1644 for 52 quantities of a double wishbone (1342 and 2258
 with masses in the equations, which do not matter here).
+2026-11-22: 63 quantities. Trail, scrub and offsets in the wheel's axes too, angles of the swing arms, the axis at held
+spring length; links steer about the pure turn that rack and travel can make.
 """
 
 from __future__ import annotations
@@ -12,10 +14,10 @@ import jounce as jn
 from jounce.kinematics.model import kinematic_model
 
 PINNED = {
-    "reference-double-wishbone": {"pose": 972, "output": 1644},
-    "formula-student-front": {"pose": 1244, "output": 1953},
-    "generic-mcpherson": {"pose": 1051, "output": 1875},
-    "sedan-multi-link": {"pose": 2664, "output": 6585},
+    "reference-double-wishbone": {"pose": 972, "output": 1806},
+    "formula-student-front": {"pose": 1244, "output": 2118},
+    "generic-mcpherson": {"pose": 1051, "output": 2061},
+    "sedan-multi-link": {"pose": 2664, "output": 7349},
     "semi-trailing-arm": {"pose": 60, "output": 562},
 }
 

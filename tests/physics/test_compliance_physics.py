@@ -54,6 +54,7 @@ def test_compliances_are_slopes_of_the_state(rig, load: str, field: str, step: f
     ]
     for name in ("toe", "camber", "steer"):
         slope = float(states[1][name][0] - states[0][name][0]) / (2.0 * step)
+        slope *= -1.0 if load == "braking" else 1.0  # a newton of braking is one to the rear
         own = float(found[f"{load}.{name}"][0])
         assert own == pytest.approx(slope, rel=2e-4, abs=2e-11), name
 
@@ -61,14 +62,14 @@ def test_compliances_are_slopes_of_the_state(rig, load: str, field: str, step: f
 def test_displacements_are_reciprocal(rig) -> None:
     """Maxwell and Betti: the patch's x under a lateral force is its y under a longitudinal one, and so on."""
     found = jn.compliance(rig, [-0.01, 0.0, 0.01])
-    for one, other in (
-        ("braking.patch_y", "lateral.patch_x"),
-        ("driving.patch_x", "braking.wheel_centre_x"),
-        ("driving.patch_y", "lateral.wheel_centre_x"),
+    for one, other, sign in (
+        ("braking.patch_y", "lateral.patch_x", -1.0),
+        ("driving.patch_x", "braking.wheel_centre_x", -1.0),
+        ("driving.patch_y", "lateral.wheel_centre_x", 1.0),
     ):
-        assert found[one].to_numpy() == pytest.approx(found[other].to_numpy(), rel=1e-8, abs=1e-15)
-    for name in ("braking.patch_x", "lateral.patch_y", "driving.wheel_centre_x"):
-        assert np.all(found[name] > 0.0)  # loads do work
+        assert found[one].to_numpy() == pytest.approx(sign * found[other].to_numpy(), rel=1e-8, abs=1e-15)
+    for name, sign in (("braking.patch_x", -1.0), ("lateral.patch_y", 1.0), ("driving.wheel_centre_x", 1.0)):
+        assert np.all(sign * found[name] > 0.0)  # loads do work: braking pushes to the rear
 
 
 def test_hard_bushings_are_ideal_joints() -> None:
@@ -105,7 +106,7 @@ def test_an_arm_on_two_bushings_by_hand() -> None:
     patch = np.array([float(swept[f"contact_point_{axis}"][0]) for axis in "xyz"])
     held = rows(patch)[2:]
     matrix = np.block([[stiffness, held.T], [held, np.zeros((1, 1))]])
-    for load, force in (("braking", rows(patch)[0]), ("lateral", rows(patch)[1]), ("aligning", np.eye(6)[5])):
+    for load, force in (("braking", -rows(patch)[0]), ("lateral", rows(patch)[1]), ("aligning", np.eye(6)[5])):
         moved = np.linalg.solve(matrix, [*force, 0.0])[:6]
         shift = rows(patch) @ moved
         assert float(found[f"{load}.patch_x"][0]) == pytest.approx(shift[0], rel=1e-7)

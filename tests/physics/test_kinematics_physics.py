@@ -274,18 +274,58 @@ def test_both_wheels_steer_alike() -> None:
     assert found["left.steer"].to_numpy() == pytest.approx(-found["right.steer"].to_numpy()[::-1], abs=1e-12)
     assert found["ackermann"].to_numpy()[[0, 1]] == pytest.approx(found["ackermann"].to_numpy()[[4, 3]], rel=1e-9)
     assert np.isnan(found["ackermann"].to_numpy()[2])
-    # both wheels roll about one centre on the rear axle: cot outer - cot inner = distance of the kingpins / wheelbase
-    left, right = (np.abs(found[f"{side}.steer"].to_numpy()) for side in ("left", "right"))
-    kingpins = (found["track"] - found["left.scrub_radius"] - found["right.scrub_radius"]).to_numpy()
-    assert kingpins[2] == pytest.approx(
-        2.0 * (0.72 + 0.03 * 0.14 / 0.26), rel=1e-4
-    )  # ball joints (0.72, 0.14), (0.69, 0.40)
-    for i, inner, outer in ((0, left[0], right[0]), (1, left[1], right[1]), (4, right[4], left[4])):
-        ideal = np.arctan(1.0 / (1.0 / np.tan(inner) + kingpins[i] / 2.7))
-        share = (inner - outer) / (inner - ideal)
-        assert ideal < inner
+    # the wheels' normals meet the line of the rear axle, 2.7 m behind the static wheel centre
+    rear = rig.hardpoints.wheel_centre[0] - 2.7
+    for i in (0, 1, 3, 4):
+        centres = {
+            side: float(found[f"{side}.contact_point_y"][i])
+            + (float(found[f"{side}.contact_point_x"][i]) - rear) / np.tan(float(found[f"{side}.steer"][i]))
+            for side in ("left", "right")
+        }
+        inner, outer = ("left", "right") if float(found["mean_steer"][i]) > 0.0 else ("right", "left")
+        x, y = (float(found[f"{outer}.contact_point_{axis}"][i]) for axis in "xy")
+        ideal = abs(np.arctan((x - rear) / (centres[inner] - y)))
+        steer = {side: abs(float(found[f"{side}.steer"][i])) for side in ("left", "right")}
+        assert ideal < steer[inner]
+        assert float(found["ideal_outer_steer"][i]) == pytest.approx(ideal, rel=1e-12)
+        share = (steer[inner] - steer[outer]) / (steer[inner] - ideal)
         assert float(found["ackermann"][i]) == pytest.approx(share, rel=1e-9)
-    assert float(found["turning_radius"][0]) == pytest.approx(2.7 / np.tan(float(found["mean_steer"][0])), rel=1e-12)
+        assert float(found["ackermann_error"][i]) == pytest.approx(steer[outer] - ideal, abs=1e-12)
+        radius = 0.5 * (centres["left"] + centres["right"])
+        assert float(found["turning_radius"][i]) == pytest.approx(radius, rel=1e-12)
+        kerb = 2.0 * np.hypot(radius - y, x - rear)
+        assert float(found["turn_diameter_kerbs"][i]) == pytest.approx(kerb, rel=1e-12)
+
+
+def test_a_linkage_of_perfect_ackermann_has_one() -> None:
+    """The wheelbase that makes the normals meet is found from the normals themselves."""
+    rig = jn.load("reference-double-wishbone")
+    plain = jn.sweep_steering(rig, [-0.03])
+    x, y, steer = (
+        {side: float(plain[f"{side}.{name}"][0]) for side in ("left", "right")}
+        for name in ("contact_point_x", "contact_point_y", "steer")
+    )
+    # x_l - s_l sin = x_r - s_r sin, y_l + s_l cos = y_r + s_r cos
+    matrix = [[-np.sin(steer["left"]), np.sin(steer["right"])], [np.cos(steer["left"]), -np.cos(steer["right"])]]
+    along = np.linalg.solve(matrix, [x["right"] - x["left"], y["right"] - y["left"]])
+    meets = x["left"] - along[0] * np.sin(steer["left"])
+    wheelbase = rig.hardpoints.wheel_centre[0] - meets
+    assert wheelbase > 0.5
+    car = jn.AxleLayout(
+        axle="front",
+        wheelbase=wheelbase,
+        centre_of_mass_height=0.55,
+        brake_share=0.6,
+        front_overhang="0.8 m",
+        body_width="1.7 m",
+    )
+    found = jn.sweep_steering(rig, [-0.03], vehicle=car)
+    assert float(found["ackermann"][0]) == pytest.approx(1.0, abs=1e-9)
+    assert float(found["ackermann_error"][0]) == pytest.approx(0.0, abs=1e-10)
+    centre = y["left"] + along[0] * np.cos(steer["left"])
+    assert float(found["turning_radius"][0]) == pytest.approx(centre, rel=1e-9)
+    walls = 2.0 * np.hypot(abs(centre) + 0.85, wheelbase + 0.8)
+    assert float(found["turn_diameter_walls"][0]) == pytest.approx(walls, rel=1e-9)
 
 
 def test_rack_of_an_axle_turns_the_right_wheel_as_its_own_description_says() -> None:

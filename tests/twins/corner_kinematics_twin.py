@@ -330,8 +330,12 @@ class Corner:
         }
 
     def virtual_axis(self, pose: Pose) -> tuple[np.ndarray, np.ndarray]:
-        """Axis of the screw by which the rack turns the upright at constant height: a point and a unit direction up."""
+        """Axis of the pure turn that rack and travel make, of two the one with less travel: point, direction up."""
         v, w = self.steering_motion(pose)
+        lift = self.motion(pose)
+        roots = np.roots([lift.w @ lift.v, w @ lift.v + lift.w @ v, w @ v])
+        share = min(roots[np.isreal(roots)].real, key=abs)
+        v, w = v + share * lift.v, w + share * lift.w
         direction = w / np.linalg.norm(w)
         point = pose.at(self.centre) + np.cross(w, v) / (w @ w)
         return point, direction * np.sign(direction[2])

@@ -80,6 +80,8 @@ def kinematics(
     stopped = str(sweep.attrs["stopped"])
     if stopped:
         tell(f"{stopped}. The poses before that are kept.")
+    elif sweep.attrs.get("findings"):
+        tell(str(sweep.attrs["findings"]))
     written = [str(path) for path in (out, plot) if path is not None]
     exit_code = REFUSED if stopped else DONE
     return Reply(plain_sweep(sweep), lambda console: _draw(console, rig, sweep, written), as_json, exit_code)

@@ -49,6 +49,8 @@ _ODD = {  # rows that change sign in a mirror across y
     "bump_steer",
     "instant_centre_y",
 }
+_INNER_MORE = "positive: inner wheel steers more"
+_OUTER_MORE = "positive: outer wheel steers more than Ackermann geometry asks, towards parallel steering"
 _BEND = 1e-4  # rad: step of the only difference, that of an exact slope
 
 
@@ -353,16 +355,18 @@ def sweep_steering(
     travel : float or str
         Vertical travel of both wheel centres from design, m, bump positive.
     vehicle : AxleLayout, optional
-        Its wheelbase adds ``ackermann`` and ``turning_radius``.
+        Its wheelbase adds the rows of the turn; ``front_overhang`` and ``body_width`` that between walls.
 
     Returns
     -------
     xarray.Dataset
         On ``rack_travel`` (m): ``left.<quantity>`` and ``right.<quantity>`` of the catalogue; ``mean_steer`` (rad,
         about +z), ``steer_difference`` (rad, inner minus outer wheel), ``track`` (m, between the contact points). With
-        a vehicle ``ackermann`` [1], the difference as a share of that with which both wheels roll about one centre on
-        the rear axle (1: Ackermann, 0: parallel, NaN straight ahead), and ``turning_radius`` (m, of that centre from
-        the middle of the rear axle, positive to the left).
+        a vehicle ``ackermann`` [1] = (inner - outer) / (inner - ideal outer steer angle): 1 where the normals through
+        both contact points meet on the line of the rear axle, the wheelbase behind the static wheel centre, 0 for
+        parallel wheels, NaN straight ahead; ``ideal_outer_steer`` and ``ackermann_error`` (rad, outer minus ideal);
+        ``turning_radius`` (m, from the middle of the rear axle to the middle between the points where both normals
+        meet its line, positive to the left); ``turn_diameter_kerbs`` and ``turn_diameter_walls`` (m).
 
     Raises
     ------
@@ -390,11 +394,11 @@ def sweep_steering(
     found = AxleVariables("rack_travel", racks, "m", "travel of the steering rack", "positive: to the left (+y)")
     found.add_wheel(axle, left, "left", 1.0)
     found.add_wheel(axle, right, "right", -1.0)
-    _add_rows(found, left, right, vehicle)
+    _add_rows(found, left, right, vehicle, axle)
     return found.dataset(kept, axle, corner)
 
 
-def _add_rows(found: AxleVariables, left: WheelRows, right: WheelRows, vehicle: AxleLayout | None) -> None:
+def _add_rows(found: AxleVariables, left: WheelRows, right: WheelRows, vehicle: AxleLayout | None, axle: Axle) -> None:
     one, other = left.rows["steer"], -right.rows["steer"]
     mean = 0.5 * (one + other)
     difference = one - other  # the inner wheel is the left one in left turns, where both angles are positive
@@ -408,16 +412,52 @@ def _add_rows(found: AxleVariables, left: WheelRows, right: WheelRows, vehicle: 
         "positive: toe-out",
     )
     found.add("track", track, "m", "track: distance of the contact points", "never negative")
-    if vehicle is None:
-        return
-    inner = np.abs(np.where(mean > 0.0, one, other))
-    turned = np.abs(mean) > _STRAIGHT
+    if vehicle is not None:
+        _add_turn(found, left, right, vehicle, axle)
+
+
+def _add_turn(found: AxleVariables, left: WheelRows, right: WheelRows, vehicle: AxleLayout, axle: Axle) -> None:
+    """Ackermann and turning circle, from the normals through the contact points and the line of the rear axle.
+
+    In a turn to the right the axle is looked at in a mirror, so that the inner wheel is always the left one of a turn
+    to the left: places from the middle of the rear axle, forward (m) and to the inner side (m), angles into the turn.
+    """
+    rear = float(axle.rig.hardpoints.wheel_centre[0]) - vehicle.wheelbase
+    to_left = found.values["mean_steer"] > 0.0
+    turned = np.abs(found.values["mean_steer"]) > _STRAIGHT
+
+    def part(name: str, inner: bool, sign: float = 1.0) -> Array:
+        return sign * np.where(to_left == inner, left.rows[name], right.rows[name])
+
+    steer, other = part("steer", True), part("steer", False, -1.0)
+    ahead, behind = (part("contact_point_x", inner) - rear for inner in (True, False))
     with np.errstate(divide="ignore", invalid="ignore"):
-        pivots = track - left.rows["scrub_radius"] - right.rows["scrub_radius"]
-        ideal = inner - np.arctan(1.0 / (1.0 / np.tan(inner) + pivots / vehicle.wheelbase))
-        share = np.where(turned, difference / ideal, np.nan)
-        radius = np.where(turned, vehicle.wheelbase / np.tan(mean), np.inf)
+        centres = (
+            part("contact_point_y", True) + ahead / np.tan(steer),
+            part("contact_point_y", False, -1.0) + behind / np.tan(other),
+        )
+        ideal = np.arctan2(behind, centres[0] - part("contact_point_y", False, -1.0))
+        share = np.where(turned, (steer - other) / (steer - ideal), np.nan)
+        middle = np.where(turned, 0.5 * (centres[0] + centres[1]), np.inf)
+        kerb = 2.0 * np.hypot(middle - part("contact_point_y", False, -1.0), behind)
+    ideal, error = (np.where(turned, value, np.nan) for value in (ideal, other - ideal))
+    to_it = "positive: into the turn"
+    found.add("ackermann", share, "1", "steer difference over that of Ackermann geometry", _INNER_MORE)
+    found.add("ideal_outer_steer", ideal, "rad", "steer angle of the outer wheel by Ackermann geometry", to_it)
+    found.add("ackermann_error", error, "rad", "steer angle of the outer wheel minus the ideal one", _OUTER_MORE)
     found.add(
-        "ackermann", share, "1", "steer difference over that of Ackermann geometry", "positive: inner wheel steers more"
+        "turning_radius",
+        np.where(to_left, middle, -middle),
+        "m",
+        "turning centre from the middle of the rear axle",
+        "positive: left",
     )
-    found.add("turning_radius", radius, "m", "turning centre from the middle of the rear axle", "positive: left")
+    width = 0.0 if axle.rig.wheel.width is None else float(axle.rig.wheel.width)
+    what = "turn diameter between kerbs, of the outer wheel's contact point" + (" and half its width" if width else "")
+    found.add("turn_diameter_kerbs", kerb + width, "m", what, "never negative")
+    if vehicle.front_overhang is not None and vehicle.body_width is not None:
+        front = vehicle.wheelbase + vehicle.front_overhang
+        walls = 2.0 * np.hypot(middle + 0.5 * vehicle.body_width, front)
+        found.add(
+            "turn_diameter_walls", walls, "m", "turn diameter between walls, of the body's corner", "never negative"
+        )

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from jounce.kinematics.view import CornerView
+from jounce.kinematics.view import Axis, CornerView, caster_of
 
 
 @dataclass(frozen=True)
@@ -50,33 +50,48 @@ def _track_of(view: CornerView) -> ca.SX:
     return view.rack.value if view.rack is not None else ca.SX(0.0)
 
 
-def _trail(view: CornerView) -> ca.SX:
-    return view.steering_axis.at_height(view.contact[2])[0] - view.contact[0]
+def _ground_lead(view: CornerView) -> ca.SX:
+    """From the contact point to the steering axis at the ground: forward, and outward; vehicle's axes."""
+    return view.steering_axis.leads(view.contact)
 
 
-def _scrub(view: CornerView) -> ca.SX:
-    return view.contact[1] - view.steering_axis.at_height(view.contact[2])[1]
+def _centre_lead(view: CornerView) -> ca.SX:
+    """From the wheel centre to the steering axis at its height: forward, and outward; vehicle's axes."""
+    return view.steering_axis.leads(view.centre.value)
 
 
-def _spindle(view: CornerView, i: int) -> ca.SX:
-    centre = view.centre.value
-    return centre[i] - view.steering_axis.at_height(centre[2])[i]
+def _held_lead(view: CornerView) -> ca.SX:
+    return view.held_axis.leads(view.contact)
 
 
-def _kingpin_inclination(view: CornerView) -> ca.SX:
-    along = view.steering_axis.along
-    return ca.atan2(-along[1], along[2])
+def _by_wheel(view: CornerView, lead: ca.SX) -> ca.SX:
+    """A horizontal vector in the wheel's axes, which are turned by the steer angle: along the wheel, and outward."""
+    c, s = ca.cos(view.toe_out), ca.sin(view.toe_out)
+    return ca.vertcat(c * lead[0] + s * lead[1], c * lead[1] - s * lead[0])
+
+
+def _inclination_of(axis: Axis) -> ca.SX:
+    """Inclination of a line in the front view, top inboard."""
+    return ca.atan2(-axis.along[1], axis.along[2])
+
+
+def _turning(view: CornerView, i: int) -> ca.SX:
+    """Turn of the upright about a horizontal axis, rad/m; none where it is rounding, so that the centre is at infinity.
+
+    The instant centre of parallel links is nowhere; what rounding leaves of the turn would put it 1e16 m away.
+    """
+    return ca.if_else(ca.fabs(view.spin[i]) > _PARALLEL, view.spin[i], 0.0)
 
 
 def _front_centre(view: CornerView) -> tuple[ca.SX, ca.SX]:
     """Instant centre in the front view: y (of a left wheel) and z."""
-    contact, patch, turn = view.contact, view.patch, view.spin[0]
+    contact, patch, turn = view.contact, view.patch, _turning(view, 0)
     return contact[1] - patch[2] / turn, contact[2] + patch[1] / turn
 
 
 def _side_centre(view: CornerView) -> tuple[ca.SX, ca.SX]:
     """Instant centre in the side view: x and z."""
-    contact, patch, turn = view.contact, view.patch, view.spin[1]
+    contact, patch, turn = view.contact, view.patch, _turning(view, 1)
     return contact[0] + patch[2] / turn, contact[2] - patch[0] / turn
 
 
@@ -117,6 +132,7 @@ def _bar_rate(view: CornerView) -> ca.SX:
     return 2.0 * view.mechanism.parameter("anti_roll_bar.stiffness") * view.slope(view.bar_angle) ** 2
 
 
+_PARALLEL = 1e-9  # rad/m: a swing arm of 1000 km
 _TOP_OUT, _LEFT_TURN = "positive: top outward", "positive: about +z, a left turn"
 _BUMP = "positive: bump, the wheel rises"
 _HEAVY = "ISO 23365:2022, "
@@ -132,16 +148,46 @@ CATALOGUE: tuple[Quantity, ...] = (
     Quantity("toe", "rad", "toe angle", lambda v: -v.toe_out, "positive: toe-in", "ISO 8855:2011, 7.1.6"),
     Quantity("caster", "rad", "caster angle", lambda v: v.caster, "positive: top rearward", _HEAVY + "7.1.6",
         needs="axis"),
-    Quantity("kingpin_inclination", "rad", "kingpin inclination", _kingpin_inclination, "positive: top inboard",
-        _HEAVY + "7.1.9", needs="axis"),
-    Quantity("caster_trail", "m", "caster trail at the ground", _trail,
+    Quantity("kingpin_inclination", "rad", "kingpin inclination", lambda v: _inclination_of(v.steering_axis),
+        "positive: top inboard", _HEAVY + "7.1.9", needs="axis"),
+    Quantity("caster_trail", "m", "caster trail at the ground, vehicle's axes", lambda v: _ground_lead(v)[0],
         "positive: steering axis meets the ground ahead of the contact point", _HEAVY + "7.1.7", needs="axis"),
-    Quantity("scrub_radius", "m", "kingpin offset at the ground", _scrub,
+    Quantity("scrub_radius", "m", "kingpin offset at the ground, vehicle's axes", lambda v: -_ground_lead(v)[1],
         "positive: steering axis meets the ground inboard of the contact point", _HEAVY + "7.1.10", needs="axis"),
-    Quantity("spindle_offset", "m", "kingpin offset at the wheel centre", lambda v: _spindle(v, 1),
-        "positive: steering axis inboard of the wheel centre", _HEAVY + "7.1.11", needs="axis"),
-    Quantity("wheel_centre_caster_offset", "m", "caster offset at the wheel centre", lambda v: _spindle(v, 0),
-        "positive: wheel centre ahead of the steering axis", _HEAVY + "7.1.8", needs="axis"),
+    Quantity("spindle_offset", "m", "kingpin offset at the wheel centre, vehicle's axes",
+        lambda v: -_centre_lead(v)[1], "positive: steering axis inboard of the wheel centre", _HEAVY + "7.1.11",
+        needs="axis"),
+    Quantity("wheel_centre_caster_offset", "m", "caster offset at the wheel centre, vehicle's axes",
+        lambda v: -_centre_lead(v)[0], "positive: wheel centre ahead of the steering axis", _HEAVY + "7.1.8",
+        needs="axis"),
+    Quantity("caster_trail_wheel", "m", "caster trail at the ground, wheel's axes (turned by the steer angle)",
+        lambda v: _by_wheel(v, _ground_lead(v))[0],
+        "positive: steering axis meets the ground ahead of the contact point", needs="axis"),
+    Quantity("scrub_radius_wheel", "m", "kingpin offset at the ground, wheel's axes (turned by the steer angle)",
+        lambda v: -_by_wheel(v, _ground_lead(v))[1],
+        "positive: steering axis meets the ground inboard of the contact point", needs="axis"),
+    Quantity("spindle_offset_wheel", "m",
+        "kingpin offset at the wheel centre, wheel's axes (turned by the steer angle)",
+        lambda v: -_by_wheel(v, _centre_lead(v))[1], "positive: steering axis inboard of the wheel centre",
+        needs="axis"),
+    Quantity("wheel_centre_caster_offset_wheel", "m",
+        "caster offset at the wheel centre, wheel's axes (turned by the steer angle)",
+        lambda v: -_by_wheel(v, _centre_lead(v))[0], "positive: wheel centre ahead of the steering axis",
+        needs="axis"),
+    Quantity("steering_axis_pitch", "m/rad", "motion along the steering axis over the turn about it",
+        lambda v: v.steering_pitch, "positive: upward in a left turn; 0 where rack and travel make a pure turn",
+        needs="axis"),
+    Quantity("caster_held_spring", "rad", "caster angle of the screw that the rack makes at held spring length",
+        lambda v: caster_of(v.held_axis), "positive: top rearward", needs="rack"),
+    Quantity("kingpin_inclination_held_spring", "rad",
+        "kingpin inclination of the screw that the rack makes at held spring length",
+        lambda v: _inclination_of(v.held_axis), "positive: top inboard", needs="rack"),
+    Quantity("caster_trail_held_spring", "m",
+        "caster trail, vehicle's axes, of the screw that the rack makes at held spring length",
+        lambda v: _held_lead(v)[0], "positive: axis meets the ground ahead of the contact point", needs="rack"),
+    Quantity("scrub_radius_held_spring", "m",
+        "kingpin offset at the ground, vehicle's axes, of the screw that the rack makes at held spring length",
+        lambda v: -_held_lead(v)[1], "positive: axis meets the ground inboard of the contact point", needs="rack"),
     Quantity("wheel_centre_x", "m", "wheel centre, x", lambda v: v.centre.value[0], "positive: forward"),
     Quantity("wheel_centre_y", "m", "wheel centre, y", lambda v: v.side * v.centre.value[1], "positive: left"),
     Quantity("wheel_centre_z", "m", "wheel centre, z", lambda v: v.centre.value[2], "positive: up"),
@@ -166,10 +212,14 @@ CATALOGUE: tuple[Quantity, ...] = (
         "positive: ahead of x = 0"),
     Quantity("side_instant_centre_z", "m", "side-view instant centre, z", lambda v: _side_centre(v)[1],
         "positive: above z = 0"),
-    Quantity("front_view_swing_arm_length", "m", "front-view swing arm length", lambda v: v.patch[2] / v.spin[0],
+    Quantity("front_view_swing_arm_length", "m", "front-view swing arm length", lambda v: v.patch[2] / _turning(v, 0),
         "positive: instant centre inboard of the contact point"),
-    Quantity("side_view_swing_arm_length", "m", "side-view swing arm length", lambda v: v.patch[2] / v.spin[1],
+    Quantity("side_view_swing_arm_length", "m", "side-view swing arm length", lambda v: v.patch[2] / _turning(v, 1),
         "positive: instant centre ahead of the contact point"),
+    Quantity("front_view_swing_arm_angle", "rad", "front-view swing arm angle to the ground",
+        lambda v: ca.atan(_lateral(v)), "positive: rises inboard, as towards a roll centre above the ground"),
+    Quantity("side_view_swing_arm_angle", "rad", "side-view swing arm angle to the ground",
+        lambda v: -ca.atan(v.patch[0] / v.patch[2]), "positive: rises forward"),
     Quantity("roll_centre_height", "m", "roll centre height of a symmetric axle", lambda v: v.contact[1] * _lateral(v),
         "positive: above the plane through the contact point"),
     Quantity("jacking", "1", "jacking: vertical force on the wheel per outward lateral force", _lateral,

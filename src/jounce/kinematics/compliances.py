@@ -32,7 +32,7 @@ _ITERATIONS = 40
 _SETTLED = 1e-12  # m, rad
 _FREE = 1e-13  # smallest singular value of the scaled equations, relative to the largest
 LOADS = {
-    "braking": ("N", "longitudinal force at the contact patch, forward, wheel locked"),
+    "braking": ("N", "braking force at the contact patch, rearward, wheel locked"),
     "driving": ("N", "longitudinal force at the wheel centre, forward"),
     "lateral": ("N", "lateral force at the contact patch, to the left"),
     "aligning": ("N*m", "torque about +z"),
@@ -96,7 +96,8 @@ def compliance(
     xarray.Dataset
         On ``wheel_travel`` (m): ``<load>.<quantity>`` for the loads braking, driving, lateral (N) and aligning (N m)
         and the quantities toe, camber, steer (rad), wheel_centre_x, wheel_centre_y, patch_x, patch_y (m); and the
-        state itself: ``toe``, ``camber``, ``steer`` (rad). Forces in ground axes (x forward, y left, z up).
+        state itself: ``toe``, ``camber``, ``steer`` (rad). A newton of ``braking`` pushes the patch rearward, one of
+        ``driving`` the wheel centre forward; lateral forces (to the left), torques and places are in ground axes.
 
     Raises
     ------
@@ -163,7 +164,7 @@ def _build(rig: Corner) -> ElasticModel:
     mirror = ca.SX([1.0, view.side, 1.0])
     patch, centre, turn = mirror * view.patch, mirror * view.centre.rate, linkage.upright.spin[2]
     loads = [mechanism.parameter(f"compliance.{name}") for name in LOADS]
-    for rate, force in zip((patch[0], centre[0], patch[1], turn), loads, strict=True):
+    for rate, force in zip((-patch[0], centre[0], patch[1], turn), loads, strict=True):
         mechanism.load(rate, force)
     angles = ca.vertcat(-view.toe_out, view.camber, view.side * view.toe_out)
     rates = ca.vertcat(mechanism.rate_of(angles), centre[:2], patch[:2])
@@ -193,9 +194,9 @@ def _functions(statics: Statics, loads: ca.SX, angles: ca.SX, rates: ca.SX) -> E
 def _yields(rig: Corner, ground: float, rack: float, load: ContactLoad) -> tuple[Array, Array]:
     """Angles at equilibrium, shape (3,), and slopes of the quantities along the loads, shape (quantities, loads)."""
     model = _elastic_model(rig)
-    longitudinal = "braking" if load.through == "contact_point" else "driving"
+    longitudinal, forward = ("braking", -1.0) if load.through == "contact_point" else ("driving", 1.0)
     given = {"ground": ground, "rack": rack, "lateral": load.lateral_force, "aligning": load.aligning_torque}
-    given[longitudinal] = load.longitudinal_force
+    given[longitudinal] = forward * load.longitudinal_force
     numbers = {**rig.parameters(), **{f"compliance.{name}": 0.0 for name in LOADS}}
     numbers |= {f"compliance.{name}": value for name, value in given.items()}
     p = np.array([numbers[path] for path in model.parameters])

@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError, SimulationError, nearest
+from jounce.core.findings import Finding
 from jounce.core.types import Array
-from jounce.core.units import PositiveLength, Unit, to_si
+from jounce.core.units import Length, PositiveLength, Unit, to_si
 from jounce.core.writing import Formats
 from jounce.kernel.poses import END_OF_TRAVEL, REACHED, Found, Walk, Work, space_for, walk_poses, walk_variants
 from jounce.kinematics.model import KinematicModel, check_corner, check_rack, kinematic_model
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
 Values = float | str | Sequence[float | str] | Array
 """Values to sweep over: numbers in SI, or text such as "-80 mm:80 mm:4 mm" (first, last, step)."""
 _MOST_POSES = 1_000_000
+_FARTHEST = 2.0  # m: no wheel or rack travels that far
 _WHOLE = 1e-9  # share of a step by which the end of a range may miss it
 
 
@@ -55,6 +57,7 @@ def text_range(text: str, unit: str, where: str) -> Array:
         raise DescriptionError("not a range", where=where, found=text, allowed='"first:last:step", or one value')
     numbers = [_quantity(part, unit, where) for part in parts]
     if len(numbers) == 1:
+        refuse_metres(np.array(numbers), where, unit, text)
         return np.array(numbers)
     first, last, step = numbers
     if step <= 0.0:
@@ -67,10 +70,24 @@ def text_range(text: str, unit: str, where: str) -> Array:
             allowed="a first value below the last one",
             hint="Exchange them, or give one value.",
         )
+    refuse_metres(np.array([first, last]), where, unit, text)
     count = (last - first) / step + _WHOLE
     if count > _MOST_POSES:
         raise DescriptionError("too many values", where=where, found=f"{count:.3g}", allowed=f"at most {_MOST_POSES}")
     return np.round(first + step * np.arange(int(count) + 1), 12)
+
+
+def refuse_metres(values: Array, where: str, unit: str, text: object = None) -> None:
+    """Refuse travels (m) that no suspension makes: millimetres that were given as metres."""
+    far = float(np.max(np.abs(values), initial=0.0))
+    if unit == "m" and far >= _FARTHEST:
+        raise DescriptionError(
+            f"{far:g} m of travel; a bare number is in metres",
+            where=where,
+            found=text if text is not None else f"{far:g} m",
+            allowed=f"below {_FARTHEST:g} m",
+            hint='Millimetres meant? Write "-20 mm:20 mm:2 mm".',
+        )
 
 
 def _quantity(text: str, unit: str, where: str) -> float:
@@ -108,6 +125,7 @@ def sweep_values(values: Values, name: str, unit: str = "m") -> Array:
     checked = si_values(values, unit, name)
     if not np.all(np.isfinite(checked)):
         raise DescriptionError("not a finite number", where=name, found=checked[~np.isfinite(checked)][0])
+    refuse_metres(checked, name, unit)
     falls = np.flatnonzero(np.diff(checked) <= 0.0)
     if len(falls):
         i = int(falls[0])
@@ -165,7 +183,8 @@ class AxleLayout(Description):
     """The car around a corner, for shares of load transfer that the suspension's geometry carries.
 
     ``axle`` says which one the corner belongs to; ``wheelbase`` (m), ``centre_of_mass_height`` (m, above the ground);
-    ``brake_share`` is this axle's share of the braking force (outboard brakes).
+    ``brake_share`` is this axle's share of the braking force (outboard brakes). ``front_overhang`` (m, of the body
+    ahead of the front wheel centres) and ``body_width`` (m) are for the turn diameter between walls.
 
     Examples
     --------
@@ -177,6 +196,8 @@ class AxleLayout(Description):
     wheelbase: PositiveLength
     centre_of_mass_height: PositiveLength
     brake_share: _Share
+    front_overhang: Length | None = None
+    body_width: PositiveLength | None = None
 
 
 _ANTI_EFFECTS = {
@@ -283,6 +304,46 @@ def _to_target(walk: Walk, found: Found, j: int, target: Array) -> Walk:
         targets=np.array([target]),
         before=np.array([-1], dtype=np.int64),
     )
+
+
+# toggles --------------------------------------------------------------------------------------------------------------
+
+_TOGGLE = 3.0  # times the speed at design from which a mechanism is said to be near a toggle
+_TRACKS = ("wheel travel", "rack travel")
+
+
+def toggle_findings(sweep: PreparedSweep) -> list[Finding]:
+    """Say where the last run of a sweep came near a toggle: the first pose of each side at which it runs away.
+
+    Near a toggle the loops are ill conditioned: parts move many times as fast for the same travel (or rack) as at the
+    pose that the sweep started from, and beyond it the mechanism locks. The same holds for the spring.
+    """
+    found, tracks = sweep.found, sweep.walk.targets.shape[1]
+    reached = found.outcome == REACHED
+    if not reached[0]:
+        return []
+    size, names = len(sweep.walk.start), [row.name for row in sweep.model.rows]
+    speeds = {
+        f"parts move {{ratio:.3g}} times as fast with the {_TRACKS[t]} as": np.max(
+            np.abs(found.slopes[t * size : (t + 1) * size]), axis=0
+        )
+        for t in range(tracks)
+    }
+    ratio = "the motion ratio of the spring is {ratio:.3g} times the one"
+    speeds[ratio] = np.abs(found.outputs[names.index("motion_ratio")])
+    findings = []
+    for text, speed in speeds.items():
+        for side in (1.0, -1.0):
+            away = side * sweep.layout.targets.sum(axis=1)
+            near = reached & (away > 0.0) & (speed > _TOGGLE * speed[0]) & (speed[0] > 0.0)
+            if near.any():
+                i = int(np.flatnonzero(near)[np.argmin(away[near])])
+                travel, rack = sweep.layout.targets[i]
+                at = f"wheel travel {1e3 * travel:.4g} mm" + (f", rack travel {1e3 * rack:.4g} mm" if rack else "")
+                share = float(speed[i] / speed[0])
+                message = text.format(ratio=share) + " at the start of the sweep: a toggle is near."
+                findings.append(Finding(at, "warning", message, share))
+    return findings
 
 
 # sweeps ---------------------------------------------------------------------------------------------------------------
@@ -398,7 +459,8 @@ def sweep_travel(
         One variable a quantity on ``wheel_travel`` (m), and ``rack_travel`` (m) where several were given; each with
         ``units``, ``long_name``, ``sign`` and ``clause``. ``attrs["status"]`` is "completed", or "end_of_travel" when
         the mechanism could not go on: poses beyond are left out (NaN where a pair is out of reach) and
-        ``attrs["stopped"]`` says where and why.
+        ``attrs["stopped"]`` says where and why. ``attrs["findings"]`` says where a
+        toggle is near: where parts or spring move three times as fast as at the start of the sweep.
 
     Raises
     ------
@@ -501,6 +563,7 @@ def _swept(
         if name not in along
     }
     facts = facts_of(sweep.rig, sweep.rig.side, found.values["wheel_travel"], ends)
+    facts["findings"] = "; ".join(map(str, toggle_findings(sweep)))
     return xr.Dataset(variables, coordinates, facts)
 
 

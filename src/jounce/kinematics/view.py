@@ -100,6 +100,32 @@ class Axis:
         """Point of the line at a height."""
         return self.point + self.along * ((z - self.point[2]) / self.along[2])
 
+    def leads(self, point: ca.SX) -> ca.SX:
+        """How far the line lies ahead of (x), and inboard of (-y), a point of its height; horizontal, shape (2,)."""
+        return (self.at_height(point[2]) - point)[:2]
+
+
+@dataclass(frozen=True)
+class Screw:
+    """A motion of the upright: its angular velocity, and the velocity of the wheel centre."""
+
+    turn: ca.SX
+    speed: ca.SX
+
+    def with_share(self, share: ca.SX, other: Screw) -> Screw:
+        """Give the motion to which a share of another one is added."""
+        return Screw(self.turn + share * other.turn, self.speed + share * other.speed)
+
+    @property
+    def pitch(self) -> ca.SX:
+        """Motion along the axis over the turn about it, m/rad."""
+        return ca.dot(self.turn, self.speed) / ca.dot(self.turn, self.turn)
+
+    def axis(self, centre: ca.SX) -> Axis:
+        """Axis of the motion, of a wheel centre that is there."""
+        point = centre + ca.cross(self.turn, self.speed) / ca.dot(self.turn, self.turn)
+        return Axis(point, self.turn * ca.sign(self.turn[2]))
+
 
 @dataclass(frozen=True)
 class Elastic:
@@ -107,6 +133,46 @@ class Elastic:
 
     force: ca.SX
     stiffness: ca.SX
+
+
+def steering_screw(rack: Screw, travel: Screw) -> Screw:
+    """Motion of rack and travel that is a pure turn, and of two the one with less travel; else that of least pitch.
+
+    With a share t of travel in it, the pitch has the numerator a t^2 + b t + c. Its root of the smaller size is the
+    turn about the ball joints, where there are some; where it has none, the pitch is least at one of its extremes,
+    which are the roots of (aB - bA) t^2 + 2 (aC - cA) t + (bC - cB), the denominator being A t^2 + B t + C.
+    """
+
+    def turn(screw: Screw) -> ca.SX:
+        return screw.turn
+
+    def speed(screw: Screw) -> ca.SX:
+        return screw.speed
+
+    def products(other: Callable[[Screw], ca.SX]) -> tuple[ca.SX, ca.SX, ca.SX]:
+        mixed = ca.dot(rack.turn, other(travel)) + ca.dot(travel.turn, other(rack))
+        return ca.dot(travel.turn, other(travel)), mixed, ca.dot(rack.turn, other(rack))
+
+    a, b, c = products(speed)
+    square, mixed, free = products(turn)
+    under = b**2 - 4.0 * a * c
+    pure = _smaller_root(b, c, ca.fmax(under, 0.0))
+    steep, level, flat = a * mixed - b * square, a * free - c * square, b * free - c * mixed
+    first = _smaller_root(2.0 * level, flat, ca.fmax(4.0 * (level**2 - steep * flat), 0.0))
+    second = -2.0 * level / steep - first
+    one, other = (rack.with_share(share, travel).pitch ** 2 for share in (first, second))
+    return rack.with_share(ca.if_else(under >= 0.0, pure, ca.if_else(other < one, second, first)), travel)
+
+
+def caster_of(axis: Axis) -> ca.SX:
+    """Caster angle of a line, rad."""
+    return ca.atan2(-axis.along[0], axis.along[2])
+
+
+def _smaller_root(b: ca.SX, c: ca.SX, discriminant: ca.SX) -> ca.SX:
+    """Root of the smaller size of a quadratic, whose last two coefficients are b and c; free of cancellation."""
+    half = b + ca.copysign(ca.sqrt(discriminant), b)
+    return ca.if_else(c == 0.0, 0.0, -2.0 * c / half)
 
 
 class CornerView:
@@ -202,20 +268,40 @@ class CornerView:
 
     @cached_property
     def steering_axis(self) -> Axis:
-        """Axis between ball joints; without them, the axis of the screw that a motion of the rack makes."""
+        """Axis between ball joints; without them, of the turn that rack and travel together can make."""
         if hasattr(self.linkage, "steering_axis"):
             lower, upper = (self._mirror * point.value for point in self.linkage.steering_axis)
             return Axis(lower, upper - lower)
+        return self._turning.axis(self.centre.value)
+
+    @property
+    def steering_pitch(self) -> ca.SX:
+        """Motion along the steering axis over the turn about it, m/rad: 0 where the wheel purely turns."""
+        return ca.SX(0.0) if hasattr(self.linkage, "steering_axis") else self._turning.pitch
+
+    @cached_property
+    def held_axis(self) -> Axis:
+        """Axis of the screw that a motion of the rack makes while the spring keeps its length."""
+        share = self.by_rack(self.spring.length) / self.motion_ratio
+        return self._by_rack.with_share(share, self._by_travel).axis(self.centre.value)
+
+    @property
+    def _by_travel(self) -> Screw:
+        return Screw(self.spin, self.centre.rate)
+
+    @property
+    def _by_rack(self) -> Screw:
         assert self._steered is not None
-        turn, speed = self._steered(self.spin), self._steered(self.centre.rate)
-        point = self.centre.value + ca.cross(turn, speed) / ca.dot(turn, turn)
-        return Axis(point, turn * ca.sign(turn[2]))
+        return Screw(self._steered(self.spin), self._steered(self.centre.rate))
+
+    @cached_property
+    def _turning(self) -> Screw:
+        return steering_screw(self._by_rack, self._by_travel)
 
     @cached_property
     def caster(self) -> ca.SX:
         """Caster angle, rad."""
-        along = self.steering_axis.along
-        return ca.atan2(-along[0], along[2])
+        return caster_of(self.steering_axis)
 
     # elements --------------------------------------------------------------------------------------------------
 

@@ -106,6 +106,14 @@ def _order(rig: Corner) -> Iterator[Finding]:
             yield _warn(f"hardpoints.{arm}_front", f"lies behind {arm}_rear; x points forward. Are the two swapped?")
     if "upper_ball_joint" in points and points["upper_ball_joint"][2] < points["lower_ball_joint"][2]:
         yield _warn("hardpoints.upper_ball_joint", "lies below lower_ball_joint; z points up. Are the two swapped?")
+    for arm in ("lower_arm", "upper_arm"):
+        ball = arm.replace("arm", "ball_joint")
+        if ball in points and f"{arm}_front" in points:
+            pivots = [rig.sign * points[f"{arm}_{end}"][1] for end in ("front", "rear")]
+            out = rig.sign * points[ball][1] - max(pivots)
+            if out < 0.0:
+                text = f"lies {-1e3 * out:.4g} mm inboard of a pivot of its arm; is the sign or the order of y right?"
+                yield _warn(f"hardpoints.{ball}", text, out)
     for rod in ("tie_rod", *(f"link_{i}" for i in range(1, 6))):
         inner, outer = f"{rod}_inner", f"{rod}_outer"
         if inner in points and rig.sign * points[inner][1] > rig.sign * points[outer][1]:

@@ -29,8 +29,12 @@ SHEETS: dict[str, tuple[str, ...]] = {
         "scrub_radius",
         "spindle_offset",
         "wheel_centre_caster_offset",
+        "caster_trail_wheel",
+        "scrub_radius_wheel",
         "steer_gain",
         "ackermann",
+        "ackermann_error",
+        "turn_diameter_kerbs",
     ),
     "centres": (
         "roll_centre_height",
@@ -42,6 +46,8 @@ SHEETS: dict[str, tuple[str, ...]] = {
         "side_instant_centre_z",
         "front_view_swing_arm_length",
         "side_view_swing_arm_length",
+        "front_view_swing_arm_angle",
+        "side_view_swing_arm_angle",
         "contact_patch_recession",
         "wheel_centre_longitudinal_slope",
         "anti_dive",
@@ -67,7 +73,7 @@ SHEETS: dict[str, tuple[str, ...]] = {
 """Quantities that belong together, sheet by sheet; what no sheet names comes on the last one."""
 _OTHERS = "others"
 _COLUMNS = 3
-_TO_INFINITY = ("instant_centre", "swing_arm", "turning_radius", "roll_centre_y", "ackermann")
+_TO_INFINITY = ("instant_centre", "swing_arm", "turning_radius", "turn_diameter", "roll_centre_y", "ackermann")
 _ASYMPTOTE = 8.0  # curves that leave their middle half by this many times its width run to infinity
 _MOST_LINES = 5
 

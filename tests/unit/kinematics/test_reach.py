@@ -75,3 +75,28 @@ def test_many_ends_are_counted() -> None:
     found = jn.sweep_travel(RIG, [-0.3, 0.0, 0.3], rack=np.linspace(-0.02, 0.02, 9))
     assert found.attrs["stopped"].count("on the way to") == 4
     assert found.attrs["stopped"].endswith("; and 14 more ends of travel")
+
+
+def test_a_toggle_is_told_before_the_mechanism_locks() -> None:
+    near = jn.sweep_travel(RIG, np.linspace(-0.24, 0.08, 81))
+    assert near.attrs["status"] == "completed"
+    assert "a toggle is near" in near.attrs["findings"]
+    assert "wheel travel -2" in near.attrs["findings"]
+    assert jn.sweep_travel(RIG, np.linspace(-0.08, 0.08, 41)).attrs["findings"] == ""
+    steered = jn.sweep_rack(jn.load("formula-student-front"), "-60 mm:60 mm:4 mm")
+    assert "rack travel -" in steered.attrs["findings"]
+
+
+def test_a_rocker_that_runs_away_is_told() -> None:
+    """The lever of the strut on the rocker nearly vanishes at design, so the motion ratio grows from nothing."""
+    rig = jn.load("formula-student-front")
+    ratios = np.abs(jn.sweep_travel(rig, np.linspace(-0.03, 0.03, 13))["motion_ratio"].to_numpy())
+    told = jn.sweep_travel(rig, np.linspace(-0.03, 0.03, 13)).attrs["findings"]
+    assert ("motion ratio" in told) == bool(np.max(ratios) > 3.0 * ratios[6])
+
+
+@pytest.mark.parametrize("travel", ["-20:20:2", "-20", [-20.0, 0.0, 20.0], 20.0])
+def test_millimetres_given_as_metres_are_told(travel: object) -> None:
+    with pytest.raises(jn.DescriptionError, match="a bare number is in metres") as caught:
+        jn.sweep_travel(RIG, travel)
+    assert "mm" in str(caught.value)

@@ -245,6 +245,18 @@ def test_a_wrong_unit_everywhere_is_told_once(factor: float, message: str):
     assert message in found[0].message
 
 
+@pytest.mark.parametrize("name", ["reference-double-wishbone", "generic-mcpherson"])
+def test_a_ball_joint_inboard_of_its_pivots(name):
+    rig = load(name)
+    for arm in ("lower", "upper") if name.startswith("ref") else ("lower",):
+        pivot = getattr(rig.hardpoints, f"{arm}_arm_front")[1]
+        found = rig_findings(rig.with_changes({f"hardpoints.{arm}_ball_joint[1]": pivot - 0.02}))
+        own = [item for item in found if item.place == f"hardpoints.{arm}_ball_joint"]
+        assert own
+        assert own[0].value < 0.0
+        assert "inboard of a pivot" in own[0].message
+
+
 def test_swapped_ball_joints():
     swapped = {
         **{
