@@ -7,6 +7,7 @@ evaluation; the kernel holds the compiled one.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,6 +43,18 @@ class Segments:
     kind: NDArray[np.int64]
     coefficients: Array
     rate: float = 1.0
+
+    @cached_property
+    def extent(self) -> float:
+        """Difference of the highest and the lowest value, at the ends and in the middle of the pieces, m."""
+        first, last = self.edges[:-1], self.edges[1:]
+        points = np.concatenate([first, 0.5 * (first + last), np.nextafter(last, first)])
+        return float(np.ptp(self.evaluate(points)[0]))
+
+    @cached_property
+    def fastest_wave(self) -> float:
+        """Fastest sine, radians per unit of ``x``; 0 where there is none."""
+        return float(np.max(np.abs(self.coefficients[self.kind == SINE, 2]) * self.rate, initial=0.0))
 
     def in_time(self, speed: float) -> Segments:
         """Give the same heights against time for a constant ``speed`` in m/s."""

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.datasets import dataset
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError, SimulationError, nearest
 from jounce.core.findings import Finding
@@ -552,19 +554,31 @@ def _swept(
     along = {"wheel_travel": along_travel, "rack_travel": along_rack}
     dimensions = tuple(name for name, swept in along.items() if swept)
     at = tuple(slice(None) if swept else 0 for swept in along.values())
-    coordinates = {}
+    coordinates = []
     for i, (name, swept) in enumerate(along.items()):
         if name in found.values:
             axis = np.nanmax(found.values[name], axis=1 - i)
-            coordinates[name] = xr.Variable(name if swept else (), axis if swept else axis[0], found.attributes[name])
+            coordinates.append((name, swept, axis.tobytes(), tuple(found.attributes[name].items())))
     variables = {
-        name: xr.Variable(dimensions, value[at], found.attributes[name])
+        name: xr.Variable(dimensions, value[at], found.attributes[name], fastpath=True)
         for name, value in found.values.items()
         if name not in along
     }
     facts = facts_of(sweep.rig, sweep.rig.side, found.values["wheel_travel"], ends)
     facts["findings"] = "; ".join(map(str, toggle_findings(sweep)))
-    return xr.Dataset(variables, coordinates, facts)
+    return dataset(variables, _axes(*coordinates), facts)
+
+
+@lru_cache(32)
+def _axes(*coordinates: tuple[str, bool, bytes, tuple[tuple[str, str], ...]]) -> xr.Dataset:
+    """Axes of a sweep: of each its name, whether it was swept, its values and its attributes."""
+    import xarray as xr
+
+    made = {}
+    for name, swept, content, attributes in coordinates:
+        values = np.frombuffer(content).copy()
+        made[name] = xr.Variable(name if swept else (), values if swept else values[0], dict(attributes))
+    return xr.Dataset(coords=made)
 
 
 class Variables:

@@ -12,6 +12,7 @@ from pydantic import BaseModel, model_validator
 
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError
+from jounce.core.remembered import remembered
 from jounce.core.units import Unit
 
 _FEW = 10
@@ -36,6 +37,7 @@ def _collect(value: Any, path: str, found: dict[str, float]) -> None:
         found[path] = value
 
 
+@remembered
 def structure_of(description: BaseModel) -> str:
     """Text that is equal for descriptions that differ in numbers only, so that one compiled model serves them."""
     return re.sub(
@@ -81,6 +83,9 @@ def _set(table: Any, parts: list[str | int], value: Any, path: str, known: dict[
     if not isinstance(here, (dict, list)):
         raise unknown_path(path, known)
     here[last] = deepcopy(value)  # type: ignore[index]  # a later path may lead into it
+
+
+_numbers = remembered(parameters_of)
 
 
 def unknown_path(where: str, known: Iterable[str], *, name: str = "") -> DescriptionError:
@@ -171,7 +176,7 @@ class Rig(Description):
 
     def parameters(self) -> dict[str, float]:
         """Give every number of the rig by its path, SI: ``{"strut.spring.rate": 22730.0, ...}``."""
-        return parameters_of(self)
+        return _numbers(self).copy()
 
     def is_estimated(self, path: str) -> bool:
         """Whether the rig's ``estimated`` list names a number, or a part that it belongs to."""

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from jounce.core.datasets import dataset
 from jounce.core.errors import RecordingError, nearest
+from jounce.core.remembered import remembered
 from jounce.core.types import Array
 
 if TYPE_CHECKING:
@@ -211,10 +214,25 @@ def recording(
                 found=f"shape {samples.shape}",
                 allowed=f"shape {instants.shape}",
             )
-        attrs = {"units": unit, "long_name": long_name or describe(name), "place": place_of(name)}
+        attrs = _attributes(name, unit, long_name).copy()
         variables[name] = xr.Variable(("time",), samples, attrs, fastpath=True)
-    clock = xr.Variable(("time",), instants, {"units": "s", "long_name": "time"})
-    return xr.Dataset(variables, coords={"time": clock}, attrs=attributes)
+    clock = _time_axis if instants.flags.writeable else _lasting_time_axis
+    return dataset(variables, clock(instants), attributes)
+
+
+@lru_cache(4096)
+def _attributes(name: str, unit: str, long_name: str) -> dict[str, str]:
+    return {"units": unit, "long_name": long_name or describe(name), "place": place_of(name)}
+
+
+def _time_axis(instants: Array) -> xr.Dataset:
+    import xarray as xr
+
+    return xr.Dataset(coords={"time": xr.Variable(("time",), instants, {"units": "s", "long_name": "time"})})
+
+
+_lasting_time_axis = remembered(_time_axis)
+"""The same for instants that nobody can change: one index serves all runs on them."""
 
 
 def check_recording(dataset: xr.Dataset, *, where: str = "recording") -> None:

@@ -12,6 +12,7 @@ from pydantic import BeforeValidator, model_validator
 
 from jounce.core.description import Description
 from jounce.core.findings import Finding
+from jounce.core.remembered import remembered
 from jounce.core.segments import Segments, flat
 from jounce.core.units import Acceleration, Number, PositiveSpeed, Unit
 from jounce.parts import HalfCar, Rig, Vehicle
@@ -285,6 +286,16 @@ class Trial(Description):
         Segments
             Pieces against time in s; heights in m, up positive. Every jump of height or slope is an edge.
         """
+        kept = _pieces_of(self)
+        if kept is None:
+            return self._laid_out(behind, side)
+        if (behind, side) not in kept:
+            if len(kept) >= _MOST_WHEELS:
+                kept.clear()
+            kept[behind, side] = self._laid_out(behind, side)
+        return kept[behind, side]
+
+    def _laid_out(self, behind: float, side: int) -> Segments:
         road = self.right if self.right is not None and side < 0 else self.road
         if road is not None and self.speed is not None:
             return road.segments(self.speed * self.duration, behind).in_time(self.speed)
@@ -313,6 +324,21 @@ class Trial(Description):
         if self.road is not None and self.speed is not None:
             return self.road.end() / self.speed
         return self.excitation.end() if self.excitation is not None else 0.0
+
+
+_MOST_WHEELS = 16
+
+
+@remembered
+def _pieces_of(trial: Trial) -> dict[tuple[float, int], Segments] | None:
+    """Heights under the wheels that were asked for so far; None where a file holds them, which may change."""
+    return None if _names_a_file(trial) else {}
+
+
+def _names_a_file(value: object) -> bool:
+    if isinstance(value, Description):
+        return any(_names_a_file(getattr(value, name)) for name in type(value).model_fields)
+    return isinstance(value, Path)
 
 
 FASTEST = 15.0

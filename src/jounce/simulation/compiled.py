@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections import OrderedDict
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, field
 from functools import cache, cached_property
@@ -74,6 +75,11 @@ class Compiled:
     def output_names(self) -> tuple[str, ...]:
         """Channel names in the order of the outputs."""
         return tuple(output.name for output in self.facts.outputs)
+
+    @cached_property
+    def equilibria(self) -> OrderedDict[object, Any]:
+        """States of rest found so far, the oldest first (see ``statics.find_equilibrium``)."""
+        return OrderedDict()
 
     @cached_property
     def engine(self) -> Engine:

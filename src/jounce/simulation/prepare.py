@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
-from jounce.core.segments import SINE, Segments
+from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.kernel.engine import NO_FEEDBACK, Control, Feedback, Problem, Samples, Status, flatten
 from jounce.kernel.methods import explicit, implicit
@@ -141,7 +141,7 @@ def prepare(
     if len(band):
         moved, there = (compiled.evaluate("switch", where, still, p, rest.modes) for where in (rest.x + scale, rest.x))
         band = np.asarray(1e-9 * np.abs(moved - there) + 1e-14)
-    waves = max((_fastest_wave(signal) for signal in tracks.values()), default=0.0)
+    waves = max((signal.fastest_wave for signal in tracks.values()), default=0.0)
     limit = _explicit_limit(rest, waves)
     short = _edges_set_the_step(tracks.values(), times, limit, tolerance)
     share = _SHORT_SHARE if short else STEP_SHARE
@@ -249,15 +249,8 @@ def longest_implicit_step(fastest: float, tolerance: float) -> float:
 def _motion_size(tracks: dict[str, Segments], rest: Array, offset: Array | None) -> float:
     """How far things will move, m: the roads' range or the start offset, at least a thousandth of the static drop."""
     moved = 0.0 if offset is None else float(np.max(np.abs(offset[: len(rest)])))
-    roads = [_range(signal) for name, signal in tracks.items() if is_road(name)]
+    roads = [signal.extent for name, signal in tracks.items() if is_road(name)]
     return max(*roads, moved, 1e-3 * float(np.max(np.abs(rest))), 1e-9)
-
-
-def _range(signal: Segments) -> float:
-    """Difference of the highest and the lowest value, at the ends and in the middle of the pieces."""
-    first, last = signal.edges[:-1], signal.edges[1:]
-    points = np.concatenate([first, 0.5 * (first + last), np.nextafter(last, first)])
-    return float(np.ptp(signal.evaluate(points)[0]))
 
 
 def _longest_step(fastest: float, tolerance: float) -> float:
@@ -280,18 +273,10 @@ def _edges_set_the_step(signals: Iterable[Segments], times: Array, limit: float,
     return stages[1] < stages[0]
 
 
-def _fastest_wave(road: Segments) -> float:
-    """Fastest sine of the road, rad/s."""
-    return float(np.max(np.abs(road.coefficients[road.kind == SINE, 2]) * road.rate, initial=0.0))
-
-
 def _explicit_limit(rest: Equilibrium, waves: float) -> float:
     """What limits the steps of the explicit method, rad/s: the fastest oscillation, wave or decay."""
     # The oscillations are those without damping: a stiff damper of a soft mode decays but does not oscillate.
-    f = len(rest.free)
-    stiffness = np.max(np.abs(np.linalg.eigvals(rest.reduced[f : 2 * f, :f])), initial=0.0)
-    decay = float(np.max(np.abs(np.linalg.eigvals(rest.reduced)), initial=0.0))
-    return max(float(np.sqrt(stiffness)), waves, _STABLE * decay, 1e-3)
+    return max(rest.fastest_oscillation, waves, _STABLE * rest.fastest_decay, 1e-3)
 
 
 def _equilibrium_sensitivity(compiled: Compiled, p: Array, rest: Equilibrium, u: Array) -> Array:

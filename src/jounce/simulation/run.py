@@ -134,7 +134,8 @@ def solved(
         for i, output in enumerate(compiled.facts.outputs)
     }
     how: dict[str, str | int] = {"status": solution.status.name.lower(), "method": solution.method}
-    return Solved(times[:reach], channels, {**how, "steps": solution.steps, "events": solution.events})
+    times = times if reach == len(times) else times[:reach]  # whole, what follows from them is known already
+    return Solved(times, channels, {**how, "steps": solution.steps, "events": solution.events})
 
 
 def _offset(compiled: Compiled, offset: dict[str, float] | None) -> Array | None:

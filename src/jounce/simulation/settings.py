@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from numbers import Real
 from typing import Literal, get_args
 
@@ -16,6 +17,7 @@ METHODS: tuple[str, ...] = get_args(Method)
 MAX_STEPS = 5_000_000
 """Steps, accepted and rejected, after which a run gives up: minutes of computing."""
 _MAX_SAMPLES = 20_000_000  # a dozen channels of so many samples fill the memory of a usual computer
+_SHARED_SAMPLES = 100_000
 _FINEST, COARSEST = 1e-13, 1e-1
 """Tolerances: rounding, and what is no longer an approximation."""
 
@@ -77,7 +79,8 @@ class RunSettings:
                 allowed=f"at most {_MAX_SAMPLES}",
                 hint="Shorten the run or lengthen the output step.",
             )
-        return output_times(duration, self.output_step)
+        few = duration / self.output_step <= _SHARED_SAMPLES
+        return (_shared_times if few else output_times)(float(duration), float(self.output_step))
 
 
 def output_times(duration: float, output_step: float) -> Array:
@@ -85,3 +88,11 @@ def output_times(duration: float, output_step: float) -> Array:
     count = int(np.floor(duration / output_step + 1e-9))  # 0.3 s of 0.1 s are three steps in spite of rounding
     times = np.arange(count + 1, dtype=np.float64) * np.float64(output_step)
     return times if duration - times[-1] < 1e-9 * duration else np.append(times, duration)
+
+
+@lru_cache(8)
+def _shared_times(duration: float, output_step: float) -> Array:
+    """The same for all runs, which take what follows from it over, too; nobody can change it."""
+    times = output_times(duration, output_step)
+    times.setflags(write=False)
+    return times

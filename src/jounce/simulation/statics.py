@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections import OrderedDict
+from dataclasses import dataclass, fields
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -64,8 +66,40 @@ class Equilibrium:
     moved: Array
     rows: NDArray[np.intp]
 
+    @cached_property
+    def fastest_oscillation(self) -> float:
+        """Highest undamped angular frequency of the free motions, rad/s."""
+        f = len(self.free)
+        return float(np.sqrt(np.max(np.abs(np.linalg.eigvals(self.reduced[f : 2 * f, :f])), initial=0.0)))
+
+    @cached_property
+    def fastest_decay(self) -> float:
+        """Largest rate of a free motion, 1/s."""
+        return float(np.max(np.abs(np.linalg.eigvals(self.reduced)), initial=0.0))
+
+
+_KEPT = 256  # states of rest that a model remembers
+
 
 def find_equilibrium(compiled: Compiled, p: Array, u: Array, start: Array | None = None) -> Equilibrium:
+    """Give the static equilibrium for given inputs, remembered where the model has stood there before.
+
+    It is solved as :func:`_found_equilibrium` says; its arrays cannot be changed.
+    """
+    key = p.tobytes(), u.tobytes(), None if start is None else start.tobytes()
+    known: OrderedDict[object, Equilibrium] = compiled.equilibria
+    found = known.get(key)
+    if found is None:
+        found = _found_equilibrium(compiled, p, u, start)
+        for field in fields(found):
+            getattr(found, field.name).setflags(write=False)
+        known[key] = found
+        while len(known) > _KEPT:
+            known.popitem(last=False)
+    return found
+
+
+def _found_equilibrium(compiled: Compiled, p: Array, u: Array, start: Array | None) -> Equilibrium:
     """Solve the static equilibrium for given inputs (their rates taken as zero) by a semi-smooth Newton method.
 
     It begins with the coordinates ``start``, the design pose otherwise. Where no equilibrium exists or is found, there

@@ -132,3 +132,50 @@ def test_remembered_fresh_and_sliced_times_are_the_same_to_the_loops():
     assert np.array_equal(runs[0], runs[1])
     assert np.array_equal(sliced, fresh)
     assert np.array_equal(runs[0], runs[2])
+
+
+def test_a_run_repeated_is_the_same_run_whatever_is_remembered():
+    from jounce.simulation.compiled import _compiled
+
+    trial = jounce.Trial(
+        road=jounce.HalfSine(height="10 mm", length="60 mm", start="0.2 m"), speed="1.95 m/s", duration="1 s"
+    )
+    rig = jounce.load("kart-quarter-car")
+    first = jounce.simulate(rig, trial)
+    kept = first.copy(deep=True)
+    other = jounce.simulate(rig.with_changes({"sprung.mass": "90 kg"}), trial)
+    assert not np.array_equal(other["sprung.z"], first["sprung.z"])
+    again = jounce.simulate(rig, trial)
+    assert again.identical(first)
+    for compiled in _compiled.values():
+        compiled.equilibria.clear()
+    assert jounce.simulate(jounce.load("kart-quarter-car"), trial.model_copy()).identical(kept)
+    again["sprung.z"][:] = 0.0
+    assert first.identical(kept)
+
+
+def test_a_road_file_that_changes_between_two_runs_is_read_again(tmp_path):
+    file = tmp_path / "road.csv"
+    file.write_text("x [m], z [mm]\n0, 0\n0.5, 10\n1, 0\n")
+    trial = jounce.Trial(road=jounce.roads.Table(file=file), speed="2 m/s", duration="0.4 s")
+    rig = jounce.load("kart-quarter-car")
+    first = jounce.simulate(rig, trial)
+    file.write_text("x [m], z [mm]\n0, 0\n0.5, 20.0\n1, 0\n")
+    second = jounce.simulate(rig, trial)
+    assert float(second["road.z"].max()) == pytest.approx(2.0 * float(first["road.z"].max()))
+
+
+def test_what_is_shared_between_runs_cannot_be_changed():
+    from jounce.simulation.compiled import compile_rig
+    from jounce.simulation.settings import RunSettings
+    from jounce.simulation.statics import find_equilibrium
+
+    assert RunSettings().times(1.0) is RunSettings().times(1)
+    with pytest.raises(ValueError, match="read-only"):
+        RunSettings().times(1.0)[0] = 1.0
+    rig = jounce.load("kart-quarter-car")
+    compiled = compile_rig(rig)
+    rest = find_equilibrium(compiled, compiled.parameter_values(rig.parameters()), compiled.inputs())
+    for name in ("x", "slope", "balance"):
+        with pytest.raises(ValueError, match="read-only"):
+            getattr(rest, name)[0] = 1.0

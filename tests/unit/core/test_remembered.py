@@ -1,0 +1,46 @@
+"""What follows from frozen objects is computed once for each, and forgotten with it."""
+
+from __future__ import annotations
+
+import gc
+
+import jounce as jn
+from jounce.core.remembered import remembered
+
+
+class Thing:
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Thing)
+
+    __hash__ = None
+
+
+def test_once_for_each_object_by_identity():
+    asked = []
+    ask = remembered(lambda thing: asked.append(id(thing)) or len(asked))
+    one, other = Thing(), Thing()
+    assert one == other
+    assert [ask(one), ask(other), ask(one), ask(other)] == [1, 2, 1, 2]
+
+
+def test_it_is_forgotten_with_the_object():
+    asked = []
+    ask = remembered(lambda _: asked.append(1) or len(asked))
+    known = next(cell.cell_contents for cell in ask.__closure__ if isinstance(cell.cell_contents, dict))
+    for i in range(1, 50):
+        assert ask(Thing()) == i  # new objects take the place of old ones in memory
+        gc.collect(0)
+    gc.collect()
+    assert not known
+
+
+def test_a_changed_copy_of_a_rig_has_its_own_numbers_and_structure():
+    from jounce.parts.rig import structure_of
+
+    rig = jn.load("kart-quarter-car")
+    numbers, structure = rig.parameters(), structure_of(rig)
+    numbers["tyre.stiffness"] = -1.0  # of the caller alone
+    assert rig.parameters()["tyre.stiffness"] > 0.0
+    softer = rig.model_copy(update={"tyre": rig.tyre.model_copy(update={"stiffness": 1.0e5, "lift_off": False})})
+    assert softer.parameters()["tyre.stiffness"] == 1.0e5
+    assert structure_of(softer) != structure == structure_of(rig)
