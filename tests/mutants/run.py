@@ -3,27 +3,33 @@
 Cosmic Ray makes the changes; here a random sample of them is drawn, each is tried in a process of its own that has the
 libraries loaded already (so a mutant costs its tests, not four seconds of imports), and what went unnoticed is shown.
 No file is changed. A mutant is held first against the tests that run the changed line, then against all the package's
-own tests: ``tests/unit/PACKAGE`` and those of other kinds that use what the package makes public.
+own tests: ``tests/unit/PACKAGE`` and those of other kinds that use what the package makes public. Which test runs which
+line, and how long it takes, is kept in ``build/mutants`` until the package or the test changes.
 """
 
 from __future__ import annotations
 
 import argparse
 import ast
+import functools
+import gc
+import hashlib
 import importlib.abc
 import importlib.machinery
 import importlib.util
 import json
 import os
+import pkgutil
 import random
 import re
+import shutil
 import signal
 import sys
 import tempfile
 import time
 import tomllib
 import traceback
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # set before NumPy comes: a fork keeps no threads
@@ -35,6 +41,7 @@ from positions import Mutant, mutants
 ROOT = Path(__file__).parents[2]
 SOURCES = ROOT / "src" / "jounce"
 HARMLESS = Path(__file__).parent / "harmless.toml"
+KEPT = ROOT / "build" / "mutants"
 KINDS = ("physics", "reference", "properties", "measured", "agreement", "recovery")
 LIBRARIES = (
     "casadi",
@@ -50,8 +57,10 @@ LIBRARIES = (
 LIBRARIES += ("scipy.optimize", "tomlkit", "typer", "xarray")
 CHEAP = ("tests/unit", "tests/architecture")
 GOAL, BROKEN = 0.9, 70
-PATIENCE = 10.0
-"""A mutant may take this many times as long as the tests took without it, and this many seconds more."""
+PATIENCE, COMPILING = 10.0, 60.0
+"""With a mutant a test may take this many times as long as the slowest of its file without, and this many seconds."""
+IDLE = ("-p", "no:unraisableexception", "-p", "no:cov", "-p", "no:xdist")
+"""Plugins that a mutant's process would wait for: one collects garbage twice, of all libraries."""
 
 
 def main() -> int:
@@ -67,6 +76,8 @@ def main() -> int:
     print(f"{asked.package}: {len(sample)} of {len(pool)} mutants, seed {asked.seed}", flush=True)
     with tempfile.TemporaryDirectory(prefix="jounce-mutants-") as folder:
         tests = Tests(asked.package, Path(folder))
+        load_what_stands_below(asked.package)
+        tests.stand_unchanged()
         seen = {mutant: show(mutant, verdict(mutant, tests)) for mutant in sample}
     return told(asked.package, seen)
 
@@ -101,30 +112,57 @@ class Tests:
     def __init__(self, package: str, folder: Path) -> None:
         self.package, self.folder = package, folder
         self.cache = folder / "models"
-        report = folder / "times.json"
-        os.environ["COVERAGE_FILE"] = str(folder / "coverage")
-        measured = [f"--cov=jounce.{package}", "--cov-context=test", "--cov-report="]
-        files = own_tests(package)
-        print("\n".join(["its tests:", *files]), flush=True)
-        if apart(lambda: run_tests([*files, *measured], self.cache, report), 3600) not in (0, 1):
-            sys.exit("the tests cannot be run: see above")
-        self.seconds: dict[str, float] = json.loads(report.read_text(encoding="utf-8"))
-        self._runs = CoverageData(str(folder / "coverage"))
+        kept = KEPT / package
+        coverage, report = kept / "coverage", kept / "times.json"
+        sources = digest(*sources_of(package))
+        known = json.loads(report.read_text(encoding="utf-8")) if report.exists() else {}
+        if known.get("sources") != sources:
+            shutil.rmtree(kept, ignore_errors=True)
+            kept.mkdir(parents=True)
+            known = {"sources": sources, "files": {}}
+        files = {name: digest(ROOT / name.partition("::")[0]) for name in own_tests(package)}
+        known["files"] = {name: row for name, row in known["files"].items() if row["digest"] == files.get(name)}
+        new = [name for name in files if name not in known["files"]]
+        print("\n".join(["its tests:", *files, f"of them to be timed: {len(new)}"]), flush=True)
+        if new:
+            os.environ["COVERAGE_FILE"] = str(coverage)
+            measured = [f"--cov=jounce.{package}", "--cov-context=test", "--cov-report=", "--cov-append"]
+            times = folder / "times.json"
+            if apart(lambda: run_tests([*new, *measured], Clock(kept / "models"), times), 3600) not in (0, 1):
+                sys.exit("the tests cannot be run: see above")
+            seconds = json.loads(times.read_text(encoding="utf-8"))
+            for name in new:
+                own = {test: taken for test, taken in seconds.items() if name in (test, test.partition("::")[0])}
+                known["files"][name] = {"digest": files[name], "seconds": own}
+            report.write_text(json.dumps(known), encoding="utf-8")
+        self.seconds: dict[str, float] = {}
+        for row in known["files"].values():
+            self.seconds |= row["seconds"]
+        self._runs = CoverageData(str(coverage))
         self._runs.read()
-        if apart(lambda: run_tests(["--collect-only", *self.seconds], self.cache), 600, quiet=True) != 0:
+        shutil.copytree(kept / "models", self.cache, dirs_exist_ok=True)
+        if apart(lambda: run_tests(["--collect-only", *self.seconds], Clock(self.cache)), 600, quiet=True) != 0:
             sys.exit("the tests cannot be asked for by their names")
         print(f"{len(self.seconds)} tests, {sum(self.seconds.values()):.0f} s", flush=True)
 
+    def stand_unchanged(self) -> None:
+        """Stop where the package's unit tests fail with a copy of a module that is no mutant: they would notice all."""
+        file = sources_of(self.package)[-1]
+        unit = [test for test in self.seconds if test.startswith(f"tests/unit/{self.package}/")]
+        if self.notice(file, file.read_text(encoding="utf-8"), self._quick_first(unit)):
+            sys.exit("its tests fail with the package as it is, in the way that mutants are tried")
+
     def of(self, mutant: Mutant) -> Iterator[list[str]]:
-        """First the tests that run the changed statement, then unit tests and examples in files that use its module.
+        """First the tests that run the changed statement, then unit tests and examples in the same files.
 
         The second round is for what is computed once for several tests. What runs when a module is loaded is the
-        business of all tests in those files.
+        business of all tests in the files that use it.
         """
         lines = statement(mutant)
         runs = self._runs.contexts_by_lineno(str(mutant.file))
         near = {context.rpartition("|")[0] for line in lines for context in runs.get(line, ())} - {""}
-        files = {context.partition("::")[0] for contexts in runs.values() for context in contexts} - {""}
+        used = near or {context.rpartition("|")[0] for contexts in runs.values() for context in contexts} - {""}
+        files = {test.partition("::")[0] for test in used}
         rest = {test for test in self.seconds if test.partition("::")[0] in files or not files} - near
         yield self._quick_first(near)
         yield self._quick_first({test for test in rest if not near or test.startswith(CHEAP)})
@@ -134,20 +172,42 @@ class Tests:
         known = [test for test in tests if test in self.seconds]
         return sorted(known, key=lambda test: (not test.startswith(CHEAP), self.seconds[test]))
 
-    def notice(self, mutant: Mutant, tests: Sequence[str]) -> bool:
-        """Whether one of some tests fails, or does not end, with a mutant in the place of its file."""
+    def notice(self, file: Path, source: str, tests: Sequence[str]) -> bool:
+        """Whether one of some tests fails, or does not end, with another text in the place of a file."""
+        slowest: dict[str, float] = {}
+        for test, seconds in self.seconds.items():
+            name = test.partition("::")[0]
+            slowest[name] = max(slowest.get(name, 0.0), seconds)
 
         def code(asked: Iterable[str]) -> int:
             def changed() -> int:
-                plant(mutant, self.package, self.folder)
-                return run_tests(["-x", *asked], self.cache)
+                plant(file, source, self.package, self.folder)
+                limits = {name: COMPILING + PATIENCE * seconds for name, seconds in slowest.items()}
+                return run_tests(["-x", *IDLE, *asked], Clock(self.cache, limits))
 
-            return apart(changed, PATIENCE * (1.0 + sum(self.seconds[test] for test in tests)), quiet=True)
+            return apart(changed, COMPILING, quiet=True)  # and each test has its own time
 
         found = code(tests)
         if found == pytest.ExitCode.USAGE_ERROR:  # a test goes by another name now, or its file cannot be loaded
             found = code(dict.fromkeys(test.partition("::")[0] for test in tests))
         return found != 0
+
+
+def digest(*files: Path) -> str:
+    """Digest of the texts of some files."""
+    return hashlib.sha256(b"\0".join(file.read_bytes() for file in files)).hexdigest()
+
+
+def load_what_stands_below(package: str) -> None:
+    """Load the packages that import nothing of this one: a mutant's process has them, and none of what it changes."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    contracts = project["tool"]["importlinter"]["contracts"]
+    layers = next([layer.strip("()") for layer in one["layers"]] for one in contracts if one["type"] == "layers")
+    for below in reversed(layers[layers.index(package) + 1 :]):
+        loaded = importlib.import_module(f"jounce.{below}")
+        for module in pkgutil.walk_packages(loaded.__path__, f"jounce.{below}."):
+            importlib.import_module(module.name)
+    gc.freeze()
 
 
 def own_tests(package: str) -> list[str]:
@@ -166,7 +226,7 @@ def own_tests(package: str) -> list[str]:
     modules = (file.relative_to(SOURCES.parent).with_suffix("").parts for file in sources_of(package))
     examples = "tests/architecture/test_docstrings.py::test_examples_are_true"
     return [
-        *(str(file.relative_to(ROOT)) for file in [unit / package, *named] if file.exists()),
+        *(str(file.relative_to(ROOT)) for file in [*sorted((unit / package).rglob("test_*.py")), *named]),
         *(f"{examples}[{'.'.join(parts)}]" for parts in modules),
     ]
 
@@ -184,14 +244,22 @@ def statement(mutant: Mutant) -> range:
 
 
 class Clock:
-    """Notes how long tests take, and lets processes share compiled models, which `tests/conftest.py` would not."""
+    """Notes how long tests take, ends the process where one takes longer than its file may, shares compiled models.
 
-    def __init__(self, cache: Path) -> None:
-        self.cache, self.seconds, self.failed = cache, {}, set()
+    Sharing is what `tests/conftest.py` would not let processes do.
+    """
+
+    def __init__(self, cache: Path, limits: Mapping[str, float] | None = None) -> None:
+        self.cache, self.limits, self.seconds, self.failed = cache, limits or {}, {}, set()
 
     @pytest.hookimpl(trylast=True)
     def pytest_configure(self) -> None:
+        self.cache.mkdir(exist_ok=True)
         os.environ["JOUNCE_CACHE_DIR"] = str(self.cache)
+
+    def pytest_runtest_logstart(self, nodeid: str) -> None:
+        if limit := self.limits.get(nodeid.partition("::")[0]):
+            signal.alarm(int(limit))
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         self.seconds[report.nodeid] = self.seconds.get(report.nodeid, 0.0) + report.duration
@@ -199,9 +267,8 @@ class Clock:
             self.failed.add(report.nodeid)
 
 
-def run_tests(options: Sequence[str], cache: Path, times: Path | None = None) -> int:
+def run_tests(options: Sequence[str], clock: Clock, times: Path | None = None) -> int:
     """Run pytest in this process; its exit code."""
-    clock = Clock(cache)
     code = pytest.main(
         ["-q", "--no-header", "-p", "no:cacheprovider", "-W", "ignore::pytest.PytestAssertRewriteWarning", *options],
         plugins=[clock],
@@ -240,10 +307,10 @@ def apart(work: Callable[[], int], seconds: float, quiet: bool = False) -> int:
 class Planted(importlib.machinery.SourceFileLoader, importlib.abc.MetaPathFinder):
     """Gives one module from another text. Its code has its own file, for Numba keeps what it compiles by that file."""
 
-    def __init__(self, name: str, mutant: Mutant, folder: Path) -> None:
-        super().__init__(name, str(mutant.file))
-        self.copy = Path(tempfile.mkdtemp(dir=folder)) / mutant.file.name
-        self.copy.write_text(mutant.source, encoding="utf-8")
+    def __init__(self, name: str, file: Path, source: str, folder: Path) -> None:
+        super().__init__(name, str(file))
+        self.copy = Path(tempfile.mkdtemp(dir=folder)) / file.name
+        self.copy.write_text(source, encoding="utf-8")
 
     def find_spec(self, name: str, *_: object) -> importlib.machinery.ModuleSpec | None:
         return importlib.util.spec_from_file_location(name, self.path, loader=self) if name == self.name else None
@@ -252,20 +319,24 @@ class Planted(importlib.machinery.SourceFileLoader, importlib.abc.MetaPathFinder
         return compile(self.copy.read_bytes(), str(self.copy), "exec")
 
 
-def plant(mutant: Mutant, package: str, folder: Path) -> None:
-    """Put a mutant in the place of its module, and keep what is compiled with it apart from the rest."""
+def plant(file: Path, source: str, package: str, folder: Path) -> None:
+    """Put another text in the place of a module, and keep what is compiled with it apart from the rest."""
     from jounce.core import sources
 
-    parts = mutant.file.relative_to(SOURCES).with_suffix("").parts
-    planted = Planted(".".join(("jounce", *parts)), mutant, folder)
+    parts = file.relative_to(SOURCES).with_suffix("").parts
+    planted = Planted(".".join(("jounce", *parts)), file, source, folder)
     sys.meta_path.insert(0, planted)
-    plain = sources.digest_of
-    sources.digest_of = lambda *names: plain(*names) + (str(planted.copy) if package in names else "")
+    plain = sources.digest_of.__wrapped__
+    digest_of = functools.cache(lambda *names: plain(*names) + (str(planted.copy) if package in names else ""))
+    for module in list(sys.modules.values()):  # those that are loaded have it under its name, too
+        if getattr(module, "digest_of", None) is sources.digest_of and module is not sources:
+            module.digest_of = digest_of
+    sources.digest_of = digest_of
 
 
 def verdict(mutant: Mutant, tests: Tests) -> str:
     """What became of a mutant: noticed, known as harmless, or unnoticed."""
-    if any(tests.notice(mutant, some) for some in tests.of(mutant) if some):
+    if any(tests.notice(mutant.file, mutant.source, some) for some in tests.of(mutant) if some):
         return "noticed"
     return "harmless" if reason(mutant) else "unnoticed"
 
