@@ -17,6 +17,7 @@ import hashlib
 import importlib.abc
 import importlib.machinery
 import importlib.util
+import itertools
 import json
 import os
 import pkgutil
@@ -59,6 +60,8 @@ CHEAP = ("tests/unit", "tests/architecture")
 GOAL, BROKEN = 0.9, 70
 PATIENCE, COMPILING = 10.0, 60.0
 """With a mutant a test may take this many times as long as the slowest of its file without, and this many seconds."""
+ENOUGH = 30.0
+"""Seconds of tests, the quickest first, that a mutant is held against; all of them where a place is given."""
 IDLE = ("-p", "no:unraisableexception", "-p", "no:cov", "-p", "no:xdist")
 """Plugins that a mutant's process would wait for: one collects garbage twice, of all libraries."""
 
@@ -75,7 +78,7 @@ def main() -> int:
     sample = sorted(random.Random(asked.seed).sample(pool, min(asked.sample, len(pool))))
     print(f"{asked.package}: {len(sample)} of {len(pool)} mutants, seed {asked.seed}", flush=True)
     with tempfile.TemporaryDirectory(prefix="jounce-mutants-") as folder:
-        tests = Tests(asked.package, Path(folder))
+        tests = Tests(asked.package, Path(folder), float("inf") if asked.place else ENOUGH)
         load_what_stands_below(asked.package)
         tests.stand_unchanged()
         seen = {mutant: show(mutant, verdict(mutant, tests)) for mutant in sample}
@@ -109,8 +112,8 @@ def wanted(mutant: Mutant, place: str) -> bool:
 class Tests:
     """A package's own tests, which of them run which line, and how long each takes."""
 
-    def __init__(self, package: str, folder: Path) -> None:
-        self.package, self.folder = package, folder
+    def __init__(self, package: str, folder: Path, enough: float) -> None:
+        self.package, self.folder, self.enough = package, folder, enough
         self.cache = folder / "models"
         kept = KEPT / package
         coverage, report = kept / "coverage", kept / "times.json"
@@ -155,22 +158,22 @@ class Tests:
     def of(self, mutant: Mutant) -> Iterator[list[str]]:
         """First the tests that run the changed statement, then unit tests and examples in the same files.
 
-        The second round is for what is computed once for several tests. What runs when a module is loaded is the
-        business of all tests in the files that use it.
+        The second round is for what is computed once for several tests. A name of the module is run where it is used;
+        anything else that runs when a module is loaded is the business of all tests in the files that use it.
         """
-        lines = statement(mutant)
         runs = self._runs.contexts_by_lineno(str(mutant.file))
-        near = {context.rpartition("|")[0] for line in lines for context in runs.get(line, ())} - {""}
+        near = {context.rpartition("|")[0] for line in statements(mutant) for context in runs.get(line, ())} - {""}
         used = near or {context.rpartition("|")[0] for contexts in runs.values() for context in contexts} - {""}
         files = {test.partition("::")[0] for test in used}
         rest = {test for test in self.seconds if test.partition("::")[0] in files or not files} - near
-        yield self._quick_first(near)
-        yield self._quick_first({test for test in rest if not near or test.startswith(CHEAP)})
+        yield self._quick_first(near, self.enough)
+        yield self._quick_first({test for test in rest if not near or test.startswith(CHEAP)}, self.enough)
 
-    def _quick_first(self, tests: Iterable[str]) -> list[str]:
-        """Unit tests before the others, and each kind in the order of its time."""
-        known = [test for test in tests if test in self.seconds]
-        return sorted(known, key=lambda test: (not test.startswith(CHEAP), self.seconds[test]))
+    def _quick_first(self, tests: Iterable[str], enough: float = float("inf")) -> list[str]:
+        """Unit tests before the others, each kind in the order of its time, and no more than are enough."""
+        known = sorted((not test.startswith(CHEAP), self.seconds[test], test) for test in tests if test in self.seconds)
+        ends = itertools.accumulate(seconds for _, seconds, _ in known)
+        return [test for (_, seconds, test), end in zip(known, ends, strict=True) if end - seconds < enough]
 
     def notice(self, file: Path, source: str, tests: Sequence[str]) -> bool:
         """Whether one of some tests fails, or does not end, with another text in the place of a file."""
@@ -231,16 +234,23 @@ def own_tests(package: str) -> list[str]:
     ]
 
 
-def statement(mutant: Mutant) -> range:
-    """Lines of the smallest statement around a mutant; of one that holds others, those before them."""
+def statements(mutant: Mutant) -> set[int]:
+    """Lines of the smallest statement around a mutant, and of those that use a name which it gives to the module.
+
+    Of a statement that holds others only the lines before them count.
+    """
+    tree = ast.parse(mutant.file.read_text(encoding="utf-8"))
     spans = []
-    for node in ast.walk(ast.parse(mutant.file.read_text(encoding="utf-8"))):
+    for node in ast.walk(tree):
         if isinstance(node, ast.stmt):
             body = getattr(node, "body", None)
             span = range(node.lineno, max(node.lineno + 1, body[0].lineno) if body else node.end_lineno + 1)
             if mutant.line in span:
-                spans.append(span)
-    return min(spans, key=len)
+                spans.append((len(span), node.lineno, span, node))
+    _, _, own, node = min(spans, key=lambda found: found[:2])
+    given = {part.id for part in ast.walk(node) if isinstance(part, ast.Name) and isinstance(part.ctx, ast.Store)}
+    names = given if node in tree.body and isinstance(node, ast.Assign | ast.AnnAssign) else set()
+    return {*own, *(part.lineno for part in ast.walk(tree) if isinstance(part, ast.Name) and part.id in names)}
 
 
 class Clock:

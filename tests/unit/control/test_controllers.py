@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import ClassVar, Literal
 
+import casadi as ca
 import pytest
 
 from jounce.control import (
@@ -23,6 +25,7 @@ from jounce.control import (
 from jounce.control.actuators import Instant
 from jounce.control.controller import DamperLaw
 from jounce.control.design import _least
+from jounce.control.laws import SHADD, Groundhook, Hybrid, TwoStateGroundhook, TwoStateSkyhook
 from jounce.control.program import program, sensor_noise, values
 from jounce.core.errors import DescriptionError
 
@@ -54,7 +57,27 @@ def test_open_limits_come_from_the_corner() -> None:
     assert SemiActiveDamper().resolved(CORNER).limits == pytest.approx((300.0, 4000.0))
     assert ActiveActuator().resolved(CORNER).limits == pytest.approx((-1962.0, 1962.0))
     undamped = CornerModel(400.0, 40.0, 25e3, 200e3, 0.0)
-    assert SemiActiveDamper().resolved(undamped).limits[0] > 0.0
+    typical = 2.0 * 0.3 * math.sqrt(25e3 * 400.0)  # a damping ratio of 0.3
+    assert SemiActiveDamper().resolved(undamped).limits == pytest.approx((typical / 5.0, typical / 1500.0 * 4000.0))
+
+
+@pytest.mark.parametrize("parting", [-0.4, 0.3])
+@pytest.mark.parametrize("wheel", [-0.7, 0.6])
+@pytest.mark.parametrize("body", [-0.2, 0.1])
+def test_laws_are_what_their_words_say(body: float, wheel: float, parting: float) -> None:
+    numbers = {"damping_coefficient": 4000.0, "skyhook_share": 0.3}
+    seen = {"sprung.vz": body, "unsprung.vz": wheel, "strut.velocity": -parting, "sprung.az": 2.0 * body}
+    now = Instant(lambda name: ca.SX(seen[name]), lambda name: ca.SX(numbers[name]), ca.SX(0.0))
+    sky, ground = (force if force * parting > 0.0 else 0.0 for force in (body, -wheel))
+    forces = [float(law().force(now)) for law in (Skyhook, Groundhook, Hybrid)]
+    assert forces == pytest.approx([-4000.0 * body, 4000.0 * wheel, -4000.0 * (0.3 * sky + 0.7 * ground)])
+    ideal = Hybrid(actuator=ActiveActuator(force_limit=1e5))
+    assert float(ideal.force(now)) == pytest.approx(-4000.0 * (0.3 * body - 0.7 * wheel))
+    firm = [float(law().product(now)) for law in (TwoStateSkyhook, TwoStateGroundhook, ADD)]
+    assert firm == pytest.approx([body * parting, -wheel * parting, 2.0 * body * parting])
+    for crossover, dominant in ((1.5, 2.0 * body), (2.5, body)):
+        numbers["crossover"] = crossover
+        assert float(SHADD().product(now)) == pytest.approx(dominant * parting)
 
 
 def test_controller_from_a_file(tmp_path: Path) -> None:

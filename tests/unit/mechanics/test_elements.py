@@ -2,13 +2,31 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+
 import casadi as ca
 import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.core.description import Description
 from jounce.mechanics import System, damper_map_force
-from jounce.parts.elements import MapDamper
+from jounce.mechanics.elements import bump_stop_force, damper_force, friction_force, spring_force, tyre_force
+from jounce.parts.elements import (
+    BilinearDamper,
+    BoucWenDamper,
+    BumpStop,
+    Friction,
+    LinearDamper,
+    MapDamper,
+    PolynomialCurve,
+    PowerCurve,
+    Spring,
+    TableCurve,
+    TanhDamper,
+    Tyre,
+    VelocityTable,
+)
 
 MAP = MapDamper(
     length=(0.30, 0.36, 0.45),
@@ -17,37 +35,129 @@ MAP = MapDamper(
 )
 
 
-def law_of(damper: MapDamper):
-    """The map's force over (length, velocity), with each switch on where its expression is positive."""
+def law_of(make: Callable[[System, ca.SX, ca.SX], ca.SX], numbers: Mapping[str, float]):
+    """A law's force and its inner state's rate, over deflection, rate and inner state; switches as their signs say."""
     system = System()
-    length, velocity = system.coordinate("length"), system.coordinate("velocity")
-    for place in (length, velocity):
-        system.point_mass(ca.SX(1.0), place)
-    system.output("force", damper_map_force(system, damper, "map", length, velocity), "N", "force")
+    deflection, rate = system.coordinate("deflection"), system.coordinate("rate")
+    for each in (deflection, rate):
+        system.point_mass(ca.SX(1.0), each)
+    system.output("force", make(system, deflection, rate), "N", "force")
     model = system.finish()
     where = [model.x, model.u, model.p, model.m]
-    switches, force = (ca.Function("f", where, [graph]) for graph in (model.switch, model.output))
-    flat = {f"map.length[{i}]": value for i, value in enumerate(damper.length)}
-    flat |= {f"map.velocity[{j}]": value for j, value in enumerate(damper.velocity)}
-    flat |= {f"map.force[{i}][{j}]": value for i, row in enumerate(damper.force) for j, value in enumerate(row)}
-    p = ca.DM([flat[name] for name in model.parameters])
+    switches, both = (ca.Function("f", where, list(graphs)) for graphs in ([model.switch], [model.output, model.rate]))
+    p = ca.DM([numbers[name] for name in model.parameters])
 
-    def evaluate(place: float, speed: float) -> float:
-        x = ca.DM([place, speed, 0.0, 0.0])
-        m = switches(x, ca.DM(0, 1), p, ca.DM.zeros(len(model.switches))) > 0.0
-        return float(force(x, ca.DM(0, 1), p, m))
+    def evaluate(deflection: float, rate: float, inner: float = 0.0) -> tuple[float, float]:
+        x = ca.DM([deflection, rate, 0.0, 0.0, inner][: len(model.states)])
+        m = ca.DM.zeros(len(model.switches))
+        for _ in range(2):  # contact of a tyre asks for its force, which has switches of its own
+            m = switches(x, ca.DM(0, 1), p, m) > 0.0
+        force, rates = both(x, ca.DM(0, 1), p, m)
+        return float(force), float(rates[-1])
 
     return evaluate
 
 
+def numbers_of(part: Description, path: str) -> dict[str, float]:
+    """Numbers of a description by the paths that a model gives them."""
+    found: dict[str, float] = {}
+
+    def walk(value: object, path: str) -> None:
+        if isinstance(value, dict):
+            for name, inner in value.items():
+                walk(inner, f"{path}.{name}")
+        elif isinstance(value, list | tuple):
+            for i, inner in enumerate(value):
+                walk(inner, f"{path}[{i}]")
+        elif isinstance(value, float):
+            found[path] = value
+
+    walk(part.model_dump(), path)
+    return found
+
+
+TANH = TanhDamper(coefficient=700.0, stiffness=900.0, force=250.0, slope=12.0, displacement_coupling=3.0, offset=40.0)
+POLYNOMIAL = PolynomialCurve(coefficients=(2e4, -3e4, 5e5))
+POWER = PowerCurve(coefficient=3e5, exponent=1.3)
+TABLE = TableCurve(deflection=(-0.02, 0.0, 0.03), force=(-300.0, 50.0, 900.0))
+STOP = BumpStop(gap=0.01, rate=2e4, progression=3e6)
+DEFLECTIONS = np.array([-0.05, -0.02, -0.004, 0.006, 0.013, 0.04])
+
+
+def over(x: np.ndarray, points: tuple[float, ...], forces: tuple[float, ...]) -> np.ndarray:
+    """Straight lines through three points, going on beyond the ends."""
+    slopes = np.diff(forces) / np.diff(points)
+    return np.where(x < points[1], forces[1] + slopes[0] * (x - points[1]), forces[1] + slopes[1] * (x - points[1]))
+
+
+@pytest.mark.parametrize(
+    ("make", "part", "expected"),
+    [
+        (spring_force, Spring(rate=3e4, preload=800.0), lambda x, _: 800.0 + 3e4 * x),
+        (spring_force, Spring(curve=POLYNOMIAL), lambda x, _: 2e4 * x - 3e4 * x**2 + 5e5 * x**3),
+        (spring_force, Spring(curve=POWER, preload=5.0), lambda x, _: 5.0 + 3e5 * np.maximum(x, 0.0) ** 1.3),
+        (spring_force, Spring(curve=TABLE), lambda x, _: over(x, TABLE.deflection, TABLE.force)),
+        (damper_force, LinearDamper(coefficient=1500.0), lambda _, v: 1500.0 * v),
+        (
+            damper_force,
+            BilinearDamper(bump_coefficient=800.0, rebound_coefficient=2200.0),
+            lambda _, v: np.where(v > 0.0, 800.0, 2200.0) * v,
+        ),
+        (
+            damper_force,
+            VelocityTable(velocity=TABLE.deflection, force=TABLE.force),
+            lambda _, v: over(v, TABLE.deflection, TABLE.force),
+        ),
+        (damper_force, TANH, lambda x, v: 700.0 * v + 900.0 * x + 250.0 * np.tanh(12.0 * (v + 3.0 * x)) + 40.0),
+        (bump_stop_force, STOP, lambda x, _: np.where(x > 0.01, 2e4 * (x - 0.01) + 3e6 * (x - 0.01) ** 3, 0.0)),
+        (friction_force, Friction(force=90.0), lambda _, v: 90.0 * np.tanh(v / 0.002)),
+        (tyre_force, Tyre(stiffness=2e5, damping_coefficient=400.0), lambda x, v: held(2e5 * x + 400.0 * v, 2e5 * x)),
+        (tyre_force, Tyre(stiffness=2e5, lift_off=False), lambda x, _: 2e5 * x),
+        (tyre_force, Tyre(curve=POWER), lambda x, _: 3e5 * np.maximum(x, 0.0) ** 1.3),
+        (tyre_force, Tyre(curve=POLYNOMIAL), lambda x, _: held(2e4 * x - 3e4 * x**2 + 5e5 * x**3, x)),
+    ],
+)
+def test_a_law_is_what_its_description_says(make: Callable, part: Description, expected: Callable) -> None:
+    def written(system: System, deflection: ca.SX, rate: ca.SX) -> ca.SX:
+        if make is tyre_force:
+            return tyre_force(system, part, deflection, rate)
+        if make is damper_force:
+            return damper_force(system, part, "part", deflection, rate)
+        return make(system, part, "part", rate if make is friction_force else deflection)
+
+    law = law_of(written, numbers_of(part, "tyre" if make is tyre_force else "part"))
+    x, v = (grid.ravel() for grid in np.meshgrid(DEFLECTIONS, 10.0 * DEFLECTIONS))
+    found = [law(*each)[0] for each in zip(x, v, strict=True)]
+    np.testing.assert_allclose(found, expected(x, v), rtol=1e-12, atol=1e-9)
+
+
+def held(force: np.ndarray, depth: np.ndarray) -> np.ndarray:
+    """A contact force: neither does it pull nor does it act where the tyre is off the road."""
+    return np.where((force > 0.0) & (depth > 0.0), force, 0.0)
+
+
+@pytest.mark.parametrize("velocity", [-0.3, 0.2])
+@pytest.mark.parametrize("z", [-0.8, 0.4])
+def test_a_bouc_wen_damper_turns_over_as_its_description_says(velocity: float, z: float) -> None:
+    part = BoucWenDamper(
+        coefficient=300.0, stiffness=700.0, hysteretic_force=80.0, rate=900.0, sigma=0.7, exponent=1.6, offset=9.0
+    )
+    found = law_of(lambda system, x, v: damper_force(system, part, "part", x, v), numbers_of(part, "part"))
+    force, rate = found(0.02, velocity, z)
+    assert force == pytest.approx(300.0 * velocity + 700.0 * 0.02 + 80.0 * z + 9.0, rel=1e-12)
+    turning = 0.7 * abs(velocity) * abs(z) ** 0.6 * z
+    assert rate == pytest.approx(900.0 * (velocity - turning + (0.7 - 1.0) * velocity * abs(z) ** 1.6), rel=1e-12)
+
+
 def test_a_damper_map_is_bilinear_between_its_points() -> None:
-    law, rows, speeds, forces = law_of(MAP), np.array(MAP.length), np.array(MAP.velocity), np.array(MAP.force)
+    law = law_of(lambda system, x, v: damper_map_force(system, MAP, "map", x, v), numbers_of(MAP, "map"))
+    rows, speeds, forces = np.array(MAP.length), np.array(MAP.velocity), np.array(MAP.force)
     for place in (0.25, 0.31, 0.36, 0.40, 0.44, 0.50):  # beyond the lengths the force stays
         for speed in (-1.5, -0.8, -0.45, 0.0, 0.15, 0.2, 0.7, 1.6):  # beyond the velocities it goes straight on
             j = int(np.clip(np.searchsorted(speeds, speed) - 1, 0, len(speeds) - 2))
             slope = (forces[:, j + 1] - forces[:, j]) / (speeds[j + 1] - speeds[j])
             expected = np.interp(place, rows, forces[:, j] + slope * (speed - speeds[j]))
-            assert law(place, speed) == pytest.approx(expected, rel=1e-12, abs=1e-9)
+            assert law(place, speed)[0] == pytest.approx(expected, rel=1e-12, abs=1e-9)
 
 
 @pytest.mark.parametrize(("end", "place", "side"), [("lower", -0.12, 1.0), ("upper", 0.23, -1.0)])
