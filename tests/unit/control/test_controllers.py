@@ -13,6 +13,7 @@ from jounce.control import (
     ADD,
     CONTROLS,
     LQR,
+    PID,
     ActiveActuator,
     CornerModel,
     MagnetorheologicalDamper,
@@ -78,6 +79,29 @@ def test_laws_are_what_their_words_say(body: float, wheel: float, parting: float
     for crossover, dominant in ((1.5, 2.0 * body), (2.5, body)):
         numbers["crossover"] = crossover
         assert float(SHADD().product(now)) == pytest.approx(dominant * parting)
+
+
+def test_pid_of_an_even_acceleration_and_at_its_limit() -> None:
+    """Of a ramp the filtered derivative becomes its slope; what is missed at a limit comes off the integral."""
+    law = PID(proportional=3000.0, integral=2000.0, derivative=50.0, rate=200.0, filter_time=0.02, tracking_time=0.1)
+    corner = CornerModel(400.0, 40.0, 25e3, 200e3, 1500.0, motion_ratio=0.8)
+    period, slope, memory = 1.0 / 200.0, 1.5, (0.0, 0.0, 0.0)
+
+    def decided(velocity: float, memory: tuple[float, ...], limit: float) -> tuple[float, tuple[float, ...]]:
+        numbers = {**law.numbers(corner), "minimum": -limit, "maximum": limit}
+        kept = [ca.SX(value) for value in memory]
+        look = (lambda _: ca.SX(velocity)), (lambda name: ca.SX(numbers[name]))
+        found = law.decide(Instant(*look, ca.SX(0.0), kept))
+        return float(found.command), tuple(float(value) for value in found.memory)
+
+    for step in range(1, 101):
+        before = memory
+        command, memory = decided(-slope * step * period, before, 1e6)
+    assert before[0] == pytest.approx(2000.0 * slope * period**2 * 99 * 100 / 2, rel=1e-9)
+    assert command * 0.8 == pytest.approx(3000.0 * slope * 0.5 + before[0] + 50.0 * slope, rel=1e-9)
+    held, after = decided(-slope * 0.5, before, 1000.0)
+    assert held == 1000.0
+    assert after[0] - memory[0] == pytest.approx(period / 0.1 * 0.8 * (1000.0 - command), rel=1e-9)
 
 
 def test_controller_from_a_file(tmp_path: Path) -> None:
