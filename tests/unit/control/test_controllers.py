@@ -7,7 +7,9 @@ from pathlib import Path
 from typing import ClassVar, Literal
 
 import casadi as ca
+import numpy as np
 import pytest
+from scipy.linalg import expm, solve_discrete_are
 
 from jounce.control import (
     ADD,
@@ -25,8 +27,9 @@ from jounce.control import (
 )
 from jounce.control.actuators import Instant
 from jounce.control.controller import DamperLaw
-from jounce.control.design import _least
+from jounce.control.design import _least, corner_equations, corner_outputs
 from jounce.control.laws import SHADD, Groundhook, Hybrid, TwoStateGroundhook, TwoStateSkyhook
+from jounce.control.preview import PreviewMPC, _horizon
 from jounce.control.program import program, sensor_noise, values
 from jounce.core.errors import DescriptionError
 
@@ -102,6 +105,33 @@ def test_pid_of_an_even_acceleration_and_at_its_limit() -> None:
     held, after = decided(-slope * 0.5, before, 1000.0)
     assert held == 1000.0
     assert after[0] - memory[0] == pytest.approx(period / 0.1 * 0.8 * (1000.0 - command), rel=1e-9)
+
+
+@pytest.mark.parametrize(("lag", "price"), [(0.0, 0.0), (0.0, 2e-7), (0.006, 1e-3 / 400.0**2), (0.006, 2e-7)])
+def test_a_plan_without_limits_begins_with_the_regulator(lag: float, price: float) -> None:
+    """Whatever the horizon, for its end costs what the regulator would; behind a lag a force has a price of its own."""
+    weights, period, steps = (900.0, 30000.0), 1.0 / 200.0, 6
+    a, b, _ = corner_equations(CORNER)
+    c, d = corner_outputs(CORNER, ("sprung.az",))
+    if lag:
+        a, b = np.block([[a, b], [np.zeros((1, 4)), -1.0 / lag]]), np.vstack([np.zeros((4, 1)), 1.0 / lag])
+        c, d = np.hstack([c, d]), 0.0 * d
+    n = len(a)
+    whole = expm(period * np.block([[a, b], [np.zeros((1, n + 1))]]))
+    F, H = whole[:n, :n], whole[:n, n:]
+    Q = c.T @ c + np.diag([weights[0], 0.0, weights[1], *np.zeros(n - 3)])
+    R, S = d.T @ d + price, c.T @ d
+    P = solve_discrete_are(F, H, Q, R, s=S)
+    gain = np.linalg.solve(R + H.T @ P @ H, H.T @ P @ F + S.T)
+    law = PreviewMPC(
+        actuator=ActiveActuator(lag=lag),
+        deflection_weight=weights[0],
+        tyre_weight=weights[1],
+        force_weight=price if price == 2e-7 else 0.0,
+    )
+    plan = _horizon(law, CORNER, steps)
+    found = np.linalg.solve(plan.H[:steps, :steps], plan.gx[:steps])
+    np.testing.assert_allclose(found[:1], gain, rtol=1e-6, atol=1e-6 * abs(gain).max())
 
 
 def test_controller_from_a_file(tmp_path: Path) -> None:
