@@ -131,7 +131,8 @@ def read_columns_csv(path: Path | str) -> ColumnTable:
 
     The first line that is neither empty nor a ``#`` comment is the header: one ``name [unit]`` per column, or
     ``name (unit)``, ``name / unit``, ``name in unit`` where that is a unit; the units may also stand in a line of their
-    own below the names. Trailing separators are accepted. Where commas do not separate, they may be decimal commas, if
+    own below the names. Loggers write text before it (make, date, settings), which is passed over with a remark: the
+    header is then the last line of names before the first row of numbers. Trailing separators are accepted. Where commas do not separate, they may be decimal commas, if
     the file has no decimal points; it is remarked.
 
     Gives raw numbers (not converted), all finite, and the comments before the header. A column with text, a blank or
@@ -147,9 +148,10 @@ def read_columns_csv(path: Path | str) -> ColumnTable:
     """
     file = Path(path)
     lines = _text_of(file).splitlines()
-    comments, start = _leading_comments(lines)
-    if start == len(lines):
+    comments, first = _leading_comments(lines)
+    if first == len(lines):
         raise RecordingError("the file is empty", where=str(file), allowed="a header 'name [unit], ...' and rows")
+    start = _header_line(lines, first)
     rows, numbers = _without_blank_lines(lines[start + 1 :], start + 2)
     separator = _separator(lines[start])
     if separator == "," and rows and _is_blank_separated(lines[start], rows[0]):
@@ -165,6 +167,8 @@ def read_columns_csv(path: Path | str) -> ColumnTable:
         columns, remarks = _columns(rows, numbers, header, units, file, separator)
     except csv.Error as error:
         raise RecordingError(f"not a table ({error})", where=str(file)) from None
+    if start > first:
+        remarks = (f"the header is line {start + 1}; the text before it was passed over", *remarks)
     return ColumnTable(columns, comments, str(file), numbers, remarks)
 
 
@@ -214,6 +218,63 @@ def _leading_comments(lines: list[str]) -> tuple[tuple[str, ...], int]:
         elif line.strip():
             return tuple(comments), index
     return tuple(comments), len(lines)
+
+
+_LONGEST_PREAMBLE = 200  # lines
+
+
+def _header_line(lines: list[str], first: int) -> int:
+    """Index of the header: names with a unit, or right above the first row of nothing but numbers; or the first line.
+
+    A logger's settings are no header, even where they come in as many cells as there are columns (``Rate;1000``).
+    """
+    filled = [i for i in range(first, min(first + _LONGEST_PREAMBLE, len(lines))) if lines[i].strip(" \r\ufeff")]
+    likely = None
+    for place, index in enumerate(filled[:-1]):
+        below = [lines[i] for i in filled[place + 1 : place + 3]]
+        separator = _separator(lines[index])
+        if separator == "," and _is_blank_separated(lines[index], below[-1]):
+            separator = " "
+        cells = _row(lines[index], separator)
+        if len(cells) > 1 and all(map(_has_number, cells)):
+            break
+        rows = [_row(line, separator, len(cells)) for line in below]
+        if not rows[0] or not _are_names(cells) or _are_units(cells):
+            continue
+        if any(unit and is_unit(unit) for _, unit in map(name_and_unit, cells)):
+            return index
+        row = rows[-1] if _are_units(rows[0]) else rows[0]
+        if len(cells) > 1 and row and all(map(_has_number, row)):
+            return index
+        if likely is None and any(map(_has_number, row)):
+            likely = index
+    return first if likely is None else likely
+
+
+def _row(line: str, separator: str, width: int | None = None) -> list[str]:
+    """Cells of a line without an empty one at its end; nothing where they are not ``width``."""
+    try:
+        cells = _header_cells(line, separator)
+    except csv.Error:
+        return []
+    if cells and cells[-1] == "" and len(cells) != width:
+        cells = cells[:-1]
+    return cells if width in (None, len(cells)) else []
+
+
+def _has_number(cell: str) -> bool:
+    return _is_number(cell) or _DECIMAL_COMMA.fullmatch(cell) is not None
+
+
+def _are_names(cells: list[str]) -> bool:
+    """Whether cells can name columns: letters in all of them, none a number, all different."""
+    worded = all(any(map(str.isalpha, cell)) and not _has_number(cell) for cell in cells)
+    return bool(cells) and worded and len(set(cells)) == len(cells)
+
+
+def _are_units(cells: list[str]) -> bool:
+    """Whether cells are units only."""
+    return bool(cells) and all(cell == "-" or is_unit(cell.strip("[]()")) for cell in cells)
 
 
 def _separator(header: str) -> str:

@@ -174,3 +174,46 @@ def test_blanks_separate_where_nothing_else_does(tmp_path: Path) -> None:
         table = read_columns_csv(written(tmp_path, f"{header}\n 0.0  1.5\n 1.0  -2.5 \n"))
         assert table[1].values.tolist() == [1.5, -2.5]
         assert table[0].unit == ("" if "_" in header else "s")
+
+
+LOGGERS = {
+    "one text": "Damper dyno, run 7\ntime [s];force [N]\n0;1\n1;2\n",
+    "settings": "Logger X\nSample rate;1000\nChannels;2\n\ntime [s];force [N]\n0;1\n1;2\n",
+    "settings in as many cells": "Make;Logger X\nRate;1000\nDate;21.11.2026\ntime;force\ns;N\n0;1\n1;2\n",
+    "numbers before": "1000\n2\ntime [s],force [N]\n0,1\n1,2\n",
+    "commas in prose": "Measured by A. B., on 21.11.2026, wet\ntime [s],force [N]\n0,1\n1,2\n",
+    "tabs": "Operator:\tA. B.\nGain\t1.0\t(all)\ntime (s)\tforce (N)\t\n0\t1\t\n1\t2\t\n",
+    "blanks": "Measured by A. B.\ntime [s]  force [N]\n0 1\n1 2\n",
+    "decimal commas": "Prüfstand 3\nRate;1000,0\nZeit;Kraft\n[s];[N]\n0,0;1,0\n1,0;2,0\n",
+    "a comment, too": "# axle = 'front'\nLogger X\n\ntime [s];force [N]\n0;1\n1;2\n",
+}
+
+
+@pytest.mark.parametrize("content", LOGGERS.values(), ids=LOGGERS)
+def test_text_that_a_logger_writes_before_the_header_is_passed_over_and_said(tmp_path: Path, content: str) -> None:
+    table = read_columns_csv(written(tmp_path, content))
+    assert [column.unit for column in table] == ["s", "N"]
+    assert table[0].values.tolist() == [0.0, 1.0]
+    assert table[1].values.tolist() == [1.0, 2.0]
+    line = next(i for i, text in enumerate(content.splitlines(), 1) if text.lower().startswith(("time", "zeit")))
+    assert table.remarks[0] == f"the header is line {line}; the text before it was passed over"
+    assert table.lines[0] > line
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "time [s];force [N]\nstart;none\n0;1\n",  # a row of text is a fault of its columns, not another header
+        "time [s];force [N]\n0;1\nnew time [s];new force [N]\n1;2\n",  # nor is a second table the first one
+        "day;force\nMon;5\nTue;missing\nWed;6\n",
+        "a;b;c\n1;2\n3;4\n",  # rows without a header that fits them
+        "0;1\n1;2\n",
+    ],
+)
+def test_rows_are_never_passed_over_as_if_they_were_such_text(tmp_path: Path, content: str) -> None:
+    try:
+        table = read_columns_csv(written(tmp_path, content))
+    except RecordingError:
+        return
+    assert not any("passed over" in remark for remark in table.remarks)
+    assert table.lines[0] == 2
