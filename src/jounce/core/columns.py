@@ -131,9 +131,9 @@ def read_columns_csv(path: Path | str) -> ColumnTable:
 
     The first line that is neither empty nor a ``#`` comment is the header: one ``name [unit]`` per column, or
     ``name (unit)``, ``name / unit``, ``name in unit`` where that is a unit; the units may also stand in a line of their
-    own below the names. Loggers write text before it (make, date, settings), which is passed over with a remark: the
-    header is then the last line of names before the first row of numbers. Trailing separators are accepted. Where commas do not separate, they may be decimal commas, if
-    the file has no decimal points; it is remarked.
+    own below the names. Text that a logger writes before it (make, date, settings) is passed over, which is remarked.
+    Trailing separators are accepted. Where commas do not separate, they may be decimal commas, if the file has no
+    decimal points; it is remarked.
 
     Gives raw numbers (not converted), all finite, and the comments before the header. A column with text, a blank or
     NaN is kept with its fault, which whoever asks for the column gets. A RecordingError with the line refuses a

@@ -35,6 +35,9 @@ class Doubt(Description):
         See there, N.
     presliding : float
         Hysteretic force of damper, mounts and seals that builds up over half a millimetre, N.
+    arms : float
+        Inertia that arms and struts share between body and wheel, as a share (1) of the unsprung mass; of quarter cars,
+        whose two masses feel each other through springs and dampers only.
     friction : float
         Friction that is not fitted, as a share (1) of the load on the spring.
     friction_onset : float
@@ -73,6 +76,7 @@ class Doubt(Description):
     damper_shape: Share = 0.2
     damper_force: NonNegativeForce = 2.0
     presliding: NonNegativeForce = 4.0
+    arms: Share = 0.04
     friction: Share = 0.02
     friction_onset: Share = 1.0
     spring_curvature: Share = 0.03

@@ -59,6 +59,10 @@ class States:
             z[i + 1] = ends[i] + (z[i] - ends[i]) * left[i] if ends[i] else z[i]
         return z
 
+    def acceleration(self) -> Array:
+        """Rate of the strut's velocity, m/s^2."""
+        return np.gradient(self.velocity, self.time)
+
 
 class Laws:
     """Readings of the fitted parameters from the richer rig's numbers over the states ridden."""

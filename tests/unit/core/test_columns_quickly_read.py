@@ -49,7 +49,9 @@ def test_usual_records_need_no_look_at_cells(tmp_path: Path, monkeypatch) -> Non
     head = "# axle = 'front'\ntime [s], left.plate.z [mm], left.plate.force [N], right.plate.z [mm], b [N]"
     np.savetxt(file, values, fmt=["%.3f", "%.4f", "%.17g", "%.4e", "%12.1f"], delimiter=", ", header=head, comments="")
     looked: list[str] = []
-    monkeypatch.setattr(columns, "_cells", lambda line, mark, kept=columns._cells: looked.append(line) or kept(line, mark))
+    monkeypatch.setattr(
+        columns, "_cells", lambda line, mark, kept=columns._cells: looked.append(line) or kept(line, mark)
+    )
     table = read_columns_csv(file)
     assert np.array_equal(table["left.plate.force"].values, values[:, 2])
     assert table.name_row(1999) == "line 2002"

@@ -85,14 +85,14 @@ def test_slopes_of_all_doubts_are_those_of_differences():
     here = _State(np.zeros(len(free)), np.zeros(len(one.nuisances)), np.zeros((1, 2)), np.zeros(1))
     blocks, _ = one.blocks(here)
     names = [*FREE, *(nuisance.name for nuisance in one.nuisances)]
-    assert {"height", "contact_patch", "presliding", "sprung.mass", "tyre curvature"} <= set(names)
+    assert {"height", "contact_patch", "presliding", "arms", "sprung.mass", "tyre curvature"} <= set(names)
     for k, name in enumerate(names):
         vectors = []
         for step in (1e-3, -1e-3):
             moved = _State(here.theta.copy(), here.xi.copy(), here.own, here.lags)
             (moved.theta if k < len(free) else moved.xi)[k if k < len(free) else k - len(free)] += step
             vectors.append([block.residual for block in one.blocks(moved)[0]])
-        rough = 0.1 if name in ("height", "contact_patch", "presliding") or "corner" in name else 1e-3
+        rough = 0.1 if name in ("height", "contact_patch", "presliding", "arms") or "corner" in name else 1e-3
         for block, after, before in zip(blocks, *vectors, strict=True):
             slope = (before - after) / 2e-3
             error = np.sort(np.abs(slope - block.common[:, k]))[: int(0.98 * len(slope))]  # but for jumps at landings
@@ -122,6 +122,39 @@ def test_slopes_do_not_depend_on_where_the_search_comes_from():
     for now, again in zip(arriving, staying, strict=True):
         slope = again.common[:, column]
         assert np.linalg.norm(now.common[:, column] - slope) < 0.1 * np.linalg.norm(slope), now.channel
+
+
+def test_inertia_of_arms_couples_the_masses_and_leaves_each_its_own():
+    """Force between the masses and what is added to them: M = [[sprung, c], [c, unsprung]], whatever the strut's angle."""
+    free, course = free_parameters(RIG, FREE), jn.Trial(road=jn.Flat(), speed=1.0, duration=0.2)
+    made = jn.simulate(RIG, course)[["sprung.az", "unsprung.az"]]
+    one = _Calibration(
+        [jn.FitTrial("level", RIG, course, made)], free, jn.Doubt(), channels=None, weights="printed", align=False,
+        tolerance=1e-8, priors={},
+    )  # fmt: skip
+    run, ratio, arms = one.runs[0], np.cos(RIG.parameters()["strut.angle"]), 0.2
+    body, wheel = 3.0, -40.0  # m/s^2
+    still = np.zeros(5)
+    moved = States(np.arange(5.0), still, ratio * (wheel - body) * np.arange(5.0), still, still, still)
+    force = arms * run.forces(moved)["arms"][2]  # along the strut, apart
+    sprung, unsprung = 16.0 + arms, 5.0 + arms
+    assert sprung * body - ratio * force == pytest.approx(16.0 * body + arms * wheel)
+    assert unsprung * wheel + ratio * force == pytest.approx(5.0 * wheel + arms * body)
+
+
+def test_a_measured_actuator_force_stays_beside_what_is_doubted():
+    time = np.linspace(0.0, 1.2, 241)
+    truth, passes = RIG.with_changes({"strut.spring.rate": 24000.0}), []
+    for frequency in (2.0, 4.0, 7.0):
+        force = 40.0 * np.sin(2.0 * np.pi * frequency * time) * np.minimum(time / 0.3, 1.0)
+        level = jn.Excitation(time=time, height=np.zeros(241))
+        course = jn.Trial(excitation=level, actuator_force={"time": time, "force": force}, duration=1.2)
+        passes.append(
+            jn.FitTrial(f"{frequency}", RIG, course, jn.simulate(truth, course)[["sprung.az", "unsprung.az"]])
+        )
+    for doubt in (jn.Doubt(), jn.Doubt(presliding=0.0, arms=0.0)):
+        found = jn.update_model(passes, FREE, weights="normalised", doubt=doubt).discrepancy
+        assert found.parameters["strut.spring.rate"].component.value == pytest.approx(24000.0, rel=2e-3)
 
 
 def test_presliding_builds_up_over_a_distance_and_turns_over_with_the_motion():
