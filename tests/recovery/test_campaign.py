@@ -250,7 +250,7 @@ def test_fitted_values_carry_their_intervals_and_what_they_are_from(result):
     assert "Small starting values" not in fourth.rig_texts["0.31 MPa"]
     curve = result.strategies[0].rig_texts
     assert "# fitted: strategy 1" in line(curve["0.31 MPa"], "coefficients")
-    assert "measured: cubic through all points of bench.tyre at 0.25 MPa" in curve["0.25 MPa"]
+    assert "measured: cubic through the curve of bench.tyre at 0.25 MPa" in curve["0.25 MPa"]
 
 
 def test_speed_of_the_campaign_and_truth_differ_within_rounding(result):
@@ -293,7 +293,7 @@ def test_results_and_report_tell_both_intervals_and_the_truth(result):
     table, words = discrepancy_blocks(strategy, dict.fromkeys(strategy.update.parameters, "1"))
     assert "truth" in table.header
     assert {row[-1].text for row in table.rows} <= {"identified", "not identified with this model"}
-    assert "one observation for each channel and trial (6 trials)" in words.text
+    assert "three observations for each channel and trial (6 trials)" in words.text
     beside = discrepancy_blocks(result.strategies[1], dict.fromkeys(result.strategies[1].update.parameters, "1"))
     assert "three fitted trials" in beside[0].text
     assert "does not say that its parameters are those of the parts" in validation(result).blocks[0].text

@@ -118,3 +118,43 @@ def test_what_cannot_be_is_refused():
         jn.simulate(jn.load("audi-a6-half-car"), jn.Trial(duration=1.0, **base_motion(), **actuator()))
     with pytest.raises(SimulationError, match="one of the two"):
         jn.simulate(RIG, jn.Trial(duration=1.0, **base_motion(), **actuator()), control=jn.Skyhook())
+
+
+def test_a_base_motion_takes_the_keys_of_every_recording(tmp_path):
+    """In Python and in campaigns alike; what its reader found is a finding of the trial."""
+    file = tmp_path / "base.csv"
+    table = np.column_stack([1e3 * BASE, np.zeros_like(BASE)])
+    np.savetxt(file, table, delimiter=";", header="plate;spare", comments="")
+    text = file.read_text(encoding="utf-8").replace(".", ",")
+    file.write_text(text, encoding="utf-8")
+    base = jn.Excitation(file=file, columns={"road.z": "plate [mm]"}, sample_time="1 ms")
+    given = jn.Excitation(time=TIME, height=BASE)
+    assert base.end() == pytest.approx(given.end())
+    ours, theirs = (jn.simulate(TRUTH, jn.Trial(excitation=one)) for one in (base, given))
+    np.testing.assert_allclose(
+        ours["sprung.az"], theirs["sprung.az"], atol=1e-4 * float(abs(theirs["sprung.az"]).max())
+    )
+    assert any("decimal commas" in finding.message for finding in jn.Trial(excitation=base).excitation.findings())
+    check(
+        campaign(
+            tmp_path,
+            'excitation = {file = "base.csv", columns = {"road.z" = "plate [mm]"}, sample_time = "1 ms"}',
+            driven(**base_motion()),
+        )
+    )
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({"time": [0.0, 0.1, 0.2, 0.3], "height": [0.0] * 4, "sample_time": "1 ms"}, "give file"),
+        ({"file": "base.csv", "columns": {"road.z": "plait [mm]"}}, "no column 'plait'.*Did you mean 'plate'"),
+        ({"file": "base.csv", "sample_time": "1 ms"}, "no channel|road.z|no column"),
+        ({"file": "none.mat", "variable": "a"}, "no such file"),
+    ],
+)
+def test_keys_that_cannot_be_meant_are_refused(tmp_path, given, message, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "base.csv").write_text("time [s];plate [mm]\n0;0\n0,1;1\n0,2;0\n0,3;1\n", encoding="utf-8")
+    with pytest.raises(jn.JounceError, match=message):
+        jn.Excitation(**given)

@@ -8,9 +8,6 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field, field_validator, model_validator
 
 from jounce.core.description import Description, read_description
-from jounce.core.errors import RecordingError
-from jounce.core.findings import Finding
-from jounce.core.types import Array
 from jounce.core.units import NonNegativeLength, PositiveSpeed, PositiveTime, Unit, to_si
 from jounce.identify.doubt import Doubt
 from jounce.identify.signs import ForcePositive, StrokePositive
@@ -76,23 +73,6 @@ class InputFile(RecordingFormat):
     """A measured input of a trial: a file with ``time`` and one channel; a text stands for ``{file = text}``."""
 
     file: str
-
-    @property
-    def is_plain(self) -> bool:
-        """Whether nothing but the file is said."""
-        return self.model_fields_set == {"file"}
-
-    def signal(self, folder: Path, channel: str) -> tuple[Array, Array, list[Finding]]:
-        """Give time (s) and the channel (SI), with what its reader found."""
-        data, findings = self.read(folder / self.file, folder)
-        if channel not in data:
-            raise RecordingError(
-                f"no channel {channel!r}",
-                where=self.file,
-                found=", ".join(map(str, data.data_vars)),
-                hint=f'Map its column, e.g. columns = {{"{channel}" = "COLUMN [unit]"}}.',
-            )
-        return data["time"].to_numpy(), data[channel].to_numpy(), findings
 
 
 AnInput = Annotated[InputFile | None, BeforeValidator(_named)]

@@ -35,7 +35,7 @@ from jounce.identify.update import bounds_and_priors, update_model
 from jounce.parts import Corner, Rig, load, rig_findings, rig_path
 from jounce.parts.variants import strut_angle_findings, with_strut_angle
 from jounce.recordings import Sensor
-from jounce.roads import Road, Train, Trial, read_roads
+from jounce.roads import Excitation, Road, Train, Trial, read_roads
 from jounce.simulation.compiled import compile_rig
 
 Progress = Callable[[str], None]
@@ -209,18 +209,18 @@ def _load_trials(
 def inputs_of(entry: TrialEntry, folder: Path, findings: list[Finding]) -> dict[str, Any]:
     """Read the measured inputs of a trial, the base motion and the force of an actuator, as fields of a `Trial`."""
     known: dict[str, Any] = {}
-    base = entry.excitation
-    if base is not None and base.is_plain and Path(base.file).suffix.lower() in (".csv", ".txt"):
-        known["excitation"] = folder / base.file  # time may be uneven there
-    elif base is not None:
-        time, height, notes = base.signal(folder, "road.z")
-        known["excitation"] = {"time": time, "height": height}
-        findings += notes
     if entry.actuator_force is not None:
-        time, force, notes = entry.actuator_force.signal(folder, "actuator.force")
+        file = folder / entry.actuator_force.file
+        time, force, notes = entry.actuator_force.signal(file, folder, "actuator.force")
         sign = sign_of(entry.force_positive, "force")
         known["actuator_force"] = {"time": time, "force": sign * force}
         findings += notes
+    if entry.excitation is not None:
+        keys = entry.excitation.model_dump(exclude_unset=True)
+        if "database" in keys:
+            keys["database"] = str(folder / keys["database"])
+        known["excitation"] = Excitation(**{**keys, "file": folder / entry.excitation.file})
+        findings += known["excitation"].findings()
     return known
 
 

@@ -97,7 +97,7 @@ def _origins(
         name, fitted_at = strategy.update.name, [at[number] for number in strategy.fitted_on]
         if laws[name] == "polynomial":
             words = {path: text for path, text in words.items() if not path.startswith(TYRE_PATHS)}
-            words["tyre.curve"] = f"measured: cubic through all points of bench.tyre at {_named(pressure)}"
+            words["tyre.curve"] = f"measured: cubic through the curve of bench.tyre at {_named(pressure)}"
         here = strategy.knowledge.rig_for(None, pressure, {}).parameters()
         for path, p in strategy.update.parameters.items():
             of_tyre = path.startswith(TYRE_PATHS)

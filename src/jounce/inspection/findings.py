@@ -64,6 +64,7 @@ SENTENCES: dict[str, Sentence] = {
     "reading_columns": Sentence("{text}", "Nicht alle Spalten der Datei wurden verwendet (englisch): {text}"),
     "reading_commas": Sentence("{text}", "Die Datei hat Dezimalkommas."),
     "reading_units": Sentence("{text}", "Die Einheiten wurden der Zeile unter den Namen entnommen."),
+    "reading_preamble": Sentence("{text}", "Der Text vor der Kopfzeile der Datei wurde übergangen."),
     "reading_steps": Sentence(
         "{text}", "Auf gleiche Zeitschritte umgerechnet; die größte Lücke der aufgezeichneten Zeit ist {value:.4g} s."
     ),
@@ -371,6 +372,7 @@ _OF_READER = {
     "channels without a single number": "reading_columns",
     "decimal commas": "reading_commas",
     "the units were read from the line": "reading_units",
+    "the header is line": "reading_preamble",
     "resampled to": "reading_steps",
     "with the given sample time": "reading_sample_time",
     "the file announces": "reading_cut_off",

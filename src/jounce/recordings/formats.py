@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from jounce.core.description import Description
+from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.core.units import PositiveTime
@@ -44,3 +45,15 @@ class RecordingFormat(TableFormat):
             resample=self.resample,
             database=folder / self.database if self.database else None,
         )
+
+    def signal(self, file: Path, folder: Path, channel: str) -> tuple[Array, Array, list[Finding]]:
+        """Read one channel of a recording: time (s), values (SI), and what its reader found."""
+        data, findings = self.read(file, folder)
+        if channel not in data:
+            raise RecordingError(
+                f"no channel {channel!r}",
+                where=str(file),
+                found=", ".join(map(str, data.data_vars)),
+                hint=f'Map its column, e.g. columns = {{"{channel}" = "COLUMN [unit]"}}.',
+            )
+        return data["time"].to_numpy(), data[channel].to_numpy(), findings

@@ -574,7 +574,7 @@ def _counted(found: Discrepancy) -> str:
     return (
         f"Counted as uncertain, with the standard deviations of the campaign's doubt table: {groups}. With all of "
         f"these fitted, too, {percent(found.objective, 0)} of the residual's energy is left. Of that, {worst} is "
-        "neither noise nor explained; it counts as one observation for each channel and trial "
+        "neither noise nor explained; it counts as three observations for each channel and trial "
         f"({found.trials} trials).{more}"
     )
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 from itertools import pairwise
 from pathlib import Path
 from typing import Annotated, Any, Self
@@ -11,11 +12,14 @@ import numpy as np
 from pydantic import BeforeValidator, model_validator
 
 from jounce.core.description import Description
+from jounce.core.errors import RecordingError
+from jounce.core.files import existing_file
 from jounce.core.findings import Finding
 from jounce.core.remembered import remembered
 from jounce.core.segments import Segments, flat
 from jounce.core.units import Acceleration, Number, PositiveSpeed, Unit
 from jounce.parts import HalfCar, Rig, Vehicle
+from jounce.recordings.formats import RecordingFormat
 from jounce.roads.measured import (
     Forces,
     Interpolation,
@@ -115,12 +119,15 @@ LOADS = ("pitch_moment", "deceleration", "lateral_acceleration")
 
 
 FEWEST_SAMPLES = 4
+_TEXTS = (".csv", ".txt", ".tsv")
+_KEYS = set(RecordingFormat.model_fields)
 
 
-class Excitation(Description):
+class Excitation(RecordingFormat):
     """Height of the support under the tyre against time: a shaker, a test stand, a profile measured over time.
 
-    The first height holds before the first sample, the last one after the last.
+    The first height holds before the first sample, the last one after the last. A file is any recording, read with the
+    keys of every recording.
 
     Attributes
     ----------
@@ -129,7 +136,10 @@ class Excitation(Description):
     height : tuple of float
         Height in m at these times, up positive.
     file : Path or None
-        Instead of both: a text file with the columns ``time`` and ``road.z``, e.g. ``time [s], road.z [mm]``.
+        Instead of both: a recording with ``time`` and ``road.z``, e.g. text with ``time [s], road.z [mm]``, whose times
+        may be uneven unless it is read with one of the next keys.
+    columns, variable, sample_time, resample, database
+        How the file is read, as in `read_recording`.
     interpolation : {"cubic", "linear"}
         Not-a-knot cubic spline (a smooth velocity), or lines.
 
@@ -152,17 +162,49 @@ class Excitation(Description):
         check_source(self.file, {"time": self.time, "height": self.height}, self.interpolation)
         if self.file is not None:
             self.profile()
+        elif self._keys():
+            raise ValueError(f"{', '.join(self._keys())}: says how a file is read, and none is given; give file")
         return self
 
     def profile(self) -> Profile:
         """Pieces through the samples: coordinate in s, heights in m."""
-        if self.file is not None:
+        if self.file is None:
+            return point_profile(self.time, self.height, self.interpolation)
+        if self._is_plain():
             return file_profile(self.file, {"time": "s", "road.z": "m"}, self.interpolation, FEWEST_SAMPLES)
-        return point_profile(self.time, self.height, self.interpolation)
+        return self._recorded(self.file)[0]
+
+    def findings(self) -> list[Finding]:
+        """What the reader of its file found; nothing of points and of plain text."""
+        return [] if self.file is None or self._is_plain() else list(self._recorded(self.file)[1])
+
+    def _is_plain(self) -> bool:
+        """Whether its file is text of which nothing but the name is said."""
+        return self.file is not None and self.file.suffix.lower() in _TEXTS and not self._keys()
+
+    def _keys(self) -> list[str]:
+        """What is said of how its file is read."""
+        return sorted(name for name in _KEYS if getattr(self, name) not in ({}, "", None))
+
+    def _recorded(self, file: Path) -> tuple[Profile, tuple[Finding, ...]]:
+        status = existing_file(file, RecordingError).stat()
+        keys = self.model_dump_json(include=_KEYS)
+        return _recorded(file, keys, self.interpolation, status.st_mtime_ns, status.st_size)
 
     def end(self) -> float:
         """Time of the last sample in s."""
         return float(self.profile().edges[-1])
+
+
+@lru_cache(maxsize=16)
+def _recorded(
+    file: Path, keys: str, interpolation: Interpolation, _changed: int, _size: int
+) -> tuple[Profile, tuple[Finding, ...]]:
+    """Pieces through the heights of a recording, with what its reader found."""
+    time, height, findings = RecordingFormat.model_validate_json(keys).signal(file, Path(), "road.z")
+    if len(time) < FEWEST_SAMPLES:
+        raise RecordingError("too few samples", where=str(file), found=len(time), allowed=f"at least {FEWEST_SAMPLES}")
+    return point_profile(tuple(time), tuple(height), interpolation), tuple(findings)
 
 
 class ActuatorForce(Description):
@@ -373,7 +415,7 @@ def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float |
     ['the road ends after 0.02 m and the run drives 5 m; the rest of it is level. Shorten the run.']
     """
     behind = rig.wheelbase if isinstance(rig, Vehicle) else 0.0
-    found = list(_loads(trial))
+    found = [*_loads(trial), *(trial.excitation.findings() if trial.excitation is not None else ())]
     if trial.speed is not None:
         for name, road in (("road", trial.road), ("right", trial.right)):
             if road is not None:

@@ -125,7 +125,7 @@ def test_slopes_do_not_depend_on_where_the_search_comes_from():
 
 
 def test_inertia_of_arms_couples_the_masses_and_leaves_each_its_own():
-    """Force between the masses and what is added to them: M = [[sprung, c], [c, unsprung]], whatever the strut's angle."""
+    """Force between the masses and what is added to them: M = [[sprung, c], [c, unsprung]], whatever the angle."""
     free, course = free_parameters(RIG, FREE), jn.Trial(road=jn.Flat(), speed=1.0, duration=0.2)
     made = jn.simulate(RIG, course)[["sprung.az", "unsprung.az"]]
     one = _Calibration(
