@@ -58,10 +58,10 @@ def proving_ground(
 
         study = run_proving_ground(progress=say)
         if out is not None:
-            from jounce.report import write_page
             from jounce.report.papers import proving_ground_page
+            from jounce.report.render import FIGURES, write_page
 
-            write_page(proving_ground_page(study), out, force=force, progress=say)
+            write_page(proving_ground_page(study), out, force=force, figures=FIGURES, progress=say)
     plain = {**study.to_dict(), "out": None if out is None else str(out)}
     return Reply(plain, lambda console: _draw(console, plain, study, out), as_json)
 
@@ -190,10 +190,10 @@ def exciter(
 
         study = run_eccentric_exciter(size, mass, progress=say)
         if out is not None:
-            from jounce.report import write_page
             from jounce.report.papers import exciter_page
+            from jounce.report.render import FIGURES, write_page
 
-            write_page(exciter_page(study), out, force=force, progress=say)
+            write_page(exciter_page(study), out, force=force, figures=FIGURES, progress=say)
     plain = {**study.to_dict(), "out": None if out is None else str(out)}
 
     def draw(console: Console) -> None:
@@ -210,10 +210,10 @@ def _case(name: str, out: Path | None, force: bool, as_json: bool) -> Reply:
 
         study = run_audi_a6(name, progress=say)
         if out is not None:
-            from jounce.report import write_page
             from jounce.report.papers import audi_case_page
+            from jounce.report.render import FIGURES, write_page
 
-            write_page(audi_case_page(study), out, force=force, progress=say)
+            write_page(audi_case_page(study), out, force=force, figures=FIGURES, progress=say)
     plain = {**study.to_dict(), "out": None if out is None else str(out)}
 
     def draw(console: Console) -> None:

@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+import base64
+import json
 import re
 import tempfile
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
+from hashlib import sha256
 from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from jounce.core.errors import OutputError
+from jounce.core.errors import OutputError, unknown
 from jounce.core.writing import write_files
-from jounce.plots import add_note, rendered
 from jounce.recordings.files import write_recording
-from jounce.report.page import Findings, Page, Table, slug, unique_slugs, worst_first
+from jounce.report.chart import CSS, Chart, chart_svg, panel_svg
+from jounce.report.live import bundle, live_data
+from jounce.report.page import Findings, Page, Picture, Table, slug, unique_slugs, worst_first
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -26,9 +30,14 @@ _MOST_PLACES = 6
 
 
 def write_page(
-    page: Page, out: Path | str, *, force: bool = False, progress: Callable[[str], None] = lambda _text: None
+    page: Page,
+    out: Path | str,
+    *,
+    force: bool = False,
+    figures: Sequence[str] = (),
+    progress: Callable[[str], None] = lambda _text: None,
 ) -> list[Path]:
-    """Write a page with its figures into a folder.
+    """Write a page into a folder: one HTML file that needs nothing else, and by wish its figures beside it.
 
     Parameters
     ----------
@@ -38,14 +47,15 @@ def write_page(
         Folder; made where it is missing, refused when it holds something and ``force`` is not given.
     force : bool
         Replace files of the same names in an existing folder; others stay.
+    figures : sequence of str
+        Formats in which every figure is also written as ``figures/<name>.<format>``: ``"svg"``, ``"png"``.
     progress : callable
         Called with one line of text as the work goes on.
 
     Returns
     -------
     list of Path
-        ``report.html`` (one file that needs nothing else), the page's further files, and each figure as
-        ``figures/<name>.svg`` and ``.png``.
+        ``report.html`` (one file that needs nothing else), the page's further files, and the figures.
 
     Raises
     ------
@@ -61,44 +71,119 @@ def write_page(
     ['report.html']
     """
     check_folder(out, force=force)
-    figures = _draw(page, progress)
-    progress("write: files")
-    vectors = {name: formats[".svg"] for name, formats in figures.items()}
-    files: dict[str, bytes | str] = {page.name: page_html(page, vectors), **dict(page.files)}
-    for name, formats in figures.items():
-        for suffix, content in formats.items():
-            files[f"figures/{name}{suffix}"] = content
-    return write_folder(out, files, force=force)
-
-
-def _draw(page: Page, progress: Callable[[str], None]) -> dict[str, dict[str, bytes]]:
-    found: dict[str, dict[str, bytes]] = {}
+    unknown_formats = [name for name in figures if name not in FIGURES]
+    if unknown_formats:
+        raise unknown(unknown_formats[0], FIGURES, what="format of figures", where="figures")
+    vectors: dict[str, str] = {}
+    beside: dict[str, bytes | str] = {}
     pictures = page.pictures()
     for k, picture in enumerate(pictures, 1):
-        if picture.name in found:
+        if picture.name in vectors:
             raise OutputError("two figures have the same name", where=page.title, found=picture.name)
         progress(f"draw: figure {k} of {len(pictures)}")
-        add_note(picture.figure, page.figure_note)
-        found[picture.name] = rendered(picture.figure, (".svg", ".png"), salt=picture.name)
-    return found
+        vectors[picture.name] = ""
+        for name, content in _files(picture, page.figure_note, figures).items():
+            if name == "page":
+                vectors[picture.name] = str(content)
+            else:
+                beside[f"figures/{picture.name}.{name}"] = content
+    progress("write: files")
+    return write_folder(out, {page.name: page_html(page, vectors), **dict(page.files), **beside}, force=force)
 
 
-def page_html(page: Page, figures: Mapping[str, bytes]) -> str:
-    """Give the page as HTML text with its figures (name to SVG) inside."""
+FIGURES = ("svg", "png")
+"""Formats of figures beside a page."""
+
+
+def _files(picture: Picture | Chart, note: str, formats: Sequence[str]) -> dict[str, bytes | str]:
+    """Figure of a page as HTML (``page``) and in other formats."""
+    identity = f"fig-{slug(picture.name)}"
+    if isinstance(picture, Chart):
+        found: dict[str, bytes | str] = {"page": chart_html(picture)}
+        if formats:
+            whole = chart_svg(picture, chart_style(), note)
+            found |= {name: whole if name == "svg" else png_of(whole) for name in formats}
+        return found
+    from jounce.plots.style import add_note, rendered
+
+    add_note(picture.figure, note)
+    suffixes = dict.fromkeys((".svg", *(f".{name}" for name in formats)))
+    drawn = rendered(picture.figure, tuple(suffixes), salt=picture.name)
+    page = inline_svg(drawn[".svg"], identity, picture.alternative)
+    return {"page": page, **{name: drawn[f".{name}"] for name in formats}}
+
+
+def chart_html(chart: Chart) -> str:
+    """Give the panels of a chart as SVG elements for a page."""
+    identity = f"fig-{slug(chart.name)}"
+    return "\n".join(
+        panel_svg(panel, f"{identity}-{k}", chart.alternative if k == 0 else panel.title or panel.x_label or "panel")
+        for k, panel in enumerate(chart.panels)
+    )
+
+
+def png_of(svg: str) -> bytes:
+    """Draw an SVG file as PNG, twice as large, with the fonts of matplotlib: the same everywhere."""
+    import typst
+    from matplotlib import get_data_path
+
+    with tempfile.TemporaryDirectory(prefix="jounce-figure-") as folder:
+        (Path(folder) / "figure.svg").write_text(_plain_colours(svg), encoding="utf-8")
+        source = '#set page(width: auto, height: auto, margin: 0pt)\n#image("figure.svg")\n'
+        (Path(folder) / "figure.typ").write_text(source, encoding="utf-8")
+        fonts: list[Any] = [str(Path(get_data_path()) / "fonts" / "ttf")]
+        file = str(Path(folder) / "figure.typ")
+        made: Any = typst.compile(file, format="png", ppi=192.0, font_paths=fonts, ignore_system_fonts=True)
+    return bytes(made[0] if isinstance(made, list) else made)
+
+
+def _plain_colours(svg: str) -> str:
+    """Write the light colours where a figure names them: what draws SVG outside browsers knows no variables."""
+    colours = dict(re.findall(r"--([\w-]+):\s*([^;}]+);", light_colours()))
+    return re.sub(r"var\(--([\w-]+)\)", lambda found: colours[found[1]].strip(), svg)
+
+
+def light_colours() -> str:
+    """Colours of a light page as a rule of a style sheet."""
+    text = _css("colours")
+    return text[: text.index("}") + 1]
+
+
+def chart_style() -> str:
+    """Style sheet of a figure that stands by itself."""
+    return light_colours() + CSS
+
+
+def page_html(page: Page, figures: Mapping[str, str]) -> str:
+    """Give the page as HTML text with its figures (name to HTML) and viewers inside."""
     anchors = unique_slugs([section.title for section in page.sections])
+    viewers = page.viewers()
+    script = bundle("viewer.js" if viewers else "page.js")
+    data = json.dumps(live_data(viewers), ensure_ascii=False, allow_nan=False, separators=(",", ":")) if viewers else ""
     return filled(
         "page",
+        css=_css("colours") + _css("page") + CSS + (bundle("viewer.css") if viewers else ""),
         page=page,
         sections=list(zip(anchors, page.sections, strict=True)),
-        svg=lambda picture: inline_svg(figures[picture.name], f"fig-{slug(picture.name)}", picture.alternative),
+        viewers=viewers,
+        data=data.replace("<", "\\u003c"),
+        script=script,
+        script_hash=base64.b64encode(sha256(script.encode()).digest()).decode(),
+        svg=lambda picture: figures[picture.name],
+        chart=lambda picture: figures[picture.name],
     )
 
 
 def filled(template: str, **content: Any) -> str:
-    """Fill an HTML template, whose style sheet has the same name."""
-    css = (TEMPLATES / f"{template}.css").read_text(encoding="utf-8")
-    text: str = _environment().get_template(f"{template}.html.j2").render(css=css, **content)
+    """Fill an HTML template; its style sheet has the same name where none is given."""
+    content.setdefault("css", _css(template))
+    text: str = _environment().get_template(f"{template}.html.j2").render(**content)
     return text
+
+
+@cache
+def _css(name: str) -> str:
+    return (TEMPLATES / f"{name}.css").read_text(encoding="utf-8")
 
 
 @cache
