@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from enum import StrEnum
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
 from jounce.cli.options import AsJson, Force, changes, check_outputs, positive_quantity
-from jounce.cli.reply import DONE, FAILED, Reply, progress, show_findings, table
+from jounce.cli.reply import DONE, FAILED, Reply, drawing, progress, show_findings, table
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -19,21 +18,6 @@ if TYPE_CHECKING:
     from jounce.core.findings import Finding
 
 
-class FigureKind(StrEnum):
-    """What can be written beside a report."""
-
-    SVG = "svg"
-    PNG = "png"
-    PAPER = "paper"
-
-
-Figures = Annotated[
-    list[FigureKind] | None,
-    typer.Option(
-        help="Also write every figure of the report as SVG or PNG into the folder figures; paper: those of the "
-        "quarter-car prototype paper (4, 6, 8, 9, 10). Repeat it."
-    ),
-]
 app = typer.Typer(no_args_is_help=True, help="Evaluate a bench campaign, or start a new one.")
 
 
@@ -43,7 +27,10 @@ def run(
         Path, typer.Argument(metavar="CAMPAIGN.toml", help="Campaign file: what was measured, and what to update.")
     ],
     out: Annotated[Path, typer.Option(help="Folder for report, figures, updated rigs and results.json.")],
-    figure: Figures = None,
+    figure: Annotated[
+        Literal["paper"] | None,
+        typer.Option(help="Also write the figures of the quarter-car prototype paper (4, 6, 8, 9, 10)."),
+    ] = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -56,37 +43,33 @@ def run(
     check_outputs(folder=out, force=force)
     with progress() as say:
         from jounce.campaign import run_campaign
+        from jounce.report import write_campaign
 
         result = run_campaign(campaign, progress=say)
         say("writing the report")
-        drawn = _write(result, out, figure or (), force=force)
-    return campaign_reply(result, out, as_json=as_json, figures=drawn)
+        with drawing() as missing:
+            write_campaign(result, out, force=force)
+        drawn, undrawn = ([], []) if figure is None else _paper_figures(result, out, force=force)
+    return campaign_reply(result, out, [*missing, *undrawn], as_json=as_json, figures=drawn)
 
 
-def _write(result: CampaignResult, out: Path, figure: Sequence[FigureKind], *, force: bool) -> list[str]:
-    """Write everything that a campaign found; give the names of the figures beside the report."""
-    from jounce.report import write_campaign
-
-    formats = dict.fromkeys(name.value for name in figure if name is not FigureKind.PAPER)
-    written = write_campaign(result, out, force=force, figures=tuple(formats))
-    drawn = [f"figures/{file.name}" for file in written if file.parent.name == "figures"]
-    return drawn + (_paper_figures(result, out, force=force) if FigureKind.PAPER in figure else [])
-
-
-def _paper_figures(result: CampaignResult, out: Path, *, force: bool) -> list[str]:
-    """Write the paper's figures below ``out`` as SVG and PNG; give their names."""
-    from jounce.plots import add_note, paper_figures, write_figure
+def _paper_figures(result: CampaignResult, out: Path, *, force: bool) -> tuple[list[str], list[Finding]]:
+    """Write the paper's figures below ``out`` as SVG and PNG; give their names, and what could not be drawn."""
+    from jounce.core.findings import not_drawn
+    from jounce.core.writing import write_files
+    from jounce.plots import add_note, paper_figures, rendered
     from jounce.report.campaign import SYNTHETIC_NOTE
 
-    written = []
-    (out / "figures").mkdir(exist_ok=True)
-    for name, drawn in paper_figures(result).items():
-        add_note(drawn, SYNTHETIC_NOTE if result.campaign.synthetic else "")
-        for suffix in (".svg", ".png"):
-            file = out / "figures" / f"paper-{name}{suffix}"
-            write_figure(drawn, file, force=force)
-            written.append(str(file.relative_to(out)))
-    return written
+    files: dict[str, bytes | str] = {}
+    try:
+        for name, figure in paper_figures(result).items():
+            add_note(figure, SYNTHETIC_NOTE if result.campaign.synthetic else "")
+            drawn = rendered(figure, (".svg", ".png"))
+            files |= {f"figures/paper-{name}{suffix}": content for suffix, content in drawn.items()}
+        write_files(out, files, force=force)
+    except Exception as error:  # noqa: BLE001 - whatever it is, what was computed is told
+        return [], [not_drawn("figures of the paper", error)]
+    return list(files), []
 
 
 @app.command("new")
@@ -155,13 +138,15 @@ def synthesise(
     return Reply({"folder": str(folder), "seed": seed, "changes": changed, "files": made}, draw, as_json)
 
 
-def campaign_reply(result: CampaignResult, folder: Path, *, as_json: bool, figures: Sequence[str] = ()) -> Reply:
+def campaign_reply(
+    result: CampaignResult, folder: Path, missing: Sequence[Finding], *, as_json: bool, figures: Sequence[str] = ()
+) -> Reply:
     """Answer of a campaign that was run and written to ``folder``, with the paper's ``figures`` where asked for."""
     plain = {**result.to_dict(), "is_complete": result.is_complete, "out": str(folder)}
     if figures:
         plain["figures"] = list(figures)
     exit_code = DONE if result.is_complete else FAILED
-    return Reply(plain, lambda console: _draw(console, plain, result.findings, folder), as_json, exit_code)
+    return Reply(plain, lambda console: _draw(console, plain, result.findings, folder), as_json, exit_code, missing)
 
 
 def _draw(out: Console, plain: dict[str, Any], findings: tuple[Finding, ...], folder: Path) -> None:
@@ -226,7 +211,6 @@ def demo(
     quick: Annotated[
         bool, typer.Option("--quick", help="Model the prototype as a quarter car instead of a double wishbone.")
     ] = False,
-    figure: Figures = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -237,9 +221,10 @@ def demo(
     check_outputs(folder=out, force=force)
     with progress() as say:
         from jounce.papers.demo import run_demo
+        from jounce.report import write_campaign
 
         folder, result = run_demo(out, quick=quick, force=force, progress=say)
         say("writing the report")
-        # it holds the campaign by now, and nothing else of these names
-        drawn = _write(result, folder, figure or (), force=True)
-    return campaign_reply(result, folder, as_json=as_json, figures=drawn)
+        with drawing() as missing:
+            write_campaign(result, folder, force=True)  # it holds the campaign by now, and nothing else of these names
+    return campaign_reply(result, folder, missing, as_json=as_json)

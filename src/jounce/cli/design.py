@@ -159,10 +159,10 @@ def optimise(
         say("searching")
         found = find_best(rig, bounds, weights, limits, **driven, starts=starts)
     _write_rig(found.rig, out, f"{vehicle}, best for {', '.join(weights)} over {found.driven}.", force=force)
-    write_picture(found, figure, force=force)
+    drawn, missing = write_picture(found, figure, force=force)
     plain = {"rig": vehicle, "set": wanted, **found.to_dict()}
-    plain |= {"out": out and str(out), "figure": figure and str(figure)}
-    return Reply(plain, lambda console: draw_optimisation(console, plain, found), as_json)
+    plain |= {"out": out and str(out), "figure": drawn}
+    return Reply(plain, lambda console: draw_optimisation(console, plain, found), as_json, missing=missing)
 
 
 @app.command("pareto")
@@ -200,9 +200,9 @@ def pareto(
             chosen_rig(vehicle, wanted), bounds, road, velocity,
             comfort=comfort, holding=holding, travel=travel, constraints=limits, points=points, band=waves,
         )  # fmt: skip
-    write_picture(front, figure, force=force)
-    plain = {"rig": vehicle, "set": wanted, **front.to_dict(), "figure": figure and str(figure)}
-    return Reply(plain, lambda console: draw_front(console, plain, front), as_json)
+    drawn, missing = write_picture(front, figure, force=force)
+    plain = {"rig": vehicle, "set": wanted, **front.to_dict(), "figure": drawn}
+    return Reply(plain, lambda console: draw_front(console, plain, front), as_json, missing=missing)
 
 
 def _driven(rig: Rig, road: str, speed: str, duration: str | None, band: str | None) -> dict[str, Any]:

@@ -24,15 +24,30 @@ from jounce.cli.options import (
     positive_quantity,
     quantity,
     warn_of,
+    write_picture,
 )
-from jounce.cli.reply import DONE, FAILED, REFUSED, Reply, cell, progress, show_findings, show_written, table, tell
+from jounce.cli.reply import (
+    DONE,
+    FAILED,
+    REFUSED,
+    Reply,
+    cell,
+    drawing,
+    progress,
+    show_findings,
+    show_written,
+    table,
+    tell,
+)
 from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError, unknown
 from jounce.core.files import existing_file
 from jounce.core.text import visible
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
     from rich.console import Console
 
+    from jounce.core.findings import Finding
     from jounce.inspection.archive.entries import StoredRecord
     from jounce.inspection.archive.history import Trend, WheelVisit
     from jounce.inspection.archive.lane import ImportedRecord, InspectedRecord
@@ -312,10 +327,15 @@ def evaluate(
     )
     records = {one.graded.axle: one.record for one in inspected}
     written: list[Path] = []
+    missing: list[Finding] = []
     for file in protocols:
-        written += write_protocol(
-            whole, file, records=records, language=language, about=about, force=force or bool(written),
-        )  # fmt: skip
+        with drawing() as undrawn:
+            written += write_protocol(
+                whole, file, records=records, language=language, about=about, force=force or file is not protocols[0],
+            )  # fmt: skip
+        if undrawn:
+            written.append(file.with_suffix(".json"))
+            missing += undrawn
     plain = _plain_vehicle(whole, inspected) | {"protocol": list(dict.fromkeys(map(str, written)))}
     plain["store"] = None if opened is None else {"location": opened.location, "records": numbers}
     unfit = _unfit(inspected)
@@ -323,7 +343,7 @@ def evaluate(
         plain["error"] = {"kind": "RecordingError", "message": str(unfit), "where": unfit.where, "what": unfit.what}
         tell(f"{unfit}")
     code = DONE if unfit is None else REFUSED
-    return Reply(plain, lambda console: _draw_vehicle(console, whole, plain), as_json, code)
+    return Reply(plain, lambda console: _draw_vehicle(console, whole, plain), as_json, code, missing)
 
 
 def _check_methods(methods: list[str] | None) -> None:
@@ -624,11 +644,13 @@ def history(
             "no record of this number plate", where=opened.location, found=plate, hint="See: inspect search."
         )
     trends = trends_of(visits)
-    if figure is not None:
-        from jounce.plots.inspection import vehicle_history
-        from jounce.plots.style import FIGURES
 
-        FIGURES.write(vehicle_history(visits), figure, force=force)
+    def picture() -> Figure:
+        from jounce.plots.inspection import vehicle_history
+
+        return vehicle_history(visits)
+
+    drawn, missing = write_picture(picture, figure, force=force)
     plain = {
         "plate": records[-1].plate, "vehicle": records[-1].vehicle, "records": [one.number for one in records],
         "wheels": [
@@ -638,9 +660,9 @@ def history(
             }
             for one in visits
         ],
-        "trends": trends, "figure": figure,
+        "trends": trends, "figure": drawn,
     }  # fmt: skip
-    return Reply(plain, lambda out: _draw_history(out, plain, visits, trends), as_json)
+    return Reply(plain, lambda out: _draw_history(out, plain, visits, trends), as_json, missing=missing)
 
 
 @app.command("search")

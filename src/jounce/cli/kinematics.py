@@ -10,6 +10,7 @@ import typer
 from jounce.cli.options import AsJson, Changes, Force, RigName, bare_number, changes, check_outputs, chosen_rig, pairs
 from jounce.cli.reply import DONE, REFUSED, Reply, progress, show_findings, show_written, table, tell
 from jounce.core.errors import DescriptionError
+from jounce.core.findings import not_drawn
 
 if TYPE_CHECKING:
     import numpy as np
@@ -72,11 +73,15 @@ def kinematics(
         sweep = _sweep(chosen, travel, rack, roll, _vehicle(vehicle), axle=axle, points=points)
         if out is not None:
             SWEEP_FILES.write(sweep, out, force=force)
+        missing = []
         if plot is not None:
             say("drawing")
-            from jounce.plots.kinematics import write_kinematics
+            try:
+                from jounce.plots.kinematics import write_kinematics
 
-            write_kinematics(sweep, plot, force=force)
+                write_kinematics(sweep, plot, force=force)
+            except Exception as error:  # noqa: BLE001 - whatever it is, the sweep is told
+                missing, plot = [not_drawn(str(plot), error)], None
     stopped = str(sweep.attrs["stopped"])
     if stopped:
         tell(f"{stopped}. The poses before that are kept.")
@@ -84,7 +89,7 @@ def kinematics(
         tell(str(sweep.attrs["findings"]))
     written = [str(path) for path in (out, plot) if path is not None]
     exit_code = REFUSED if stopped else DONE
-    return Reply(plain_sweep(sweep), lambda console: _draw(console, rig, sweep, written), as_json, exit_code)
+    return Reply(plain_sweep(sweep), lambda console: _draw(console, rig, sweep, written), as_json, exit_code, missing)
 
 
 def _sweep(

@@ -12,8 +12,10 @@ import typer
 
 from jounce.cli.reply import tell
 from jounce.core.errors import DescriptionError
+from jounce.core.findings import not_drawn
 
 if TYPE_CHECKING:
+    from jounce.core.findings import Finding
     from jounce.parts import Rig
     from jounce.roads import Trial
 
@@ -190,13 +192,21 @@ def check_outputs(
         FIGURES.check(figure, force=force)
 
 
-def write_picture(result: object, figure: Path | None, *, force: bool) -> None:
-    """Draw a result into the file, if one is asked for."""
-    if figure is not None:
+def write_picture(result: object, figure: Path | None, *, force: bool) -> tuple[str | None, Sequence[Finding]]:
+    """Draw a result, or what a function draws, into the file, if one is asked for.
+
+    It gives the file's name, and what could not be drawn: that loses no result.
+    """
+    if figure is None:
+        return None, ()
+    try:
         from jounce.plots import figure_of
         from jounce.plots.style import FIGURES
 
-        FIGURES.write(figure_of(result), figure, force=force)
+        FIGURES.write(result() if callable(result) else figure_of(result), figure, force=force)
+    except Exception as error:  # noqa: BLE001 - whatever it is, what was computed is told
+        return None, [not_drawn(str(figure), error)]
+    return str(figure), ()
 
 
 def chosen_rig(name: str, wanted: dict[str, Any]) -> Rig:

@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TextIO
 
-from jounce.core.errors import JounceError
+from jounce.core.errors import DrawingError, JounceError
 from jounce.core.text import visible
 
 if TYPE_CHECKING:
@@ -40,14 +40,28 @@ class Reply:
     draw: Callable[[Console], None]  # prints the same for people on the console it is given
     as_json: bool = False  # which of the two is wanted
     exit_code: int = DONE
+    missing: Sequence[Finding] = ()  # what could not be drawn
 
     def show(self) -> int:
         """Print to stdout; give the exit code."""
         if self.as_json:
-            print_json(self.plain)
+            more = {"findings": [*self.plain.get("findings", ()), *self.missing]} if self.missing else {}
+            print_json({**self.plain, **more})
         else:
-            self.draw(console())
-        return self.exit_code
+            out = console()
+            self.draw(out)
+            show_findings(out, self.missing)
+        return max(self.exit_code, FAILED) if self.missing else self.exit_code
+
+
+@contextmanager
+def drawing() -> Iterator[list[Finding]]:
+    """Give a list that takes what cannot be drawn in the block: what was computed is told all the same."""
+    missing: list[Finding] = []
+    try:
+        yield missing
+    except DrawingError as error:
+        missing += error.findings
 
 
 def console(*, stderr: bool = False) -> Console:

@@ -28,6 +28,7 @@ from jounce.cli.reply import Reply, progress, show_findings, show_written, table
 from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
     from rich.console import Console
 
     from jounce.core.findings import Finding
@@ -84,15 +85,17 @@ def ride(
         from jounce.recordings import write_recording
 
         write_recording(study.rides[0].run, out, force=force)
-    if figure is not None:
+
+    def spectra() -> Figure:
         from jounce.plots.design import ride_spectra
-        from jounce.plots.style import FIGURES
 
         driven = f"{vehicle}, {names[0]}," if len(names) == 1 else vehicle  # several have a legend
         title = f"{driven} on {road} at {study.trial.trial.speed:g} m/s"
-        FIGURES.write(ride_spectra(study.rides, study.stationary, title), figure, force=force)
-    plain = {**plain, "out": out and str(out), "figure": figure and str(figure)}
-    return Reply(plain, lambda console: _draw_ride(console, plain, study), as_json)
+        return ride_spectra(study.rides, study.stationary, title)
+
+    drawn, missing = write_picture(spectra, figure, force=force)
+    plain = {**plain, "out": out and str(out), "figure": drawn}
+    return Reply(plain, lambda console: _draw_ride(console, plain, study), as_json, missing=missing)
 
 
 _SOME = "passive, skyhook, lqr, ..."
@@ -136,9 +139,9 @@ def compare(
     names = _names(control or ["all"])
     check_outputs(figure=figure, force=force)
     study, plain = _study(vehicle, road, speed, length, seed, names, set_)
-    write_picture(study, figure, force=force)
-    plain = {**plain, "figure": figure and str(figure)}
-    return Reply(plain, lambda console: _draw_comparison(console, plain, study), as_json)
+    drawn, missing = write_picture(study, figure, force=force)
+    plain = {**plain, "figure": drawn}
+    return Reply(plain, lambda console: _draw_comparison(console, plain, study), as_json, missing=missing)
 
 
 def _names(given: list[str]) -> list[str]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -22,7 +22,7 @@ from jounce.cli.options import (
     quantity,
     write_picture,
 )
-from jounce.cli.reply import Reply, progress, show_findings, show_written, table
+from jounce.cli.reply import Reply, drawing, progress, show_findings, show_written, table
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -57,13 +57,21 @@ def proving_ground(
         from jounce.papers.proving_ground import run_proving_ground
 
         study = run_proving_ground(progress=say)
-        if out is not None:
-            from jounce.report.papers import proving_ground_page
-            from jounce.report.render import FIGURES, write_page
-
-            write_page(proving_ground_page(study), out, force=force, figures=FIGURES, progress=say)
+        missing = _write(study, out, "proving_ground", say, force=force)
     plain = {**study.to_dict(), "out": None if out is None else str(out)}
-    return Reply(plain, lambda console: _draw(console, plain, study, out), as_json)
+    return Reply(plain, lambda console: _draw(console, plain, study, out), as_json, missing=missing)
+
+
+def _write(study: object, out: Path | None, name: str, say: Callable[[str], None], *, force: bool) -> Sequence[Finding]:
+    """Write what a study found, and then its page, into a folder if one is given; give what could not be drawn."""
+    if out is None:
+        return ()
+    from jounce.report import papers, write_page
+
+    files = getattr(papers, f"{name}_files")(study)
+    with drawing() as missing:
+        write_page(lambda: getattr(papers, f"{name}_page")(study), out, files=files, force=force, progress=say)
+    return missing
 
 
 @app.command("lumped-vs-spatial")
@@ -189,18 +197,14 @@ def exciter(
         from jounce.papers.audi_a6_exciter import run_eccentric_exciter
 
         study = run_eccentric_exciter(size, mass, progress=say)
-        if out is not None:
-            from jounce.report.papers import exciter_page
-            from jounce.report.render import FIGURES, write_page
-
-            write_page(exciter_page(study), out, force=force, figures=FIGURES, progress=say)
+        missing = _write(study, out, "exciter", say, force=force)
     plain = {**study.to_dict(), "out": None if out is None else str(out)}
 
     def draw(console: Console) -> None:
         _draw_exciter(console, plain)
         _end(console, study.errata, study.findings, out)
 
-    return Reply(plain, draw, as_json)
+    return Reply(plain, draw, as_json, missing=missing)
 
 
 def _case(name: str, out: Path | None, force: bool, as_json: bool) -> Reply:
@@ -209,18 +213,14 @@ def _case(name: str, out: Path | None, force: bool, as_json: bool) -> Reply:
         from jounce.papers.audi_a6 import run_audi_a6
 
         study = run_audi_a6(name, progress=say)
-        if out is not None:
-            from jounce.report.papers import audi_case_page
-            from jounce.report.render import FIGURES, write_page
-
-            write_page(audi_case_page(study), out, force=force, figures=FIGURES, progress=say)
+        missing = _write(study, out, "audi_case", say, force=force)
     plain = {**study.to_dict(), "out": None if out is None else str(out)}
 
     def draw(console: Console) -> None:
         _draw_case(console, plain, study.case.title)
         _end(console, study.errata, study.findings, out)
 
-    return Reply(plain, draw, as_json)
+    return Reply(plain, draw, as_json, missing=missing)
 
 
 def _draw_case(console: Console, plain: dict[str, Any], title: str) -> None:
@@ -330,9 +330,9 @@ def equivalence(
             workers=os.cpu_count() or 1,
             progress=lambda share: say(f"testing: {100.0 * share:.0f} %"),
         )
-        write_picture(study, figure, force=force)
-    plain = {"rig": rig, "changes": wanted, **study.to_dict(), "figure": figure and str(figure)}
-    return Reply(plain, lambda console: _draw_equivalence(console, plain, study), as_json)
+        drawn, missing = write_picture(study, figure, force=force)
+    plain = {"rig": rig, "changes": wanted, **study.to_dict(), "figure": drawn}
+    return Reply(plain, lambda console: _draw_equivalence(console, plain, study), as_json, missing=missing)
 
 
 def _draw_equivalence(console: Console, plain: dict[str, Any], study: Equivalence) -> None:

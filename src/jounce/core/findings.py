@@ -5,6 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from jounce.core.errors import JounceError
+from jounce.core.text import shortened
+
 Severity = Literal["note", "warning", "problem"]
 
 
@@ -31,3 +34,9 @@ class Finding:
 
     def __str__(self) -> str:
         return f"{self.severity}: {self.place}: {self.message}"
+
+
+def not_drawn(place: str, error: Exception) -> Finding:
+    """A problem with drawing, which is one of a picture or a page and never of what was computed."""
+    text = str(error) if isinstance(error, JounceError) else f"{type(error).__name__}: {shortened(str(error), 300)}"
+    return Finding(place, "problem", f"could not be drawn: {text.rstrip('.')}. What was computed is whole.")

@@ -6,6 +6,7 @@ import contextlib
 import os
 import platform
 import shutil
+import stat
 import tempfile
 import time
 import zlib
@@ -88,8 +89,8 @@ def replacing(file: Path) -> Iterator[Path]:
 def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, force: bool = False) -> list[Path]:
     """Write files below a folder, which is made: all of them, or none.
 
-    They are written into a folder beside it first. That takes its place where nothing is in the way; otherwise the
-    files are moved into it one by one, whole each, and what else it holds stays.
+    They are written into another folder first. That takes its place where there is none yet. Otherwise files of the
+    same names are moved out and the new ones in, whole each and never some of both; what else the folder holds stays.
 
     Parameters
     ----------
@@ -121,17 +122,25 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, forc
     files = {root / name: content for name, content in contents.items()}
     _check_room(root, files, force=force)
     with _told(root, "the folder cannot be written"):
-        root.parent.mkdir(parents=True, exist_ok=True)
-        _sweep(root.parent)
-        built = Path(tempfile.mkdtemp(dir=root.parent, prefix=_own_prefix()))
+        is_there = root.is_dir()
+        # Beside what is to be moved: in a folder that is there, which may be a disk of its own.
+        place = root if is_there else root.parent
+        place.mkdir(parents=True, exist_ok=True)
+        _sweep(place)
+        aside = Path(tempfile.mkdtemp(dir=place, prefix=_own_prefix()))
         try:
+            built = aside / "new"
             for name, content in contents.items():
                 target = built / name
                 target.parent.mkdir(parents=True, exist_ok=True)
                 target.write_bytes(content.encode() if isinstance(content, str) else content)
-            _move(built, root, contents)
+            built.mkdir(exist_ok=True)  # where there are no files
+            if is_there:
+                _exchange(root, aside, list(contents))
+            else:
+                built.rename(root)
         finally:
-            shutil.rmtree(built, ignore_errors=True)
+            shutil.rmtree(aside, ignore_errors=True)
     return [Path(folder) / name for name in contents]
 
 
@@ -149,18 +158,20 @@ def _check_room(root: Path, files: Iterable[Path], *, force: bool) -> None:
             check_writable(file)
 
 
-def _move(built: Path, root: Path, names: Iterable[str]) -> None:
-    """Rename the whole folder where nothing is in its way, otherwise file by file."""
-    built.chmod(0o755)  # mkdtemp made it private
-    if not root.exists() or not any(root.iterdir()):
-        if root.exists():
-            root.rmdir()
-        built.rename(root)
-        return
-    for name in names:
-        target = root / name
-        target.parent.mkdir(parents=True, exist_ok=True)
-        (built / name).replace(target)
+def _exchange(root: Path, aside: Path, names: Sequence[str]) -> None:
+    """Move files of a folder out, and then new ones in, so that they are never a mixture; all of them, or none."""
+    ways = [(root / name, aside / "old" / name) for name in names if os.path.lexists(root / name)]
+    ways += [(aside / "new" / name, root / name) for name in names]
+    gone: list[tuple[Path, Path]] = []
+    try:
+        for source, target in ways:
+            target.parent.mkdir(parents=True, exist_ok=True)
+            source.rename(target)
+            gone.append((source, target))
+    except BaseException:
+        for source, target in reversed(gone):
+            target.rename(source)
+        raise
 
 
 @contextmanager
@@ -177,30 +188,65 @@ def _told(where: Path, what: str) -> Iterator[None]:
         ) from error
 
 
+def is_empty(folder: Path) -> bool:
+    """Whether a folder holds nothing, once what killed processes left there is gone."""
+    _sweep(folder)
+    return not any(folder.iterdir())
+
+
+@contextmanager
+def working_folder() -> Iterator[Path]:
+    """Give a folder for this process alone, which goes when the block ends; what killed processes left goes, too."""
+    place = Path(tempfile.gettempdir())
+    with _told(place, "no folder for temporary files can be made"):
+        _sweep(place)
+        folder = Path(tempfile.mkdtemp(prefix=_own_prefix()))
+    try:
+        yield folder
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
 _LONGEST_SUFFIX = 16
 _DAY = 86400.0
+_THIS_RUN = os.urandom(3).hex()
 
 
 def _own_prefix() -> str:
     """Begin of the names of this process's temporary files, from which another one sees whether it still runs."""
-    return f".jounce-{zlib.crc32(platform.node().encode()):08x}-{os.getpid()}-"
+    return f".jounce-{_machine()}-{os.getpid()}-{_THIS_RUN}-"
+
+
+@cache
+def _machine() -> str:
+    """What numbers of processes are told apart by: the machine and, on Linux, the container."""
+    inside = 0
+    with contextlib.suppress(OSError):
+        inside = Path("/proc/self/ns/pid").stat().st_ino
+    return f"{zlib.crc32(f'{platform.node()} {inside}'.encode()):08x}"
 
 
 @cache
 def _sweep(folder: Path) -> None:
-    """Remove what a killed process has left in a folder: of this machine at once, of others after a day."""
-    machine = _own_prefix().rsplit("-", 2)[0]
+    """Remove what killed processes of this user left in a folder: of this machine at once, of others after a day."""
     for left in folder.glob(".jounce-*-*-*"):
-        with contextlib.suppress(OSError, ValueError):
-            here, process = left.name.rsplit("-", 2)[0] == machine, int(left.name.rsplit("-", 2)[1])
-            if time.time() - left.stat().st_mtime > _DAY or (here and not _runs(process)):
-                shutil.rmtree(left) if left.is_dir() else left.unlink()
+        with contextlib.suppress(OSError, ValueError, OverflowError):  # names that others gave, files that are gone
+            _, machine, process, rest = left.name.split("-", 3)
+            found = left.lstat()
+            if os.name == "posix" and found.st_uid != os.geteuid():
+                continue
+            if machine != _machine() or os.name != "posix":  # clocks may jump: what runs here is not judged by them
+                ended = time.time() - found.st_mtime > _DAY
+            elif int(process) == os.getpid():
+                ended = not rest.startswith(_THIS_RUN)
+            else:
+                ended = not _runs(int(process))
+            if ended:
+                shutil.rmtree(left) if stat.S_ISDIR(found.st_mode) else left.unlink()
 
 
 def _runs(process: int) -> bool:
-    """Whether a process of this machine still runs; yes where the system does not tell without harm."""
-    if os.name != "posix":
-        return True
+    """Whether a process of this machine still runs."""
     try:
         os.kill(process, 0)
     except ProcessLookupError:

@@ -9,7 +9,7 @@ import numpy as np
 
 from jounce.plots.display import display_unit, number, quantity
 from jounce.plots.labels import name_points
-from jounce.plots.style import AFTER, BEFORE, INK, MUTED, PALETTE, WIDTH, log_axes, new_figure, styled
+from jounce.plots.style import AFTER, BEFORE, INK, MUTED, PALETTE, WIDTH, in_legend, log_axes, new_figure, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -253,7 +253,11 @@ def ride_spectra(rides: Sequence[Ride], stationary: StationaryResponse | None = 
             band = (found.frequency > 0.0) & (found.frequency <= _HIGHEST)
             style = "-" if i < len(PALETTE) else "--"
             axes.plot(
-                found.frequency[band], found.density[band], style, color=PALETTE[i % len(PALETTE)], label=ride.control
+                found.frequency[band],
+                found.density[band],
+                style,
+                color=PALETTE[i % len(PALETTE)],
+                label=in_legend(ride.control),
             )
         if stationary is not None and stationary.frequency is not None and name in stationary.spectra:
             line = {"color": INK, "linewidth": 1.0, "linestyle": (0, (4, 2)), "label": "linear model, passive"}

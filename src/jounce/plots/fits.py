@@ -13,7 +13,19 @@ from jounce.core.types import Array
 from jounce.identify.decay import QUANTITIES, alternating, decay_response, turning_points
 from jounce.identify.force_deflection import ForceDeflectionTrial, renamed, seat
 from jounce.plots.display import digits_for, display_unit, number, quantity
-from jounce.plots.style import AFTER, BEFORE, INK, MEASURED, MUTED, PALETTE, legend_above, new_figure, styled
+from jounce.plots.style import (
+    AFTER,
+    BEFORE,
+    INK,
+    MEASURED,
+    MUTED,
+    PALETTE,
+    at_tick,
+    in_legend,
+    legend_above,
+    new_figure,
+    styled,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -218,7 +230,7 @@ def damper_loops(
                 np.asarray(fitted) * unit.factor,
                 color=PALETTE[k % len(PALETTE)],
                 linewidth=1.2,
-                label=name,
+                label=in_legend(name),
             )
         axes.set_xlabel(shown.label(words))
         axes.locator_params(axis="x", nbins=6)
@@ -455,7 +467,7 @@ def objectives(results: Sequence[UpdateResult]) -> Figure:
         axes.text(101.0, row - 0.19, number(result.objective_before), va="center", fontsize=8.5)
         text = f"{number(result.objective_after)} ({_change(-result.reduction_percent)})"
         axes.text(max(remaining, 0.0) + 1.0, row + 0.19, text, va="center", fontsize=8.5)
-    axes.set_yticks(range(len(results)), [result.name for result in results])
+    axes.set_yticks(range(len(results)), [at_tick(result.name) for result in results])
     axes.set_ylim(len(results) - 0.45, -0.55)
     axes.set_xlim(0.0, 118.0)
     axes.set_xticks([0, 25, 50, 75, 100])

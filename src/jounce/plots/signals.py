@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from jounce.core.errors import RecordingError, SimulationError, nearest
 from jounce.core.types import Array
 from jounce.plots.display import display_unit, number, words_of
-from jounce.plots.style import AFTER, MUTED, PALETTE, legend_above, limits, log_axes, new_figure, styled
+from jounce.plots.style import AFTER, MUTED, PALETTE, in_legend, legend_above, limits, log_axes, new_figure, styled
 from jounce.recordings.schema import QUANTITIES, quantity_of
 
 if TYPE_CHECKING:
@@ -191,7 +191,7 @@ def _draw_variable(axes: Axes, variable: xr.DataArray, along: str) -> None:
                 lines[:, k].to_numpy() * unit.factor,
                 color=PALETTE[k % len(PALETTE)],
                 marker=mark,
-                label=_value(lines[across[0]], value),
+                label=in_legend(_value(lines[across[0]], value)),
             )
     axes.set_ylabel(unit.label(f"{variable.attrs.get('long_name', variable.name)}\n").replace("\n ", "\n"))
 

@@ -132,6 +132,33 @@ def legend_above(axes: Axes, columns: int = 4, handles: Sequence[Any] | None = N
     axes.legend(handles=shown, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=columns, columnspacing=1.4)
 
 
+_LONGEST_LINE, _LONGEST_LABEL, _LONGEST_TICK = 120, 60, 40  # characters
+
+
+def in_legend(name: str) -> str:
+    """A name that a user gave, as a label that is shown: matplotlib leaves out those that begin with an underscore."""
+    return f" {name}" if name.startswith("_") else name
+
+
+def at_tick(name: str, most: int = _LONGEST_TICK) -> str:
+    """A name that a user gave, cut to a length that leaves room for what is drawn; tables beside it have it whole."""
+    return name if len(name) <= most else f"{name[: most - 1]}…"
+
+
+def _shorten(figure: Figure) -> None:
+    """Cut other names, too, where they would leave no room."""
+    from matplotlib.legend import Legend
+    from matplotlib.text import Text
+
+    for legend in figure.findobj(Legend):
+        assert isinstance(legend, Legend)
+        for one in legend.get_texts():
+            one.set_text(at_tick(one.get_text(), _LONGEST_LABEL))
+    for one in figure.findobj(Text):
+        assert isinstance(one, Text)
+        one.set_text("\n".join(at_tick(line, _LONGEST_LINE) for line in one.get_text().split("\n")))
+
+
 def add_note(figure: Figure, text: str) -> None:
     """Write a small note at the foot of a figure, below everything else; an empty text changes nothing."""
     if not text:
@@ -218,6 +245,7 @@ def rendered(figure: Figure, suffixes: Sequence[str] = (".svg", ".png"), salt: s
     found = {}
     with style():
         mpl.rcParams["svg.hashsalt"] = salt
+        _shorten(figure)
         figure.draw_without_rendering()
         engine = figure.get_layout_engine()
         figure.set_layout_engine("none")

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
-from jounce.core.findings import Finding
-from jounce.report.chart import Chart
-from jounce.report.live import Viewer
+from jounce.core.findings import Finding, not_drawn
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -35,12 +33,11 @@ class Bullets:
 
 @dataclass(frozen=True)
 class Cell:
-    """One table cell whose tone says what it means; the text says it too. ``show`` links it to a scene of a viewer."""
+    """One table cell whose tone says what it means; the text says it too."""
 
     text: str
     tone: Tone = "plain"
     note: str = ""
-    show: str = ""
 
 
 @dataclass(frozen=True)
@@ -112,7 +109,7 @@ class Details:
     is_open: bool = False
 
 
-Block: TypeAlias = "Paragraph | Bullets | Table | Picture | Chart | Viewer | Facts | Findings | Details | Subsection"
+Block: TypeAlias = "Paragraph | Bullets | Table | Picture | Facts | Findings | Details | Subsection"
 
 
 @dataclass(frozen=True)
@@ -149,6 +146,8 @@ class Page:
         Further files written beside the page: path and content.
     name : str
         File name of the page.
+    missing : tuple of Finding
+        Sections that could not be drawn, and why.
     """
 
     title: str
@@ -158,27 +157,34 @@ class Page:
     figure_note: str = ""
     files: tuple[tuple[str, str | bytes], ...] = ()
     name: str = "report.html"
+    missing: tuple[Finding, ...] = ()
 
-    def pictures(self) -> tuple[Picture | Chart, ...]:
+    def pictures(self) -> tuple[Picture, ...]:
         """All figures in order."""
-        return tuple(block for block in self.blocks() if isinstance(block, Picture | Chart))
-
-    def viewers(self) -> tuple[Viewer, ...]:
-        """All viewers in order."""
-        return tuple(block for block in self.blocks() if isinstance(block, Viewer))
-
-    def blocks(self) -> Iterator[Block]:
-        """All blocks in order, folded ones included."""
-        for section in self.sections:
-            yield from blocks_in(section.blocks)
+        return tuple(picture for section in self.sections for picture in pictures_in(section.blocks))
 
 
-def blocks_in(blocks: Sequence[Block]) -> Iterator[Block]:
-    """Blocks and those inside them, in order."""
+def sections_of(parts: Mapping[str, Callable[[], Section]]) -> tuple[tuple[Section, ...], tuple[Finding, ...]]:
+    """Draw sections by title, and say which could not be: a page without one of them is better than none."""
+    sections, missing = [], []
+    for title, draw in parts.items():
+        try:
+            sections.append(draw())
+        except Exception as error:  # noqa: BLE001 - whatever it is, the other sections are drawn
+            missing.append(not_drawn(title, error))
+            sections.append(Section(title, (Findings((missing[-1],)),)))
+    return tuple(sections), tuple(missing)
+
+
+def pictures_in(blocks: Sequence[Block]) -> list[Picture]:
+    """All figures of some blocks, folded ones included, in order."""
+    found: list[Picture] = []
     for block in blocks:
-        yield block
-        if isinstance(block, Details | Subsection):
-            yield from blocks_in(block.blocks)
+        if isinstance(block, Picture):
+            found.append(block)
+        elif isinstance(block, Details | Subsection):
+            found += pictures_in(block.blocks)
+    return found
 
 
 def worst_first(findings: Sequence[Finding]) -> tuple[Finding, ...]:

@@ -35,6 +35,11 @@ _ENVELOPE = (
 )
 
 
+def proving_ground_files(study: ProvingGround) -> dict[str, str | bytes]:
+    """Give what the study computed as files, name to content."""
+    return {"results.json": to_json(study.to_dict())}
+
+
 def proving_ground_page(study: ProvingGround) -> Page:
     """Put the study's page together; nothing is computed here."""
     return Page(
@@ -49,7 +54,7 @@ def proving_ground_page(study: ProvingGround) -> Page:
             Section("Findings", (Findings(study.findings),)),
         ),
         subtitle="Ride of a HMMWV's front corner as a quarter car",
-        files=(("results.json", to_json(study.to_dict())),),
+        files=tuple(proving_ground_files(study).items()),
     )
 
 
@@ -219,9 +224,14 @@ _SIGNS = "Bounce z (up) and pitch θ (nose down) are changes from static equilib
 _SAME = "The paper's figures are scope screens without numerical values; these curves reproduce them."
 
 
+def audi_case_files(study: AudiCase) -> dict[str, str | bytes]:
+    """Give what a case computed as files, name to content: numbers, and the curves of each run."""
+    named = ((f"{run.variant}-{abs(run.moment):.0f}Nm", run.signals) for run in study.runs)
+    return {"results.json": to_json(study.to_dict()), **dict(file for one in named for file in curve_files(*one))}
+
+
 def audi_case_page(study: AudiCase) -> Page:
     """Put a case's page together; nothing is computed here."""
-    curves = (file for run in study.runs for file in curve_files(f"{run.variant}-{abs(run.moment):.0f}Nm", run.signals))
     return Page(
         f"Audi A6, {study.case.title[0].lower()}{study.case.title[1:]}",
         (
@@ -234,7 +244,7 @@ def audi_case_page(study: AudiCase) -> Page:
             Section("Findings", (Findings(study.findings),)),
         ),
         subtitle="Half car of the suspension-system paper, section 5",
-        files=(("results.json", to_json(study.to_dict())), *curves),
+        files=tuple(audi_case_files(study).items()),
     )
 
 
@@ -405,9 +415,14 @@ _RUN = (
 )
 
 
+def exciter_files(study: EccentricExciter) -> dict[str, str | bytes]:
+    """Give what the study computed as files, name to content: numbers, and the curves of each run."""
+    curves = (file for run in study.runs for file in curve_files(run.variant, run.signals))
+    return {"results.json": to_json(study.to_dict()), **dict(curves)}
+
+
 def exciter_page(study: EccentricExciter) -> Page:
     """Put the study's page together; nothing is computed here."""
-    curves = (file for run in study.runs for file in curve_files(run.variant, run.signals))
     return Page(
         "Audi A6, front corner on an eccentric exciter",
         (
@@ -419,7 +434,7 @@ def exciter_page(study: EccentricExciter) -> Page:
             Section("Findings", (Findings(study.findings),)),
         ),
         subtitle="Quarter car of the suspension-system paper, section 4, rebuilt",
-        files=(("results.json", to_json(study.to_dict())), *curves),
+        files=tuple(exciter_files(study).items()),
     )
 
 

@@ -13,7 +13,8 @@ from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from jounce.core.errors import unknown
+from jounce.core.errors import DrawingError, unknown
+from jounce.core.findings import not_drawn
 from jounce.core.serialise import to_json, to_plain
 from jounce.core.writing import Formats, check_writable, write_atomically
 from jounce.inspection.findings import sentence_of
@@ -77,6 +78,8 @@ def write_protocol(
         For another suffix, an existing file without ``force``, or a missing folder; nothing is written then.
     DescriptionError
         For an unknown language.
+    DrawingError
+        Where the page cannot be drawn; the JSON file is written by then.
 
     Examples
     --------
@@ -91,9 +94,13 @@ def write_protocol(
     file = check_protocol(path, force=force)
     vehicle = graded if isinstance(graded, VehicleGrade) else grade_vehicle([graded])
     said = {**facts_of(vehicle), **(about or {})}
-    PROTOCOLS.write(_Page(vehicle, records, _language(language), said), file, force=force)
+    page = _Page(vehicle, records, _language(language), said)
     data = to_json(protocol_data(vehicle, said))
-    return [file, write_atomically(file.with_suffix(".json"), f"{data}\n", force=True)]
+    values = write_atomically(file.with_suffix(".json"), f"{data}\n", force=force)
+    try:
+        return [PROTOCOLS.write(page, file, force=force), values]
+    except Exception as error:
+        raise DrawingError([not_drawn(str(file), error)]) from error
 
 
 def check_protocol(path: Path | str, *, force: bool = False) -> Path:

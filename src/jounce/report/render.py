@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-import base64
-import json
 import re
-import tempfile
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from functools import cache
-from hashlib import sha256
 from html import escape
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from jounce.core.errors import OutputError, unknown
-from jounce.core.writing import write_files
+from jounce.core.errors import DrawingError, OutputError
+from jounce.core.findings import Finding, not_drawn
+from jounce.core.writing import is_empty, working_folder, write_files
+from jounce.plots import add_note, rendered
 from jounce.recordings.files import write_recording
-from jounce.report.chart import CSS, Chart, chart_svg, panel_svg
-from jounce.report.live import bundle, live_data
-from jounce.report.page import Findings, Page, Picture, Table, slug, unique_slugs, worst_first
+from jounce.report.page import Findings, Page, Table, slug, unique_slugs, worst_first
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -30,37 +27,40 @@ _MOST_PLACES = 6
 
 
 def write_page(
-    page: Page,
+    page: Page | Callable[[], Page],
     out: Path | str,
     *,
+    files: Mapping[str, bytes | str] = MappingProxyType({}),
     force: bool = False,
-    figures: Sequence[str] = (),
     progress: Callable[[str], None] = lambda _text: None,
 ) -> list[Path]:
-    """Write a page into a folder: one HTML file that needs nothing else, and by wish its figures beside it.
+    """Write a page with its figures into a folder: what was computed first, then what is drawn.
 
     Parameters
     ----------
-    page : Page
-        What is to be said.
+    page : Page or callable
+        What is to be said, or a function that gives it: it is called once ``files`` are on the disk.
     out : Path or str
         Folder; made where it is missing, refused when it holds something and ``force`` is not given.
+    files : mapping of str to bytes or str
+        Further files of what was computed, path and content, beside those of a ``Page``.
     force : bool
         Replace files of the same names in an existing folder; others stay.
-    figures : sequence of str
-        Formats in which every figure is also written as ``figures/<name>.<format>``: ``"svg"``, ``"png"``.
     progress : callable
         Called with one line of text as the work goes on.
 
     Returns
     -------
     list of Path
-        ``report.html`` (one file that needs nothing else), the page's further files, and the figures.
+        ``report.html`` (one file that needs nothing else), the page's further files, and each figure as
+        ``figures/<name>.svg`` and ``.png``.
 
     Raises
     ------
     OutputError
-        For a folder that is not empty, or cannot be written; two figures of the same name.
+        For a folder that is not empty, or cannot be written.
+    DrawingError
+        For pictures or sections that cannot be drawn; everything else is written by then.
 
     Examples
     --------
@@ -70,120 +70,76 @@ def write_page(
     >>> [file.name for file in write_page(page, Path(tempfile.mkdtemp()) / "report")]
     ['report.html']
     """
+    computed = {**files, **(dict(page.files) if isinstance(page, Page) else {})}
     check_folder(out, force=force)
-    unknown_formats = [name for name in figures if name not in FIGURES]
-    if unknown_formats:
-        raise unknown(unknown_formats[0], FIGURES, what="format of figures", where="figures")
-    vectors: dict[str, str] = {}
-    beside: dict[str, bytes | str] = {}
+    if computed:
+        progress("write: results")
+        name = page.name if isinstance(page, Page) else Page.name
+        write_folder(out, {name: _NOT_YET, **computed}, force=force)
+        force = True
+    try:
+        whole = page if isinstance(page, Page) else page()
+        figures, missing = _draw(whole, progress)
+        progress("write: files")
+        vectors = {name: formats[".svg"] for name, formats in figures.items()}
+        drawn: dict[str, bytes | str] = {whole.name: page_html(whole, vectors)}
+        drawn |= {name: content for name, content in whole.files if name not in computed}
+        for name, formats in figures.items():
+            for suffix, content in formats.items():
+                drawn[f"figures/{name}{suffix}"] = content
+        written = write_folder(out, drawn, force=force)
+    except Exception as error:
+        raise DrawingError([not_drawn("report", error)]) from error
+    if whole.missing or missing:
+        raise DrawingError([*whole.missing, *missing])
+    first, *others = written
+    return [first, *(Path(out) / name for name in computed), *others]
+
+
+_NOT_YET = """<!doctype html>
+<html lang="en"><meta charset="utf-8"><title>Not drawn yet</title>
+<p>What was computed is in the files beside this page. The page is drawn after them: where you read this, it is being
+drawn, or it could not be.</p></html>
+"""
+
+
+def _draw(page: Page, progress: Callable[[str], None]) -> tuple[dict[str, dict[str, bytes]], list[Finding]]:
+    found: dict[str, dict[str, bytes]] = {}
+    missing: list[Finding] = []
     pictures = page.pictures()
+    names = [picture.name for picture in pictures]
     for k, picture in enumerate(pictures, 1):
-        if picture.name in vectors:
+        if names.index(picture.name) < k - 1:
             raise OutputError("two figures have the same name", where=page.title, found=picture.name)
         progress(f"draw: figure {k} of {len(pictures)}")
-        vectors[picture.name] = ""
-        for name, content in _files(picture, page.figure_note, figures).items():
-            if name == "page":
-                vectors[picture.name] = str(content)
-            else:
-                beside[f"figures/{picture.name}.{name}"] = content
-    progress("write: files")
-    return write_folder(out, {page.name: page_html(page, vectors), **dict(page.files), **beside}, force=force)
+        try:
+            add_note(picture.figure, page.figure_note)
+            found[picture.name] = rendered(picture.figure, (".svg", ".png"), salt=picture.name)
+        except Exception as error:  # noqa: BLE001 - whatever it is, the other figures are drawn
+            missing.append(not_drawn(f"figure {picture.name}", error))
+    return found, missing
 
 
-FIGURES = ("svg", "png")
-"""Formats of figures beside a page."""
-
-
-def _files(picture: Picture | Chart, note: str, formats: Sequence[str]) -> dict[str, bytes | str]:
-    """Figure of a page as HTML (``page``) and in other formats."""
-    identity = f"fig-{slug(picture.name)}"
-    if isinstance(picture, Chart):
-        found: dict[str, bytes | str] = {"page": chart_html(picture)}
-        if formats:
-            whole = chart_svg(picture, chart_style(), note)
-            found |= {name: whole if name == "svg" else png_of(whole) for name in formats}
-        return found
-    from jounce.plots.style import add_note, rendered
-
-    add_note(picture.figure, note)
-    suffixes = dict.fromkeys((".svg", *(f".{name}" for name in formats)))
-    drawn = rendered(picture.figure, tuple(suffixes), salt=picture.name)
-    page = inline_svg(drawn[".svg"], identity, picture.alternative)
-    return {"page": page, **{name: drawn[f".{name}"] for name in formats}}
-
-
-def chart_html(chart: Chart) -> str:
-    """Give the panels of a chart as SVG elements for a page."""
-    identity = f"fig-{slug(chart.name)}"
-    return "\n".join(
-        panel_svg(panel, f"{identity}-{k}", chart.alternative if k == 0 else panel.title or panel.x_label or "panel")
-        for k, panel in enumerate(chart.panels)
-    )
-
-
-def png_of(svg: str) -> bytes:
-    """Draw an SVG file as PNG, twice as large, with the fonts of matplotlib: the same everywhere."""
-    import typst
-    from matplotlib import get_data_path
-
-    with tempfile.TemporaryDirectory(prefix="jounce-figure-") as folder:
-        (Path(folder) / "figure.svg").write_text(_plain_colours(svg), encoding="utf-8")
-        source = '#set page(width: auto, height: auto, margin: 0pt)\n#image("figure.svg")\n'
-        (Path(folder) / "figure.typ").write_text(source, encoding="utf-8")
-        fonts: list[Any] = [str(Path(get_data_path()) / "fonts" / "ttf")]
-        file = str(Path(folder) / "figure.typ")
-        made: Any = typst.compile(file, format="png", ppi=192.0, font_paths=fonts, ignore_system_fonts=True)
-    return bytes(made[0] if isinstance(made, list) else made)
-
-
-def _plain_colours(svg: str) -> str:
-    """Write the light colours where a figure names them: what draws SVG outside browsers knows no variables."""
-    colours = dict(re.findall(r"--([\w-]+):\s*([^;}]+);", light_colours()))
-    return re.sub(r"var\(--([\w-]+)\)", lambda found: colours[found[1]].strip(), svg)
-
-
-def light_colours() -> str:
-    """Colours of a light page as a rule of a style sheet."""
-    text = _css("colours")
-    return text[: text.index("}") + 1]
-
-
-def chart_style() -> str:
-    """Style sheet of a figure that stands by itself."""
-    return light_colours() + CSS
-
-
-def page_html(page: Page, figures: Mapping[str, str]) -> str:
-    """Give the page as HTML text with its figures (name to HTML) and viewers inside."""
+def page_html(page: Page, figures: Mapping[str, bytes]) -> str:
+    """Give the page as HTML text with its figures (name to SVG) inside, those that there are."""
     anchors = unique_slugs([section.title for section in page.sections])
-    viewers = page.viewers()
-    script = bundle("viewer.js" if viewers else "page.js")
-    data = json.dumps(live_data(viewers), ensure_ascii=False, allow_nan=False, separators=(",", ":")) if viewers else ""
     return filled(
         "page",
-        css=_css("colours") + _css("page") + CSS + (bundle("viewer.css") if viewers else ""),
         page=page,
         sections=list(zip(anchors, page.sections, strict=True)),
-        viewers=viewers,
-        data=data.replace("<", "\\u003c"),
-        script=script,
-        script_hash=base64.b64encode(sha256(script.encode()).digest()).decode(),
-        svg=lambda picture: figures[picture.name],
-        chart=lambda picture: figures[picture.name],
+        svg=lambda picture: (
+            inline_svg(figures[picture.name], f"fig-{slug(picture.name)}", picture.alternative)
+            if picture.name in figures
+            else f'<p class="bad">This figure could not be drawn: {escape(picture.alternative)}</p>'
+        ),
     )
 
 
 def filled(template: str, **content: Any) -> str:
-    """Fill an HTML template; its style sheet has the same name where none is given."""
-    content.setdefault("css", _css(template))
-    text: str = _environment().get_template(f"{template}.html.j2").render(**content)
+    """Fill an HTML template, whose style sheet has the same name."""
+    css = (TEMPLATES / f"{template}.css").read_text(encoding="utf-8")
+    text: str = _environment().get_template(f"{template}.html.j2").render(css=css, **content)
     return text
-
-
-@cache
-def _css(name: str) -> str:
-    return (TEMPLATES / f"{name}.css").read_text(encoding="utf-8")
 
 
 @cache
@@ -270,7 +226,7 @@ def check_folder(out: Path | str, *, force: bool = False) -> Path:
     folder = Path(out).expanduser().resolve()
     if folder.exists() and not folder.is_dir():
         raise OutputError("the output is a file, not a folder", where=str(folder), hint="Choose another name.")
-    if folder.is_dir() and not force and any(folder.iterdir()):
+    if folder.is_dir() and not force and not is_empty(folder):
         raise OutputError(
             "the output folder is not empty", where=str(folder), hint="Choose another name or allow it with --force."
         )
@@ -301,6 +257,7 @@ def write_folder(out: Path | str, files: Mapping[str, bytes | str], *, force: bo
 
     Examples
     --------
+    >>> import tempfile
     >>> folder = Path(tempfile.mkdtemp()) / "report"
     >>> [file.name for file in write_folder(folder, {"report.html": "<p>", "figures/one.svg": "<svg/>"})]
     ['report.html', 'one.svg']
@@ -310,6 +267,6 @@ def write_folder(out: Path | str, files: Mapping[str, bytes | str], *, force: bo
 
 def curve_files(name: str, signals: xr.Dataset) -> tuple[tuple[str, bytes], ...]:
     """Give a recording as ``curves/<name>.csv`` and ``curves/<name>.nc``, path and content each."""
-    with tempfile.TemporaryDirectory(prefix="jounce-curves-") as folder:
-        files = [write_recording(signals, Path(folder) / f"{name}{suffix}") for suffix in (".csv", ".nc")]
+    with working_folder() as folder:
+        files = [write_recording(signals, folder / f"{name}{suffix}") for suffix in (".csv", ".nc")]
         return tuple((f"curves/{file.name}", file.read_bytes()) for file in files)

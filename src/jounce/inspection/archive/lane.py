@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import tempfile
+import os
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from jounce.core.description import toml_table
 from jounce.core.errors import JounceError, RecordingError
+from jounce.core.writing import working_folder
 from jounce.inspection.archive.entries import Grading, RecordEntry, pack
 from jounce.inspection.evaluation import evaluate
 from jounce.inspection.grading import GradedInspection, grade
@@ -318,8 +319,8 @@ def stored_tester(entry: RecordEntry) -> Tester:
 
 def read_entry(entry: RecordEntry, tester: Tester) -> tuple[xr.Dataset, list[Finding]]:
     """Read the signals of an entry from its bytes."""
-    with tempfile.TemporaryDirectory(prefix="jounce-") as folder:
-        file = Path(folder) / Path(entry.name).name
+    with working_folder() as folder:
+        file = folder / _file_name(entry.name)
         file.write_bytes(entry.content)
         if entry.sidecar is not None:
             file.with_suffix(".toml").write_bytes(entry.sidecar)
@@ -335,3 +336,12 @@ def read_entry(entry: RecordEntry, tester: Tester) -> tuple[xr.Dataset, list[Fin
         replace(one, place=one.place.replace(f"{folder}/", ""), message=one.message.replace(f"{folder}/", ""))
         for one in findings
     ]
+
+
+def _file_name(name: str) -> str:
+    """A name for a file of an entry: its own, unless a store gives one that no file can have."""
+    own = Path(name.replace("\0", "")).name
+    return own if own not in ("", "..") and len(os.fsencode(own)) < _LONGEST_NAME else f"record{Path(own).suffix[:16]}"
+
+
+_LONGEST_NAME = 240  # bytes; systems take 255
