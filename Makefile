@@ -7,6 +7,8 @@
 #   make test-all  the slow tests too                         make format  what `make lint` can mend by itself
 #   make mutants   change a package in one place at a time: do its tests notice? PACKAGE=ride SAMPLE=200 SEED=1
 #   make loops     machine code of the loops, which `make setup` makes, too: again where their sources have changed
+#   make viewer    bundle the viewer of reports from viewer/ (needs node and npm)
+#   make check-viewer  is the committed bundle what its sources make? (skipped without node and npm)
 #   make faces     write stubs and JSON schemas from the registries
 #   make pins      compile requirements/*.txt again (needs uv)
 #
@@ -28,7 +30,7 @@ PINS := runtime build test lint docs bench mutants
 COMPILE := $(UV) pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header \
            --no-emit-index-url --no-emit-find-links
 
-.PHONY: help setup loops demo quick test test-all lint check-style check-imports format bench docs mutants faces pins clean
+.PHONY: help setup loops demo quick test test-all lint check-style check-imports format bench docs mutants faces pins clean viewer check-viewer
 .DELETE_ON_ERROR:
 
 help:
@@ -40,9 +42,6 @@ loops: $(VENV)/.loops
 
 demo: setup
 	$(BIN)/jounce demo $(DEMO_ARGUMENTS)
-
-# Dozens of processes read the same modules: what Python makes of them is kept, even where the environment forbids it.
-quick test test-all: export PYTHONDONTWRITEBYTECODE :=
 
 quick: $(VENV)/.test $(VENV)/.loops
 	$(BIN)/python -m pytest -n auto --dist loadfile --quick
@@ -76,6 +75,18 @@ docs: $(VENV)/.docs $(VENV)/.loops
 
 mutants: $(VENV)/.test $(VENV)/.mutants $(VENV)/.loops
 	$(BIN)/python tests/mutants/run.py $(PACKAGE) --sample $(SAMPLE) --seed $(SEED) --place "$(PLACE)"
+
+viewer: viewer/node_modules/.package-lock.json
+	cd viewer && npm run --silent types && node build.mjs
+
+check-viewer:
+	@if command -v node >/dev/null && command -v npm >/dev/null; then \
+	  $(MAKE) --no-print-directory viewer/node_modules/.package-lock.json && cd viewer && npm run --silent types && \
+	  made=$$(mktemp -d) && node build.mjs "$$made" && diff -rq "$$made" ../src/jounce/report/viewer && rm -r "$$made"; \
+	else echo "The bundle of the viewer is not checked: node or npm is missing"; fi
+
+viewer/node_modules/.package-lock.json: viewer/package-lock.json
+	cd viewer && npm ci --silent --no-fund --no-audit
 
 faces: $(VENV)/.loops
 	$(BIN)/python docs/make_faces.py

@@ -31,6 +31,16 @@ def test_the_paper_s_figures_are_written_where_they_are_asked_for(cli, campaign:
     assert cli("campaign", "run", campaign, "--out", "other", "--figure", "mine").exit_code == 2
 
 
+def test_figures_of_the_report_are_written_where_they_are_asked_for(cli, campaign: Path, tmp_path: Path) -> None:
+    outcome = cli("campaign", "run", campaign, "--out", "results", "--figure", "svg", "--figure", "png", "--json")
+    assert outcome.exit_code == 0, outcome.err
+    names = set(outcome.json["figures"])
+    assert {"figures/trial-01.svg", "figures/trial-01.png", "figures/bench-spring.svg"} <= names
+    assert {f"figures/{file.name}" for file in (tmp_path / "results" / "figures").iterdir()} == names
+    assert cli("campaign", "run", campaign, "--out", "plain").exit_code == 0
+    assert not (tmp_path / "plain" / "figures").exists()
+
+
 def test_synthesise(cli, tmp_path: Path) -> None:
     change = 'rig.strut.damper={coefficient = "104 N*s/m"}'
     outcome = cli("campaign", "synthesise", "made", "--seed", "7", "--duration", "1 s", "--set", change, "--json")

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -16,10 +17,15 @@ from jounce.core.types import Array
 from jounce.design.model_comparison import ModelComparison
 from jounce.identify.comparison import compare, iso18571
 from jounce.identify.datum import with_datum
-from jounce.identify.fit_problem import FitTrial, readings
+from jounce.identify.fit_problem import FitTrial, Simulated
 from jounce.identify.update import UpdateResult
 from jounce.parts import Rig
 from jounce.recordings import estimate_lag
+from jounce.roads import Trial
+
+if TYPE_CHECKING:
+    import xarray as xr
+
 
 HOLDS, PARTLY, FAILS = "holds", "holds partly", "does not hold"
 _GOOD, _FAIR = 0.80, 0.58  # ISO/TS 18571 grades
@@ -60,14 +66,25 @@ class TrialComparison:
     objective: float
 
 
+@dataclass(frozen=True)
+class TrialMotion:
+    """What the model did in a trial: the rig as it was set up, and every output (SI) over time (s)."""
+
+    rig: Rig
+    trial: Trial
+    time: Array
+    outputs: Mapping[str, Array]
+
+
 def compare_trial(
     trial: FitTrial, lag: float | None = 0.0
-) -> tuple[TrialComparison, dict[str, Signals], list[Finding]]:
+) -> tuple[TrialComparison, dict[str, Signals], list[Finding], TrialMotion]:
     """Simulate a trial and compare it with its recording, which lags by ``lag`` (s; None: estimated by correlation)."""
     trial, _ = with_datum(trial)
+    model = Simulated(trial)
     if lag is None:
-        lag = _lag(readings(trial))
-    curves = readings(trial, lag=lag)
+        lag = _lag(model.readings())
+    curves = model.readings(lag)
     channels: dict[str, ChannelComparison] = {}
     signals: dict[str, Signals] = {}
     findings: list[Finding] = []
@@ -86,7 +103,8 @@ def compare_trial(
         signals[name] = Signals(time, measured, simulated)
         findings += rating.findings
     objective = sum(channel.objective for channel in channels.values())
-    return TrialComparison(channels, verdict_of(channels), objective), signals, findings
+    motion = TrialMotion(trial.rig, trial.trial, trial.measured["time"].to_numpy(), model.outputs(lag))
+    return TrialComparison(channels, verdict_of(channels), objective), signals, findings, motion
 
 
 def verdict_of(channels: dict[str, ChannelComparison]) -> str:
@@ -165,7 +183,8 @@ class StrategyResult:
 class TrialResult:
     """One trial: before (characterised model) and after (last update); None where a recording could not be used.
 
-    ``obstacle_pitch`` is the distance of the obstacles of a train in m, None for a single one.
+    ``obstacle_pitch`` is the distance of the obstacles of a train in m, None for a single one. ``motion`` is that of
+    the model after the last update.
     """
 
     entry: TrialEntry
@@ -174,6 +193,7 @@ class TrialResult:
     after: TrialComparison | None
     signals_before: dict[str, Signals]
     signals: dict[str, Signals]
+    motion: TrialMotion | None = None
 
 
 @dataclass(frozen=True)
@@ -198,6 +218,9 @@ class CampaignResult:
         What the reader must know; ``problem`` marks what failed.
     lumped : ModelComparison or None
         For a 3-D rig: where the equivalent quarter car differs from it, with the values of the last update.
+    poses : dict
+        For a 3-D rig: strut angle of its trials (rad; None where they give none) to poses over the wheel's travel, as
+        :func:`jounce.sweep_travel` gives them with ``points``.
     """
 
     campaign: Campaign
@@ -209,6 +232,7 @@ class CampaignResult:
     trials: tuple[TrialResult, ...]
     findings: tuple[Finding, ...]
     lumped: ModelComparison | None = None
+    poses: Mapping[float | None, xr.Dataset] = field(default_factory=dict)
 
     @property
     def is_complete(self) -> bool:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import xarray as xr
 
 from jounce.campaign.characterise import Characterisation, Knowledge, bench_values, characterise, polynomial_tyres
@@ -18,6 +19,7 @@ from jounce.campaign.result import (
     StrategyResult,
     StrategyTrial,
     TrialComparison,
+    TrialMotion,
     TrialResult,
     compare_trial,
 )
@@ -32,14 +34,16 @@ from jounce.identify.fit_problem import FitTrial, check_free
 from jounce.identify.richer import own_doubt
 from jounce.identify.signs import compression_positive, sign_of
 from jounce.identify.update import bounds_and_priors, update_model
+from jounce.kinematics import sweep_travel
 from jounce.parts import Corner, Rig, load, rig_findings, rig_path
 from jounce.parts.variants import strut_angle_findings, with_strut_angle
 from jounce.recordings import Sensor
 from jounce.roads import Excitation, Road, Train, Trial, read_roads
 from jounce.simulation.compiled import compile_rig
 
+_POSES, _LEAST_TRAVEL = 25, 1e-3  # of the wheel against the body, m
 Progress = Callable[[str], None]
-_Compared = tuple[TrialComparison | None, dict[str, Signals], list[Finding]]
+_Compared = tuple[TrialComparison | None, dict[str, Signals], list[Finding], TrialMotion | None]
 
 
 @dataclass(frozen=True)
@@ -99,6 +103,7 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
     strategies = runner.compare_strategies(runner.update_all(knowledge))
     trials = runner.compare_all(knowledge, strategies)
     lumped = runner.compare_with_lumped(strategies[-1].knowledge if strategies else knowledge)
+    poses = runner.poses(trials)
     return CampaignResult(
         campaign,
         file.parent,
@@ -109,6 +114,7 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
         tuple(trials),
         tuple(_leading(_unique(findings))),
         lumped,
+        poses,
     )
 
 
@@ -362,6 +368,21 @@ class _Runner:
             return None
         return replace(found, peaks=tuple(peaks))
 
+    def poses(self, trials: list[TrialResult]) -> dict[float | None, xr.Dataset]:
+        """Poses over the travel of all trials of each strut angle; none of a lumped rig or where it cannot move so."""
+        found: dict[float | None, xr.Dataset] = {}
+        for angle in dict.fromkeys(trial.entry.strut_angle for trial in trials):
+            motions = [t.motion for t in trials if t.motion is not None and t.entry.strut_angle == angle]
+            motions = [one for one in motions if isinstance(one.rig, Corner) and "sprung.z" in one.outputs]
+            if not motions:
+                continue
+            travels = [one.outputs["unsprung.z"] - one.outputs["sprung.z"] for one in motions]
+            low, high = min(float(one.min()) for one in travels), max(float(one.max()) for one in travels)
+            grid = np.linspace(min(low, -_LEAST_TRAVEL), max(high, _LEAST_TRAVEL), _POSES)
+            with suppress(JounceError):
+                found[angle] = sweep_travel(motions[0].rig, grid, points=True)
+        return found
+
     def _peaks(self, item: _Loaded, knowledge: Knowledge) -> list[PeakDifference]:
         entry = item.entry
         rig = knowledge.rig_for(entry.strut_angle, entry.tyre_pressure, entry.changes)
@@ -378,10 +399,10 @@ class _Runner:
         self.progress(f"compare: {name}")
         lag = lags.get(name, None if aligned else 0.0)
         pitch = item.trial.road.pitch if isinstance(item.trial.road, Train) else None
-        before, curves_before, _ = self._comparison(item, start, lag)
-        after, curves, notes = self._comparison(item, final, lag)
+        before, curves_before, _, _ = self._comparison(item, start, lag)
+        after, curves, notes, motion = self._comparison(item, final, lag)
         self.findings += _without_repeats(notes)
-        return TrialResult(entry, pitch, before, after, curves_before, curves)
+        return TrialResult(entry, pitch, before, after, curves_before, curves, motion)
 
     def _comparison(self, item: _Loaded, knowledge: Knowledge, lag: float | None) -> _Compared:
         """Compare a trial with a model; what has been compared is not run again. A failure is a finding."""
@@ -392,7 +413,7 @@ class _Runner:
                 self.compared[key] = compare_trial(trial, lag)
             except JounceError as error:
                 self.findings.append(Finding(trial.name, "problem", str(error)))
-                self.compared[key] = (None, {}, [])
+                self.compared[key] = (None, {}, [], None)
         return self.compared[key]
 
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from enum import StrEnum
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -18,6 +19,21 @@ if TYPE_CHECKING:
     from jounce.core.findings import Finding
 
 
+class FigureKind(StrEnum):
+    """What can be written beside a report."""
+
+    SVG = "svg"
+    PNG = "png"
+    PAPER = "paper"
+
+
+Figures = Annotated[
+    list[FigureKind] | None,
+    typer.Option(
+        help="Also write every figure of the report as SVG or PNG into the folder figures; paper: those of the "
+        "quarter-car prototype paper (4, 6, 8, 9, 10). Repeat it."
+    ),
+]
 app = typer.Typer(no_args_is_help=True, help="Evaluate a bench campaign, or start a new one.")
 
 
@@ -27,10 +43,7 @@ def run(
         Path, typer.Argument(metavar="CAMPAIGN.toml", help="Campaign file: what was measured, and what to update.")
     ],
     out: Annotated[Path, typer.Option(help="Folder for report, figures, updated rigs and results.json.")],
-    figure: Annotated[
-        Literal["paper"] | None,
-        typer.Option(help="Also write the figures of the quarter-car prototype paper (4, 6, 8, 9, 10)."),
-    ] = None,
+    figure: Figures = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -43,14 +56,25 @@ def run(
     check_outputs(folder=out, force=force)
     with progress() as say:
         from jounce.campaign import run_campaign
-        from jounce.report import write_campaign
 
         result = run_campaign(campaign, progress=say)
         say("writing the report")
-        with drawing() as missing:
-            write_campaign(result, out, force=force)
-        drawn, undrawn = ([], []) if figure is None else _paper_figures(result, out, force=force)
-    return campaign_reply(result, out, [*missing, *undrawn], as_json=as_json, figures=drawn)
+        drawn, missing = _write(result, out, figure or (), force=force)
+    return campaign_reply(result, out, missing, as_json=as_json, figures=drawn)
+
+
+def _write(
+    result: CampaignResult, out: Path, figure: Sequence[FigureKind], *, force: bool
+) -> tuple[list[str], list[Finding]]:
+    """Write everything that a campaign found; give the names of the figures beside the report, and what is missing."""
+    from jounce.report import write_campaign
+
+    formats = dict.fromkeys(name.value for name in figure if name is not FigureKind.PAPER)
+    with drawing() as missing:
+        write_campaign(result, out, force=force, figures=tuple(formats))
+    drawn = sorted(f"figures/{file.name}" for form in formats for file in (out / "figures").glob(f"*.{form}"))
+    more, undrawn = _paper_figures(result, out, force=force) if FigureKind.PAPER in figure else ([], [])
+    return [*drawn, *more], [*missing, *undrawn]
 
 
 def _paper_figures(result: CampaignResult, out: Path, *, force: bool) -> tuple[list[str], list[Finding]]:
@@ -211,6 +235,7 @@ def demo(
     quick: Annotated[
         bool, typer.Option("--quick", help="Model the prototype as a quarter car instead of a double wishbone.")
     ] = False,
+    figure: Figures = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -221,10 +246,9 @@ def demo(
     check_outputs(folder=out, force=force)
     with progress() as say:
         from jounce.papers.demo import run_demo
-        from jounce.report import write_campaign
 
         folder, result = run_demo(out, quick=quick, force=force, progress=say)
         say("writing the report")
-        with drawing() as missing:
-            write_campaign(result, folder, force=True)  # it holds the campaign by now, and nothing else of these names
-    return campaign_reply(result, folder, missing, as_json=as_json)
+        # it holds the campaign by now, and nothing else of these names
+        drawn, missing = _write(result, folder, figure or (), force=True)
+    return campaign_reply(result, folder, missing, as_json=as_json, figures=drawn)

@@ -67,10 +67,12 @@ def _write(study: object, out: Path | None, name: str, say: Callable[[str], None
     if out is None:
         return ()
     from jounce.report import papers, write_page
+    from jounce.report.render import FIGURES
 
     files = getattr(papers, f"{name}_files")(study)
     with drawing() as missing:
-        write_page(lambda: getattr(papers, f"{name}_page")(study), out, files=files, force=force, progress=say)
+        page = getattr(papers, f"{name}_page")
+        write_page(lambda: page(study), out, files=files, force=force, figures=FIGURES, progress=say)
     return missing
 
 

@@ -287,14 +287,32 @@ def readings(trial: FitTrial, *, lag: float = 0.0, tolerance: float = 1e-6) -> d
     Gives channel to (time in s, measured, simulated), in the channel's SI unit; ``lag`` (s) is that of the recording
     behind the simulation.
     """
-    prepared = prepare_trial(trial, (), None, "printed")
-    solution = prepared.solve(np.zeros(0), tolerance)
-    time = trial.measured["time"].to_numpy()
-    found = {}
-    for channel in prepared.channels:
-        shifted = shift_signals(prepared.table(channel, solution), prepared.rate, lag)
-        found[channel.name] = time, channel.measured, channel.offset(shifted, np.zeros(len(shifted)))[0][:, 0]
-    return found
+    return Simulated(trial, tolerance).readings(lag)
+
+
+class Simulated:
+    """A trial simulated once with its rig's own values: what its sensors read, and all that the model gives."""
+
+    def __init__(self, trial: FitTrial, tolerance: float = 1e-6) -> None:
+        self.trial = trial
+        self.prepared = prepare_trial(trial, (), None, "printed")
+        self.solution = self.prepared.solve(np.zeros(0), tolerance)
+
+    def readings(self, lag: float = 0.0) -> dict[str, tuple[Array, Array, Array]]:
+        """Channel to (time in s, measured, simulated), SI; the recording lags by ``lag`` (s)."""
+        prepared = self.prepared
+        time = self.trial.measured["time"].to_numpy()
+        found = {}
+        for channel in prepared.channels:
+            shifted = shift_signals(prepared.table(channel, self.solution), prepared.rate, lag)
+            found[channel.name] = time, channel.measured, channel.offset(shifted, np.zeros(len(shifted)))[0][:, 0]
+        return found
+
+    def outputs(self, lag: float = 0.0) -> dict[str, Array]:
+        """Every output of the model (SI) at the recording's instants, without sensors; delayed by ``lag`` (s)."""
+        count = len(self.trial.measured["time"])
+        table = shift_signals(self.solution.outputs[:, -count:].T, self.prepared.rate, lag)
+        return dict(zip(self.prepared.compiled.output_names, table.T, strict=True))
 
 
 def prepare_trial(

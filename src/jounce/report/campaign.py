@@ -12,17 +12,12 @@ from jounce.core.errors import JounceError
 from jounce.core.findings import Finding
 from jounce.core.serialise import to_json
 from jounce.identify.estimate import Estimate
-from jounce.plots import (
-    measured_against_simulated,
-    objectives,
-    residual_against_speed_and_pitch,
-    road_profile,
-    sweep,
-    trial_matrix,
-    update,
-)
+from jounce.plots.campaign import channels_of
 from jounce.plots.display import correlation, display_unit, estimate_cells, given, milliseconds, number, percent
+from jounce.report.answer import answer_chart, answer_table, answers, decisive
+from jounce.report.bench_charts import road_panels
 from jounce.report.characterisation import characterisation, unit_at
+from jounce.report.chart import Chart, Panel, Series, Style
 from jounce.report.page import (
     Block,
     Bullets,
@@ -33,7 +28,6 @@ from jounce.report.page import (
     Findings,
     Page,
     Paragraph,
-    Picture,
     Section,
     Subsection,
     Table,
@@ -44,8 +38,9 @@ from jounce.report.page import (
     worst_first,
 )
 from jounce.report.render import write_page
-from jounce.report.strategies import histories, progress
-from jounce.roads import Road, Trial, read_roads
+from jounce.report.strategies import progress
+from jounce.report.trials import scene_name, trial_chart, trials_viewer
+from jounce.roads import Road, read_roads
 
 if TYPE_CHECKING:
     from jounce.campaign.description import TrialEntry
@@ -62,6 +57,7 @@ def write_campaign(
     out: Path | str,
     *,
     force: bool = False,
+    figures: Sequence[str] = (),
     progress: Callable[[str], None] = lambda _text: None,
 ) -> list[Path]:
     """Write everything a campaign found into a folder.
@@ -74,14 +70,16 @@ def write_campaign(
         Folder; made where it is missing, refused when it holds something and ``force`` is not given.
     force : bool
         Replace files of the same names in an existing folder; others stay.
+    figures : sequence of str
+        Formats in which every figure is also written as ``figures/<name>.<format>``: ``"svg"``, ``"png"``.
     progress : callable
         Called with one line of text as the work goes on.
 
     Returns
     -------
     list of Path
-        ``report.html`` (one file that needs nothing else), ``results.json``, the rigs of each update, and every figure
-        as ``figures/<name>.svg`` and ``.png``. A rig is ``rig-<update>.toml``; where there are several tyre pressures
+        ``report.html`` (one file that needs nothing else), ``results.json``, the rigs of each update, and the figures
+        that were asked for. A rig is ``rig-<update>.toml``; where there are several tyre pressures
         there is one for each, such as ``rig-<update>-0-31-mpa.toml``.
 
     Raises
@@ -92,7 +90,7 @@ def write_campaign(
         For figures or sections that cannot be drawn; results, rigs and everything else are written by then.
     """
     files = campaign_files(result)
-    return write_page(lambda: campaign_page(result), out, files=files, force=force, progress=progress)
+    return write_page(lambda: campaign_page(result), out, files=files, force=force, figures=figures, progress=progress)
 
 
 def campaign_files(result: CampaignResult) -> dict[str, str]:
@@ -110,13 +108,13 @@ def campaign_page(result: CampaignResult) -> Page:
     """Give the report of a campaign as a page, figures drawn; a section that cannot be drawn says so."""
     synthetic, compared = result.campaign.synthetic, result.lumped
     parts = {
-        "Summary": lambda: summary(result),
-        "Characterisation": lambda: characterisation(result),
-        "Trials": lambda: trials(result),
-        "Updates": lambda: updates(result),
+        "Answer": lambda: answer(result),
+        "Curves": lambda: curves(result),
         "Validation": lambda: validation(result),
+        "Characterisation": lambda: characterisation(result),
+        "Updates": lambda: updates(result),
         **({} if compared is None else {"Lumped model versus linkage": lambda: lumped(compared)}),
-        "Time histories": lambda: curves(result),
+        "Trials and roads": lambda: trials(result),
         "Findings": lambda: Section("Findings", (Findings(result.findings),)),
         "Method and definitions": lambda: method(result),
     }
@@ -134,6 +132,12 @@ def campaign_page(result: CampaignResult) -> Page:
 
 TONES: dict[str, Tone] = {"holds": "good", "holds partly": "fair", "does not hold": "bad", "not usable": "muted"}
 _MOST_FINDINGS = 3
+_VERDICT_WORDS = {
+    "holds": "predicts within limits trials",
+    "holds partly": "predicts partly trials",
+    "does not hold": "does not predict trials",
+    "not usable": "could not be held against trials",
+}
 _OTHERS = {"holds partly": "partly", "does not hold": "not", "not usable": "not usable"}
 
 
@@ -142,18 +146,59 @@ def verdict(trial: TrialResult) -> str:
     return trial.after.verdict if trial.after is not None else "not usable"
 
 
-def summary(result: CampaignResult) -> Section:
-    """Box of numbers, what was done in words, what failed, the most important findings."""
-    facts = [_reduction(strategy) for strategy in result.strategies]
+def answer(result: CampaignResult) -> Section:
+    """Values and their intervals, for which trials they hold, what to be careful about."""
+    chain = decisive(result)
+    facts = []
     for use, label in (("fit", "Fitted trials"), ("hold-out", "Held-out trials")):
         verdicts = [verdict(trial) for trial in result.trials if trial.entry.use == use]
         if verdicts:
             facts.append(_verdicts(label, verdicts))
-    blocks: list[Block] = [Facts(tuple(facts)), Paragraph(_what_was_done(result))]
+    facts += [_reduction(strategy) for strategy in chain[-1:]]
+    blocks: list[Block] = [Facts(tuple(facts))] if facts else []
     if not result.is_complete:
         blocks.append(Paragraph("Parts of this campaign failed; see Findings for what is missing.", "bad"))
-    blocks.append(Subsection("Key findings", (Findings(most_important(result.findings)),)))
-    return Section("Summary", tuple(blocks))
+    if not result.trials:
+        blocks.append(Paragraph("This campaign contains no trial: there is nothing that the model was held against."))
+    found = answers(result)
+    if found:
+        last = chain[-1] if chain else None
+        name, count = ("", 0) if last is None else (last.update.name, len(last.fitted_on))
+        blocks.append(answer_table(found, name, count))
+        picture = answer_chart(found)
+        if picture is not None:
+            blocks.append(picture)
+    blocks.append(
+        Subsection("Where these values hold", (Paragraph(_where_it_holds(result)), Paragraph(_what_was_done(result))))
+    )
+    careful = most_important(_of_the_answer(result))
+    blocks.append(Subsection("What to be careful about", (Findings(careful),)))
+    return Section("Answer", tuple(blocks))
+
+
+def _where_it_holds(result: CampaignResult) -> str:
+    """Say of which trials the verdicts are, fitted and held out."""
+    texts = []
+    for use, words in (("fit", "Of the fitted trials"), ("hold-out", "Of the held-out trials")):
+        by_verdict: dict[str, list[str]] = {}
+        for trial in result.trials:
+            if trial.entry.use == use:
+                by_verdict.setdefault(verdict(trial), []).append(str(trial.entry.number))
+        parts = [f"{_VERDICT_WORDS[word]} {_listed(numbers)}" for word, numbers in by_verdict.items()]
+        if parts:
+            texts.append(f"{words}, the model {'; it '.join(parts)}.")
+    return " ".join(texts) or "No trial was compared with the model."
+
+
+def _of_the_answer(result: CampaignResult) -> tuple[Finding, ...]:
+    """Findings but those of updates that the final model is not made of: these stand with their updates."""
+    kept = {strategy.update.name for strategy in decisive(result)}
+    superseded = [s.update.name for s in result.strategies if s.update.name not in kept]
+    return tuple(
+        finding
+        for finding in result.findings
+        if not any(finding.place == name or finding.place.startswith(f"{name}:") for name in superseded)
+    )
 
 
 def most_important(findings: Sequence[Finding]) -> tuple[Finding, ...]:
@@ -227,16 +272,9 @@ def trials(result: CampaignResult) -> Section:
     blocks: list[Block] = [Table("Test matrix", header, rows, "llrlrrrl")]
     roads = _roads_of(result)
     if roads:
-        figure = road_profile(roads)
-        blocks.append(
-            Picture(
-                figure,
-                "roads",
-                "Road profiles: height against distance.",
-                f"Height profiles of the roads {', '.join(roads)}.",
-            )
-        )
-    return Section("Trials", tuple(blocks))
+        words = f"Height profiles of the roads {', '.join(roads)}."
+        blocks.append(Chart(road_panels(roads), "roads", "Road profiles: height against distance.", words, columns=1))
+    return Section("Trials and roads", tuple(blocks))
 
 
 def _driven(entry: TrialEntry) -> str:
@@ -271,24 +309,82 @@ def validation(result: CampaignResult) -> Section:
             "partly with a rating above 0.58 and R² above 0.75. A verdict says how well the model predicts a recording "
             "within these limits; it does not say that its parameters are those of the parts."
         ),
-        Picture(
-            trial_matrix(result.trials),
-            "validation-matrix",
-            "ISO/TS 18571 rating of every trial and channel, before and after updating.",
-            "Table of ratings before and after updating; all numbers are in the validation table.",
-        ),
+        _matrix(result),
         _validation_table(result),
     ]
     if any(trial.after is not None for trial in result.trials):
-        picture = Picture(
-            residual_against_speed_and_pitch(result.trials),
-            "validation-residual",
-            "Normalised error of every trial against speed (single obstacles) and obstacle pitch (obstacle "
-            "trains); points are labelled with trial numbers where space permits.",
-            "NRMSE against speed and obstacle pitch; all numbers are in the validation table.",
-        )
+        picture = _errors(result)
         blocks.append(Subsection("Error against speed and obstacle pitch", (picture,)))
     return Section("Validation", tuple(blocks))
+
+
+def _matrix(result: CampaignResult) -> Table:
+    """Rating of every trial and channel before and after updating, at a glance."""
+    channels = channels_of(result.trials)
+    rows = []
+    for trial in result.trials:
+        word = verdict(trial)
+        cells: list[Cell | str] = [Cell(str(trial.entry.number), show=_shown(trial)), _USES[trial.entry.use]]
+        for comparison in (trial.before, trial.after):
+            for name in channels:
+                channel = comparison.channels.get(name) if comparison is not None else None
+                if channel is None:
+                    cells.append("–")
+                else:
+                    cells.append(Cell(f"{channel.iso18571:.2f}", _GRADE_TONES[channel.grade]))  # type: ignore[arg-type]
+        lowest = min((c.r2 for c in trial.after.channels.values()), default=None) if trial.after is not None else None
+        cells += ["–" if lowest is None else f"{lowest:.3f}".replace("-", "−"), Cell(word, TONES[word])]
+        rows.append(tuple(cells))
+    header = (
+        "trial",
+        "use",
+        *(f"{name}, {when}" for when in ("before", "after") for name in channels),
+        "lowest R²",
+        "verdict",
+    )
+    note = (
+        "ISO/TS 18571 rating: above 0.94 excellent, above 0.80 good, above 0.58 fair, else poor. The number of a "
+        "trial shows its curves."
+    )
+    caption = "ISO/TS 18571 rating of every trial and channel, before and after updating"
+    return Table(caption, header, tuple(rows), "ll" + "r" * (2 * len(channels) + 1) + "l", note)
+
+
+def _shown(trial: TrialResult) -> str:
+    return scene_name(trial.entry.number) if trial.signals or trial.signals_before else ""
+
+
+def _errors(result: CampaignResult) -> Chart:
+    """Normalised error of every trial after updating against speed (single obstacles) and against pitch (trains)."""
+    usable = [trial for trial in result.trials if trial.after is not None]
+    channels = channels_of(usable)
+    single = [(t.entry.speed, t) for t in usable if t.entry.speed is not None and t.obstacle_pitch is None]
+    trains = [(1e3 * t.obstacle_pitch, t) for t in usable if t.obstacle_pitch is not None]
+    panels = []
+    for points, label, title in (
+        (single, "speed [m/s]", "single obstacles"),
+        (trains, "pitch of the obstacles [mm]", "trains"),
+    ):
+        series, notes = [], []
+        for k, name in enumerate(channels):
+            role = ("after", "other-5", "other-1", "other-2", "other-3", "other-4")[k % 6]
+            for use, style, words in (("fit", "dots", "fitted"), ("hold-out", "rings", "held out")):
+                here = [
+                    (x, t.after.channels[name].nrmse, t)
+                    for x, t in points
+                    if t.entry.use == use and t.after and name in t.after.channels
+                ]
+                if here:
+                    xs, ys = [x for x, _, _ in here], [y for _, y, _ in here]
+                    series.append(Series(xs, ys, role, style, f"{name}, {words}"))  # type: ignore[arg-type]
+                if k == 0:
+                    notes += [(x, y, str(t.entry.number)) for x, y, t in here]
+        if series:
+            panels.append(
+                Panel(tuple(series), label, "NRMSE after updating [–]", title, notes=tuple(notes), from_zero=True)
+            )
+    words = "Normalised error of every trial against speed and obstacle pitch; all numbers are in the validation table."
+    return Chart(tuple(panels), "validation-residual", f"{words} Numbers are those of the trials.", words)
 
 
 def _validation_table(result: CampaignResult) -> Table:
@@ -345,15 +441,18 @@ def _validation_rows(trial: TrialResult) -> list[tuple[Cell | str, ...]]:
 
 
 def curves(result: CampaignResult) -> Section:
-    """Measured and simulated signals of every trial, folded but for the first ones."""
-    roads = _roads_of(result)
-    blocks: list[Block] = []
-    shown = 0
+    """Measured and simulated signals of every trial: all in one viewer, and as figures."""
+    verdicts = {trial.entry.number: (word := verdict(trial), TONES[word]) for trial in result.trials}
+    viewer = trials_viewer(result, verdicts)
+    blocks: list[Block] = [viewer] if viewer is not None else []
+    scenes = {scene.name: scene for scene in viewer.scenes} if viewer is not None else {}
     for trial in result.trials:
-        drawn = bool(trial.signals or trial.signals_before)
-        blocks.append(Details(_heading(trial), (_curve(trial, roads),), is_open=drawn and shown < _OPEN))  # type: ignore[arg-type]
-        shown += drawn
-    return Section("Time histories", tuple(blocks))
+        scene = scenes.get(scene_name(trial.entry.number))
+        lost = Paragraph("The recording could not be used, so there is nothing to plot (see Findings).", "bad")
+        blocks.append(Details(_heading(trial), (lost if scene is None else trial_chart(scene, trial),)))
+    if not result.trials:
+        blocks.append(Paragraph("This campaign contains no trial."))
+    return Section("Curves", tuple(blocks))
 
 
 def _heading(trial: TrialResult) -> str:
@@ -365,21 +464,6 @@ def _heading(trial: TrialResult) -> str:
     return f"{', '.join(parts)}: {verdict(trial)}"
 
 
-def _curve(trial: TrialResult, roads: dict[str, object]) -> Block:
-    if not (trial.signals or trial.signals_before):
-        return Paragraph("The recording could not be used, so there is nothing to plot (see Findings).", "bad")
-    window = _obstacle_pass(trial, roads)  # type: ignore[arg-type]
-    channels = trial.after.channels if trial.after is not None else {}
-    words = "; ".join(f"{name}: rating {c.iso18571:.2f}, {c.grade}" for name, c in channels.items())
-    return Picture(
-        measured_against_simulated(trial, window),
-        f"trial-{trial.entry.number:02d}",
-        "Left: whole record; right: obstacle pass. Below each signal: residual (measured minus simulated). "
-        "Shaded: wheel on the obstacle.",
-        f"Measured and simulated signals of trial {trial.entry.number}, before and after updating. {words}.",
-    )
-
-
 def _roads_of(result: CampaignResult) -> dict[str, Road]:
     """Roads that trials of the campaign use, by name."""
     try:
@@ -388,19 +472,6 @@ def _roads_of(result: CampaignResult) -> dict[str, Road]:
         return {}
     used = {trial.entry.road for trial in result.trials}
     return {name: road for name, road in roads.items() if name in used}
-
-
-def _obstacle_pass(trial: TrialResult, roads: dict[str, Road]) -> tuple[float, float] | None:
-    """First and last time (s) at which the wheel is on the obstacle; None where the whole record is the excitation."""
-    road, signals = roads.get(trial.entry.road or ""), trial.signals or trial.signals_before
-    if road is None or trial.entry.speed is None or not signals:
-        return None
-    last = float(next(iter(signals.values())).time[-1])
-    drive = Trial(road=road, speed=trial.entry.speed, duration=last)
-    edges = drive.segments().edges
-    begin = float(edges[1]) if road.start > 0.0 and len(edges) > 2 else 0.0
-    end = min(drive.end(), last)
-    return (begin, end) if 0.0 < end - begin < 0.8 * last else None
 
 
 def updates(result: CampaignResult) -> Section:
@@ -414,26 +485,15 @@ def updates(result: CampaignResult) -> Section:
     if not result.campaign.update:
         blocks.append(Paragraph("No update was requested; the trials are compared with the characterised model."))
     if result.strategies:
-        found = [strategy.update for strategy in result.strategies]
-        words = "; ".join(
-            f"{one.name}: {number(one.objective_before)} to {number(one.objective_after)}" for one in found
-        )
-        blocks += [
-            _overview(result),
-            Picture(
-                objectives(found),
-                "updates-objective",
-                "Objective of each update relative to its initial value.",
-                f"Objective before and after each update. {words}.",
-            ),
-        ]
+        blocks.append(_overview(result))
     if any(strategy.trials for strategy in result.strategies):
         blocks.append(progress(result))
     files = unique_slugs([f"update {strategy.update.name}" for strategy in result.strategies])
-    blocks += [
-        Subsection(strategy.update.name, (*_strategy(strategy, file), *histories(strategy, file)))
-        for file, strategy in zip(files, result.strategies, strict=True)
-    ]
+    kept = {strategy.update.name for strategy in decisive(result)}
+    for file, strategy in zip(files, result.strategies, strict=True):
+        name, found = strategy.update.name, _strategy(strategy, file)
+        superseded = f"{name}: superseded, the final model is not made of it"
+        blocks.append(Subsection(name, found) if name in kept else Details(superseded, found))
     return Section("Updates", tuple(blocks))
 
 
@@ -469,26 +529,65 @@ def _overview(result: CampaignResult) -> Table:
 def _strategy(strategy: StrategyResult, file: str) -> tuple[Block, ...]:
     found = strategy.update
     units = {path: unit_at(strategy.knowledge.rig, path) for path in found.parameters}
-    fitted = "; ".join(
-        f"{path} {estimate_cells(p, units[path])[0]} {display_unit(units[path]).name}"
-        + (" at its bound" if p.at_bound else "")
-        for path, p in found.parameters.items()
-    )
-    picture = Picture(
-        update(found, units),
-        file,
-        "Initial and fitted values within their bounds, with 95 % intervals of the noise only"
-        + ("." if len(units) == 1 else "; correlation of the estimates (– where a parameter is at a bound)."),
-        f"Fitted parameters of {found.name}: {fitted}.",
-    )
     blocks: list[Block] = [_parameters(strategy, units), *discrepancy_blocks(strategy, units)]
-    blocks += [picture, _identifiability(strategy)]
+    blocks.append(_within_bounds(strategy, units, file))
+    if len(found.parameters) > 1:
+        blocks.append(_correlation(strategy))
+    blocks.append(_identifiability(strategy))
     if found.lags:
         rows = tuple((name, milliseconds(lag, 2)) for name, lag in found.lags.items())
         blocks.append(Table("Time lag of each recording relative to the simulation", ("trial", "lag [ms]"), rows, "lr"))
     if found.findings:
         blocks.append(Findings(found.findings))
     return tuple(blocks)
+
+
+def _within_bounds(strategy: StrategyResult, units: dict[str, str], file: str) -> Chart:
+    """Where each parameter ended between its bounds, with the interval of the noise."""
+    found = strategy.update
+    series: list[Series] = []
+    for row, p in enumerate(found.parameters.values()):
+        middle, half = 0.5 * (p.lower + p.upper), 0.5 * (p.upper - p.lower)
+        if p.interval is not None:
+            ends = [min(max(100.0 * (end - middle) / half, -108.0), 108.0) for end in p.interval]
+            series.append(Series(ends, [row, row], "after", "thick", "95 %, noise only"))
+        series.append(Series([100.0 * (p.initial - middle) / half], [row], "muted", "rings", "initial"))
+        role, style, words = ("bad", "squares", "at a bound") if p.at_bound else ("after", "dots", "fitted")
+        series.append(Series([100.0 * (p.value - middle) / half], [row], role, style, words))  # type: ignore[arg-type]
+    panel = Panel(
+        tuple(series),
+        "position between lower and upper bound [%]",
+        verticals=((-100.0, "muted", ""), (100.0, "muted", "")),
+        lanes=tuple(found.parameters),
+        x_range=(-112.0, 112.0),
+        width=620,
+        height=84 + 24 * len(found.parameters),
+    )
+    fitted = "; ".join(
+        f"{path} {estimate_cells(p, units[path])[0]} {display_unit(units[path]).name}"
+        + (" at its bound" if p.at_bound else "")
+        for path, p in found.parameters.items()
+    )
+    caption = "Initial and fitted values within their bounds, with 95 % intervals of the noise only."
+    return Chart((panel,), file, caption, f"Fitted parameters of {found.name}: {fitted}.")
+
+
+def _correlation(strategy: StrategyResult) -> Table:
+    found = strategy.update
+    count = len(found.parameters)
+    values = [row[:count] for row in found.correlation[:count]]
+    rows = []
+    for i, path in enumerate(found.parameters):
+        cells: list[Cell | str] = [f"{i + 1}  {path}"]
+        for j in range(count):
+            known = values[i][i] > 0.0 and values[j][j] > 0.0
+            strong = known and i != j and abs(values[i][j]) > _STRONG
+            text = ("1" if i == j else correlation(values[i][j])) if known else "–"
+            cells.append(Cell(text, "fair") if strong else text)
+        rows.append(tuple(cells))
+    header = ("parameter", *(f"with {place}" for place in range(1, count + 1)))
+    note = "– where a parameter is at a bound."
+    return Table("Correlation of the estimates", header, tuple(rows), "l" + "r" * count, note)
 
 
 def _parameters(strategy: StrategyResult, units: dict[str, str]) -> Table:
@@ -612,6 +711,8 @@ def _identifiability(strategy: StrategyResult) -> Table:
     return Table(caption, header, rows, "lr" + "r" * count, note)
 
 
+_STRONG = 0.9
+"""Correlation from which two estimates are coloured."""
 _ROUNDING = 1e-5
 """Share of a body's mass below which its part is 0: the ends of the differences that found it."""
 _NOTICED = 0.05
@@ -627,19 +728,36 @@ def lumped(found: ModelComparison) -> Section:
             "What such a model cannot represent is listed with the reason."
         ),
         _differences(found),
-        Picture(
-            sweep(found.curves(), along="travel"),
-            "lumped-travel",
-            "Motion ratio and wheel rate against wheel travel: the linkage, and the lumped model that matches it "
-            "at equilibrium.",
-            f"Motion ratio from {found.motion_ratio[0]:.4f} to {found.motion_ratio[-1]:.4f} over the travel shown, "
-            f"lumped {found.lumped_motion_ratio:.4f}.",
-        ),
+        _travel(found),
         _shares(found),
     ]
     if found.peaks:
         blocks.append(_peaks(found.peaks))
     return Section("Lumped model versus linkage", tuple(blocks))
+
+
+_MODELS: tuple[tuple[str, Style, str], ...] = (("after", "line", "3-D"), ("before", "dashed", "lumped"))
+
+
+def _travel(found: ModelComparison) -> Chart:
+    curves = found.curves()
+    panels = []
+    for name, si in (("motion_ratio", "1"), ("wheel_rate", "N/m")):
+        unit = display_unit(si)
+        series = [
+            Series(1e3 * found.travel, unit.factor * curves[name].to_numpy()[:, k], role, style, label)
+            for k, (role, style, label) in enumerate(_MODELS)
+        ]
+        words = str(curves[name].attrs["long_name"])
+        panels.append(Panel(tuple(series), "wheel travel from design [mm]", unit.label(words), words))
+    return Chart(
+        tuple(panels),
+        "lumped-travel",
+        "Motion ratio and wheel rate against wheel travel: the linkage, and the lumped model that matches it at "
+        "equilibrium.",
+        f"Motion ratio from {found.motion_ratio[0]:.4f} to {found.motion_ratio[-1]:.4f} over the travel shown, lumped "
+        f"{found.lumped_motion_ratio:.4f}.",
+    )
 
 
 def _differences(found: ModelComparison) -> Table:
@@ -757,7 +875,7 @@ def method(result: CampaignResult) -> Section:
         Paragraph(
             f"Generated by jounce {jounce.__version__} from {len(result.trials)} trials. All numbers are also in "
             "results.json "
-            "(SI units); the updated rigs are the TOML files next to this page; the figures are in the folder figures."
+            "(SI units); the updated rigs are the TOML files next to this page."
         )
     ]
     if result.campaign.synthetic:

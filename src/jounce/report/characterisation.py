@@ -6,14 +6,17 @@ import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from jounce.campaign.characterise import files_of
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.types import Array
 from jounce.identify.signs import compression_positive
 from jounce.parts.rig import unit_of
-from jounce.plots import decay_fit, display_unit, number, quantity, stiffness_fit, tyre_pressure
-from jounce.plots.display import estimate_cells, estimate_text
-from jounce.report.page import Block, Cell, Details, Paragraph, Picture, Section, Subsection, Table, unique_slugs
+from jounce.plots.display import display_unit, estimate_cells, estimate_text, number, quantity
+from jounce.report.bench_charts import decay_panels, pressure_panel, stiffness_panels
+from jounce.report.chart import Chart
+from jounce.report.page import Block, Cell, Details, Paragraph, Section, Subsection, Table, unique_slugs
 
 if TYPE_CHECKING:
     from jounce.campaign.characterise import DampingChoice
@@ -106,7 +109,7 @@ def _stiffness(result: CampaignResult, found: StiffnessResult, place: str, title
         f"Left: measured points and fitted law of the {title}. "
         "Right: stiffness of the individual trials with 95 % intervals."
     )
-    picture = Picture(stiffness_fit(found, points, title), file, caption, alternative)
+    picture = Chart(stiffness_panels(found, points, title), file, caption, alternative)
     return summary, picture, _trial_table(found)
 
 
@@ -169,8 +172,8 @@ def _pressure(result: CampaignResult) -> tuple[Block, ...]:
         "; ".join(note) + "." if note else "",
     )
     words = ", ".join(f"{row[0]}: {row[1]} {row[4]}" for row in rows)
-    picture = Picture(
-        tyre_pressure(found),
+    picture = Chart(
+        (pressure_panel(found),),
         "bench-tyre-pressure",
         "Radial stiffness against inflation pressure, interpolated between the measured pressures.",
         f"Tyre stiffness against inflation pressure. {words}.",
@@ -195,7 +198,7 @@ def _decay(result: CampaignResult) -> tuple[Block, ...]:
     records = _decay_records(result, result.campaign.bench.decay)
     if len(records) != len(bench.decays):
         records = [(f"decay {k}", (), ()) for k in range(1, len(bench.decays) + 1)]  # type: ignore[misc]
-    pictures: list[Picture] = []
+    pictures: list[Chart] = []
     files = unique_slugs([f"bench decay {Path(name).stem.removeprefix('decay')}" for name, _, _ in records])
     for file, (name, time, signal), one in zip(files, records, bench.decays, strict=True):
         alternative = (
@@ -206,7 +209,8 @@ def _decay(result: CampaignResult) -> tuple[Block, ...]:
             f"{name}: measured and fitted response; successive turning points; apparent damping ratios from single "
             f"decrements. R² {one.r2:.4f}."
         )
-        pictures.append(Picture(decay_fit(one, time, signal, name), file, caption, alternative))
+        panels = decay_panels(one, np.asarray(time, float), np.asarray(signal, float), name)
+        pictures.append(Chart(panels, file, caption, alternative, columns=3))
     blocks += pictures[:1]
     if len(bench.decays) > 1:
         blocks.append(_each_decay(bench.decays, [record[0] for record in records]))

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from jounce.core.findings import Finding, not_drawn
+from jounce.report.chart import Chart
+from jounce.report.live import Viewer
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -33,11 +35,12 @@ class Bullets:
 
 @dataclass(frozen=True)
 class Cell:
-    """One table cell whose tone says what it means; the text says it too."""
+    """One table cell whose tone says what it means; the text says it too. ``show`` links it to a scene of a viewer."""
 
     text: str
     tone: Tone = "plain"
     note: str = ""
+    show: str = ""
 
 
 @dataclass(frozen=True)
@@ -109,7 +112,7 @@ class Details:
     is_open: bool = False
 
 
-Block: TypeAlias = "Paragraph | Bullets | Table | Picture | Facts | Findings | Details | Subsection"
+Block: TypeAlias = "Paragraph | Bullets | Table | Picture | Chart | Viewer | Facts | Findings | Details | Subsection"
 
 
 @dataclass(frozen=True)
@@ -159,9 +162,18 @@ class Page:
     name: str = "report.html"
     missing: tuple[Finding, ...] = ()
 
-    def pictures(self) -> tuple[Picture, ...]:
+    def pictures(self) -> tuple[Picture | Chart, ...]:
         """All figures in order."""
-        return tuple(picture for section in self.sections for picture in pictures_in(section.blocks))
+        return tuple(block for block in self.blocks() if isinstance(block, Picture | Chart))
+
+    def viewers(self) -> tuple[Viewer, ...]:
+        """All viewers in order."""
+        return tuple(block for block in self.blocks() if isinstance(block, Viewer))
+
+    def blocks(self) -> Iterator[Block]:
+        """All blocks in order, folded ones included."""
+        for section in self.sections:
+            yield from blocks_in(section.blocks)
 
 
 def sections_of(parts: Mapping[str, Callable[[], Section]]) -> tuple[tuple[Section, ...], tuple[Finding, ...]]:
@@ -176,15 +188,12 @@ def sections_of(parts: Mapping[str, Callable[[], Section]]) -> tuple[tuple[Secti
     return tuple(sections), tuple(missing)
 
 
-def pictures_in(blocks: Sequence[Block]) -> list[Picture]:
-    """All figures of some blocks, folded ones included, in order."""
-    found: list[Picture] = []
+def blocks_in(blocks: Sequence[Block]) -> Iterator[Block]:
+    """Blocks and those inside them, in order."""
     for block in blocks:
-        if isinstance(block, Picture):
-            found.append(block)
-        elif isinstance(block, Details | Subsection):
-            found += pictures_in(block.blocks)
-    return found
+        yield block
+        if isinstance(block, Details | Subsection):
+            yield from blocks_in(block.blocks)
 
 
 def worst_first(findings: Sequence[Finding]) -> tuple[Finding, ...]:

@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
+import base64
+import json
 import re
-from collections.abc import Callable, Mapping
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
+from hashlib import sha256
 from html import escape
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from jounce.core.errors import DrawingError, OutputError
+from jounce.core.errors import DrawingError, OutputError, unknown
 from jounce.core.findings import Finding, not_drawn
 from jounce.core.writing import is_empty, working_folder, write_files
-from jounce.plots import add_note, rendered
 from jounce.recordings.files import write_recording
-from jounce.report.page import Findings, Page, Table, slug, unique_slugs, worst_first
+from jounce.report.chart import CSS, Chart, chart_svg, panel_svg
+from jounce.report.live import bundle, live_data
+from jounce.report.page import Findings, Page, Picture, Table, slug, unique_slugs, worst_first
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -32,9 +37,10 @@ def write_page(
     *,
     files: Mapping[str, bytes | str] = MappingProxyType({}),
     force: bool = False,
+    figures: Sequence[str] = (),
     progress: Callable[[str], None] = lambda _text: None,
 ) -> list[Path]:
-    """Write a page with its figures into a folder: what was computed first, then what is drawn.
+    """Write a page into a folder, with its figures beside it by wish: what was computed first, then what is drawn.
 
     Parameters
     ----------
@@ -46,14 +52,15 @@ def write_page(
         Further files of what was computed, path and content, beside those of a ``Page``.
     force : bool
         Replace files of the same names in an existing folder; others stay.
+    figures : sequence of str
+        Formats in which every figure is also written as ``figures/<name>.<format>``: ``"svg"``, ``"png"``.
     progress : callable
         Called with one line of text as the work goes on.
 
     Returns
     -------
     list of Path
-        ``report.html`` (one file that needs nothing else), the page's further files, and each figure as
-        ``figures/<name>.svg`` and ``.png``.
+        ``report.html`` (one file that needs nothing else), the page's further files, and the figures.
 
     Raises
     ------
@@ -72,6 +79,9 @@ def write_page(
     """
     computed = {**files, **(dict(page.files) if isinstance(page, Page) else {})}
     check_folder(out, force=force)
+    unknown_formats = [name for name in figures if name not in FIGURES]
+    if unknown_formats:
+        raise unknown(unknown_formats[0], FIGURES, what="format of figures", where="figures")
     if computed:
         progress("write: results")
         name = page.name if isinstance(page, Page) else Page.name
@@ -79,15 +89,11 @@ def write_page(
         force = True
     try:
         whole = page if isinstance(page, Page) else page()
-        figures, missing = _draw(whole, progress)
+        inside, beside, missing = _draw(whole, figures, progress)
         progress("write: files")
-        vectors = {name: formats[".svg"] for name, formats in figures.items()}
-        drawn: dict[str, bytes | str] = {whole.name: page_html(whole, vectors)}
+        drawn: dict[str, bytes | str] = {whole.name: page_html(whole, inside)}
         drawn |= {name: content for name, content in whole.files if name not in computed}
-        for name, formats in figures.items():
-            for suffix, content in formats.items():
-                drawn[f"figures/{name}{suffix}"] = content
-        written = write_folder(out, drawn, force=force)
+        written = write_folder(out, drawn | beside, force=force)
     except Exception as error:
         raise DrawingError([not_drawn("report", error)]) from error
     if whole.missing or missing:
@@ -103,8 +109,12 @@ drawn, or it could not be.</p></html>
 """
 
 
-def _draw(page: Page, progress: Callable[[str], None]) -> tuple[dict[str, dict[str, bytes]], list[Finding]]:
-    found: dict[str, dict[str, bytes]] = {}
+def _draw(
+    page: Page, formats: Sequence[str], progress: Callable[[str], None]
+) -> tuple[dict[str, str], dict[str, bytes | str], list[Finding]]:
+    """Draw all figures: as HTML by name, as files by path, and which could not be drawn."""
+    inside: dict[str, str] = {}
+    beside: dict[str, bytes | str] = {}
     missing: list[Finding] = []
     pictures = page.pictures()
     names = [picture.name for picture in pictures]
@@ -113,33 +123,114 @@ def _draw(page: Page, progress: Callable[[str], None]) -> tuple[dict[str, dict[s
             raise OutputError("two figures have the same name", where=page.title, found=picture.name)
         progress(f"draw: figure {k} of {len(pictures)}")
         try:
-            add_note(picture.figure, page.figure_note)
-            found[picture.name] = rendered(picture.figure, (".svg", ".png"), salt=picture.name)
+            found = _files(picture, page.figure_note, formats)
         except Exception as error:  # noqa: BLE001 - whatever it is, the other figures are drawn
             missing.append(not_drawn(f"figure {picture.name}", error))
-    return found, missing
+            continue
+        inside[picture.name] = str(found.pop("page"))
+        beside |= {f"figures/{picture.name}.{name}": content for name, content in found.items()}
+    return inside, beside, missing
 
 
-def page_html(page: Page, figures: Mapping[str, bytes]) -> str:
-    """Give the page as HTML text with its figures (name to SVG) inside, those that there are."""
+FIGURES = ("svg", "png")
+"""Formats of figures beside a page."""
+
+
+def _files(picture: Picture | Chart, note: str, formats: Sequence[str]) -> dict[str, bytes | str]:
+    """Figure of a page as HTML (``page``) and in other formats."""
+    identity = f"fig-{slug(picture.name)}"
+    if isinstance(picture, Chart):
+        found: dict[str, bytes | str] = {"page": chart_html(picture)}
+        if formats:
+            whole = chart_svg(picture, chart_style(), note)
+            found |= {name: whole if name == "svg" else png_of(whole) for name in formats}
+        return found
+    from jounce.plots.style import add_note, rendered
+
+    add_note(picture.figure, note)
+    suffixes = dict.fromkeys((".svg", *(f".{name}" for name in formats)))
+    drawn = rendered(picture.figure, tuple(suffixes), salt=picture.name)
+    page = inline_svg(drawn[".svg"], identity, picture.alternative)
+    return {"page": page, **{name: drawn[f".{name}"] for name in formats}}
+
+
+def chart_html(chart: Chart) -> str:
+    """Give the panels of a chart as SVG elements for a page."""
+    identity = f"fig-{slug(chart.name)}"
+    return "\n".join(
+        panel_svg(panel, f"{identity}-{k}", chart.alternative if k == 0 else panel.title or panel.x_label or "panel")
+        for k, panel in enumerate(chart.panels)
+    )
+
+
+def png_of(svg: str) -> bytes:
+    """Draw an SVG file as PNG, twice as large, with the fonts of matplotlib: the same everywhere."""
+    import typst
+    from matplotlib import get_data_path
+
+    with tempfile.TemporaryDirectory(prefix="jounce-figure-") as folder:
+        (Path(folder) / "figure.svg").write_text(_plain_colours(svg), encoding="utf-8")
+        source = '#set page(width: auto, height: auto, margin: 0pt)\n#image("figure.svg")\n'
+        (Path(folder) / "figure.typ").write_text(source, encoding="utf-8")
+        fonts: list[Any] = [str(Path(get_data_path()) / "fonts" / "ttf")]
+        file = str(Path(folder) / "figure.typ")
+        made: Any = typst.compile(file, format="png", ppi=192.0, font_paths=fonts, ignore_system_fonts=True)
+    return bytes(made[0] if isinstance(made, list) else made)
+
+
+def _plain_colours(svg: str) -> str:
+    """Write the light colours where a figure names them: what draws SVG outside browsers knows no variables."""
+    colours = dict(re.findall(r"--([\w-]+):\s*([^;}]+);", light_colours()))
+    return re.sub(r"var\(--([\w-]+)\)", lambda found: colours[found[1]].strip(), svg)
+
+
+def light_colours() -> str:
+    """Colours of a light page as a rule of a style sheet."""
+    text = _css("colours")
+    return text[: text.index("}") + 1]
+
+
+def chart_style() -> str:
+    """Style sheet of a figure that stands by itself."""
+    return light_colours() + CSS
+
+
+def page_html(page: Page, figures: Mapping[str, str]) -> str:
+    """Give the page as HTML text with its figures (name to HTML) and viewers inside, those that there are."""
+
+    def shown(picture: Picture | Chart) -> str:
+        if picture.name in figures:
+            return figures[picture.name]
+        return f'<p class="bad">This figure could not be drawn: {escape(picture.alternative)}</p>'
+
     anchors = unique_slugs([section.title for section in page.sections])
+    viewers = page.viewers()
+    script = bundle("viewer.js" if viewers else "page.js")
+    data = json.dumps(live_data(viewers), ensure_ascii=False, allow_nan=False, separators=(",", ":")) if viewers else ""
     return filled(
         "page",
+        css=_css("colours") + _css("page") + CSS + (bundle("viewer.css") if viewers else ""),
         page=page,
         sections=list(zip(anchors, page.sections, strict=True)),
-        svg=lambda picture: (
-            inline_svg(figures[picture.name], f"fig-{slug(picture.name)}", picture.alternative)
-            if picture.name in figures
-            else f'<p class="bad">This figure could not be drawn: {escape(picture.alternative)}</p>'
-        ),
+        viewers=viewers,
+        data=data.replace("<", "\\u003c"),
+        script=script,
+        script_hash=base64.b64encode(sha256(script.encode()).digest()).decode(),
+        svg=shown,
+        chart=shown,
     )
 
 
 def filled(template: str, **content: Any) -> str:
-    """Fill an HTML template, whose style sheet has the same name."""
-    css = (TEMPLATES / f"{template}.css").read_text(encoding="utf-8")
-    text: str = _environment().get_template(f"{template}.html.j2").render(css=css, **content)
+    """Fill an HTML template; its style sheet has the same name where none is given."""
+    content.setdefault("css", _css(template))
+    text: str = _environment().get_template(f"{template}.html.j2").render(**content)
     return text
+
+
+@cache
+def _css(name: str) -> str:
+    return (TEMPLATES / f"{name}.css").read_text(encoding="utf-8")
 
 
 @cache

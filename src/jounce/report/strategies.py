@@ -6,13 +6,12 @@ from typing import TYPE_CHECKING
 
 from jounce.campaign.result import CLOSE, LOOSE
 from jounce.plots.display import number, percent
-from jounce.plots.paper_figures import adjusted_and_not, update_on_every_trial
-from jounce.report.page import Block, Cell, Details, Paragraph, Picture, Subsection, Table, Tone
+from jounce.report.page import Block, Cell, Details, Paragraph, Subsection, Table, Tone
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from jounce.campaign.result import CampaignResult, ChannelComparison, StrategyResult, StrategyTrial
+    from jounce.campaign.result import CampaignResult, ChannelComparison, StrategyTrial
 
 
 _METRICS: tuple[tuple[str, str, Callable[[ChannelComparison], float]], ...] = (
@@ -101,27 +100,3 @@ def _cell(trial: StrategyTrial, name: str, value: Callable[[ChannelComparison], 
     if not colour or trial.after is None or name not in trial.after.channels:
         return text
     return Cell(text, _tone(value(trial.after.channels[name])))
-
-
-def histories(strategy: StrategyResult, file: str) -> tuple[Block, ...]:
-    """Experiment and simulation over time: the first trial that an update was fitted on, and folded all of them."""
-    first = strategy.trial(strategy.fitted_on[0])
-    if not (first.signals or first.signals_before):
-        return ()
-    own = ", ".join(str(one.number) for one in strategy.trials if one.is_fitted)
-    every = Picture(
-        update_on_every_trial(strategy),
-        f"{file}-every-trial",
-        f"All trials before and after {strategy.update.name}: orange before, blue after, dark the experiment. Fitted "
-        f"on {own}; all others are held out. The numbers are R² before and after.",
-        f"Time histories of all trials before and after {strategy.update.name}; all numbers are in the table of R².",
-    )
-    return (
-        Picture(
-            adjusted_and_not(strategy, first),
-            f"{file}-trial-{first.number:02d}",
-            f"Trial {first.number} before and after {strategy.update.name}.",
-            f"Measured and simulated signals of trial {first.number} before and after {strategy.update.name}.",
-        ),
-        Details(f"Every trial before and after {strategy.update.name}", (every,)),
-    )

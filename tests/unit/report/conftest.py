@@ -138,5 +138,5 @@ def written(result: CampaignResult, tmp_path_factory: pytest.TempPathFactory) ->
     from jounce.report import write_campaign
 
     out = tmp_path_factory.mktemp("written") / "report"
-    write_campaign(result, out)
+    write_campaign(result, out, figures=("svg", "png"))
     return out

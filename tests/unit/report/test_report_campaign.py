@@ -14,7 +14,7 @@ from jounce.campaign.characterise import Characterisation
 from jounce.campaign.result import CampaignResult
 from jounce.report import campaign_page, write_campaign
 from jounce.report.campaign import most_important
-from jounce.report.page import Facts, Table
+from jounce.report.page import Details, Facts, Table
 
 _VOID = {"meta", "path", "use", "rect", "link", "br", "image", "line", "circle"}
 
@@ -111,7 +111,8 @@ def test_page_is_sound(html: str) -> None:
     assert [name for name, count in Counter(reader.ids).items() if count > 1] == []
     assert {link.removeprefix("#") for link in reader.links if link.startswith("#")} <= set(reader.ids)
     assert reader.tags["caption"] == reader.tags["table"] > 10
-    assert reader.tags["svg"] == reader.tags["figcaption"] > 8
+    assert reader.tags["figure"] == reader.tags["figcaption"] > 8
+    assert reader.tags["svg"] > reader.tags["figure"]  # every panel of a figure is one
     assert reader.tags["h1"] == 1
 
 
@@ -134,8 +135,9 @@ def test_text_of_the_user_is_escaped(html: str) -> None:
     assert "<b>" not in html
 
 
-def test_first_curves_are_open_and_all_are_there(html: str) -> None:
-    assert len(re.findall(r"<details open><summary>Trial", html)) == 3
+def test_all_curves_are_there(html: str) -> None:
+    assert len(re.findall(r"<details><summary>Trial", html)) == 3
+    assert html.count("data-viewer=") == 1
     assert [number for number in (1, 2, 3) if f'id="picture-trial-0{number}"' in html] == [1, 2, 3]
 
 
@@ -173,9 +175,43 @@ def test_replaced_values(result: CampaignResult) -> None:
 
 def test_summary_counts_verdicts(result: CampaignResult) -> None:
     facts = next(block for block in campaign_page(result).sections[0].blocks if isinstance(block, Facts)).items
-    assert [fact.label for fact in facts][:2] == ["Objective, Strategy A/1", "Objective, strategy a 1"]
+    assert [fact.label for fact in facts] == ["Fitted trials", "Held-out trials", "Objective, strategy a 1"]
     held = sum(trial.after.verdict == "holds" for trial in result.trials if trial.entry.use == "hold-out")
-    assert facts[-1].value == f"{held} of 2 hold"
+    assert facts[1].value == f"{held} of 2 hold"
+
+
+def test_the_answer_comes_first_with_intervals(result: CampaignResult) -> None:
+    page = campaign_page(result)
+    assert [section.title for section in page.sections][:3] == ["Answer", "Curves", "Validation"]
+    table = table_named(page, "From the rig file to the updated model")
+    rows = {text_of(row[0]): row for row in table.rows}
+    spring = result.strategies[0].update.parameters["strut.spring.rate"]
+    assert list(rows) == ["strut.spring.rate", "tyre.stiffness", "strut.damper.coefficient"]
+    assert [text_of(cell) for cell in rows["strut.spring.rate"][1:2]] == ["22.73"]
+    low, _, high = rows["strut.spring.rate"][3].note.partition(" to ")
+    assert (float(low), float(high)) == pytest.approx([1e-3 * end for end in spring.interval], rel=1e-3)
+    bench = result.characterisation.spring.stiffness
+    assert float(text_of(rows["strut.spring.rate"][2])) == pytest.approx(1e-3 * bench.value, rel=1e-4)
+    low, _, high = rows["strut.spring.rate"][2].note.partition(" to ")
+    assert (float(low), float(high)) == pytest.approx([1e-3 * end for end in bench.interval], rel=1e-3)
+
+
+def test_superseded_updates_stand_folded_with_their_findings(result: CampaignResult) -> None:
+    first = result.strategies[0].update.name
+    alone = tuple(
+        entry.model_copy(update={"start_from": None}) if entry.start_from else entry for entry in result.campaign.update
+    )
+    notes = (jn.Finding(f"{first}: x", "warning", "old"), jn.Finding("strategy a 1: x", "warning", "new"))
+    campaign = result.campaign.model_copy(update={"update": alone})
+    page = campaign_page(replace(result, campaign=campaign, findings=notes))
+    careful = next(block for block in page.sections[0].blocks if getattr(block, "title", "").startswith("What to be"))
+    assert [finding.message for finding in careful.blocks[0].items] == ["new"]
+    folded = [block.summary for block in page.blocks() if isinstance(block, Details)]
+    assert f"{first}: superseded, the final model is not made of it" in folded
+    assert [finding.message for finding in next(s for s in page.sections if s.title == "Findings").blocks[0].items] == [
+        "old",
+        "new",
+    ]
 
 
 def test_findings_that_differ_in_numbers_are_one() -> None:
@@ -190,7 +226,7 @@ def test_findings_that_differ_in_numbers_are_one() -> None:
 
 def test_failures_are_shown_as_such(damaged: CampaignResult, tmp_path: Path) -> None:
     assert not damaged.is_complete
-    write_campaign(damaged, tmp_path / "out")
+    write_campaign(damaged, tmp_path / "out", figures=["svg"])
     html = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
     assert "Parts of this campaign failed" in html
     assert "The tyre could not be evaluated" in html
@@ -212,6 +248,7 @@ def test_without_bench_updates_and_usable_trials(result: CampaignResult, tmp_pat
     write_campaign(bare, tmp_path / "out")
     html = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
     assert "contains no bench measurements" in html
+    assert "data-viewer=" not in html
     assert "No update was requested" in html
     assert "Nothing to report." in html
     assert html.count("not usable") >= 3
@@ -223,7 +260,7 @@ def test_bench_files_that_vanished_do_not_stop_the_report(result: CampaignResult
 
 
 def test_same_campaign_same_bytes(result: CampaignResult, written: Path, tmp_path: Path) -> None:
-    write_campaign(result, tmp_path / "out")
+    write_campaign(result, tmp_path / "out", figures=("svg", "png"))
     for file in sorted(written.rglob("*")):
         if file.is_file():
             assert (tmp_path / "out" / file.relative_to(written)).read_bytes() == file.read_bytes(), file.name

@@ -26,6 +26,8 @@ from jounce.report import write_page as write
 from jounce.report.page import slug, unique_slugs, worst_first
 from jounce.report.render import grouped, inline_svg
 
+BOTH = ("svg", "png")
+
 
 def picture(name: str) -> Picture:
     figure = new_figure(1.5, 3.0)
@@ -42,7 +44,7 @@ def test_everything_is_shown_and_escaped(tmp_path: Path) -> None:
     table = Table("Numbers", ("name", "value [mm]"), (("a<b", Cell("1.0", "bad", "note")),), "lr", "small")
     facts = Facts((Fact("label", "42 %", "<note>", "good"),))
     found = Findings((Finding("trial 1", "problem", "x < y"),))
-    write(page(Paragraph("a < b & c"), table, facts, found, nested, picture("p")), tmp_path / "out")
+    write(page(Paragraph("a < b & c"), table, facts, found, nested, picture("p")), tmp_path / "out", figures=BOTH)
     html = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
     for text in (
         "a &lt; b &amp; c",
@@ -63,7 +65,7 @@ def test_everything_is_shown_and_escaped(tmp_path: Path) -> None:
 
 def test_bytes_are_the_same_each_time(tmp_path: Path) -> None:
     for name in ("a", "b"):
-        write(page(picture("p"), picture("q")), tmp_path / name)
+        write(page(picture("p"), picture("q")), tmp_path / name, figures=BOTH)
     for file in ("report.html", "figures/p.svg", "figures/q.png"):
         assert (tmp_path / "a" / file).read_bytes() == (tmp_path / "b" / file).read_bytes()
 
@@ -83,7 +85,9 @@ def test_full_folder_is_refused_before_any_drawing(tmp_path: Path) -> None:
 
 
 def test_banner_on_every_section_and_in_every_figure(tmp_path: Path) -> None:
-    write(page(picture("p"), banner="Synthetic: made up.", figure_note="Synthetic data"), tmp_path / "out")
+    write(
+        page(picture("p"), banner="Synthetic: made up.", figure_note="Synthetic data"), tmp_path / "out", figures=BOTH
+    )
     html = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
     assert html.count('<span class="tag">Synthetic data</span>') == 2
     assert '<p class="banner" role="note">Synthetic: made up.</p>' in html

@@ -1,0 +1,154 @@
+"""Figures of a campaign's bench measurements and roads, as data."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from jounce.core.types import Array
+from jounce.identify.decay import alternating, decay_response, turning_points
+from jounce.identify.force_deflection import ForceDeflectionTrial, renamed, seat
+from jounce.plots.display import display_unit, number, quantity
+from jounce.plots.signals import sampled
+from jounce.report.chart import Panel, Series
+
+if TYPE_CHECKING:
+    from jounce.identify.decay import DecayResult
+    from jounce.identify.stiffness import PressureStiffness, StiffnessResult
+    from jounce.roads import Road
+
+
+_MM = 1e3
+_UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2"}
+
+
+def stiffness_panels(found: StiffnessResult, trials: Sequence[ForceDeflectionTrial], title: str) -> tuple[Panel, ...]:
+    """Force against deflection with the fitted law, and the stiffness of each trial with its interval."""
+    series, reach = [], 0.0
+    for k, trial in enumerate(renamed(list(trials))):
+        seated, _ = seat(trial, zero=found.zero)
+        label = "" if k else ("measured" if len(trials) == 1 else f"measured, {len(trials)} trials")
+        series.append(Series(_MM * seated.deflection, seated.force, "measured", "line", label))
+        reach = max(reach, float(seated.deflection.max()))
+    low, high = found.fitted_range
+    dropped = 0.0  # force that the fit has and the law for the model has not
+    if found.law == "linear" and found.intercept_choice == "drop" and found.intercept is not None:
+        dropped = found.intercept.value
+    inside, whole = np.linspace(low, high, 60), np.linspace(0.0, max(high, reach), 60)
+    words = "used in the model, without intercept" if dropped else "beyond the fitted range"
+    series.append(Series(_MM * whole, found.curve(whole), "after", "dashed", words))
+    series.append(Series(_MM * inside, found.curve(inside) + dropped, "after", "line", f"fit, {found.law}"))
+    bands = ((0.0, _MM * low, "not fitted"),) if low > 0.02 * high else ()
+    verticals: tuple[tuple[float, str, str], ...] = ()
+    if found.operating_deflection is not None:
+        verticals = ((_MM * found.operating_deflection, "before", "static operating point"),)
+    left = Panel(tuple(series), "deflection [mm]", "force [N]", title, bands, verticals, width=450, height=290)
+    return left, _each_trial(found)
+
+
+def _each_trial(found: StiffnessResult) -> Panel:
+    unit, pooled = display_unit("N/m"), found.stiffness
+    series = []
+    for row, trial in enumerate(found.trials):
+        if trial.stiffness.interval is not None:
+            ends = [end * unit.factor for end in trial.stiffness.interval]
+            series.append(Series(ends, [row, row], "muted"))
+        series.append(Series([trial.stiffness.value * unit.factor], [row], "measured", "dots"))
+    pooled_ends = [end * unit.factor for end in pooled.interval or ()]
+    return Panel(
+        tuple(series),
+        unit.label("stiffness"),
+        title=f"all trials: {quantity(pooled.value, 'N/m')} (band: 95 %)",
+        bands=((pooled_ends[0], pooled_ends[1], ""),) if pooled_ends else (),
+        verticals=((pooled.value * unit.factor, "after", ""),),
+        lanes=tuple(trial.name.rpartition("/")[2].removesuffix(".csv") for trial in found.trials),
+        width=350,
+        height=max(130, 70 + 26 * len(found.trials)),
+    )
+
+
+def pressure_panel(found: PressureStiffness) -> Panel:
+    """Stiffness against inflation pressure with intervals."""
+    stiffness, pressure = display_unit("N/m"), display_unit("Pa")
+    x = [value * pressure.factor for value in found.pressures]
+    y = [one.value * stiffness.factor for one in found.stiffnesses]
+    series = [Series(x, y, "after", "line", "interpolated")]
+    for place, one in zip(x, found.stiffnesses, strict=True):
+        if one.interval is not None:
+            series.append(Series([place, place], [end * stiffness.factor for end in one.interval], "muted"))
+    series.append(Series(x, y, "measured", "dots", "fitted, with 95 % interval"))
+    power = "" if found.exponent is None else f"proportional to pressure to the power {number(found.exponent, 2)}"
+    reach = 0.12 * (max(x) - min(x)) or 0.1
+    ends = (min(x) - reach, max(x) + reach)
+    labels = pressure.label("inflation pressure"), stiffness.label("tyre stiffness")
+    return Panel(tuple(series), *labels, power, x_range=ends)
+
+
+def decay_panels(found: DecayResult, time: Array, record: Array, title: str) -> tuple[Panel, ...]:
+    """Free decay over time with the fitted response; turning points; damping ratios of single decrements."""
+    unit = display_unit(_UNITS[found.quantity])
+    begin, end = found.window
+    dense = np.linspace(begin, end, 600)
+    response = decay_response(dense, found.parameters, found.quantity) * unit.factor
+    over_time = [Series(time, record * unit.factor, "measured", "line", "measured")] if len(record) else []
+    over_time.append(Series(dense, response, "after", "line", "fit: viscous damping and dry friction"))
+    span = end - begin
+    labels = "time [s]", unit.label(found.quantity)
+    shown = (begin - 0.15 * span, end + 0.02 * span)
+    panels = [Panel(tuple(over_time), *labels, title, x_range=shown, width=520)]
+    if found.quantity == "displacement":
+        amplitudes = np.array(found.amplitudes) * _MM
+        turns = alternating(turning_points(found.parameters, 40)) * _MM
+        points = [Series(amplitudes[:-1], amplitudes[1:], "measured", "dots", "measured")]
+        if len(turns) > 2:
+            points.append(Series(turns[:-1], turns[1:], "after", "line", "fitted"))
+            without = [0.0, float(found.parameters.half_cycle_ratio * turns[0])]
+            points.append(Series([0.0, float(turns[0])], without, "muted", "dotted", "without friction"))
+        labels = "turning point, from equilibrium [mm]", "next turning point [mm]"
+        panels.append(Panel(tuple(points), *labels, "each turning point against the last", from_zero=True, width=380))
+    return (*panels, _ratios(found))
+
+
+def _ratios(found: DecayResult) -> Panel:
+    cycles = 0.5 * np.arange(len(found.naive_damping_ratios))
+    one = found.damping_ratio
+    ends = [-0.25, max(float(cycles.max(initial=0.0)) + 0.25, 1.0)]
+    series = [Series(ends, [one.value, one.value], "after", "line", "viscous, with 95 % interval")]
+    if one.interval is not None:
+        series += [Series(ends, [end, end], "after", "dotted") for end in one.interval]
+    series.append(Series(cycles, found.naive_damping_ratios, "before", "squares", "single decrements"))
+    friction = quantity(found.coulomb_force.value, "N", 3)
+    return Panel(
+        tuple(series),
+        "cycle",
+        "damping ratio [–]",
+        f"damping ratio (dry friction: {friction})",
+        x_range=(ends[0], ends[1]),
+        from_zero=True,
+        width=380,
+    )
+
+
+def road_panels(roads: Mapping[str, Road]) -> tuple[Panel, ...]:
+    """Height of each road against distance, all over the same distance."""
+    reach = 1.08 * max(*(road.end() for road in roads.values()), 1e-3)
+    begin = min(road.start for road in roads.values())
+    shown = (max(0.0, begin - 0.08 * (reach - begin)), reach)
+    panels = []
+    for k, (name, road) in enumerate(roads.items()):
+        x, height = sampled(road.segments(reach))
+        label = "distance [m]" if k == len(roads) - 1 else ""
+        panels.append(
+            Panel(
+                (Series(x, _MM * height),),
+                label,
+                "height [mm]",
+                name,
+                x_range=shown,
+                width=620,
+                height=110 + 18 * bool(label),
+            )
+        )
+    return tuple(panels)

@@ -1,0 +1,326 @@
+"""What a page's viewers show: curves over time and mechanisms as data, packed into the page in little room.
+
+A number takes sixteen bits between the least and the greatest of its curve, an error below 1/130 000 of that range,
+which no screen shows; what is written in tables comes from the numbers themselves.
+"""
+
+from __future__ import annotations
+
+import base64
+import zlib
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import cache
+from hashlib import blake2b
+from importlib import resources
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.types import Array
+from jounce.plots.mechanisms.drawing import COILS, DAMPER_BODY
+from jounce.report.chart import Panel, Series, thinned
+
+if TYPE_CHECKING:
+    from jounce.plots.mechanisms.scene import Poses, Roadway
+    from jounce.plots.mechanisms.scene import Scene as Drawing
+
+
+Whole: TypeAlias = NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Curve:
+    """One line: what it is, the role whose colour it has, values (n,) in the unit of its pane."""
+
+    label: str
+    role: str
+    values: Array
+
+
+@dataclass(frozen=True)
+class Pane:
+    """One quantity: name of the channel, words, display unit, its curves, and whether it is shown at first."""
+
+    name: str
+    words: str
+    unit: str
+    curves: tuple[Curve, ...]
+    shown: bool = True
+
+
+@dataclass(frozen=True)
+class Mechanism:
+    """A 3-D rig with its poses over the travel of its wheel, the body at its design position."""
+
+    drawing: Drawing
+    poses: Poses
+
+
+@dataclass(frozen=True)
+class Motion:
+    """How a mechanism moved: heights and travel over time, shape (n,), m; ``load`` of the tyre in N."""
+
+    mechanism: Mechanism
+    body: Array
+    travel: Array
+    ground: Array
+    load: Array
+    road: Roadway | None = None
+    speed: float = 0.0  # m/s
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What one choice shows.
+
+    Attributes
+    ----------
+    name, label : str
+        For links, and as it is chosen.
+    x : array (n,)
+        Common axis of all curves, ascending.
+    panes : tuple of Pane
+        One above the other.
+    note, tone : str
+        A word beside it, e.g. a verdict, and its tone.
+    spans : tuple of (float, float)
+        Shaded parts of the axis.
+    window : (float, float), optional
+        Part that is shown first.
+    motion : Motion, optional
+        The mechanism that moves with the curves.
+    """
+
+    name: str
+    label: str
+    x: Array
+    panes: tuple[Pane, ...]
+    note: str = ""
+    tone: str = "plain"
+    spans: tuple[tuple[float, float], ...] = ()
+    window: tuple[float, float] | None = None
+    motion: Motion | None = None
+
+
+@dataclass(frozen=True)
+class Viewer:
+    """Scenes one of which is shown, with the curves that can be switched: (role, label, shown at first)."""
+
+    title: str
+    scenes: tuple[Scene, ...]
+    roles: tuple[tuple[str, str, bool], ...]
+    caption: str = ""
+    words: str = "time"
+    unit: str = "s"
+
+
+def scene_panels(scene: Scene, words: str, unit: str, roles: Sequence[str] = ()) -> tuple[Panel, ...]:
+    """Give a scene's curves as panels of a figure that does not move: what is shown first, of some roles (or all)."""
+    panes = [pane for pane in scene.panes if pane.shown] or list(scene.panes[:1])
+    panels = []
+    for k, pane in enumerate(panes):
+        curves = [curve for curve in pane.curves if not roles or curve.role in roles]
+        panels.append(
+            Panel(
+                tuple(
+                    Series(scene.x, c.values, c.role, "dashed" if c.role == "before" else "line", c.label)
+                    for c in curves
+                ),
+                f"{words} [{unit}]" if k == len(panes) - 1 else "",
+                f"[{pane.unit or '–'}]",
+                f"{pane.name}: {pane.words}" if pane.name != pane.words else pane.words,
+                bands=tuple((low, high, "") for low, high in scene.spans),
+                x_range=scene.window or (float(scene.x[0]), float(scene.x[-1])),
+                width=620,
+                height=190,
+            )
+        )
+    return tuple(panels)
+
+
+_MOST_SAMPLES = 20_000
+"""Of one curve; more of them are thinned so that peaks stay."""
+_GAP = 65535
+
+
+@dataclass
+class Packed:
+    """Collects the arrays of a page, each of them once."""
+
+    arrays: list[dict[str, Any]] = field(default_factory=list)
+    known: dict[bytes, int] = field(default_factory=dict)
+    planes: list[bytes] = field(default_factory=list)
+    length: int = 0
+
+    def add(self, values: Array) -> int:
+        """Pack an array, shape (n,); give its index."""
+        values = np.ascontiguousarray(values, float)
+        key = blake2b(values.tobytes(), digest_size=16).digest()
+        if key not in self.known:
+            self.known[key] = len(self.arrays)
+            self.arrays.append(self._packed(values))
+        return self.known[key]
+
+    def _packed(self, values: Array) -> dict[str, Any]:
+        n = len(values)
+        steps = np.diff(values)
+        if n > 1 and np.isfinite(steps).all() and np.ptp(steps) <= 1e-6 * abs(float(steps.mean())):
+            even = [float(values[0]), float((values[-1] - values[0]) / (n - 1))]
+            return {"n": n, "at": 0, "order": 0, "low": 0.0, "step": 0.0, "even": even}
+        finite = np.isfinite(values)
+        low, high = (float(f(values[finite])) for f in (np.min, np.max)) if finite.any() else (0.0, 0.0)
+        step = (high - low) / (_GAP - 1) or 1.0
+        whole = np.full(n, _GAP, np.int64)
+        whole[finite] = np.round((values[finite] - low) / step)
+        best = min(range(3), key=lambda order: _size(whole, order))
+        folded = _folded(whole, best)
+        found = {"n": n, "at": self.length, "order": best, "low": low, "step": step}
+        self.planes += [(folded & 255).astype(np.uint8).tobytes(), (folded >> 8).astype(np.uint8).tobytes()]
+        self.length += 2 * n
+        return found
+
+    def text(self) -> str:
+        """All arrays deflated, as base64."""
+        return base64.b64encode(zlib.compress(b"".join(self.planes), 6)).decode()
+
+
+def _folded(whole: Whole, order: int) -> Whole:
+    """Differences of an order, modulo 2^16, with the sign in the lowest bit."""
+    if order == 0:
+        return whole
+    differences = np.diff(whole, n=order, prepend=np.zeros(order, np.int64))
+    wrapped: Whole = ((differences + 32768) & 65535) - 32768
+    folded: Whole = ((wrapped << 1) ^ (wrapped >> 15)) & 65535
+    return folded
+
+
+def _size(whole: Whole, order: int) -> float:
+    folded = _folded(whole, order)
+    return float(np.log2(1.0 + folded).mean()) if len(folded) else 0.0
+
+
+def live_data(viewers: Sequence[Viewer]) -> dict[str, Any]:
+    """Give the content of the viewers of a page as plain data."""
+    packed = Packed()
+    mechanisms: dict[int, tuple[int, dict[str, Any]]] = {}
+
+    def motion(one: Motion | None, keep: Whole) -> dict[str, Any] | None:
+        if one is None:
+            return None
+        index, _ = mechanisms.setdefault(id(one.mechanism), (len(mechanisms), mechanism_data(one.mechanism)))
+        road = one.road and {
+            "x": np.round(1e3 * one.road.distance, 2).tolist(),
+            "z": np.round(1e3 * one.road.height, 3).tolist(),
+            "speed": 1e3 * one.speed,
+        }
+        tracks = {name: packed.add(1e3 * getattr(one, name)[keep]) for name in ("body", "travel", "ground")}
+        return {"mechanism": index, **tracks, "load": packed.add(np.maximum(one.load[keep], 0.0)), "road": road}
+
+    def scene(one: Scene) -> dict[str, Any]:
+        keep = _kept(one)
+        return {
+            "name": one.name,
+            "label": one.label,
+            "note": one.note,
+            "tone": one.tone,
+            "x": packed.add(one.x[keep]),
+            "panes": [
+                {
+                    "name": pane.name,
+                    "words": pane.words,
+                    "unit": pane.unit,
+                    "shown": pane.shown,
+                    "curves": [
+                        {"label": curve.label, "role": curve.role, "y": packed.add(curve.values[keep])}
+                        for curve in pane.curves
+                    ],
+                }
+                for pane in one.panes
+            ],
+            "spans": [list(span) for span in one.spans],
+            "window": None if one.window is None else list(one.window),
+            "motion": motion(one.motion, keep),
+        }
+
+    models = [
+        {
+            "title": viewer.title,
+            "roles": [{"role": role, "label": label, "shown": shown} for role, label, shown in viewer.roles],
+            "scenes": [scene(one) for one in viewer.scenes],
+            "x": {"words": viewer.words, "unit": viewer.unit},
+        }
+        for viewer in viewers
+    ]
+    return {
+        "viewers": models,
+        "mechanisms": [content for _, content in mechanisms.values()],
+        "arrays": packed.arrays,
+        "packed": packed.text(),
+    }
+
+
+def _kept(scene: Scene) -> Whole:
+    """Samples that are put into the page: all of them, or of a long record those that show its peaks."""
+    n = len(scene.x)
+    if n <= _MOST_SAMPLES:
+        return np.arange(n)
+    curves = [curve.values for pane in scene.panes for curve in pane.curves]
+    columns = max(_MOST_SAMPLES // (4 * max(len(curves), 1)), 500)
+    index = np.arange(n, dtype=float)
+    seen = [np.nan_to_num(values) for values in curves]
+    return np.unique(np.concatenate([thinned(index, y, 0.0, n - 1.0, columns)[0] for y in seen]).astype(int))
+
+
+def mechanism_data(one: Mechanism) -> dict[str, Any]:
+    """Give a mechanism and its poses over travel as plain data in mm."""
+    drawing, poses = one.drawing, one.poses
+    order = np.argsort(poses.over)
+    names = list(poses.points)
+    index = {name: i for i, name in enumerate(names)}
+    parts = [part for part in drawing.parts if all(name in index for name in part.points)]
+    brackets = [b for b in drawing.brackets if {b.point, b.first, b.second} <= set(index)]
+    return {
+        "side": drawing.side,
+        "travel": _mm(poses.over[order]),
+        "names": names,
+        "onBody": [name in drawing.on_body for name in names],
+        "points": [_mm(poses.points[name][order]) for name in names],
+        "spin": np.round(poses.spin_axis[order], 5).tolist(),
+        "parts": [
+            {
+                "name": part.name,
+                "words": part.words,
+                "colour": part.colour,
+                "plate": part.plate,
+                "points": [index[name] for name in part.points],
+            }
+            for part in parts
+        ],
+        "brackets": [[index[b.point], index[b.first], index[b.second], round(b.share, 4), b.colour] for b in brackets],
+        "strut": {
+            "spring": [index[name] for name in drawing.spring],
+            "damper": [index[name] for name in drawing.damper],
+            "radius": _mm(np.array(drawing.coil_radius)),
+            "tube": _mm(np.array(DAMPER_BODY * drawing.damper_length)),
+            "coils": COILS,
+            "colour": drawing.strut_colour,
+        },
+        "axis": None if drawing.steering_axis is None else [index[name] for name in drawing.steering_axis],
+        "wheel": {
+            "centre": index["wheel_centre"],
+            "radius": _mm(np.array(drawing.undeformed_radius)),
+            "width": _mm(np.array(drawing.width)),
+        },
+    }
+
+
+def _mm(values: Array) -> Any:
+    return np.round(1e3 * values, 3).tolist()
+
+
+@cache
+def bundle(name: str) -> str:
+    """Give a file of the viewer as built from its sources: ``viewer.js``, ``viewer.css``, ``page.js``."""
+    return resources.files("jounce.report").joinpath("viewer", name).read_text(encoding="utf-8")

@@ -1,0 +1,119 @@
+/** What a page holds for its viewers, as `jounce.report.live` writes it. */
+
+export interface Curve {
+  label: string;
+  role: string; // measured, before, after, other-1 ...
+  y: number; // index of an array
+}
+export interface Pane {
+  name: string; // of the channel
+  words: string;
+  unit: string;
+  curves: Curve[];
+  shown: boolean;
+}
+export interface Motion {
+  mechanism: number;
+  body: number; // height of the body above its design position, mm
+  travel: number; // of the wheel against the body, mm
+  ground: number; // height of the road under the wheel, mm
+  load: number; // of the tyre, N
+  road: { x: number[]; z: number[]; speed: number } | null; // mm, mm, mm/s
+}
+export interface Scene {
+  name: string;
+  label: string;
+  note: string;
+  tone: string;
+  x: number;
+  panes: Pane[];
+  spans: [number, number][];
+  window: [number, number] | null;
+  motion: Motion | null;
+}
+export interface Model {
+  title: string;
+  roles: { role: string; label: string; shown: boolean }[];
+  scenes: Scene[];
+  x: { words: string; unit: string };
+}
+export interface Part { name: string; words: string; colour: string; plate: boolean; points: number[] }
+export interface Mechanism {
+  side: number;
+  travel: number[]; // mm, ascending
+  names: string[];
+  onBody: boolean[];
+  points: number[][][]; // point, pose, xyz in mm, with the body at its design position
+  spin: number[][]; // pose, xyz
+  parts: Part[];
+  brackets: [number, number, number, number, string][];
+  strut: { spring: [number, number]; damper: [number, number]; radius: number; tube: number; coils: number; colour: string };
+  axis: [number, number] | null;
+  wheel: { centre: number; radius: number; width: number };
+}
+interface Packed { n: number; at: number; order: number; low: number; step: number; even?: [number, number] }
+interface Content { viewers: Model[]; mechanisms: Mechanism[]; arrays: Packed[]; packed: string }
+
+export type Numbers = Float64Array | (number | null)[];
+
+/** All arrays of a page: sixteen bits a number, as differences in two planes of bytes, deflated. */
+export class Store {
+  private readonly made: (Numbers | undefined)[] = [];
+  private constructor(readonly content: Content, private readonly bytes: Uint8Array) {}
+
+  static async open(text: string): Promise<Store> {
+    const content = JSON.parse(text) as Content;
+    const raw = atob(content.packed);
+    content.packed = "";
+    const deflated = new Uint8Array(raw.length);
+    for (let i = 0; i < raw.length; i++) deflated[i] = raw.charCodeAt(i);
+    const stream = new Blob([deflated]).stream().pipeThrough(new DecompressionStream("deflate"));
+    return new Store(content, new Uint8Array(await new Response(stream).arrayBuffer()));
+  }
+
+  get(index: number): Numbers {
+    return (this.made[index] ??= unpack(this.content.arrays[index]!, this.bytes));
+  }
+}
+
+const GAP = 65535;
+
+function unpack(packed: Packed, bytes: Uint8Array): Numbers {
+  const { n, at, order, low, step, even } = packed;
+  if (even) return Float64Array.from({ length: n }, (_, i) => even[0] + i * even[1]);
+  const found = new Float64Array(n);
+  let value = 0, slope = 0, gaps = false;
+  for (let i = 0; i < n; i++) {
+    const folded = bytes[at + i]! | (bytes[at + n + i]! << 8);
+    if (order === 0) value = folded;
+    else {
+      const difference = (folded >>> 1) ^ -(folded & 1);
+      if (order === 1) value = (value + difference) & 65535;
+      else { slope = (slope + difference) & 65535; value = (value + slope) & 65535; }
+    }
+    if (value === GAP) gaps = true;
+    found[i] = value === GAP ? NaN : low + step * value;
+  }
+  return gaps ? Array.from(found, (one) => (Number.isNaN(one) ? null : one)) : found;
+}
+
+/** Value between samples; `x` ascends. */
+export function at(x: Numbers, y: Numbers, place: number): number {
+  const n = x.length;
+  if (n === 0) return NaN;
+  const k = before(x, place), next = Math.min(k + 1, n - 1);
+  const a = x[k] as number, b = x[next] as number, u = y[k], v = y[next];
+  if (u === null || v === null || u === undefined || v === undefined) return NaN;
+  const share = b > a ? Math.min(1, Math.max(0, (place - a) / (b - a))) : 0;
+  return u + share * (v - u);
+}
+
+/** Index of the last sample that is not behind `place`. */
+export function before(x: ArrayLike<number | null>, place: number): number {
+  let low = 0, high = x.length - 1;
+  while (high > low) {
+    const middle = (low + high + 1) >> 1;
+    if ((x[middle] as number) <= place) low = middle; else high = middle - 1;
+  }
+  return low;
+}

@@ -1,0 +1,339 @@
+/** A corner of a car in space: its parts, its wheel and the road under it, in mm; x forward, y left, z up. */
+
+import {
+  AmbientLight, BoxGeometry, BufferAttribute, BufferGeometry, CatmullRomCurve3, Color, CylinderGeometry, DirectionalLight,
+  DoubleSide, Group, Line, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, OrthographicCamera, Quaternion, Scene as Space,
+  SphereGeometry, TorusGeometry, TubeGeometry, Vector3, WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { before, type Mechanism, type Motion } from "./data";
+import { colour, make, toggle } from "./page";
+
+export interface Moment { body: number; travel: number; ground: number; load: number; time: number }
+
+const UP = new Vector3(0, 1, 0);
+const VIEWS: Record<string, [number, number, number]> = { space: [1, 0.75, 0.5], front: [1, 0, 0], side: [0, 1, 0], top: [0, 0, 1] };
+
+class Rod {
+  readonly mesh: Mesh;
+  constructor(group: Group, material: MeshLambertMaterial, radius: number) {
+    this.mesh = new Mesh(new CylinderGeometry(radius, radius, 1, 10), material);
+    group.add(this.mesh);
+  }
+  between(a: Vector3, b: Vector3): void {
+    const along = b.clone().sub(a), length = along.length() || 1e-6;
+    this.mesh.position.copy(a).addScaledVector(along, 0.5);
+    this.mesh.quaternion.setFromUnitVectors(UP, along.divideScalar(length));
+    this.mesh.scale.set(1, length, 1);
+  }
+}
+
+/** A helix of length 1 along y. */
+function helix(radius: number, coils: number): BufferGeometry {
+  const points: Vector3[] = [];
+  for (let i = 0; i <= 16 * coils; i++) {
+    const s = i / (16 * coils), a = 2 * Math.PI * coils * s;
+    points.push(new Vector3(radius * Math.cos(a), s, radius * Math.sin(a)));
+  }
+  return new BufferGeometry().setFromPoints(points);
+}
+
+export class MechanismView {
+  readonly element = make("div", { class: "mechanism" });
+  private readonly canvas = make("canvas", { tabindex: "0", "aria-label": "The mechanism; drag to turn it" });
+  private readonly state = make("div", { class: "state" });
+  private readonly names = make("div", { class: "names" });
+  private readonly space = new Space();
+  private readonly camera = new OrthographicCamera();
+  private renderer: WebGLRenderer | null = null;
+  private controls: OrbitControls | null = null;
+  private group = new Group();
+  private shown: Mechanism | null = null;
+  private motion: Motion | null = null;
+  private points: Vector3[] = [];
+  private update: (() => void)[] = [];
+  private spin = new Vector3(0, 1, 0);
+  private contact = new Vector3();
+  private now: Moment = { body: 0, travel: 0, ground: 0, load: 1, time: 0 };
+  private wheelGroup = new Group();
+  private labels: HTMLElement[] = [];
+  private isDirty = true;
+  private size = 300;
+
+  constructor() {
+    const views = make("div", { class: "group", role: "group", "aria-label": "view" });
+    for (const name of Object.keys(VIEWS))
+      views.append(make("button", { type: "button", click: () => this.look(name) }, name));
+    const wheel = toggle("wheel", true, (on) => { this.wheelGroup.visible = on; this.isDirty = true; });
+    const words = toggle("names", false, (on) => { this.names.hidden = !on; this.isDirty = true; });
+    this.names.hidden = true;
+    this.element.append(make("div", { class: "bar" }, views, wheel, words),
+      make("div", { class: "stage" }, this.canvas, this.names, this.state));
+    try {
+      this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true });
+      this.renderer.setPixelRatio(Math.min(devicePixelRatio, 1.5));
+    } catch {
+      this.state.textContent = "The mechanism is drawn with WebGL, which this browser does not offer.";
+      return;
+    }
+    this.space.add(new AmbientLight(0xffffff, 1.9), this.group);
+    const sun = new DirectionalLight(0xffffff, 1.9);
+    sun.position.set(0.6, 0.3, 1);
+    this.space.add(sun);
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, this.canvas);
+    this.controls.enableZoom = false; // until it is clicked on: the page scrolls over it
+    this.canvas.addEventListener("focus", () => { this.controls!.enableZoom = true; });
+    this.canvas.addEventListener("blur", () => { this.controls!.enableZoom = false; });
+    this.canvas.addEventListener("pointerdown", () => this.canvas.focus());
+    this.canvas.addEventListener("dblclick", () => this.look("space"));
+    this.controls.addEventListener("change", () => { this.isDirty = true; });
+    new ResizeObserver(() => this.resize()).observe(this.canvas.parentElement!);
+  }
+
+  show(mechanism: Mechanism, motion: Motion | null): void {
+    const isNew = mechanism !== this.shown;
+    this.motion = motion;
+    if (isNew) { this.shown = mechanism; this.build(mechanism); this.look("space"); }
+    else this.build(mechanism);
+    this.set(this.now);
+  }
+
+  /** Everything as it is at one moment. */
+  set(moment: Moment): void {
+    const m = this.shown;
+    this.now = moment;
+    if (!m) return;
+    const { travel } = moment, grid = m.travel, n = grid.length;
+    const k = Math.min(before(grid, travel), Math.max(n - 2, 0)), next = Math.min(k + 1, n - 1);
+    const share = next > k ? (travel - grid[k]!) / (grid[next]! - grid[k]!) : 0; // beyond the ends, straight on
+    m.points.forEach((poses, i) => {
+      const a = poses[k]!, b = poses[next]!;
+      this.points[i]!.set(a[0]! + share * (b[0]! - a[0]!), a[1]! + share * (b[1]! - a[1]!), a[2]! + share * (b[2]! - a[2]!) + moment.body);
+    });
+    const a = m.spin[k]!, b = m.spin[next]!;
+    this.spin.set(a[0]! + share * (b[0]! - a[0]!), a[1]! + share * (b[1]! - a[1]!), a[2]! + share * (b[2]! - a[2]!)).normalize();
+    const centre = this.points[m.wheel.centre]!;
+    this.contact.set(centre.x, centre.y, moment.ground);
+    for (const step of this.update) step();
+    this.state.textContent = moment.load > 0 ? "" : "no contact";
+    this.isDirty = true;
+  }
+
+  /** Draws, where something has changed. */
+  draw(): void {
+    if (!this.isDirty || !this.renderer || !this.shown) return;
+    this.isDirty = false;
+    this.renderer.render(this.space, this.camera);
+    if (!this.names.hidden) this.place();
+  }
+
+  look(name: string): void {
+    if (!this.controls || !this.shown) return;
+    const [x, y, z] = VIEWS[name]!, side = this.shown.side;
+    const low = new Vector3(Infinity, Infinity, Infinity), high = low.clone().negate();
+    for (const point of this.points) { low.min(point); high.max(point); }
+    const { centre, radius, width } = this.shown.wheel, hub = this.points[centre]!;
+    low.min(new Vector3(hub.x - radius, hub.y - width / 2, hub.z - radius));
+    high.max(new Vector3(hub.x + radius, hub.y + width / 2, hub.z + radius));
+    const middle = low.clone().add(high).multiplyScalar(0.5);
+    this.size = 0.6 * low.distanceTo(high);
+    this.controls.target.copy(middle);
+    this.camera.position.copy(middle).add(new Vector3(x, side * y, z + (name === "top" ? 0 : 1e-3)).normalize().multiplyScalar(6 * this.size));
+    if (name === "top") this.camera.position.x -= 1e-2 * this.size; // up is along x
+    this.camera.zoom = 1;
+    this.camera.near = 0.1; this.camera.far = 20 * this.size;
+    this.frame();
+    this.controls.update();
+    this.isDirty = true;
+  }
+
+  repaint(): void {
+    if (this.shown) { this.build(this.shown); this.set(this.now); }
+  }
+
+  private frame(): void {
+    const { clientWidth: w, clientHeight: h } = this.canvas.parentElement!;
+    const tall = this.size * Math.max(1, h / Math.max(w, 1)), wide = tall * w / Math.max(h, 1);
+    Object.assign(this.camera, { left: -wide, right: wide, top: tall, bottom: -tall });
+    this.camera.updateProjectionMatrix();
+  }
+
+  private resize(): void {
+    const { clientWidth: w, clientHeight: h } = this.canvas.parentElement!;
+    if (!this.renderer || w < 10 || h < 10) return;
+    this.renderer.setSize(w, h, false);
+    this.frame();
+    this.isDirty = true;
+  }
+
+  private build(m: Mechanism): void {
+    this.space.remove(this.group);
+    this.group.traverse((one) => { if (one instanceof Mesh || one instanceof Line) one.geometry.dispose(); });
+    this.group = new Group();
+    this.space.add(this.group);
+    this.update = [];
+    this.points = m.points.map((poses) => new Vector3(...(poses[0] as [number, number, number])));
+    const size = m.wheel.radius / 22;
+    const dark = colour("ink");
+    const tint = (name: string) => (name === "#22262b" ? dark : name); // the upright is drawn in ink
+    for (const part of m.parts) {
+      const material = new MeshLambertMaterial({ color: new Color(tint(part.colour)) });
+      const ends = part.points.map((_, i) => [i, i + 1] as [number, number]).slice(0, -1);
+      if (part.plate) ends.push([part.points.length - 1, 0]);
+      for (const [i, j] of ends) {
+        const rod = new Rod(this.group, material, size);
+        this.update.push(() => rod.between(this.points[part.points[i]!]!, this.points[part.points[j]!]!));
+      }
+      if (part.plate && part.points.length >= 3) this.plate(part.points, tint(part.colour));
+    }
+    for (const [point, first, second, share, name] of m.brackets) {
+      const rod = new Rod(this.group, new MeshLambertMaterial({ color: new Color(tint(name)) }), 0.5 * size);
+      this.update.push(() => rod.between(this.points[point]!, this.points[first]!.clone().lerp(this.points[second]!, share)));
+    }
+    this.strut(m, size);
+    this.joints(m, size);
+    this.wheel(m);
+    this.road(m);
+    this.names.replaceChildren(...(this.labels = m.names.map((name) => make("span", {}, name.replaceAll("_", " ")))));
+  }
+
+  private plate(corners: number[], name: string): void {
+    const geometry = new BufferGeometry(), count = corners.length - 2;
+    const places = new Float32Array(9 * count);
+    geometry.setAttribute("position", new BufferAttribute(places, 3));
+    const material = new MeshLambertMaterial({ color: new Color(name), transparent: true, opacity: 0.25, side: DoubleSide, depthWrite: false });
+    const mesh = new Mesh(geometry, material);
+    mesh.frustumCulled = false;
+    this.group.add(mesh);
+    this.update.push(() => {
+      for (let i = 0; i < count; i++)
+        [corners[0]!, corners[i + 1]!, corners[i + 2]!].forEach((corner, j) => this.points[corner]!.toArray(places, 9 * i + 3 * j));
+      geometry.attributes.position!.needsUpdate = true;
+      geometry.computeVertexNormals();
+    });
+  }
+
+  private strut(m: Mechanism, size: number): void {
+    const material = new MeshLambertMaterial({ color: new Color(m.strut.colour) });
+    const rod = new Rod(this.group, material, 0.6 * size), tube = new Rod(this.group, material, 1.7 * size);
+    const [low, high] = m.strut.damper;
+    this.update.push(() => {
+      const a = this.points[low]!, b = this.points[high]!;
+      rod.between(a, b);
+      tube.between(a, a.clone().addScaledVector(b.clone().sub(a).normalize(), m.strut.tube));
+    });
+    const wire = helix(m.strut.radius, m.strut.coils), along = new CatmullRomCurve3(pointsOf(wire));
+    const flat = new TubeGeometry(along, 14 * m.strut.coils, 1, 5), base = (flat.attributes.position!.array as Float32Array).slice();
+    const centres = along.getSpacedPoints(14 * m.strut.coils);
+    const coil = new Mesh(flat, material);
+    this.group.add(coil);
+    const [bottom, top] = m.strut.spring, thick = 0.55 * size, turn = new Quaternion();
+    this.update.push(() => {
+      const a = this.points[bottom]!, axis = this.points[top]!.clone().sub(a), length = axis.length();
+      turn.setFromUnitVectors(UP, axis.normalize());
+      const place = flat.attributes.position as BufferAttribute, one = new Vector3(), ring = 6;
+      for (let i = 0; i < place.count; i++) {
+        const centre = centres[Math.floor(i / ring)]!;
+        one.set(base[3 * i]! - centre.x, 0, base[3 * i + 2]! - centre.z);
+        const rise = base[3 * i + 1]! - centre.y;
+        one.multiplyScalar(thick).add(new Vector3(centre.x, (0.08 + 0.84 * centre.y) * length + thick * rise, centre.z));
+        one.applyQuaternion(turn).add(a);
+        place.setXYZ(i, one.x, one.y, one.z);
+      }
+      place.needsUpdate = true;
+      flat.computeVertexNormals();
+    });
+    coil.frustumCulled = false;
+  }
+
+  private joints(m: Mechanism, size: number): void {
+    const ball = new SphereGeometry(1.5 * size, 12, 8), box = new BoxGeometry(2.6 * size, 2.6 * size, 2.6 * size);
+    const held = new MeshLambertMaterial({ color: new Color(colour("muted")) }), free = new MeshLambertMaterial({ color: new Color(colour("ink")) });
+    m.names.forEach((_, i) => {
+      if (i === m.wheel.centre) return;
+      const mesh = new Mesh(m.onBody[i] ? box : ball, m.onBody[i] ? held : free);
+      this.group.add(mesh);
+      this.update.push(() => mesh.position.copy(this.points[i]!));
+    });
+  }
+
+  private wheel(m: Mechanism): void {
+    const { radius, width, centre } = m.wheel, visible = this.wheelGroup.visible;
+    this.wheelGroup = new Group();
+    this.wheelGroup.visible = visible;
+    this.group.add(this.wheelGroup);
+    const rubber = new MeshLambertMaterial({ color: new Color(colour("rubber")), transparent: true, opacity: 0.3, depthWrite: false, side: DoubleSide });
+    const tread = new Mesh(new CylinderGeometry(radius, radius, 0.8 * width, 48, 1, true), rubber);
+    const rings = [-0.4, 0.4].map((share) => {
+      const ring = new Mesh(new TorusGeometry(0.93 * radius, 0.07 * radius, 8, 48), rubber);
+      ring.rotateX(Math.PI / 2);
+      ring.position.y = share * width;
+      return ring;
+    });
+    const spokes = new Group(), dark = new MeshLambertMaterial({ color: new Color(colour("rubber")) });
+    for (let i = 0; i < 5; i++) {
+      const rod = new Rod(spokes as Group, dark, radius / 60), a = 2 * Math.PI * i / 5;
+      const face = 0.4 * width * m.side;
+      rod.between(new Vector3(0.12 * radius * Math.cos(a), face, 0.12 * radius * Math.sin(a)), new Vector3(0.8 * radius * Math.cos(a), face, 0.8 * radius * Math.sin(a)));
+    }
+    this.wheelGroup.add(tread, ...rings, spokes);
+    this.update.push(() => {
+      this.wheelGroup.position.copy(this.points[centre]!);
+      const axis = this.spin.clone().multiplyScalar(m.side); // from outboard to left
+      this.wheelGroup.quaternion.setFromUnitVectors(UP, axis);
+      const way = this.motion?.road ? this.motion.road.speed * this.now.time : 0;
+      spokes.rotation.y = way / radius;
+    });
+  }
+
+  private road(m: Mechanism): void {
+    const reach = 2.4 * m.wheel.radius, half = 0.8 * m.wheel.width, count = 121;
+    const geometry = new BufferGeometry(), places = new Float32Array(6 * count), faces: number[] = [];
+    for (let i = 0; i < count - 1; i++) faces.push(2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 1, 2 * i + 3, 2 * i + 2);
+    geometry.setAttribute("position", new BufferAttribute(places, 3));
+    geometry.setIndex(faces);
+    const mesh = new Mesh(geometry, new MeshLambertMaterial({ color: new Color(colour("road")), side: DoubleSide }));
+    mesh.frustumCulled = false;
+    const edge = new BufferGeometry(), rim = new Float32Array(12 * (count - 1));
+    edge.setAttribute("position", new BufferAttribute(rim, 3));
+    const lines = new LineSegments(edge, new LineBasicMaterial({ color: new Color(colour("muted")) }));
+    lines.frustumCulled = false;
+    this.group.add(mesh, lines);
+    this.update.push(() => {
+      const centre = this.points[m.wheel.centre]!, road = this.motion?.road;
+      const way = road ? road.speed * this.now.time : 0;
+      for (let i = 0; i < count; i++) {
+        const x = -reach + 2 * reach * i / (count - 1);
+        const z = road ? height(road, way + x) : this.now.ground;
+        places.set([centre.x + x, centre.y - half, z, centre.x + x, centre.y + half, z], 6 * i);
+      }
+      for (let i = 0; i < count - 1; i++)
+        for (const side of [0, 3])
+          rim.set([...places.subarray(6 * i + side, 6 * i + side + 3), ...places.subarray(6 * i + 6 + side, 6 * i + 9 + side)], 12 * i + 2 * side);
+      geometry.attributes.position!.needsUpdate = edge.attributes.position!.needsUpdate = true;
+      geometry.computeVertexNormals();
+    });
+  }
+
+  private place(): void {
+    const { clientWidth: w, clientHeight: h } = this.canvas.parentElement!, one = new Vector3();
+    this.labels.forEach((label, i) => {
+      one.copy(this.points[i]!).project(this.camera);
+      label.style.transform = `translate(${(0.5 + 0.5 * one.x) * w + 6}px, ${(0.5 - 0.5 * one.y) * h - 8}px)`;
+    });
+  }
+}
+
+function pointsOf(geometry: BufferGeometry): Vector3[] {
+  const place = geometry.attributes.position!;
+  return Array.from({ length: place.count }, (_, i) => new Vector3(place.getX(i), place.getY(i), place.getZ(i)));
+}
+
+function height(road: { x: number[]; z: number[] }, place: number): number {
+  const { x, z } = road, n = x.length;
+  if (place <= x[0]!) return z[0]!;
+  if (place >= x[n - 1]!) return z[n - 1]!;
+  const k = before(x, place), a = x[k]!, b = x[k + 1]!;
+  return b > a ? z[k]! + (z[k + 1]! - z[k]!) * (place - a) / (b - a) : z[k + 1]!;
+}

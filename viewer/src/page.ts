@@ -1,0 +1,75 @@
+/** Small things that every component needs: elements, numbers, colours. */
+
+type Attributes = Record<string, string | boolean | ((event: never) => void)>;
+
+/** Makes an element; texts become text, never markup. */
+export function make<K extends keyof HTMLElementTagNameMap>(
+  tag: K, attributes: Attributes = {}, ...content: (Node | string)[]
+): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (typeof value === "function") element.addEventListener(name, value as EventListener);
+    else if (typeof value === "boolean") element.toggleAttribute(name, value);
+    else element.setAttribute(name, value);
+  }
+  element.append(...content);
+  return element;
+}
+
+export function toggle(label: string, pressed: boolean, change: (pressed: boolean) => void, title = ""): HTMLButtonElement {
+  const button = make("button", { type: "button", "aria-pressed": String(pressed), title }, label);
+  button.addEventListener("click", () => {
+    const now = button.getAttribute("aria-pressed") !== "true";
+    button.setAttribute("aria-pressed", String(now));
+    change(now);
+  });
+  return button;
+}
+
+/** A number with so many significant digits, without an exponent where people read it more easily so. */
+export function written(value: number | null | undefined, digits = 4): string {
+  if (value === null || value === undefined || Number.isNaN(value)) return "–";
+  if (!Number.isFinite(value)) return value > 0 ? "∞" : "−∞";
+  if (value === 0) return "0";
+  const [mantissa, exponent] = value.toExponential(digits - 1).split("e") as [string, string];
+  const power = Number(exponent);
+  const text = power < -4 || power > 5 ? `${mantissa}e${power}` : value.toFixed(Math.max(0, digits - 1 - power));
+  return text.replaceAll("-", "−");
+}
+
+export function colour(name: string): string {
+  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim() || "#888";
+}
+
+const listeners = new Set<() => void>();
+
+/** Calls back when the page becomes light or dark. */
+export function whenColoursChange(change: () => void): void {
+  listeners.add(change);
+}
+
+function changed(): void {
+  for (const change of listeners) change();
+}
+
+/** Light, dark, or what the system says. */
+export function themeButton(): HTMLButtonElement {
+  const system = matchMedia("(prefers-color-scheme: dark)");
+  const root = document.documentElement;
+  const isDark = () => (root.dataset.theme ? root.dataset.theme === "dark" : system.matches);
+  const button = make("button", { type: "button", class: "theme" });
+  const name = () => { button.textContent = isDark() ? "Light" : "Dark"; button.title = `Show this page ${isDark() ? "light" : "dark"}`; };
+  button.addEventListener("click", () => { root.dataset.theme = isDark() ? "light" : "dark"; name(); changed(); });
+  system.addEventListener("change", () => { name(); changed(); });
+  name();
+  return button;
+}
+
+/** What every page gets, with curves or without. */
+export function dress(): void {
+  document.documentElement.classList.add("live");
+  document.querySelector("header")?.append(themeButton());
+  const all = <K extends string>(selector: K) => document.querySelectorAll<HTMLDetailsElement>(selector);
+  addEventListener("beforeprint", () => all("details:not([open])").forEach((one) => { one.dataset.folded = ""; one.open = true; }));
+  addEventListener("afterprint", () => all("details[data-folded]").forEach((one) => { delete one.dataset.folded; one.open = false; }));
+}

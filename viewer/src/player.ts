@@ -1,0 +1,206 @@
+/** Curves and mechanism of one of several scenes, played in step. */
+
+import { at, type Model, type Scene, type Store } from "./data";
+import { MechanismView } from "./mechanism";
+import { make, toggle, whenColoursChange, written } from "./page";
+import { LinkedPlots } from "./plots";
+
+const SLOWER = [1, 2, 5, 10, 20, 50, 100];
+const STILL = matchMedia("(prefers-reduced-motion: reduce)");
+
+export class Player {
+  readonly element = make("div", { class: "player", tabindex: "-1" });
+  private readonly plots = new LinkedPlots((x) => { if (!this.playing) this.goTo(x); }, (range) => this.seen(range));
+  private readonly view: MechanismView | null;
+  private readonly choice = make("select", { "aria-label": "trial" });
+  private readonly note = make("span", { class: "mark" });
+  private readonly channels = make("div", { class: "group channels", role: "group", "aria-label": "channels" });
+  private readonly play = make("button", { type: "button", class: "play" }, "Play");
+  private readonly slider = make("input", { type: "range", min: "0", max: "1", step: "any", value: "0", "aria-label": "time" });
+  private readonly clock = make("output", { class: "clock" });
+  private readonly speed = make("select", { "aria-label": "speed" });
+  private readonly roles = new Map<string, boolean>();
+  private readonly panes = new Map<string, boolean>();
+  private scene: Scene;
+  private now = 0;
+  private playing = false;
+  private last = 0;
+  /** Milliseconds between the pictures shown while playing, the last of them last. */
+  readonly frames: number[] = [];
+
+  constructor(private readonly model: Model, private readonly store: Store) {
+    this.scene = model.scenes[0]!;
+    this.view = model.scenes.some((scene) => scene.motion) ? new MechanismView() : null;
+    for (const { role, shown } of model.roles) this.roles.set(role, shown);
+    model.scenes.forEach((scene, i) => this.choice.append(make("option", { value: String(i) }, scene.label)));
+    this.build();
+    this.show(this.scene);
+    whenColoursChange(() => { this.plots.repaint(); this.view?.repaint(); this.draw(); });
+    requestAnimationFrame((time) => this.step(time));
+  }
+
+  /** Shows the scene of this name; whether there is one. */
+  choose(name: string): boolean {
+    const found = this.model.scenes.findIndex((scene) => scene.name === name);
+    if (found < 0) return false;
+    this.choice.value = String(found);
+    this.show(this.model.scenes[found]!);
+    return true;
+  }
+
+  zoom(low: number, high: number): void { this.plots.zoom(low, high); }
+
+  goTo(time: number): void {
+    const [first, last] = this.plots.whole;
+    this.now = Math.min(Math.max(time, first), last);
+    this.slider.value = String(this.now);
+    this.clock.textContent = `${this.now.toFixed(3).replace("-", "−")} ${this.model.x.unit}`;
+    this.plots.mark(this.now);
+    const motion = this.scene.motion;
+    if (motion && this.view) {
+      const x = this.store.get(this.scene.x), read = (index: number) => at(x, this.store.get(index), this.now);
+      this.view.set({ body: read(motion.body), travel: read(motion.travel), ground: read(motion.ground), load: read(motion.load), time: this.now });
+    }
+  }
+
+  private build(): void {
+    const { model } = this;
+    const overlays = make("div", { class: "group overlays", role: "group", "aria-label": "curves" });
+    for (const { role, label, shown } of model.roles) {
+      const button = toggle(label, shown, (on) => { this.roles.set(role, on); this.plots.setShown(role, on); });
+      button.prepend(make("i", { class: `swatch ${role}` }));
+      overlays.append(button);
+    }
+    const step = (by: number) => () => this.stepScene(by);
+    const scenes = make("div", { class: "group" }, make("button", { type: "button", title: "previous trial ([)", click: step(-1) }, "‹"),
+      this.choice, make("button", { type: "button", title: "next trial (])", click: step(1) }, "›"), this.note);
+    this.choice.addEventListener("change", () => this.show(model.scenes[Number(this.choice.value)]!));
+    if (model.scenes.length < 2) scenes.hidden = true;
+    const zooms = make("div", { class: "group" },
+      make("button", { type: "button", title: "zoom in (+)", click: () => this.plots.zoomBy(0.5, this.now) }, "+"),
+      make("button", { type: "button", title: "zoom out (−)", click: () => this.plots.zoomBy(2, this.now) }, "−"),
+      make("button", { type: "button", title: "everything (0, or double click)", click: () => this.plots.reset() }, "All"),
+      make("button", { type: "button", title: "where it is lively (9)", click: () => this.lively() }, "Lively part"));
+    const wide = toggle("Full window", false, (on) => { this.element.classList.toggle("wide", on); document.body.classList.toggle("behind", on); }, "fill the window (f)");
+    wide.classList.add("widen");
+    for (const slower of SLOWER) this.speed.append(make("option", { value: String(slower) }, slower === 1 ? "real time" : `1/${slower}`));
+    this.speed.value = "10";
+    this.play.addEventListener("click", () => this.toggle());
+    this.slider.addEventListener("input", () => { this.pause(); this.goTo(Number(this.slider.value)); });
+    const main = make("div", { class: this.view ? "stage-and-plots" : "plots-only" }, this.plots.element);
+    if (this.view) main.append(this.view.element);
+    this.element.append(
+      make("div", { class: "bar" }, scenes, overlays, make("span", { class: "grow" }), zooms, wide),
+      make("div", { class: "bar" }, this.channels),
+      main,
+      make("div", { class: "bar transport" }, this.play, this.slider, this.clock, make("label", {}, "speed ", this.speed)),
+      make("p", { class: "hint" }, "Drag to zoom, double click for everything, Ctrl + wheel and Shift + wheel zoom and pan. Keys: space plays, ← → step, + − 0 zoom, [ ] change the trial, f fills the window."),
+    );
+    this.element.addEventListener("keydown", (event) => this.key(event));
+  }
+
+  private show(scene: Scene): void {
+    const keep = this.scene === scene ? null : this.keptWindow(scene);
+    this.scene = scene;
+    this.note.textContent = scene.note;
+    this.note.parentElement!.className = `group ${scene.tone}`;
+    this.note.hidden = !scene.note;
+    const x = this.store.get(scene.x);
+    this.channels.replaceChildren(...(scene.panes.length < 2 ? [] : scene.panes.map((pane) => toggle(pane.name, this.isShown(pane.name, pane.shown), (on) => {
+      this.panes.set(pane.name, on);
+      this.plot(this.plots.window);
+    }, pane.words))));
+    this.slider.min = String(x[0]); this.slider.max = String(x[x.length - 1]);
+    this.plot(keep);
+    if (scene.motion && this.view) this.view.show(this.store.content.mechanisms[scene.motion.mechanism]!, scene.motion);
+    this.goTo(this.now);
+    this.draw();
+  }
+
+  private plot(window: [number, number] | null): void {
+    const { scene } = this;
+    let panes = scene.panes.filter((pane) => this.isShown(pane.name, pane.shown));
+    if (!panes.length) panes = scene.panes.slice(0, 1);
+    this.plots.show({
+      x: this.store.get(scene.x), xLabel: `${this.model.x.words} [${this.model.x.unit}]`, spans: scene.spans, window: scene.window,
+      panes: panes.map((pane) => ({
+        title: pane.words, unit: pane.unit,
+        lines: pane.curves.map((curve) => ({ label: curve.label, role: curve.role, y: this.store.get(curve.y), shown: this.roles.get(curve.role) ?? true })),
+      })),
+    }, window);
+    this.plots.mark(this.now);
+  }
+
+  private isShown(name: string, standard: boolean): boolean { return this.panes.get(name) ?? standard; }
+
+  /** The part that was looked at, where the next scene has it and it was not all of the last one. */
+  private keptWindow(next: Scene): [number, number] | null {
+    const [low, high] = this.plots.window, [first, last] = this.plots.whole, x = this.store.get(next.x);
+    if (low <= first && high >= last) return [x[0] as number, x[x.length - 1] as number];
+    const chosen = this.scene.window;
+    if (chosen && Math.abs(low - chosen[0]) < 1e-9 && Math.abs(high - chosen[1]) < 1e-9) return null; // each its own
+    return low >= (x[0] as number) && high <= (x[x.length - 1] as number) ? [low, high] : null;
+  }
+
+  private lively(): void {
+    if (this.scene.window) this.plots.zoom(...this.scene.window); else this.plots.reset();
+  }
+
+  private stepScene(by: number): void {
+    const { scenes } = this.model, next = (scenes.indexOf(this.scene) + by + scenes.length) % scenes.length;
+    this.choose(scenes[next]!.name);
+  }
+
+  private seen([low, high]: [number, number]): void {
+    if (this.now < low || this.now > high) this.goTo(low);
+  }
+
+  private toggle(): void { if (this.playing) this.pause(); else this.start(); }
+
+  private start(): void {
+    const [low, high] = this.plots.window;
+    if (this.now >= high - 1e-9 || this.now < low) this.goTo(low);
+    this.playing = true; this.last = 0; this.frames.length = 0;
+    this.play.textContent = "Pause";
+  }
+
+  private pause(): void { this.playing = false; this.play.textContent = "Play"; }
+
+  /** What is seen is played, again and again. */
+  private step(time: number): void {
+    if (this.playing) {
+      const passed = this.last ? time - this.last : 0;
+      if (this.last) { this.frames.push(passed); if (this.frames.length > 600) this.frames.shift(); }
+      this.last = time;
+      const [low, high] = this.plots.window;
+      let next = this.now + Math.min(passed, 250) / 1000 / Number(this.speed.value);
+      if (next > high) { next = STILL.matches ? high : low; if (STILL.matches) this.pause(); }
+      this.goTo(next);
+    }
+    this.draw();
+    requestAnimationFrame((next) => this.step(next));
+  }
+
+  private draw(): void { this.view?.draw(); }
+
+  private key(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.target instanceof HTMLSelectElement) return;
+    const inButton = event.target instanceof HTMLButtonElement, inSlider = event.target === this.slider;
+    const x = this.store.get(this.scene.x), sample = ((x[x.length - 1] as number) - (x[0] as number)) / Math.max(x.length - 1, 1);
+    const actions: Record<string, () => void> = {
+      "+": () => this.plots.zoomBy(0.5, this.now), "=": () => this.plots.zoomBy(0.5, this.now), "-": () => this.plots.zoomBy(2, this.now),
+      "0": () => this.plots.reset(), "9": () => this.lively(), "[": () => this.stepScene(-1), "]": () => this.stepScene(1),
+      f: () => this.element.querySelector<HTMLButtonElement>(".widen")!.click(),
+      ...(inButton ? {} : { " ": () => this.toggle() }),
+      ...(inSlider ? {} : {
+        ArrowLeft: () => { this.pause(); this.goTo(this.now - sample * (event.shiftKey ? 20 : 1)); },
+        ArrowRight: () => { this.pause(); this.goTo(this.now + sample * (event.shiftKey ? 20 : 1)); },
+      }),
+    };
+    if (event.key === "Escape" && this.element.classList.contains("wide")) actions.Escape = actions.f!;
+    const action = actions[event.key];
+    if (action) { event.preventDefault(); action(); }
+  }
+}
+
+export { written };

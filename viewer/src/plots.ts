@@ -1,0 +1,193 @@
+/** Plots over one common axis, one above the other: zoom, pan and cursor are linked. */
+
+import uPlot from "uplot";
+import { at, type Numbers } from "./data";
+import { colour, make, written } from "./page";
+
+export interface Line { label: string; role: string; y: Numbers; shown: boolean }
+export interface PlotPane { title: string; unit: string; lines: Line[] }
+export interface Plotted {
+  x: Numbers;
+  xLabel: string;
+  panes: PlotPane[];
+  spans: [number, number][];
+  window: [number, number] | null;
+}
+
+const AXIS = 62;
+const STYLES: Record<string, { width: number; dash?: number[] }> = {
+  measured: { width: 2 }, before: { width: 1.25, dash: [5, 3] }, after: { width: 1.25 },
+};
+
+let count = 0;
+
+export class LinkedPlots {
+  private readonly key = `plots-${count++}`;
+  readonly element = make("div", { class: "plots" });
+  private plots: uPlot[] = [];
+  private heads: HTMLElement[] = [];
+  private marks: HTMLElement[] = [];
+  private shown: Plotted | null = null;
+  private range: [number, number] = [0, 1];
+  private busy = false;
+  private place = 0;
+
+  /** `moved` hears where the pointer is on the common axis, `zoomed` what part of it is seen. */
+  constructor(private readonly moved: (x: number) => void, private readonly zoomed: (range: [number, number]) => void = () => {}) {
+    new ResizeObserver(() => this.resize()).observe(this.element);
+    this.element.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+    this.element.addEventListener("dblclick", () => this.reset());
+  }
+
+  show(plotted: Plotted, keep: [number, number] | null = null): void {
+    this.clear();
+    this.shown = plotted;
+    const { x } = plotted, first = x[0] as number, last = x[x.length - 1] as number;
+    this.range = keep ?? plotted.window ?? [first, last];
+    plotted.panes.forEach((pane, k) => this.add(pane, k === plotted.panes.length - 1));
+    this.mark(this.place);
+    this.zoomed(this.range);
+  }
+
+  clear(): void {
+    for (const plot of this.plots) plot.destroy();
+    this.plots = []; this.heads = []; this.marks = [];
+    this.element.replaceChildren();
+  }
+
+  get window(): [number, number] { return this.range; }
+
+  get whole(): [number, number] {
+    const x = this.shown?.x;
+    return x && x.length ? [x[0] as number, x[x.length - 1] as number] : [0, 1];
+  }
+
+  reset(): void { this.zoom(...this.whole); }
+
+  /** Shows from `low` to `high`, kept within what there is. */
+  zoom(low: number, high: number): void {
+    const [first, last] = this.whole, least = (last - first) * 1e-4 || 1;
+    const span = Math.min(Math.max(high - low, least), last - first);
+    const start = Math.min(Math.max(low, first), last - span);
+    this.range = [start, start + span];
+    this.busy = true;
+    for (const plot of this.plots) plot.setScale("x", { min: this.range[0], max: this.range[1] });
+    this.busy = false;
+    this.mark(this.place);
+    this.zoomed(this.range);
+  }
+
+  /** Zooms by a factor about a place of the axis. */
+  zoomBy(factor: number, about = (this.range[0] + this.range[1]) / 2): void {
+    this.zoom(about - (about - this.range[0]) * factor, about + (this.range[1] - about) * factor);
+  }
+
+  pan(share: number): void {
+    const width = this.range[1] - this.range[0];
+    this.zoom(this.range[0] + share * width, this.range[1] + share * width);
+  }
+
+  setShown(role: string, shown: boolean): void {
+    this.shown?.panes.forEach((pane, k) => pane.lines.forEach((line, i) => {
+      if (line.role === role) { line.shown = shown; this.plots[k]!.setSeries(i + 1, { show: shown }); }
+    }));
+    this.mark(this.place);
+  }
+
+  /** Moves the mark that stands at one place in all plots, and writes the values there. */
+  mark(x: number): void {
+    this.place = x;
+    const plotted = this.shown;
+    if (!plotted) return;
+    plotted.panes.forEach((pane, k) => {
+      const plot = this.plots[k]!, left = plot.valToPos(x, "x");
+      const inside = x >= this.range[0] && x <= this.range[1];
+      this.marks[k]!.style.transform = `translateX(${left}px)`;
+      this.marks[k]!.hidden = !inside;
+      const values = this.heads[k]!.querySelectorAll("output");
+      pane.lines.forEach((line, i) => {
+        const output = values[i]!;
+        output.parentElement!.hidden = !line.shown;
+        if (line.shown) output.textContent = written(at(plotted.x, line.y, x));
+      });
+    });
+  }
+
+  repaint(): void { if (this.shown) this.show(this.shown, this.range); }
+
+  private add(pane: PlotPane, isLast: boolean): void {
+    const plotted = this.shown!;
+    const head = make("div", { class: "pane-head" }, make("b", {}, pane.title), make("span", { class: "unit" }, `[${pane.unit || "–"}]`));
+    for (const line of pane.lines)
+      head.append(make("span", { class: "value" }, make("i", { class: `swatch ${line.role}` }), `${line.label} `, make("output", {}, "–")));
+    const holder = make("div", { class: "pane" });
+    this.element.append(head, holder);
+    const ink = colour("ink"), grid = { stroke: colour("line"), width: 1 }, faint = colour("span");
+    const font = "12px system-ui, sans-serif";
+    const values = (_: uPlot, ticks: number[]) => ticks.map((tick) => String(Number(tick.toPrecision(10))).replace("-", "−"));
+    const plot = new uPlot({
+      width: Math.max(this.element.clientWidth, 200), height: this.height(isLast),
+      padding: [6, 12, 0, 0],
+      legend: { show: false },
+      cursor: {
+        sync: { key: this.key, setSeries: false },
+        drag: { x: true, y: false, setScale: false },
+        points: { show: false },
+        y: false,
+        bind: { dblclick: () => null },
+      },
+      scales: { x: { time: false, auto: false, range: () => this.range } },
+      axes: [
+        { stroke: ink, grid, ticks: { show: false }, size: isLast ? 40 : 6, font, values: isLast ? values : () => [], label: isLast ? plotted.xLabel : undefined, labelSize: 16, labelFont: font, labelGap: 0, gap: 3 },
+        { stroke: ink, grid, ticks: { show: false }, size: AXIS, font, values },
+      ],
+      series: [{}, ...pane.lines.map((line) => {
+        const style = STYLES[line.role] ?? { width: 1.25 };
+        return { label: line.label, stroke: colour(line.role), points: { show: false }, show: line.shown, ...style };
+      })],
+      hooks: {
+        drawClear: [(u) => {
+          u.ctx.fillStyle = faint;
+          for (const [from, to] of plotted.spans) {
+            const low = Math.max(from, this.range[0]), high = Math.min(to, this.range[1]);
+            if (high > low) u.ctx.fillRect(u.valToPos(low, "x", true), u.bbox.top, u.valToPos(high, "x", true) - u.valToPos(low, "x", true), u.bbox.height);
+          }
+        }],
+        setSelect: [(u) => {
+          if (u.select.width > 4) this.zoom(u.posToVal(u.select.left, "x"), u.posToVal(u.select.left + u.select.width, "x"));
+          u.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
+        }],
+        setCursor: [(u) => {
+          if (this.busy || u.cursor.left === undefined || u.cursor.left === null || u.cursor.left < 0 || !u.cursor.event) return;
+          this.moved(u.posToVal(u.cursor.left, "x"));
+        }],
+      },
+    } as uPlot.Options, [plotted.x, ...pane.lines.map((line) => line.y)] as uPlot.AlignedData, holder);
+    const mark = make("div", { class: "mark-line" });
+    plot.over.append(mark);
+    plot.over.style.touchAction = "pan-y";
+    this.plots.push(plot); this.heads.push(head); this.marks.push(mark);
+  }
+
+  private height(isLast: boolean): number {
+    const count = this.shown?.panes.length ?? 1;
+    const body = count > 3 ? 96 : count === 3 ? 120 : count === 2 ? 165 : 250;
+    return body + (isLast ? 40 : 6) + 6;
+  }
+
+  private resize(): void {
+    const width = this.element.clientWidth;
+    if (width < 50) return;
+    this.plots.forEach((plot, k) => plot.setSize({ width, height: this.height(k === this.plots.length - 1) }));
+    this.mark(this.place);
+  }
+
+  private wheel(event: WheelEvent): void {
+    if (!event.ctrlKey && !event.shiftKey) return; // else the page scrolls
+    event.preventDefault();
+    const plot = this.plots[0];
+    if (!plot) return;
+    if (event.shiftKey) this.pan(Math.sign(event.deltaY || event.deltaX) * 0.1);
+    else this.zoomBy(event.deltaY > 0 ? 1.25 : 0.8, plot.posToVal(event.clientX - plot.over.getBoundingClientRect().left, "x"));
+  }
+}
