@@ -43,6 +43,9 @@ loops: $(VENV)/.loops
 demo: setup
 	$(BIN)/jounce demo $(DEMO_ARGUMENTS)
 
+# Dozens of processes read the same modules: what Python makes of them is kept, even where the environment forbids it.
+quick test test-all: export PYTHONDONTWRITEBYTECODE :=
+
 quick: $(VENV)/.test $(VENV)/.loops
 	$(BIN)/python -m pytest -n auto --dist loadfile --quick
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import shutil
 import tempfile
@@ -10,6 +11,8 @@ from pathlib import Path
 import hypothesis
 import pytest
 
+for _library in ("OPENBLAS", "OMP", "MKL"):  # before NumPy comes: on small matrices threads only wait for each other
+    os.environ.setdefault(f"{_library}_NUM_THREADS", "1")
 hypothesis.settings.register_profile("jounce", derandomize=True, deadline=None, max_examples=60)
 hypothesis.settings.load_profile("jounce")
 
@@ -37,6 +40,12 @@ def pytest_unconfigure(config: pytest.Config) -> None:
 
 def pytest_itemcollected(item: pytest.Item) -> None:
     item.config.stash[COLLECTED].add(item.nodeid.partition("[")[0])  # slow ones, too: they are deselected later
+
+
+def pytest_collection_finish() -> None:
+    """Thousands of tests are no garbage: collections need not look at them again."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture(scope="session")
