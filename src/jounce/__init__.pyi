@@ -28,6 +28,7 @@ from .core.writing import write_files as write_files
 from .design.adjustments import adjust_report as adjust_report
 from .design.adjustments import adjusted as adjusted
 from .design.adjustments import lengths_for as lengths_for
+from .design.kinematics import design_kinematics as design_kinematics
 from .design.lumping import lumped_from as lumped_from
 from .design.model_comparison import compare_models as compare_models
 from .design.optimise import optimise as optimise
@@ -77,6 +78,7 @@ from .parts import QuarterCar as QuarterCar
 from .parts import Rig as Rig
 from .parts import Vehicle as Vehicle
 from .parts import load as load
+from .parts import save as save
 from .parts.importers import ChronoCorner as ChronoCorner
 from .parts.importers import read_chrono_corner as read_chrono_corner
 from .parts.importers import read_tir as read_tir

@@ -24,19 +24,20 @@ from jounce.cli.options import (
     quantity,
     write_picture,
 )
-from jounce.cli.reply import Reply, progress, show_findings, show_written, table
+from jounce.cli.reply import DONE, FAILED, Reply, progress, show_findings, show_written, table
 from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from jounce.design.kinematics import KinematicDesign
     from jounce.design.optimise import Optimisation
     from jounce.design.pareto import ParetoFront
     from jounce.design.springs import SpringDesign
     from jounce.parts import Rig
 
 
-app = typer.Typer(no_args_is_help=True, help="Springs, dampers and best designs.")
+app = typer.Typer(no_args_is_help=True, help="Springs, dampers, hardpoints and best designs.")
 FreeNumbers = Annotated[
     list[str],
     typer.Option(
@@ -221,6 +222,106 @@ def _driven(rig: Rig, road: str, speed: str, duration: str | None, band: str | N
         class_, seed = class_and_seed(road)
         return {"trial": iso_trial(rig, class_, velocity, duration=lasting, seed=seed or 0).trial}
     return {"trial": road_trial(rig, load_road(road), velocity, duration=lasting).trial}
+
+
+@app.command("kinematics")
+def kinematics(
+    study: Annotated[
+        Path, typer.Argument(metavar="STUDY.toml", help='Study file, schema = "jounce.design/1".', show_default=False)
+    ],
+    out: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Write rig.toml, results.json, tables and pictures into this folder."),
+    ] = None,
+    starts: Annotated[int | None, typer.Option(min=1, help="Number of searches; the study's own by default.")] = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Find the hardpoints that give wanted kinematic values and curves. Exit code 1 where targets are missed.
+
+    Example: jounce design kinematics study.toml --out designed
+    """
+    check_outputs(folder=out, force=force)
+    with progress() as say:
+        say("searching")
+        from jounce.design.kinematics import design_study
+
+        found, file = design_study(study, starts=starts)
+        if out is not None:
+            say("drawing")
+            _write_kinematics(found, file, out, force=force)
+    plain = {**found.to_dict(), "out": out and str(out)}
+    return Reply(plain, lambda console: draw_kinematics(console, plain, found), as_json, DONE if found.met else FAILED)
+
+
+def _write_kinematics(found: KinematicDesign, file: Path, out: Path, *, force: bool) -> None:
+    from jounce.core.serialise import to_json
+    from jounce.core.writing import write_files
+    from jounce.parts.files import updated_text
+    from jounce.plots.kinematic_design import sensitivity_bars, target_curves
+    from jounce.plots.style import rendered
+
+    contents: dict[str, bytes | str] = {
+        "rig.toml": updated_text(file.read_text(encoding="utf-8"), found.rig),
+        "results.json": to_json(found.results()) + "\n",
+        "targets.csv": found.curve_table(),
+        "sensitivity.csv": found.sensitivity_table(),
+        "targets.png": rendered(target_curves(found), [".png"])[".png"],
+        "sensitivity.png": rendered(sensitivity_bars(found), [".png"])[".png"],
+    }
+    write_files(out, contents, force=force)
+
+
+def draw_kinematics(console: Console, plain: dict[str, Any], found: KinematicDesign) -> None:
+    """Print targets before and after, what was moved, what fights."""
+    from jounce.plots.display import display_unit
+
+    rows = []
+    for target in found.targets:
+        unit = display_unit(target.unit)
+        ends = [_worst(value, target.wanted) * unit.factor for value in (target.before, target.after)]
+        name = target.quantity if isinstance(target.after, float) else f"{target.quantity}, worst of its curve"
+        wanted = _wanted_text(target.wanted, unit.factor)
+        met = "met" if target.met else "missed"
+        rows.append((name, unit.name or "1", *ends, wanted, target.tolerance * unit.factor, met))
+    header = ("target", "unit", "before", "after", "wanted", "tolerance", "")
+    console.print(table("Targets", header, rows, text=(0, 1, 4, 6)))
+    moved = []
+    for path, change in found.moved.items():
+        unit = display_unit("m" if path.startswith("hardpoints.") else "1")
+        ends = (change.before, change.after, change.after - change.before)
+        moved.append((path, unit.name or "SI", *(round(value * unit.factor, 6) for value in ends)))
+    console.print(table("Moved", ("number", "unit", "before", "after", "by"), moved, text=(0, 1)))
+    for fight in found.fights:
+        missed, other = (f"{found.targets[i].quantity} (target {i})" for i in (fight.missed, fight.other))
+        console.print(f"{missed} fights {other}: what brings one nearer takes the other away ({fight.cosine:.2f})")
+    good = sum(start.met for start in found.starts)
+    console.print(f"{good} of {len(found.starts)} starts met all targets; {found.evaluations} designs computed")
+    show_findings(console, found.findings)
+    show_written(console, plain)
+
+
+def _worst(value: float | list[float], wanted: Any) -> float:
+    """A value, or of a curve the one farthest from what is wanted."""
+    if isinstance(value, float):
+        return value
+    if isinstance(wanted, float):
+        aims = [wanted] * len(value)
+    elif len(wanted) == len(value) and None not in wanted:
+        aims = wanted
+    else:
+        ends = [end for end in wanted if end is not None]
+        aims = [sum(ends) / len(ends)] * len(value)
+    return max(zip(value, aims, strict=True), key=lambda pair: abs(pair[0] - pair[1]))[0]
+
+
+def _wanted_text(wanted: Any, factor: float) -> str:
+    if isinstance(wanted, float):
+        return f"{wanted * factor:.5g}"
+    if len(wanted) == 2:
+        low, high = (None if end is None else f"{end * factor:.5g}" for end in wanted)
+        return f"at most {high}" if low is None else f"at least {low}" if high is None else f"{low} … {high}"
+    return "a curve"
 
 
 def _pair(text: str) -> tuple[str | float, str | float] | None:

@@ -224,11 +224,11 @@ def adjust(
 
     Example: jounce adjust kart-double-wishbone --camber "-2 deg" --toe "0.5 deg" --out cambered.toml
     """
-    from jounce.campaign.updated_rigs import updated_text
     from jounce.core.serialise import to_plain
     from jounce.core.writing import check_writable, write_atomically
     from jounce.design.adjustments import SETTINGS, adjust_report, lengths_for
     from jounce.parts import rig_path
+    from jounce.parts.files import updated_text
 
     given = {name: bare_number(value) for name, value in pairs(set_, "--set", 'upper_arm_length="10 mm"').items()}
     if out is not None:

@@ -6,6 +6,7 @@ The right wheel is the left corner's mirror: at a rack travel it stands as the l
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,7 +17,7 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.kernel.poses import REACHED
 from jounce.kinematics.catalogue import Quantity
-from jounce.kinematics.model import check_corner, check_rack
+from jounce.kinematics.model import check_corner, check_rack, kinematic_model
 from jounce.kinematics.sweeps import (
     AxleLayout,
     End,
@@ -28,6 +29,7 @@ from jounce.kinematics.sweeps import (
     prepare_sweep,
     sweep_values,
 )
+from jounce.kinematics.tangents import Tangents
 from jounce.parts import Corner, Rig
 
 if TYPE_CHECKING:
@@ -153,12 +155,25 @@ def _dot(a: Array, b: Array) -> Array:
 
 
 class Axle:
-    """Both wheels of an axle, from the description of one of them."""
+    """Both wheels of an axle, from the description of one of them.
 
-    def __init__(self, rig: Corner) -> None:
+    ``numbers`` are those of the model's ``parameters`` where they are not the description's own. With ``directions``
+    (tracks and parameters, n; see ``tangents``) each wheel keeps its rows' slopes along them in ``slopes``.
+    """
+
+    def __init__(self, rig: Corner, numbers: Array | None = None, directions: Array | None = None) -> None:
         self.rig = rig
-        self.radius = float(rig.wheel.radius)
         self.ends: list[End] = []
+        self.slopes: dict[float, dict[str, Array]] = {}
+        self._numbers, self._directions = numbers, directions
+        self._values = rig.parameters()
+        if numbers is not None:
+            self._values |= dict(zip(kinematic_model(rig).parameters, numbers.tolist(), strict=True))
+        self.radius = self.number("wheel.radius")
+
+    def number(self, path: str) -> float:
+        """A number of the description, SI."""
+        return float(self._values[path])
 
     def wheel(self, side: float, travel: Array | float, rack: Array | float) -> WheelRows:
         """One wheel at pairs of travel and rack travel (m); either of them may be one value for all."""
@@ -173,23 +188,40 @@ class Axle:
         values = np.full((len(sweep.model.rows) if sweep else 0, len(swept)), np.nan)
         if sweep is None:
             raise no_pose(self.ends)
+        if self._numbers is not None:
+            sweep.walk.p[:] = self._numbers
         values[:, kept] = sweep.run().reshape(len(values), -1)
         self._note(sweep)
-        rows = {row.name: value for row, value in zip(sweep.model.rows, values, strict=True)}
-        flip = {name: own * value if name in _ODD else value for name, value in rows.items()}
-        return WheelRows(flip, self.radius)
+        names = [row.name for row in sweep.model.rows]
+        if self._directions is not None:
+            self.slopes[side] = self._sloped(sweep, names, kept, len(swept))
+        return WheelRows(self._flipped(dict(zip(names, values, strict=True))), self.radius)
+
+    def _sloped(self, sweep: PreparedSweep, names: list[str], kept: NDArray[np.intp], count: int) -> dict[str, Array]:
+        """Slopes of the rows just found, each (directions, poses), in the axes of a left wheel."""
+        assert self._directions is not None
+        found = Tangents(sweep, self._directions).run()
+        ordered = sweep.in_place(found.reshape(-1, found.shape[2]), sweep.found.outcome == REACHED)
+        slopes = np.full((*found.shape[:2], count), np.nan)
+        slopes[:, :, kept] = ordered.reshape(*found.shape[:2], -1)
+        return self._flipped(dict(zip(names, slopes, strict=True)))
+
+    def _flipped(self, rows: dict[str, Array]) -> dict[str, Array]:
+        own = self.rig.sign
+        return {name: own * value if name in _ODD else value for name, value in rows.items()}
 
     def _note(self, sweep: PreparedSweep) -> None:
         if not self.ends and np.any(sweep.found.outcome != REACHED):
             self.ends = sweep.ends()
 
+    @cached_property
     def rows(self) -> tuple[Quantity, ...]:
         """Rows of the catalogue that each wheel has."""
-        return prepare_sweep(self.rig, 0.0).model.rows
+        return kinematic_model(self.rig).rows
 
     def level(self, roll: Array, rack: float) -> tuple[Ground, Ground]:
         """Both wheels, travelled by the same amount against each other until they stand on one plane road."""
-        away = np.abs(self.rig.hardpoints.wheel_centre[1]) * np.tan(roll)
+        away = np.abs(self.number("hardpoints.wheel_centre[1]")) * np.tan(roll)
         for _ in range(_ITERATIONS):
             left = Ground(self.wheel(1.0, -away, rack), roll, 1.0)
             right = Ground(self.wheel(-1.0, away, rack), roll, -1.0)
@@ -250,9 +282,13 @@ def sweep_roll(rig: Rig, roll: Values, rack: float | str = 0.0) -> xr.Dataset:
     kept = np.isfinite(left.height + right.height)
     if not kept.any():
         raise no_pose(axle.ends)
+    return roll_rows(axle, left, right, _bend(axle, angles, at)).dataset(kept, axle, corner)
+
+
+def roll_rows(axle: Axle, left: Ground, right: Ground, bend: Array) -> AxleVariables:
+    """Rows of a rolled axle; ``bend`` is the second derivative of the right wheel's travel with roll, m/rad^2."""
     gain = _gain(left, right)
-    bend = _bend(axle, angles, at)
-    found = AxleVariables("roll_angle", angles, "rad", "roll angle of the body", "positive: about +x, left side up")
+    found = AxleVariables("roll_angle", left.roll, "rad", "roll angle of the body", "positive: about +x, left side up")
     outward = "positive: top outward"
     for wheel, name, travel in ((left, "left", -gain), (right, "right", gain)):
         found.add_wheel(axle, wheel.wheel, name, wheel.side)
@@ -260,9 +296,9 @@ def sweep_roll(rig: Rig, roll: Values, rack: float | str = 0.0) -> xr.Dataset:
         found.add(f"{name}.camber_to_ground", -np.arcsin(wheel.lean), "rad", "camber angle to the road", outward)
         found.add(f"{name}.roll_steer", travel * seen["bump_steer"], "1", "roll steer", "positive: about +z")
         found.add(f"{name}.roll_camber", travel * seen["camber_gain"], "1", "roll camber", outward)
-    bar = 0.0 if corner.anti_roll_bar is None else float(corner.anti_roll_bar.stiffness)
+    bar = 0.0 if axle.rig.anti_roll_bar is None else axle.number("anti_roll_bar.stiffness")
     _add_axle_rows(found, left, right, gain, bend, bar)
-    return found.dataset(kept, axle, corner)
+    return found
 
 
 def _gain(left: Ground, right: Ground) -> Array:
@@ -324,7 +360,7 @@ class AxleVariables(Variables):
     def add_wheel(self, axle: Axle, wheel: WheelRows, name: str, side: float) -> None:
         """Add the catalogue of one wheel as the ground's axes show it."""
         seen = wheel.seen(side)
-        for row in axle.rows():
+        for row in axle.rows:
             self.add(f"{name}.{row.name}", seen[row.name], row.unit, f"{name}: {row.long_name}", row.sign)
 
     def dataset(self, kept: NDArray[np.bool_], axle: Axle, corner: Corner) -> xr.Dataset:
@@ -391,11 +427,18 @@ def sweep_steering(
     kept = np.isfinite(left.rows["steer"] + right.rows["steer"])
     if not kept.any():
         raise no_pose(axle.ends)
+    return steering_rows(axle, left, right, racks, vehicle).dataset(kept, axle, corner)
+
+
+def steering_rows(
+    axle: Axle, left: WheelRows, right: WheelRows, racks: Array, vehicle: AxleLayout | None
+) -> AxleVariables:
+    """Rows of a steered axle at each travel of the rack (m)."""
     found = AxleVariables("rack_travel", racks, "m", "travel of the steering rack", "positive: to the left (+y)")
     found.add_wheel(axle, left, "left", 1.0)
     found.add_wheel(axle, right, "right", -1.0)
     _add_rows(found, left, right, vehicle, axle)
-    return found.dataset(kept, axle, corner)
+    return found
 
 
 def _add_rows(found: AxleVariables, left: WheelRows, right: WheelRows, vehicle: AxleLayout | None, axle: Axle) -> None:
@@ -422,7 +465,7 @@ def _add_turn(found: AxleVariables, left: WheelRows, right: WheelRows, vehicle: 
     In a turn to the right the axle is looked at in a mirror, so that the inner wheel is always the left one of a turn
     to the left: places from the middle of the rear axle, forward (m) and to the inner side (m), angles into the turn.
     """
-    rear = float(axle.rig.hardpoints.wheel_centre[0]) - vehicle.wheelbase
+    rear = axle.number("hardpoints.wheel_centre[0]") - vehicle.wheelbase
     to_left = found.values["mean_steer"] > 0.0
     turned = np.abs(found.values["mean_steer"]) > _STRAIGHT
 

@@ -36,7 +36,9 @@ class KinematicModel:
     ``"travel"``, and ``"rack"`` where the wheel steers. ``functions`` holds, as CasADi evaluates them, ``pose`` and
     ``output`` (see ``kernel.poses``; ``native`` is their machine code), ``points`` (x, y, z of ``point_names``: all
     hardpoints and the contact point) and ``gradient`` of the loop equations for the speeds; ``joints`` names the joint
-    of each equation. They take the numbers of the description at ``parameters``; ``start`` is the design pose.
+    of each equation; ``closure`` is the violation of the loops and ``yielding`` gives the slopes of the coordinates for
+    one of that violation (its last argument). They take the numbers of the description at ``parameters``; ``start`` is
+    the design pose.
     """
 
     rows: tuple[Quantity, ...]
@@ -57,6 +59,26 @@ class KinematicModel:
     def points(self) -> Native:
         """Machine code of ``points``, under the name ``output``."""
         return compile_functions({"output": self.functions["points"]})
+
+    @cached_property
+    def tangents(self) -> Native:
+        """Machine code of the slopes of all rows along a change of tracks and numbers, under the name ``output``.
+
+        Its first argument holds the coordinates of a pose, the change of the tracks, and that of ``parameters``. The
+        pose follows, so that the loops stay closed.
+        """
+        q, u, p, m = (ca.SX.sym(name, n) for name, n in zip("qupm", self._sizes, strict=True))
+        inputs = ca.vertcat(u, p)
+        change = ca.SX.sym("change", inputs.shape[0])
+        opened = ca.jtimes(self.functions["closure"](q, u, p, m), inputs, change)
+        moved = self.functions["yielding"](q, u, p, m, opened)
+        slopes = ca.jtimes(self.functions["output"](q, u, p, m), ca.vertcat(q, inputs), ca.vertcat(moved, change))
+        made = ca.Function("output", [ca.vertcat(q, change), u, p, m], [ca.cse(ca.densify(slopes))])
+        return compile_functions({"output": made})
+
+    @property
+    def _sizes(self) -> tuple[int, ...]:
+        return tuple(self.functions["output"].size1_in(i) for i in range(4))
 
 
 _models: dict[str, KinematicModel] = {}
@@ -122,6 +144,7 @@ def _build(rig: Corner) -> KinematicModel:
         "output": driven.accelerated(ca.vertcat(*(row.formula(view) for row in rows))),
         "points": ca.vertcat(*(place for _, place in places)),
         "gradient": driven.gradient,
+        "closure": driven.statics.constraint,
     }
     parameters = _that_matter(mechanism, made)
     arguments = [
@@ -131,6 +154,8 @@ def _build(rig: Corner) -> KinematicModel:
         ca.SX.sym("m", 1),
     ]
     functions = {name: ca.Function(name, arguments, [ca.cse(ca.densify(part))]) for name, part in made.items()}
+    opened = ca.SX.sym("opened", driven.statics.constraint.shape[0])
+    functions["yielding"] = ca.Function("yielding", [*arguments, opened], [driven.yielding(opened)])
     return KinematicModel(
         rows=rows,
         tracks=(_TRAVEL, _RACK)[: len(tracks)],
@@ -178,6 +203,10 @@ class Driven:
             e = statics.q[first : first + 4]
             start[first : first + 4] = e / ca.sqrt(ca.dot(e, e))
         return ca.substitute(ca.vertcat(moved, residual, *slopes), statics.q, start)
+
+    def yielding(self, opened: ca.SX) -> ca.SX:
+        """Slopes of the coordinates that close the loops again, for a rate at which something else opens them."""
+        return ca.substitute(self.statics.rates, self.statics.v, ca.densify(-self._solve(opened)))
 
     def _solve(self, right: ca.SX) -> ca.SX:
         """Speeds (or small displacements) that make this rate of the loop equations."""

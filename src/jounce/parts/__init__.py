@@ -2,7 +2,7 @@
 
 from jounce.parts.advice import rig_findings
 from jounce.parts.corners import Corner, DoubleWishbone, FiveLink, McPherson, TrailingArm
-from jounce.parts.files import changed_text, library, load, rig_from_table, rig_path
+from jounce.parts.files import changed_text, library, load, rig_from_table, rig_path, save
 from jounce.parts.rig import Rig
 from jounce.parts.vehicles import FullCar, FullCar3D, HalfCar, HalfCar4DOF, QuarterCar, Vehicle
 
@@ -25,4 +25,5 @@ __all__ = [
     "rig_findings",
     "rig_from_table",
     "rig_path",
+    "save",
 ]

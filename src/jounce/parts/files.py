@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import textwrap
+import tomllib
 from collections.abc import Mapping, Sequence
 from functools import reduce
 from pathlib import Path
@@ -16,10 +17,13 @@ import tomlkit
 from jounce.core.description import check_schema, dotted, line_of, read_toml
 from jounce.core.errors import DescriptionError, nearest, unknown
 from jounce.core.files import chosen_file, shipped_files
+from jounce.core.units import conversion_factor, to_si
+from jounce.core.writing import check_writable, write_atomically
 from jounce.parts.corners import Corner, Hardpoints
-from jounce.parts.rig import MODELS, Rig, split_path, unit_of, unknown_path
+from jounce.parts.rig import MODELS, Rig, parameters_of, split_path, unit_of, unknown_path
 
 _WIDTH = 120
+_NUMBER_AND_UNIT = re.compile(r"\s*[-+]?[\d.]+(?:[eE][-+]?\d+)?\s*([^\d\s].*?)\s*$")
 _ORDER = ["schema", "model", "source", "estimated", "gravity", "side", "guide", "guide_friction", "hardpoints"]
 _ORDER += ["wheel", "sprung", "unsprung", "bodies", "strut", "steering", "anti_roll_bar", "bushings", "tyre"]
 _SHOWN: dict[str, tuple[str, float]] = {
@@ -218,8 +222,102 @@ def changed_text(text: str, rig: Rig, values: dict[str, float]) -> str:
             elif isinstance(here[part], str):  # a corner by its name: its rig takes its place
                 here[part] = tomlkit.parse(rig_text(reduce(getattr, map(str, parents[: i + 1]), rig)))
             here = here[part]
-        here[last] = _quantity(value, unit_of(rig, path))
+        here[last] = _as_before(here, last, value, unit_of(rig, path))
     return tomlkit.dumps(document)
+
+
+def updated_text(text: str, rig: Rig) -> str:
+    """Write the values of ``rig`` into the text of the rig file it came from.
+
+    Numbers that changed are replaced in place. Where a law changed its kind (a tyre stiffness became a curve), its
+    table is replaced; everything else stays as it was, comments included.
+    """
+    document = tomlkit.parse(text)
+    described = rig_from_table(tomllib.loads(text))
+    _reshape(document, _table(rig), _table(described))
+    reshaped = tomlkit.dumps(document)
+    before, after = parameters_of(rig_from_table(tomllib.loads(reshaped))), parameters_of(rig)
+    return changed_text(reshaped, rig, {path: value for path, value in after.items() if before.get(path) != value})
+
+
+def _table(rig: Rig) -> dict[str, Any]:
+    return rig.model_dump(by_alias=True, exclude_none=True)
+
+
+def _reshape(here: Any, wanted: dict[str, Any], described: dict[str, Any]) -> None:
+    """Give a table the keys of ``wanted``; numbers that both have are left to be replaced in place."""
+    for key in [key for key in here if key not in wanted]:
+        del here[key]
+    for key, value in wanted.items():
+        old = described.get(key)
+        if isinstance(value, dict) and isinstance(old, dict):
+            if key in here:
+                _reshape(here[key], value, old)
+            elif value:
+                here[key] = _plain(value)
+        elif old is None or _is_another_law(value, old):
+            here[key] = _plain(value)
+
+
+def _is_another_law(value: Any, old: Any) -> bool:
+    """Whether a text (the kind of a law) or the number of points differs."""
+    return (isinstance(value, str) and value != old) or (isinstance(value, tuple) and len(value) != len(old))
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    return [_plain(item) for item in value] if isinstance(value, tuple) else value
+
+
+def save(rig: Rig, path: Path | str, *, like: Path | str | None = None, force: bool = False) -> Path:
+    """Write a rig or a vehicle as a TOML file that :func:`load` reads.
+
+    Parameters
+    ----------
+    rig : Rig
+        What to write; every number with its unit.
+    path : Path or str
+        The file, ``.toml``.
+    like : Path or str, optional
+        A rig file, or the name of a shipped one, whose text is kept: comments, order and units stay as they are, only
+        what differs is written anew. An existing file that is overwritten is its own model.
+    force : bool
+        Overwrite an existing file.
+
+    Returns
+    -------
+    Path
+        The file written.
+
+    Raises
+    ------
+    OutputError
+        For an existing file without ``force``, a missing folder, or another suffix.
+    DescriptionError
+        Where ``like`` is no rig file.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> from jounce.parts import load
+    >>> rig = load("formula-student-front").with_changes({"hardpoints.tie_rod_inner[2]": "151 mm"})
+    >>> file = save(rig, pathlib.Path(tempfile.mkdtemp()) / "front.toml", like="formula-student-front")
+    >>> load(file) == rig, "# on the rocker" in file.read_text(encoding="utf-8")
+    (True, True)
+    """
+    file = check_writable(path, what="rigs", suffixes=(".toml",), force=force)
+    model = rig_path(like) if like is not None else file if file.is_file() else None
+    if model is None:
+        return write_atomically(file, rig_text(rig), force=force)
+    text = read_toml(model)[1]
+    described = rig_from_table(tomllib.loads(text), where=str(model), text=text)
+    if type(described) is not type(rig):
+        if like is None:  # what is overwritten has nothing to keep
+            return write_atomically(file, rig_text(rig), force=force)
+        found = f"a {getattr(described, 'model', '')} for a {getattr(rig, 'model', '')}"
+        raise DescriptionError("not a file of the same model", where=str(model), found=found)
+    return write_atomically(file, updated_text(text, rig), force=force)
 
 
 def _written(rig: Rig, parents: list[str | int]) -> Any:
@@ -228,6 +326,23 @@ def _written(rig: Rig, parents: list[str | int]) -> Any:
     known = rig.parameters()
     values = [path for path in known if re.fullmatch(rf"{re.escape(name)}\[\d+\]", path)]
     return [_quantity(known[path], unit_of(rig, path)) for path in values] or tomlkit.inline_table()
+
+
+def _as_before(here: Any, key: str | int, value: float, unit: str) -> float | str:
+    """Write a value in the unit that the file has for it."""
+    try:
+        before = here[key]
+    except (KeyError, IndexError, TypeError):
+        return _quantity(value, unit)
+    found = _NUMBER_AND_UNIT.match(before) if isinstance(before, str) else None
+    if found is None or found[1] == unit or unit == "1":
+        return _quantity(value, unit)
+    try:
+        factor = conversion_factor(found[1], unit)
+    except DescriptionError:
+        return _quantity(value, unit)
+    text = f"{float(value) / factor:.12g} {found[1]}"
+    return text if to_si(text, unit) == value else _quantity(value, unit)  # to the last bit
 
 
 def _quantity(value: float, unit: str) -> float | str:

@@ -1,0 +1,421 @@
+"""Targets in numbers: values of catalogue rows at poses of a corner or an axle, with their slopes along free numbers.
+
+Slopes of a corner's rows are exact. Those of an axle's rows are differences of their closed formulas along the exact
+slopes of both wheels' rows.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError, unknown
+from jounce.core.types import Array
+from jounce.core.units import conversion_factor, positive_si, to_si
+from jounce.design.kinematic_study import KinematicTarget
+from jounce.kernel.poses import REACHED
+from jounce.kinematics.axle import Axle, Ground, WheelRows, roll_rows, steering_rows
+from jounce.kinematics.model import KinematicModel, has_rack, kinematic_model
+from jounce.kinematics.sweeps import AxleLayout, PreparedSweep, prepare_sweep, shares, sweep_values
+from jounce.kinematics.tangents import Tangents
+from jounce.parts import Corner
+
+_POSES = ("travel", "rack", "roll")
+_UNITS = {"travel": "m", "rack": "m", "roll": "rad"}
+_WITHOUT = ("roll_stiffness", "roll_stiffness_springs", "roll_stiffness_bar")  # they have a difference inside
+_DISTANCE = re.compile(r"distance\(\s*(\w+)\s*,\s*(\w+)\s*\)$")
+_SHARE = 1e-3  # of a direction's length: step of differences of an axle's closed formulas
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """A target in SI: the values of ``quantity`` at ``poses`` (k, 3: travel m, rack m, roll rad), along one of them.
+
+    ``low`` and ``high`` (n,) bound what is wanted, and are the same where it is a value; n is 1 for a slope, else k.
+    """
+
+    text: KinematicTarget
+    quantity: str
+    unit: str
+    poses: Array
+    along: str
+    low: Array
+    high: Array
+    tolerance: float
+
+    @property
+    def at(self) -> Array:
+        """Values of what the curve runs along, SI, shape (k,)."""
+        return self.poses[:, _POSES.index(self.along)]
+
+    @property
+    def weights(self) -> Array:
+        """What makes wanted values of those at the poses, shape (n, k): none, or the slope of a straight line."""
+        if not self.text.slope:
+            return np.eye(len(self.poses))
+        away = self.at - self.at.mean()
+        return (away / (away @ away))[None, :]
+
+    @property
+    def is_met_by(self) -> Any:
+        """Tells of values (n,) whether all are within the tolerance."""
+        return lambda values: bool(np.all(np.abs(self.off(values)) <= self.tolerance * (1.0 + 1e-9)))
+
+    def off(self, values: Array) -> Array:
+        """How far values (n,) are above (positive) or below what is wanted, SI."""
+        return np.asarray(np.where(values > self.high, values - self.high, np.minimum(values - self.low, 0.0)))
+
+
+# reading --------------------------------------------------------------------------------------------------------------
+
+
+def read_targets(rig: Corner, targets: Sequence[KinematicTarget], vehicle: AxleLayout | None) -> list[Wanted]:
+    """Read the targets of a study into SI; what cannot be asked of this rig is refused, with its place."""
+    return [_read(rig, target, vehicle, f"target[{i}]") for i, target in enumerate(targets)]
+
+
+def _read(rig: Corner, target: KinematicTarget, vehicle: AxleLayout | None, where: str) -> Wanted:
+    poses, along = _poses(rig, target, where)
+    unit = quantity_unit(rig, target.quantity, along if _is_of_axle(target, along) else "", vehicle, where)
+    if target.slope:
+        unit = {"1": f"1/{_UNITS[along]}"}.get(unit, f"{unit}/{_UNITS[along]}")
+    count = 1 if target.slope else len(poses)
+
+    def read(name: str) -> Array:
+        value = getattr(target, name)
+        if value is None:
+            return np.full(count, -np.inf if name == "at_least" else np.inf)
+        return np.full(count, to_si(value, unit, where=f"{where}.{name}"))
+
+    if target.values is not None:
+        if len(target.values) != count:
+            raise DescriptionError(
+                "not one value a pose", where=f"{where}.values", found=len(target.values), allowed=str(count)
+            )
+        low = np.array([to_si(value, unit, where=f"{where}.values[{i}]") for i, value in enumerate(target.values)])
+        high = low
+    elif target.value is not None:
+        low = high = read("value")
+    else:
+        low, high = read("at_least"), read("at_most")
+        if np.any(low > high):
+            raise DescriptionError("at_least lies above at_most", where=where, found=f"{target.at_least}")
+    tolerance = positive_si(target.tolerance, unit, where=f"{where}.tolerance")
+    return Wanted(target, target.quantity, unit, poses, along, low, high, tolerance)
+
+
+def _poses(rig: Corner, target: KinematicTarget, where: str) -> tuple[Array, str]:
+    """Poses of a target, shape (k, 3), and what they run along."""
+    fixed = {"travel": 0.0, "rack": float(getattr(getattr(rig, "steering", None), "rack_travel", 0.0)), "roll": 0.0}
+    along, values = target.along or "travel", np.zeros(1)
+    if target.over is not None:
+        along = target.along or ("roll" if _is_angle(target.over) else "travel")
+        over = list(target.over) if isinstance(target.over, tuple) else target.over
+        values = sweep_values(over, f"{where}.over", _UNITS[along])
+        if target.slope and len(values) < 2:
+            raise DescriptionError("a slope needs two poses at least", where=f"{where}.over", found=len(values))
+    elif isinstance(target.at, dict):
+        for name, value in target.at.items():
+            fixed[name] = float(sweep_values([value], f"{where}.at.{name}", _UNITS[name])[0])
+        along = target.along or next((name for name in ("roll", "rack") if fixed[name]), "travel")
+        values = np.array([fixed[along]])
+    elif target.at is not None:
+        along = target.along or ("roll" if _is_angle(target.at) else "travel")
+        values = sweep_values([target.at], f"{where}.at", _UNITS[along])
+    else:
+        values = np.array([fixed[along]])
+    if (along == "rack" or fixed["rack"]) and not has_rack(rig):
+        raise DescriptionError("no rack moves this wheel", where=where, found=f"along the rack: {target.quantity}")
+    if along == "roll" and fixed["travel"]:
+        raise DescriptionError("a rolled axle sets the wheel travel itself", where=f"{where}.at")
+    poses = np.tile([fixed[name] for name in _POSES], (len(values), 1))
+    poses[:, _POSES.index(along)] = values
+    return poses, along
+
+
+def _is_angle(value: object) -> bool:
+    texts = [value] if isinstance(value, str) else value if isinstance(value, (list, tuple)) else []
+    first = next((item for item in texts if isinstance(item, str)), "")
+    words = re.findall(r"[A-Za-z°]+", re.sub(r"(?<=\d)[eE](?=[-+\d])", "", first))
+    return bool(words) and words[0] in ("deg", "rad", "mrad", "degree", "degrees", "radian", "arcmin", "°")
+
+
+def _is_of_axle(target: KinematicTarget, along: str) -> bool:
+    return along == "roll" or target.quantity in _STEERED
+
+
+_STEERED = {
+    "ackermann": "1",
+    "ideal_outer_steer": "rad",
+    "ackermann_error": "rad",
+    "turning_radius": "m",
+    "turn_diameter_kerbs": "m",
+    "turn_diameter_walls": "m",
+    "mean_steer": "rad",
+    "steer_difference": "rad",
+}
+_WITHOUT_VEHICLE = ("mean_steer", "steer_difference")
+_ROLLED = {"track": "m", "roll_centre_height": "m", "roll_centre_y": "m", "roll_moment": "N*m"}
+_EACH = {"camber_to_ground": "rad", "roll_steer": "1", "roll_camber": "1"}
+
+
+def quantity_unit(rig: Corner, name: str, along: str, vehicle: AxleLayout | None, where: str) -> str:
+    """SI unit of a quantity that a target may have; an unknown one is refused."""
+    rows = {row.name: row.unit for row in kinematic_model(rig).rows}
+    known = dict(rows)
+    if vehicle is not None:
+        known |= dict.fromkeys(("anti_dive",) if vehicle.axle == "front" else ("anti_lift", "anti_squat"), "1")
+    points = _DISTANCE.match(name)
+    if points:
+        for point in points.groups():
+            if point not in rig.hardpoints.given():
+                raise unknown(point, rig.hardpoints.given(), what="hardpoint", where=f"{where}.quantity")
+        return "m"
+    if along == "roll":
+        both = {f"{side}.{row}": unit for side in ("left", "right") for row, unit in {**rows, **_EACH}.items()}
+        known = {**_ROLLED, **both}
+    elif has_rack(rig):
+        known |= _STEERED
+        if vehicle is None and name in _STEERED and name not in _WITHOUT_VEHICLE:
+            raise DescriptionError(
+                "needs the car around the axle",
+                where=f"{where}.quantity",
+                found=name,
+                allowed="a table [vehicle] with axle, wheelbase, centre_of_mass_height, brake_share",
+            )
+    if name not in known:
+        if name in ("anti_dive", "anti_lift", "anti_squat"):
+            hint = "It needs a table [vehicle] of that axle."
+            raise DescriptionError("not known without the car", where=f"{where}.quantity", found=name, hint=hint)
+        raise unknown(name, known, what="quantity", where=f"{where}.quantity")
+    return known[name]
+
+
+# values ---------------------------------------------------------------------------------------------------------------
+
+
+@dataclass
+class _CornerPoses:
+    """A grid of travel and rack of one corner, and what targets read from it."""
+
+    sweep: PreparedSweep
+    tangents: Tangents
+    place: Array = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.place = np.argsort(self.sweep.layout.place)
+
+
+class Evaluator:
+    """Values of all targets for the numbers of a rig, and their slopes along ``directions`` (parameters, n).
+
+    ``lengths`` (n,) are how far each direction may go; ``evaluations`` counts.
+    """
+
+    def __init__(
+        self, rig: Corner, wanted: Sequence[Wanted], directions: Array, lengths: Array, vehicle: AxleLayout | None
+    ) -> None:
+        self.rig, self.wanted, self.vehicle = rig, list(wanted), vehicle
+        self.model: KinematicModel = kinematic_model(rig)
+        self.names = {row.name: i for i, row in enumerate(self.model.rows)}
+        self.directions, self.lengths, self.evaluations = directions, lengths, 0
+        self._padded = np.vstack([np.zeros((len(self.model.tracks), directions.shape[1])), directions])
+        self._grids: dict[tuple[str, float], _CornerPoses] = {}
+        for key in dict.fromkeys(self._key(item) for item in wanted if self._kind(item) == "corner"):
+            self._grids[key] = self._grid(key)
+
+    @property
+    def numbers(self) -> Array:
+        """Numbers of the description, in the order of the model's parameters."""
+        return self.model.parameter_values(self.rig)
+
+    def at(self, numbers: Array, *, slopes: bool = True) -> tuple[list[Array], list[Array]]:
+        """Values of each target (n,), NaN where a pose is out of reach, and slopes (n, directions), when wanted."""
+        self.evaluations += 1
+        for grid in self._grids.values():
+            grid.sweep.walk.p[:] = numbers
+            grid.sweep.run()
+        moved = {key: grid.tangents.run() if slopes else None for key, grid in self._grids.items()}
+        axles: dict[tuple[str, float], Any] = {}
+        values, along = [], []
+        for item in self.wanted:
+            kind = self._kind(item)
+            if kind == "corner":
+                one, slope = self._of_corner(item, moved[self._key(item)])
+            elif kind == "distance":
+                one, slope = self._distance(item, numbers)
+            else:
+                one, slope = self._of_axle(item, kind, numbers, axles, slopes=slopes)
+            values.append(item.weights @ one)
+            along.append(item.weights @ slope if slope is not None else np.zeros((0, 0)))
+        return values, along
+
+    def unreached(self) -> list[str]:
+        """Where the last poses ended, in words."""
+        return [
+            str(end)
+            for grid in self._grids.values()
+            if np.any(grid.sweep.found.outcome != REACHED)
+            for end in grid.sweep.ends()[:1]
+        ]
+
+    # corners -------------------------------------------------------------------------------------------------------
+
+    @staticmethod
+    def _kind(item: Wanted) -> str:
+        if _DISTANCE.match(item.quantity):
+            return "distance"
+        if item.along == "roll":
+            return "roll"
+        return "steering" if item.quantity in _STEERED else "corner"
+
+    @staticmethod
+    def _key(item: Wanted) -> tuple[str, float]:
+        return ("rack", float(item.poses[0, 0])) if item.along == "rack" else ("travel", float(item.poses[0, 1]))
+
+    def _grid(self, key: tuple[str, float]) -> _CornerPoses:
+        mine = [item for item in self.wanted if self._kind(item) == "corner" and self._key(item) == key]
+        swept = np.unique(np.concatenate([item.at for item in mine]))
+        sweep = prepare_sweep(self.rig, *((key[1], swept) if key[0] == "rack" else (swept, key[1])))
+        return _CornerPoses(sweep, Tangents(sweep, self._padded))
+
+    def _of_corner(self, item: Wanted, moved: Array | None) -> tuple[Array, Array | None]:
+        grid = self._grids[self._key(item)]
+        axis = 1 if item.along == "rack" else 0
+        swept = np.unique(grid.sweep.layout.targets[:, axis])
+        i = grid.place[np.searchsorted(swept, item.at)]
+        found = grid.sweep.found
+        outputs = np.where(found.outcome == REACHED, found.outputs, np.nan)
+        if item.quantity in self.names:
+            row = self.names[item.quantity]
+            return outputs[row, i], None if moved is None else moved[row][:, i].T
+        assert self.vehicle is not None
+        contact, centre = (self.names[name] for name in ("contact_patch_recession", "wheel_centre_longitudinal_slope"))
+        value = shares(self.vehicle, outputs[contact, i], outputs[centre, i])[item.quantity]
+        if moved is None:
+            return value, None
+        return value, shares(self.vehicle, moved[contact][:, i].T, moved[centre][:, i].T)[item.quantity]
+
+    def _distance(self, item: Wanted, numbers: Array) -> tuple[Array, Array]:
+        """Distance of two hardpoints at design."""
+        match = _DISTANCE.match(item.quantity)
+        assert match is not None
+        paths = [[f"hardpoints.{name}[{i}]" for i in range(3)] for name in match.groups()]
+        known = self.rig.parameters()
+        index = {path: i for i, path in enumerate(self.model.parameters)}
+
+        def place(path: str) -> float:
+            return float(numbers[index[path]]) if path in index else known[path]
+
+        def slope(path: str) -> Array:
+            return self.directions[index[path]] if path in index else np.zeros(self.directions.shape[1])
+
+        away = np.array([place(a) - place(b) for a, b in zip(*paths, strict=True)])
+        length = float(np.linalg.norm(away))
+        moves = np.array([slope(a) - slope(b) for a, b in zip(*paths, strict=True)])
+        count = len(item.poses)
+        return np.full(count, length), np.tile(away @ moves / length, (count, 1))
+
+    # axles ---------------------------------------------------------------------------------------------------------
+
+    def _of_axle(
+        self, item: Wanted, kind: str, numbers: Array, known: dict[tuple[str, float], Any], *, slopes: bool
+    ) -> tuple[Array, Array | None]:
+        key = (kind, float(item.poses[0, 0 if kind == "steering" else 1]))
+        if key not in known:
+            mine = [one for one in self.wanted if self._kind(one) == kind and _fixed(one, kind) == key[1]]
+            names = {one.quantity for one in mine}
+            at = np.unique(np.concatenate([_swept(one, kind) for one in mine]))
+            known[key] = at, (self._steered if kind == "steering" else self._rolled)(numbers, at, key[1], names, slopes)
+        at, (values, moved) = known[key]
+        i = np.searchsorted(at, _swept(item, kind))
+        return values[item.quantity][i], moved[item.quantity][:, i].T if slopes else None
+
+    def _steered(
+        self, numbers: Array, racks: Array, travel: float, names: set[str], slopes: bool
+    ) -> tuple[dict[str, Array], dict[str, Array]]:
+        axle = Axle(self.rig, numbers, self._padded if slopes else None)
+        left, right = (axle.wheel(side, travel, racks) for side in (1.0, -1.0))
+
+        def rows(one: WheelRows, other: WheelRows, numbers: Array) -> dict[str, Array]:
+            found = steering_rows(Axle(self.rig, numbers), one, other, racks, self.vehicle).values
+            return {name: found[name] for name in names}
+
+        values = rows(left, right, numbers)
+        if not slopes:
+            return values, {}
+        return values, self._along(lambda a, b, p, _: rows(a, b, p), axle, left, right, numbers, 0.0)
+
+    def _rolled(
+        self, numbers: Array, roll: Array, rack: float, names: set[str], slopes: bool
+    ) -> tuple[dict[str, Array], dict[str, Array]]:
+        rising = np.eye(len(self._padded))[:, :1]  # travel alone
+        axle = Axle(self.rig, numbers, np.hstack([self._padded, rising]) if slopes else None)
+        left, right = axle.level(roll, rack)
+
+        def rows(one: WheelRows, other: WheelRows, numbers: Array, roll: Array) -> dict[str, Array]:
+            sides = Ground(one, roll, 1.0), Ground(other, roll, -1.0)
+            found = roll_rows(Axle(self.rig, numbers), *sides, np.zeros_like(roll)).values
+            return {name: found[name] for name in names}
+
+        values = rows(left.wheel, right.wheel, numbers, roll)
+        if not slopes:
+            return values, {}
+        # the travel at which both wheels stand on the road changes, too: by what closes the difference of heights
+        heights = self._along(
+            lambda a, b, _, at: {"off": Ground(a, at, 1.0).height - Ground(b, at, -1.0).height},
+            axle,
+            left.wheel,
+            right.wheel,
+            numbers,
+            roll,
+        )["off"]
+        away = heights / (left.height_by_travel + right.height_by_travel)
+        for side in (1.0, -1.0):
+            axle.slopes[side] = {
+                name: slope[:-1] - side * away * slope[-1] for name, slope in axle.slopes[side].items()
+            }
+        return values, self._along(rows, axle, left.wheel, right.wheel, numbers, roll)
+
+    def _along(
+        self, rows: Any, axle: Axle, left: WheelRows, right: WheelRows, numbers: Array, roll: Any
+    ) -> dict[str, Array]:
+        """Slopes of closed formulas of both wheels' rows along each direction, by differences along exact slopes."""
+        found: dict[str, list[Array]] = {}
+        for k, length in enumerate(self.lengths):
+            step = _SHARE * length
+            ends = []
+            for sign in (1.0, -1.0):
+                wheels = [
+                    WheelRows(
+                        {name: value + sign * step * axle.slopes[side][name][k] for name, value in wheel.rows.items()},
+                        wheel.radius + sign * step * self._radius_slope(k),
+                    )
+                    for side, wheel in ((1.0, left), (-1.0, right))
+                ]
+                ends.append(rows(*wheels, numbers + sign * step * self.directions[:, k], roll))
+            for name in ends[0]:
+                found.setdefault(name, []).append((ends[0][name] - ends[1][name]) / (2.0 * step))
+        return {name: np.array(slopes) for name, slopes in found.items()}
+
+    def _radius_slope(self, k: int) -> float:
+        index = self.model.parameters.index("wheel.radius") if "wheel.radius" in self.model.parameters else None
+        return 0.0 if index is None else float(self.directions[index, k])
+
+
+def _swept(item: Wanted, kind: str) -> Array:
+    """Roll angles (rad) or rack travels (m) of a target of an axle."""
+    return item.poses[:, 1 if kind == "steering" else 2]
+
+
+def _fixed(item: Wanted, kind: str) -> float:
+    return float(item.poses[0, 0 if kind == "steering" else 1])
+
+
+def shown_in(value: float, unit: str, si: str) -> float:
+    """A value in another unit than SI."""
+    return value / conversion_factor(unit, si)

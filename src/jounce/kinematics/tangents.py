@@ -1,0 +1,44 @@
+"""Slopes of every row of the catalogue along changes of the description: exact, at all poses of a sweep at once."""
+
+from __future__ import annotations
+
+import ctypes
+from functools import cached_property
+
+import numpy as np
+
+from jounce.core.types import Array
+from jounce.kernel.poses import REACHED
+from jounce.kinematics.sweeps import PreparedSweep
+
+_MANY = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5, *[ctypes.c_int64] * 3)
+
+
+class Tangents:
+    """Slopes at the poses of a sweep, whose last run they belong to.
+
+    ``directions`` (tracks and parameters, n) holds in each column how travel and rack (m) and the numbers of the
+    model's ``parameters`` change; the loops stay closed.
+    """
+
+    def __init__(self, sweep: PreparedSweep, directions: Array) -> None:
+        self.sweep = sweep
+        self.count, self.poses = directions.shape[1], len(sweep.layout.place)
+        size = len(sweep.walk.start)
+        self._states = np.empty((size + len(directions), self.count, self.poses))
+        self._states[size:] = directions[:, :, None]
+        self._out = np.empty((len(sweep.model.rows), self.count, self.poses))
+
+    @cached_property
+    def _evaluate(self) -> ctypes._FuncPointer:
+        return _MANY(self.sweep.model.tangents.address["output"])
+
+    def run(self) -> Array:
+        """Compute the slopes, shape (rows, directions, targets of the walk), NaN where a pose is out of reach."""
+        found, walk = self.sweep.found, self.sweep.walk
+        size, samples = len(walk.start), self.count * self.poses
+        self._states[:size] = found.poses[:, None, :]
+        inputs = np.ascontiguousarray(np.tile(found.inputs, (1, self.count)))
+        arrays = (self._states, inputs, walk.p, np.zeros(1), self._out)
+        self._evaluate(*(array.__array_interface__["data"][0] for array in arrays), samples, 0, samples)
+        return np.where(found.outcome == REACHED, self._out, np.nan)

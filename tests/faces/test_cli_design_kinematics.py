@@ -1,0 +1,137 @@
+"""``jounce design kinematics``: a study file to a rig, results, tables and pictures, and what one can get wrong."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.parts import library
+
+HEAD = 'schema = "jounce.design/1"\nrig = "formula-student-front"\n'
+FREE = '[[free]]\npoint = "hardpoints.tie_rod_inner"\nwithin = "15 mm"\n'
+CURVE = '[[target]]\nquantity = "toe"\nover = "-30 mm:30 mm:5 mm"\nvalue = "0 deg"\ntolerance = "0.03 deg"\n'
+GAIN = '[[target]]\nquantity = "camber_gain"\nvalue = "-25 deg/m"\ntolerance = "0.2 deg/m"\n'
+
+
+@pytest.fixture
+def study(tmp_path: Path):
+    def write(text: str) -> Path:
+        file = tmp_path / "study.toml"
+        file.write_text(text, encoding="utf-8")
+        return file
+
+    return write
+
+
+def test_targets_that_can_be_met(cli, study, tmp_path: Path) -> None:
+    outcome = cli("design", "kinematics", study(HEAD + FREE + CURVE), "--out", "out")
+    assert outcome.exit_code == 0, outcome.err
+    results = json.loads((tmp_path / "out" / "results.json").read_text(encoding="utf-8"))
+    assert set(results) == {"met", "targets", "moved", "starts", "evaluations"}
+    assert results["met"] is True
+    (target,) = results["targets"]
+    assert {"quantity", "before", "after", "wanted", "tolerance", "met"} <= set(target)
+    assert np.max(np.abs(target["after"])) <= np.radians(0.03)
+    assert np.max(np.abs(target["before"])) > np.radians(0.03)
+    assert set(results["moved"]) == {f"hardpoints.tie_rod_inner[{i}]" for i in range(3)}
+    assert len(results["starts"]) == 8
+    assert results["evaluations"] > 8
+    rig = jn.load(tmp_path / "out" / "rig.toml")
+    for path, change in results["moved"].items():
+        assert rig.parameters()[path] == change["after"]
+        assert abs(change["after"] - change["before"]) <= 0.015 + 1e-9
+    swept = jn.sweep_travel(rig, "-30 mm:30 mm:5 mm")["toe"].to_numpy()
+    assert swept == pytest.approx(np.array(target["after"]), abs=1e-12)
+    text = (tmp_path / "out" / "rig.toml").read_text(encoding="utf-8")
+    before = library()["formula-student-front"].read_text(encoding="utf-8")
+    changed = [line for line in text.splitlines() if line not in before.splitlines()]
+    assert len(changed) == 1
+    assert changed[0].startswith("tie_rod_inner = [")
+    assert "# on the rocker" in text
+    for name in ("targets.csv", "sensitivity.csv", "targets.png", "sensitivity.png"):
+        assert (tmp_path / "out" / name).stat().st_size > 200
+
+
+def test_targets_that_contradict_each_other(cli, study, tmp_path: Path) -> None:
+    other = GAIN.replace("-25", "-30")
+    free = FREE.replace("tie_rod_inner", "upper_arm_front")
+    outcome = cli("design", "kinematics", study(HEAD + free + GAIN + other), "--out", "out", "--json")
+    assert outcome.exit_code == 1
+    assert outcome.json["met"] is False
+    assert any(fight["missed"] == 0 and fight["other"] == 1 for fight in outcome.json["fights"])
+    assert (tmp_path / "out" / "rig.toml").is_file()
+    assert json.loads((tmp_path / "out" / "results.json").read_text(encoding="utf-8"))["met"] is False
+
+
+def test_the_rig_may_lie_beside_the_study(cli, study, tmp_path: Path) -> None:
+    rig = jn.load("formula-student-front").with_changes({"hardpoints.tie_rod_inner[2]": "150 mm"})
+    jn.save(rig, tmp_path / "mine.toml", like="formula-student-front")
+    outcome = cli("design", "kinematics", study((HEAD + FREE + CURVE).replace("formula-student-front", "mine.toml")))
+    assert outcome.exit_code == 0
+    assert "150" in outcome.out
+
+
+def test_nothing_is_overwritten(cli, study, tmp_path: Path) -> None:
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "results.json").write_text("mine", encoding="utf-8")
+    outcome = cli("design", "kinematics", study(HEAD + FREE + CURVE), "--out", "out")
+    assert outcome.exit_code == 2
+    assert (tmp_path / "out" / "results.json").read_text(encoding="utf-8") == "mine"
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == ["results.json"]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (HEAD + FREE + CURVE.replace("toe", "tow"), ["target[0].quantity", "unknown quantity 'tow'", "'toe'"]),
+        (HEAD + FREE.replace("tie_rod_inner", "tie_rod_iner") + CURVE, ["free[0].point", "no such parameter"]),
+        (HEAD + FREE.replace("hardpoints.tie_rod_inner", "bodies.upright.mass") + CURVE, ["does nothing"]),
+        (HEAD + FREE.replace("tie_rod_inner", "strut_top") + CURVE, ["does nothing", "strut_top"]),
+        (HEAD + FREE + FREE + CURVE, ["free twice", "hardpoints.tie_rod_inner[0]"]),
+        (HEAD + FREE.replace("15 mm", "15 kg") + CURVE, ["free[0].within", "kg"]),
+        (HEAD + FREE.replace('"15 mm"', "15") + CURVE, ["15 m", "metres"]),
+        (HEAD + FREE.replace("15 mm", "0 mm") + CURVE, ["free[0].within"]),
+        (HEAD + FREE.replace('within = "15 mm"', 'box = [["0 mm", "0 mm"], ["1 mm", "1 mm"]]') + CURVE, ["box"]),
+        (
+            HEAD + FREE.replace("inner", "inner[2]").replace('within = "15 mm"', 'box = ["150 mm", "140 mm"]') + CURVE,
+            ["the box is empty"],
+        ),
+        (HEAD + FREE.replace('within = "15 mm"', "") + CURVE, ["within"]),
+        (HEAD + FREE + CURVE.replace("-30 mm:30 mm:5 mm", "-20:20:2"), ["20 m", "metres", "mm"]),
+        (HEAD + FREE + CURVE.replace("-30 mm:30 mm", "-300 mm:300 mm"), ["cannot reach", "end of its travel"]),
+        (HEAD + FREE + CURVE.replace("0.03 deg", "0 deg"), ["target[0].tolerance"]),
+        (HEAD + FREE + CURVE.replace("0.03 deg", "0.03 mm"), ["target[0].tolerance", "mm"]),
+        (HEAD + FREE + CURVE.replace('value = "0 deg"', ""), ["value"]),
+        (HEAD + FREE + GAIN.replace("camber_gain", "anti_dive"), ["anti_dive", "vehicle"]),
+        (HEAD + FREE + GAIN.replace("camber_gain", "ackermann"), ["ackermann", "vehicle"]),
+        (HEAD + FREE, ["target"]),
+        (HEAD + CURVE, ["free"]),
+        (HEAD.replace("front", "frnt") + FREE + CURVE, ["formula-student-frnt"]),
+        (HEAD.replace("formula-student-front", "kart-quarter-car") + FREE + CURVE, ["no kinematics"]),
+        (HEAD.replace("design/1", "rig/1") + FREE + CURVE, ["schema"]),
+        (HEAD + FREE + CURVE + "tolerence = 1\n", ["tolerence"]),
+    ],
+)
+def test_what_cannot_be_asked_is_one_clear_message(cli, study, tmp_path: Path, text: str, words: list[str]) -> None:
+    outcome = cli("design", "kinematics", study(text), "--out", "out")
+    assert outcome.exit_code == 2, outcome.out
+    assert outcome.err.count("\n") <= 2
+    for word in words:
+        assert word in outcome.err, outcome.err
+    assert not (tmp_path / "out").exists()
+
+
+def test_boxes_without_a_mechanism_are_refused(cli, study) -> None:
+    """Arms as long as 30 mm cannot follow a wheel over 60 mm."""
+    box = 'box = [["-5 mm", "535 mm", "320 mm"], ["5 mm", "540 mm", "322 mm"]]'
+    far = 'box = [["100 mm", "530 mm", "325 mm"], ["101 mm", "531 mm", "326 mm"]]'
+    free = "".join(
+        f'[[free]]\npoint = "hardpoints.upper_arm_{end}"\n{place}\n' for end, place in (("front", far), ("rear", box))
+    )
+    outcome = cli("design", "kinematics", study(HEAD + free + CURVE))
+    assert outcome.exit_code == 2
+    assert "no mechanism within the boxes" in outcome.err

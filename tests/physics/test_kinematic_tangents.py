@@ -1,0 +1,107 @@
+"""Slopes along hardpoints: exact for every row of the catalogue, against differences of whole sweeps."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.design.kinematic_study import KinematicTarget
+from jounce.design.kinematic_targets import Evaluator, read_targets
+from jounce.kinematics.model import kinematic_model
+from jounce.kinematics.sweeps import prepare_sweep
+from jounce.kinematics.tangents import Tangents
+
+RIGS = (
+    "reference-double-wishbone",
+    "formula-student-front",
+    "generic-mcpherson",
+    "sedan-multi-link",
+    "semi-trailing-arm",
+)
+STEP = 2e-6
+
+
+@pytest.mark.parametrize("name", RIGS)
+def test_slopes_of_every_row_along_every_hardpoint(name: str) -> None:
+    rig = jn.load(name)
+    model = kinematic_model(rig)
+    sweep = prepare_sweep(rig, [-0.02, 0.0, 0.015], 0.004 if len(model.tracks) > 1 else None)
+    points = [i for i, path in enumerate(model.parameters) if path.startswith(("hardpoints.", "wheel."))]
+    directions = np.zeros((len(model.tracks) + len(model.parameters), len(points)))
+    for j, i in enumerate(points):
+        directions[len(model.tracks) + i, j] = 1.0
+    sweep.run()
+    exact = Tangents(sweep, directions).run()
+    numbers = sweep.walk.p.copy()
+    outputs = sweep.found.outputs.copy()
+    largest = np.max(np.abs(exact), axis=(1, 2)) + 1e-6 * np.max(np.abs(outputs), axis=1) / 1e-3
+    for j, i in enumerate(points):
+        ends = []
+        for sign in (1.0, -1.0):
+            sweep.walk.p[:] = numbers
+            sweep.walk.p[i] += sign * STEP
+            sweep.run()
+            ends.append(sweep.found.outputs.copy())
+        difference = (ends[0] - ends[1]) / (2.0 * STEP)
+        error = np.max(np.abs(difference - exact[:, j]), axis=1) / np.maximum(largest, 1e-6)
+        worst = int(np.argmax(error))
+        assert error[worst] < 2e-5, (model.parameters[i], model.rows[worst].name)
+
+
+def test_slopes_along_travel_and_rack() -> None:
+    rig = jn.load("formula-student-front")
+    model = kinematic_model(rig)
+    sweep = prepare_sweep(rig, [0.01], 0.003)
+    sweep.run()
+    found = Tangents(sweep, np.eye(2 + len(model.parameters))[:, :2]).run()[:, :, 0]
+    rows = [row.name for row in model.rows]
+    values = dict(zip(rows, sweep.found.outputs[:, 0], strict=True))
+    assert found[rows.index("camber"), 0] == pytest.approx(values["camber_gain"], rel=1e-10)
+    assert found[rows.index("spring_length"), 0] == pytest.approx(-values["motion_ratio"], rel=1e-10)
+    assert found[rows.index("steer"), 1] == pytest.approx(values["steer_gain"], rel=1e-10)
+    assert found[rows.index("wheel_centre_z")] == pytest.approx([1.0, 0.0], abs=1e-10)
+
+
+@pytest.mark.parametrize(
+    "target",
+    [
+        {"quantity": "roll_centre_height", "over": "-2 deg:2 deg:1 deg", "at_least": 0.0, "tolerance": "1 mm"},
+        {"quantity": "right.camber_to_ground", "over": "-2 deg:2 deg:1 deg", "at_least": 0.0, "tolerance": "1 deg"},
+        {"quantity": "left.roll_steer", "at": "1.5 deg", "at_least": 0.0, "tolerance": 0.1},
+        {"quantity": "track", "over": "-2 deg:2 deg:1 deg", "at_least": 0.0, "tolerance": "1 mm"},
+        {"quantity": "ackermann", "at": {"rack": "15 mm"}, "at_least": 0.0, "tolerance": 0.1},
+        {"quantity": "turn_diameter_kerbs", "at": {"rack": "15 mm"}, "at_least": 0.0, "tolerance": 0.1},
+        {"quantity": "anti_dive", "over": "-20 mm:20 mm:20 mm", "at_least": 0.0, "tolerance": 0.1},
+        {"quantity": "distance(tie_rod_inner, tie_rod_outer)", "at_least": 0.0, "tolerance": "1 mm"},
+        {
+            "quantity": "roll_centre_height",
+            "over": "-20 mm:20 mm:10 mm",
+            "value": 0.0,
+            "tolerance": 0.1,
+            "slope": True,
+        },
+        {"quantity": "steer", "over": "-10 mm:10 mm:5 mm", "along": "rack", "value": 0.0, "tolerance": 0.1},
+    ],
+    ids=lambda target: target["quantity"],
+)
+def test_slopes_of_targets_are_those_of_their_values(target: dict) -> None:
+    rig = jn.load("formula-student-front")
+    car = jn.AxleLayout(axle="front", wheelbase=1.55, centre_of_mass_height=0.3, brake_share=0.6)
+    wanted = read_targets(rig, [KinematicTarget(**target)], car)
+    model = kinematic_model(rig)
+    paths = ["hardpoints.tie_rod_inner[2]", "hardpoints.upper_ball_joint[1]", "hardpoints.wheel_centre[0]"]
+    paths += ["hardpoints.lower_arm_front[2]", "wheel.radius"]
+    directions = np.zeros((len(model.parameters), len(paths)))
+    for j, path in enumerate(paths):
+        directions[model.parameters.index(path), j] = 1.0
+    evaluator = Evaluator(rig, wanted, directions, np.full(len(paths), 0.01), car)
+    numbers = evaluator.numbers
+    _, slopes = evaluator.at(numbers)
+    assert np.max(np.abs(slopes[0])) > 0.0
+    step = 2e-5
+    for j in range(len(paths)):
+        ends = [evaluator.at(numbers + sign * step * directions[:, j], slopes=False)[0][0] for sign in (1.0, -1.0)]
+        difference = (ends[0] - ends[1]) / (2.0 * step)
+        scale = np.max(np.abs(slopes[0])) + 1e-9
+        assert slopes[0][:, j] / scale == pytest.approx(difference / scale, abs=2e-6), paths[j]

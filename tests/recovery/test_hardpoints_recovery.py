@@ -1,0 +1,127 @@
+"""Curves of a rig whose points were moved: the search finds points that give them, from where they were before."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import jounce as jn
+
+TRAVEL = "-30 mm:30 mm:10 mm"
+MOVED = {
+    "hardpoints.tie_rod_inner[2]": 0.004,
+    "hardpoints.upper_arm_front[2]": -0.006,
+    "hardpoints.upper_arm_rear[2]": 0.005,
+    "hardpoints.upper_ball_joint[1]": -0.004,
+    "hardpoints.pushrod_inner[2]": 0.005,
+}
+CURVES = {
+    "toe": "0.001 deg",
+    "camber": "0.001 deg",
+    "roll_centre_height": "0.02 mm",
+    "motion_ratio": 1e-4,
+    "caster": "0.002 deg",
+}
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_curves_that_a_rig_can_make_are_found_and_so_are_their_points(seed: int) -> None:
+    rig = jn.load("formula-student-front")
+    before = rig.parameters()
+    truth = rig.with_changes({path: before[path] + shift for path, shift in MOVED.items()})
+    swept = jn.sweep_travel(truth, TRAVEL)
+    targets = [
+        {"quantity": name, "over": TRAVEL, "values": swept[name].to_numpy().tolist(), "tolerance": tolerance}
+        for name, tolerance in CURVES.items()
+    ]
+    found = jn.design_kinematics(rig, dict.fromkeys(MOVED, "15 mm"), targets, starts=4, seed=seed)
+    assert found.met
+    assert all(start.met for start in found.starts)
+    for path in MOVED:  # five numbers, five curves of seven poses: nothing is left open
+        assert found.rig.parameters()[path] == pytest.approx(truth.parameters()[path], abs=2e-5), path
+    again = jn.sweep_travel(found.rig, TRAVEL)
+    assert float(np.max(np.abs(again["toe"] - swept["toe"]))) <= np.radians(0.001) * (1.0 + 1e-6)
+
+
+def test_thirty_coordinates_of_a_push_rod_wishbone_meet_forty_targets() -> None:
+    rig = jn.load("formula-student-front")
+    random = np.random.default_rng(3)
+    names = ("upper_arm_front", "upper_arm_rear", "lower_arm_front", "lower_arm_rear", "upper_ball_joint")
+    names += ("lower_ball_joint", "tie_rod_inner", "tie_rod_outer", "pushrod_inner", "pushrod_outer")
+    before = rig.parameters()
+    truth = rig.with_changes(
+        {
+            f"hardpoints.{n}[{i}]": before[f"hardpoints.{n}[{i}]"] + random.uniform(-6e-3, 6e-3)
+            for n in names
+            for i in range(3)
+        }
+    )
+    quantities = {"toe": "0.005 deg", "camber": "0.02 deg", "roll_centre_height": "0.5 mm", "motion_ratio": 0.002}
+    quantities |= {"caster": "0.05 deg", "scrub_radius": "0.5 mm", "caster_trail": "0.5 mm", "camber_gain": "0.2 deg/m"}
+    targets = []
+    for travel in (-0.02, -0.01, 0.0, 0.01, 0.02):
+        swept = jn.sweep_travel(truth, travel)
+        targets += [
+            {"quantity": name, "at": travel, "value": float(swept[name][0]), "tolerance": tolerance}
+            for name, tolerance in quantities.items()
+        ]
+    assert len(targets) == 40
+    free = [{"point": f"hardpoints.{name}", "within": "10 mm"} for name in names]
+    found = jn.design_kinematics(rig, free, targets, starts=2)
+    assert found.met
+    assert found.starts[0].met
+
+
+def test_contradicting_targets_get_the_middle_and_are_named() -> None:
+    rig = jn.load("formula-student-front")
+    targets = [
+        {"quantity": "camber_gain", "value": value, "tolerance": "0.1 deg/m"} for value in ("-30 deg/m", "-34 deg/m")
+    ]
+    found = jn.design_kinematics(rig, {"hardpoints.upper_arm_front[2]": "20 mm"}, targets)
+    assert not found.met
+    assert [target.met for target in found.targets] == [False, False]
+    assert np.degrees(found.targets[0].after) == pytest.approx(-32.0, abs=1e-3)
+    assert {(fight.missed, fight.other) for fight in found.fights} == {(0, 1), (1, 0)}
+
+
+def test_all_are_met_where_the_compromise_would_miss_one() -> None:
+    """Three targets one tolerance and a half apart: the mean misses the odd one, the middle meets all."""
+    rig = jn.load("formula-student-front")
+    values = ("-32 deg/m", "-32 deg/m", "-32 deg/m", "-33.6 deg/m")
+    targets = [{"quantity": "camber_gain", "value": value, "tolerance": "1 deg/m"} for value in values]
+    found = jn.design_kinematics(rig, {"hardpoints.upper_arm_front[2]": "20 mm"}, targets)
+    assert found.met
+
+
+def test_what_the_targets_leave_open_stays_where_it_is() -> None:
+    rig = jn.load("formula-student-front")
+    free = {"hardpoints.tie_rod_inner[2]": "10 mm", "hardpoints.strut_top[0]": "10 mm"}
+    targets = [
+        {"quantity": "bump_steer", "value": "0 deg/m", "tolerance": "0.1 deg/m"},
+        {"quantity": "motion_ratio", "at_least": 0.1, "tolerance": 0.01},
+        {"quantity": "spring_length", "at_least": "50 mm", "tolerance": "1 mm"},
+    ]
+    found = jn.design_kinematics(rig, free, targets, starts=1)
+    assert found.met
+    assert abs(found.moved["hardpoints.strut_top[0]"].after - found.moved["hardpoints.strut_top[0]"].before) < 1e-6
+
+
+def test_a_point_on_a_line_and_points_tied_together() -> None:
+    rig = jn.load("formula-student-front")
+    free = [
+        {"point": "hardpoints.upper_arm_front", "along": [0, 1, 2], "within": "20 mm"},
+        {"point": "hardpoints.lower_arm_front[2]", "tied": ["hardpoints.lower_arm_rear[2]"], "within": "20 mm"},
+    ]
+    targets = [
+        {"quantity": "camber_gain", "value": "-35 deg/m", "tolerance": "0.1 deg/m"},
+        {"quantity": "roll_centre_height", "value": "33 mm", "tolerance": "0.1 mm"},
+    ]
+    found = jn.design_kinematics(rig, free, targets)
+    assert found.met
+    shift = {path: change.after - change.before for path, change in found.moved.items()}
+    assert shift["hardpoints.upper_arm_front[0]"] == pytest.approx(0.0, abs=1e-9)
+    assert shift["hardpoints.upper_arm_front[2]"] == pytest.approx(
+        2.0 * shift["hardpoints.upper_arm_front[1]"], abs=2e-9
+    )
+    assert shift["hardpoints.lower_arm_front[2]"] == pytest.approx(shift["hardpoints.lower_arm_rear[2]"], abs=2e-9)
+    assert abs(shift["hardpoints.lower_arm_front[2]"]) > 1e-4
