@@ -227,6 +227,7 @@ class Evaluator:
         self._grids: dict[tuple[str, float], _CornerPoses] = {}
         for key in dict.fromkeys(self._key(item) for item in wanted if self._kind(item) == "corner"):
             self._grids[key] = self._grid(key)
+        self._laid_out()
 
     @property
     def numbers(self) -> Array:
@@ -235,14 +236,26 @@ class Evaluator:
 
     def at(self, numbers: Array, *, slopes: bool = True) -> tuple[list[Array], list[Array]]:
         """Values of each target (n,), NaN where a pose is out of reach, and slopes (n, directions), when wanted."""
+        values, along = self.together(numbers, slopes=slopes)
+        return [values[part] for part in self.parts], [along[part] for part in self.parts if slopes]
+
+    def together(self, numbers: Array, *, slopes: bool = True) -> tuple[Array, Array]:
+        """Values of all targets one after the other, see ``parts``, and slopes (all, directions), when wanted."""
         self.evaluations += 1
-        for grid in self._grids.values():
+        count = self.parts[-1].stop
+        values, along = np.empty(count), np.empty((count if slopes else 0, self.directions.shape[1]))
+        moved: dict[tuple[str, float], Array | None] = {}
+        for key, grid in self._grids.items():
             grid.sweep.walk.p[:] = numbers
             grid.sweep.run()
-        moved = {key: grid.tangents.run() if slopes else None for key, grid in self._grids.items()}
+            found = moved[key] = grid.tangents.run() if slopes else None
+            into, rows, columns = self._plain[key]
+            reached = grid.sweep.found.outcome == REACHED
+            values[into] = np.where(reached[columns], grid.sweep.found.outputs[rows, columns], np.nan)
+            if found is not None:
+                along[into] = found[rows, :, columns]
         axles: dict[tuple[str, float], Any] = {}
-        values, along = [], []
-        for item in self.wanted:
+        for item, part in self._further:
             kind = self._kind(item)
             if kind == "corner":
                 one, slope = self._of_corner(item, moved[self._key(item)])
@@ -250,9 +263,33 @@ class Evaluator:
                 one, slope = self._distance(item, numbers)
             else:
                 one, slope = self._of_axle(item, kind, numbers, axles, slopes=slopes)
-            values.append(item.weights @ one)
-            along.append(item.weights @ slope if slope is not None else np.zeros((0, 0)))
+            values[part] = item.weights @ one
+            if slopes and slope is not None:
+                along[part] = item.weights @ slope
         return values, along
+
+    def _laid_out(self) -> None:
+        """Where each target's values stand, and which of them are plain rows of a corner's poses."""
+        ends = np.cumsum([len(item.low) for item in self.wanted])
+        self.parts = [slice(int(end) - len(item.low), int(end)) for item, end in zip(self.wanted, ends, strict=True)]
+        plain: dict[tuple[str, float], tuple[list[int], list[int], list[int]]]
+        plain = {key: ([], [], []) for key in self._grids}
+        self._further: list[tuple[Wanted, slice]] = []
+        for item, part in zip(self.wanted, self.parts, strict=True):
+            if self._kind(item) != "corner" or item.quantity not in self.names or item.text.slope:
+                self._further.append((item, part))
+                continue
+            into, rows, columns = plain[self._key(item)]
+            into += range(part.start, part.stop)
+            rows += [self.names[item.quantity]] * len(item.poses)
+            columns += self._columns(item).tolist()
+        self._plain = {key: tuple(np.array(one, dtype=np.intp) for one in lists) for key, lists in plain.items()}
+
+    def _columns(self, item: Wanted) -> Array:
+        """Places of a target's poses in the walk of its grid."""
+        grid = self._grids[self._key(item)]
+        swept = np.unique(grid.sweep.layout.targets[:, 1 if item.along == "rack" else 0])
+        return np.asarray(grid.place[np.searchsorted(swept, item.at)])
 
     def unreached(self) -> list[str]:
         """Where the last poses ended, in words."""
@@ -285,9 +322,7 @@ class Evaluator:
 
     def _of_corner(self, item: Wanted, moved: Array | None) -> tuple[Array, Array | None]:
         grid = self._grids[self._key(item)]
-        axis = 1 if item.along == "rack" else 0
-        swept = np.unique(grid.sweep.layout.targets[:, axis])
-        i = grid.place[np.searchsorted(swept, item.at)]
+        i = self._columns(item)
         found = grid.sweep.found
         outputs = np.where(found.outcome == REACHED, found.outputs, np.nan)
         if item.quantity in self.names:

@@ -37,6 +37,7 @@ _INSIDE = 0.95  # share of the tolerance that the second search asks for
 _NOTHING = 1e-9  # tolerances that a number changes from one end of its box to the other when it does nothing
 _FIGHTS = -0.3  # cosine of two targets' slopes from which meeting one costs the other
 _FAR = 1.0  # m: no hardpoint moves that far
+_WITHIN = 1.0 + 1e-9  # tolerances, but for rounding
 _STILL = 0.5e-9  # m: what moves less stays
 _AXES = "xyz"
 
@@ -292,8 +293,16 @@ class _Search:
     scale: Array = field(init=False)
     lower: Array = field(init=False)
     upper: Array = field(init=False)
+    low: Array = field(init=False)
+    high: Array = field(init=False)
+    tolerance: Array = field(init=False)
+    share: Array = field(init=False)
 
     def __post_init__(self) -> None:
+        self.low, self.high = (np.concatenate([getattr(item, end) for item in self.wanted]) for end in ("low", "high"))
+        counts = [len(item.low) for item in self.wanted]
+        self.tolerance = np.repeat([item.tolerance for item in self.wanted], counts)
+        self.share = np.repeat([item.text.weight / np.sqrt(len(item.low)) for item in self.wanted], counts)
         self.scale = self.free.lengths
         self.lower, self.upper = self.free.lower / self.scale, self.free.upper / self.scale
 
@@ -305,18 +314,15 @@ class _Search:
 
         With ``inside`` above 0 what lies within that share of the tolerance counts as nothing.
         """
-        values, along = self.evaluator.at(self.numbers(x), slopes=slopes)
-        parts, rows, met = [], [], True
-        for item, value, slope in zip(self.wanted, values, along, strict=True):
-            off = item.off(value) / item.tolerance
-            met = met and item.is_met_by(value)
-            over = np.sign(off) * np.maximum(np.abs(off) - inside, 0.0)
-            share = item.text.weight / np.sqrt(len(value))
-            parts.append(share * over)
-            if slopes:
-                active = (over != 0.0) | ((item.low == item.high) & (inside == 0.0))
-                rows.append(np.where(active[:, None], share / item.tolerance * slope * self.scale, 0.0))
-        return np.concatenate(parts), np.vstack(rows) if slopes else np.zeros((0, 0)), met
+        values, along = self.evaluator.together(self.numbers(x), slopes=slopes)
+        off = np.where(values > self.high, values - self.high, np.minimum(values - self.low, 0.0)) / self.tolerance
+        met = bool(np.all(np.abs(off) <= _WITHIN))
+        over = np.sign(off) * np.maximum(np.abs(off) - inside, 0.0)
+        if not slopes:
+            return self.share * over, along, met
+        active = (over != 0.0) | ((self.low == self.high) & (inside == 0.0))
+        rows = (active * self.share / self.tolerance)[:, None] * along * self.scale
+        return self.share * over, rows, met
 
     def descend(self, x: Array, inside: float = 0.0) -> tuple[Array, float, bool, int, str]:
         """Levenberg-Marquardt from x: the place reached, its cost, whether all is met, steps, why it ended."""
