@@ -289,8 +289,8 @@ def draw_kinematics(console: Console, plain: dict[str, Any], found: KinematicDes
     moved = []
     for path, change in found.moved.items():
         unit = display_unit("m" if path.startswith("hardpoints.") else "1")
-        ends = (change.before, change.after, change.after - change.before)
-        moved.append((path, unit.name or "SI", *(round(value * unit.factor, 6) for value in ends)))
+        numbers = (change.before, change.after, change.after - change.before)
+        moved.append((path, unit.name or "SI", *(round(value * unit.factor, 6) for value in numbers)))
     console.print(table("Moved", ("number", "unit", "before", "after", "by"), moved, text=(0, 1)))
     for fight in found.fights:
         missed, other = (f"{found.targets[i].quantity} (target {i})" for i in (fight.missed, fight.other))

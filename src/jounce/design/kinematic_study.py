@@ -8,11 +8,14 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, model_validator
 
 from jounce.core.description import Description, misplaced
+from jounce.core.units import Unit
 from jounce.kinematics.sweeps import AxleLayout
 
-SCHEMA = "jounce.design/1"
-Quantitative = float | str
+SCHEMA: Literal["jounce.design/1"] = "jounce.design/1"
+Quantitative = Any
+"""A text with a unit, or a number in SI: which unit it has is known where the quantity is."""
 Corners = tuple[Any, ...]
+Share = Annotated[float, Unit("1")]
 
 
 class FreePoint(Description):
@@ -27,7 +30,7 @@ class FreePoint(Description):
     point: str
     within: Any = None
     box: Corners | None = Field(default=None, min_length=2, max_length=2)
-    along: tuple[float, float, float] | None = None
+    along: tuple[Share, Share, Share] | None = None
     tied: tuple[str, ...] = ()
 
     @model_validator(mode="after")
@@ -60,8 +63,8 @@ class KinematicTarget(Description):
     at_least: Quantitative | None = None
     at_most: Quantitative | None = None
     tolerance: Quantitative
-    weight: Annotated[float, Field(gt=0.0, allow_inf_nan=False)] = 1.0
-    at: Quantitative | dict[Literal["travel", "rack", "roll"], Quantitative] | None = None
+    weight: Annotated[float, Unit("1", above=0.0)] = 1.0
+    at: Quantitative = None
     over: str | tuple[Quantitative, ...] | None = None
     along: Literal["travel", "rack", "roll"] | None = None
     slope: bool = False

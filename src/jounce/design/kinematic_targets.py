@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.types import Array
@@ -56,14 +57,13 @@ class Wanted:
     def weights(self) -> Array:
         """What makes wanted values of those at the poses, shape (n, k): none, or the slope of a straight line."""
         if not self.text.slope:
-            return np.eye(len(self.poses))
+            return np.asarray(np.eye(len(self.poses)))
         away = self.at - self.at.mean()
-        return (away / (away @ away))[None, :]
+        return np.asarray((away / (away @ away))[None, :])
 
-    @property
-    def is_met_by(self) -> Any:
-        """Tells of values (n,) whether all are within the tolerance."""
-        return lambda values: bool(np.all(np.abs(self.off(values)) <= self.tolerance * (1.0 + 1e-9)))
+    def is_met_by(self, values: Array) -> bool:
+        """Tell whether values (n,) are all within the tolerance."""
+        return bool(np.all(np.abs(self.off(values)) <= self.tolerance * (1.0 + 1e-9)))
 
     def off(self, values: Array) -> Array:
         """How far values (n,) are above (positive) or below what is wanted, SI."""
@@ -111,7 +111,8 @@ def _read(rig: Corner, target: KinematicTarget, vehicle: AxleLayout | None, wher
 def _poses(rig: Corner, target: KinematicTarget, where: str) -> tuple[Array, str]:
     """Poses of a target, shape (k, 3), and what they run along."""
     fixed = {"travel": 0.0, "rack": float(getattr(getattr(rig, "steering", None), "rack_travel", 0.0)), "roll": 0.0}
-    along, values = target.along or "travel", np.zeros(1)
+    along: str = target.along or "travel"
+    values = np.zeros(1)
     if target.over is not None:
         along = target.along or ("roll" if _is_angle(target.over) else "travel")
         over = list(target.over) if isinstance(target.over, tuple) else target.over
@@ -120,8 +121,10 @@ def _poses(rig: Corner, target: KinematicTarget, where: str) -> tuple[Array, str
             raise DescriptionError("a slope needs two poses at least", where=f"{where}.over", found=len(values))
     elif isinstance(target.at, dict):
         for name, value in target.at.items():
+            if name not in _POSES:
+                raise unknown(str(name), _POSES, what="coordinate", where=f"{where}.at")
             fixed[name] = float(sweep_values([value], f"{where}.at.{name}", _UNITS[name])[0])
-        along = target.along or next((name for name in ("roll", "rack") if fixed[name]), "travel")
+        along = target.along or next((name for name in ("roll", "rack") if target.at.get(name)), "travel")
         values = np.array([fixed[along]])
     elif target.at is not None:
         along = target.along or ("roll" if _is_angle(target.at) else "travel")
@@ -204,7 +207,7 @@ class _CornerPoses:
 
     sweep: PreparedSweep
     tangents: Tangents
-    place: Array = field(init=False)
+    place: NDArray[np.intp] = field(init=False)
 
     def __post_init__(self) -> None:
         self.place = np.argsort(self.sweep.layout.place)
@@ -285,7 +288,7 @@ class Evaluator:
             columns += self._columns(item).tolist()
         self._plain = {key: tuple(np.array(one, dtype=np.intp) for one in lists) for key, lists in plain.items()}
 
-    def _columns(self, item: Wanted) -> Array:
+    def _columns(self, item: Wanted) -> NDArray[np.intp]:
         """Places of a target's poses in the walk of its grid."""
         grid = self._grids[self._key(item)]
         swept = np.unique(grid.sweep.layout.targets[:, 1 if item.along == "rack" else 0])
