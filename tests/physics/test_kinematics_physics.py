@@ -361,6 +361,54 @@ def test_link_of_the_anti_roll_bar_keeps_its_length(with_bar) -> None:
     assert found["anti_roll_bar_rate"].to_numpy() == pytest.approx(2.0 * 900.0 * ratio.to_numpy() ** 2, rel=1e-12)
 
 
+ON_ROCKER = {
+    "hardpoints.arb_pivot": [-0.08, 0.15, 0.36],
+    "hardpoints.arb_axis": [-0.18, 0.20, 0.33],
+    "hardpoints.arb_arm_end": [-0.15, 0.12, 0.44],
+    "hardpoints.arb_link_end": [0.0, 0.26, 0.45],
+    "anti_roll_bar": {"stiffness": 900.0, "on": "rocker"},
+}
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_a_bar_on_the_rocker_turns_about_its_own_axis(side: str) -> None:
+    rig = jn.load("formula-student-front").with_changes(ON_ROCKER)
+    rig = rig if side == "left" else rig.mirrored()
+    found = jn.sweep_travel(rig, np.linspace(-0.02, 0.02, 5), points=True)
+    link = np.stack([found[f"arb_link_end.{axis}"] - found[f"arb_arm_end.{axis}"] for axis in "xyz"])
+    assert np.ptp(np.linalg.norm(link, axis=0)) < 1e-13
+    points = rig.hardpoints
+    along = np.array(points.arb_axis) - np.array(points.arb_pivot)
+    along = along / np.linalg.norm(along) * np.sign(along[1])
+    arm = np.stack([found[f"arb_arm_end.{axis}"] for axis in "xyz"], axis=1) - np.array(points.arb_pivot)
+    assert np.ptp(arm @ along) < 1e-13
+    assert np.ptp(np.linalg.norm(arm, axis=1)) < 1e-13
+    level = arm - np.outer(arm @ along, along)
+    turned = np.arctan2(np.cross(level[2], level) @ along, level @ level[2])
+    assert found["anti_roll_bar_angle"].to_numpy() == pytest.approx(turned, abs=1e-12)
+    other = jn.sweep_travel(rig.mirrored(), np.linspace(-0.02, 0.02, 5))
+    for row in ("anti_roll_bar_angle", "anti_roll_bar_rate"):
+        assert other[row].to_numpy() == pytest.approx(found[row].to_numpy(), abs=1e-9)
+
+
+def test_roll_moment_of_a_bar_on_the_rocker_is_the_slope_of_its_energy() -> None:
+    rig, step = jn.load("formula-student-front").with_changes(ON_ROCKER), 1e-4
+    plain = jn.load("formula-student-front")
+    rolled = 0.01 + step * np.arange(-2, 3)
+    found, without = jn.sweep_roll(rig, rolled), jn.sweep_roll(plain, rolled)
+    twist = (found["right.anti_roll_bar_angle"] - found["left.anti_roll_bar_angle"]).to_numpy()
+    moment = float(found["roll_moment"][2] - without["roll_moment"][2])
+    assert differences(0.5 * 900.0 * twist**2, step) == pytest.approx(moment, rel=1e-7)
+    assert abs(moment) > 1.0
+
+
+def test_bars_that_hang_on_nothing_are_refused() -> None:
+    with pytest.raises(jn.DescriptionError, match="rocker"):
+        jn.load("reference-double-wishbone").with_changes(ON_ROCKER)
+    with pytest.raises(jn.DescriptionError, match="arb_pivot"):
+        jn.load("formula-student-front").with_changes({"hardpoints.arb_axis": [0.0, 0.1, 0.1]})
+
+
 def test_slopes_of_the_anti_roll_bar(with_bar) -> None:
     found = jn.sweep_travel(with_bar, 0.02 + STEP * np.arange(-2, 3))
     for slope, value in (

@@ -374,29 +374,39 @@ class CornerView:
 
     @cached_property
     def bar_angle(self) -> ca.SX:
-        """Turn of the anti-roll bar's end about its axis along y, rad, 0 at design."""
-        hardpoint = self.linkage.hardpoint
+        """Turn of the anti-roll bar's end about its axis, which points to the left, rad, 0 at design."""
+        hardpoint, axis = self.linkage.hardpoint, self._bar_axis
         pivot, arm_end, link_end = (hardpoint(f"arb_{name}") for name in ("pivot", "arm_end", "link_end"))
         arm, link = arm_end - pivot, link_end - arm_end
         away, away_design = self._bar_carrier.frame.point(link_end).value - pivot, link_end - pivot
+        along = ca.dot(axis, arm)
 
         def parts(d: ca.SX) -> tuple[ca.SX, ca.SX]:
-            return arm[0] * d[0] + arm[2] * d[2], arm[2] * d[0] - arm[0] * d[2]
+            return ca.dot(arm - along * axis, d), ca.dot(ca.cross(axis, arm), d)
 
         a, b = parts(away)
-        needed = 0.5 * (ca.dot(arm, arm) + ca.dot(away, away) - ca.dot(link, link)) - arm[1] * away[1]
+        needed = 0.5 * (ca.dot(arm, arm) + ca.dot(away, away) - ca.dot(link, link)) - along * ca.dot(axis, away)
         branch = ca.sign(parts(away_design)[1])
         return ca.atan2(b, a) - branch * ca.acos(needed / ca.sqrt(a**2 + b**2))
 
     @property
     def bar_points(self) -> dict[str, ca.SX]:
         """Places of the anti-roll bar's moving points, ground axes."""
-        hardpoint, angle = self.linkage.hardpoint, self.bar_angle
+        hardpoint, angle, axis = self.linkage.hardpoint, self.bar_angle, self._bar_axis
         pivot = hardpoint("arb_pivot")
-        x, y, z = ca.vertsplit(hardpoint("arb_arm_end") - pivot)
-        turned = ca.vertcat(x * ca.cos(angle) + z * ca.sin(angle), y, z * ca.cos(angle) - x * ca.sin(angle))
+        arm = hardpoint("arb_arm_end") - pivot
+        along = ca.dot(axis, arm) * axis
+        turned = along + (arm - along) * ca.cos(angle) + ca.cross(axis, arm) * ca.sin(angle)
         link_end = self._bar_carrier.frame.point(hardpoint("arb_link_end")).value
         return {"arb_arm_end": pivot + turned, "arb_link_end": link_end}
+
+    @property
+    def _bar_axis(self) -> ca.SX:
+        """Direction of the anti-roll bar's axis, to the left (of one across to the left: as given)."""
+        if self.linkage.rig.hardpoints.arb_axis is None:
+            return ca.SX([0.0, 1.0, 0.0])
+        along = unit(self.linkage.hardpoint("arb_axis") - self.linkage.hardpoint("arb_pivot"))
+        return along * ca.if_else(along[1] < 0.0, -1.0, 1.0)
 
     @property
     def _bar_carrier(self) -> Body:

@@ -119,7 +119,7 @@ def _order(rig: Corner) -> Iterator[Finding]:
         if inner in points and rig.sign * points[inner][1] > rig.sign * points[outer][1]:
             yield _warn(f"hardpoints.{inner}", f"lies further out than {outer}. Are the two swapped?", severity="note")
     for name, point in points.items():
-        if rig.sign * point[1] < 0.0 and name not in ("rocker_axis", "arb_pivot"):
+        if rig.sign * point[1] < 0.0 and name not in ("rocker_axis", "arb_pivot", "arb_axis"):
             text = "lies just across the middle of the car; is the sign of y right?"
             yield _warn(f"hardpoints.{name}", text, point[1])
 

@@ -40,6 +40,7 @@ class Hardpoints(Description):
     damper_bottom: Point | None = None
     damper_top: Point | None = None
     arb_pivot: Point | None = None
+    arb_axis: Point | None = None
     arb_arm_end: Point | None = None
     arb_link_end: Point | None = None
 
@@ -50,10 +51,11 @@ class Hardpoints(Description):
         ("spring_bottom", "spring_top"),
         ("damper_bottom", "damper_top"),
         ("arb_pivot", "arb_arm_end"),
+        ("arb_pivot", "arb_axis"),
         ("arb_arm_end", "arb_link_end"),
     )
     """Groups in which no two points may be the same."""
-    turning: ClassVar[Axes] = ()
+    turning: ClassVar[Axes] = (("arb_pivot", "arb_axis", "arb_arm_end"),)
     """Two points of an axis, and a point that rotates about it."""
     together: ClassVar[Groups] = (("arb_pivot", "arb_arm_end", "arb_link_end"),)
     """Groups of which all points are given or none."""
@@ -278,7 +280,7 @@ class Corner(Rig):
             )
         for name, point in self.hardpoints.given().items():
             allowed = 0.0 if name in self.hardpoints.outer else ACROSS * abs(centre[1])
-            if self.sign * point[1] < -allowed and name not in ("rocker_axis", "arb_pivot"):
+            if self.sign * point[1] < -allowed and name not in ("rocker_axis", "arb_pivot", "arb_axis"):
                 raise misplaced(
                     ("hardpoints", name),
                     f"on the other side of the car than the wheel; found {written(point)}, the wheel centre has y = "
@@ -316,11 +318,16 @@ class Corner(Rig):
                 f"found only {'the points' if bar_points else 'the table'}",
             )
 
+        if self.hardpoints.arb_axis is not None and not bar_points:
+            raise misplaced(("hardpoints", "arb_axis"), "is a point of the axis through arb_pivot, which is missing")
+        if self.anti_roll_bar is not None:
+            self._require_body("anti_roll_bar", getattr(self.anti_roll_bar, "on", "upright"))
+
     def _require_body(self, element: str, name: str) -> None:
         if name in self.body_masses():
             return
         raise misplaced(
-            (element, "on") if element == "strut" else (element,),
+            (element, "on") if element in ("strut", "anti_roll_bar") else (element,),
             f"the body {name!r} carries it and does not exist; allowed: {', '.join(self.body_masses())}, or a table "
             f"[bodies.{name}] with mass, centre_of_mass and inertia",
         )
@@ -414,7 +421,7 @@ class DoubleWishbone(Corner):
     further_bodies = ("tie_rod", "rocker", "wheel")
     strut_on = ("lower_arm", "upper_arm", "upright", "rocker")
     pushrod_on = ("lower_arm", "upper_arm", "upright")
-    bar_on = ("lower_arm", "upper_arm", "upright")
+    bar_on = ("lower_arm", "upper_arm", "upright", "rocker")
     bushed = ("lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear", "tie_rod_inner")
 
 
@@ -492,7 +499,7 @@ class FiveLink(Corner):
     further_bodies = ("link_1", "link_2", "link_3", "link_4", "link_5", "rocker", "wheel")
     strut_on = ("upright", "link_1", "link_2", "link_3", "link_4", "link_5", "rocker")
     pushrod_on = ("upright",)
-    bar_on = ("upright",)
+    bar_on = ("upright", "link_1", "link_2", "link_3", "link_4", "link_5", "rocker")
     bushed = ("link_1_inner", "link_2_inner", "link_3_inner", "link_4_inner", "link_5_inner")
 
 

@@ -160,7 +160,7 @@ def scene_of(rig: Corner) -> Scene:
     parts = tuple(Part(name, points, COLOURS.get(name, PALETTE[4])) for name, points in lines.items())
     holders = {linkage.chassis.name, linkage.rack.name}
     owners = {name: owner.name for name, owner in linkage.owners.items()}
-    on_body = {name for name, owner in owners.items() if owner in holders} | ({"arb_pivot"} & set(names))
+    on_body = {name for name, owner in owners.items() if owner in holders} | ({"arb_pivot", "arb_axis"} & set(names))
     model = str(getattr(rig, "model"))  # noqa: B009 - every subclass has it
     return Scene(
         f"{_WORDS.get(model, model)}, {rig.side} side",
