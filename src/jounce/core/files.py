@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import stat
 from collections.abc import Mapping
 from importlib import resources
 from pathlib import Path
@@ -13,9 +15,31 @@ def existing_file(path: Path | str, error: type[JounceError] = DescriptionError)
     """Give the path of a file; where there is none, the error says so."""
     file = Path(path)
     if not file.is_file():
-        what = "a folder, not a file" if file.is_dir() else "no such file"
-        raise error(what, where=str(file), hint="Check the path and the name.")
+        raise error(_instead(file), where=str(file), hint="Check the path and the name.")
     return file
+
+
+def _instead(file: Path) -> str:
+    if file.is_dir():
+        return "a folder, not a file"
+    return "a pipe or a device, not a file" if file.exists() else "no such file"
+
+
+def content_of(path: Path | str, error: type[JounceError] = DescriptionError) -> bytes:
+    """Give what a regular file holds, which is opened before it is looked at: a pipe keeps nobody waiting."""
+    file = existing_file(path, error)
+    flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
+    with os.fdopen(os.open(file, flags), "rb") as stream:
+        found = os.fstat(stream.fileno())
+        if not stat.S_ISREG(found.st_mode):
+            raise error("a pipe or a device, not a file", where=str(file))
+        if found.st_size > _LARGEST:
+            size, most = (f"{one / 1e9:.3g} GB" for one in (found.st_size, _LARGEST))
+            raise error("too large to be read as a whole", where=str(file), found=size, allowed=f"up to {most}")
+        return stream.read(_LARGEST)
+
+
+_LARGEST = 1_000_000_000  # bytes
 
 
 def shipped_files(package: str, folder: str, suffix: str = ".toml") -> dict[str, Path]:

@@ -91,12 +91,12 @@ def test_an_unreadable_file_is_reported_once_and_remembered(folder, store, monke
 def test_rights_that_are_missing(folder, store, monkeypatch) -> None:
     (folder / "a.csv").write_text(HALF)
 
-    def refuse(self: Path) -> bytes:
+    def refuse(self: Path, *_: object) -> bytes:
         raise PermissionError(13, "Permission denied", str(self))
 
     watch = FolderWatch(folder, store, settle=0.0)
     with monkeypatch.context() as context:
-        context.setattr(Path, "read_bytes", refuse)
+        context.setattr("jounce.inspection.archive.lane.content_of", refuse)
         assert [seen.problem for seen in watch.look()] == ["cannot be read: Permission denied"]
     assert watch.look() == []
     os.utime(folder / "a.csv", ns=(0, 0))

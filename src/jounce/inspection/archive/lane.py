@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from jounce.core.description import toml_table
 from jounce.core.errors import JounceError, RecordingError
+from jounce.core.files import content_of
 from jounce.core.writing import working_folder
 from jounce.inspection.archive.entries import Grading, RecordEntry, pack
 from jounce.inspection.evaluation import evaluate
@@ -120,8 +121,8 @@ def entry_of(
     """
     file = Path(path)
     beside = file.with_suffix(".toml")
-    content = file.read_bytes()
-    sidecar = beside.read_bytes() if beside != file and beside.is_file() else None
+    content = content_of(file, RecordingError)
+    sidecar = content_of(beside, RecordingError) if beside != file and beside.is_file() else None
     known = {**header_facts(content, sidecar), **{name: text for name, text in (facts or {}).items() if text}}
     return RecordEntry(
         file.name,

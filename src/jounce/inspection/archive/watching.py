@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from jounce.core.errors import JounceError
+from jounce.core.errors import JounceError, RecordingError
+from jounce.core.files import existing_file
 from jounce.inspection.archive.database import DamagedStoreError
 from jounce.inspection.archive.entries import storable
 from jounce.inspection.archive.lane import ImportedRecord, import_record
@@ -121,6 +122,7 @@ class FolderWatch:
     def _take(self, file: Path, path: str, stamp: _Stamp) -> Seen | None:
         """Import a file; None where the store cannot be written to now, so that it comes again; and for own output."""
         try:
+            existing_file(file, RecordingError)  # a pipe would keep everything waiting
             if _is_own_output(file):
                 self._done[path] = stamp
                 self._waiting.pop(path, None)
