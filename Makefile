@@ -11,6 +11,7 @@
 #   make check-viewer  is the committed bundle what its sources make? (skipped without node and npm)
 #   make faces     write stubs and JSON schemas from the registries
 #   make pins      compile requirements/*.txt again (needs uv)
+#   make audit     known vulnerabilities of what is pinned; where no service can be reached, those of a list
 #
 # Another interpreter or folder: make test PYTHON=python3.13 VENV=.venv-3.13
 
@@ -26,11 +27,11 @@ BIN := $(VENV)/$(if $(filter Windows_NT,$(OS)),Scripts,bin)
 # The pins are complete, so pip resolves nothing; wheels only, so that no unpinned build tool is fetched.
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes --no-deps --only-binary :all:
 LOOPS := $(wildcard src/jounce/kernel/*.py src/jounce/kernel/*/*.py)
-PINS := runtime build test lint docs bench mutants
+PINS := runtime build test lint docs bench mutants audit
 COMPILE := $(UV) pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header \
            --no-emit-index-url --no-emit-find-links
 
-.PHONY: help setup loops demo quick test test-all lint check-style check-imports format bench docs mutants faces pins clean viewer check-viewer
+.PHONY: help setup loops demo quick test test-all lint check-style check-imports format bench docs mutants faces pins audit clean viewer check-viewer
 .DELETE_ON_ERROR:
 
 help:
@@ -124,6 +125,12 @@ pins:
 	  source="--group $$name"; [ $$name = runtime ] && source=pyproject.toml; \
 	  echo "requirements/$$name.txt"; $(COMPILE) $$source $$known -o requirements/$$name.txt >/dev/null; \
 	  known="$$known -c requirements/$$name.txt"; done
+
+# In an environment of its own, with pip-audit where that can be had: a closed network is said, and is no failure.
+audit: $(VENV)/.created
+	@$(PYTHON) -m venv --clear $(VENV)-audit
+	@$(subst $(VENV)/,$(VENV)-audit/,$(INSTALL)) -r requirements/audit.txt || echo "pip-audit cannot be installed here"
+	$(BIN)/python requirements/audit.py $(subst $(VENV)/,$(VENV)-audit/,$(BIN))/python
 
 clean:
 	rm -rf .venv .venv-* build dist src/jounce/kernel/loops/built docs/_build docs/public-names.md docs/_generated .coverage .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache

@@ -6,6 +6,7 @@ import os
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 from pathlib import Path
 
@@ -84,4 +85,72 @@ def test_any_name_that_the_system_takes(tmp_path: Path, name: str) -> None:
 def test_an_interrupted_write_leaves_nothing(tmp_path: Path) -> None:
     with pytest.raises(KeyboardInterrupt), replacing(tmp_path / "run.csv"):
         raise KeyboardInterrupt
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_names_that_others_gave_stop_nothing(tmp_path: Path) -> None:
+    names = [f".jounce-{writing._machine()}-{'9' * 30}-x", ".jounce-a-b-c", ".jounce----", ".jounce-00000000-0-\u00b2"]
+    for name in names:
+        (tmp_path / name).write_text("not ours")
+    write_atomically(tmp_path / "run.csv", "whole")
+    assert sorted(file.name for file in tmp_path.iterdir()) == sorted([*names, "run.csv"])
+
+
+def test_a_clock_that_jumps_takes_nothing_from_a_process_that_runs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for days in (-20000.0, 20000.0):
+        with replacing(tmp_path / "run.csv") as temporary:
+            temporary.write_text("whole")
+            now = time.time()
+            monkeypatch.setattr(time, "time", lambda now=now, days=days: now + days * 86400.0)
+            writing._sweep.cache_clear()
+            write_atomically(tmp_path / "other.csv", "whole", force=True)
+            assert temporary.exists()
+        monkeypatch.undo()
+    assert (tmp_path / "run.csv").read_text() == "whole"
+
+
+def test_what_an_earlier_process_of_the_same_number_left_goes(tmp_path: Path) -> None:
+    left = tmp_path / f".jounce-{writing._machine()}-{os.getpid()}-000000-x.a-b"  # a suffix with a hyphen
+    left.mkdir()
+    write_atomically(tmp_path / "run.csv", "whole")
+    assert left.exists() == (os.name != "posix")
+
+
+def test_what_is_moved_out_comes_back_where_the_new_cannot_go_in(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out = tmp_path / "out"
+    write_files(out, {"a.txt": "old", "b/c.txt": "old"})
+    (out / "mine.txt").write_text("mine")
+    rename = Path.rename
+
+    def refused(self: Path, target: Path) -> Path:
+        if self.name == "c.txt" and self.parent.parent.name == "new":
+            raise OSError(5, "Input/output error")
+        return rename(self, target)
+
+    monkeypatch.setattr(Path, "rename", refused)
+    with pytest.raises(OutputError, match="Input/output error"):
+        write_files(out, {"a.txt": "new", "b/c.txt": "new", "d.txt": "new"}, force=True)
+    found = {str(file.relative_to(out)): file.read_text() for file in out.rglob("*") if file.is_file()}
+    assert found == {"a.txt": "old", "b/c.txt": "old", "mine.txt": "mine"}
+
+
+def test_the_folder_that_one_stands_in_stays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    before = tmp_path.stat().st_ino
+    write_files(".", {"a.txt": "new"})
+    assert tmp_path.stat().st_ino == before
+    assert Path("a.txt").read_text() == "new"
+
+
+def test_working_folders_of_killed_processes_go(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    left = tmp_path / f".jounce-{writing._machine()}-{os.getpid()}-000000-x"
+    left.mkdir()
+    with writing.working_folder() as folder:
+        assert folder.parent == tmp_path
+        assert list(tmp_path.iterdir()) == [folder]
     assert list(tmp_path.iterdir()) == []
