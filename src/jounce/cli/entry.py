@@ -7,6 +7,7 @@ import os
 import sys
 import traceback
 from collections.abc import Sequence
+from functools import cache
 from typing import Any
 
 import typer
@@ -125,12 +126,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return exit_code
 
 
+@cache
+def _command() -> Any:
+    """All commands, read from their signatures once a process."""
+    return typer.main.get_command(application())
+
+
 def _answer(words: list[str]) -> int:
-    command = typer.main.get_command(application())
     with contextlib.redirect_stdout(sys.stderr) if "--json" in words else contextlib.nullcontext():
         try:
-            with command.make_context("jounce", words) as context:
-                reply = command.invoke(context)
+            with _command().make_context("jounce", words) as context:
+                reply = _command().invoke(context)
         except typer.Exit as end:  # after --help
             return end.exit_code
     return reply.show() if isinstance(reply, Reply) else 0

@@ -103,35 +103,115 @@ def alternating(away: Array) -> Array:
     return kept
 
 
+@dataclass(frozen=True)
+class _Swings:
+    """Turning points, and of each sample: the last one before it, whether the mass moves, and the time since (s)."""
+
+    points: Array
+    which: NDArray[np.int_]
+    moving: NDArray[np.bool_]
+    local: Array
+
+
+def _swings(time: Array, parameters: DecayParameters) -> _Swings:
+    since = time - parameters.release_time
+    damped = parameters.angular_frequency * math.sqrt(1.0 - parameters.damping_ratio**2)
+    halves = int(min(max(float(since.max()) * damped / math.pi, 0.0) + 2.0, _MOST_HALF_CYCLES))
+    points = turning_points(parameters, halves)
+    last = len(points) - 1
+    which = np.clip(np.floor(since * damped / math.pi), 0.0, last).astype(int)
+    moving = (since >= 0.0) & ((which < last) | (abs(points[last]) > parameters.friction_deflection))
+    return _Swings(points, which, moving, np.where(moving, since - which * (math.pi / damped), 0.0))
+
+
+class _Shape:
+    """A swing from 1 towards 0 without friction: its derivatives in time, and how they depend on the damping ratio."""
+
+    def __init__(self, parameters: DecayParameters, local: Array) -> None:
+        self.omega, self.ratio = parameters.angular_frequency, parameters.damping_ratio
+        self.root = math.sqrt(1.0 - self.ratio**2)
+        self.phase = self.omega * local
+        self.fall = np.exp(-self.ratio * self.phase)
+        self.cosine, self.sine = np.cos(self.root * self.phase), np.sin(self.root * self.phase)
+
+    def derivative(self, order: int) -> Array:
+        """Derivative of order 0 to 3 in time."""
+        omega, share = self.omega, self.ratio / self.root
+        if order == 0:
+            return np.asarray(self.fall * (self.cosine + share * self.sine))
+        if order == 1:
+            return np.asarray(-omega / self.root * self.fall * self.sine)
+        if order == 2:
+            return np.asarray(-(omega**2) * self.fall * (self.cosine - share * self.sine))
+        return -2.0 * self.ratio * omega * self.derivative(2) - omega**2 * self.derivative(1)
+
+    def by_ratio(self, order: int) -> Array:
+        """Slope of a derivative of order 0 to 2 by the damping ratio, at the same time since the turning point."""
+        omega, ratio, root, sine = self.omega, self.ratio, self.root, self.sine
+        turn = self.phase * ratio / root
+        bent = turn * ratio / root * self.cosine
+        if order == 0:
+            moved = (turn + root**-3) * sine - bent
+        elif order == 1:
+            moved = -omega * (ratio / root**3 * sine - turn / root * self.cosine)
+        else:
+            moved = -(omega**2) * ((turn - root**-3) * sine + bent)
+        return np.asarray(self.fall * moved - self.phase * self.derivative(order))
+
+
 def decay_response(time: Array, parameters: DecayParameters, quantity: Quantity) -> Array:
     """Decay at given times (s): displacement (m, offset included), velocity (m/s) or acceleration (m/s^2).
 
     Before ``release_time`` the mass is held at the release; once it sticks, it stays where it is.
     """
-    omega, ratio = parameters.angular_frequency, parameters.damping_ratio
     if parameters.quadratic_drag != 0.0:
         return _drag_response(time, parameters, quantity)
-    root = math.sqrt(1.0 - ratio * ratio)
-    damped = omega * root
-    since = time - parameters.release_time
-    halves = int(min(max(float(since.max()) * damped / math.pi, 0.0) + 2.0, _MOST_HALF_CYCLES))
-    points = turning_points(parameters, halves)
-    last = len(points) - 1
-    which = np.clip(np.floor(since * damped / math.pi), 0.0, last).astype(int)
-    start = points[which]
+    swings, order = _swings(time, parameters), QUANTITIES.index(quantity)
+    start = swings.points[swings.which]
     shifted = parameters.friction_deflection * np.sign(start)
-    moving = (since >= 0.0) & ((which < last) | (abs(points[last]) > parameters.friction_deflection))
-    local = np.where(moving, since - which * (math.pi / damped), 0.0)
-    fall = np.exp(-ratio * omega * local)
-    cosine, sine = np.cos(damped * local), np.sin(damped * local)
-    if quantity == "displacement":
-        position: Array = np.where(moving, shifted + (start - shifted) * fall * (cosine + ratio / root * sine), start)
-        return position + parameters.offset
-    if quantity == "velocity":
-        return np.where(moving, -(start - shifted) * fall * omega / root * sine, 0.0) + parameters.offset
-    shape = -(omega**2) * fall * (cosine - ratio / root * sine)
-    response: Array = np.where(moving, (start - shifted) * shape, 0.0) + parameters.offset
-    return response
+    moved = (start - shifted) * _Shape(parameters, swings.local).derivative(order)
+    if order == 0:
+        return np.where(swings.moving, shifted + moved, start) + parameters.offset
+    return np.where(swings.moving, moved, 0.0) + parameters.offset
+
+
+def decay_slopes(time: Array, parameters: DecayParameters, quantity: Quantity) -> Array:
+    """Slopes of ``decay_response`` without drag by all parameters but the drag, in their order; shape (n, 6).
+
+    A jump (of the acceleration, at a turning point with friction) has none: the slopes are those of the swing.
+    """
+    omega, ratio = parameters.angular_frequency, parameters.damping_ratio
+    swings, order = _swings(time, parameters), QUANTITIES.index(quantity)
+    points, which = swings.points, swings.which
+    shape = _Shape(parameters, swings.local)
+    value, rate = shape.derivative(order), shape.derivative(order + 1)
+    side = np.sign(points)
+    swing = (points - parameters.friction_deflection * side)[which]
+    by_ratio, by_friction, by_release = _slopes_of_points(points, parameters)
+    reached = which * (math.pi / omega) / shape.root  # how long the mass took to this turning point
+    at_start = 1.0 if order == 0 else 0.0
+    slopes = np.ones((len(time), 6))
+    slopes[:, 0] = swing * (order * value + (swings.local + reached) * rate) / omega
+    slopes[:, 1] = by_ratio[which] * value + swing * (shape.by_ratio(order) - rate * reached * ratio / shape.root**2)
+    slopes[:, 2] = (by_friction - side)[which] * value + at_start * side[which]
+    slopes[:, 4] = -swing * rate
+    slopes[:, 5] = by_release[which] * value
+    still = ~swings.moving
+    for column, of_point in ((0, None), (1, by_ratio), (2, by_friction), (4, None), (5, by_release)):
+        slopes[still, column] = 0.0 if of_point is None else at_start * of_point[which[still]]
+    return slopes
+
+
+def _slopes_of_points(points: Array, parameters: DecayParameters) -> tuple[Array, Array, Array]:
+    """Slopes of the turning points by damping ratio, friction deflection and release deflection."""
+    q, friction = parameters.half_cycle_ratio, parameters.friction_deflection
+    slope_of_q = -math.pi * q / (1.0 - parameters.damping_ratio**2) ** 1.5
+    by_ratio, by_friction = [0.0], [0.0]
+    for point in points[:-1].tolist():
+        side = math.copysign(1.0, point)
+        by_ratio.append(-q * by_ratio[-1] - slope_of_q * (point - friction * side))
+        by_friction.append((1.0 + q) * side - q * by_friction[-1])
+    return np.array(by_ratio), np.array(by_friction), (-q) ** np.arange(len(points))
 
 
 def _drag_response(time: Array, parameters: DecayParameters, quantity: Quantity) -> Array:
@@ -414,7 +494,7 @@ def _unpack(values: Array) -> DecayParameters:
     return DecayParameters(*(float(value) for value in values))
 
 
-_RATIO, _FRICTION, _DRAG = 1, 2, 6  # places of what takes energy in a vector of parameters
+_RATIO, _FRICTION, _OFFSET, _RELEASE_TIME, _DRAG = 1, 2, 3, 4, 6  # places in a vector of parameters
 _WITHOUT_DRAG = (True, True, True, True, True, True, False)
 _EVERYTHING = (True,) * 7
 _FAR = 1e6  # of the range: as bad as can be
@@ -481,24 +561,58 @@ def _descend(
     low = np.array([0.3 * start[0], -0.2, -size, -np.inf, t[0] - 6.0 / start[0], -np.inf, -1.0 / size]) / scale
     high = np.array([3.0 * start[0], 0.97, size, np.inf, t[0] + 3.0 / start[0], np.inf, 30.0 / size]) / scale
 
+    def point(scaled: Array) -> Array:
+        values = start.copy()
+        values[free] = scaled * scale[free]
+        return values
+
     def misfit(scaled: Array) -> Array:
-        point = start.copy()
-        point[free] = scaled * scale[free]
-        response = decay_response(t, _unpack(point), quantity) / reach
+        response = decay_response(t, _unpack(point(scaled)), quantity) / reach
         return np.clip(np.nan_to_num(response, nan=_FAR), -_FAR, _FAR) - target  # negative damping explodes
+
+    closed = not free[_DRAG] and start[_DRAG] == 0.0
+
+    def slopes(scaled: Array) -> Array:
+        values = point(scaled)
+        if closed:
+            found = decay_slopes(t, _unpack(values), quantity)[:, free[:_DRAG]]
+        else:
+            steps = np.cbrt(np.finfo(float).eps) * np.maximum(scale, np.abs(values))
+            found = _slopes_with_drag(t, values, quantity, steps)[:, free]
+        found *= scale[free] / reach
+        found[~(np.abs(misfit(scaled) + target) < _FAR)] = 0.0
+        return found
 
     begin = np.clip(start / scale, low + 1e-9, high - 1e-9)
     solution = least_squares(
         misfit,
         begin[free],
         bounds=(low[free], high[free]),
-        jac="3-point",
+        jac=slopes,
         xtol=1e-11,
         ftol=1e-11,
         gtol=1e-11,
         max_nfev=60,
     )
     return solution, scale, start
+
+
+def _slopes_with_drag(t: Array, values: Array, quantity: Quantity, steps: Array) -> Array:
+    """Slopes of the response by all parameters, shape (n, 7): by differences where they are not known."""
+    slopes = np.ones((len(t), 7))
+    known = [_OFFSET] if quantity == "acceleration" else [_OFFSET, _RELEASE_TIME]
+    others = np.delete(np.arange(7), known)
+
+    def response(some: Array) -> Array:
+        moved = values.copy()
+        moved[others] = some
+        return decay_response(t, _unpack(moved), quantity)
+
+    slopes[:, others] = central_differences(response, values[others], steps[others])
+    if quantity != "acceleration":  # a later release is the same motion later
+        following = QUANTITIES[QUANTITIES.index(quantity) + 1]
+        slopes[:, _RELEASE_TIME] = values[_OFFSET] - decay_response(t, _unpack(values), following)
+    return slopes
 
 
 def _not_negative(

@@ -7,7 +7,7 @@ import pytest
 
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.serialise import to_json
-from jounce.identify.decay import DecayParameters, combine_decays, decay_response, fit_decay
+from jounce.identify.decay import DecayParameters, combine_decays, decay_response, decay_slopes, fit_decay
 from jounce.identify.estimate import Estimate, combine
 
 MASS, STIFFNESS = 16.0, 18362.0
@@ -24,6 +24,21 @@ def truth(c=120.0, friction=15.0, offset=0.003, release=0.2, deflection=0.020):
 def record(noise=0.0, seed=0, time=TIME, quantity="displacement", **changes):
     clean = decay_response(time, truth(**changes), quantity)
     return clean + np.random.default_rng(seed).normal(0.0, 1.0, len(time)) * noise
+
+
+@pytest.mark.parametrize("quantity", ["displacement", "velocity", "acceleration"])
+@pytest.mark.parametrize("changes", [{}, {"friction": 0.0}, {"c": 700.0, "deflection": -0.02}, {"c": -3.0}])
+def test_slopes_are_those_of_differences(quantity, changes):
+    exact = truth(**changes)
+    values = np.array(list(vars(exact).values()))
+    steps = np.append(np.maximum(1e-6 * np.abs(values[:6]), [1e-6, 1e-6, 1e-9, 1e-6, 1e-6, 1e-9]), 0.0)
+    slopes = decay_slopes(TIME, exact, quantity)
+    for i, move in enumerate(np.diag(steps)[:6]):
+        after, before = (decay_response(TIME, DecayParameters(*(values + way * move)), quantity) for way in (1.0, -1.0))
+        expected = (after - before) / (2.0 * steps[i])
+        off = np.abs(slopes[:, i] - expected) / np.max(np.abs(slopes[:, i]))
+        assert np.count_nonzero(off > 1e-6) <= 30, i  # samples next to which a swing ends or begins
+        assert np.median(off) < 1e-8, i
 
 
 def messages(result):
