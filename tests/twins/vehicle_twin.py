@@ -102,7 +102,7 @@ class Twin:
         inner = {start for signal in self.signals.values() for start in signal.starts if first < start < last}
         return [first, *sorted(inner), last]
 
-    def run(self, times, *, tolerance: float = 1e-11, max_step: float = 2e-3) -> dict[str, np.ndarray]:
+    def run(self, times, *, tolerance: float = 1e-11, max_step: float = 1e-2) -> dict[str, np.ndarray]:
         """Integrate piece after piece; give every channel at ``times`` (at a jump: just after it)."""
         times = np.asarray(times, dtype=float)
         x, rows, edges = self.rest(), {}, self.edges(times[0], times[-1])
