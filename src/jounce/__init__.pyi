@@ -35,6 +35,8 @@ from .design.optimise import optimise as optimise
 from .design.pareto import best_dampers as best_dampers
 from .design.pareto import pareto as pareto
 from .design.springs import design_springs as design_springs
+from .exchange.fmu.export import FmuExport as FmuExport
+from .exchange.fmu.export import export_fmu as export_fmu
 from .identify.damper import DamperCurve as DamperCurve
 from .identify.damper import DamperResult as DamperResult
 from .identify.damper import damper_curve as damper_curve

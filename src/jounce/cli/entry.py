@@ -12,7 +12,20 @@ from typing import Any
 
 import typer
 
-from jounce.cli import bench, campaign, design, files, fit, inspection, kinematics, pictures, ride, simulate, study
+from jounce.cli import (
+    bench,
+    campaign,
+    design,
+    exchange,
+    files,
+    fit,
+    inspection,
+    kinematics,
+    pictures,
+    ride,
+    simulate,
+    study,
+)
 from jounce.cli.options import AsJson
 from jounce.cli.reply import (
     FAILED,
@@ -57,6 +70,7 @@ def application() -> typer.Typer:
     app.command("check")(files.check)
     app.command("library")(files.library)
     app.add_typer(files.import_app, name="import")
+    app.add_typer(exchange.export_app, name="export")
     app.add_typer(fit.app, name="fit")
     app.add_typer(bench.app, name="bench")
     app.add_typer(inspection.app, name="inspect")

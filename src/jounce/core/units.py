@@ -159,6 +159,19 @@ def conversion_factor(unit: str, si: str, *, where: str = "") -> float:
         ) from error
 
 
+def base_units(si: str) -> dict[str, int]:
+    """Powers of the base units (kg, m, s, A, K, rad) that an SI unit is made of; none for a plain number.
+
+    >>> base_units("N*s/m"), base_units("1")
+    ({'kg': 1, 's': -1}, {})
+    """
+    if si in _DIMENSIONLESS:
+        return {}
+    words = {"kilogram": "kg", "meter": "m", "second": "s", "ampere": "A", "kelvin": "K", "radian": "rad"}
+    powers = _registry().Quantity(1.0, _parsed(si)).to_base_units().units._units
+    return {words[str(name)]: int(power) for name, power in sorted(powers.items())}
+
+
 def to_si(value: object, si: str, *, where: str = "") -> float:
     """Read one physical value in ``si``: text with its unit (``"22.73 N/mm"``), or a bare number that is already SI.
 

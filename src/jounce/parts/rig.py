@@ -119,23 +119,24 @@ def nearest_paths(name: str, known: Iterable[str]) -> list[str]:
     )
 
 
-def unit_of(kind: BaseModel, path: str) -> str:
-    """SI unit of the number at ``path``, e.g. ``N/m``; ``1`` where it has none or it depends on the order."""
+def quantity_at(kind: BaseModel, path: str) -> Unit:
+    """Unit and range of the number at ``path``; those of a plain number where it has none or they follow an order."""
     here: Any = kind
-    unit = "1"
+    found = Unit("1")
     for part in split_path(path):
         if isinstance(part, int):
             here = here[part]
             continue
-        unit = _field_unit(type(here), part)
+        field = type(here).model_fields[part]
+        units = [item for item in field.metadata if isinstance(item, Unit)] or _units_in(field.annotation)
+        found = units[0] if units else Unit("1")
         here = getattr(here, part)
-    return unit
+    return found
 
 
-def _field_unit(kind: type[BaseModel], name: str) -> str:
-    field = kind.model_fields[name]
-    units = [item for item in field.metadata if isinstance(item, Unit)] or _units_in(field.annotation)
-    return units[0].si if units else "1"
+def unit_of(kind: BaseModel, path: str) -> str:
+    """SI unit of the number at ``path``, e.g. ``N/m``; ``1`` where it has none or it depends on the order."""
+    return quantity_at(kind, path).si
 
 
 def _units_in(annotation: Any) -> list[Unit]:

@@ -136,11 +136,7 @@ def prepare(
     x = rest.x if offset is None else rest.x + offset
     modes = rest.modes if offset is None else compiled.sides(x, still, p)
     scale = state_scale(rest, n_q, n_v, _motion_size(tracks, rest.x[:n_q] - compiled.facts.start, offset))
-    # How far a switching function may be on the wrong side: 1e-9 of what a typical motion makes of it.
-    band = np.zeros(len(compiled.facts.switches))
-    if len(band):
-        moved, there = (compiled.evaluate("switch", where, still, p, rest.modes) for where in (rest.x + scale, rest.x))
-        band = np.asarray(1e-9 * np.abs(moved - there) + 1e-14)
+    band = dead_band(compiled, p, rest, scale, still)
     waves = max((signal.fastest_wave for signal in tracks.values()), default=0.0)
     limit = _explicit_limit(rest, waves)
     short = _edges_set_the_step(tracks.values(), times, limit, tolerance)
@@ -172,6 +168,14 @@ def prepare(
     long = limit * float(times[-1] - times[0]) > _LONG_RUN
     implicitly = method == "implicit" or (long and implicit_is_faster(shares(), waves, limit, tolerance))
     return replace(prepared, stiff=stiff, method="implicit" if implicitly else "explicit")
+
+
+def dead_band(compiled: Compiled, p: Array, rest: Equilibrium, scale: Array, u: Array) -> Array:
+    """How far each switching function may be on the wrong side: 1e-9 of what a typical motion makes of it."""
+    if not compiled.facts.switches:
+        return np.zeros(0)
+    moved, there = (compiled.evaluate("switch", where, u, p, rest.modes) for where in (rest.x + scale, rest.x))
+    return np.asarray(1e-9 * np.abs(moved - there) + 1e-14)
 
 
 def room(compiled: Compiled, times: Array) -> Samples:

@@ -1,0 +1,98 @@
+"""Compile the C of an FMU: zig (the extra ``fmu``) for every platform, or the system's compiler for its own."""
+
+from __future__ import annotations
+
+import importlib.util
+import platform as machine
+import shutil
+import subprocess
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from jounce.core.errors import OutputError, unknown
+
+C = Path(__file__).parent / "c"
+_LARGE = 1_000_000  # bytes of C: beyond, -O2 takes minutes for code without branches, and gains nothing
+_FLAGS = ("-std=c99", "-ffp-contract=off", "-fvisibility=default", "-Wall", "-Wextra", "-Werror", "-fPIC", "-shared")
+_LONGEST = 600.0  # s
+
+
+@dataclass(frozen=True)
+class Platform:
+    """Where an FMU's binary runs: the folder's name in FMI 2.0, the compiler's target, the suffix."""
+
+    fmi2: str
+    target: str
+    suffix: str
+
+
+PLATFORMS = {
+    "x86_64-linux": Platform("linux64", "x86_64-linux-gnu.2.17", ".so"),
+    "aarch64-linux": Platform("aarch64-linux", "aarch64-linux-gnu.2.17", ".so"),
+    "x86_64-windows": Platform("win64", "x86_64-windows-gnu", ".dll"),
+    "x86_64-darwin": Platform("darwin64", "x86_64-macos", ".dylib"),
+    "aarch64-darwin": Platform("aarch64-darwin", "aarch64-macos", ".dylib"),
+}
+"""Platforms by their names in FMI 3.0."""
+
+
+def this_platform() -> str:
+    """The name of the platform we run on, as FMI 3.0 has it.
+
+    >>> this_platform().count("-")
+    1
+    """
+    kind = {"amd64": "x86_64", "x86_64": "x86_64", "arm64": "aarch64", "aarch64": "aarch64"}
+    name = machine.machine().lower()
+    return f"{kind.get(name, name)}-{machine.system().lower()}"
+
+
+def compiler_for(platforms: Sequence[str]) -> tuple[str, list[str]] | None:
+    """Find a compiler for all of some platforms: its name and command; None where there is none."""
+    for name in platforms:
+        if name not in PLATFORMS:
+            raise unknown(name, PLATFORMS, what="platform", where="export")
+    if importlib.util.find_spec("ziglang") is not None:
+        return "zig", [sys.executable, "-m", "ziglang", "cc"]
+    if list(platforms) == [this_platform()]:
+        for name in ("cc", "gcc", "clang"):
+            if shutil.which(name):
+                return "cc", [name]
+    return None
+
+
+def compile_library(folder: Path, version: int, platform: str, compiler: tuple[str, list[str]]) -> bytes:
+    """Compile ``model.c`` in ``folder`` with the face of an FMI version; give the shared library."""
+    name, command = compiler
+    out, target = folder / f"{platform}{PLATFORMS[platform].suffix}", PLATFORMS[platform].target
+    words = [
+        *command,
+        *_FLAGS,
+        "-O1" if (folder / "model.c").stat().st_size > _LARGE else "-O2",
+        f"-I{C}",
+        f"-I{folder}",
+    ]
+    if name == "zig":
+        words += ["-target", target, "-s", "-g0"]
+    if "darwin" in platform:
+        words.append("-Wl,-no_uuid") if name != "zig" else None
+    words += ["-o", str(out), str(folder / "model.c"), str(C / "core.c"), str(C / f"fmi{version}.c")]
+    if "linux" in platform:
+        words.append("-lm")
+    try:
+        done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=_LONGEST)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise OutputError(f"the C of the FMU was not compiled: {error}", where=platform, hint=_HINT) from None
+    if done.returncode:
+        raise OutputError(
+            "the C of the FMU was not compiled",
+            where=f"{platform}, {name}",
+            found=done.stderr.strip()[-1000:],
+            hint=_HINT,
+        )
+    return out.read_bytes()
+
+
+_HINT = "Give no platform (the sources alone), and compile on the target."

@@ -1,0 +1,252 @@
+"""What an importer sees of a model: one list of variables, in the order of the value references in ``c/core.h``."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import casadi as ca
+
+from jounce.core.errors import OutputError
+from jounce.core.types import Array
+from jounce.core.units import Unit
+from jounce.mechanics.model import Model, is_road, speed_of
+
+LOAD_UNITS = {"pitch_moment": "N*m", "deceleration": "m/s^2", "lateral_acceleration": "m/s^2"}
+"""Units of the tracks that are no roads; what is not here is a command, whose unit nobody says."""
+
+
+@dataclass(frozen=True)
+class Variable:
+    """One variable of an FMU.
+
+    Attributes
+    ----------
+    reference : int
+        Value reference.
+    name, text : str
+        Structured name, and what it is.
+    causality, variability, initial, unit : str
+        As FMI has them; the unit is SI, empty where it has none.
+    start, least, most : float or bool, optional
+        Value before anyone sets it; range.
+    derivative : int, optional
+        Reference of the variable whose rate this is.
+    depends : tuple of int, optional
+        References of the states and inputs it follows from; None where nobody asks.
+    """
+
+    reference: int
+    name: str
+    causality: str
+    variability: str
+    initial: str = ""
+    unit: str = ""
+    text: str = ""
+    start: float | bool | None = None
+    least: float | None = None
+    most: float | None = None
+    derivative: int | None = None
+    depends: tuple[int, ...] | None = None
+
+    @property
+    def is_boolean(self) -> bool:
+        """Whether it is true or false instead of a number."""
+        return isinstance(self.start, bool) or self.name.startswith("mode.")
+
+
+@dataclass(frozen=True)
+class Variables:
+    """All variables, and those that the structure of the model lists."""
+
+    everything: tuple[Variable, ...]
+    derivatives: tuple[Variable, ...]
+    outputs: tuple[Variable, ...]
+    indicators: tuple[Variable, ...]
+    unknown_at_start: tuple[Variable, ...]
+    terminals: dict[str, tuple[Variable, ...]]
+
+    def reference(self, name: str) -> int:
+        """Value reference of a variable."""
+        return next(variable.reference for variable in self.everything if variable.name == name)
+
+
+def structured(name: str) -> str:
+    """A name as the naming convention of FMI allows it: blanks and the like become underscores.
+
+    >>> structured("lower_arm.angle rate"), structured("control.F[0][1]")
+    ('lower_arm.angle_rate', 'control.F[0,1]')
+    """
+    return re.sub(r"[^\w.\[\],]", "_", name.replace("][", ","), flags=re.ASCII)
+
+
+def list_variables(
+    model: Model,
+    start: Mapping[str, Array],
+    quantities: Mapping[str, Unit],
+    commands: Sequence[str] = (),
+    gains: Mapping[str, float] | None = None,
+) -> Variables:
+    """List the variables of a model.
+
+    ``start`` holds start values of states, inputs and parameters (x, u, p); ``quantities`` unit and range of the
+    parameters by path; ``commands`` are the tracks that a controller inside the FMU sets, ``gains`` its numbers.
+    """
+    gains, order = gains or {}, model.track_order
+    blocks = {"x": model.x, "dx": model.x, "u": model.u, "p": model.p, "g": ca.SX(len(gains), 1), "y": model.output}
+    first, at = {}, 1
+    for block, part in (*blocks.items(), ("z", model.switch)):
+        first[block], at = at, at + part.shape[0]
+    depends = _dependencies(model, first)
+    outputs = {output.name: output for output in model.outputs}
+    # A channel that is a state itself is that state, so that nobody finds the same signal twice.
+    same = {
+        name
+        for i, name in enumerate(outputs)
+        if name in model.states and ca.is_equal(model.output[i], model.x[model.states.index(name)], 0)
+    }
+    ins = [row for track in model.tracks for row in _inputs(track, order)]
+    taken = {name for name, _, _ in ins} | set(outputs)
+    own = [name if name in same or name not in taken else f"state.{name}" for name in model.states]
+    units = [*model.units, *(outputs[name].unit if name in same else "" for name in model.internal)]
+    states = [
+        Variable(
+            first["x"] + i, structured(name), "output" if name in same else "local", "continuous", "approx", units[i],
+            outputs[name].long_name if name in same else "", float(start["x"][i]), depends=(first["x"] + i,),
+        )
+        for i, name in enumerate(own)
+    ]  # fmt: skip
+    rates = [
+        Variable(
+            first["dx"] + i, f"der({state.name})", "local", "continuous", "calculated", _per_second(state.unit),
+            derivative=state.reference, depends=depends["dx"][i],
+        )
+        for i, state in enumerate(states)
+    ]  # fmt: skip
+    tracks = []
+    for i, (name, unit, meaning) in enumerate(ins):
+        track, place = model.tracks[i // order], i % order
+        known = {"start": float(start["u"][i]), "derivative": first["u"] + i - 1 if place else None}
+        causality, variability, initial, text = "input", "continuous", "", meaning
+        if track in commands:
+            known, initial, variability = {}, "calculated", "discrete"
+            causality = "local" if place else "output"
+            text = "always zero: a command holds" if place else "command of the controller inside"
+        tracks.append(Variable(first["u"] + i, structured(name), causality, variability, initial, unit, text, **known))
+    numbers = [
+        Variable(
+            first["p"] + i, structured(f"rig.{path}"), "parameter", "tunable", "exact", quantities[path].si,
+            start=float(start["p"][i]), least=_at_least(quantities[path]), most=quantities[path].at_most,
+        )
+        for i, path in enumerate(model.parameters)
+    ] + [
+        Variable(first["g"] + i, structured(f"control.{name}"), "parameter", "tunable", "exact", start=value)
+        for i, (name, value) in enumerate(gains.items())
+    ]  # fmt: skip
+    hidden = {name for name, _, _ in ins} | same
+    outs = [
+        Variable(
+            first["y"] + i, structured(name), "output", "continuous", "calculated", output.unit, output.long_name,
+            depends=depends["y"][i],
+        )
+        for i, (name, output) in enumerate(outputs.items())
+        if name not in hidden
+    ]  # fmt: skip
+    indicators = [
+        Variable(
+            first["z"] + i, structured(f"switch.{name}"), "local", "continuous", "calculated", "1",
+            "event indicator, above zero where the mode is on", depends=depends["z"][i],
+        )
+        for i, name in enumerate(model.switches)
+    ]  # fmt: skip
+    settings = [
+        Variable(
+            at, "settings.tolerance", "parameter", "tunable", "exact", "1",
+            "co-simulation: relative error of displacements in one step", 1e-5, least=1e-14,
+        ),
+        *(
+            Variable(at + 1 + i, structured(f"mode.{name}"), "local", "discrete", "calculated")
+            for i, name in enumerate(model.switches)
+        ),
+        Variable(
+            at + 1 + len(model.switches), "settings.start_at_rest", "parameter", "fixed", "exact",
+            text="start in static equilibrium under the inputs at the start", start=True,
+        ),
+    ]  # fmt: skip
+    time = Variable(0, "time", "independent", "continuous", unit="s", text="time")
+    everything = (time, *states, *rates, *tracks, *numbers, *outs, *indicators, *settings)
+    _refuse_collisions(everything, [*own, *(name for name, _, _ in ins), *outputs])
+    shown = tuple(variable for variable in everything if variable.causality == "output")
+    terminals = {
+        structured(track.rpartition(".")[0] if is_road(track) else track): tuple(tracks[order * i : order * i + order])
+        for i, track in enumerate(model.tracks)
+        if track not in commands
+    }
+    unknown = (*states, *rates, *(variable for variable in shown if variable not in states))
+    return Variables(everything, tuple(rates), shown, tuple(indicators), unknown, terminals)
+
+
+def _inputs(track: str, order: int) -> list[tuple[str, str, str]]:
+    """Name, unit and text of a track's value and its rates."""
+    unit = "m" if is_road(track) else LOAD_UNITS.get(track, "")
+    rate = speed_of(track)
+    second = re.sub(r"\.v(\w)$", r".a\1", rate) if is_road(track) else f"{rate}_rate"
+    text = {"m": "height of the road under the wheel, up"}.get(unit, "")
+    told = "its rate; where it stays zero, co-simulation takes it from the values"
+    rows = [
+        (track, unit, text),
+        (rate, _per_second(unit), told),
+        (second, _per_second(_per_second(unit)), "its second rate"),
+    ]
+    return rows[:order]
+
+
+def _per_second(unit: str) -> str:
+    """SI unit of a rate.
+
+    >>> [_per_second(unit) for unit in ("m", "m/s", "m/s^2", "1", "N*m")]
+    ['m/s', 'm/s^2', 'm/s^3', '1/s', 'N*m/s']
+    """
+    known = {
+        "m": "m/s",
+        "m/s": "m/s^2",
+        "rad": "rad/s",
+        "rad/s": "rad/s^2",
+        "1": "1/s",
+        "m/s^2": "m/s^3",
+        "m/s^3": "m/s^4",
+    }
+    return known.get(unit, f"{unit}/s" if unit else "")
+
+
+def _at_least(quantity: Unit) -> float | None:
+    """Lower limit; FMI knows none that is excluded."""
+    return quantity.at_least if quantity.above is None else quantity.above
+
+
+def _dependencies(model: Model, first: Mapping[str, int]) -> dict[str, list[tuple[int, ...]]]:
+    """References of the states and inputs that each rate, output and indicator depends on."""
+    known = [first["x"] + i for i in range(model.x.shape[0])] + [first["u"] + i for i in range(model.u.shape[0])]
+    rate = model.rate + model.projection[: model.x.shape[0]] if model.projection.shape[0] else model.rate
+    found = {}
+    for name, part in (("dx", rate), ("y", model.output), ("z", model.switch)):
+        rows: list[set[int]] = [set() for _ in range(part.shape[0])]
+        for row, column in zip(*ca.jacobian_sparsity(part, ca.vertcat(model.x, model.u)).get_triplet(), strict=True):
+            rows[row].add(known[column])
+        found[name] = [tuple(sorted(row)) for row in rows]
+    return found
+
+
+def _refuse_collisions(everything: Sequence[Variable], names: Sequence[str]) -> None:
+    seen: set[str] = set()
+    for variable in everything:
+        if variable.name in seen:
+            both = sorted({name for name in names if structured(name) == variable.name})
+            raise OutputError(
+                "two signals have the same name in an FMU",
+                where=variable.name,
+                found=", ".join(both),
+                hint="Rename one of them: blanks and signs become underscores there.",
+            )
+        seen.add(variable.name)
