@@ -62,6 +62,7 @@ from .kinematics import AxleLayout as AxleLayout
 from .kinematics import ContactLoad as ContactLoad
 from .kinematics import compliance as compliance
 from .kinematics import pickup_loads as pickup_loads
+from .kinematics import sweep_path as sweep_path
 from .kinematics import sweep_rack as sweep_rack
 from .kinematics import sweep_roll as sweep_roll
 from .kinematics import sweep_steering as sweep_steering

@@ -4,7 +4,7 @@ from jounce.kinematics.axle import sweep_roll, sweep_steering
 from jounce.kinematics.catalogue import CATALOGUE, Quantity
 from jounce.kinematics.compliances import compliance
 from jounce.kinematics.loads import ContactLoad, pickup_loads
-from jounce.kinematics.sweeps import AxleLayout, sweep_rack, sweep_travel, sweep_variants, write_sweep
+from jounce.kinematics.sweeps import AxleLayout, sweep_path, sweep_rack, sweep_travel, sweep_variants, write_sweep
 
 __all__ = [
     "CATALOGUE",
@@ -13,6 +13,7 @@ __all__ = [
     "Quantity",
     "compliance",
     "pickup_loads",
+    "sweep_path",
     "sweep_rack",
     "sweep_roll",
     "sweep_steering",

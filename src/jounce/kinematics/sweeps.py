@@ -162,6 +162,14 @@ def grid(travel: Array, rack: Array) -> Grid:
     return Grid((len(travel), len(rack)), order, np.ascontiguousarray(pairs[order]), np.array(before, dtype=np.int64))
 
 
+def path_grid(travel: Array, rack: Array, *, chained: bool = True) -> Grid:
+    """Lay out a walk along pairs of travel and rack, each from the one before it, or all from the design pose."""
+    count = len(travel)
+    before = np.arange(-1, count - 1, dtype=np.int64) if chained else np.full(count, -1, dtype=np.int64)
+    pairs = np.ascontiguousarray(np.stack([travel, rack], axis=1))
+    return Grid((count, 1), np.arange(count, dtype=np.intp), pairs, before)
+
+
 def _chain(values: Array) -> list[int]:
     """Indices from the value nearest to zero upwards, then downwards."""
     middle = int(np.argmin(np.abs(values)))
@@ -404,8 +412,12 @@ def prepare_sweep(rig: Rig, travel: Values, rack: Values | None = None) -> Prepa
     (3, 1)
     """
     corner = check_corner(rig)
-    model = kinematic_model(corner)
     layout = grid(sweep_values(travel, "wheel travel"), sweep_values(_rack_of(corner, rack), "rack travel"))
+    return _laid_out(corner, layout)
+
+
+def _laid_out(corner: Corner, layout: Grid) -> PreparedSweep:
+    model = kinematic_model(corner)
     tracks = len(model.tracks)
     walk = Walk(
         model.native.address["pose"],
@@ -529,6 +541,109 @@ def sweep_rack(
     return _swept(prepare_sweep(rig, to_si(travel, "m", where="wheel travel"), rack), True, False, vehicle, points)
 
 
+def sweep_path(
+    rig: Rig,
+    travel: Values,
+    rack: Values,
+    *,
+    vehicle: AxleLayout | None = None,
+    points: bool = False,
+) -> xr.Dataset:
+    """Sweep a corner along a path of pairs of wheel travel and rack travel, as a table or a measured log has them.
+
+    Parameters
+    ----------
+    rig : Rig
+        A corner with hardpoints.
+    travel, rack : sequence of float or str, or array_like, shape (n,)
+        Travel of the wheel centre from design (m, bump positive) and of the rack (m, positive to the left), pose by
+        pose, in any order; one value of them for all poses will do.
+    vehicle : AxleLayout, optional
+        Adds anti-dive, or anti-lift and anti-squat.
+    points : bool
+        Adds the places of all hardpoints, m.
+
+    Returns
+    -------
+    xarray.Dataset
+        As :func:`sweep_travel`, on ``pose`` (numbers from 0) with ``wheel_travel`` and ``rack_travel`` (m) beside it;
+        NaN where a pair is out of reach.
+
+    Raises
+    ------
+    DescriptionError
+        For a rig without hardpoints, a rack that moves nothing, or values of different lengths.
+    SimulationError
+        When no pose at all can be reached.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> turn = jn.sweep_path(jn.load("formula-student-front"), [0.0, 0.005, 0.01], [0.0, -0.01, -0.02])
+    >>> turn["camber"].sizes["pose"]
+    3
+    """
+    import xarray as xr
+
+    corner = check_corner(rig)
+    pair = [_path_values(values, name) for values, name in ((travel, "wheel travel"), (rack, "rack travel"))]
+    if np.any(pair[1] != 0.0):
+        check_rack(corner, "0, or a corner with a tie rod")
+    if len({len(values) for values in pair if len(values) > 1}) > 1:
+        raise DescriptionError("not as many racks as travels", where="rack travel", found=[len(one) for one in pair])
+    both = np.broadcast_arrays(*pair)
+    sweep = _laid_out(corner, path_grid(*both))
+    values = sweep.run()
+    if np.any(sweep.found.outcome != REACHED):  # what lies behind a pair out of reach is reached from design
+        sweep = _laid_out(corner, path_grid(*both, chained=False))
+        values = sweep.run()
+    ends = sweep.ends() if np.any(sweep.found.outcome != REACHED) else []
+    if not np.isfinite(values[0]).any():
+        raise no_pose(ends)
+    found = Variables()
+    for row, value in zip(sweep.model.rows, values, strict=True):
+        found.add(row.name, value, row.unit, row.long_name, row.sign, row.clause)
+    _add_further(found, sweep, vehicle, points=points, keep=...)
+    placed = {name: ("pose", one) for name, one in zip(("wheel_travel", "rack_travel"), both, strict=True)}
+    variables = {
+        name: xr.Variable(("pose",), value[:, 0], found.attributes[name])
+        for name, value in found.values.items()
+        if name not in placed
+    }
+    coordinates = {
+        name: xr.Variable(*value, {"units": "m", "long_name": name.replace("_", " ")}) for name, value in placed.items()
+    }
+    facts = facts_of(corner, corner.side, found.values["wheel_travel"], ends)
+    facts["findings"] = "; ".join(map(str, toggle_findings(sweep)))
+    return xr.Dataset(variables, {"pose": np.arange(len(both[0])), **coordinates}, facts)
+
+
+def _path_values(values: Values, name: str) -> Array:
+    """Values pose by pose, in any order."""
+    if isinstance(values, str):
+        return text_range(values, "m", name)
+    checked = si_values(values, "m", name)
+    if checked.ndim != 1 or not len(checked) or not np.all(np.isfinite(checked)):
+        raise DescriptionError("not a list of finite values", where=name, found=str(values)[:60])
+    if len(checked) > _MOST_POSES:
+        raise DescriptionError("too many values", where=name, found=len(checked), allowed=f"at most {_MOST_POSES}")
+    refuse_metres(checked, name, "m")
+    return checked
+
+
+def _add_further(
+    found: Variables, sweep: PreparedSweep, vehicle: AxleLayout | None, *, points: bool, keep: Any
+) -> None:
+    """Add what only some sweeps have: shares of load transfer, places of points."""
+    if vehicle is not None:
+        slopes = (found.values["contact_patch_recession"], found.values["wheel_centre_longitudinal_slope"])
+        for name, share in shares(vehicle, *slopes).items():
+            found.add(name, share, "1", _ANTI_EFFECTS[name], _ANTI_SIGN)
+    if points:
+        for name, value in sweep.points().items():
+            found.add(name, value[keep], "m", f"place of {name}", "ground axes")
+
+
 def _swept(
     sweep: PreparedSweep, along_rack: bool, along_travel: bool, vehicle: AxleLayout | None, points: bool
 ) -> xr.Dataset:
@@ -544,13 +659,7 @@ def _swept(
     found = Variables()
     for row, value in zip(sweep.model.rows, values, strict=True):
         found.add(row.name, value[keep], row.unit, row.long_name, row.sign, row.clause)
-    if vehicle is not None:
-        slopes = (found.values["contact_patch_recession"], found.values["wheel_centre_longitudinal_slope"])
-        for name, share in shares(vehicle, *slopes).items():
-            found.add(name, share, "1", _ANTI_EFFECTS[name], _ANTI_SIGN)
-    if points:
-        for name, value in sweep.points().items():
-            found.add(name, value[keep], "m", f"place of {name}", "ground axes")
+    _add_further(found, sweep, vehicle, points=points, keep=keep)
     along = {"wheel_travel": along_travel, "rack_travel": along_rack}
     dimensions = tuple(name for name, swept in along.items() if swept)
     at = tuple(slice(None) if swept else 0 for swept in along.values())

@@ -3,6 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+import jounce as jn
 from jounce.core.errors import DescriptionError
 from jounce.kinematics.sweeps import grid, sweep_values
 
@@ -70,3 +71,28 @@ def test_text_is_read_as_a_range() -> None:
     assert sweep_values("-2 deg:2 deg:2 deg", "roll", "rad") == pytest.approx(np.radians([-2.0, 0.0, 2.0]), abs=1e-12)
     with pytest.raises(DescriptionError, match="runs backwards"):
         sweep_values("80 mm:-80 mm:4 mm", "wheel travel")
+
+
+def test_a_path_has_the_poses_of_the_grid_pair_by_pose_in_any_order() -> None:
+    rig = jn.load("formula-student-front")
+    travel, rack = np.array([0.01, -0.01, 0.0, 0.02]), np.array([0.005, -0.02, 0.0, 0.02])
+    path = jn.sweep_path(rig, travel, rack, points=True)
+    crossed = jn.sweep_travel(rig, np.sort(travel), np.sort(rack), points=True)
+    for k in range(4):
+        own = crossed.sel(wheel_travel=travel[k], rack_travel=rack[k], method="nearest")
+        for name in ("camber", "steer", "caster_trail", "tie_rod_outer.x"):
+            assert float(path[name][k]) == pytest.approx(float(own[name]), abs=1e-10)
+    assert path["wheel_travel"].to_numpy() == pytest.approx(travel)
+    one = jn.sweep_path(rig, travel, 0.0)
+    assert np.all(one["rack_travel"] == 0.0)
+
+
+def test_pairs_behind_one_out_of_reach_are_found() -> None:
+    path = jn.sweep_path(jn.load("reference-double-wishbone"), [0.0, -0.3, 0.01], [0.0, 0.0, 0.0])
+    assert np.isfinite(path["camber"].to_numpy()).tolist() == [True, False, True]
+    assert path.attrs["status"] == "end_of_travel"
+
+
+def test_paths_of_different_lengths_are_refused() -> None:
+    with pytest.raises(jn.DescriptionError, match="not as many racks as travels"):
+        jn.sweep_path(jn.load("formula-student-front"), [0.0, 0.01], [0.0, 0.01, 0.02])
