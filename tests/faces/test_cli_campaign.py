@@ -37,8 +37,11 @@ def test_figures_of_the_report_are_written_where_they_are_asked_for(cli, campaig
     names = set(outcome.json["figures"])
     assert {"figures/trial-01.svg", "figures/trial-01.png", "figures/bench-spring.svg"} <= names
     assert {f"figures/{file.name}" for file in (tmp_path / "results" / "figures").iterdir()} == names
-    assert cli("campaign", "run", campaign, "--out", "plain").exit_code == 0
+    more = ("--report", "pdf", "--table", "csv")
+    assert cli("campaign", "run", campaign, "--out", "plain", *more).exit_code == 0
     assert not (tmp_path / "plain" / "figures").exists()
+    assert (tmp_path / "plain" / "report.pdf").read_bytes().startswith(b"%PDF")
+    assert len(list((tmp_path / "plain" / "tables").iterdir())) > 5
 
 
 def test_synthesise(cli, tmp_path: Path) -> None:

@@ -19,6 +19,20 @@ if TYPE_CHECKING:
     from jounce.core.findings import Finding
 
 
+class TableKind(StrEnum):
+    """How the tables of a report are written beside it."""
+
+    CSV = "csv"
+    XLSX = "xlsx"
+
+
+class ReportKind(StrEnum):
+    """Forms of a report."""
+
+    HTML = "html"
+    PDF = "pdf"
+
+
 class FigureKind(StrEnum):
     """What can be written beside a report."""
 
@@ -34,6 +48,16 @@ Figures = Annotated[
         "quarter-car prototype paper (4, 6, 8, 9, 10). Repeat it."
     ),
 ]
+Tables = Annotated[
+    list[TableKind] | None,
+    typer.Option(
+        "--table", help="Also write the tables of the report: csv into the folder tables, xlsx as one workbook."
+    ),
+]
+Reports = Annotated[
+    list[ReportKind] | None,
+    typer.Option("--report", help="Form of the report; pdf is written beside the page, which is always there."),
+]
 app = typer.Typer(no_args_is_help=True, help="Evaluate a bench campaign, or start a new one.")
 
 
@@ -44,6 +68,8 @@ def run(
     ],
     out: Annotated[Path, typer.Option(help="Folder for report, figures, updated rigs and results.json.")],
     figure: Figures = None,
+    table_: Tables = None,
+    report: Reports = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -59,19 +85,27 @@ def run(
 
         result = run_campaign(campaign, progress=say)
         say("writing the report")
-        drawn, missing = _write(result, out, figure or (), force=force)
+        drawn, missing = _write(result, out, figure or (), table_ or (), report or (), force=force)
     return campaign_reply(result, out, missing, as_json=as_json, figures=drawn)
 
 
 def _write(
-    result: CampaignResult, out: Path, figure: Sequence[FigureKind], *, force: bool
+    result: CampaignResult,
+    out: Path,
+    figure: Sequence[FigureKind],
+    tables: Sequence[TableKind],
+    reports: Sequence[ReportKind],
+    *,
+    force: bool,
 ) -> tuple[list[str], list[Finding]]:
     """Write everything that a campaign found; give the names of the figures beside the report, and what is missing."""
     from jounce.report import write_campaign
 
     formats = dict.fromkeys(name.value for name in figure if name is not FigureKind.PAPER)
+    sheets = tuple(dict.fromkeys(kind.value for kind in tables))
+    pdf = ReportKind.PDF in reports
     with drawing() as missing:
-        write_campaign(result, out, force=force, figures=tuple(formats))
+        write_campaign(result, out, force=force, figures=tuple(formats), tables=sheets, pdf=pdf)
     drawn = sorted(f"figures/{file.name}" for form in formats for file in (out / "figures").glob(f"*.{form}"))
     more, undrawn = _paper_figures(result, out, force=force) if FigureKind.PAPER in figure else ([], [])
     return [*drawn, *more], [*missing, *undrawn]
@@ -236,6 +270,8 @@ def demo(
         bool, typer.Option("--quick", help="Model the prototype as a quarter car instead of a double wishbone.")
     ] = False,
     figure: Figures = None,
+    table_: Tables = None,
+    report: Reports = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -250,5 +286,5 @@ def demo(
         folder, result = run_demo(out, quick=quick, force=force, progress=say)
         say("writing the report")
         # it holds the campaign by now, and nothing else of these names
-        drawn, missing = _write(result, folder, figure or (), force=True)
+        drawn, missing = _write(result, folder, figure or (), table_ or (), report or (), force=True)
     return campaign_reply(result, folder, missing, as_json=as_json, figures=drawn)

@@ -58,6 +58,8 @@ def write_campaign(
     *,
     force: bool = False,
     figures: Sequence[str] = (),
+    tables: Sequence[str] = (),
+    pdf: bool = False,
     progress: Callable[[str], None] = lambda _text: None,
 ) -> list[Path]:
     """Write everything a campaign found into a folder.
@@ -72,6 +74,10 @@ def write_campaign(
         Replace files of the same names in an existing folder; others stay.
     figures : sequence of str
         Formats in which every figure is also written as ``figures/<name>.<format>``: ``"svg"``, ``"png"``.
+    tables : sequence of str
+        Formats in which the tables are also written: ``"csv"`` (folder ``tables``), ``"xlsx"`` (``tables.xlsx``).
+    pdf : bool
+        Whether ``report.pdf`` is written, too.
     progress : callable
         Called with one line of text as the work goes on.
 
@@ -90,7 +96,16 @@ def write_campaign(
         For figures or sections that cannot be drawn; results, rigs and everything else are written by then.
     """
     files = campaign_files(result)
-    return write_page(lambda: campaign_page(result), out, files=files, force=force, figures=figures, progress=progress)
+    return write_page(
+        lambda: campaign_page(result),
+        out,
+        files=files,
+        force=force,
+        figures=figures,
+        tables=tables,
+        pdf=pdf,
+        progress=progress,
+    )
 
 
 def campaign_files(result: CampaignResult) -> dict[str, str]:

@@ -330,7 +330,7 @@ def _series(one: Series, ranges: tuple[float, float, float, float], box: tuple[f
         px = np.round(_FINE * (left + (u - x0) / (x1 - x0) * (right - left)))
         py = np.round(_FINE * (bottom - (v - y0) / (y1 - y0) * (bottom - top)))
         pieces.append(_polyline(np.clip(px, -4e5, 4e5).astype(int), np.clip(py, -4e5, 4e5).astype(int)))
-    return f'<path class="l {role} {one.style}" transform="scale({1 / _FINE})" d="{"".join(pieces)}"/>'
+    return f'<path class="l q {role} {one.style}" transform="scale({1 / _FINE})" d="{"".join(pieces)}"/>'
 
 
 def _runs(known: Array) -> list[slice]:
@@ -356,6 +356,12 @@ def _mark(style: str, x: float, y: float) -> str:
     return f"M{x - 4:.1f} {y - 4:.1f}l8 8m0-8l-8 8"
 
 
+SCALED_CSS = (
+    f".chart .q{{stroke-width:{1.4 * _FINE}}}.chart .q.measured{{stroke-width:{2 * _FINE}}}"
+    f".chart .q.thick{{stroke-width:{3.5 * _FINE}}}.chart .q.dashed{{stroke-dasharray:{5 * _FINE} {3 * _FINE}}}"
+    f".chart .q.dotted{{stroke-dasharray:{2 * _FINE} {3 * _FINE}}}"
+)
+"""For what draws SVG without `vector-effect`: widths of lines whose path is scaled."""
 CSS = (
     """
 .chart text{font:12px system-ui,-apple-system,"Segoe UI",Roboto,"DejaVu Sans",Arial,sans-serif;fill:var(--ink)}

@@ -133,8 +133,8 @@ def scene_panels(scene: Scene, words: str, unit: str, roles: Sequence[str] = ())
                 f"{pane.name}: {pane.words}" if pane.name != pane.words else pane.words,
                 bands=tuple((low, high, "") for low, high in scene.spans),
                 x_range=scene.window or (float(scene.x[0]), float(scene.x[-1])),
-                width=620,
-                height=190,
+                width=500,
+                height=180,
             )
         )
     return tuple(panels)

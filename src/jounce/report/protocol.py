@@ -28,6 +28,7 @@ from jounce.inspection.result import NOT_GRADED, WheelResult
 from jounce.plots import rendered
 from jounce.plots.inspection import inspection_curves
 from jounce.report.render import TEMPLATES, filled, inline_svg
+from jounce.report.typeset import breakable, compiled
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -36,7 +37,6 @@ if TYPE_CHECKING:
 SCHEMA = "jounce.protocol/1"
 _MOST = 24  # reasons and remarks
 _COUNTING = 8.0  # dots per inch suffice to count pages
-_LONGEST_WORD, _PIECE = 24, 12
 _HEIGHTS = {1: 3.2, 2: 1.75}  # inches of the curves of one axle
 
 
@@ -211,7 +211,7 @@ def _fitted(
         most = (fits + too_many) // 2 if too_many <= _MOST else _MOST
         content = protocol_content(vehicle, said, language=language, software=_software(), most=most)
         day = _day(content["date"])
-        data = json.dumps(_breakable({**content, "day": day}), ensure_ascii=False)
+        data = json.dumps(breakable({**content, "day": day}), ensure_ascii=False)
         files = {
             "main.typ": (TEMPLATES / "protocol.typ").read_bytes(),
             "protocol.json": data.encode("utf-8", "replace"),
@@ -225,31 +225,6 @@ def _fitted(
             return files, day
         else:
             too_many = most
-
-
-def compiled(files: Mapping[str, bytes], form: str, **options: Any) -> Any:
-    """Let typst set a document: PDF as bytes, pictures as a list of pages."""
-    import matplotlib as mpl
-    import typst
-
-    fonts = Path(mpl.get_data_path()) / "fonts" / "ttf"
-    compile_files: Any = typst.compile  # its types do not know files by name
-    made = compile_files(dict(files), format=form, font_paths=[str(fonts)], ignore_system_fonts=True, **options)
-    return [made] if form == "png" and isinstance(made, bytes) else made
-
-
-def _breakable(value: Any) -> Any:
-    """Let words that are longer than any column be broken."""
-    if isinstance(value, Mapping):
-        return {key: item if key == "figure" else _breakable(item) for key, item in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_breakable(item) for item in value]
-    if not isinstance(value, str):
-        return value
-    return " ".join(
-        "\u200b".join(word[i : i + _PIECE] for i in range(0, len(word), _PIECE)) if len(word) > _LONGEST_WORD else word
-        for word in value.split(" ")
-    )
 
 
 def _figures(vehicle: VehicleGrade, records: Mapping[str, xr.Dataset] | None, language: Language) -> dict[str, bytes]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import base64
 import json
 import re
-import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from hashlib import sha256
@@ -18,9 +17,11 @@ from jounce.core.errors import DrawingError, OutputError, unknown
 from jounce.core.findings import Finding, not_drawn
 from jounce.core.writing import is_empty, working_folder, write_files
 from jounce.recordings.files import write_recording
-from jounce.report.chart import CSS, Chart, chart_svg, panel_svg
+from jounce.report.chart import CSS, SCALED_CSS, Chart, chart_svg, panel_svg
+from jounce.report.document import TABLES, page_pdf, table_csv, tables_of, tables_xlsx
 from jounce.report.live import bundle, live_data
 from jounce.report.page import Findings, Page, Picture, Table, slug, unique_slugs, worst_first
+from jounce.report.typeset import compiled
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -38,6 +39,8 @@ def write_page(
     files: Mapping[str, bytes | str] = MappingProxyType({}),
     force: bool = False,
     figures: Sequence[str] = (),
+    tables: Sequence[str] = (),
+    pdf: bool = False,
     progress: Callable[[str], None] = lambda _text: None,
 ) -> list[Path]:
     """Write a page into a folder, with its figures beside it by wish: what was computed first, then what is drawn.
@@ -54,6 +57,11 @@ def write_page(
         Replace files of the same names in an existing folder; others stay.
     figures : sequence of str
         Formats in which every figure is also written as ``figures/<name>.<format>``: ``"svg"``, ``"png"``.
+    tables : sequence of str
+        Formats in which the tables are also written: ``"csv"``, one file each in the folder ``tables``; ``"xlsx"``,
+        all of them in the workbook ``tables.xlsx``.
+    pdf : bool
+        Whether the page is also written as a PDF document of the same name.
     progress : callable
         Called with one line of text as the work goes on.
 
@@ -79,17 +87,24 @@ def write_page(
     """
     computed = {**files, **(dict(page.files) if isinstance(page, Page) else {})}
     check_folder(out, force=force)
-    unknown_formats = [name for name in figures if name not in FIGURES]
-    if unknown_formats:
-        raise unknown(unknown_formats[0], FIGURES, what="format of figures", where="figures")
+    for asked, known, what in ((figures, FIGURES, "figures"), (tables, TABLES, "tables")):
+        for name in asked:
+            if name not in known:
+                raise unknown(name, known, what=f"format of {what}", where=what)
     if computed:
         progress("write: results")
-        name = page.name if isinstance(page, Page) else Page.name
-        write_folder(out, {name: _NOT_YET, **computed}, force=force)
+        first_name = page.name if isinstance(page, Page) else Page.name
+        write_folder(out, {first_name: _NOT_YET, **computed}, force=force)
         force = True
     try:
         whole = page if isinstance(page, Page) else page()
         inside, beside, missing = _draw(whole, figures, progress)
+        for name, make in _documents(whole, tables, pdf=pdf).items():
+            progress(f"write: {name}")
+            try:
+                beside |= make()
+            except Exception as error:  # noqa: BLE001 - whatever it is, the page is written
+                missing.append(not_drawn(name, error))
         progress("write: files")
         drawn: dict[str, bytes | str] = {whole.name: page_html(whole, inside)}
         drawn |= {name: content for name, content in whole.files if name not in computed}
@@ -107,6 +122,20 @@ _NOT_YET = """<!doctype html>
 <p>What was computed is in the files beside this page. The page is drawn after them: where you read this, it is being
 drawn, or it could not be.</p></html>
 """
+
+
+def _documents(page: Page, tables: Sequence[str], *, pdf: bool) -> dict[str, Callable[[], Mapping[str, bytes | str]]]:
+    """Give what else a page is written as by wish: what it is, and how its files are made."""
+    wanted: dict[str, Callable[[], Mapping[str, bytes | str]]] = {}
+    if "csv" in tables:
+        wanted["tables as CSV"] = lambda: {f"tables/{k}.csv": table_csv(table) for k, table in tables_of(page).items()}
+    if "xlsx" in tables:
+        wanted["workbook"] = lambda: {"tables.xlsx": tables_xlsx(page)}
+    if pdf:
+        template = (TEMPLATES / "page.typ").read_bytes()
+        name = str(Path(page.name).with_suffix(".pdf"))
+        wanted["PDF"] = lambda: {name: page_pdf(page, {one.name: _panels(one) for one in page.pictures()}, template)}
+    return wanted
 
 
 def _draw(
@@ -154,6 +183,17 @@ def _files(picture: Picture | Chart, note: str, formats: Sequence[str]) -> dict[
     return {"page": page, **{name: drawn[f".{name}"] for name in formats}}
 
 
+def _panels(picture: Picture | Chart) -> dict[str, bytes]:
+    """Give the panels of a figure as SVG files for a document, which knows light colours only."""
+    name = slug(picture.name)
+    if isinstance(picture, Chart):
+        alone = (Chart((panel,), picture.name, "", picture.alternative) for panel in picture.panels)
+        return {f"{name}-{k}.svg": plain_colours(chart_svg(one, chart_style())).encode() for k, one in enumerate(alone)}
+    from jounce.plots.style import rendered
+
+    return {f"{name}.svg": rendered(picture.figure, (".svg",), salt=picture.name)[".svg"]}
+
+
 def chart_html(chart: Chart) -> str:
     """Give the panels of a chart as SVG elements for a page."""
     identity = f"fig-{slug(chart.name)}"
@@ -165,23 +205,17 @@ def chart_html(chart: Chart) -> str:
 
 def png_of(svg: str) -> bytes:
     """Draw an SVG file as PNG, twice as large, with the fonts of matplotlib: the same everywhere."""
-    import typst
-    from matplotlib import get_data_path
-
-    with tempfile.TemporaryDirectory(prefix="jounce-figure-") as folder:
-        (Path(folder) / "figure.svg").write_text(_plain_colours(svg), encoding="utf-8")
-        source = '#set page(width: auto, height: auto, margin: 0pt)\n#image("figure.svg")\n'
-        (Path(folder) / "figure.typ").write_text(source, encoding="utf-8")
-        fonts: list[Any] = [str(Path(get_data_path()) / "fonts" / "ttf")]
-        file = str(Path(folder) / "figure.typ")
-        made: Any = typst.compile(file, format="png", ppi=192.0, font_paths=fonts, ignore_system_fonts=True)
-    return bytes(made[0] if isinstance(made, list) else made)
+    source = '#set page(width: auto, height: auto, margin: 0pt)\n#image("figure.svg")\n'
+    files = {"main.typ": source.encode(), "figure.svg": plain_colours(svg).encode()}
+    (made,) = compiled(files, "png", ppi=192.0)
+    return bytes(made)
 
 
-def _plain_colours(svg: str) -> str:
-    """Write the light colours where a figure names them: what draws SVG outside browsers knows no variables."""
+def plain_colours(svg: str) -> str:
+    """Write colours and widths of lines as they are: what draws SVG outside browsers knows no variables."""
     colours = dict(re.findall(r"--([\w-]+):\s*([^;}]+);", light_colours()))
-    return re.sub(r"var\(--([\w-]+)\)", lambda found: colours[found[1]].strip(), svg)
+    plain = re.sub(r"var\(--([\w-]+)\)", lambda found: colours[found[1]].strip(), svg)
+    return plain.replace("</style>", f"{SCALED_CSS}</style>", 1)
 
 
 def light_colours() -> str:

@@ -141,7 +141,7 @@ def test_nothing_finite_is_an_empty_figure() -> None:
 
 def test_gaps_part_a_line() -> None:
     svg = panel_svg(Panel((Series([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.0, np.nan, 1.0, 0.0]),)), "p", "")
-    line = re.search(r'class="l after line"[^>]*d="([^"]*)"', svg)
+    line = re.search(r'class="l q after line"[^>]*d="([^"]*)"', svg)
     assert line is not None
     assert line[1].count("M") == 2
 

@@ -1,0 +1,268 @@
+"""A page as a PDF document, and its tables as CSV files and one workbook."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from jounce.core.optional import require
+from jounce.report.chart import Chart
+from jounce.report.live import Viewer
+from jounce.report.page import (
+    Block,
+    Bullets,
+    Cell,
+    Details,
+    Facts,
+    Findings,
+    Page,
+    Paragraph,
+    Picture,
+    Table,
+    slug,
+)
+from jounce.report.typeset import breakable, compiled
+
+if TYPE_CHECKING:
+    from jounce.report.page import Fact
+
+TABLES = ("csv", "xlsx")
+"""Formats of a page's tables."""
+
+
+def page_pdf(page: Page, figures: Mapping[str, Mapping[str, bytes]], template: bytes) -> bytes:
+    """Set a page as PDF; ``figures`` has the panels of each figure as SVG by name: file name to content."""
+    import jounce
+
+    content = {
+        "title": page.title,
+        "subtitle": page.subtitle,
+        "banner": page.banner,
+        "note": page.figure_note,
+        "foot": f"{page.title} · jounce {jounce.__version__}",
+        "sections": [{"title": section.title, "blocks": _blocks(section.blocks, figures)} for section in page.sections],
+    }
+    files = {name: svg for panels in figures.values() for name, svg in panels.items()}
+    data = json.dumps(_kept_files(breakable(content)), ensure_ascii=False).encode("utf-8", "replace")
+    made: bytes = compiled({"main.typ": template, "page.json": data, **files}, "pdf")
+    return made
+
+
+def _kept_files(value: Any) -> Any:
+    """Give names of files back the form in which they stand beside the document."""
+    if isinstance(value, dict):
+        return {
+            key: item.replace("\u200b", "") if key in ("file", "kind") else _kept_files(item)
+            for key, item in value.items()
+        }
+    return [_kept_files(item) for item in value] if isinstance(value, list) else value
+
+
+def _blocks(blocks: Sequence[Block], figures: Mapping[str, Mapping[str, bytes]]) -> list[dict[str, Any]]:
+    return [plain for block in blocks if (plain := _plain(block, figures)) is not None]
+
+
+def _plain(block: Block, figures: Mapping[str, Mapping[str, bytes]]) -> dict[str, Any] | None:
+    kind = type(block).__name__
+    if isinstance(block, Paragraph):
+        return {"kind": kind, "text": block.text, "tone": block.tone}
+    if isinstance(block, Bullets):
+        return {"kind": kind, "items": list(block.items)}
+    if isinstance(block, Table):
+        return {"kind": kind, **_table(block)}
+    if isinstance(block, Picture | Chart):
+        names = list(figures[block.name])
+        widths = [panel.width for panel in block.panels] if isinstance(block, Chart) else [1]
+        panels = [{"file": name, "width": width} for name, width in zip(names, widths, strict=True)]
+        rows = _packed(panels)
+        full = max(_FULL, *(sum(panel["width"] for panel in row) for row in rows)) if isinstance(block, Chart) else 1
+        return {"kind": "Figure", "rows": rows, "full": full, "caption": block.caption}
+    if isinstance(block, Facts):
+        return {"kind": kind, "items": [_fact(fact) for fact in block.items]}
+    if isinstance(block, Findings):
+        from jounce.report.render import grouped
+
+        tones = {"problem": "bad", "warning": "fair", "note": "muted"}
+        groups = [
+            {"tone": tones[severity], "heading": heading, "items": [{"places": p, "message": m} for p, m in rows]}
+            for severity, heading, rows in grouped(block)
+        ]
+        return {"kind": kind, "groups": groups}
+    if isinstance(block, Viewer):
+        return None  # it moves; its figures stand beside it
+    title = block.summary if isinstance(block, Details) else block.title
+    return {"kind": "Group", "title": title, "blocks": _blocks(block.blocks, figures)}
+
+
+def _packed(panels: list[dict[str, Any]]) -> list[list[dict[str, Any]]]:
+    """Put panels side by side as long as their text can be read."""
+    rows: list[list[dict[str, Any]]] = []
+    for panel in panels:
+        if not rows or sum(one["width"] for one in rows[-1]) + panel["width"] > _MOST:
+            rows.append([])
+        rows[-1].append(panel)
+    return rows
+
+
+def _fact(fact: Fact) -> dict[str, str]:
+    return {"label": fact.label, "value": fact.value, "note": fact.note, "tone": fact.tone}
+
+
+_FULL, _MOST = 700, 1010
+"""Width of panels side by side, in their pixels, that fills the page, and the most that can be read there."""
+_WIDE, _WIDE_NAME = 22, 44
+"""Letters from which a column of text, and the first one, shares what room is left."""
+
+
+def _table(table: Table) -> dict[str, Any]:
+    from jounce.report.render import alignments
+
+    align = alignments(table)
+    rows = [[_cell(cell) for cell in row] for row in table.rows]
+    longest = [
+        max((max(len(row[k]["text"]), len(row[k]["note"])) for row in rows if k < len(row)), default=0)
+        for k in range(len(table.header))
+    ]
+    widths = [
+        "fill" if a == "left" and n > (_WIDE if k else _WIDE_NAME) else "auto"
+        for k, (a, n) in enumerate(zip(align, longest, strict=True))
+    ]
+    return {
+        "caption": table.caption,
+        "header": list(table.header),
+        "rows": rows,
+        "align": align,
+        "widths": widths,
+        "note": table.note,
+    }
+
+
+def _cell(cell: Cell | str) -> dict[str, str]:
+    if isinstance(cell, str):
+        return {"text": cell, "tone": "plain", "note": ""}
+    return {"text": cell.text, "tone": cell.tone, "note": cell.note}
+
+
+def tables_of(page: Page) -> dict[str, Table]:
+    """Every table of a page by a file name, in order: ``01-parameters-of-strategy-1``."""
+    found = [block for block in page.blocks() if isinstance(block, Table)]
+    return {f"{k:02d}-{slug(table.caption)[:60].rstrip('-')}": table for k, table in enumerate(found, 1)}
+
+
+_NUMBER = re.compile(r"−?\d+(\.\d+)?(e−?\d+)?")
+
+
+def value_of(cell: Cell | str) -> float | str:
+    """A cell as a number where it is one, else its text with the note behind it.
+
+    Examples
+    --------
+    >>> value_of("−1.5e−3"), value_of("22.7 N/mm"), value_of(Cell("good", "good", "of all"))
+    (-0.0015, '22.7 N/mm', 'good (of all)')
+    """
+    text, note = (cell, "") if isinstance(cell, str) else (cell.text, cell.note)
+    if _NUMBER.fullmatch(text) and not note:
+        return float(text.replace("−", "-"))
+    return f"{text} ({note})" if note else text
+
+
+def table_csv(table: Table) -> str:
+    """Write a table as CSV: numbers with a point, texts that a spreadsheet would take for formulas with a ``'``.
+
+    Examples
+    --------
+    >>> print(table_csv(Table("t", ("name", "value [mm]"), (("=1+1", "−0.50"),))), end="")
+    name,value [mm]
+    '=1+1,-0.50
+    """
+    stream = io.StringIO()
+    writer = csv.writer(stream, lineterminator="\n")
+    writer.writerow([_harmless(title) for title in table.header])
+    for row in table.rows:
+        writer.writerow([_csv_text(cell) for cell in row])
+    return stream.getvalue()
+
+
+def _csv_text(cell: Cell | str) -> str:
+    value = value_of(cell)
+    if isinstance(value, str):
+        return _harmless(value)
+    return (cell if isinstance(cell, str) else cell.text).replace("−", "-")
+
+
+def _harmless(text: str) -> str:
+    return f"'{text}" if text.startswith(("=", "+", "-", "@", "\t", "\r")) else text
+
+
+def tables_xlsx(page: Page) -> bytes:
+    """Write all tables of a page into one workbook, a sheet each, the first one a list of them.
+
+    Raises
+    ------
+    MissingPackageError
+        Without openpyxl (extra ``io``).
+    """
+    openpyxl = require("openpyxl", "io")
+    book = openpyxl.Workbook()
+    contents = book.active
+    contents.title = "Contents"
+    _append(contents, (page.title,))
+    if page.banner:
+        _append(contents, (page.banner,))
+    bold = openpyxl.styles.Font(bold=True)
+    for name, table in tables_of(page).items():
+        sheet = book.create_sheet(name[:31])
+        _append(contents, (name[:31], table.caption))
+        _append(sheet, table.header)
+        for cell in sheet[1]:
+            cell.font = bold
+        for row in table.rows:
+            _append(sheet, [value_of(cell) for cell in row])
+        sheet.freeze_panes = "B2"
+        for k, column in enumerate(sheet.columns, 1):
+            width = max((len(str(cell.value or "")) for cell in column), default=8)
+            sheet.column_dimensions[openpyxl.utils.get_column_letter(k)].width = min(max(width + 2, 8), 60)
+    stream = io.BytesIO()
+    book.properties.created = book.properties.modified = _EPOCH
+    book.save(stream)
+    return _undated(stream.getvalue())
+
+
+def _append(sheet: Any, values: Sequence[float | str]) -> None:
+    """Append a row; texts stay texts, also those that begin with ``=``."""
+    row = sheet.max_row + (sheet.max_row > 1 or sheet.cell(1, 1).value is not None)
+    for column, value in enumerate(values, 1):
+        cell = sheet.cell(row, column)
+        cell.value = _CONTROL.sub(" ", value) if isinstance(value, str) else value
+        if isinstance(value, str):
+            cell.data_type = "s"
+
+
+_CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f]")
+
+
+def _epoch() -> Any:
+    from datetime import UTC, datetime
+
+    return datetime(2000, 1, 1, tzinfo=UTC).replace(tzinfo=None)
+
+
+_EPOCH = _epoch()
+
+
+def _undated(content: bytes) -> bytes:
+    """Write a workbook's archive again without the times at which it was made."""
+    import zipfile
+
+    stream = io.BytesIO()
+    with zipfile.ZipFile(io.BytesIO(content)) as old, zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as new:
+        for info in old.infolist():
+            data = old.read(info)
+            if info.filename == "docProps/core.xml":
+                data = re.sub(rb"(<dcterms:(?:created|modified)[^>]*>)[^<]*", rb"\g<1>2000-01-01T00:00:00Z", data)
+            new.writestr(zipfile.ZipInfo(info.filename, (2000, 1, 1, 0, 0, 0)), data, zipfile.ZIP_DEFLATED)
+    return stream.getvalue()
