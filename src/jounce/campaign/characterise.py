@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from jounce.campaign.description import Bench, DecayBench, StiffnessBench
-from jounce.core.errors import JounceError, RecordingError
+from jounce.core.errors import RecordingError, unforeseen
 from jounce.core.findings import Finding
 from jounce.core.units import to_si
 from jounce.design.lumping import lump
@@ -156,9 +156,9 @@ def characterise(rig: Rig, bench: Bench, folder: Path) -> tuple[Characterisation
             continue
         try:
             knowledge = step(found, knowledge, table, folder)
-        except JounceError as error:
+        except Exception as error:  # noqa: BLE001 - one bad file never loses the others
             found.failed.append(place)
-            text = f"{error} The described value is used instead."
+            text = f"{unforeseen(error)} The described value is used instead."
             found.findings.append(Finding(place, "problem", text))
     return found, knowledge
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -25,7 +26,7 @@ from jounce.campaign.result import (
 )
 from jounce.campaign.truth import BenchTruth, load_truth, true_values
 from jounce.campaign.updated_rigs import updated_rigs
-from jounce.core.errors import DescriptionError, FitError, JounceError, unknown
+from jounce.core.errors import DescriptionError, FitError, JounceError, unforeseen, unknown
 from jounce.core.findings import Finding
 from jounce.design.lumping import lumped_from
 from jounce.design.model_comparison import ModelComparison, PeakDifference, compare_models, compare_peaks
@@ -38,6 +39,8 @@ from jounce.kinematics import sweep_travel
 from jounce.parts import Corner, Rig, load, rig_findings, rig_path
 from jounce.parts.variants import strut_angle_findings, with_strut_angle
 from jounce.recordings import Sensor
+from jounce.recordings.plausibility import SLOWEST_STEP
+from jounce.recordings.sensors import check_sensors
 from jounce.roads import Excitation, Road, Train, Trial, read_roads
 from jounce.simulation.compiled import compile_rig
 
@@ -90,9 +93,9 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
     rig = load(rig_file)
     roads = read_roads(campaign.roads, where=str(file), text=text, folder=file.parent)
     _check_references(campaign, roads, file)
-    _check_sensors(campaign, rig, file)
-    findings = rig_findings(rig, rig_file.name) + check_strut_angles(campaign, rig, file)
-    _check_updates(campaign, rig, file)
+    findings = rig_findings(rig, rig_file.name)
+    for check in checks_of(campaign, rig, file):
+        findings += check()
     progress("bench: " + ", ".join(name for name in ("spring", "tyre", "decay") if getattr(campaign.bench, name)))
     bench, knowledge = characterise(rig, campaign.bench, file.parent)
     findings += bench.findings
@@ -149,11 +152,18 @@ def _check_references(campaign: Campaign, roads: dict[str, Road], file: Path) ->
             raise unknown(entry.road, roads, what="road", where=f"{file}: trial[{i}].road (number {entry.number})")
 
 
-def _check_sensors(campaign: Campaign, rig: Rig, file: Path) -> None:
+def checks_of(campaign: Campaign, rig: Rig, file: Path) -> list[Callable[[], list[Finding]]]:
+    """What is refused before any work is done; ``jounce check`` does all of it, too."""
+    return [partial(check, campaign, rig, file) for check in (_check_sensors, check_strut_angles, _check_updates)]
+
+
+def _check_sensors(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
     channels = compile_rig(rig).output_names
     for name in campaign.sensors:
         if name not in channels:
             raise unknown(name, channels, what="channel", where=f"{file}: sensors")
+    check_sensors(campaign.sensors, f"{file}: sensors")
+    return []
 
 
 def check_strut_angles(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
@@ -173,7 +183,7 @@ def check_strut_angles(campaign: Campaign, rig: Rig, file: Path) -> list[Finding
     return findings
 
 
-def _check_updates(campaign: Campaign, rig: Rig, file: Path) -> None:
+def _check_updates(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
     """Refuse updates and doubts that cannot be meant, before any work is done."""
     for path, given in campaign.doubt.values.items():
         own_doubt(rig, path, given, f"{file}: doubt.values")
@@ -187,6 +197,7 @@ def _check_updates(campaign: Campaign, rig: Rig, file: Path) -> None:
             where=place,
             more=len(curve),
         )
+    return []
 
 
 def _load_trials(
@@ -196,23 +207,28 @@ def _load_trials(
     for entry in campaign.trial:
         place = f"trial {entry.number}"
         try:
-            measured, notes = entry.read(folder / entry.recording, folder)
-            measured = compression_positive(measured, entry.stroke_positive, entry.force_positive)
-            duration = entry.duration or float(measured["time"][-1])
-            known = inputs_of(entry, folder, notes)
-            if entry.road is not None:
-                known = {"road": roads[entry.road], "speed": entry.speed, **known}
-            trial = Trial(duration=duration, **known)
-            _check_length(trial, measured)
-            loaded[entry.number] = _Loaded(entry, trial, measured.sel(time=slice(None, duration)))
-        except JounceError as error:
-            findings.append(Finding(place, "problem", f"{error} The trial is left out."))
+            loaded[entry.number], notes = load_trial(entry, roads, folder)
+        except Exception as error:  # noqa: BLE001 - one bad file never loses the others
+            findings.append(Finding(place, "problem", f"{unforeseen(error)} The trial is left out."))
         else:
             findings += [Finding(f"{place}: {note.place}", note.severity, note.message, note.value) for note in notes]
     return loaded
 
 
-def inputs_of(entry: TrialEntry, folder: Path, findings: list[Finding]) -> dict[str, Any]:
+def load_trial(entry: TrialEntry, roads: Mapping[str, Road], folder: Path) -> tuple[_Loaded, list[Finding]]:
+    """Read what a trial needs, and refuse what cannot be compared with a simulation."""
+    measured, notes = entry.read(folder / entry.recording, folder)
+    measured = compression_positive(measured, entry.stroke_positive, entry.force_positive)
+    duration = entry.duration or float(measured["time"][-1])
+    known = _inputs_of(entry, folder, notes)
+    if entry.road is not None:
+        known = {"road": roads[entry.road], "speed": entry.speed, **known}
+    trial = Trial(duration=duration, **known)
+    _check_length(trial, measured)
+    return _Loaded(entry, trial, measured.sel(time=slice(None, duration))), notes
+
+
+def _inputs_of(entry: TrialEntry, folder: Path, findings: list[Finding]) -> dict[str, Any]:
     """Read the measured inputs of a trial, the base motion and the force of an actuator, as fields of a `Trial`."""
     known: dict[str, Any] = {}
     if entry.actuator_force is not None:
@@ -232,6 +248,15 @@ def inputs_of(entry: TrialEntry, folder: Path, findings: list[Finding]) -> dict[
 
 def _check_length(trial: Trial, measured: xr.Dataset) -> None:
     last = min(float(measured["time"][-1]), trial.duration)
+    step = float(measured["time"][1] - measured["time"][0])
+    if step > SLOWEST_STEP:
+        raise FitError(
+            "no motion of a suspension can be seen in the recording",
+            where="time",
+            found=f"a sample every {step:.4g} s",
+            allowed=f"steps up to {SLOWEST_STEP:g} s",
+            hint="Is its time in ms, or another unit than its header says?",
+        )
     if last < trial.obstacle_end():
         raise FitError(
             "the recording is shorter than the obstacle pass",
@@ -264,7 +289,7 @@ class _Runner:
         """Decide where the zeros of all channels lie, once for all updates and comparisons, and check their signs."""
         starts = {}
         for number, item in self.loaded.items():
-            with suppress(JounceError):  # said where the trial is used
+            with suppress(Exception):  # said where the trial is used
                 decided, starts[f"trial {number}"] = with_datum(self.fit_trial(item, knowledge))
                 self.sensors[number] = decided.sensors
         self.findings += start_findings(starts)
@@ -275,8 +300,8 @@ class _Runner:
             try:
                 self.progress(f"update: {entry.name}")
                 done[entry.name] = self._update(entry, start, done)
-            except JounceError as error:
-                self.findings.append(Finding(entry.name, "problem", f"{error} The update is left out."))
+            except Exception as error:  # noqa: BLE001 - one bad file never loses the others
+                self.findings.append(Finding(entry.name, "problem", f"{unforeseen(error)} The update is left out."))
         return list(done.values())
 
     def _update(self, entry: UpdateEntry, start: Knowledge, done: dict[str, StrategyResult]) -> StrategyResult:
@@ -363,8 +388,9 @@ class _Runner:
         try:
             found = compare_models(knowledge.rig)
             peaks = [peak for item in self.loaded.values() for peak in self._peaks(item, knowledge)]
-        except JounceError as error:
-            self.findings.append(Finding("lumped model", "warning", f"{error} It is not compared with the 3-D rig."))
+        except Exception as error:  # noqa: BLE001 - one bad file never loses the others
+            text = f"{unforeseen(error)} It is not compared with the 3-D rig."
+            self.findings.append(Finding("lumped model", "warning", text))
             return None
         return replace(found, peaks=tuple(peaks))
 
@@ -411,8 +437,8 @@ class _Runner:
         if key not in self.compared:
             try:
                 self.compared[key] = compare_trial(trial, lag)
-            except JounceError as error:
-                self.findings.append(Finding(trial.name, "problem", str(error)))
+            except Exception as error:  # noqa: BLE001 - one bad file never loses the others
+                self.findings.append(Finding(trial.name, "problem", str(unforeseen(error))))
                 self.compared[key] = (None, {}, [], None)
         return self.compared[key]
 

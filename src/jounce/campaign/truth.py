@@ -27,6 +27,7 @@ from jounce.parts.elements import Curve, PolynomialCurve, PowerCurve, VelocityTa
 from jounce.parts.rig import change_table, split_path
 from jounce.parts.variants import with_strut_angle
 from jounce.recordings import Sensor
+from jounce.recordings.sensors import check_sensors
 from jounce.roads import HalfSine, Road
 from jounce.simulation import simulate
 
@@ -146,6 +147,7 @@ class BenchTruth(Description):
     @model_validator(mode="after")
     def _has_a_rig(self) -> Self:
         self.true_rig()
+        check_sensors(self.sensors, "sensors")
         return self
 
     def true_rig(self, pressure: float | None = None) -> QuarterCar | Corner:
@@ -232,7 +234,17 @@ def load_truth(path: Path | str) -> BenchTruth:
     beside = file.parent / str(table.get("rig"))
     if beside.suffix == ".toml":
         table["rig"] = _table_of(load(beside))
-    return BenchTruth.from_table(table, where=str(file), text=text)
+    try:
+        return BenchTruth.from_table(table, where=str(file), text=text)
+    except DescriptionError as error:
+        if error.where.startswith(str(file)) or error.what.startswith(str(file)):
+            raise
+        place = (
+            f"{file}: {error.where}" if error.where else str(file)
+        )  # a value that is changed, or of the rig it names
+        raise DescriptionError(
+            error.what, where=place, found=error.found, allowed=error.allowed, hint=error.hint
+        ) from None
 
 
 def true_values(

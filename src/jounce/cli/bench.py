@@ -9,7 +9,15 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import typer
 
-from jounce.cli.options import AsJson, bare_number, optional_quantity, pairs, positive_quantity, quantity
+from jounce.cli.options import (
+    AsJson,
+    bare_number,
+    optional_positive,
+    optional_quantity,
+    pairs,
+    positive_quantity,
+    quantity,
+)
 from jounce.cli.reply import Reply, estimates, show_findings, table
 from jounce.core.errors import DescriptionError
 
@@ -153,15 +161,20 @@ def speed(
         frequency = inverter_frequency_for(drive, positive_quantity(wanted, "m/s", "--speed"))
     computed = None if frequency is None else belt_speed(drive, frequency)
     counted = None
+    counting = optional_positive(duration, "s", "--duration")
+    error = quantity(radius_error, "m", "--radius-error")
+    if pulses is None and counting is not None:
+        hint = "Count them in that time, or leave it out."
+        raise DescriptionError("--duration is the time in which --pulses are counted, which are missing", hint=hint)
     if pulses is not None:
-        if duration is None:
+        if counting is None:
             raise DescriptionError("--duration is missing; pulses are counted in a time", allowed='--duration "10 s"')
         counted = photo_sensor_speed(
             drive,
             pulses,
-            positive_quantity(duration, "s", "--duration"),
+            counting,
             pulses_per_revolution=pulses_per_revolution,
-            radius_error=quantity(radius_error, "m", "--radius-error"),
+            radius_error=error,
         )
     return _speed_reply(computed, counted, as_json=as_json)
 

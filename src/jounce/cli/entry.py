@@ -38,8 +38,10 @@ from jounce.cli.reply import (
     report_error,
 )
 from jounce.core.errors import JounceError, OutputError, nearest
+from jounce.core.text import shortened
 
 EPILOG = 'Values carry their units: --speed "1.95 m/s"; bare numbers are SI. --debug shows the traceback of a crash.'
+_LONGEST = 1000  # characters of what the parser of the command line says
 _TOO_LARGE = "Reduce the number of samples: a shorter duration, or a larger output step."
 _CLICK_ERROR: type[Exception] = next(kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException")
 
@@ -133,7 +135,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except Exception as error:  # noqa: BLE001 - the last resort says how to report it
         if debug:
             traceback.print_exc()
-        what = f"internal error: {type(error).__name__}: {error}"
+        what = shortened(f"internal error: {type(error).__name__}: {error}", _LONGEST)
         hint = "Please report it with the command and its files; --debug shows the traceback."
         plain = {"kind": "unexpected", "message": f"{what}. {hint}", "what": what, "hint": hint}
         return report_error(plain, FAILED, as_json=as_json)
@@ -160,7 +162,7 @@ def _misused(error: Any, *, as_json: bool) -> int:
     """Explain a command line that cannot be understood."""
     context = getattr(error, "ctx", None)
     path = context.command_path if context is not None else "jounce"
-    message = error.format_message()
+    message = shortened(error.format_message().replace("Value error, ", ""), _LONGEST)
     if type(error).__name__ == "NoArgsIsHelpError":
         if not as_json:
             sys.stderr.write(f"{message}\n" if message else "")

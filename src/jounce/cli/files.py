@@ -127,11 +127,16 @@ def _check_toml(checked: Checked) -> None:
 
 def _check_rig(checked: Checked) -> None:
     from jounce.parts import load, rig_findings
+    from jounce.simulation import equilibrium
 
     rig = load(checked.file)
     checked.what = f"{getattr(rig, 'model', 'rig')} with {len(rig.parameters())} parameters"
     checked.parameters = _parameters(rig)
     checked.notes += map(str, rig_findings(rig, str(checked.file)))
+    try:
+        equilibrium(rig)
+    except JounceError as error:
+        raise DescriptionError(f"it cannot stand: {error}", where=str(checked.file)) from None
 
 
 def _parameters(description: Any) -> dict[str, dict[str, float | str]]:
@@ -230,9 +235,9 @@ def _check_campaign(checked: Checked) -> None:
     """The campaign, its rig and roads, and every file of bench and trials."""
     from jounce.campaign import load_campaign
     from jounce.campaign.characterise import files_of, read_force_deflection
-    from jounce.campaign.run import check_strut_angles, inputs_of
+    from jounce.campaign.run import checks_of, load_trial
     from jounce.parts import load, rig_path
-    from jounce.roads import Trial, read_roads
+    from jounce.roads import read_roads
 
     campaign, text = load_campaign(checked.file)
     folder, where = checked.file.parent, str(checked.file)
@@ -242,7 +247,9 @@ def _check_campaign(checked: Checked) -> None:
     )
     with checked.step():
         rig = load(folder / campaign.rig if campaign.rig.endswith(".toml") else rig_path(campaign.rig))
-        check_strut_angles(campaign, rig, checked.file)
+        for check in checks_of(campaign, rig, checked.file):
+            with checked.step():
+                check()
     roads: dict[str, Any] = dict.fromkeys(campaign.roads)
     with checked.step():
         roads = dict(read_roads(campaign.roads, where=where, text=text, folder=folder))
@@ -252,13 +259,12 @@ def _check_campaign(checked: Checked) -> None:
             checked.problems.append(str(unknown(entry.road, roads, what="road", where=place)))
         with checked.step():
             try:
-                entry.read(folder / entry.recording, folder)
+                if entry.road is not None and roads.get(entry.road) is None:
+                    entry.read(folder / entry.recording, folder)  # that of its road is said
+                else:
+                    load_trial(entry, roads, folder)
             except JounceError as error:
                 raise RecordingError(f"{place}: {error}") from None
-        with checked.step():
-            known = inputs_of(entry, folder, [])
-            if "excitation" in known:
-                Trial(**known)
     bench = campaign.bench
     tables = {"bench.spring": bench.spring, **{f'bench.tyre."{name}"': item for name, item in bench.tyre.items()}}
     for name, asked in tables.items():

@@ -57,7 +57,7 @@ def stiffness(
         list[str], typer.Argument(metavar="FILES", help="Force-deflection trials: columns displacement and force.")
     ],
     law: Annotated[str, typer.Option(help="linear, polynomial, power or monotone-spline.")] = "linear",
-    degree: Annotated[int, typer.Option(help="Degree of the polynomial.")] = 3,
+    degree: Annotated[int, typer.Option(min=1, max=9, help="Degree of the polynomial.")] = 3,
     discard_below: Annotated[str, typer.Option(help='Ignore smaller deflections, e.g. "2 mm".')] = "0 mm",
     intercept: Annotated[
         str,
@@ -258,7 +258,7 @@ def damper(
         typer.Argument(metavar="FILE", help="Record with columns time, displacement, force and optionally velocity."),
     ],
     law: Annotated[str, typer.Option(help="linear, bilinear, polynomial, tanh-hysteretic or bouc-wen.")] = "linear",
-    degree: Annotated[int, typer.Option(help="Degree of the polynomial.")] = 3,
+    degree: Annotated[int, typer.Option(min=1, max=9, help="Degree of the polynomial.")] = 3,
     odd: Annotated[bool, typer.Option("--odd", help="Use odd powers only.")] = False,
     friction: Annotated[bool, typer.Option("--friction", help="Add dry friction to a law of velocity.")] = False,
     velocity_from: Annotated[

@@ -125,7 +125,10 @@ def files(names: Sequence[str], option: str) -> list[Path]:
         if path.exists() or not any(mark in name for mark in "*?["):
             found.append(path)
             continue
-        matches = sorted(Path(path.anchor or ".").glob(str(path.relative_to(path.anchor))))
+        try:
+            matches = sorted(Path(path.anchor or ".").glob(str(path.relative_to(path.anchor))))
+        except ValueError:  # no pattern
+            matches = []
         if not matches:
             raise RecordingError("no file matches", where=option, found=name, hint="Check the folder and the pattern.")
         found += matches
@@ -147,7 +150,10 @@ def _toml_value(text: str) -> Any:
         value = toml_table(f"value = {text}")["value"]
     except tomllib.TOMLDecodeError:
         return text
-    return float(value) if isinstance(value, int) and not isinstance(value, bool) else value
+    try:
+        return float(value) if isinstance(value, int) and not isinstance(value, bool) else value
+    except OverflowError:  # refused where it is read as a size
+        return value
 
 
 StrokeSign = Annotated[

@@ -135,7 +135,7 @@ def compare(
 
     Example: jounce compare audi-a6-half-car-4dof --control all --figure trade-off.png
     """
-    length = duration or ("20 s" if road.lower().startswith("iso:") else None)
+    length = duration if duration is not None else ("20 s" if road.lower().startswith("iso:") else None)
     names = _names(control or ["all"])
     check_outputs(figure=figure, force=force)
     study, plain = _study(vehicle, road, speed, length, seed, names, set_)

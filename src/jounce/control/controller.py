@@ -200,7 +200,7 @@ def _from_file(path: Path) -> Controller:
     table, text = read_toml(path)
     check_schema(table, (SCHEMA,), str(path))
     law = table.get("law")
-    if law not in CONTROLS:
+    if not isinstance(law, str) or law not in CONTROLS:
         raise unknown(str(law), CONTROLS, what="law", where=f"{path}: law")
     kind = CONTROLS[str(law)]
     own = kind.law.model_fields["law"].default

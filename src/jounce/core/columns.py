@@ -15,7 +15,7 @@ import numpy as np
 from jounce.core.errors import RecordingError, nearest
 from jounce.core.files import existing_file
 from jounce.core.types import Array
-from jounce.core.units import conversion_factor, is_unit
+from jounce.core.units import LARGEST, conversion_factor, is_unit
 
 _DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+(?:[eE][+-]?\d+)?")
 _SEPARATOR_NAMES = {",": "comma", ";": "semicolon", "\t": "tab", " ": "blank"}
@@ -71,7 +71,17 @@ class Column:
                 where=self.where,
                 allowed=f"'{self.name} [{si}]' or a unit that converts to it",
             )
-        return self.values * conversion_factor(self.unit, si, where=self.where)
+        return self.scaled(conversion_factor(self.unit, si, where=self.where))
+
+    def scaled(self, factor: float) -> Array:
+        """Give the values times a factor; refuse sizes that nothing has: their squares are no numbers any more."""
+        with np.errstate(over="ignore"):
+            values = np.asarray(self.readable().values * factor, dtype=float)
+            most = float(np.fmax.reduce(np.abs(values), initial=0.0))
+        if LARGEST < most < math.inf:  # what is no number is refused by its row
+            found = f"{most / abs(factor):g} {self.unit}".rstrip()
+            raise RecordingError("not a size that anything has", where=self.where, found=found)
+        return values
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,7 +157,8 @@ def read_columns_csv(path: Path | str) -> ColumnTable:
     (('Weg', 'Kraft', 'Zeit'), 'N', 0.01, ('decimal commas were read as decimal points',))
     """
     file = Path(path)
-    lines = _text_of(file).splitlines()
+    text = _text_of(file)
+    lines = text.splitlines()
     comments, first = _leading_comments(lines)
     if first == len(lines):
         raise RecordingError("the file is empty", where=str(file), allowed="a header 'name [unit], ...' and rows")
@@ -165,6 +176,8 @@ def read_columns_csv(path: Path | str) -> ColumnTable:
         if not rows:
             raise RecordingError("a header but no rows of numbers", where=f"{file}, line {start + 1}")
         columns, remarks = _columns(rows, numbers, header, units, file, separator)
+        if not text.endswith(("\n", "\r")) and _is_cut_off(rows, separator):
+            remarks += ("the last line has no end and its last number fewer digits than all others: was it cut off?",)
     except csv.Error as error:
         raise RecordingError(f"not a table ({error})", where=str(file)) from None
     if start > first:
@@ -199,14 +212,22 @@ def parse_header(header: str) -> list[tuple[str, str]]:
 
 def _text_of(file: Path) -> str:
     content = existing_file(file, RecordingError).read_bytes()
-    if content.startswith((b"\xff\xfe", b"\xfe\xff")):
-        return content.decode("utf-16", errors="replace")
-    if b"\0" in content:
+    wide = content.startswith((b"\xff\xfe", b"\xfe\xff"))
+    text = content.decode("utf-16", errors="replace") if wide else ""
+    if "\0" in text if wide else b"\0" in content:
         raise RecordingError("not a text file", where=str(file), allowed="columns separated by comma, semicolon or tab")
+    if wide:
+        return text
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError:
         return content.decode("cp1252", errors="replace")
+
+
+def _is_cut_off(rows: Sequence[str], separator: str) -> bool:
+    """Whether the last number of the last row is shorter than that of each other row, of which there are some."""
+    *lengths, last = (len(row) - row.rfind(separator) for row in rows)
+    return len(lengths) > 9 and last < min(lengths)
 
 
 def _leading_comments(lines: list[str]) -> tuple[tuple[str, ...], int]:

@@ -69,14 +69,20 @@ class Description(BaseModel, metaclass=_DescriptionType):
 _LARGEST = 20_000_000  # bytes
 
 
+def description_text(path: Path | str) -> str:
+    """Text in UTF-8 of a file that is no larger than a description; UnicodeDecodeError where it is none."""
+    file = existing_file(path)
+    if file.stat().st_size > _LARGEST:
+        allowed = f"at most {_LARGEST // 1_000_000} MB of text"
+        raise DescriptionError("the file is too large for a description", where=str(file), allowed=allowed)
+    return file.read_text(encoding="utf-8")
+
+
 def read_toml(path: Path | str) -> tuple[dict[str, Any], str]:
     """Read a TOML file; give its table and its text. What is missing, empty or not TOML (with the line) is refused."""
     file = existing_file(path)
-    if file.stat().st_size > _LARGEST:
-        allowed = f"at most {_LARGEST // 1_000_000} MB of TOML"
-        raise DescriptionError("the file is too large for a description", where=str(file), allowed=allowed)
     try:
-        text = file.read_text(encoding="utf-8")
+        text = description_text(file)
     except UnicodeDecodeError:
         raise DescriptionError(
             "not a text file", where=str(file), allowed="TOML text in UTF-8", hint="Was a recording given instead?"
@@ -92,13 +98,39 @@ def read_toml(path: Path | str) -> tuple[dict[str, Any], str]:
 def toml_table(text: str) -> dict[str, Any]:
     """Parse TOML; whatever is wrong with it, nesting and numbers that nothing can hold too, is a TOMLDecodeError."""
     try:
-        return tomllib.loads(text)
+        table = tomllib.loads(text)
     except tomllib.TOMLDecodeError:
         raise
     except RecursionError:
         raise tomllib.TOMLDecodeError("nested too deeply") from None
     except ValueError:
         raise tomllib.TOMLDecodeError("an integer of thousands of digits") from None
+    if is_nested_deeply(table):
+        raise tomllib.TOMLDecodeError("nested too deeply")
+    return table
+
+
+_DEEPEST = 30
+
+
+def is_nested_deeply(value: object) -> bool:
+    """Whether tables and lists lie in each other more often than in any description: walking them may not end well.
+
+    >>> is_nested_deeply({"a": [{"b": 1}]})
+    False
+    """
+    level: list[object] = [value]
+    for _ in range(_DEEPEST):
+        level = [
+            inner
+            for item in level
+            if isinstance(item, (dict, list))
+            for inner in (item.values() if isinstance(item, dict) else item)
+            if isinstance(inner, (dict, list))
+        ]
+        if not level:
+            return False
+    return True
 
 
 def check_schema(table: dict[str, Any], expected: tuple[str, ...], where: str) -> str:
@@ -215,12 +247,12 @@ def description_error(
     misspelt = [item for item in items if item["type"] == "extra_forbidden"]
     items = [item for item in items if not (item["type"] == "missing" and _is_misspelt(item, misspelt))]
     items = [item for item in items if not (item["type"] == "too_short" and _is_within(item, items))]
-    problems = [_problem(item, kind, where, text, path) for item in items]
+    problems = [_problem(item, kind, where, text, path) for item in items[:5]]
     if len(problems) == 1:
         place, what = problems[0]
         return DescriptionError(what, where=place)
-    more = f"\n(and {len(problems) - 5} more)" if len(problems) > 5 else ""
-    return DescriptionError("\n".join(f"{place}: {what}" for place, what in problems[:5]) + more)
+    more = f"\n(and {len(items) - 5} more)" if len(items) > 5 else ""
+    return DescriptionError("\n".join(f"{place}: {what}" for place, what in problems) + more)
 
 
 def _is_misspelt(item: Any, unknown_keys: list[Any]) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import stat
 from collections.abc import Mapping
@@ -14,12 +15,24 @@ from jounce.core.errors import DescriptionError, JounceError, nearest
 def existing_file(path: Path | str, error: type[JounceError] = DescriptionError) -> Path:
     """Give the path of a file; where there is none, the error says so."""
     file = Path(path)
-    if not file.is_file():
+    if not _is_file(file):
         raise error(_instead(file), where=str(file), hint="Check the path and the name.")
     return file
 
 
+def _is_file(file: Path) -> bool:
+    """Whether it is a file; a name that no system takes is none."""
+    try:
+        return file.is_file()
+    except OSError as error:
+        if error.errno == errno.ENAMETOOLONG:
+            return False
+        raise
+
+
 def _instead(file: Path) -> str:
+    if len(file.name) > _LONGEST_NAME:
+        return "no such file"
     if file.is_dir():
         return "a folder, not a file"
     return "a pipe or a device, not a file" if file.exists() else "no such file"
@@ -40,6 +53,7 @@ def content_of(path: Path | str, error: type[JounceError] = DescriptionError) ->
 
 
 _LARGEST = 1_000_000_000  # bytes
+_LONGEST_NAME = 1000  # characters; systems take 255 bytes
 
 
 def shipped_files(package: str, folder: str, suffix: str = ".toml") -> dict[str, Path]:
@@ -61,7 +75,7 @@ def chosen_file(
     'eusama.toml'
     """
     file = Path(name)
-    if file.suffix == ".toml" or file.is_file():
+    if file.suffix == ".toml" or _is_file(file):
         return file
     if str(name) not in shipped:
         raise DescriptionError(

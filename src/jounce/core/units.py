@@ -14,7 +14,8 @@ from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
 from jounce.core.errors import DescriptionError, shown
 
-_NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*$")
+_NUMBER = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(\S.*)?", re.DOTALL)
+_LONGEST_TEXT = 1000
 _DIMENSIONLESS = {"", "1", "-"}
 _UNIT_HINT = "Check spelling and case, e.g. 'mm', 'N/mm', 'N*s/m', 'MPa', 'deg', 'm/s^2'."
 
@@ -185,11 +186,11 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
         except OverflowError:  # an integer of hundreds of digits
             number = math.inf
     else:
-        match = _NUMBER.match(value)
+        match = _NUMBER.fullmatch(value.strip()) if len(value) <= _LONGEST_TEXT else None
         if match is None:
             raise DescriptionError("not a number with a unit", where=where, found=value, allowed=f"'<number> {si}'")
         number = float(match[1])
-        if match[2] == "" and si not in _DIMENSIONLESS:
+        if match[2] is None and si not in _DIMENSIONLESS:
             raise DescriptionError(
                 "the unit is missing",
                 where=where,
@@ -200,13 +201,13 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
             number *= conversion_factor(match[2], si, where=where)
     if not math.isfinite(number):
         raise DescriptionError("not a finite number", where=where, found=value, allowed="a finite number")
-    if abs(number) > _LARGEST:
-        allowed = f"sizes up to {_LARGEST:g} {si}".removesuffix(" 1")
+    if abs(number) > LARGEST:
+        allowed = f"sizes up to {LARGEST:g} {si}".removesuffix(" 1")
         raise DescriptionError("not a size that anything has", where=where, found=value, allowed=allowed)
     return number
 
 
-_LARGEST = 1e30
+LARGEST = 1e30
 """Size in SI beyond which nothing of a vehicle lies, and products of a few values are no numbers any more."""
 
 

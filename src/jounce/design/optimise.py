@@ -24,6 +24,7 @@ from jounce.roads import Trial
 _ACTIVE = 1e-5
 _STATIONARY = 1e-4
 _EVEN = 1e-4
+_MOST_STARTS = 1000
 _WIDE = 3.0  # bounds wider than this ratio are searched by logarithm
 _MOST = 200
 _FINE = 1e-14
@@ -133,8 +134,8 @@ def search(
 
     It ends when the objective changes by less than ``precision`` (1) between steps.
     """
-    if starts < 1:
-        raise FitError("not a number of searches", where="starts", found=starts, allowed="1 or more")
+    if not 1 <= starts <= _MOST_STARTS:
+        raise FitError("not a number of searches", where="starts", found=starts, allowed=f"1 to {_MOST_STARTS}")
     first = problem.start if begin is None else begin
     points = [first]
     if starts > 1:

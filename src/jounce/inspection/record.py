@@ -9,8 +9,10 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from jounce.core.columns import read_comments_csv
-from jounce.core.description import toml_table
+from jounce.core.description import description_text, toml_table
 from jounce.core.errors import DescriptionError, RecordingError, nearest
 from jounce.core.findings import Finding
 from jounce.core.units import to_si
@@ -39,6 +41,7 @@ TEXTS = (
 )
 """What it says about the whole record."""
 _ORDERS = {"left, right", "right, left", "left", "right", "together"}
+_LONGEST_TEXT, _LARGEST_NAME = 2000, 1e15
 _TABLE_SUFFIXES = {".csv", ".txt", ".tsv"}
 
 
@@ -105,7 +108,7 @@ def _header(file: Path) -> tuple[dict[str, Any], list[Finding]]:
     beside = file.with_suffix(".toml")
     if beside.is_file() and beside != file:
         try:
-            facts |= flat_facts(toml_table(beside.read_text(encoding="utf-8")))
+            facts |= flat_facts(toml_table(description_text(beside)))
         except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
             raise DescriptionError(f"not valid TOML: {error}", where=str(beside)) from None
     if file.suffix.lower() in _TABLE_SUFFIXES and file.is_file():
@@ -145,7 +148,7 @@ def read_facts(facts: Mapping[str, Any], *, where: str = "record") -> tuple[dict
         elif key == "axle":
             found[key] = _axle(value, where)
         else:
-            found[key] = value.isoformat() if isinstance(value, (datetime.date, datetime.time)) else str(value)
+            found[key] = _text(value, f"{where}: {key}") if key in TEXTS else str(value)
             if key == "date" and found[key] and not _is_day(found[key]):
                 findings.append(remark(where, "warning", "not_a_date", date=found[key]))
             if key not in TEXTS and key not in ("schema", "jounce", "source", "Conventions"):
@@ -153,6 +156,19 @@ def read_facts(facts: Mapping[str, Any], *, where: str = "record") -> tuple[dict
                 meant = f" {hint}" if hint else ""
                 findings.append(remark(where, "warning" if hint else "note", "unknown_key", key=key, hint=meant))
     return found, findings
+
+
+def _text(value: object, where: str) -> str:
+    """Text of an entry about the record: plates and names may be written as numbers, dates as TOML writes them."""
+    plain = value.item() if isinstance(value, np.generic) else value
+    if isinstance(plain, (datetime.date, datetime.time)):
+        return plain.isoformat()
+    is_number = isinstance(plain, (int, float)) and abs(plain) < _LARGEST_NAME  # what is no number is not below it
+    text = str(plain) if is_number or isinstance(plain, str) else None
+    if text is None or len(text) > _LONGEST_TEXT or "\0" in text:
+        allowed = f"text of at most {_LONGEST_TEXT} characters, a date"
+        raise DescriptionError("not a text", where=where, found=value, allowed=allowed)
+    return text
 
 
 def day_of(text: str) -> str:

@@ -303,8 +303,7 @@ def in_si(column: Column, si: str) -> Array:
             hint=f"Write it into the header, or map it with columns: '{column.name} [{si}]'.",
         )
     factor = conversion_factor(column.unit, si, where=column.where) if column.unit else 1.0
-    with np.errstate(over="ignore"):  # what becomes infinite is refused by its row
-        return np.asarray(column.readable().values * factor, dtype=float)
+    return column.scaled(factor)
 
 
 def _main_table(signals: SignalTable, mapping: Mapping[str, str]) -> ColumnTable:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import gc
 import logging
+import os
 import re
+import struct
 import sys
 import traceback
 import warnings
@@ -12,6 +14,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import BinaryIO
 
 import numpy as np
 
@@ -402,8 +405,9 @@ def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
     Time is a channel of its own, or comes from the waveform properties ``wf_start_offset`` and ``wf_increment``.
     """
     nptdms = require("nptdms", "io")
-    with _understood(path, "a TDMS file"), _quiet():
-        file = nptdms.TdmsFile.read(path)
+    with _understood(path, "a TDMS file"), _quiet(), path.open("rb") as stream:  # a path would take an index beside it
+        at, lost = _bytes_without_segment(stream)
+        file = nptdms.TdmsFile.read(stream)
         status = file.file_status
         expected = dict(status.channel_statuses or {}) if status.incomplete_final_segment else {}
     groups, wanted = {group.name: group for group in file.groups()}, options.variable
@@ -417,6 +421,9 @@ def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
     group = groups[wanted] if wanted in groups else next(iter(groups.values()))
     where = f"{path}: group {group.name!r}"
     findings: list[Finding] = []
+    if lost:
+        text = f"{lost} bytes from byte {at} on belong to no segment: the file is damaged; what lies before was read"
+        findings.append(Finding(str(path), "problem", text, float(lost)))
     for one in group.channels():
         if one.path in expected and expected[one.path].read_length < expected[one.path].expected_length:
             lost = expected[one.path].expected_length - expected[one.path].read_length
@@ -443,6 +450,22 @@ def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
             table.insert(0, Column("time", "s", instants, str(path)))
         tables.append(table)
     return _by_clock(tables, path, options, findings=tuple(findings))
+
+
+def _bytes_without_segment(stream: BinaryIO) -> tuple[int, int]:
+    """Where the last TDMS segment ends, and how many bytes lie behind it; the library leaves them out silently."""
+    size, at = stream.seek(0, os.SEEK_END), 0
+    while at + 28 <= size:
+        stream.seek(at)
+        tag, _, _, length, before_data = struct.unpack("<4sIIQQ", stream.read(28))
+        if tag != b"TDSm":
+            break
+        if length == 2**64 - 1:  # the writer did not come to its end
+            at = size if before_data < size else at
+            break
+        at = min(at + 28 + length, size)
+    stream.seek(0)
+    return at, size - at
 
 
 @reader(

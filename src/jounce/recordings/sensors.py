@@ -15,9 +15,10 @@ from pydantic import model_validator
 from pydantic_core import PydanticCustomError
 
 from jounce.core.description import Description
-from jounce.core.errors import unknown
+from jounce.core.errors import shown, unknown
 from jounce.core.types import Array
 from jounce.core.units import Frequency, Number, Unit, to_si
+from jounce.recordings.schema import channel_unit
 from jounce.recordings.signals import check_frequency
 
 if TYPE_CHECKING:
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
 
 Initial = Literal["steady", "zero"]
 Datum = Literal["rest", "undeformed", "free offset"]
+_LONGEST_VALUE = 200  # characters
 _LEADING_NUMBER = re.compile(r"\s*[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?(?![\d.])")
 
 
@@ -35,19 +37,19 @@ class ChannelUnit(Unit):
     si: str = "the channel's SI unit"
 
     def _read(self, value: object) -> float | str:  # type: ignore[override]  # text stays text
-        text = value if isinstance(value, str) else repr(value)
-        match = _LEADING_NUMBER.match(text)
+        text = value if isinstance(value, str) else shown(value)
+        match = _LEADING_NUMBER.match(text) if len(text) < _LONGEST_VALUE else None
         if isinstance(value, bool) or not isinstance(value, (int, float, str)) or match is None:
             raise PydanticCustomError(
                 "physical_value",
                 "not a physical value; found {found}; allowed: '<number> <unit of the channel>' or a number in SI",
-                {"found": repr(value)},
+                {"found": shown(value)},
             )
         if self.at_least is not None and float(match[0]) < self.at_least:
             raise PydanticCustomError(
                 "out_of_range",
                 "out of range; found {found}; allowed: {allowed}",
-                {"found": repr(value), "allowed": f"at least {self.at_least:g}"},
+                {"found": shown(value), "allowed": f"at least {self.at_least:g}"},
             )
         return value
 
@@ -197,6 +199,14 @@ def bias_of(sensor: Sensor, unit: str, *, where: str = "bias") -> float:
 def noise_of(sensor: Sensor, unit: str, *, where: str = "noise") -> float:
     """Standard deviation of the sensor's noise in the channel's SI ``unit``."""
     return to_si(sensor.noise, unit, where=where)
+
+
+def check_sensors(sensors: Mapping[str, Sensor], where: str) -> None:
+    """Refuse values of sensors in a unit that is not that of their channel, before anything is computed."""
+    for name, sensor in sensors.items():
+        unit = channel_unit(name)
+        bias_of(sensor, unit, where=f"{where}: {name}.bias")
+        noise_of(sensor, unit, where=f"{where}: {name}.noise")
 
 
 def apply_sensors(dataset: xr.Dataset, sensors: Mapping[str, Sensor], *, seed: int | None = None) -> xr.Dataset:

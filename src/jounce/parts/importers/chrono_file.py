@@ -16,11 +16,13 @@ from typing import Any
 
 import numpy as np
 
+from jounce.core.description import description_text, is_nested_deeply
 from jounce.core.errors import DescriptionError, nearest
-from jounce.core.files import existing_file
 from jounce.core.types import Array
+from jounce.core.units import LARGEST
 
-_COMMENT = re.compile(r'("(?:\\.|[^"\\])*")|//[^\n]*|/\*.*?\*/', re.DOTALL)
+_COMMENT = re.compile(r'("(?:\\.|[^"\\])*(?:"|$))|//[^\n]*|/\*(?:.*?\*/|.*)', re.DOTALL)
+"""What has no end goes to the end of the file, so that nothing is looked at twice."""
 
 
 @dataclass(frozen=True)
@@ -77,7 +79,10 @@ class ChronoFile:
     @property
     def name(self) -> str:
         """Name in the file, or the file's own."""
-        return str(self.table.get("Name", self.path.stem))
+        found = self.table.get("Name", self.path.stem)
+        if not isinstance(found, str):
+            raise DescriptionError("not a name", where=self.at("Name"), found=found, allowed="text")
+        return found
 
     def at(self, *keys: str) -> str:
         """Place of a value, for messages."""
@@ -153,6 +158,13 @@ class ChronoFile:
                 found=f"shape {found.shape}",
                 allowed=f"{wanted} finite numbers",
             )
+        if np.abs(found).max(initial=0.0) > LARGEST:
+            raise DescriptionError(
+                "not a size that anything has",
+                where=where,
+                found=float(np.abs(found).max()),
+                allowed=f"sizes up to {LARGEST:g}",
+            )
         return found
 
 
@@ -169,7 +181,7 @@ def _has_truth(value: object) -> bool:
 def read_json(path: Path) -> dict[str, Any]:
     """Read one JSON object with comments; give its table."""
     try:
-        text = existing_file(path).read_text(encoding="utf-8")
+        text = description_text(path)
     except UnicodeDecodeError:
         raise DescriptionError("not a text file", where=str(path), allowed="JSON text in UTF-8") from None
     blank = _COMMENT.sub(lambda found: found[1] or re.sub(r"[^\n]", " ", found[0]), text)
@@ -180,6 +192,8 @@ def read_json(path: Path) -> dict[str, Any]:
     except (RecursionError, ValueError):
         what = "not valid JSON: nested too deeply, or an integer of thousands of digits"
         raise DescriptionError(what, where=str(path)) from None
+    if is_nested_deeply(table):
+        raise DescriptionError("not valid JSON: nested too deeply", where=str(path))
     if not isinstance(table, dict):
         raise DescriptionError("not a description", where=str(path), allowed="one JSON object")
     return table

@@ -13,9 +13,10 @@ from jounce.core.files import existing_file
 from jounce.core.findings import Finding
 from jounce.core.units import conversion_factor
 
-_SECTION = re.compile(r"\[\s*([A-Za-z0-9_ ]+?)\s*\]")
+_SECTION = re.compile(r"\[([A-Za-z0-9_ \t]+)\]")
 _VALUE = re.compile(r"([A-Za-z_]\w*)\s*=\s*(.*)")
 _BEFORE_COMMENT = re.compile(r"(?:[^'$!]|'[^']*')*")  # $ and ! begin one, but not within quotes
+_LARGEST = 20_000_000  # bytes
 _UNITS = {
     "LENGTH": {"meter metre m": "m", "millimeter millimetre mm": "mm", "centimeter centimetre cm": "cm",
                "kilometer kilometre km": "km", "inch in": "inch", "foot feet ft": "foot"},
@@ -290,14 +291,17 @@ class _Entries:
         self.values: dict[tuple[str, str], tuple[str, int]] = {}
         self.rows: dict[str, list[tuple[list[str], int]]] = {}
         section = ""
-        content = existing_file(file).read_bytes()
+        if existing_file(file).stat().st_size > _LARGEST:
+            allowed = f"at most {_LARGEST // 1_000_000} MB"
+            raise DescriptionError("the file is too large for a tyre property file", where=str(file), allowed=allowed)
+        content = file.read_bytes()
         if b"\0" in content:
             raise DescriptionError("not a text file", where=str(file), allowed="a tyre property file")
         for number, line in enumerate(content.decode("cp1252", errors="replace").splitlines(), 1):
             text = _BEFORE_COMMENT.match(line)
             bare = text[0].strip() if text else ""
             if match := _SECTION.fullmatch(bare):
-                section = match[1].upper()
+                section = match[1].strip().upper()
             elif match := _VALUE.fullmatch(bare):
                 self._keep((section, match[1].upper()), match[2].strip().strip("'\"").strip(), number)
             elif bare and not bare.startswith(("{", "(")):

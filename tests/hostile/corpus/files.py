@@ -1,0 +1,56 @@
+"""Mutations of recordings of every format: read, they are refused, flagged or right."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from corpus import recordings
+from corpus.judging import is_clear
+from corpus.mutations import STRUCTURAL, mutated
+
+SEED = 20261122
+FEW = 3  # numbers in text that bytes put between them may change
+
+
+def cases(count: int) -> list[tuple[str, int]]:
+    """So many mutations of each sample."""
+    return [(name, number) for name in recordings.names() for number in range(count)]
+
+
+def verdict(case: tuple[str, int]) -> tuple[str, str]:
+    """What reading one mutation gives."""
+    from jounce.core.errors import JounceError
+    from jounce.recordings import read_recording
+
+    name, number = case
+    sample = recordings.sample(name)
+    kind, content = mutated(sample.content, SEED, number)
+    file = Path(sample.name)
+    file.write_bytes(content)
+    try:
+        data, findings = read_recording(file, **sample.told)
+    except JounceError as error:
+        return ("refused" if is_clear(str(error), sample.name) else "unclear"), f"{kind}: {error}"
+    except Exception as error:  # noqa: BLE001 - whatever it is, it is a crash
+        return "crashed", f"{kind}: {type(error).__name__}: {error}"
+    return compared(data, findings, sample, kind)
+
+
+def compared(data: Any, findings: Any, sample: recordings.Sample, kind: str) -> tuple[str, str]:
+    """Whether what was read is what was recorded."""
+    said = "; ".join(str(finding) for finding in findings if not str(finding.message).startswith("decimal commas"))
+    if data.sizes["time"] != recordings.ROWS or set(data.data_vars) != set(recordings.TRUTH):
+        found = f"{kind}: {data.sizes['time']} samples of {', '.join(map(str, data.data_vars))}"
+        return ("flagged" if said else "silently wrong"), f"{found}; {said}"
+    pairs = [(data["time"].to_numpy(), recordings.TIME)]
+    pairs += [(data[channel].to_numpy(), truth) for channel, truth in recordings.TRUTH.items()]
+    off = [int(np.sum(np.abs(got - truth) > 1e-9 * np.abs(truth).max())) for got, truth in pairs]
+    if not any(off):
+        return "right", said
+    if said:
+        return "flagged", f"{kind}: {off} numbers differ; {said}"
+    hidden = not sample.has_checksums and (kind not in STRUCTURAL or max(off) <= FEW)
+    return ("undetectable" if hidden else "silently wrong"), f"{kind}: {off} numbers differ"

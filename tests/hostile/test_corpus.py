@@ -1,0 +1,97 @@
+"""The corpus of bad inputs: each is refused clearly, told with a finding, or harmless; none crashes, hangs or lies."""
+
+from __future__ import annotations
+
+import sys
+from collections import Counter
+from importlib import import_module
+from typing import Any
+
+import pytest
+from corpus import commands, descriptions, judging, recordings
+from corpus.judging import BAD, judge
+from corpus.mutations import KINDS
+
+from jounce.cli.files import _SCHEMAS
+from jounce.recordings import READERS
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="limits of memory and time are a thing of POSIX")
+
+PARTS = {"files": 250, "descriptions": 120, "commands": None}
+"""Parts of the corpus, and how many cases there are of each file."""
+FAST = {"files": 3, "descriptions": 40, "commands": 12}
+"""Every so many-th case is tried by the fast tests; of files, so many of each."""
+
+
+def judged(part: str, cases: list[Any]) -> None:
+    found = list(judge(f"corpus.{part}", cases))
+    assert len(found) == len(cases)
+    bad = [(case, verdict, said[:500]) for case, verdict, said in found if verdict in BAD]
+    assert not bad, f"{len(bad)} of {len(found)}:\n" + "\n".join(map(str, bad[:20]))
+    refused = Counter(verdict for _, verdict, _ in found)
+    assert refused["refused"] > len(cases) // 3, refused
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("part", PARTS)
+def test_the_whole_corpus(part: str) -> None:
+    module = import_module(f"corpus.{part}")
+    judged(part, module.cases() if PARTS[part] is None else module.cases(PARTS[part]))
+
+
+def test_a_part_of_the_files() -> None:
+    judged("files", [(name, 7 * k + i) for i, name in enumerate(recordings.names()) for k in range(FAST["files"])])
+
+
+def test_a_part_of_the_descriptions() -> None:
+    judged("descriptions", descriptions.cases()[:: FAST["descriptions"]])
+
+
+def test_a_part_of_the_commands() -> None:
+    quick = [case for case in commands.cases() if case[0] in ("check", "modes", "iri", "bench speed", "fit stiffness")]
+    judged("commands", quick[:: FAST["commands"] // 4])
+
+
+def test_every_reader_kind_and_command_is_in_it() -> None:
+    assert {recordings.sample(name).reader for name in recordings.names()} == {reader.name for reader in READERS}
+    assert set(commands.BASES) == set(commands.commands())
+    schemas = {name.removeprefix("jounce.").removesuffix("/1") for name in _SCHEMAS}
+    assert schemas == {name.partition(" ")[0].strip(":") for name in descriptions.KINDS} - {"full", "header"}
+    assert len(KINDS) == 8
+
+
+def test_it_has_the_size_that_is_told() -> None:
+    cases = len(commands.cases()) + len(descriptions.cases(PARTS["descriptions"]))
+    assert cases >= 1400
+    assert len(recordings.names()) * PARTS["files"] >= 2000
+
+
+JUDGED = """
+import os, time
+
+def verdict(case):
+    if case == "crash":
+        os.abort()
+    if case == "loop":
+        while True:
+            pass
+    if case == "sleep":
+        time.sleep(60.0)
+    if case == "memory":
+        bytearray(10**11)
+    return case, "said"
+"""
+
+
+def test_the_judge_finds_what_ends_stands_still_and_takes_too_much(tmp_path, monkeypatch) -> None:
+    (tmp_path / "judged_here.py").write_text(JUDGED)
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.setattr(judging, "CPU", 1)
+    asked = ["refused", "crash", "right", "loop", "sleep", "memory", "flagged"]
+    found = [verdict for _, verdict, _ in judge("judged_here", asked, clock=6.0)]
+    assert found == ["refused", "crashed", "right", "hung", "hung", "crashed", "flagged"]
+
+
+@pytest.mark.parametrize("text", ["internal error: x in a.csv", "a.csv: " + "x" * 5000, "somewhere: wrong"])
+def test_what_is_no_clear_message(text: str) -> None:
+    assert not judging.is_clear(text, "a.csv")
