@@ -40,6 +40,8 @@ BASES = {
     "design springs": 'design springs audi-a6-full-car --frequency "1.2 Hz" --damping-ratio 0.3',
     "design optimise": "design optimise kart-quarter-car --objective sprung.az --free strut.damper.coefficient=50..500",
     "design pareto": 'design pareto audi-a6-quarter-car --free strut.damper.coefficient="300..6000" --points 3',
+    "design kinematics": "design kinematics none.toml --out designed",
+    "export fmu": "export fmu kart-quarter-car --out kart.fmu --sources-only",
     "import chrono": "import chrono chrono.json",
     "fit stiffness": "fit stiffness spring.csv",
     "fit decay": 'fit decay base.csv --channel road.z --mass "16 kg"',
