@@ -37,14 +37,14 @@ def test_truths_lie_in_the_intervals_that_count_model_error(seed):
 
 @pytest.mark.slow
 def test_a_hundred_benches_are_covered_at_useful_widths():
-    """Other seeds than those it was developed on (0 to 11); the table of this study is in docs/identification.md."""
+    """Other seeds than those it was developed on (0 to 11, 300 to 329); the table is in docs/identification.md."""
     rows = [row for seed in range(100, 200) for row in wrong_models.rows_of(seed)]
     covered, noise_only, firm, identified = summed_up(rows)
     table = wrong_models.table(rows)
-    assert covered >= 0.90, table
+    assert 0.93 <= covered <= 0.995, table  # nearly all would say that the intervals are too wide
     assert noise_only < 0.5, table
-    assert all(count >= 80 for count in firm.values()), table
-    assert identified >= 0.5, table
+    assert all(count >= 90 for count in firm.values()), table
+    assert identified >= 0.8, table
     for path in wrong_models.FREE:
         some = [row.is_covered for row in rows if row.path == path and row.identified]
         assert np.mean(some) >= 0.85, path
