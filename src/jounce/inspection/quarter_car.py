@@ -188,7 +188,7 @@ _MORE_STEPS = 12
 _START_LINES = 60
 _POOR, _TRIED = 0.97, 6  # share of the force that is explained (1), starts
 _SHARES, _RATIOS = (0.05, 0.08, 0.12, 0.18), (0.005, 0.05, 0.2)
-_STIFFNESSES, _RATES = (8e4, 1.2e5, 1.7e5, 2.4e5, 3.4e5), (30.0, 65.0, 150.0, 400.0)  # N/m, N/m for each kg
+_STIFFNESSES, _RATES = (8e4, 1.2e5, 1.7e5, 2.4e5, 3.4e5), (30.0, 65.0, 150.0, 400.0, 1100.0)  # N/m, N/m for each kg
 TYRES = (5e4, 1.2e6)
 """Stiffnesses that a tyre may have, N/m."""
 _TYRE_DAMPING, _TYRE_DAMPING_SPREAD = 50.0, 60.0  # N s/m: what a record with little to say falls back on

@@ -25,6 +25,7 @@ _ACCELERATION_ORDER = 7
 _BLOCK_TIME = 0.1
 _OF_OTHER, _IDLE = 0.6, 0.2
 _STANDSTILL, _LONG_STANDSTILL = 0.2, 2.0
+_STANDS = 0.1  # standard deviation over mean of a force that is no swing's
 
 
 @dataclass(frozen=True)
@@ -217,14 +218,20 @@ def _greatest_part(gains: Array) -> NDArray[np.intp]:
 
 
 def standstill_force(signals: WheelSignals, moving: tuple[int, int], other: tuple[int, int] | None) -> float | None:
-    """Median force (N) before the plate moves or, failing that, after; None where it stands still too short."""
+    """Median force (N) before the plate moves or, failing that, after; None where it stands still too short.
+
+    A wheel that swings on after the plate has stopped does not stand: its force means nothing but over whole swings.
+    """
     rate, size = signals.sample_rate, signals.force.size
     before = moving[0] if other is None or other[0] > moving[0] else min(moving[0], other[0])
     if before >= max(round(_STANDSTILL * rate), 3):
         return float(np.median(signals.force[:before]))
     settled = moving[1] + round(rate)
     end = size if other is None or other[0] < moving[1] else other[0]
-    return float(np.median(signals.force[settled:end])) if end - settled >= _LONG_STANDSTILL * rate else None
+    if end - settled < _LONG_STANDSTILL * rate:
+        return None
+    after = signals.force[settled:end]
+    return float(np.median(after)) if np.std(after) < _STANDS * abs(np.mean(after)) else None
 
 
 def calibrate_plate(record: xr.Dataset, tester: Tester | None = None, *, wheel: str = "") -> PlateCalibration:
