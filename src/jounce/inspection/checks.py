@@ -252,22 +252,25 @@ def check_order(order: str, moving: Mapping[str, tuple[int, int] | None]) -> lis
     return [problem("left, right", "order_contradicts", order=order, first=first)]
 
 
-def _means(values: Array, time: Array) -> Array:
-    """Means of (n,) values over at least a swing of the body, from each time (n,) in s on that has so much after it."""
+def _means(values: Array, time: Array, length: float) -> Array:
+    """Means of (n,) values over a length (s), from each time (n,) in s on that has so much after it; or that of all."""
     sums = np.concatenate([[0.0], np.cumsum(values)])
-    ends = np.searchsorted(time, time + _SWING)
+    ends = np.searchsorted(time, time + length)
     whole = np.flatnonzero(ends < time.size)
     if whole.size == 0:
-        return np.array([values.mean()])
+        return np.array([np.average(values, weights=np.diff(time, prepend=0.0))])
     return np.asarray((sums[ends[whole]] - sums[whole]) / (ends[whole] - whole))
 
 
-def check_wandering(mean: Array, frequency: Array, load: float, wheel: str) -> list[Finding]:
-    """Look for a wheel that slips: mean force (N) of turns (their frequency in Hz) that stays off the load (N)."""
+def check_wandering(mean: Array, frequency: Array, load: float, wheel: str, *, hops: bool = False) -> list[Finding]:
+    """Look for a wheel that slips: mean force (N) of turns (their frequency in Hz) that stays off the load (N).
+
+    It is looked at over a swing of the body; of a wheel that hops, whose body is thrown about, over all of the test.
+    """
     known = np.isfinite(mean) & (frequency > 6.0)
     if np.count_nonzero(known) < 12:
         return []
-    smooth = _means(mean[known] / load - 1.0, np.cumsum(1.0 / frequency[known]))
+    smooth = _means(mean[known] / load - 1.0, np.cumsum(1.0 / frequency[known]), np.inf if hops else _SWING)
     drift = float(smooth[int(np.argmax(np.abs(smooth)))])
     if abs(drift) < 0.05:
         return []

@@ -304,8 +304,11 @@ def _on_rigid_plate(
     analysis, about = analyse(signals, sweep, load)
     findings += about
     swing = np.nan_to_num(analysis.modelled[:, 5] - load)  # a body that is not damped swings for long
-    steady = np.where(analysis.lifted, np.nan, analysis.measured[:, 5] - swing)
-    findings += checks.check_wandering(steady, analysis.frequency, load, wheel)
+    steady = analysis.measured[:, 5] - swing
+    hops = bool(analysis.lifted.any())
+    if hops:  # landings carry what the wheel does not in the air: all of it counts
+        steady = _mean_by_turn(signals, analysis.top)
+    findings += checks.check_wandering(steady, analysis.frequency, load, wheel, hops=hops)
     if _is_unfit(findings):
         return _unfit(wheel, findings, load)
     test = WheelTest(signals, sweep, load, task.tester, analysis.fit, analysis)
@@ -324,6 +327,13 @@ def _on_rigid_plate(
         np.full(analysis.top.size, analysis.amplitude),
     )
     return _by_methods(test, known, findings, curves, task.methods)
+
+
+def _mean_by_turn(signals: WheelSignals, top: Array) -> Array:
+    """Mean force (N) from the top of each turn (n,) in s to the next; NaN for the last."""
+    at = np.clip(np.round((top - signals.time[0]) * signals.sample_rate).astype(int), 0, signals.force.size)
+    sums = np.concatenate([[0.0], np.cumsum(signals.force)])
+    return np.append((sums[at[1:]] - sums[at[:-1]]) / np.maximum(np.diff(at), 1), np.nan)
 
 
 def _on_sprung_plate(

@@ -296,9 +296,10 @@ SENTENCES: dict[str, Sentence] = {
     ),
     "poor_fit": Sentence(
         "a linear quarter car explains only {percent:.0f} % of the force: dry friction, a nonlinear damper, or "
-        "another vibration; damping ratios are means over the amplitudes met.",
+        "another vibration; damping ratios are means over the amplitudes met, their intervals of the noise only.",
         "Ein lineares Viertelfahrzeug erklärt nur {percent:.0f} % der Kraft: trockene Reibung, ein nichtlinearer "
-        "Dämpfer oder fremde Schwingungen; Dämpfungsgrade sind Mittel über die Amplituden.",
+        "Dämpfer oder fremde Schwingungen; Dämpfungsgrade sind Mittel über die Amplituden, ihre Intervalle zählen nur "
+        "das Rauschen.",
     ),
 }
 """What each code says, those of the methods beside these; German numbers get a comma."""

@@ -472,6 +472,7 @@ def _theta(test: WheelTest) -> Found:
     if test.fit is not None:
         theta = theta_by_fit(test.fit, test.tester)
         found.values = {"theta_rig": theta.rig, "theta_road": theta.road, "theta_methods": {"fit": theta.rig}}
+        found.values["explained_force"] = test.fit.explained
         found.half_widths = {"theta_rig": theta.rig_half_width, "theta_road": theta.road_half_width}
         half = NORMAL_95 * test.fit.spread(_of_body)
         if half < _VAGUE:
@@ -579,6 +580,10 @@ METHODS: dict[str, Method] = {
                 Quantity(
                     "body_damping_ratio", "1", "", 1.0, 3,
                     "damping ratio of the body on this wheel", "Dämpfungsgrad, Aufbau über dem Rad",
+                ),
+                Quantity(
+                    "explained_force", "1", "%", 100.0, 1,
+                    "force that a linear wheel explains", "Kraft, die ein lineares Rad erklärt",
                 ),
             ),
             _theta,

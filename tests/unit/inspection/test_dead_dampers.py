@@ -7,13 +7,14 @@ import pytest
 import xarray as xr
 
 from jounce.inspection import evaluate, simulated
-from jounce.inspection.grading import difference_of, grade, grade_differences
+from jounce.inspection.grading import difference_of, grade, grade_differences, sentences_of
 from jounce.inspection.limits import load_limits, shipped_limits
 from jounce.inspection.methods import METHODS
 from jounce.inspection.result import Inspection, WheelResult
 from jounce.parts import load
 from jounce.parts.variants import worn
 from jounce.plots.inspection import inspection_curves
+from jounce.testers.testing import simulate_test
 
 TYRES = {
     "as published": {},
@@ -55,6 +56,53 @@ def test_both_wheels_of_a_full_car_fail(method, axle):
         assert "other plate runs" not in said
         assert "another machine running" not in said or method == "boge"  # its plate swings as well
         assert "slips" not in said
+
+
+@pytest.mark.parametrize("method", ["theta", "boge"])
+@pytest.mark.parametrize("force", [40.0, 80.0, 150.0, 300.0])
+def test_dry_friction_does_not_pass_for_a_damper(method, force):
+    """Without a damper friction holds a wheel on these testers as a damper would; the verdict asks for another look."""
+    dead = {"strut.damper.coefficient": 0.0, "strut.friction": {"force": force, "regularisation_velocity": 0.001}}
+    car = load("audi-a6-quarter-car").with_changes(dead)
+    record = simulate_test(car, simulated.tester_for(method), noise=0.005, seed=1)
+    found = evaluate(record, simulated.tester_for(method))
+    wheel = grade(found, deciding=["theta"]).wheels[0]
+    assert wheel.verdict in ("advise", "fail"), wheel.reasons
+    assert any("dry friction" in reason for reason in wheel.reasons)
+    assert any(
+        "trockene Reibung" in one for one in sentences_of(grade(found, deciding=["theta"]).grades[0].reasons, "de")
+    )
+
+
+@pytest.mark.parametrize("method", ["theta", "boge"])
+@pytest.mark.parametrize(
+    "damper",
+    [
+        {"coefficient": 1000.0},
+        {"velocity": [-1.0, -0.1, 0.0, 0.1, 1.0], "force": [-2400.0, -300.0, 0.0, 120.0, 700.0]},
+        {
+            "velocity": [-1.0, -0.3, -0.1, 0.0, 0.1, 0.3, 1.0],
+            "force": [-900.0, -500.0, -200.0, 0.0, 200.0, 500.0, 900.0],
+        },
+    ],
+)
+def test_bent_dampers_and_a_little_friction_pass(method, damper):
+    given = {"strut.damper": damper, "strut.friction": {"force": 30.0, "regularisation_velocity": 0.001}}
+    car = load("audi-a6-quarter-car").with_changes(given)
+    found = evaluate(simulate_test(car, simulated.tester_for(method), noise=0.01, seed=1), simulated.tester_for(method))
+    assert grade(found, deciding=["theta"]).wheels[0].verdict == "pass"
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("wear", [0.5, 0.86, 0.88, 0.89, 0.92, 0.94, 1.0])
+def test_a_light_wheel_that_hops_and_swings_on_is_not_refused(method, wear):
+    """A kart of 206 N: with little damping it leaves the plate and swings on when the plate has stopped."""
+    car, tester = worn(load("kart-quarter-car"), wear), simulated.tester_for(method)
+    found = evaluate(simulate_test(car, tester, noise=0.01, seed=2), tester).wheels[0]
+    assert found.is_gradable, [one.message for one in found.findings if one.severity == "problem"]
+    if tester.kind == "sprung-plate":
+        assert found.corner.spring_rate == pytest.approx(22.73e3 * np.cos(car.strut.angle) ** 2, rel=0.02)
+        assert found.corner.damping_coefficient == pytest.approx(121.2 * (1.0 - wear), abs=1.0)
 
 
 @pytest.mark.parametrize(("value", "half", "near"), [(0.014, 0.005, True), (0.014, 0.003, False), (0.006, 0.005, True)])
