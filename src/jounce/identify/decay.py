@@ -211,7 +211,7 @@ def _slopes_of_points(points: Array, parameters: DecayParameters) -> tuple[Array
         side = math.copysign(1.0, point)
         by_ratio.append(-q * by_ratio[-1] - slope_of_q * (point - friction * side))
         by_friction.append((1.0 + q) * side - q * by_friction[-1])
-    return np.array(by_ratio), np.array(by_friction), (-q) ** np.arange(len(points))
+    return np.array(by_ratio), np.array(by_friction), np.asarray((-q) ** np.arange(len(points)), dtype=np.float64)
 
 
 def _drag_response(time: Array, parameters: DecayParameters, quantity: Quantity) -> Array:

@@ -782,7 +782,7 @@ def _share_of_rest(system: _System, found: _Step, slopes: Array, errors: Array) 
     """
     size = slopes.shape[-1]
     variance = np.einsum("kij,jl,kil->ki", slopes, _without_rest(system, found)[:size, :size], slopes)
-    return np.clip(1.0 - variance / np.maximum(errors**2, 1e-300), 0.0, 1.0)
+    return np.asarray(np.clip(1.0 - variance / np.maximum(errors**2, 1e-300), 0.0, 1.0))
 
 
 def _freed(one: _Calibration, state: _State, system: _System, found: _Step) -> tuple[str, float, dict[str, float]]:

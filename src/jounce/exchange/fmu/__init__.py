@@ -5,6 +5,6 @@ FMI 2.0 and 3.0 ask, ``build`` compiles, ``export`` puts the archive together. `
 ``core.c`` is the instance with its events, equilibrium and steps, ``fmi2.c`` and ``fmi3.c`` are thin faces over it.
 """
 
-from jounce.exchange.fmu.export import export_fmu
+from jounce.exchange.fmu.export import FmuExport, export_fmu
 
-__all__ = ["export_fmu"]
+__all__ = ["FmuExport", "export_fmu"]

@@ -119,8 +119,8 @@ def _fmi2(variables: Variables, head: Head) -> ET.Element:
     can = {"modelIdentifier": FILE, "canGetAndSetFMUstate": "true", "canSerializeFMUstate": "true"}
     can["providesDirectionalDerivative"] = "true"
     steps = {"canHandleVariableCommunicationStepSize": "true", "canInterpolateInputs": "true"}
-    for kind, more in (("ModelExchange", {}), ("CoSimulation", steps)):
-        element = ET.SubElement(root, kind, {**can, **more})
+    for use, more in (("ModelExchange", {}), ("CoSimulation", steps)):
+        element = ET.SubElement(root, use, {**can, **more})
         if head.sources:
             files = ET.SubElement(element, "SourceFiles")
             for name in sources(2):
@@ -131,20 +131,20 @@ def _fmi2(variables: Variables, head: Head) -> ET.Element:
     index = {v.reference: i for i, v in enumerate(listed, 1)}
     for v in listed:
         scalar = ET.SubElement(table, "ScalarVariable", _attributes(v))
-        kind = ET.SubElement(scalar, "Boolean" if v.is_boolean else "Real", _number(v))
+        typed = ET.SubElement(scalar, "Boolean" if v.is_boolean else "Real", _number(v))
         if v.derivative is not None and v.causality != "input":
-            kind.set("derivative", str(index[v.derivative]))
+            typed.set("derivative", str(index[v.derivative]))
     structure = ET.SubElement(root, "ModelStructure")
     groups = {
         "Outputs": variables.outputs,
         "Derivatives": variables.derivatives,
         "InitialUnknowns": sorted(variables.unknown_at_start, key=lambda v: index[v.reference]),
     }
-    for kind_name, group in groups.items():
-        element = ET.SubElement(structure, kind_name)
+    for kind, group in groups.items():
+        element = ET.SubElement(structure, kind)
         for v in group:
             unknown = ET.SubElement(element, "Unknown", index=str(index[v.reference]))
-            if kind_name != "InitialUnknowns":
+            if kind != "InitialUnknowns":
                 unknown.set("dependencies", " ".join(str(index[reference]) for reference in v.depends or ()))
     return root
 

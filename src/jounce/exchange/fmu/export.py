@@ -146,7 +146,9 @@ def export_fmu(
         wanted = ()
     model = _Model(rig, control)
     findings += model.findings
-    graphs = graphs_of(model.compiled.model, model.law and model.law.function, adjoint=adjoint and version == 3)
+    graphs = graphs_of(
+        model.compiled.model, model.law.function if model.law else None, adjoint=adjoint and version == 3
+    )
     variables = model.variables()
     code = source(graphs)
     whole = {"measured": model.measured, "command": model.command_tracks}

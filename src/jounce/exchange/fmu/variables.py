@@ -127,13 +127,17 @@ def list_variables(
     tracks = []
     for i, (name, unit, meaning) in enumerate(ins):
         track, place = model.tracks[i // order], i % order
-        known = {"start": float(start["u"][i]), "derivative": first["u"] + i - 1 if place else None}
-        causality, variability, initial, text = "input", "continuous", "", meaning
         if track in commands:
-            known, initial, variability = {}, "calculated", "discrete"
-            causality = "local" if place else "output"
             text = "always zero: a command holds" if place else "command of the controller inside"
-        tracks.append(Variable(first["u"] + i, structured(name), causality, variability, initial, unit, text, **known))
+            causality = "local" if place else "output"
+            tracks.append(Variable(first["u"] + i, structured(name), causality, "discrete", "calculated", unit, text))
+            continue
+        tracks.append(
+            Variable(
+                first["u"] + i, structured(name), "input", "continuous", "", unit, meaning, float(start["u"][i]),
+                derivative=first["u"] + i - 1 if place else None,
+            )
+        )  # fmt: skip
     numbers = [
         Variable(
             first["p"] + i, structured(f"rig.{path}"), "parameter", "tunable", "exact", quantities[path].si,
