@@ -22,6 +22,7 @@ DEMO_ARGUMENTS ?=
 SAMPLE ?= 200
 SEED ?= 1
 PLACE ?=
+MINUTES ?= inf
 BIN := $(VENV)/$(if $(filter Windows_NT,$(OS)),Scripts,bin)
 
 # The pins are complete, so pip resolves nothing; wheels only, so that no unpinned build tool is fetched.
@@ -78,7 +79,7 @@ docs: $(VENV)/.docs $(VENV)/.loops
 	@echo "docs/_build/html/index.html"
 
 mutants: $(VENV)/.test $(VENV)/.mutants $(VENV)/.loops
-	$(BIN)/python tests/mutants/run.py $(PACKAGE) --sample $(SAMPLE) --seed $(SEED) --place "$(PLACE)"
+	$(BIN)/python tests/mutants/run.py $(PACKAGE) --sample $(SAMPLE) --seed $(SEED) --place "$(PLACE)" --minutes $(MINUTES)
 
 viewer: viewer/node_modules/.package-lock.json
 	cd viewer && npm run --silent types && node build.mjs

@@ -75,13 +75,16 @@ def main() -> int:
     for library in LIBRARIES:
         importlib.import_module(library)
     pool = [mutant for mutant in mutants(files) if wanted(mutant, asked.place)]
-    sample = sorted(random.Random(asked.seed).sample(pool, min(asked.sample, len(pool))))
+    sample = random.Random(asked.seed).sample(pool, min(asked.sample, len(pool)))
     print(f"{asked.package}: {len(sample)} of {len(pool)} mutants, seed {asked.seed}", flush=True)
     with tempfile.TemporaryDirectory(prefix="jounce-mutants-") as folder:
         tests = Tests(asked.package, Path(folder), float("inf") if asked.place else ENOUGH)
         load_what_stands_below(asked.package)
         tests.stand_unchanged()
-        seen = {mutant: show(mutant, verdict(mutant, tests)) for mutant in sample}
+        end, seen = time.monotonic() + 60.0 * asked.minutes, {}
+        for mutant in sample:
+            if time.monotonic() < end:
+                seen[mutant] = show(mutant, verdict(mutant, tests))
     return told(asked.package, seen)
 
 
@@ -91,6 +94,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("package", help="a package of src/jounce")
     parser.add_argument("--sample", type=int, default=200, help="how many mutants")
     parser.add_argument("--seed", type=int, default=1, help="of the random sample")
+    parser.add_argument("--minutes", type=float, default=float("inf"), help="how long mutants are tried; random order")
     parser.add_argument("--place", default="", metavar="FILE[:LINE]", help="only mutants of this file, on this line")
     return parser.parse_args()
 
@@ -374,9 +378,8 @@ def told(package: str, seen: dict[Mutant, str]) -> int:
     count = {outcome: list(seen.values()).count(outcome) for outcome in ("noticed", "unnoticed", "harmless")}
     matter = count["noticed"] + count["unnoticed"]
     share = count["noticed"] / matter if matter else 1.0
-    print(
-        f"{package}: {count['noticed']} of {matter} noticed ({share:.0%}), {count['harmless']} more listed as harmless"
-    )
+    harmless = f"{count['harmless']} more listed as harmless"
+    print(f"{package}, {len(seen)} tried: {count['noticed']} of {matter} noticed ({share:.0%}), {harmless}")
     return int(share < GOAL)
 
 

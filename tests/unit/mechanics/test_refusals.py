@@ -102,6 +102,9 @@ def test_axes_and_places():
         mechanism.universal("cross", mechanism.ground, mechanism.body("d"), at=ORIGIN, axis=Y, second_axis=Y)
     with refused("45 degrees between them"):
         mechanism.universal("other", mechanism.ground, body, at=ORIGIN, axis=Y, second_axis=(0.0, 1.0, 1.0))
+    tilt = mechanism.parameter("tilt")  # without a number nothing is known of its angle
+    tilted = casadi.vertcat(0.0, casadi.cos(tilt), casadi.sin(tilt))
+    mechanism.universal("late", mechanism.ground, mechanism.body("f"), at=ORIGIN, axis=Y, second_axis=tilted)
     with refused("rail.axis: an axis without direction"):
         mechanism.driven("rail", mechanism.ground, mechanism.body("e"), axis=ORIGIN, travel=mechanism.track("t"))
 
