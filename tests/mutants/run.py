@@ -156,7 +156,7 @@ class Tests:
         """Stop where the package's unit tests fail with a copy of a module that is no mutant: they would notice all."""
         file = sources_of(self.package)[-1]
         unit = [test for test in self.seconds if test.startswith(f"tests/unit/{self.package}/")]
-        if self.notice(file, file.read_text(encoding="utf-8"), self._quick_first(unit)):
+        if self.notice(file, file.read_text(encoding="utf-8"), self._quick_first(unit, self.enough)):
             sys.exit("its tests fail with the package as it is, in the way that mutants are tried")
 
     def of(self, mutant: Mutant) -> Iterator[list[str]]:
