@@ -174,8 +174,10 @@ class Tests:
         yield self._quick_first({test for test in rest if not near or test.startswith(CHEAP)}, self.enough)
 
     def _quick_first(self, tests: Iterable[str], enough: float = float("inf")) -> list[str]:
-        """Unit tests before the others, each kind in the order of its time, and no more than are enough."""
-        known = sorted((not test.startswith(CHEAP), self.seconds[test], test) for test in tests if test in self.seconds)
+        """The package's unit tests, then physics and references, then what uses it; by time, until it is enough."""
+        own = (f"tests/unit/{self.package}/", "tests/architecture")
+        rank = {test: 0 if test.startswith(own) else 2 if test.startswith(CHEAP) else 1 for test in tests}
+        known = sorted((rank[test], self.seconds[test], test) for test in tests if test in self.seconds)
         ends = itertools.accumulate(seconds for _, seconds, _ in known)
         return [test for (_, seconds, test), end in zip(known, ends, strict=True) if end - seconds < enough]
 

@@ -285,7 +285,10 @@ def test_both_wheels_steer_alike() -> None:
         inner, outer = ("left", "right") if float(found["mean_steer"][i]) > 0.0 else ("right", "left")
         x, y = (float(found[f"{outer}.contact_point_{axis}"][i]) for axis in "xy")
         ideal = abs(np.arctan((x - rear) / (centres[inner] - y)))
-        steer = {side: abs(float(found[f"{side}.steer"][i])) for side in ("left", "right")}
+        left, right = (float(found[f"{side}.steer"][i]) for side in ("left", "right"))
+        assert float(found["mean_steer"][i]) == pytest.approx(0.5 * (left + right), rel=1e-12)
+        assert float(found["steer_difference"][i]) == pytest.approx(left - right, rel=1e-12)
+        steer = {"left": abs(left), "right": abs(right)}
         assert ideal < steer[inner]
         assert float(found["ideal_outer_steer"][i]) == pytest.approx(ideal, rel=1e-12)
         share = (steer[inner] - steer[outer]) / (steer[inner] - ideal)

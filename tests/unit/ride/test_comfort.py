@@ -71,7 +71,7 @@ def test_totals_and_exposure() -> None:
     assert comfort.total_value({"x": 1.0}, comfort.HEALTH_FACTORS) == pytest.approx(1.4)
     assert comfort.daily_exposure(1.0) == 1.0
     assert comfort.daily_exposure(1.0, 2.0 * 3600.0) == pytest.approx(0.5)
-    assert comfort.time_to_reach(comfort.ACTION_VALUE, 1.0) == pytest.approx(2.0 * 3600.0)
+    assert comfort.time_to_reach(comfort.ACTION_VALUE, 2.0) == pytest.approx(0.5 * 3600.0)
     assert comfort.time_to_reach(comfort.LIMIT_VALUE, 0.0) == np.inf
 
 

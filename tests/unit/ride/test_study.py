@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.control import CONTROLS
 from jounce.recordings import recording
-from jounce.ride.study import _merits
+from jounce.ride.stationary import linear_findings
+from jounce.ride.study import Ride, _merits, all_controls
 
 TIME = np.arange(0.0, 10.0 + 5e-4, 1e-3)
 WAVE = np.sin(2.0 * np.pi * 5.0 * TIME)
@@ -26,6 +30,35 @@ def test_merits_are_those_of_the_worst_corner_and_of_the_body() -> None:
     assert merits["lift_off"] == metrics.value("lift_off_time", "rear") > metrics.value("lift_off_time", "front")
     assert merits["body_acceleration"] == metrics.value("rms_acceleration", "body.az")
     assert merits["comfort"] == metrics.value("weighted_rms", "body.az")
+
+
+def test_all_controllers_are_studied_after_the_passive_rig() -> None:
+    names = all_controls()
+    assert names[0] == "passive"
+    assert sorted(names) == sorted(CONTROLS)
+
+
+def test_spectra_resolve_a_body_that_bounces() -> None:
+    """Pieces of an eighth of the run, of 8 s at least, and of half the run at most."""
+    for duration, piece in ((80.0, 10.0), (40.0, 8.0), (12.0, 6.0)):
+        time = np.arange(0.0, 2.0 + duration + 5e-3, 1e-2)
+        run = recording(time, {"body.az": (np.sin(9.0 * time), "m/s^2", "")})
+        (found,) = Ride("passive", run, jn.ride_metrics(run), {}, settling=2.0).spectra().values()
+        assert found.resolution == pytest.approx(1.5 / piece, rel=1e-2)  # of a Hann window
+
+
+def test_a_linear_model_says_where_a_rig_leaves_it() -> None:
+    numbers = {"front.bump_stop.gap": 0.03, "front.rebound_stop.gap": 0.045, "front.spring.rate": 3e4}
+    sigma = {"front_left.tyre.force": 1500.0, "rear_left.tyre.force": 1000.0, "front_left.strut.deflection": 0.02}
+    static = {"front_left.tyre.force": 3000.0, "rear_left.tyre.force": 4000.0, "front_left.strut.deflection": -0.01}
+    sigma |= {"rear_left.strut.deflection": 0.0, "body.az": 1e4}
+    static |= {"rear_left.strut.deflection": 0.0, "body.az": 9.81}
+    found = linear_findings(SimpleNamespace(parameters=lambda: numbers), sigma, static)
+    assert [item.place for item in found] == ["front_left.tyre.force", *["front_left.strut.deflection"] * 2]
+    # of a normal load 2.28 % lies below zero where that is two standard deviations away
+    assert [item.value for item in found] == pytest.approx([0.02275013, 0.04 / 0.02, 0.035 / 0.02])
+    assert "static load is 2 standard deviations" in found[0].message
+    assert "bump stop is 2 standard deviations" in found[1].message
 
 
 def test_an_iso_road_is_as_long_and_as_fine_as_the_drive_needs() -> None:
