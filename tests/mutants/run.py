@@ -14,9 +14,7 @@ import ast
 import functools
 import gc
 import hashlib
-import importlib.abc
-import importlib.machinery
-import importlib.util
+import importlib
 import itertools
 import json
 import os
@@ -37,6 +35,7 @@ os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # set befor
 
 import pytest
 from coverage import CoverageData
+from planted import plant as give
 from positions import Mutant, mutants
 
 ROOT = Path(__file__).parents[2]
@@ -320,30 +319,15 @@ def apart(work: Callable[[], int], seconds: float, quiet: bool = False) -> int:
 # --- one mutant -------------------------------------------------------------------------------------------------------
 
 
-class Planted(importlib.machinery.SourceFileLoader, importlib.abc.MetaPathFinder):
-    """Gives one module from another text. Its code has its own file, for Numba keeps what it compiles by that file."""
-
-    def __init__(self, name: str, file: Path, source: str, folder: Path) -> None:
-        super().__init__(name, str(file))
-        self.copy = Path(tempfile.mkdtemp(dir=folder)) / file.name
-        self.copy.write_text(source, encoding="utf-8")
-
-    def find_spec(self, name: str, *_: object) -> importlib.machinery.ModuleSpec | None:
-        return importlib.util.spec_from_file_location(name, self.path, loader=self) if name == self.name else None
-
-    def get_code(self, _: str) -> object:
-        return compile(self.copy.read_bytes(), str(self.copy), "exec")
-
-
 def plant(file: Path, source: str, package: str, folder: Path) -> None:
     """Put another text in the place of a module, and keep what is compiled with it apart from the rest."""
     from jounce.core import sources
 
-    parts = file.relative_to(SOURCES).with_suffix("").parts
-    planted = Planted(".".join(("jounce", *parts)), file, source, folder)
-    sys.meta_path.insert(0, planted)
+    copy = Path(tempfile.mkdtemp(dir=folder)) / file.name
+    copy.write_text(source, encoding="utf-8")
+    give(".".join(("jounce", *file.relative_to(SOURCES).with_suffix("").parts)), file, copy)
     plain = sources.digest_of.__wrapped__
-    digest_of = functools.cache(lambda *names: plain(*names) + (str(planted.copy) if package in names else ""))
+    digest_of = functools.cache(lambda *names: plain(*names) + (str(copy) if package in names else ""))
     for module in list(sys.modules.values()):  # those that are loaded have it under its name, too
         if getattr(module, "digest_of", None) is sources.digest_of and module is not sources:
             module.digest_of = digest_of
