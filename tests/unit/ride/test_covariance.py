@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 from scipy.linalg import expm, expm_frechet, solve_continuous_lyapunov
 
+import jounce as jn
 from jounce.core.errors import SimulationError
 from jounce.ride.covariance import Flow, Inverse, Schur, check_stable, frequencies, relative, sources_of
-from jounce.ride.family import Matrices, without_unreached
+from jounce.ride.family import Matrices, _track_width, without_unreached
 
 RNG = np.random.default_rng(5)
 STABLE = RNG.normal(size=(6, 6)) - 4.0 * np.eye(6)
@@ -91,3 +92,7 @@ def test_neutral_motions_that_are_driven_stay_and_are_refused():
         check_stable(kept.A)
     with pytest.raises(SimulationError, match=r"eigenvalue 2 \+1j"):
         check_stable(np.array([[2.0, 1.0], [-1.0, 2.0]]))
+
+
+def test_sides_are_as_far_apart_as_the_hardpoints_say() -> None:
+    assert _track_width(jn.load("sedan-full-car-3d")) == pytest.approx(0.7979 + 0.8)  # half tracks of front and rear
