@@ -74,13 +74,14 @@ def vehicle_schema() -> dict[str, Any]:
 
 
 def _complete_models(definitions: dict[str, Any], models: Iterable[type[Rig]]) -> None:
-    """Say what selects a class, and where a rig's bump stop may stand, too."""
+    """Say what selects a class, what kinematics do without, and where a rig's bump stop may stand, too."""
     for curve in ("PolynomialCurve", "PowerCurve", "TableCurve"):
         definitions[curve]["required"] = ["kind", *definitions[curve]["required"]]
     for model in models:
         definition = definitions.get(model.__name__)
         if definition is not None:
-            definition["required"] = ["model", *definition["required"]]
+            left_out = ("bodies", "strut", "tyre") if definition["properties"].pop("without", None) else ()
+            definition["required"] = ["model", *(name for name in definition["required"] if name not in left_out)]
             if "strut" in definition["properties"]:
                 strut = definition["properties"]["strut"]["$ref"].rpartition("/")[2]
                 stop = definitions[strut]["properties"]["bump_stop"]

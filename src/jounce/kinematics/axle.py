@@ -325,6 +325,8 @@ def _add_axle_rows(found: AxleVariables, left: Ground, right: Ground, gain: Arra
         found.add("roll_centre_height", height, "m", "roll centre height above the road", "positive: up")
         aside = _across(centre, roll) - 0.5 * (at_left + at_right)
         found.add("roll_centre_y", aside, "m", "roll centre, lateral distance from mid-track", "positive: left")
+    if "wheel_force" not in left.wheel.rows:  # hardpoints alone: no forces
+        return
     force = right.wheel.rows["wheel_force"] - left.wheel.rows["wheel_force"]
     stiffness = right.wheel.rows["wheel_rate"] + left.wheel.rows["wheel_rate"]
     moment, springs = force * gain, stiffness * gain**2 + force * bend

@@ -33,8 +33,9 @@ class Quantity:
     clause : str
         Where a standard defines it; empty where none does.
     needs : str
-        ``"axis"`` (a steering axis), ``"rack"``, ``"bar"`` (an anti-roll bar), ``"stiffness"`` (a tyre
-        whose deflection is known); empty for what every corner has.
+        ``"axis"`` (a steering axis), ``"rack"``, ``"bar"`` (an anti-roll bar), ``"spring"``, ``"damper"``, ``"tyre"``
+        (each described), ``"stiffness"`` (a spring, and a tyre whose deflection is known); empty for what every corner
+        has.
     """
 
     name: str
@@ -242,22 +243,31 @@ CATALOGUE: tuple[Quantity, ...] = (
         "positive: the ratio grows in bump"),
     Quantity("damper_motion_ratio", "1", "damper motion ratio: damper compression over wheel travel",
         lambda v: v.damper_ratio, "positive: bump compresses the damper"),
-    Quantity("spring_force", "N", "spring force", lambda v: v.springs.force, "positive: compression"),
-    Quantity("stop_force", "N", "force of bump and rebound stops", lambda v: v.stops.force, "positive: compression"),
+    Quantity("spring_force", "N", "spring force", lambda v: v.springs.force, "positive: compression",
+        needs="spring"),
+    Quantity("stop_force", "N", "force of bump and rebound stops", lambda v: v.stops.force, "positive: compression",
+        needs="spring"),
     Quantity("wheel_force", "N", "force of spring and stops at the wheel centre", _wheel_force,
-        "positive: pushes the wheel down"),
+        "positive: pushes the wheel down",
+        needs="spring"),
     Quantity("wheel_rate", "N/m", "wheel rate at the wheel centre, preload term included", _wheel_rate,
-        "positive: stiffens in bump"),
+        "positive: stiffens in bump",
+        needs="spring"),
     Quantity("wheel_rate_spring", "N/m", "wheel rate without the preload term",
-        lambda v: _stiffness(v) * v.motion_ratio**2, "positive: stiffens in bump"),
+        lambda v: _stiffness(v) * v.motion_ratio**2, "positive: stiffens in bump",
+        needs="spring"),
     Quantity("wheel_rate_contact", "N/m", "wheel rate at the contact patch, preload term included", _contact_rate,
-        "positive: stiffens in bump"),
+        "positive: stiffens in bump",
+        needs="spring"),
     Quantity("wheel_rate_contact_spring", "N/m", "wheel rate at the contact patch without the preload term",
-        lambda v: _stiffness(v) * v.contact_ratio**2, "positive: stiffens in bump"),
+        lambda v: _stiffness(v) * v.contact_ratio**2, "positive: stiffens in bump",
+        needs="spring"),
     Quantity("wheel_damping_coefficient", "N*s/m", "damping coefficient at the wheel centre, about rest",
-        lambda v: v.damping_coefficient * v.damper_ratio**2, "positive: dissipates energy"),
+        lambda v: v.damping_coefficient * v.damper_ratio**2, "positive: dissipates energy",
+        needs="damper"),
     Quantity("tyre_deflection", "m", "tyre deflection at the wheel's radius", lambda v: v.tyre_deflection,
-        "positive: compression"),
+        "positive: compression",
+        needs="tyre"),
     Quantity("ride_rate", "N/m", "ride rate: wheel rate and tyre in series", _ride_rate, "positive: stiffens in bump",
         needs="stiffness"),
     Quantity("anti_roll_bar_angle", "rad", "rotation of the anti-roll bar's end", lambda v: v.bar_angle,
@@ -283,6 +293,9 @@ def quantities(view: CornerView) -> tuple[Quantity, ...]:
         "axis": view.steers,
         "rack": view.rack is not None,
         "bar": rig.anti_roll_bar is not None,
-        "stiffness": view.has_tyre_stiffness,
+        "spring": "spring" not in rig.without,
+        "damper": "damper" not in rig.without,
+        "tyre": "tyre" not in rig.without,
+        "stiffness": view.has_tyre_stiffness and not {"spring", "tyre"} & set(rig.without),
     }
     return tuple(row for row in CATALOGUE if has[row.needs])

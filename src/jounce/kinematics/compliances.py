@@ -123,6 +123,7 @@ def compliance(
             where="bushings",
             allowed="tables [bushings.<hardpoint>] with a stiffness",
         )
+    corner.require("spring", what="compliance")
     load = load or ContactLoad()
     if load.vertical_force:
         raise DescriptionError("the ground gives the vertical force", where="vertical_force", found=load.vertical_force)

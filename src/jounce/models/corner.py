@@ -86,6 +86,7 @@ def corner(rig: Corner, *, detail: bool = False, actuator: AnyActuator | None = 
     With ``detail`` the outputs hold all hardpoints, joint reactions and energies, too. An ``actuator`` sits in the line
     of the damper.
     """
+    rig.require("bodies", "spring", "damper", "tyre", what="how it moves")
     mechanism = Mechanism()
     mechanism.gravity = mechanism.parameter("gravity")
     road = mechanism.track("road.z")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -64,7 +64,9 @@ def rig_findings(rig: Rig, where: str = "") -> list[Finding]:
     ('hardpoints.strut_top', 0.575)
     """
     if isinstance(rig, Corner):  # where a size is wrong, everything else would be found wrong as well
+        checks: tuple[Callable[[Corner], Iterator[Finding]], ...]
         checks = (_estimated, _order, _wheel, _strut, _bodies, _sprung, _statics)
+        checks = checks[:3] if rig.without else checks  # what it does not say cannot be wrong
         found = list(_size(rig)) or [finding for check in checks for finding in check(rig)]
     else:
         found = [*_estimated(rig), *(_vehicle(rig) if isinstance(rig, AnyVehicle) else ())]

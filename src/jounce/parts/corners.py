@@ -10,6 +10,7 @@ from pydantic import Field, create_model, model_validator
 
 from jounce.core.constants import GRAVITY
 from jounce.core.description import Description, misplaced
+from jounce.core.errors import DescriptionError
 from jounce.core.units import Acceleration, Angle, Mass, PositiveLength
 from jounce.parts.bodies import Inertia, Point, RigidBody, Triple, distance, distance_to_line
 from jounce.parts.elements import AntiRollBar, Bushing, CornerTyre, Friction, SpatialStrut, Steering
@@ -21,6 +22,10 @@ SAME_POINT = 1e-6
 """Distance in m below which two points are one."""
 ON_ONE_LINE = 1e-3
 """Share of its triangle's size by which a point must clear the axis that it rotates about."""
+_NO_BODY = {"mass": 1.0, "centre_of_mass": (0.0, 0.0, 0.0), "inertia": {"xx": 1.0, "yy": 1.0, "zz": 1.0}}
+_ON_ROCKER = {"on": "rocker"}
+_STANDING_IN = {"bodies": "bodies.", "spring": "strut.spring.", "damper": "strut.damper.", "tyre": "tyre."}
+_TABLES = {"bodies": "[bodies] and [sprung]", "spring": "strut.spring", "damper": "strut.damper", "tyre": "[tyre]"}
 Groups = tuple[tuple[str, ...], ...]
 Axes = tuple[tuple[str, str, str], ...]
 Rods = tuple[tuple[str, str], ...]
@@ -181,6 +186,8 @@ class Corner(Rig):
     strut: SpatialStrut
     anti_roll_bar: AntiRollBar | None = None
     bushings: Description = Description()
+    without: tuple[Literal["bodies", "spring", "damper", "tyre"], ...] = ()
+    """What the file leaves out: hardpoints and wheel are enough for kinematics. Numbers stand in its place, unread."""
 
     needed_bodies: ClassVar[tuple[str, ...]] = ()
     further_bodies: ClassVar[tuple[str, ...]] = ()
@@ -219,6 +226,56 @@ class Corner(Rig):
         bushings = part("Bushings", Description, text, dict.fromkeys(cls.bushed, (Bushing | None, None)))
         cls.__annotations__ |= {"bodies": bodies, "strut": strut, "anti_roll_bar": bar | None, "bushings": bushings}
         cls.anti_roll_bar, cls.bushings = None, bushings()
+
+    @model_validator(mode="before")
+    @classmethod
+    def _hardpoints_are_enough(cls, table: Any) -> Any:
+        """Let whoever sweeps only leave out masses, springs, dampers and tyres; nothing that follows from them exists.
+
+        Only what is left out whole is: a rig with some of its bodies has forgotten the others.
+        """
+        if not isinstance(table, dict) or table.get("bodies") or not isinstance(table.get("hardpoints"), dict):
+            return table
+        if table.get("sprung") or table.get("guide", "fixed") != "fixed":
+            return table
+        rocker = table["hardpoints"].get("rocker_pivot") is not None
+        names = (*cls.needed_bodies, *(("rocker",) if rocker and "rocker" in cls.further_bodies else ()))
+        strut = table.get("strut", {})
+        if not isinstance(strut, dict):
+            return table
+        missing = ["bodies", *(name for name in ("spring", "damper") if name not in strut)]
+        missing += [] if "tyre" in table else ["tyre"]
+        return {
+            **table,
+            "guide": "fixed",
+            "bodies": dict.fromkeys(names, _NO_BODY),
+            "strut": {
+                "spring": {"rate": 1.0},
+                "damper": {"coefficient": 1.0},
+                **(_ON_ROCKER if rocker else {}),
+                **strut,
+            },
+            "tyre": table.get("tyre", {"stiffness": 1.0}),
+            "without": missing,
+        }
+
+    def parameters(self) -> dict[str, float]:
+        """Give every number of the rig by its path, SI; without those that stand in for what the file leaves out."""
+        found = super().parameters()
+        unread = tuple(_STANDING_IN[name] for name in self.without)
+        return {path: value for path, value in found.items() if not path.startswith(unread)} if unread else found
+
+    def require(self, *parts: str, what: str) -> None:
+        """Refuse what cannot be known of a rig that leaves out one of these parts (bodies, spring, damper, tyre)."""
+        missing = [name for name in parts if name in self.without]
+        if missing:
+            raise DescriptionError(
+                f"{what} cannot be had from hardpoints alone",
+                where=self.source or "rig",
+                found=f"a rig without {', '.join(missing)}",
+                allowed="sweeps of its kinematics",
+                hint=f"Describe {' and '.join(_TABLES[name] for name in missing)}.",
+            )
 
     @property
     def sign(self) -> float:

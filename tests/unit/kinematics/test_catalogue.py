@@ -20,7 +20,7 @@ def test_every_row_says_what_it_is(row) -> None:
     assert set(re.findall("[A-Za-z]+", row.unit)) <= SI
     assert row.long_name
     assert row.sign.startswith(("positive: ", "never negative"))
-    assert row.needs in {"", "axis", "rack", "bar", "stiffness"}
+    assert row.needs in {"", "axis", "rack", "bar", "spring", "damper", "tyre", "stiffness"}
 
 
 def test_names_are_unique() -> None:
