@@ -11,7 +11,8 @@ from jounce.core.text import shortened
 if TYPE_CHECKING:
     from jounce.core.findings import Finding
 
-_LONGEST, _LONGEST_VALUE = 4000, 300  # characters: what a file holds may be of any length, what a reader is told not
+_LONGEST, _LONGEST_PLACE, _LONGEST_VALUE = 4000, 1000, 300
+"""Characters: what a file holds may be of any length, what a reader is told not."""
 
 
 class JounceError(Exception):
@@ -37,7 +38,7 @@ class JounceError(Exception):
 
     def _text(self) -> str:
         what = shortened(self.what, _LONGEST)
-        text = f"{shortened(self.where, _LONGEST)}: {what}" if self.where else what
+        text = f"{shortened(self.where, _LONGEST_PLACE)}: {what}" if self.where else what
         if self.found is not None:
             text += f"; found {shown(self.found)}"
         if self.allowed:

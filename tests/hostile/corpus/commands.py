@@ -36,7 +36,7 @@ BASES = {
     "version": "version",
     "campaign run": "campaign run none.toml --out results",
     "campaign new": "campaign new mine",
-    "campaign synthesise": 'campaign synthesise bench --duration "0.3 s"',
+    "campaign synthesise": 'campaign synthesise bench --duration "0.4 s"',
     "design springs": 'design springs audi-a6-full-car --frequency "1.2 Hz" --damping-ratio 0.3',
     "design optimise": "design optimise kart-quarter-car --objective sprung.az --free strut.damper.coefficient=50..500",
     "design pareto": 'design pareto audi-a6-quarter-car --free strut.damper.coefficient="300..6000" --points 3',
@@ -253,6 +253,7 @@ def _verdict(case: tuple[str, str, str]) -> tuple[str, str]:
         value = VALUES.get(kind, "")
         key = value.partition("=")[0][:20] + (":" if "=" in value else "")
         places = [place, place.strip("-").replace("-", "_"), name, key or "''", visible(value)[:10], "--json"]
+        places += ["none.toml", value.partition("=")[2][:10] or "--json"]
         places += (
             ["jounce: .:", "no such file and no shipped", *words[-8:]] if kind in ("nothing", "no text", "") else []
         )

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-MEMORY, CPU, CLOCK = 2_000_000_000, 10, 60.0
+MEMORY, CPU, CLOCK = 2_000_000_000, 10, 300.0
 """Bytes, seconds of processor time, and seconds by the clock that a case may take."""
 LONGEST = 4500  # characters of a message
 GOOD = ("refused", "flagged", "right", "accepted")

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from jounce.core.errors import JounceError, RecordingError
+from jounce.core.errors import JounceError, RecordingError, unforeseen
 from jounce.core.files import existing_file
 from jounce.inspection.archive.database import DamagedStoreError
 from jounce.inspection.archive.entries import storable
@@ -140,6 +140,8 @@ class FolderWatch:
                     return Seen(file, None, f"{error} It is tried again.")
                 return None
             seen = Seen(file, None, str(error))
+        except Exception as error:  # noqa: BLE001 - one record never stops the watch
+            seen = Seen(file, None, str(unforeseen(error, str(file))))
         if _stamp_of(file) == stamp:  # otherwise it went on growing and is looked at again
             self.store.note_watched(path, *stamp, seen.problem)
             self._done[path] = stamp

@@ -1,0 +1,105 @@
+"""Mutations of models and roads of other programs: refused, or read as something that can be."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from corpus.judging import is_clear
+from corpus.mutations import mutated
+
+SEED = 20261123
+_FILES = Path(__file__).parents[2] / "files"
+SAMPLES = {
+    "Chrono: double wishbone": "chrono/HMMWV_DoubleWishboneFront_mapShock.json",
+    "Chrono: strut": "chrono/MacPhersonStrut.json",
+    "Chrono: multi-link": "chrono/Sedan_MultiLink.json",
+    "tyre: Pacejka": "tyre_tir/audi_Pac02Tire.tir",
+    "tyre: with tables": "tyre_tir/mf_185_80R14.tir",
+    "OpenCRG: text": "road_crg/handmade_curved.crg",
+    "OpenCRG: options": "road_crg/handmade_sloped_opts.crg",
+    "OpenCRG: binary": "road_crg/halfround_4in.crg",
+    "OpenCRG: reference": "road_crg/fileref_mods.crg",
+    "road table": "",
+}
+"""A good file of each kind."""
+
+
+@cache
+def content_of(name: str) -> tuple[str, bytes]:
+    """Name and content of a good file."""
+    if SAMPLES[name]:
+        content = (_FILES / SAMPLES[name]).read_bytes()
+        return Path(SAMPLES[name]).name, re.sub(rb"\.\./crg-txt/\w+", b"handmade_curved", content)
+    x = np.arange(300) * 0.05
+    rows = "".join(f"{one:.3f}, {0.01 * np.sin(one):.9f}\n" for one in x)
+    return "road.csv", f"x [m], z [m]\n{rows}".encode()
+
+
+def cases(count: int) -> list[tuple[str, int]]:
+    """So many mutations of each sample."""
+    return [(name, number) for name in SAMPLES for number in range(count)]
+
+
+def _chrono(file: Path) -> Any:
+    from jounce.parts.importers import import_chrono
+
+    return import_chrono(file)[0].model_dump_json()
+
+
+def _tyre(file: Path) -> Any:
+    from jounce.parts.importers import read_tir
+
+    return repr(read_tir(file).tyre())
+
+
+def _road(file: Path) -> Any:
+    from jounce.roads import load_road
+
+    road = load_road(file)
+    height = road.segments(road.end()).evaluate(np.linspace(0.0, road.end(), 50))[0]
+    assert np.isfinite(height).all()
+    return road.end(), height.tolist()
+
+
+_READ: dict[str, Callable[[Path], Any]] = {".json": _chrono, ".tir": _tyre, ".crg": _road, ".csv": _road}
+
+
+@cache
+def truth_of(name: str) -> Any:
+    """What the good file is read as."""
+    file = Path(content_of(name)[0])
+    file.write_bytes(content_of(name)[1])
+    return _READ[file.suffix](file)
+
+
+def verdict(case: tuple[str, int]) -> tuple[str, str]:
+    """What reading one mutation gives."""
+    from jounce.core.errors import JounceError
+
+    name, number = case
+    for other in (_FILES / "road_crg").glob("*.crg"):  # those that others refer to
+        if not Path(other.name).exists():
+            Path(other.name).write_bytes(other.read_bytes())
+    truth = truth_of(name)
+    file, whole = Path(content_of(name)[0]), content_of(name)[1]
+    kind, content = mutated(whole, SEED, number)
+    file.write_bytes(content)
+    try:
+        found = _READ[file.suffix](file)
+    except JounceError as error:
+        return ("refused" if is_clear(str(error), file.name) else "unclear"), f"{kind}: {error}"
+    except Exception as error:  # noqa: BLE001 - whatever it is, it is a crash
+        return "crashed", f"{kind}: {type(error).__name__}: {error}"
+    finally:
+        file.write_bytes(whole)
+    if found == truth:
+        return "right", kind
+    if kind == "cut" and file.suffix == ".crg":
+        return "silently wrong", f"{kind}: a road of {found[0]} m, not {truth[0]} m"
+    return "undetectable", f"{kind}: other values"
