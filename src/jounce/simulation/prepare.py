@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
@@ -36,6 +37,7 @@ _LONG_RUN = 5000.0  # radians of the fastest motion, beyond which it is worth as
 _FASTER = 4.0  # steps of the explicit method for one of the implicit method, above which the latter is faster
 _CARRIED = 1e-2  # share of the quasi-static motion at which a mode must be seen in the samples
 _FELT = 300.0  # tolerances: share at which a mode must be followed through its oscillations
+_HOPELESS = MAX_STEPS  # of the longest length that a run needs: it would end there, ten seconds later
 _SINGULAR = 0.05  # share of the loops' conditioning at the start that is left where a mechanism counts as locked up
 
 
@@ -154,7 +156,12 @@ def prepare(
     )
     exact = _exact(compiled, problem, control, times) if method == "auto" else None
     prepared = Prepared(compiled, problem, control, room(compiled, times), exact, modes, rest, still)
-    if exact is not None or compiled.free or method == "explicit":
+    lasting = float(times[-1] - times[0])
+    hopeless = _HOPELESS if offset is None else math.inf  # away from rest other rates hold
+    if exact is not None:
+        return prepared
+    if compiled.free or method == "explicit":
+        _check_steps(lasting / control.longest, hopeless, limit, lasting)
         return prepared
     # The modes are only looked at where the implicit method may have its turn: they cost as much as a short run.
     shares = cache(lambda: modal_shares(compiled, p, rest, still))
@@ -165,8 +172,13 @@ def prepare(
         longest = longest_implicit_step(max(shares().fastest(_CARRIED), waves, 1e-3), tolerance)
         return control._replace(tolerance=IMPLICIT_SHARE * tolerance, longest=longest)
 
-    long = limit * float(times[-1] - times[0]) > _LONG_RUN
+    long = limit * lasting > _LONG_RUN
     implicitly = method == "implicit" or (long and implicit_is_faster(shares(), waves, limit, tolerance))
+    if implicitly or lasting / control.longest > hopeless:
+        implicitly = True  # or it would have its turn after all steps of the explicit method
+        fastest = shares().fastest(_CARRIED)
+        place = compiled.facts.states[shares().place_of(fastest)] if fastest > waves else ""
+        _check_steps(lasting / stiff().longest, hopeless, max(fastest, waves), lasting, place)
     return replace(prepared, stiff=stiff, method="implicit" if implicitly else "explicit")
 
 
@@ -176,6 +188,18 @@ def dead_band(compiled: Compiled, p: Array, rest: Equilibrium, scale: Array, u: 
         return np.zeros(0)
     moved, there = (compiled.evaluate("switch", where, u, p, rest.modes) for where in (rest.x + scale, rest.x))
     return np.asarray(1e-9 * np.abs(moved - there) + 1e-14)
+
+
+def _check_steps(steps: float, most: float, rate: float, lasting: float, place: str = "") -> None:
+    """Refuse a run whose fastest motion (rad/s), followed for so long (s), takes more steps than there may be."""
+    if steps > most:
+        raise SimulationError(
+            "the fastest motion is too fast for a run as long as this",
+            where=place,
+            found=f"{rate / (2.0 * math.pi):.3g} Hz for {lasting:.4g} s, {steps:.2g} steps at least",
+            allowed=f"{most:.2g} steps",
+            hint="Check masses and stiffnesses for slips in their units, or shorten the run.",
+        )
 
 
 def room(compiled: Compiled, times: Array) -> Samples:
@@ -219,14 +243,22 @@ def _exact(compiled: Compiled, problem: Problem, control: Control, times: Array)
 
 @dataclass(frozen=True)
 class ModalShares:
-    """Undamped natural frequencies at rest (rad/s) and what share of the quasi-static motion over the road each has."""
+    """Undamped natural frequencies at rest (rad/s) and what share of the quasi-static motion over the road each has.
+
+    ``place`` is the number of the state that each moves most.
+    """
 
     frequency: Array
     share: Array
+    place: NDArray[np.int64]
 
     def fastest(self, share: float) -> float:
         """Highest frequency (rad/s) among the modes with at least a share."""
         return float(np.max(self.frequency[self.share >= share], initial=0.0))
+
+    def place_of(self, frequency: float) -> int:
+        """Number of the state that the mode of a frequency (rad/s) moves most."""
+        return int(self.place[np.argmin(np.abs(self.frequency - frequency))])
 
 
 def modal_shares(compiled: Compiled, p: Array, rest: Equilibrium, u: Array) -> ModalShares:
@@ -236,8 +268,10 @@ def modal_shares(compiled: Compiled, p: Array, rest: Equilibrium, u: Array) -> M
     pulled = rest.pick[f : 2 * f] @ compiled.evaluate("rate_u", rest.x, u, p, rest.modes)[:, ::order]
     firm = np.where(squares == 0.0, np.inf, squares)  # what nothing holds, such as yaw, has no quasi-static motion
     weights = np.linalg.norm(np.linalg.lstsq(shapes, pulled.astype(complex), rcond=None)[0] / firm[:, None], axis=1)
-    sizes = weights * np.linalg.norm(rest.lift[: compiled.facts.counts[0], :f] @ shapes, axis=0)
-    return ModalShares(np.sqrt(np.abs(squares)), sizes / max(float(np.max(sizes, initial=0.0)), 1e-300))
+    moved = rest.lift[: compiled.facts.counts[0], :f] @ shapes
+    sizes = weights * np.linalg.norm(moved, axis=0)
+    shares = sizes / max(float(np.max(sizes, initial=0.0)), 1e-300)
+    return ModalShares(np.sqrt(np.abs(squares)), shares, np.argmax(np.abs(moved), axis=0))
 
 
 def implicit_is_faster(shares: ModalShares, waves: float, explicit: float, tolerance: float) -> bool:

@@ -179,3 +179,15 @@ def test_what_is_shared_between_runs_cannot_be_changed():
     for name in ("x", "slope", "balance"):
         with pytest.raises(ValueError, match="read-only"):
             getattr(rest, name)[0] = 1.0
+
+
+@pytest.mark.parametrize("method", ["auto", "implicit", "explicit"])
+@pytest.mark.parametrize("mass", [1e-12, 1e-10])
+def test_slips_in_units_that_no_run_can_follow_are_told_at_once(mass: float, method: str) -> None:
+    """A wheel of 1e-12 kg swings at 70 MHz: the run would end after all its steps, ten seconds later."""
+    rig = jounce.load("kart-quarter-car").with_changes({"unsprung.mass": mass})
+    trial = jounce.Trial(road=jounce.HalfSine(height=0.01, length=0.06, start=0.2), speed=2.0, duration=3.0)
+    with pytest.raises(SimulationError, match=r"too fast for a run as long as this; found '\S+ Hz for 3 s") as caught:
+        jounce.simulate(rig, trial, method=method)
+    assert method == "explicit" or caught.value.where == "unsprung.z"
+    assert "Check masses and stiffnesses" in str(caught.value)
