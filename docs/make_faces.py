@@ -25,6 +25,7 @@ from jounce.campaign.truth import BenchTruth
 from jounce.cli.entry import application
 from jounce.control import CONTROLS
 from jounce.core.kinds import FILE_REF
+from jounce.design.kinematic_study import KinematicStudy
 from jounce.inspection.limits import Limits
 from jounce.inspection.methods import METHODS, QUANTITIES
 from jounce.inspection.quantities import Quantity as GradedQuantity
@@ -202,6 +203,13 @@ def _redirected(schema: Any, places: dict[str, str]) -> Any:
     return places.get(schema, schema) if isinstance(schema, str) else schema
 
 
+def design_schema() -> dict[str, Any]:
+    """Schema of a study file of hardpoints from targets."""
+    schema = KinematicStudy.model_json_schema(by_alias=True)
+    schema["required"] = ["schema", *(name for name in schema["required"] if name != "schema")]
+    return {"$schema": DIALECT, "title": "jounce design study file", **schema}
+
+
 def schemas() -> dict[str, str]:
     """All schemas: file name to text. What an earlier file defines, later ones refer to."""
     makers = {
@@ -212,6 +220,7 @@ def schemas() -> dict[str, str]:
         "truth": truth_schema,
     }
     makers |= {"control": control_schema, "tester": tester_schema, "limits": limits_schema, "record": record_schema}
+    makers["design"] = design_schema
     found: dict[str, Any] = {}
     for kind, make in makers.items():
         schema, name = _written(make()), f"{kind}.schema.json"

@@ -125,6 +125,21 @@ def test_what_cannot_be_asked_is_one_clear_message(cli, study, tmp_path: Path, t
     assert not (tmp_path / "out").exists()
 
 
+def test_a_study_is_checked_without_a_search(cli, study) -> None:
+    outcome = cli("check", study(HEAD + FREE + CURVE), "--json")
+    assert outcome.exit_code == 0, outcome.err
+    assert "3 free numbers, 1 targets, 8 starts" in outcome.out
+    assert cli("check", study(HEAD + FREE + CURVE.replace("toe", "tow"))).exit_code == 2
+
+
+def test_ackermann_straight_ahead_has_no_value(cli, study) -> None:
+    car = '[vehicle]\naxle = "front"\nwheelbase = 1.55\ncentre_of_mass_height = 0.3\nbrake_share = 0.6\n'
+    target = '[[target]]\nquantity = "ackermann"\nvalue = 1.0\ntolerance = 0.1\n'
+    outcome = cli("design", "kinematics", study(HEAD + FREE + car + target))
+    assert outcome.exit_code == 2
+    assert "no value" in outcome.err
+
+
 def test_boxes_without_a_mechanism_are_refused(cli, study) -> None:
     """Arms as long as 30 mm cannot follow a wheel over 60 mm."""
     box = 'box = [["-5 mm", "535 mm", "320 mm"], ["5 mm", "540 mm", "322 mm"]]'

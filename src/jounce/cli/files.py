@@ -287,6 +287,13 @@ def _check_truth(checked: Checked) -> None:
     )
 
 
+def _check_design(checked: Checked) -> None:
+    from jounce.design.kinematics import check_study
+
+    study, free = check_study(checked.file)
+    checked.what = f"design of {study.rig}: {free} free numbers, {len(study.target)} targets, {study.starts} starts"
+
+
 _SCHEMAS: dict[str, Callable[[Checked], None]] = {
     "jounce.rig/1": _check_rig,
     "jounce.vehicle/1": _check_rig,
@@ -296,6 +303,7 @@ _SCHEMAS: dict[str, Callable[[Checked], None]] = {
     "jounce.control/1": _check_control,
     "jounce.tester/1": _check_tester,
     "jounce.limits/1": _check_limits,
+    "jounce.design/1": _check_design,
 }
 
 

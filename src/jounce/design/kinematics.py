@@ -40,6 +40,9 @@ _FAR = 1.0  # m: no hardpoint moves that far
 _WITHIN = 1.0 + 1e-9  # tolerances, but for rounding
 _STILL = 0.5e-9  # m: what moves less stays
 _AXES = "xyz"
+_NO_VALUE = (
+    "Ackermann needs a rack away from straight ahead, swing arms and instant centres arms that are not parallel."
+)
 
 
 # results --------------------------------------------------------------------------------------------------------------
@@ -445,8 +448,7 @@ def _of_file(rig: Rig | str | Path, free: object, targets: object) -> KinematicD
 def design_study(path: Path | str, *, starts: int | None = None) -> tuple[KinematicDesign, Path]:
     """Run a study file; give the design and the file of its rig. Errors name the file and the line."""
     study, text = read_description(KinematicStudy, path, SCHEMA)
-    beside = Path(path).parent / study.rig
-    file = beside if beside.is_file() else rig_path(study.rig)
+    file = _file_of(study, path)
     try:
         found = _design(
             check_corner(load(file)),
@@ -459,6 +461,23 @@ def design_study(path: Path | str, *, starts: int | None = None) -> tuple[Kinema
     except DescriptionError as error:
         raise _placed(error, path, text) from None
     return found, file
+
+
+def check_study(path: Path | str) -> tuple[KinematicStudy, int]:
+    """Read a study file without a search; give it with how many numbers are free. Errors name the file and the line."""
+    study, text = read_description(KinematicStudy, path, SCHEMA)
+    rig = check_corner(load(_file_of(study, path)))
+    try:
+        read_targets(rig, study.target, study.vehicle)
+        return study, len(free_numbers(rig, study.free).owners)
+    except DescriptionError as error:
+        raise _placed(error, path, text) from None
+
+
+def _file_of(study: KinematicStudy, path: Path | str) -> Path:
+    """File of the rig: beside the study, or a shipped one."""
+    beside = Path(path).parent / study.rig
+    return beside if beside.is_file() else rig_path(study.rig)
 
 
 def _placed(error: DescriptionError, path: Path | str, text: str) -> DescriptionError:
@@ -486,10 +505,14 @@ def _design(
     before, _ = evaluator.at(numbers.origin, slopes=False)
     missing = [item for item, value in zip(wanted, before, strict=True) if not np.all(np.isfinite(value))]
     if missing:
-        ends = evaluator.unreached()
+        ends, where = evaluator.unreached(), f"target[{wanted.index(missing[0])}]"
+        if not ends and missing[0].along != "roll":
+            raise DescriptionError(
+                "has no value at a pose of the target", where=where, found=missing[0].quantity, hint=_NO_VALUE
+            )
         raise DescriptionError(
             "the rig itself cannot reach the poses of a target",
-            where=f"target[{wanted.index(missing[0])}]",
+            where=where,
             found=ends[0] if ends else missing[0].quantity,
             hint="Ask for less travel, or start from another rig.",
         )
