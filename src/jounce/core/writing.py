@@ -135,10 +135,10 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, forc
                 target.parent.mkdir(parents=True, exist_ok=True)
                 target.write_bytes(content.encode() if isinstance(content, str) else content)
             built.mkdir(exist_ok=True)  # where there are no files
-            if is_there:
-                _exchange(root, aside, list(contents))
-            else:
-                built.rename(root)
+            if is_there or not _renamed(built, root):
+                with _alone(root):
+                    _check_room(root, files, force=force)  # another process may have been here
+                    _exchange(root, aside, list(contents))
         finally:
             shutil.rmtree(aside, ignore_errors=True)
     return [Path(folder) / name for name in contents]
@@ -156,6 +156,34 @@ def _check_room(root: Path, files: Iterable[Path], *, force: bool) -> None:
             raise OutputError("a folder cannot be made where a file is", where=str(file.parent))
         if file.exists() and not force:
             check_writable(file)
+
+
+def _renamed(built: Path, root: Path) -> bool:
+    """Put a folder in its place; tell whether it was free, or another process has put one there meanwhile."""
+    try:
+        built.rename(root)
+    except OSError:
+        if not root.is_dir():
+            raise
+        return False
+    return True
+
+
+@contextmanager
+def _alone(folder: Path) -> Iterator[None]:
+    """Let one process after the other exchange files of a folder, where the system and the disk can lock it."""
+    if os.name != "posix":
+        yield
+        return
+    import fcntl
+
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        with contextlib.suppress(OSError):
+            fcntl.flock(handle, fcntl.LOCK_EX)  # which goes with this process, however it ends
+        yield
+    finally:
+        os.close(handle)
 
 
 def _exchange(root: Path, aside: Path, names: Sequence[str]) -> None:
