@@ -33,6 +33,11 @@ def test_stationary_response_stands_beside_the_simulated_one(cli) -> None:
         assert simulated["rms_acceleration"][channel] == pytest.approx(linear[channel], rel=0.03)
     text = cli("ride", CAR, "--road", "iso:B", "--speed", "20 m/s", "--duration", "5 s").out
     assert "linear model" in text
+    share = found["stationary"]["by_chance"]["body.az"]
+    assert 0.0 < share < 0.1
+    row = next(line for line in text.splitlines() if "body.az" in line and "±" in line)
+    shown = 0.01 * float(row.split("±")[1].split("%")[0])
+    assert shown == pytest.approx(share * (60.0 / 5.0) ** 0.5, rel=0.05)  # the root of the time
 
 
 @pytest.mark.parametrize("is_level", [True, False])

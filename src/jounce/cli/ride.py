@@ -219,7 +219,7 @@ def _draw_stationary(console: Console, study: RideStudy, ride: Ride) -> None:
     if study.stationary is None or ride.control != "passive":
         return
     linear = study.stationary.standard_deviation
-    chances = {name: study.stationary.chance(name, ride.duration) for name in linear}
+    chances = study.by_chance
     rows = [
         (
             name, study.stationary.units[name], ride.standard_deviation(name), linear[name],

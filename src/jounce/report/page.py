@@ -202,6 +202,18 @@ def worst_first(findings: Sequence[Finding]) -> tuple[Finding, ...]:
     return tuple(sorted(findings, key=lambda finding: order.index(finding.severity)))
 
 
+_NEGATIVE = re.compile(r"(?<![\w.−-])-(?=\d)")
+
+
+def with_minus(text: str) -> str:
+    """Write negative numbers within a sentence with a minus sign, as the tables do.
+
+    >>> with_minus("moved by -2.4 % (1e-05, ISO 2631-1, 2026-11-22, 3-D)")
+    'moved by −2.4 % (1e-05, ISO 2631-1, 2026-11-22, 3-D)'
+    """
+    return _NEGATIVE.sub("−", text)
+
+
 def slug(text: str) -> str:
     """Turn a name into a file name: ASCII letters, digits and hyphens, at most 80 of them.
 

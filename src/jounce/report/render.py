@@ -20,7 +20,7 @@ from jounce.recordings.files import write_recording
 from jounce.report.chart import CSS, SCALED_CSS, Chart, chart_svg, panel_svg
 from jounce.report.document import TABLES, page_pdf, table_csv, tables_of, tables_xlsx
 from jounce.report.live import bundle, live_data
-from jounce.report.page import Findings, Page, Picture, Table, slug, unique_slugs, worst_first
+from jounce.report.page import Findings, Page, Picture, Table, slug, unique_slugs, with_minus, worst_first
 from jounce.report.typeset import compiled
 
 if TYPE_CHECKING:
@@ -304,7 +304,7 @@ def grouped(findings: Findings) -> list[tuple[str, str, list[tuple[str, str]]]]:
     shown = list(messages.items())[: findings.most]
     result = []
     for severity, heading in _SEVERITIES.items():
-        rows = [(_places(places), message) for (kind, message), places in shown if kind == severity]
+        rows = [(_places(places), with_minus(message)) for (kind, message), places in shown if kind == severity]
         if rows:
             result.append((severity, heading, rows))
     return result

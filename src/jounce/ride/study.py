@@ -319,6 +319,17 @@ class RideStudy(Plain):
     failed: dict[str, str]
     stationary: StationaryResponse | None = None
 
+    @property
+    def by_chance(self) -> dict[str, float | None]:
+        """By what share (1) standard deviations of the passive ride differ by chance from the linear model's.
+
+        Channel to half of the 95 % interval, None where the spectrum is not known; empty without such a ride.
+        """
+        passive = next((ride for ride in self.rides if ride.control == "passive"), None)
+        if self.stationary is None or passive is None:
+            return {}
+        return {name: self.stationary.chance(name, passive.duration) for name in self.stationary.standard_deviation}
+
     def ride(self, control: str) -> Ride:
         """Give the ride of a controller by its name."""
         for ride in self.rides:
@@ -336,7 +347,9 @@ class RideStudy(Plain):
             "runs": self.rides,
             "failed": self.failed,
         }
-        return plain_table(table if self.stationary is None else {**table, "stationary": self.stationary})
+        if self.stationary is not None:
+            table["stationary"] = {**self.stationary.to_dict(), "by_chance": self.by_chance}
+        return plain_table(table)
 
 
 def drive(rig: Rig, trial: RideTrial, control: AnyControl | None = None) -> Ride:

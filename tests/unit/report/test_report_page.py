@@ -138,3 +138,8 @@ def test_slugs() -> None:
     assert slug("../../etc/passwd") == "etc-passwd"
     assert slug("Straße 5") == "strasse-5"
     assert unique_slugs(["a", "A", "a-2", "?"]) == ["a", "a-2", "a-2-2", "unnamed"]
+
+
+def test_negative_numbers_in_findings_have_a_minus_as_in_tables() -> None:
+    found = Findings((Finding("a", "note", "moved by -0.5 (-3 to -1e-05), ISO 2631-1 of 2026-11-22"),))
+    assert grouped(found)[0][2][0][1] == "moved by −0.5 (−3 to −1e-05), ISO 2631-1 of 2026-11-22"
