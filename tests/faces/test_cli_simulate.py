@@ -188,6 +188,24 @@ def test_modes(cli) -> None:
     assert "Static equilibrium" in text.out
 
 
+def test_runs_are_compared_and_reported(cli, bump: Path, tmp_path: Path) -> None:
+    run = cli(
+        "simulate", RIG, "--road", bump, *DRIVE, "--out", "a.nc", "--figure", "a.svg", "--report", "a.html", "--json"
+    )
+    assert (run.json["figure"], run.json["report"]) == ("a.svg", "a.html")
+    assert "data-viewer=" in (tmp_path / "a.html").read_text(encoding="utf-8")
+    cli("simulate", RIG, "--road", bump, *DRIVE, "--set", "strut.damper.coefficient=300 N*s/m", "--out", "b.nc")
+    outcome = cli("plot", "a.nc", "b.nc", "tyre.force", "--figure", "ab.svg", "--report", "ab.pdf", "--json")
+    assert outcome.exit_code == 0, outcome.err
+    assert outcome.json["runs"] == ["a.nc", "b.nc"]
+    assert outcome.json["channels"] == ["tyre.force"]
+    assert (tmp_path / "ab.svg").read_text(encoding="utf-8").count("difference") == 1
+    assert (tmp_path / "ab.pdf").read_bytes().startswith(b"%PDF")
+    assert "ab.pdf: the output exists" in cli("plot", "a.nc", "--report", "ab.pdf").err
+    assert "nothing to write" in cli("plot", "a.nc", "b.nc").err
+    assert "no channel 'c.zz'" in cli("plot", "a.nc", "c.zz", "--figure", "c.svg").err
+
+
 @pytest.mark.parametrize("suffix", ["png", "svg", "pdf"])
 def test_plot(suffix: str, cli, bump: Path, tmp_path: Path) -> None:
     cli("simulate", RIG, "--road", bump, *DRIVE, "--out", "run.nc")

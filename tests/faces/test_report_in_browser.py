@@ -13,7 +13,16 @@ import pytest
 
 import jounce as jn
 from jounce.campaign import run_campaign
-from jounce.report import Page, Paragraph, Section, Table, write_campaign, write_page
+from jounce.report import (
+    REPORTS,
+    Page,
+    Paragraph,
+    Section,
+    Table,
+    recordings_page,
+    write_campaign,
+    write_page,
+)
 from jounce.report.live import Curve, Pane, Scene, Viewer
 
 sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
@@ -230,6 +239,26 @@ def test_texts_are_never_markup(browser: Any, tmp_path: Path) -> None:
         assert opened.page.locator("img").count() == 0
         assert opened.page.evaluate("document.documentElement.scrollWidth") <= width
         opened.close()
+
+
+def test_a_sweep_is_played_over_its_travel(browser: Any, tmp_path: Path) -> None:
+    rig = jn.load("kart-double-wishbone")
+    sweep = jn.sweep_travel(rig, np.linspace(-0.01, 0.01, 21), points=True)
+    page = recordings_page({"kart": sweep}, ["camber", "toe"], title="Kart", rig=rig)
+    opened = Opened(browser, REPORTS.write(page, tmp_path / "sweep.html"))
+    for travel in (-10.0, 3.0):
+        opened.page.evaluate(f"jounce.players[0].goTo({travel})")
+        place = opened.page.evaluate(
+            """() => { const one = jounce.players[0].view;
+            return one.points[one.shown.names.indexOf("upper_ball_joint")].toArray(); }"""
+        )
+        true = [1e3 * float(sweep[f"upper_ball_joint.{axis}"].interp(wheel_travel=1e-3 * travel)) for axis in "xyz"]
+        assert place == pytest.approx(true, abs=0.02)  # mm
+    assert opened.page.locator(".clock").inner_text() == "3.000 mm"
+    opened.page.get_by_role("button", name="Play", exact=True).click()
+    opened.page.wait_for_timeout(500)
+    assert opened.page.evaluate("jounce.players[0].now") > 3.2
+    opened.close()
 
 
 def test_missing_and_infinite_values_are_gaps(browser: Any, tmp_path: Path) -> None:

@@ -71,6 +71,12 @@ export class Store {
     return new Store(content, new Uint8Array(await new Response(stream).arrayBuffer()));
   }
 
+  /** The smallest step between two values of an array; 0 where it is exact. */
+  step(index: number): number {
+    const { even, step } = this.content.arrays[index]!;
+    return even ? 0 : step;
+  }
+
   get(index: number): Numbers {
     return (this.made[index] ??= unpack(this.content.arrays[index]!, this.bytes));
   }

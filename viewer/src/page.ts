@@ -37,6 +37,14 @@ export function written(value: number | null | undefined, digits = 4): string {
   return text.replaceAll("-", "−");
 }
 
+/** The same of a value that is known to a step only: digits below it are not written. */
+export function writtenTo(value: number, step: number): string {
+  if (!Number.isFinite(value) || !(step > 0)) return written(value);
+  const decimals = Math.min(Math.max(0, Math.ceil(-Math.log10(step))), 100);
+  const rounded = Number(value.toFixed(decimals));
+  return rounded === 0 ? "0" : written(rounded);
+}
+
 export function colour(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim() || "#888";
 }

@@ -21,6 +21,7 @@ export class Player {
   private readonly speed = make("select", { "aria-label": "speed" });
   private readonly roles = new Map<string, boolean>();
   private readonly panes = new Map<string, boolean>();
+  private readonly livelyPart = make("button", { type: "button", title: "where it is lively (9)", click: () => this.lively() }, "Lively part");
   private scene: Scene;
   private now = 0;
   private playing = false;
@@ -80,11 +81,12 @@ export class Player {
       make("button", { type: "button", title: "zoom in (+)", click: () => this.plots.zoomBy(0.5, this.now) }, "+"),
       make("button", { type: "button", title: "zoom out (−)", click: () => this.plots.zoomBy(2, this.now) }, "−"),
       make("button", { type: "button", title: "everything (0, or double click)", click: () => this.plots.reset() }, "All"),
-      make("button", { type: "button", title: "where it is lively (9)", click: () => this.lively() }, "Lively part"));
+      this.livelyPart);
     const wide = toggle("Full window", false, (on) => { this.element.classList.toggle("wide", on); document.body.classList.toggle("behind", on); }, "fill the window (f)");
     wide.classList.add("widen");
-    for (const slower of SLOWER) this.speed.append(make("option", { value: String(slower) }, slower === 1 ? "real time" : `1/${slower}`));
-    this.speed.value = "10";
+    const isTime = model.x.unit === "s";
+    for (const slower of SLOWER) this.speed.append(make("option", { value: String(slower) }, slower > 1 ? `1/${slower}` : isTime ? "real time" : "fast"));
+    this.speed.value = isTime ? "10" : "2";
     this.play.addEventListener("click", () => this.toggle());
     this.slider.addEventListener("input", () => { this.pause(); this.goTo(Number(this.slider.value)); });
     const main = make("div", { class: this.view ? "stage-and-plots" : "plots-only" }, this.plots.element);
@@ -105,6 +107,7 @@ export class Player {
     this.note.textContent = scene.note;
     this.note.parentElement!.className = `group ${scene.tone}`;
     this.note.hidden = !scene.note;
+    this.livelyPart.hidden = !scene.window;
     const x = this.store.get(scene.x);
     this.channels.replaceChildren(...(scene.panes.length < 2 ? [] : scene.panes.map((pane) => toggle(pane.name, this.isShown(pane.name, pane.shown), (on) => {
       this.panes.set(pane.name, on);
@@ -125,7 +128,7 @@ export class Player {
       x: this.store.get(scene.x), xLabel: `${this.model.x.words} [${this.model.x.unit}]`, spans: scene.spans, window: scene.window,
       panes: panes.map((pane) => ({
         title: pane.words, unit: pane.unit,
-        lines: pane.curves.map((curve) => ({ label: curve.label, role: curve.role, y: this.store.get(curve.y), shown: this.roles.get(curve.role) ?? true })),
+        lines: pane.curves.map((curve) => ({ label: curve.label, role: curve.role, y: this.store.get(curve.y), step: this.store.step(curve.y), shown: this.roles.get(curve.role) ?? true })),
       })),
     }, window);
     this.plots.mark(this.now);
@@ -164,6 +167,12 @@ export class Player {
     this.play.textContent = "Pause";
   }
 
+  /** What is passed in a second at full speed: a second, or all of what was swept in two. */
+  private get rate(): number {
+    const [first, last] = this.plots.whole;
+    return this.model.x.unit === "s" ? 1 : (last - first) / 2;
+  }
+
   private pause(): void { this.playing = false; this.play.textContent = "Play"; }
 
   /** What is seen is played, again and again. */
@@ -173,7 +182,7 @@ export class Player {
       if (this.last) { this.frames.push(passed); if (this.frames.length > 600) this.frames.shift(); }
       this.last = time;
       const [low, high] = this.plots.window;
-      let next = this.now + Math.min(passed, 250) / 1000 / Number(this.speed.value);
+      let next = this.now + this.rate * Math.min(passed, 250) / 1000 / Number(this.speed.value);
       if (next > high) { next = STILL.matches ? high : low; if (STILL.matches) this.pause(); }
       this.goTo(next);
     }

@@ -2,9 +2,9 @@
 
 import uPlot from "uplot";
 import { at, type Numbers } from "./data";
-import { colour, make, written } from "./page";
+import { colour, make, writtenTo } from "./page";
 
-export interface Line { label: string; role: string; y: Numbers; shown: boolean }
+export interface Line { label: string; role: string; y: Numbers; step: number; shown: boolean }
 export interface PlotPane { title: string; unit: string; lines: Line[] }
 export interface Plotted {
   x: Numbers;
@@ -108,7 +108,7 @@ export class LinkedPlots {
       pane.lines.forEach((line, i) => {
         const output = values[i]!;
         output.parentElement!.hidden = !line.shown;
-        if (line.shown) output.textContent = written(at(plotted.x, line.y, x));
+        if (line.shown) output.textContent = writtenTo(at(plotted.x, line.y, x), line.step);
       });
     });
   }

@@ -7,7 +7,19 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.options import AsJson, Changes, Force, RigName, bare_number, changes, check_outputs, chosen_rig, pairs
+from jounce.cli.options import (
+    AsJson,
+    Changes,
+    Force,
+    ReportFile,
+    RigName,
+    bare_number,
+    changes,
+    check_outputs,
+    chosen_rig,
+    pairs,
+    write_report,
+)
 from jounce.cli.reply import DONE, REFUSED, Reply, progress, show_findings, show_written, table, tell
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import not_drawn
@@ -21,6 +33,7 @@ if TYPE_CHECKING:
     from jounce.design.adjustments import Effect, Lengths, OverTravel, WheelState
     from jounce.kinematics.sweeps import AxleLayout
     from jounce.parts import Rig
+    from jounce.report import Page
 
 
 _SHOWN = 7
@@ -53,7 +66,10 @@ def kinematics(
     ] = False,
     set_: Changes = None,
     out: Annotated[Path | None, typer.Option(help="Write the sweep: SWEEP.nc or SWEEP.csv.")] = None,
-    plot: Annotated[Path | None, typer.Option(metavar="DIR", help="Plot every quantity into this folder.")] = None,
+    plot: Annotated[
+        Path | None, typer.Option("--figure", "--plot", metavar="DIR", help="Plot every quantity into this folder.")
+    ] = None,
+    report: ReportFile = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -65,7 +81,7 @@ def kinematics(
 
     if out is not None:
         SWEEP_FILES.check(out, force=force)
-    check_outputs(folder=plot, force=force)
+    check_outputs(folder=plot, report=report, force=force)
     with progress() as say:
         say("loading")
         chosen = chosen_rig(rig, changes(set_))
@@ -82,14 +98,28 @@ def kinematics(
                 write_kinematics(sweep, plot, force=force)
             except Exception as error:  # noqa: BLE001 - whatever it is, the sweep is told
                 missing, plot = [not_drawn(str(plot), error)], None
+        page_file, undrawn = write_report(lambda: _page(rig, chosen, sweep), report, force=force)
     stopped = str(sweep.attrs["stopped"])
     if stopped:
         tell(f"{stopped}. The poses before that are kept.")
     elif sweep.attrs.get("findings"):
         tell(str(sweep.attrs["findings"]))
-    written = [str(path) for path in (out, plot) if path is not None]
+    written = [str(path) for path in (out, plot, page_file) if path is not None]
     exit_code = REFUSED if stopped else DONE
-    return Reply(plain_sweep(sweep), lambda console: _draw(console, rig, sweep, written), as_json, exit_code, missing)
+    return Reply(
+        plain_sweep(sweep),
+        lambda console: _draw(console, rig, sweep, written),
+        as_json,
+        exit_code,
+        [*missing, *undrawn],
+    )
+
+
+def _page(rig: str, chosen: Rig, sweep: xr.Dataset) -> Page:
+    from jounce.report import recordings_page
+
+    name = Path(rig).stem
+    return recordings_page({name: sweep}, title=f"Kinematics of {name}", subtitle="Kinematic sweep", rig=chosen)
 
 
 def _sweep(

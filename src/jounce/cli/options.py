@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -17,6 +17,7 @@ from jounce.core.findings import not_drawn
 if TYPE_CHECKING:
     from jounce.core.findings import Finding
     from jounce.parts import Rig
+    from jounce.report import Page
     from jounce.roads import Trial
 
 
@@ -168,6 +169,10 @@ ForceSign = Annotated[
         "--force-positive", metavar="compression|tension", help="Which way the force counts; compression if unsaid."
     ),
 ]
+ReportFile = Annotated[
+    Path | None,
+    typer.Option("--report", help="Write a report: .html (one page with a viewer, needs nothing else) or .pdf."),
+]
 FigureFile = Annotated[Path | None, typer.Option(help="Plot the result: .png, .svg or .pdf.")]
 
 
@@ -177,6 +182,7 @@ def check_outputs(
     recording: Path | None = None,
     rig: Path | None = None,
     folder: Path | None = None,
+    report: Path | None = None,
     force: bool,
 ) -> None:
     """Refuse files of another suffix, in a missing folder, or (without ``force``) that exist; folders not empty."""
@@ -192,6 +198,10 @@ def check_outputs(
         from jounce.report.render import check_folder
 
         check_folder(folder, force=force)
+    if report is not None:
+        from jounce.report.render import REPORTS
+
+        REPORTS.check(report, force=force)
     if figure is not None:
         from jounce.plots.style import FIGURES
 
@@ -213,6 +223,22 @@ def write_picture(result: object, figure: Path | None, *, force: bool) -> tuple[
     except Exception as error:  # noqa: BLE001 - whatever it is, what was computed is told
         return None, [not_drawn(str(figure), error)]
     return str(figure), ()
+
+
+def write_report(page: Callable[[], Page], report: Path | None, *, force: bool) -> tuple[str | None, Sequence[Finding]]:
+    """Write what a function puts on a page into the file, if one is asked for.
+
+    It gives the file's name, and what could not be drawn: that loses no result.
+    """
+    if report is None:
+        return None, ()
+    try:
+        from jounce.report import REPORTS
+
+        REPORTS.write(page(), report, force=force)
+    except Exception as error:  # noqa: BLE001 - whatever it is, what was computed is told
+        return None, [not_drawn(str(report), error)]
+    return str(report), ()
 
 
 def chosen_rig(name: str, wanted: dict[str, Any]) -> Rig:

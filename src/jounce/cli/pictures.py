@@ -16,12 +16,14 @@ from jounce.cli.options import (
     Duration,
     ExcitationFile,
     Force,
+    ReportFile,
     Resample,
     RigName,
     RoadName,
     SampleTime,
     Variable,
     changes,
+    check_outputs,
     positive_quantity,
     quantity,
     reading,
@@ -36,17 +38,25 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
     from rich.console import Console
 
+    from jounce.core.findings import Finding
     from jounce.parts.corners import Corner
     from jounce.roads import Trial
 
 
 def plot(
     run: Annotated[Path, typer.Argument(metavar="RUN", help="A recording: .nc of `jounce simulate`, .csv, .mat ...")],
-    out: Annotated[Path, typer.Option(help="Figure to write: .png, .svg or .pdf.")],
     channels: Annotated[
         list[str] | None,
-        typer.Argument(metavar="CHANNEL", help="Channels to plot, from top to bottom.", show_default=False),
+        typer.Argument(
+            metavar="RUN|CHANNEL",
+            help="More recordings, to compare them; channels to plot, from top to bottom.",
+            show_default=False,
+        ),
     ] = None,
+    out: Annotated[
+        Path | None, typer.Option("--figure", "--out", help="Figure to write: .png, .svg or .pdf.", show_default=False)
+    ] = None,
+    report: ReportFile = None,
     columns_: Columns = None,
     variable: Variable = "",
     sample_time: SampleTime = None,
@@ -55,28 +65,71 @@ def plot(
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
-    """Plot channels of a recording against time.
+    """Plot channels of a recording against time, or compare several: one picture with differences, or a page.
 
-    Example: jounce plot run.nc sprung.az unsprung.az --out accelerations.png
+    Example: jounce plot run.nc sprung.az unsprung.az --figure accelerations.png
     """
     from jounce.core.serialise import to_plain
-    from jounce.plots.style import FIGURES
 
-    FIGURES.check(out, force=force)
-    from jounce.plots.signals import time_history
-    from jounce.recordings import read_recording
+    if out is None and report is None:
+        raise DescriptionError("nothing to write", where="jounce plot", allowed="--figure FILE, --report FILE")
+    check_outputs(figure=out, report=report, force=force)
+    from jounce.plots.comparison import common_channels
 
-    data, findings = read_recording(run, **reading(columns_, sample_time, variable, resample, database))
-    figure = time_history(data, channels or None)
-    FIGURES.write(figure, out, force=force)
-    drawn = channels or [axes.get_title("left") for axes in figure.axes]
-    plain = {"run": str(run), "channels": drawn, "out": str(out), "findings": to_plain(findings)}
+    more = [Path(name) for name in channels or [] if _is_file(name)]
+    wanted = [name for name in channels or [] if not _is_file(name)] or None
+    options = reading(columns_, sample_time, variable, resample, database)
+    runs, findings = _recordings([run, *more], options)
+    drawn = wanted or common_channels(runs, None)
+    if out is not None:
+        from jounce.plots.comparison import compare
+        from jounce.plots.signals import time_history
+        from jounce.plots.style import FIGURES
+
+        figure = compare(runs, wanted) if more else time_history(runs[next(iter(runs))], wanted)
+        FIGURES.write(figure, out, force=force)
+        drawn = drawn if more or wanted else [axes.get_title("left") for axes in figure.axes]
+    if report is not None:
+        from jounce.report import REPORTS, recordings_page
+
+        title = " and ".join(runs) if len(runs) < _MANY else f"{len(runs)} recordings"
+        REPORTS.write(recordings_page(runs, wanted, title=title, findings=findings), report, force=force)
+    written = [str(file) for file in (out, report) if file is not None]
+    plain = {"run": str(run), "runs": [str(run), *map(str, more)], "channels": drawn, "out": out and str(out)}
+    plain |= {"report": report and str(report), "findings": to_plain(findings)}
 
     def draw(console: Console) -> None:
-        console.print(f"{', '.join(drawn)}\nwritten: {out}")
+        console.print(f"{', '.join(drawn)}\nwritten: {', '.join(written)}")
         show_findings(console, findings)
 
     return Reply(plain, draw, as_json)
+
+
+_MANY = 4
+
+
+def _is_file(name: str) -> bool:
+    """Whether an argument is a recording rather than a channel."""
+    from jounce.recordings.readers import READERS
+
+    suffix = Path(name).suffix.lower()
+    return Path(name).is_file() or any(suffix in known.suffixes for known in READERS)
+
+
+def _recordings(files: list[Path], options: dict[str, Any]) -> tuple[dict[str, xr.Dataset], list[Finding]]:
+    """Read recordings; give them by the shortest names that differ, and what is to be known of them."""
+    from jounce.core.findings import Finding
+    from jounce.recordings import read_recording
+
+    stems = [file.stem for file in files]
+    names = [str(file) if stems.count(file.stem) > 1 else file.stem for file in files]
+    runs: dict[str, xr.Dataset] = {}
+    findings: list[Finding] = []
+    for name, file in zip(names, files, strict=True):
+        runs[name], found = read_recording(file, **options)
+        place = f"{name}: " if len(files) > 1 else ""
+        findings += [Finding(f"{place}{one.place}", one.severity, one.message, one.value) for one in found]
+    return runs, findings
 
 
 _MOST_POSES = 9

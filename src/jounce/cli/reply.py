@@ -206,7 +206,7 @@ def estimates(title: str, rows: Iterable[tuple[str, Estimate | None, str]]) -> T
 
 def show_written(out: Console, plain: Mapping[str, Any]) -> None:
     """Name the files that were written."""
-    for key in ("out", "record", "figure"):
+    for key in ("out", "record", "figure", "report"):
         if plain.get(key) is not None:
             out.print(f"written: {plain[key]}")
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, cast
 
@@ -14,9 +15,11 @@ from jounce.cli.options import (
     DrivenSpeed,
     Duration,
     ExcitationFile,
+    FigureFile,
     Force,
     LateralAcceleration,
     PitchMoment,
+    ReportFile,
     RightRoad,
     RigName,
     RoadName,
@@ -25,13 +28,18 @@ from jounce.cli.options import (
     chosen_rig,
     positive_quantity,
     trial_of,
+    write_picture,
+    write_report,
 )
 from jounce.cli.reply import Reply, progress, show_findings, show_written, table
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
     from rich.console import Console
 
     from jounce.core.findings import Finding
+    from jounce.parts import Rig
+    from jounce.report import Page
     from jounce.roads import Trial
     from jounce.simulation.run import Solved
     from jounce.simulation.settings import Method
@@ -52,6 +60,8 @@ def simulate(
     tolerance: Annotated[str, typer.Option(help="Relative error of displacements.")] = "1e-5",
     method: Annotated[str, typer.Option(help="Integration method: auto, explicit, or implicit (stiff rigs).")] = "auto",
     out: Annotated[Path | None, typer.Option(help="Write the recording: RUN.nc or RUN.csv.")] = None,
+    figure: FigureFile = None,
+    report: ReportFile = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -59,7 +69,7 @@ def simulate(
 
     Example: jounce simulate kart-quarter-car --road bump.toml --speed "1.95 m/s" --duration "3 s" --out run.nc
     """
-    check_outputs(recording=out, force=force)
+    check_outputs(recording=out, figure=figure, report=report, force=force)
     step = positive_quantity(output_step, "s", "--output-step")
     error = positive_quantity(tolerance, "1", "--tolerance")
     loads = {
@@ -82,11 +92,38 @@ def simulate(
             from jounce.recordings import write_recording
 
             write_recording(run.recording(), out, force=force)
-    findings = trial_findings(trial, chosen, output_step=step)
+        findings = trial_findings(trial, chosen, output_step=step)
+        drawn, missing = write_picture(_picture(run), figure, force=force)
+        page, undrawn = write_report(lambda: _page(rig, chosen, run, trial, findings), report, force=force)
     setup: dict[str, Any] = {"rig": rig, "changes": wanted, "road": road, "right_road": right_road, "loads": loads}
     setup |= {"excitation": excitation and str(excitation)}
     plain = {**setup, **_summary(run, trial), "findings": findings, "out": out and str(out)}
-    return Reply(plain, lambda console: _draw(console, plain, findings), as_json)
+    plain |= {"figure": drawn, "report": page}
+    return Reply(plain, lambda console: _draw(console, plain, findings), as_json, missing=[*missing, *undrawn])
+
+
+def _picture(run: Solved) -> Callable[[], Figure]:
+    def drawn() -> Figure:
+        from jounce.plots import time_history
+
+        return time_history(run.recording())
+
+    return drawn
+
+
+def _page(rig: str, chosen: Rig, run: Solved, trial: Trial, findings: list[Finding]) -> Page:
+    from jounce.report import recordings_page
+
+    name = Path(rig).stem
+    on = "excitation" if trial.speed is None else f"road at {trial.speed:g} m/s"
+    return recordings_page(
+        {name: run.recording()},
+        title=f"{name}: {on}",
+        subtitle=f"Simulation of {trial.duration:g} s",
+        rig=chosen,
+        trial=trial,
+        findings=findings,
+    )
 
 
 def _summary(run: Solved, trial: Trial) -> dict[str, Any]:

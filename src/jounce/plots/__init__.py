@@ -7,6 +7,7 @@
 from __future__ import annotations
 
 from jounce.plots.campaign import measured_against_simulated, residual_against_speed_and_pitch, trial_matrix
+from jounce.plots.comparison import compare
 from jounce.plots.dispatch import figure_of, show
 from jounce.plots.display import DisplayUnit, display_unit, number, quantity
 from jounce.plots.fits import damper_loops, decay_fit, objectives, stiffness_fit, tyre_pressure, update
@@ -22,6 +23,7 @@ __all__ = [
     "add_note",
     "adjusted_and_not",
     "animate",
+    "compare",
     "damper_loops",
     "decay_fit",
     "display_unit",

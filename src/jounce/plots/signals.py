@@ -12,6 +12,7 @@ from jounce.core.errors import RecordingError, SimulationError, nearest
 from jounce.core.types import Array
 from jounce.plots.display import display_unit, number, words_of
 from jounce.plots.style import AFTER, MUTED, PALETTE, in_legend, legend_above, limits, log_axes, new_figure, styled
+from jounce.plots.thinning import thinned
 from jounce.recordings.schema import QUANTITIES, quantity_of
 
 if TYPE_CHECKING:
@@ -24,6 +25,8 @@ if TYPE_CHECKING:
     from jounce.simulation import LinearModel, Mode
 
 
+MOST_COLUMNS = 4000
+"""More than a figure has at any size it is printed in; of longer records each column keeps its peaks."""
 _PREFERRED = ("road.z", "sprung.az", "unsprung.az", "strut.deflection", "tyre.force")
 _MOST_BY_DEFAULT = 6
 _NO_CONTACT = "#f2c6b5"
@@ -69,7 +72,8 @@ def time_history(run: xr.Dataset, channels: Sequence[str] | None = None) -> Figu
     for name, axes in zip(names, rows, strict=True):
         values = run[name].to_numpy()
         unit = display_unit(str(run[name].attrs.get("units", "1")), float(np.abs(values).max(initial=0.0)))
-        axes.plot(time, values * unit.factor, color=PALETTE[0], linewidth=1.1)
+        few, shown = thinned(time, values, float(time[0]), float(time[-1]), MOST_COLUMNS)
+        axes.plot(few, shown * unit.factor, color=PALETTE[0], linewidth=1.1)
         axes.set_ylabel(unit.label(f"{words_of(name)}\n").replace("\n ", "\n"))
         axes.set_title(name)
         shaded |= _shade_lost_contact(axes, run, name, time, labelled=not shaded)

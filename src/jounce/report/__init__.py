@@ -24,9 +24,11 @@ from jounce.report.page import (
     Table,
 )
 from jounce.report.protocol import write_protocol
-from jounce.report.render import write_folder, write_page
+from jounce.report.recordings import recordings_page
+from jounce.report.render import REPORTS, write_folder, write_page
 
 __all__ = [
+    "REPORTS",
     "Bullets",
     "Cell",
     "Details",
@@ -40,6 +42,7 @@ __all__ = [
     "Subsection",
     "Table",
     "campaign_page",
+    "recordings_page",
     "write_campaign",
     "write_figure",
     "write_folder",

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.types import Array
+from jounce.plots.thinning import thinned
 
 Style = Literal["line", "dashed", "dotted", "thick", "dots", "squares", "rings", "diamonds", "crosses"]
 MARKS = ("dots", "squares", "rings", "diamonds", "crosses")
@@ -112,41 +113,6 @@ def tick_text(value: float) -> str:
         mantissa, _, power = text.partition("e")
         text = f"{mantissa}e{int(power)}"
     return text.replace("-", "−")
-
-
-def thinned(x: Array, y: Array, low: float, high: float, columns: int) -> tuple[Array, Array]:
-    """Leave out points that no screen of so many columns shows; the lowest and highest of each column stay.
-
-    Parameters
-    ----------
-    x, y : array (n,)
-        A line in any unit, x ascending.
-    low, high : float
-        Ends of what is shown of x, same unit.
-    columns : int
-        How many columns there are.
-
-    Returns
-    -------
-    x, y : array (m,)
-        At most four points a column: first, lowest, highest, last.
-
-    Examples
-    --------
-    >>> x = np.linspace(0.0, 1.0, 10_000)
-    >>> y = np.where(x == x[5_000], 7.0, np.sin(x))
-    >>> few, seen = thinned(x, y, 0.0, 1.0, 100)
-    >>> len(few) <= 400, float(seen.max())
-    (True, 7.0)
-    """
-    if len(x) <= 4 * columns or not high > low:
-        return x, y
-    column = np.clip(((x - low) * (columns / (high - low))).astype(int), -1, columns)
-    starts = np.flatnonzero(np.diff(column, prepend=column[0] - 1))
-    ends = np.append(starts[1:], len(x))
-    ascending = np.lexsort((y, column))
-    kept = np.unique(np.concatenate([starts, ends - 1, ascending[starts], ascending[ends - 1]]))
-    return x[kept], y[kept]
 
 
 def panel_svg(panel: Panel, identity: str, alternative: str) -> str:

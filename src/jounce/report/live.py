@@ -20,7 +20,8 @@ from numpy.typing import NDArray
 
 from jounce.core.types import Array
 from jounce.plots.mechanisms.drawing import COILS, DAMPER_BODY
-from jounce.report.chart import Panel, Series, thinned
+from jounce.plots.thinning import thinned
+from jounce.report.chart import Panel, Series
 
 if TYPE_CHECKING:
     from jounce.plots.mechanisms.scene import Poses, Roadway

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import DrawingError, OutputError, unknown
 from jounce.core.findings import Finding, not_drawn
-from jounce.core.writing import is_empty, working_folder, write_files
+from jounce.core.writing import Formats, is_empty, working_folder, write_files
 from jounce.recordings.files import write_recording
 from jounce.report.chart import CSS, SCALED_CSS, Chart, chart_svg, panel_svg
 from jounce.report.document import TABLES, page_pdf, table_csv, tables_of, tables_xlsx
@@ -192,6 +192,22 @@ def _panels(picture: Picture | Chart) -> dict[str, bytes]:
     from jounce.plots.style import rendered
 
     return {f"{name}.svg": rendered(picture.figure, (".svg",), salt=picture.name)[".svg"]}
+
+
+def _write_html(page: Page, file: Path) -> None:
+    inside, _, missing = _draw(page, (), lambda _text: None)
+    file.write_text(page_html(page, inside), encoding="utf-8", newline="\n")
+    if missing or page.missing:
+        raise DrawingError([*page.missing, *missing])
+
+
+def _write_pdf(page: Page, file: Path) -> None:
+    panels = {one.name: _panels(one) for one in page.pictures()}
+    file.write_bytes(page_pdf(page, panels, (TEMPLATES / "page.typ").read_bytes()))
+
+
+REPORTS = Formats("reports", {".html": _write_html, ".pdf": _write_pdf})
+"""How a page is written as one file: one HTML file that needs nothing else, or PDF."""
 
 
 def chart_html(chart: Chart) -> str:

@@ -13,7 +13,8 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from jounce.report.chart import Chart, Panel, Series, chart_svg, panel_svg, thinned, tick_text, ticks
+from jounce.plots.thinning import thinned
+from jounce.report.chart import Chart, Panel, Series, chart_svg, panel_svg, tick_text, ticks
 from jounce.report.live import Curve, Packed, Pane, Scene, Viewer, bundle, live_data, scene_panels
 from jounce.report.render import chart_style, png_of
 

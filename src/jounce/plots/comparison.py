@@ -1,0 +1,159 @@
+"""Several recordings or sweeps in one picture, and what each differs by from the first."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from jounce.core.errors import RecordingError, nearest
+from jounce.core.types import Array
+from jounce.plots.display import display_unit, words_of
+from jounce.plots.signals import MOST_COLUMNS
+from jounce.plots.style import PALETTE, new_figure, styled
+from jounce.plots.thinning import thinned
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.figure import Figure
+
+
+_PREFERRED = ("road.z", "sprung.az", "unsprung.az", "strut.deflection", "tyre.force", "camber", "toe", "motion_ratio")
+_MOST_BY_DEFAULT = 4
+
+
+@styled
+def compare(
+    runs: Mapping[str, xr.Dataset] | Sequence[xr.Dataset],
+    channels: Sequence[str] | None = None,
+    *,
+    differences: bool = True,
+) -> Figure:
+    r"""Draw the same channels of several runs, recordings or sweeps over each other, and their differences below.
+
+    Parameters
+    ----------
+    runs : mapping of str to xarray.Dataset, or sequence of xarray.Dataset
+        By the names of the legend; a sequence is numbered. All over the same axis: ``time`` (s), or what was swept.
+    channels : sequence of str, optional
+        What to draw, from top to bottom; by default up to four that all of them hold.
+    differences : bool
+        Whether each channel is followed by what the others differ by from the first one, where both are known; between
+        samples the line through them counts.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        One set of axes per channel, and one per difference, in display units. Of long records each column of the
+        picture keeps its peaks.
+
+    Raises
+    ------
+    RecordingError
+        For nothing to compare, different axes, or a channel that one of them does not hold.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> rig = jn.load("kart-quarter-car")
+    >>> trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="0.5 s")
+    >>> soft = jn.simulate(rig.with_changes({"strut.spring.rate": "15 N/mm"}), trial)
+    >>> figure = compare({"as it is": jn.simulate(rig, trial), "soft": soft}, ["tyre.force"])
+    >>> [axes.get_ylabel() for axes in figure.axes]
+    ['force\n[N]', 'difference\n[N]']
+    """
+    named = named_runs(runs)
+    axis, names = common_axis(named), common_channels(named, channels)
+    shown_differences = differences and len(named) > 1
+    rows = len(names) * (2 if shown_differences else 1)
+    figure = new_figure(0.9 + sum((1.6, 0.8 * shown_differences)) * len(names))
+    ratios = [1.0, 0.5] * len(names) if shown_differences else [1.0] * len(names)
+    panels = figure.subplots(rows, 1, sharex=True, squeeze=False, gridspec_kw={"height_ratios": ratios})[:, 0]
+    first = next(iter(named.values()))
+    along = display_unit(str(first[axis].attrs.get("units", "s" if axis == "time" else "1")))
+    along_factor = 1.0 if axis == "time" else along.factor
+    ends = [end for data in named.values() for end in (data[axis].min(), data[axis].max())]
+    low, high = float(min(ends)), float(max(ends))
+    step = 2 if shown_differences else 1
+    for i, name in enumerate(names):
+        si = str(first[name].attrs.get("units", "1"))
+        largest = max(float(np.nanmax(np.abs(data[name].to_numpy()), initial=0.0)) for data in named.values())
+        unit = display_unit(si, largest)
+        reference = line_of(first, name, axis)
+        for k, (label, data) in enumerate(named.items()):
+            line = line_of(data, name, axis)
+            colour = PALETTE[k % len(PALETTE)]
+            style = {"color": colour, "linewidth": 1.1, "linestyle": "-" if k < len(PALETTE) else "--"}
+            x, y = thinned(*line, low, high, MOST_COLUMNS)
+            panels[step * i].plot(x * along_factor, y * unit.factor, label=label, **style)
+            if shown_differences and k:
+                x, y = thinned(line[0], line[1] - through(reference, line[0]), low, high, MOST_COLUMNS)
+                panels[step * i + 1].plot(x * along_factor, y * unit.factor, **style)
+        panels[step * i].set_title(name)
+        panels[step * i].set_ylabel(unit.label(f"{words_of(name)}\n").replace("\n ", "\n"))
+        if shown_differences:
+            panels[step * i + 1].set_ylabel(unit.label("difference\n").replace("\n ", "\n"))
+    panels[-1].set_xlabel("time [s]" if axis == "time" else along.label(axis.replace("_", " ")))
+    handles, labels = panels[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside upper right", ncols=min(len(labels), 4))
+    figure.align_ylabels(panels)
+    return figure
+
+
+def named_runs(runs: Mapping[str, xr.Dataset] | Sequence[xr.Dataset]) -> dict[str, xr.Dataset]:
+    """Give runs by name; refuse none at all."""
+    named = dict(runs) if isinstance(runs, Mapping) else {f"run {k}": run for k, run in enumerate(runs, 1)}
+    if not named:
+        raise RecordingError("there is nothing to compare", where="compare", allowed="at least one recording or sweep")
+    return named
+
+
+def common_axis(runs: Mapping[str, xr.Dataset]) -> str:
+    """Name what all runs are over: time, or what was swept."""
+    found = {}
+    for label, data in runs.items():
+        axes = [str(name) for name in data.dims if name in data.coords]
+        axis = "time" if "time" in axes else axes[0] if len(axes) == 1 else ""
+        if not axis:
+            dimensions = " x ".join(map(str, data.dims)) or "none"
+            raise RecordingError("curves over one axis are needed", where=label, found=dimensions)
+        found[label] = axis
+    if len(set(found.values())) > 1:
+        listed = ", ".join(f"{label}: {axis}" for label, axis in found.items())
+        raise RecordingError("these are over different axes", where="compare", found=listed)
+    return next(iter(found.values()))
+
+
+def common_channels(
+    runs: Mapping[str, xr.Dataset], channels: Sequence[str] | None, most: int = _MOST_BY_DEFAULT
+) -> list[str]:
+    """Give the channels to draw, which all runs hold."""
+    axis = common_axis(runs)
+    held = [[str(name) for name in data.data_vars if data[name].dims == (axis,)] for data in runs.values()]
+    present = [name for name in held[0] if all(name in others for others in held)]
+    if channels:
+        for name in channels:
+            for label, own in zip(runs, held, strict=True):
+                if name not in own:
+                    raise RecordingError(
+                        f"no channel {name!r}", where=label, allowed=", ".join(own), hint=nearest(name, own)
+                    )
+        return list(channels)
+    if not present:
+        raise RecordingError("no channel that all of them hold", where="compare", found="; ".join(map(", ".join, held)))
+    return ([name for name in _PREFERRED if name in present] or present)[:most]
+
+
+def line_of(data: xr.Dataset, name: str, axis: str) -> tuple[Array, Array]:
+    """Give a channel as (x, y) in SI, x ascending."""
+    x, y = data[axis].to_numpy().astype(float), data[name].to_numpy().astype(float)
+    if len(x) > 1 and bool(np.any(np.diff(x) < 0.0)):
+        order = np.argsort(x, kind="stable")
+        x, y = x[order], y[order]
+    return x, y
+
+
+def through(line: tuple[Array, Array], x: Array) -> Array:
+    """Read a line between its samples; NaN beyond its ends."""
+    return np.interp(x, *line, left=np.nan, right=np.nan) if len(line[0]) else np.full(len(x), np.nan)

@@ -1,0 +1,45 @@
+"""Long curves as few points: what no screen or printer could tell apart is left out, peaks are kept."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from jounce.core.types import Array
+
+
+def thinned(x: Array, y: Array, low: float, high: float, columns: int) -> tuple[Array, Array]:
+    """Leave out points that no screen of so many columns shows; the lowest and highest of each column stay.
+
+    Parameters
+    ----------
+    x, y : array (n,)
+        A line in any unit, x ascending.
+    low, high : float
+        Ends of what is shown of x, same unit.
+    columns : int
+        How many columns there are.
+
+    Returns
+    -------
+    x, y : array (m,)
+        At most four points a column: first, lowest, highest, last.
+
+    Examples
+    --------
+    >>> x = np.linspace(0.0, 1.0, 10_000)
+    >>> y = np.where(x == x[5_000], 7.0, np.sin(x))
+    >>> few, seen = thinned(x, y, 0.0, 1.0, 100)
+    >>> len(few) <= 400, float(seen.max())
+    (True, 7.0)
+    """
+    if len(x) <= 4 * columns or not high > low:
+        return x, y
+    column = np.clip(((x - low) * (columns / (high - low))).astype(np.int32), -1, columns)
+    starts = np.flatnonzero(np.diff(column, prepend=column[0] - 1))
+    counts = np.diff(np.append(starts, len(x)))
+    kept = [starts, starts + counts - 1]
+    for extreme in (np.fmin, np.fmax):
+        at = np.flatnonzero(y == np.repeat(extreme.reduceat(y, starts), counts))
+        kept.append(at[np.flatnonzero(np.diff(column[at], prepend=np.int32(-2)))])
+    index = np.unique(np.concatenate(kept))
+    return x[index], y[index]

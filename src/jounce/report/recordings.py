@@ -1,0 +1,264 @@
+"""Recordings, runs and sweeps as a page: extremes first, then all curves in a viewer with the mechanism."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from jounce.core.errors import JounceError
+from jounce.core.findings import Finding
+from jounce.core.types import Array
+from jounce.plots.comparison import common_axis, common_channels, line_of, named_runs, through
+from jounce.plots.display import DisplayUnit, display_unit, number, settled, words_of
+from jounce.report.chart import Chart
+from jounce.report.live import Curve, Mechanism, Motion, Pane, Scene, Viewer, scene_panels
+from jounce.report.page import Block, Details, Findings, Page, Section, Table
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from jounce.parts import Rig
+    from jounce.roads import Trial
+
+
+_ROLES = ("after", "other-5", "other-1", "other-2", "other-3", "other-4", "other-6")
+_REACTIONS = tuple(f".{kind}{axis}" for kind in "ft" for axis in "xyz")
+_MOST_CHANNELS = 120
+_POSES = 25
+
+
+def recordings_page(
+    runs: Mapping[str, xr.Dataset] | Sequence[xr.Dataset],
+    channels: Sequence[str] | None = None,
+    *,
+    title: str = "",
+    subtitle: str = "",
+    rig: Rig | None = None,
+    trial: Trial | None = None,
+    findings: Sequence[Finding] = (),
+) -> Page:
+    """Put one or several recordings, runs or sweeps on a page.
+
+    Parameters
+    ----------
+    runs : mapping of str to xarray.Dataset, or sequence of xarray.Dataset
+        Over the same axis: ``time`` (s), or what was swept; channels in SI.
+    channels : sequence of str, optional
+        What is shown first; all others can be chosen.
+    title, subtitle : str
+        Head of the page.
+    rig : Rig, optional
+        The 3-D rig that moves with the first of them.
+    trial : Trial, optional
+        What its run was driven over.
+    findings : sequence of Finding
+        What the reader must know.
+
+    Returns
+    -------
+    Page
+        To be written with :data:`jounce.report.REPORTS`.
+
+    Raises
+    ------
+    RecordingError
+        For nothing to show, different axes, or a channel that one of them does not hold.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="0.5 s")
+    >>> page = recordings_page({"run": jn.simulate(jn.load("kart-quarter-car"), trial)}, title="A kart")
+    >>> [section.title for section in page.sections]
+    ['Extremes', 'Curves']
+    """
+    named = named_runs(runs)
+    axis = common_axis(named)
+    first = common_channels(named, channels)
+    every = _channels(named, axis, first)
+    unit = _axis_unit(next(iter(named.values())), axis)
+    units = {name: _unit(named, name) for name in every}
+    scene = _scene(named, axis, unit, every, first, units, _motion(next(iter(named.values())), axis, rig, trial))
+    roles = tuple((role, label, True) for role, label in zip(_roles(named), named, strict=True))
+    words = axis.replace("_", " ")
+    viewer = Viewer(title, (scene,), roles, words=words, unit=unit.name)
+    blocks: list[Block] = [viewer]
+    figures = tuple(scene_panels(scene, words, unit.name))
+    listed = ", ".join(first)
+    blocks.append(
+        Details(
+            "The same as a figure", (Chart(figures, "curves", f"Curves of {listed}.", f"{listed} against {words}.", 1),)
+        )
+    )
+    answer: list[Block] = [_extremes(named, axis, unit, first, units)]
+    others = [name for name in every if name not in first and not name.startswith(_DIFFERENCE)]
+    if others:
+        answer.append(Details("All other channels", (_extremes(named, axis, unit, others, units),)))
+    if findings:
+        answer.append(Findings(tuple(findings)))
+    sections = (Section("Extremes", tuple(answer)), Section("Curves", tuple(blocks)))
+    return Page(title or ", ".join(named), sections, subtitle)
+
+
+_DIFFERENCE = "Δ "
+
+
+def _channels(named: Mapping[str, xr.Dataset], axis: str, first: Sequence[str]) -> list[str]:
+    """Give the channels that any of them holds, those that are shown first in front; forces in joints stay out."""
+    found = dict.fromkeys(first)
+    for data in named.values():
+        for name, values in data.data_vars.items():
+            kept = values.dims == (axis,) and values.dtype.kind in "fiu" and not str(name).endswith(_REACTIONS)
+            if kept and not _is_place(str(name), data):
+                found.setdefault(str(name))
+    return list(found)[:_MOST_CHANNELS]
+
+
+def _is_place(name: str, data: xr.Dataset) -> bool:
+    """Whether a channel is a coordinate of a hardpoint."""
+    point = name.rpartition(".")[0]
+    return bool(point) and all(f"{point}.{letter}" in data for letter in "xyz")
+
+
+def _roles(named: Mapping[str, xr.Dataset]) -> list[str]:
+    return [_ROLES[k] if k < len(_ROLES) else f"{_ROLES[k % len(_ROLES)]}" for k in range(len(named))]
+
+
+def _axis_unit(data: xr.Dataset, axis: str) -> DisplayUnit:
+    return DisplayUnit("s", 1.0) if axis == "time" else display_unit(str(data[axis].attrs.get("units", "1")))
+
+
+def _unit(named: Mapping[str, xr.Dataset], name: str) -> DisplayUnit:
+    held = [data[name] for data in named.values() if name in data]
+    largest = max(float(np.nanmax(np.abs(one.to_numpy().astype(float)), initial=0.0)) for one in held)
+    return display_unit(str(held[0].attrs.get("units", "1")), largest if np.isfinite(largest) else 0.0)
+
+
+def _scene(
+    named: Mapping[str, xr.Dataset],
+    axis: str,
+    unit: DisplayUnit,
+    every: Sequence[str],
+    first: Sequence[str],
+    units: Mapping[str, DisplayUnit],
+    motion: Any,
+) -> Scene:
+    """All curves over the places of all of them: between samples a line is drawn, so it is read there as well."""
+    lengths = [data[axis].to_numpy().astype(float) for data in named.values()]
+    x = np.unique(np.concatenate(lengths))
+    panes, differences = [], []
+    for name in every:
+        curves, apart, reference = [], [], None
+        for role, (label, data) in zip(_roles(named), named.items(), strict=True):
+            if name not in data or data[name].dims != (axis,):
+                continue
+            si = str(data[name].attrs.get("units", "1"))
+            line = line_of(data, name, axis)
+            read = line[1] if len(line[0]) == len(x) else through(line, x)
+            curves.append(Curve(label, role, settled(read, si) * units[name].factor))
+            if reference is None:
+                reference = read
+            else:
+                apart.append(Curve(f"{label}", role, (read - reference) * units[name].factor))
+        words = str(next(data[name].attrs.get("long_name", "") for data in named.values() if name in data))
+        panes.append(Pane(name, f"{name}, {words or words_of(name)}", units[name].name, tuple(curves), name in first))
+        if apart:
+            words = f"{_DIFFERENCE}{name}, difference from {next(iter(named))}"
+            differences.append(Pane(f"{_DIFFERENCE}{name}", words, units[name].name, tuple(apart), shown=False))
+    made = motion(x) if motion is not None else None
+    return Scene("curves", "curves", x * unit.factor, (*panes, *differences), motion=made)
+
+
+def _motion(data: xr.Dataset, axis: str, rig: Rig | None, trial: Trial | None) -> Any:
+    """Give what makes the motion of the mechanism over the common axis, where the rig is a corner in 3-D."""
+    from jounce.parts import Corner
+
+    if not isinstance(rig, Corner) or axis not in ("time", "wheel_travel"):
+        return None
+    if axis == "time" and not {"sprung.z", "unsprung.z"} <= set(map(str, data.data_vars)):
+        return None
+    try:
+        return _moving(data, axis, rig, trial)
+    except JounceError:  # the curves are shown all the same
+        return None
+
+
+def _moving(data: xr.Dataset, axis: str, rig: Any, trial: Trial | None) -> Any:
+    from jounce.kinematics import sweep_travel
+    from jounce.plots.mechanisms.scene import poses_of, roadway_of, scene_of
+
+    drawing = scene_of(rig)
+    if axis == "time":
+        travel = (data["unsprung.z"] - data["sprung.z"]).to_numpy()
+    else:
+        travel = data[axis].to_numpy()
+    low, high = min(float(np.nanmin(travel)), -1e-3), max(float(np.nanmax(travel)), 1e-3)
+    poses = poses_of(rig, drawing, sweep_travel(rig, np.linspace(low, high, _POSES), points=True))
+    mechanism = Mechanism(drawing, poses)
+
+    def motion(x: Array) -> Motion:
+        def read(name: str, default: float) -> Array:
+            return np.nan_to_num(through(line_of(data, name, axis), x)) if name in data else np.full(len(x), default)
+
+        if axis == "wheel_travel":  # a plate lifts the wheel
+            order = np.argsort(poses.over)
+            ground = np.interp(x, poses.over[order], poses.contact[order, 2])
+            return Motion(mechanism, np.zeros_like(x), x, ground, np.ones_like(x))
+        body = read("sprung.z", 0.0)
+        road, speed = None, 0.0
+        if trial is not None and trial.road is not None and trial.speed is not None:
+            road, speed = roadway_of(trial, x, drawing.undeformed_radius), float(trial.speed)
+        moved = read("unsprung.z", 0.0) - body
+        return Motion(mechanism, body, moved, read("road.z", 0.0), read("tyre.force", 1.0), road, speed)
+
+    return motion
+
+
+def _extremes(
+    named: Mapping[str, xr.Dataset],
+    axis: str,
+    unit: DisplayUnit,
+    names: Sequence[str],
+    units: Mapping[str, DisplayUnit],
+) -> Table:
+    """Least and greatest value of every channel of every run, and the largest difference from the first."""
+    several = len(named) > 1
+    rows = []
+    for name in names:
+        reference = None
+        for label, data in named.items():
+            if name not in data or data[name].dims != (axis,):
+                continue
+            x, y = line_of(data, name, axis)
+            cells = [name if reference is None else "", *((label,) if several else ())]
+            known = np.isfinite(y)
+            if not known.any():
+                rows.append((*cells, units[name].name or "–", *("–" for _ in range(4 + 2 * several))))
+                continue
+            for at in (int(np.nanargmin(np.where(known, y, np.nan))), int(np.nanargmax(np.where(known, y, np.nan)))):
+                cells += [number(y[at] * units[name].factor), number(x[at] * unit.factor)]
+            if several:
+                cells += _furthest(reference, (x, y), units[name], unit)
+            cells.insert(2 if several else 1, units[name].name or "–")
+            rows.append(tuple(cells))
+            reference = reference or (x, y)
+    place = f"at [{unit.name or '–'}]"
+    header = ["channel", *(["run"] if several else []), "unit", "least", place, "greatest", place]
+    header += ["largest difference", place] if several else []
+    align = "l" + "l" * several + "l" + "r" * (4 + 2 * several)
+    note = f"Differences are from {next(iter(named))}, where both are known." if several else ""
+    return Table(f"Extremes over {axis.replace('_', ' ')}", tuple(header), tuple(rows), align, note)
+
+
+def _furthest(
+    reference: tuple[Array, Array] | None, line: tuple[Array, Array], unit: DisplayUnit, along: DisplayUnit
+) -> list[str]:
+    if reference is None:
+        return ["–", "–"]
+    apart = line[1] - through(reference, line[0])
+    if not np.isfinite(apart).any():
+        return ["–", "–"]
+    at = int(np.nanargmax(np.abs(apart)))
+    return [number(apart[at] * unit.factor), number(line[0][at] * along.factor)]
