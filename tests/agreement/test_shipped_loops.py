@@ -20,13 +20,13 @@ import numpy as np
 
 import jounce as jn
 from jounce.kernel import call, native
-from jounce.kernel.call import BUILT, digest_of, key_of
+from jounce.kernel.call import BUILT, SOURCES, digest_of, key_of
 
 way, file = sys.argv[1:]
 asked = []
 def by_bitcode(name, platform):
     asked.append(name)
-    return call.object_for(native.read_sealed(BUILT / f"{name}.bc", key_of(name, digest_of("kernel"))))
+    return call.object_for(native.read_sealed(BUILT / f"{name}.bc", key_of(name, digest_of(*SOURCES))))
 def as_shipped(name, platform, shipped=call._shipped):
     asked.append(name)
     return shipped(name, platform)
@@ -54,7 +54,7 @@ found |= {("variants", name): values.to_numpy() for name, values in sweep.data_v
 with open(file, "wb") as stream:
     pickle.dump((set(asked), found), stream)
 """
-USED = {"exact", "rate_bound", "explicit", "implicit", "poses", "pose_variants"}
+USED = {"evaluate", "exact", "rate_bound", "explicit", "implicit", "poses", "pose_variants"}
 
 
 @pytest.fixture(scope="module")

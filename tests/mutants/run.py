@@ -327,7 +327,14 @@ def plant(file: Path, source: str, package: str, folder: Path) -> None:
     copy.write_text(source, encoding="utf-8")
     give(".".join(("jounce", *file.relative_to(SOURCES).with_suffix("").parts)), file, copy)
     plain = sources.digest_of.__wrapped__
-    digest_of = functools.cache(lambda *names: plain(*names) + (str(copy) if package in names else ""))
+
+    def within(name: str) -> bool:
+        return name.partition("/")[0] == package
+
+    @functools.cache
+    def digest_of(*names: str) -> str:
+        return plain(*names) + (str(copy) if any(map(within, names)) else "")
+
     for module in list(sys.modules.values()):  # those that are loaded have it under its name, too
         if getattr(module, "digest_of", None) is sources.digest_of and module is not sources:
             module.digest_of = digest_of

@@ -152,8 +152,17 @@ def progress() -> Iterator[Callable[[str], None]]:
         return
     from rich.markup import escape
 
-    with console(stderr=True).status("starting") as status:
-        yield lambda text: status.update(escape(text))
+    from jounce.core.waiting import heard_by
+
+    said = "starting"
+
+    def say(text: str) -> None:
+        nonlocal said
+        said = text
+        status.update(escape(text))
+
+    with console(stderr=True).status(said) as status, heard_by(lambda waits: status.update(escape(waits or said))):
+        yield say
 
 
 ROUNDING = 1e-12  # SI values of this size are what is left of zero

@@ -9,14 +9,15 @@ from pathlib import Path
 
 @cache
 def digest_of(*packages: str) -> str:
-    """Digest of all modules of some of the packages.
+    """Digest of all modules of some of the packages, which may also be single modules (``"kernel/engine"``).
 
     >>> len(digest_of("core")), digest_of("core") == digest_of("kernel")
     (64, False)
     """
     digest, root = hashlib.sha256(), Path(__file__).parent.parent
     for package in packages:
-        for file in sorted((root / package).rglob("*.py")):
+        whole = root / package
+        for file in sorted(whole.rglob("*.py")) if whole.is_dir() else [whole.with_suffix(".py")]:
             digest.update(f"{file.relative_to(root)}\n".encode() + file.read_bytes())
     return digest.hexdigest()
 

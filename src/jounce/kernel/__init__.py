@@ -9,5 +9,9 @@
 from __future__ import annotations
 
 from jounce.core.sources import digest_of
+from jounce.kernel.loops import SOURCES
 
-digest_of("kernel")  # before any module is loaded: `native` keeps nothing that is made of modules edited since
+# Before any module is loaded: `native` keeps nothing that is made of modules edited since, and no loop is taken that is
+# made of later ones.
+digest_of("kernel")
+digest_of(*SOURCES)

@@ -25,8 +25,9 @@ from llvmlite import binding as llvm
 from jounce.core.errors import JounceError
 from jounce.core.optional import require
 from jounce.core.sources import digest_of
+from jounce.core.waiting import told
 from jounce.kernel import native
-from jounce.kernel.loops import BUILT, ENTRY, FAILED, PLATFORMS, Platform, key_of, this_platform
+from jounce.kernel.loops import BUILT, ENTRY, FAILED, PLATFORMS, SOURCES, Platform, key_of, this_platform
 
 PYTHON = (
     "PyErr_Clear",
@@ -167,7 +168,7 @@ def _ready(content: bytes) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
 def _shipped(name: str, platform: str) -> bytes | None:
     if not _suits(platform):
         return None
-    return native.read_sealed(BUILT / platform / f"{name}.o", key_of(name, digest_of("kernel"), platform))
+    return native.read_sealed(BUILT / platform / f"{name}.o", key_of(name, digest_of(*SOURCES), platform))
 
 
 @cache
@@ -180,7 +181,7 @@ def _suits(platform: str) -> bool:
 
 def _compiled(name: str, platform: str) -> bytes:
     """Compile the bitcode of a loop, which is made from its sources where none came along, and keep the object."""
-    content = native.read_sealed(BUILT / f"{name}.bc", key_of(name, digest_of("kernel")))
+    content = native.read_sealed(BUILT / f"{name}.bc", key_of(name, digest_of(*SOURCES)))
     with contextlib.suppress(Exception):  # a newer LLVM's, for example
         if content is not None:
             return _kept_object(content, name, platform)
@@ -191,7 +192,7 @@ def _kept_object(bitcode: bytes, name: str, platform: str) -> bytes:
     """Object of a loop, kept beside its sources where that is possible, else in the user's cache."""
     if _suits(platform):
         content = object_for(bitcode, PLATFORMS[platform])
-        key = key_of(name, digest_of("kernel"), platform)
+        key = key_of(name, digest_of(*SOURCES), platform)
         if native.write_sealed(BUILT / platform / f"{name}.o", key, content):
             return content
     else:
@@ -206,8 +207,9 @@ def bitcode_from_sources(name: str) -> bytes:
     from jounce.kernel.loops.build import bitcode_of
 
     _LOG.warning("compiling the loop %r (once; 2 to 30 s)", name)
-    content = bitcode_of(name)
-    native.write_sealed(BUILT / f"{name}.bc", key_of(name, digest_of("kernel")), content)
+    with told(f"compiling the loop {name!r} (once on this machine)"):
+        content = bitcode_of(name)
+    native.write_sealed(BUILT / f"{name}.bc", key_of(name, digest_of(*SOURCES)), content)
     return content
 
 

@@ -108,10 +108,17 @@ class Lowering:
         self._externals: dict[str, ir.Function] = {}
         self._made: dict[tuple[int, str], tuple[ir.Value, ir.Value]] = {}
 
-    def add(self, name: str, function: AnyFunction) -> None:
-        """Append ``void name(double* x, double* u, double* p, double* m, double* out)``; arrays must not overlap."""
+    def add(self, name: str, function: AnyFunction, *, seldom: bool = False) -> None:
+        """Append ``void name(double* x, double* u, double* p, double* m, double* out)``; arrays must not overlap.
+
+        What is called ``seldom`` is compiled as it stands, without the optimiser, block by block: over one long block
+        that takes much more than linear time.
+        """
         native = self.declare(name, [_DOUBLE.as_pointer()] * 5)
-        builder = ir.IRBuilder(native.append_basic_block())
+        if seldom:
+            for attribute in ("optnone", "noinline"):
+                native.attributes.add(attribute)
+        builder = _Blocks(native.append_basic_block()) if seldom else ir.IRBuilder(native.append_basic_block())
         if isinstance(function, Packed):
 
             def point(argument: int, element: int) -> ir.Value:
@@ -296,6 +303,20 @@ class Lowering:
         if key not in self._made:
             self._made[key] = x, make()
         return self._made[key][1]
+
+
+_LONGEST = 250  # instructions; from about there the compiler's time for a block grows faster than its length
+
+
+class _Blocks(ir.IRBuilder):
+    """Begins a new block after a while."""
+
+    def _insert(self, instruction: Any) -> None:
+        super()._insert(instruction)
+        if len(self.block.instructions) >= _LONGEST and not isinstance(instruction, ir.Terminator):
+            following = self.append_basic_block()
+            self.branch(following)
+            self.position_at_end(following)
 
 
 def _spread(b: ir.IRBuilder, x: ir.Value, kind: ir.VectorType) -> ir.Value:

@@ -6,10 +6,10 @@ A cache entry that is damaged or stale, or that others could have written, is re
 from __future__ import annotations
 
 import contextlib
-import ctypes
 import hashlib
 import json
 import logging
+import math
 import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -25,8 +25,10 @@ from numpy.typing import NDArray
 from jounce.core.errors import OutputError
 from jounce.core.ownership import ForeignError, own_folder, read_own
 from jounce.core.sources import digest_of, edited_since
+from jounce.core.waiting import told
 
 if TYPE_CHECKING:
+    from jounce.kernel.call import Loop
     from jounce.kernel.lowering import AnyFunction, Lowering
 
 MANY = ("output", "project_many", "switch_many")
@@ -47,7 +49,6 @@ class AnyStep(Protocol):
 
 SINGLE = {"project": "project_many"}
 """Functions of one sample that are made of those of many, where a module has these."""
-_PROTOTYPE = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5, *[ctypes.c_int64] * 3)
 _CHECKSUM, _LENGTH = 32, 8
 _LOG = logging.getLogger("jounce")
 
@@ -71,14 +72,23 @@ class Native:
         self.address = {name: int(self._engine.get_function_address(name)) for name in names}
         if not all(self.address.values()):
             raise ValueError("the object lacks a function")
-        self._calls = {name: _PROTOTYPE(address) for name, address in self.address.items()}
 
     def evaluate(self, name: str, shape: tuple[int, ...], *inputs: NDArray[np.float64]) -> NDArray[np.float64]:
         """Call one function ``f(x, u, p, m)`` from Python; matrices come column-major, as CasADi stores them."""
-        out = np.empty(shape, order="F")
-        arrays = [*(np.ascontiguousarray(value, dtype=np.float64) for value in inputs), out]
-        self._calls[name](*(array.__array_interface__["data"][0] for array in arrays), 1, 0, 1)
-        return out
+        out = np.empty(math.prod(shape))
+        evaluate, address = _evaluate(), self.address[name]
+        try:
+            evaluate(address, *inputs, out)
+        except TypeError:  # an argument that is no row of numbers side by side
+            evaluate(address, *(np.ascontiguousarray(value, dtype=np.float64).ravel() for value in inputs), out)
+        return out if len(shape) == 1 else out.reshape(shape, order="F")
+
+
+@cache
+def _evaluate() -> Loop:
+    from jounce.kernel.call import Loop
+
+    return Loop("evaluate")
 
 
 def compile_functions(functions: Mapping[str, AnyFunction], step: AnyStep | None = None) -> Native:
@@ -106,12 +116,13 @@ def kept_code(identity: str, make: Callable[[], Source]) -> tuple[Native, str]:
     if cached is not None:
         with contextlib.suppress(Exception):  # whatever is wrong with it: rebuild
             return _load(cached)
-    source = make()
-    # Code is kept as an object file: loading one takes a millisecond, where optimising the same functions takes
-    # seconds.
-    names = [*source.functions, *_singles(source.functions), *(source.step.names if source.step else ())]
-    content = joined({"names": names, "notes": source.notes}, _emit(source.functions, source.step))
-    keep(key, content)
+    with told("compiling the model (once on this machine)"):
+        source = make()
+        # Code is kept as an object file: loading one takes a millisecond, where optimising the same functions takes
+        # seconds.
+        names = [*source.functions, *_singles(source.functions), *(source.step.names if source.step else ())]
+        content = joined({"names": names, "notes": source.notes}, _emit(source.functions, source.step))
+        keep(key, content)
     return _load(content)
 
 
@@ -171,12 +182,10 @@ def _emit(functions: Mapping[str, AnyFunction], step: AnyStep | None = None) -> 
 
     lowering = Lowering()
     for name, function in functions.items():
-        (lowering.add_many if name in MANY else lowering.add)(name, function)
-        # The optimiser takes more than linear time over one long block; what is called a few times a run does not repay
-        # it.
-        if name in SELDOM:
-            for attribute in ("optnone", "noinline"):
-                lowering.module.globals[name].attributes.add(attribute)
+        if name in MANY:
+            lowering.add_many(name, function)
+        else:
+            lowering.add(name, function, seldom=name in SELDOM)
     for name, many in _singles(functions).items():
         lowering.add_single(name, many)
     if step:

@@ -374,7 +374,13 @@ _MOST_WHEELS = 16
 @remembered
 def _pieces_of(trial: Trial) -> dict[tuple[float, int], Segments] | None:
     """Heights under the wheels that were asked for so far; None where a file holds them, which may change."""
-    return None if _names_a_file(trial) else {}
+    return {} if is_lasting(trial) else None
+
+
+@remembered
+def is_lasting(trial: Trial) -> bool:
+    """Whether all of a trial is in its description, and nothing in files, which may change."""
+    return not _names_a_file(trial)
 
 
 def _names_a_file(value: object) -> bool:

@@ -139,14 +139,9 @@ def prepare(
     modes = rest.modes if offset is None else compiled.sides(x, still, p)
     scale = state_scale(rest, n_q, n_v, _motion_size(tracks, rest.x[:n_q] - compiled.facts.start, offset))
     band = dead_band(compiled, p, rest, scale, still)
-    waves = max((signal.fastest_wave for signal in tracks.values()), default=0.0)
-    limit = _explicit_limit(rest, waves)
-    short = _edges_set_the_step(tracks.values(), times, limit, tolerance)
-    share = _SHORT_SHARE if short else STEP_SHARE
-    control = Control(share * tolerance, 0.1 * scale, band, MAX_STEPS, _longest_step(limit, tolerance))
     pieces = flatten([signal.with_finite_slopes() for signal in tracks.values()])
     problem = Problem(
-        compiled.short_engine if short else compiled.engine,
+        compiled.engine,
         pieces,
         pieces.first[:-1].copy(),
         compiled.extended(p),
@@ -154,12 +149,20 @@ def prepare(
         np.concatenate([x, _equilibrium_sensitivity(compiled, p, rest, still)]),
         len(still),
     )
+    control = Control(STEP_SHARE * tolerance, 0.1 * scale, band, MAX_STEPS, float(times[-1] - times[0]))
     exact = _exact(compiled, problem, control, times) if method == "auto" else None
     prepared = Prepared(compiled, problem, control, room(compiled, times), exact, modes, rest, still)
+    if exact is not None:  # whose steps have no error that could be controlled
+        return prepared
+    waves = max((signal.fastest_wave for signal in tracks.values()), default=0.0)
+    limit = _explicit_limit(rest, waves)
+    control = control._replace(longest=_longest_step(limit, tolerance))
+    if _edges_set_the_step(tracks.values(), times, limit, tolerance):
+        control = control._replace(tolerance=_SHORT_SHARE * tolerance)
+        problem = problem._replace(engine=compiled.short_engine)
+    prepared = replace(prepared, problem=problem, control=control)
     lasting = float(times[-1] - times[0])
     hopeless = _HOPELESS if offset is None else math.inf  # away from rest other rates hold
-    if exact is not None:
-        return prepared
     if compiled.free or method == "explicit":
         _check_steps(lasting / control.longest, hopeless, limit, lasting)
         return prepared

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from jounce.control.actuators import ActiveActuator
 from jounce.core.errors import SimulationError
+from jounce.core.remembered import remembered
 from jounce.core.segments import Segments, flat
 from jounce.mechanics.model import ROAD, Facts, is_road
 from jounce.parts import Rig
 from jounce.parts.vehicles import Place, Vehicle
 from jounce.roads import Flat, Trial
-from jounce.roads.trial import LOADS
+from jounce.roads.trial import LOADS, is_lasting
 
 _ONE_WHEEL = {"": Place(0.0, 1)}
 
@@ -21,7 +22,7 @@ def excitation(facts: Facts, rig: Rig, trial: Trial, free: tuple[str, ...] = ())
     that the model cannot feel is refused, and a free parameter that would move the tracks themselves.
     """
     _refuse_unfelt(facts, rig, trial)
-    _refuse_unknown_ground(trial)
+    (_lasting_ground if is_lasting(trial) else _refuse_unknown_ground)(trial)
     _refuse_shifts(rig, trial, free)
     wheels = rig.wheels if isinstance(rig, Vehicle) else _ONE_WHEEL
     found = []
@@ -49,6 +50,9 @@ def _refuse_unknown_ground(trial: Trial) -> None:
     for name, road in (("road", trial.road), ("right", trial.right)):
         if road is not None and trial.speed is not None:
             road.check_covers(trial.speed * trial.duration, where=f"trial: {name}", continue_level=True)
+
+
+_lasting_ground = remembered(_refuse_unknown_ground)
 
 
 def _refuse_unfelt(facts: Facts, rig: Rig, trial: Trial) -> None:

@@ -107,6 +107,7 @@ def ran_away_at(names: tuple[str, ...], outputs: Array) -> int | None:
 
     Arguments as above.
     """
-    limits = [_APART if name.endswith("strut.deflection") else 1.0 if name in _TURNS else np.inf for name in names]
-    beyond = np.any(np.abs(outputs) > np.array(limits)[:, np.newaxis], axis=0)
-    return int(np.argmax(beyond)) if beyond.any() else None
+    limits = {row: 1.0 for row, name in enumerate(names) if name in _TURNS}
+    limits |= {row: _APART for row, name in enumerate(names) if name.endswith("strut.deflection")}
+    beyond = [np.abs(outputs[row]) > limit for row, limit in limits.items()]
+    return min((int(np.argmax(each)) for each in beyond if each.any()), default=None)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
+from collections.abc import Iterator
 from dataclasses import dataclass, fields
 from functools import cached_property
 
@@ -10,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
+from jounce.core.remembered import remembered
 from jounce.core.types import Array
-from jounce.mechanics.model import is_road
+from jounce.mechanics.model import Facts, is_road
 from jounce.roads.trial import LOADS
 from jounce.simulation.compiled import Compiled
 
@@ -144,7 +146,7 @@ def _joint_hint(compiled: Compiled) -> str:
     )
 
 
-def _starts(compiled: Compiled, u: Array, start: Array | None) -> list[Array]:
+def _starts(compiled: Compiled, u: Array, start: Array | None) -> Iterator[Array]:
     facts = compiled.facts
     count = len(facts.coordinates)
     first = np.zeros(compiled.state_count)
@@ -152,13 +154,23 @@ def _starts(compiled: Compiled, u: Array, start: Array | None) -> list[Array]:
     roads = [u[i * facts.track_order] for i, track in enumerate(facts.tracks) if is_road(track)]
     road = float(np.mean(roads)) if roads else 0.0
     if start is not None:
-        return [first]
+        yield first
+        return
+    heave, heights, depth = _sinking(facts)
     if facts.projects:
-        heave = np.array([name == _HEAVE for name in facts.states], dtype=float)
-        return [first + heave * (road - sag) for sag in (_SAGS if heave.any() else (0.0,))]
+        for sag in _SAGS if heave.any() else (0.0,):
+            yield first + heave * (road - sag)
+        return
+    for sag in _SAGS:
+        yield first + heights * road - sag * depth
+
+
+@remembered
+def _sinking(facts: Facts) -> tuple[Array, Array, Array]:
+    """Which states lower a mechanism, which are heights, and how far each sinks with a sag of 1 m of each spring."""
+    heave = np.array([name == _HEAVE for name in facts.states], dtype=float)
     heights = np.array([name.endswith(".z") for name in facts.states], dtype=float)
-    depth = heights * np.cumsum(heights[::-1])[::-1]  # what hangs on the rest sags more
-    return [first + heights * road - sag * depth for sag in _SAGS]
+    return heave, heights, heights * np.cumsum(heights[::-1])[::-1]  # what hangs on the rest sags more
 
 
 def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Equilibrium | None:

@@ -14,7 +14,7 @@ import pytest
 
 from jounce.core.optional import MissingPackageError
 from jounce.core.sources import digest_of
-from jounce.kernel import call, native
+from jounce.kernel import call, loops, native
 from jounce.kernel.call import Loop
 from jounce.kernel.loops import BUILT, LOOPS, PLATFORMS, key_of, make, this_platform
 
@@ -64,7 +64,7 @@ def test_every_loop_is_listed_and_used() -> None:
 @pytest.mark.skipif(not BUILT.exists(), reason="make loops")
 def test_built_code_is_of_the_sources_as_they_are() -> None:
     """Or an edit would run old code, or a checkout compile at its first run."""
-    digest, platform = digest_of("kernel"), this_platform()
+    digest, platform = digest_of(*loops.SOURCES), this_platform()
     for name in LOOPS:
         assert native.read_sealed(BUILT / f"{name}.bc", key_of(name, digest)), name
         if platform in PLATFORMS:
@@ -184,7 +184,7 @@ def test_the_ways_after_each_other(elsewhere, steps, right) -> None:
 
 
 def test_bitcode_that_this_llvm_cannot_read_is_passed_over(elsewhere, steps) -> None:
-    expected, digest = follow(), digest_of("kernel")
+    expected, digest = follow(), digest_of(*loops.SOURCES)
     (file,) = elsewhere.rglob("*.bc")
     native.write_sealed(file, key_of("hysteresis", digest), native.joined({}, b"bitcode of a newer LLVM"))
     for file in elsewhere.rglob("*.o"):
@@ -253,7 +253,7 @@ def test_objects_for_all_platforms(elsewhere) -> None:
     """They are written; only those of this platform can be run here."""
     assert make.make("hysteresis", list(PLATFORMS)) > 0.0
     assert make.make("hysteresis", list(PLATFORMS)) == 0.0
-    digest = digest_of("kernel")
+    digest = digest_of(*loops.SOURCES)
     starts = {"linux": b"\x7fELF", "windows": b"\x7fELF", "darwin": b"\xcf\xfa\xed\xfe"}
     for platform in PLATFORMS:
         content = native.read_sealed(
@@ -261,3 +261,20 @@ def test_objects_for_all_platforms(elsewhere) -> None:
         )
         assert content is not None
         assert native.parted(content)[1].startswith(starts[platform.partition("-")[0]])
+
+
+def test_the_digest_covers_all_that_loops_are_made_of() -> None:
+    """Of the kernel they import nothing else but what calls them and what writes machine code."""
+    script = """
+import sys
+from importlib import import_module
+from jounce.kernel.loops import LOOPS
+for module, _ in LOOPS.values():
+    import_module(f"jounce.kernel.loops.{module}")
+import jounce.kernel.loops.build
+print(*sorted(name for name in sys.modules if name.startswith("jounce.kernel.")))
+"""
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    covered = tuple(f"jounce.{source.replace('/', '.')}" for source in loops.SOURCES)
+    others = {name for name in done.stdout.split() if not name.startswith(covered)}
+    assert others == {"jounce.kernel.call", "jounce.kernel.native"}

@@ -230,3 +230,39 @@ def test_lanes_take_each_constant_for_itself(row):
     native = compile_functions({"f": Lanes(function, 4, (1, 1, 1, 1, 0))})
     found = native.evaluate("f", (32 * 4,), np.concatenate([[0.0], lanes]), 2 * ONE, ONE, ONE).reshape(32, 4)
     np.testing.assert_allclose(found, row(constants[:, None], lanes, 2.0), rtol=1e-14)
+
+
+def test_what_is_called_seldom_is_cut_into_blocks_and_gives_the_same():
+    from llvmlite import binding as llvm
+
+    from jounce.kernel.lowering import Lowering
+    from jounce.kernel.native import compile_functions
+
+    x, nothing = ca.SX.sym("x", 3), [ca.SX.sym(name, 0) for name in "upm"]
+    value = x[0]
+    for k in range(400):
+        value = ca.sin(value) * x[k % 3] + k
+    function = ca.Function("derived", [x, *nothing], [ca.vertcat(value, x)])
+    lowering = Lowering()
+    lowering.add("derived", function, seldom=True)
+    module = llvm.parse_assembly(str(lowering.module))
+    blocks = list(module.get_function("derived").blocks)
+    sizes = [len(list(block.instructions)) for block in blocks]
+    assert len(sizes) > 3
+    assert max(sizes) < 300
+    at = np.array([0.3, -0.7, 0.2])
+    found = compile_functions({"derived": function}).evaluate("derived", (4,), at, *[np.zeros(0)] * 3)
+    np.testing.assert_allclose(found, function(at, [], [], []).full()[:, 0], rtol=1e-12)
+
+
+def test_whatever_numbers_are_given_are_read():
+    """Rows of numbers side by side go straight to native code, all others are copied first."""
+    x, nothing = ca.SX.sym("x", 2), [ca.SX.sym(name, 0) for name in "upm"]
+    native = compile_functions({"rate": ca.Function("rate", [x, *nothing], [ca.horzcat(x, 2 * x, x**2)])})
+    right = [[1.0, 2.0, 1.0], [3.0, 6.0, 9.0]]
+    empty = [np.zeros(0)] * 3
+    for numbers in (np.array([1.0, 3.0]), np.array([1, 3]), np.array([1.0, 0.0, 3.0])[::2], np.array([[1.0], [3.0]])):
+        assert native.evaluate("rate", (2, 3), numbers, *empty).tolist() == right
+    read_only = np.array([1.0, 3.0])
+    read_only.setflags(write=False)
+    assert native.evaluate("rate", (6,), read_only, *empty).tolist() == [1.0, 3.0, 2.0, 6.0, 1.0, 9.0]

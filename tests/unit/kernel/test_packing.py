@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ctypes
+
 import casadi as ca
 import numpy as np
 import pytest
@@ -104,7 +106,8 @@ def test_many_samples():
     p, m, out = 1.0 + random.random(7), np.ones(4), np.zeros((5, 5))
     native = compile_functions({"output": made})
     pointers = [array.ctypes.data for array in (x, u, p, m, out)]
-    native._calls["output"](*pointers, 5, 1, 3)
+    function = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5, *[ctypes.c_int64] * 3)(native.address["output"])
+    function(*pointers, 5, 1, 3)
     for k in range(5):
         wanted = made.function(x[:, k], u[:, k], p, m).full().ravel() if 1 <= k < 4 else 0.0
         assert np.allclose(out[:, k], wanted, rtol=1e-13, atol=1e-14)

@@ -11,7 +11,11 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
+SOURCES = ("kernel/loops", "kernel/methods", "kernel/arrays", "kernel/engine", "kernel/poses")
+"""What the loops are made of, and what they are called with: built code is that of these modules as they are."""
+
 LOOPS = {
+    "evaluate": ("evaluate", "evaluate"),
     "exact": ("exact", "propagate"),
     "explicit": ("explicit", "integrate"),
     "implicit": ("implicit", "integrate"),

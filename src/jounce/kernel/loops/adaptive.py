@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+from jounce.kernel.arrays import Integers
 from jounce.kernel.engine import (
     CHATTER,
     COMPLETED,
@@ -32,6 +33,11 @@ from jounce.kernel.engine import (
     STATE,
     STEP_TOO_SMALL,
     TOO_MANY_STEPS,
+    Control,
+    Feedback,
+    Problem,
+    Samples,
+    Work,
 )
 from jounce.kernel.loops.compiling import call_native, call_step, part
 from jounce.kernel.loops.events import crossing, flip
@@ -88,8 +94,8 @@ def _close(problem: Any, work: Any, t: float) -> int:
     return LOOP_OPENED
 
 
-def way_through(look: Any, step: Any, dense: Any) -> Any:
-    """Make the loop of a method from its three functions."""
+def way_through(look: Any, step: Any, dense: Any, kind: type) -> Any:
+    """Make the loop of a method from its three functions; ``kind`` is the tuple that says how it goes its way."""
 
     @part()
     def walk(method: Any, problem: Any, feedback: Any, control: Any, work: Any, out: Any, counts: Any) -> int:
@@ -187,4 +193,13 @@ def way_through(look: Any, step: Any, dense: Any) -> Any:
         place_samples(problem, work, t, 1.0, np.inf, out)
         return COMPLETED
 
-    return walk
+    def integrate(
+        problem: Problem, feedback: Feedback, method: Any, control: Control, work: Work, out: Samples, counts: Integers
+    ) -> int:
+        """Go from the first sample to the last; give a status code."""
+        status = walk(method, problem, feedback, control, work, out, counts)
+        finish_samples(problem, work, out)
+        return int(status)
+
+    integrate.__annotations__["method"] = kind
+    return part()(integrate)

@@ -115,6 +115,19 @@ def call_many(
 
 
 @intrinsic  # type: ignore[untyped-decorator]
+def call_one(typing_context: Any, address: Any, x: Any, u: Any, p: Any, m: Any, out: Any) -> Any:
+    """Call a function of one sample, or of many with one: it does not look at the numbers that it has no place for."""
+    signature = types.void(types.int64, x, u, p, m, out)
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        pointers = [array_of(context, builder, signature, arguments, i).data for i in range(1, 6)]
+        total, first, count = (ir.IntType(64)(number) for number in (1, 0, 1))
+        return call_address(builder, arguments[0], [*pointers, total, first, count])
+
+    return signature, generate
+
+
+@intrinsic  # type: ignore[untyped-decorator]
 def sine_and_cosine(typing_context: Any, angle: Any) -> Any:
     """Sine and cosine by calls that the optimiser may not move out of their branch, as it does with ``math.sin``."""
     signature = types.UniTuple(types.float64, 2)(types.float64)

@@ -5,12 +5,10 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from jounce.kernel.arrays import Integers
-from jounce.kernel.engine import FIRST_PROBE, LAST_STAGE, PROBES, RATES, Control, Feedback, Problem, Samples, Work
+from jounce.kernel.engine import FIRST_PROBE, LAST_STAGE, PROBES, RATES
 from jounce.kernel.loops.adaptive import inputs, way_through
 from jounce.kernel.loops.compiling import call_native, call_step, part
 from jounce.kernel.loops.events import rate
-from jounce.kernel.loops.signals import finish_samples
 from jounce.kernel.methods.explicit import Pair
 
 _SAFETY, _SHRINK, _GROW = 0.9, 0.2, 5.0  # usual choices (Hairer, Norsett, Wanner, section II.4)
@@ -48,20 +46,4 @@ def _dense(problem: Any, method: Any, work: Any, t: float, h: float) -> None:
     call_step(problem.engine.dense, work.rows, work.u, problem.p, problem.m, work.g, h)
 
 
-_walk = way_through(_look, _step, _dense)
-
-
-@part()
-def integrate(
-    problem: Problem,
-    feedback: Feedback,
-    method: Pair,
-    control: Control,
-    work: Work,
-    out: Samples,
-    counts: Integers,
-) -> int:
-    """Go from the first sample to the last; give a status code."""
-    status = _walk(method, problem, feedback, control, work, out, counts)
-    finish_samples(problem, work, out)
-    return int(status)
+integrate = way_through(_look, _step, _dense, Pair)

@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from jounce.kernel.arrays import Integers
-from jounce.kernel.engine import FIRST_PROBE, PROBES, RATES, STATE, TRIAL, Control, Feedback, Problem, Samples, Work
+from jounce.kernel.engine import FIRST_PROBE, PROBES, RATES, STATE, TRIAL
 from jounce.kernel.loops.adaptive import inputs, way_through
 from jounce.kernel.loops.compiling import call_native, call_step, part
-from jounce.kernel.loops.signals import fill, fill_rates, finish_samples
+from jounce.kernel.loops.signals import fill, fill_rates
 from jounce.kernel.methods.implicit import Rosenbrock
 from jounce.kernel.methods.rosenbrock import GAMMA, STAGE_RATE, STAGES, C
 
@@ -84,20 +83,4 @@ def _dense(problem: Any, method: Any, work: Any, t: float, h: float) -> None:
         inputs(problem, work, t, h, FIRST_PROBE, FIRST_PROBE + len(PROBES))
 
 
-_walk = way_through(_look, _step, _dense)
-
-
-@part()
-def integrate(
-    problem: Problem,
-    feedback: Feedback,
-    method: Rosenbrock,
-    control: Control,
-    work: Work,
-    out: Samples,
-    counts: Integers,
-) -> int:
-    """Go from the first sample to the last; give a status code."""
-    status = _walk(method, problem, feedback, control, work, out, counts)
-    finish_samples(problem, work, out)
-    return int(status)
+integrate = way_through(_look, _step, _dense, Rosenbrock)

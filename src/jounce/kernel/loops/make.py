@@ -15,12 +15,12 @@ from llvmlite import binding as llvm
 from jounce.core.sources import digest_of
 from jounce.kernel import native
 from jounce.kernel.call import object_for
-from jounce.kernel.loops import BUILT, LOOPS, PLATFORMS, key_of, this_platform
+from jounce.kernel.loops import BUILT, LOOPS, PLATFORMS, SOURCES, key_of, this_platform
 
 
 def make(name: str, platforms: list[str]) -> float:
     """Write the bitcode of a loop and its objects; give the processor time that took (s), 0 where all is there."""
-    digest, started = digest_of("kernel"), time.process_time()
+    digest, started = digest_of(*SOURCES), time.process_time()
     file, key = BUILT / f"{name}.bc", key_of(name, digest)
     bitcode, made = native.read_sealed(file, key), False
     if bitcode is None:
