@@ -12,7 +12,7 @@ import pytest
 
 import jounce as jn
 from jounce.exchange.fmu import build
-from jounce.mechanics.model import speed_of
+from jounce.mechanics.facts import speed_of
 from jounce.simulation.compiled import compile_rig
 from jounce.simulation.problem import excitation
 

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from jounce.parts import Vehicle, library, load
+
 TRIAL = ("--road", "bump.toml", "--speed", "1.95 m/s", "--duration", "0.1 s")
 COMMANDS = {
     "modes": (),
@@ -48,3 +50,13 @@ def test_changes_are_warned_of_too(cli) -> None:
     outcome = cli("modes", "kart-double-wishbone", "--set", "wheel.camber=30 deg", "--json")
     assert outcome.exit_code == 0
     assert re.fullmatch(r"warning: kart-double-wishbone: wheel\.camber: 30 deg is a lot.*\n", outcome.err)
+
+
+def test_what_the_library_says_of_a_rig_is_what_the_rig_says(cli):
+    listed = cli("library", "--json").json
+    names = [item["name"] for kind in ("rigs", "vehicles") for item in listed[kind]]
+    assert sorted(names) == sorted(library())
+    for item in (*listed["rigs"], *listed["vehicles"]):
+        rig = load(item["name"])
+        assert (item["kind"] == "vehicle") == isinstance(rig, Vehicle)
+        assert (item["what"], item["source"], item["estimated"]) == (rig.model, rig.source, list(rig.estimated))

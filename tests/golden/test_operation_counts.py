@@ -15,7 +15,8 @@ import pytest
 
 import jounce as jn
 from jounce.models import build
-from jounce.simulation.compiled import compile_model, compile_rig, plain_program
+from jounce.simulation.compiled import compile_model, compile_rig
+from jounce.simulation.programs import plain_program
 
 PINNED = {
     "kart-quarter-car": {"rate": 41, "output": 49, "switch": 13},

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated, Any, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 import numpy as np
 from pydantic import Field, field_validator, model_validator
@@ -21,7 +21,6 @@ from jounce.core.units import (
     Unit,
     to_si,
 )
-from jounce.identify.fit_problem import FitTrial
 from jounce.parts import Corner, QuarterCar, load, rig_from_table
 from jounce.parts.elements import Curve, PolynomialCurve, PowerCurve, VelocityTable
 from jounce.parts.rig import change_table, split_path
@@ -29,7 +28,9 @@ from jounce.parts.variants import with_strut_angle
 from jounce.recordings import Sensor
 from jounce.recordings.sensors import check_sensors
 from jounce.roads import HalfSine, Road
-from jounce.simulation import simulate
+
+if TYPE_CHECKING:
+    from jounce.identify.fit_problem import FitTrial
 
 SCHEMA = "jounce.truth/1"
 _Share = Annotated[float, Unit("1", at_least=0.0, at_most=0.5)]
@@ -256,6 +257,8 @@ def true_values(
     velocities ridden in the ``trials``; ``first`` is the entry of the first, which says pressure and strut angle. Paths
     that the truth has nothing of are left out.
     """
+    from jounce.simulation import simulate
+
     rig = truth.true_rig(first.tyre_pressure)
     rig = rig if first.strut_angle is None else with_strut_angle(rig, first.strut_angle)
     values, found = rig.parameters(), dict[str, float]()

@@ -36,7 +36,9 @@ class _DescriptionType(ModelMetaclass):
 class Description(BaseModel, metaclass=_DescriptionType):
     """Base of all nouns: frozen, refuses unknown keys, reads physical values with units."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", populate_by_name=True, protected_namespaces=())
+    model_config = ConfigDict(
+        frozen=True, extra="forbid", populate_by_name=True, protected_namespaces=(), defer_build=True
+    )  # validators of a kind are made when the first of it is made: there are hundreds, a process uses few
 
     kinds: ClassVar[Kinds | None] = None  # set by the base of a family of descriptions
 

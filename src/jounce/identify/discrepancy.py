@@ -25,7 +25,7 @@ from jounce.identify.fit_problem import Channel, FitTrial, Free, Prepared, prepa
 from jounce.identify.laws import Laws, States
 from jounce.identify.richer import Nuisance, Richer, Ridden
 from jounce.kernel.engine import Status
-from jounce.mechanics.model import is_road
+from jounce.mechanics.facts import is_road
 from jounce.parts import QuarterCar, Rig
 from jounce.recordings.sensors import Sensor
 from jounce.recordings.signals import shift_with_derivative

@@ -308,7 +308,7 @@ class Lowering:
 _LONGEST = 250  # instructions; from about there the compiler's time for a block grows faster than its length
 
 
-class _Blocks(ir.IRBuilder):
+class _Blocks(ir.IRBuilder):  # type: ignore[misc]
     """Begins a new block after a while."""
 
     def _insert(self, instruction: Any) -> None:

@@ -14,7 +14,8 @@ import numpy as np
 from jounce.core.errors import AssemblyError, unknown
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.mechanics.model import Equation, Model
+from jounce.mechanics.facts import Equation
+from jounce.mechanics.model import Model
 
 _ITERATIONS = 100
 _CLOSED = 1e-12  # m or rad

@@ -15,8 +15,9 @@ from typing import Protocol
 import casadi as ca
 
 from jounce.core.errors import AssemblyError
+from jounce.mechanics.facts import Equation, Output
 from jounce.mechanics.linear_algebra import Ldl
-from jounce.mechanics.model import Alike, Balance, Equation, Model, Output, with_numbers
+from jounce.mechanics.model import Alike, Balance, Model, with_numbers
 
 
 class Inertia(Protocol):

@@ -27,11 +27,12 @@ from jounce.mechanics.carrier import Carried, MovingCarrier
 from jounce.mechanics.descriptions import Description, Number, Vector
 from jounce.mechanics.equations import Collection, Track, form
 from jounce.mechanics.expressions import check_name, expression_of, vector_of
+from jounce.mechanics.facts import Equation
 from jounce.mechanics.frames import GROUND, Moving
 from jounce.mechanics.joints import Joint, Motion
 from jounce.mechanics.loads import Action, Load
 from jounce.mechanics.mass import check_inertia
-from jounce.mechanics.model import Equation, Model
+from jounce.mechanics.model import Model
 from jounce.mechanics.outputs import Watch
 from jounce.mechanics.reactions import Reaction, reaction_of
 from jounce.mechanics.rotations import unit

@@ -17,7 +17,8 @@ import casadi as ca
 from jounce.core.errors import AssemblyError, unknown
 from jounce.mechanics.equations import Collection, Constraint, Inertia, PointMass, Track, form
 from jounce.mechanics.expressions import check_name, expression_of
-from jounce.mechanics.model import Equation, Model, Output, speed_of
+from jounce.mechanics.facts import Equation, Output, speed_of
+from jounce.mechanics.model import Model
 from jounce.mechanics.rotations import quaternion_rate
 
 _Arguments = ParamSpec("_Arguments")

@@ -11,7 +11,6 @@ from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.core.units import PositiveTime
-from jounce.recordings.files import read_columns, read_recording
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -25,6 +24,8 @@ class TableFormat(Description):
 
     def read_columns(self, file: Path, wanted: Mapping[str, str]) -> tuple[dict[str, Array], list[Finding]]:
         """Read the wanted columns (name to SI unit) of a file."""
+        from jounce.recordings.files import read_columns
+
         return read_columns(file, wanted, columns=self.columns or None, variable=self.variable)
 
 
@@ -37,6 +38,8 @@ class RecordingFormat(TableFormat):
 
     def read(self, file: Path, folder: Path) -> tuple[xr.Dataset, list[Finding]]:
         """Read a recording; the database is looked for in the folder of the description."""
+        from jounce.recordings.files import read_recording
+
         return read_recording(
             file,
             columns=self.columns or None,

@@ -11,7 +11,7 @@ import numpy as np
 
 from jounce.core.errors import JounceError, SimulationError
 from jounce.core.types import Array
-from jounce.mechanics.model import ROAD, is_road
+from jounce.mechanics.facts import ROAD, is_road
 from jounce.parts import Rig
 from jounce.parts.rig import structure_of, unknown_path
 from jounce.parts.vehicles import Place, Vehicle

@@ -15,7 +15,7 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.recordings.quality import check_time
 from jounce.ride.weighting import weighting_response
-from jounce.simulation.linearise import LinearModel
+from jounce.simulation.linear_model import LinearModel
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -1,21 +1,8 @@
-"""Runs, equilibrium, linear models and modes of rigs."""
+"""Runs, equilibrium, linear models and modes of rigs.
 
-from jounce.simulation.derivatives import Gradient, gradient, sensitivities
-from jounce.simulation.free_run import simulate_mechanism
-from jounce.simulation.linearise import LinearModel, Mode, equilibrium, linearise, modes
-from jounce.simulation.run import simulate
-from jounce.simulation.settings import RunSettings
+The names are those of ``__init__.pyi``; each is loaded on first use.
+"""
 
-__all__ = [
-    "Gradient",
-    "LinearModel",
-    "Mode",
-    "RunSettings",
-    "equilibrium",
-    "gradient",
-    "linearise",
-    "modes",
-    "sensitivities",
-    "simulate",
-    "simulate_mechanism",
-]
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -17,8 +17,8 @@ from jounce.core.units import to_si
 from jounce.kernel.engine import Control, Problem, Status, flatten
 from jounce.mechanics import Mechanism, Model, assemble, constant
 from jounce.mechanics.assembly import Assembly
+from jounce.mechanics.facts import moved_by
 from jounce.mechanics.mechanism import BALANCE
-from jounce.mechanics.model import moved_by
 from jounce.recordings.schema import recording
 from jounce.simulation.compiled import Compiled, compile_model
 from jounce.simulation.prepare import IMPLICIT_SHARE, STEP_SHARE, Prepared, longest_implicit_step, room

@@ -17,9 +17,8 @@ from jounce.kernel.engine import NO_FEEDBACK, Control, Feedback, Problem, Sample
 from jounce.kernel.methods import explicit, implicit
 from jounce.kernel.methods.exact import Plan, plan, propagate
 from jounce.kernel.methods.propagators import Calls
-from jounce.mechanics.model import is_road
+from jounce.mechanics.facts import is_road
 from jounce.simulation.compiled import SLOPE_LANES, Compiled
-from jounce.simulation.linear_systems import slopes_of
 from jounce.simulation.result import Solution
 from jounce.simulation.settings import MAX_STEPS, Method
 from jounce.simulation.statics import Equilibrium, find_equilibrium, state_scale
@@ -102,6 +101,8 @@ class Prepared:
             code = explicit.integrate(self.problem, self.control, self.out, counts, self.feedback)
         if self.stiff is None or code != Status.TOO_MANY_STEPS.code:
             return "explicit", code
+        from jounce.simulation.linear_systems import slopes_of
+
         self.start()
         counts[:] = 0
         return "implicit", implicit.integrate(self.problem, slopes_of(self.compiled), self.stiff(), self.out, counts)

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from jounce.control.actuators import ActiveActuator
+from typing import TYPE_CHECKING
+
 from jounce.core.errors import SimulationError
 from jounce.core.remembered import remembered
 from jounce.core.segments import Segments, flat
-from jounce.mechanics.model import ROAD, Facts, is_road
+from jounce.mechanics.facts import ROAD, Facts, is_road
 from jounce.parts import Rig
 from jounce.parts.vehicles import Place, Vehicle
 from jounce.roads import Flat, Trial
 from jounce.roads.trial import LOADS, is_lasting
+
+if TYPE_CHECKING:
+    from jounce.control.actuators import ActiveActuator
 
 _ONE_WHEEL = {"": Place(0.0, 1)}
 
@@ -42,7 +46,11 @@ COMMAND = "command"  # the track of an actuator
 
 def known_actuator(trial: Trial) -> ActiveActuator | None:
     """The actuator whose force a trial knows: it follows its command at once; None where there is none."""
-    return None if trial.actuator_force is None else ActiveActuator(lag=0.0)
+    if trial.actuator_force is None:
+        return None
+    from jounce.control.actuators import ActiveActuator
+
+    return ActiveActuator(lag=0.0)
 
 
 def _refuse_unknown_ground(trial: Trial) -> None:

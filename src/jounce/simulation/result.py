@@ -9,7 +9,7 @@ import numpy as np
 from jounce.core.errors import SimulationError
 from jounce.core.types import Array
 from jounce.kernel.engine import Status
-from jounce.mechanics.model import Facts
+from jounce.mechanics.facts import Facts
 from jounce.simulation.compiled import Compiled
 
 _TURNED = 0.6  # rad: camber or steer that moves so far in a run belongs to another way of assembling the linkage

@@ -13,7 +13,6 @@ from jounce.parts import Rig
 from jounce.recordings.schema import recording
 from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig
-from jounce.simulation.controlled import AnyControl, check_stable, close_loop, raise_controller_error
 from jounce.simulation.prepare import prepare
 from jounce.simulation.problem import excitation, known_actuator
 from jounce.simulation.result import held_to_its_branch, samples_reached
@@ -21,6 +20,8 @@ from jounce.simulation.settings import Method, RunSettings
 
 if TYPE_CHECKING:
     import xarray as xr
+
+    from jounce.simulation.controlled import AnyControl
 
 
 def simulate(
@@ -104,7 +105,11 @@ def solved(
 ) -> Solved:
     """Run what :func:`simulate` records; who shows only some numbers of it needs no Dataset."""
     times, method = settings.times(trial.duration), settings.method
-    loop = close_loop(rig, control)
+    loop = None
+    if control is not None:
+        from jounce.simulation.controlled import check_stable, close_loop, raise_controller_error
+
+        loop = close_loop(rig, control)
     if loop and trial.actuator_force is not None:
         raise SimulationError(
             "the actuator has a controller and a known force",

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from jounce.core.errors import SimulationError
 from jounce.core.remembered import remembered
 from jounce.core.types import Array
-from jounce.mechanics.model import Facts, is_road
+from jounce.mechanics.facts import Facts, is_road
 from jounce.roads.trial import LOADS
 from jounce.simulation.compiled import Compiled
 

@@ -11,7 +11,7 @@ import numpy as np
 from jounce.core.errors import unknown
 from jounce.core.segments import Segments
 from jounce.core.types import Array
-from jounce.mechanics.model import Output
+from jounce.mechanics.facts import Output
 from jounce.mechanics.motions import constant
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Programme, Tester

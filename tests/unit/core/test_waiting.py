@@ -78,7 +78,7 @@ def test_compiling_a_model_is_told(monkeypatch, tmp_path):
     from jounce.kernel import native
     from jounce.models import build
     from jounce.parts import load
-    from jounce.simulation.compiled import plain_program
+    from jounce.simulation.programs import plain_program
 
     monkeypatch.setenv("JOUNCE_CACHE_DIR", str(tmp_path))
     heard, program = [], plain_program(build(load("kart-quarter-car")))

@@ -11,7 +11,8 @@ import casadi as ca
 from jounce.core.errors import OutputError
 from jounce.core.types import Array
 from jounce.core.units import Unit
-from jounce.mechanics.model import Model, is_road, speed_of
+from jounce.mechanics.facts import is_road, speed_of
+from jounce.mechanics.model import Model
 
 LOAD_UNITS = {"pitch_moment": "N*m", "deceleration": "m/s^2", "lateral_acceleration": "m/s^2"}
 """Units of the tracks that are no roads; what is not here is a command, whose unit nobody says."""

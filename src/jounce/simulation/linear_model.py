@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import SimulationError, unknown
 from jounce.core.types import Array
-from jounce.mechanics.model import moved_by
+from jounce.mechanics.facts import moved_by
 from jounce.parts import Rig
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.result import flipped_at

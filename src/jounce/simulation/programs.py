@@ -1,0 +1,227 @@
+"""What a model's native code is made of: its functions without what depends on parameters only, and their slopes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import casadi as ca
+
+from jounce.core.errors import SimulationError
+from jounce.kernel.lowering import AnyFunction, Lanes
+from jounce.kernel.methods.runge_kutta import Step
+from jounce.kernel.packing import SHARED, Graph, Packed, Parts
+from jounce.mechanics.model import Generic, Model
+from jounce.mechanics.tangents import tangent
+from jounce.simulation.compiled import SLOPE_LANES, SLOPES
+
+
+@dataclass(frozen=True)
+class Program:
+    """Functions of one module of native code, the step built around them, and the shape of each result.
+
+    ``lanes`` is the number of lanes of the extended parameters behind the ``scalars``.
+    """
+
+    functions: dict[str, AnyFunction]
+    step: Step
+    shapes: dict[str, tuple[int, int]]
+    scalars: int
+    lanes: int
+
+    @property
+    def graphs(self) -> dict[str, ca.Function]:
+        """The functions, those with lanes for a single one."""
+        functions = self.functions.items()
+        return {name: made if isinstance(made, ca.Function) else made.function for name, made in functions}
+
+
+def plain_program(model: Model) -> Program:
+    """Functions of the states alone, and their slopes along states and inputs.
+
+    ``slopes`` takes lanes of (states, inputs) behind the states, and gives the lanes of ``SLOPES``.
+    """
+    generic, model = model.generic, model.generic.model if model.generic else model
+    dx, du = (ca.SX.sym(f"d{name}", getattr(model, name).shape[0]) for name in "xu")
+    along = tangent(model, dx, du, ca.SX(model.p.shape[0], 1))
+    parts = {"rate": model.rate, "output": model.output, "switch": model.switch, "constraint": model.constraint}
+    if model.projection.shape[0]:
+        parts["project_many"] = _residual_first(model)
+    slopes = ca.vertcat(*(getattr(along, name) for name in SLOPES))
+    hoisted = _Hoisted({**parts, "slopes": slopes}, model.p, ca.SX(0, 1), generic)
+    functions: dict[str, AnyFunction] = {name: hoisted.function(name, model) for name in parts}
+    lanes = 1 if model.alike else SLOPE_LANES
+    if model.alike:
+        functions["slopes"] = hoisted.function("slopes", model, ca.vertcat(dx, du))
+        functions = _side_by_side(functions, hoisted, model)
+    else:
+        functions["slopes"] = hoisted.lanes("slopes", model, ca.vertcat(dx, du), lanes, 0)
+    functions |= hoisted.derived(0)
+    if model.switches and model.facts.linear_without is not None:
+        functions["switch_many"] = hoisted.function("switch", model)
+    n = model.x.shape[0]
+    step = Step("rate", n, n, model.u.shape[0], model.switch.shape[0])
+    shapes = {name: (part.shape[0], part.shape[1]) for name, part in parts.items()}
+    shapes["slopes"] = slopes.shape[0], lanes
+    return Program(functions, step, shapes, hoisted.scalars, hoisted.lanes_count)
+
+
+def sensitive_program(model: Model, free: tuple[str, ...]) -> Program:
+    """Functions that carry sensitivities ``S = dx/dp`` along: behind the states, for each one lane a parameter."""
+    for path in free:
+        if path not in model.parameters:
+            raise SimulationError("not a parameter of the model", where=path, allowed=", ".join(model.parameters))
+    generic, model = model.generic, model.generic.model if model.generic else model
+    n, count = model.x.shape[0], len(free)
+    dx, chosen, dp = ca.SX.sym("S", n), ca.SX.sym("dp", count), ca.SX(model.p.shape[0], 1)
+    for i, path in enumerate(free):
+        dp[model.parameters.index(path)] = chosen[i]
+    along = tangent(model, dx, ca.SX(model.u.shape[0], 1), dp)
+    parts = {"switch": model.switch, "rate_s": ca.vertcat(model.rate, along.rate)}
+    parts["output_s"] = ca.vertcat(model.output, along.output)
+    parts["switch_slope"] = ca.vertcat(ca.vec(_switch_slope(model).T), along.switch)
+    if model.projection.shape[0]:
+        parts["project_many"] = _residual_first(model)
+        parts["project_s"] = ca.vertcat(parts["project_many"], along.projection)
+    parts["constraint_s"] = along.constraint
+    hoisted = _Hoisted(parts, model.p, chosen, generic)
+    functions: dict[str, AnyFunction] = {}
+    scalars = {"rate_s": n, "output_s": model.output.shape[0], "project_s": n + 2, "constraint_s": 0}
+    scalars["switch_slope"] = model.switch.shape[0] * (n + 1)
+    for name in parts:
+        if name in scalars:
+            functions[name] = hoisted.lanes(name, model, dx, count, scalars[name])
+        else:
+            functions[name] = hoisted.function(name, model)
+    functions |= hoisted.derived(count)
+    step = Step("rate_s", n * (1 + count), n, model.u.shape[0], model.switch.shape[0])
+    shapes = {name: (part.shape[0], part.shape[1]) for name, part in parts.items()}
+    return Program(functions, step, shapes, hoisted.scalars, hoisted.lanes_count)
+
+
+def _side_by_side(functions: Mapping[str, AnyFunction], hoisted: _Hoisted, model: Model) -> dict[str, AnyFunction]:
+    """The same functions with what the model's parts do alike computed side by side; one more projects one sample."""
+    assert model.alike
+    parts, order = Parts(*model.alike), model.track_order
+    inputs = tuple((f"{name}/{i}", mask) for name, mask in map(parts.label, model.tracks) for i in range(order))
+    states = tuple(map(parts.label, (*model.coordinates, *model.speeds, *model.internal)))
+    seeds = tuple((f"change of {name}", mask) for name, mask in (*states, *inputs))
+    modes, numbers = tuple(map(parts.label, model.switches)), hoisted.labels(parts, model.parameters)
+    table: dict[tuple[int, ...], int] = {}
+    found: dict[str, AnyFunction] = {}
+    for name, function in functions.items():
+        assert isinstance(function, ca.Function)
+        labels = (states + seeds if name == "slopes" else states, inputs, numbers, modes)
+        packed = found[name] = Packed(function, parts, labels, table)
+        for elements in packed.graph.tables(2):
+            if elements not in table:
+                table[elements] = hoisted.copy(elements)
+    if "project_many" in found:
+        found["project"] = found["project_many"]
+    return found
+
+
+def _residual_first(model: Model) -> ca.SX:
+    """Residual, conditioning, then the projected states."""
+    n = model.x.shape[0]
+    return ca.vertcat(model.projection[n:], model.projection[:n])
+
+
+def _switch_slope(model: Model) -> ca.SX:
+    """Slopes of each switching function along the states, then along time."""
+    order = model.track_order
+    along_time = sum(
+        (ca.jtimes(model.switch, model.u[i::order], model.u[i + 1 :: order]) for i in range(order - 1)),
+        ca.SX(model.switch.shape[0], 1),
+    )
+    return ca.horzcat(ca.jacobian(model.switch, model.x), along_time)
+
+
+class _Hoisted:
+    """Expressions without the parts that depend on parameters (and their directions) only.
+
+    Parameters
+    ----------
+    parts : dict
+        Name to expression.
+    p, dp : casadi.SX
+        Parameters, and the directions of those that may move.
+    generic : Generic or None
+        Symbols that stand for numbers.
+    """
+
+    def __init__(self, parts: dict[str, ca.SX], p: ca.SX, dp: ca.SX, generic: Generic | None) -> None:
+        self._p, self._dp = p, dp
+        self._names, self._constants, self._fixed = (
+            (generic.names, generic.symbols, generic.values) if generic else ((), ca.SX(0, 1), ca.SX(0, 1))
+        )
+        self._copies: list[int] = []
+        whole = ca.cse(ca.densify(ca.vertcat(*(ca.vec(part) for part in parts.values()))))
+        left, symbols, values = ca.extract_parametric(whole, ca.vertcat(p, dp, self._constants))
+        symbols, values = [*ca.vertsplit(self._constants), *symbols], [*ca.vertsplit(self._constants), *values]
+        wide = [ca.depends_on(value, dp) for value in values]
+        self._single = [pair for pair, lane in zip(zip(symbols, values, strict=True), wide, strict=True) if not lane]
+        self._wide = [pair for pair, lane in zip(zip(symbols, values, strict=True), wide, strict=True) if lane]
+        ends = [0]
+        for part in parts.values():
+            ends.append(ends[-1] + part.numel())
+        self._parts = {
+            name: ca.reshape(left[begin:end], part.shape)
+            for (name, part), begin, end in zip(parts.items(), ends[:-1], ends[1:], strict=True)
+        }
+        self.lanes_count = dp.shape[0] + len(self._wide)
+
+    @property
+    def scalars(self) -> int:
+        """Number of extended parameters without lanes."""
+        return self._numbers.shape[0] + len(self._copies)
+
+    def labels(self, parts: Parts, paths: tuple[str, ...]) -> tuple[tuple[str, int], ...]:
+        """Name and parts of every extended parameter."""
+        own = tuple(parts.label(path) for path in (*paths, *self._names))
+        values = ca.densify(ca.vertcat(*(value for _, value in self._single)))
+        graph = Graph(ca.Function("derived", [ca.vertcat(self._p, self._constants)], [ca.cse(values)]), parts, [own])
+        made = [graph.results[i] for i in range(len(self._single))]
+        known = (("", SHARED) if graph.masks[i] == SHARED else (f"of {graph.shapes[i]}", graph.masks[i]) for i in made)
+        return own[: len(paths)] + tuple((name or f"shared {k}", mask) for k, (name, mask) in enumerate(known))
+
+    def copy(self, elements: tuple[int, ...]) -> int:
+        """Append copies of extended parameters, side by side; give the place of the first."""
+        self._copies += elements
+        return self.scalars - len(elements)
+
+    @property
+    def _numbers(self) -> ca.SX:
+        return ca.vertcat(self._p, *(symbol for symbol, _ in self._single))
+
+    @property
+    def _lanes(self) -> ca.SX:
+        return ca.vertcat(self._dp, *(symbol for symbol, _ in self._wide))
+
+    def function(self, name: str, model: Model, seeds: ca.SX | None = None) -> ca.Function:
+        """A function of (states, inputs, extended parameters, modes), ``seeds`` behind the states."""
+        x = model.x if seeds is None else ca.vertcat(model.x, seeds)
+        return ca.Function(name, [x, model.u, self._numbers, model.m], [ca.cse(self._parts[name])])
+
+    def lanes(self, name: str, model: Model, seeds: ca.SX, count: int, scalars: int) -> Lanes:
+        """The same with lanes behind the states and the parameters; ``scalars`` elements of the result are none."""
+        inputs = [ca.vertcat(model.x, seeds), model.u, ca.vertcat(self._numbers, self._lanes), model.m]
+        function = ca.Function(name, inputs, [ca.cse(self._parts[name])])
+        first = (model.x.shape[0], model.u.shape[0], self.scalars, model.m.shape[0], scalars)
+        return Lanes(function, count, first)
+
+    def _resolved(self, values: ca.SX) -> ca.SX:
+        return ca.substitute(values, self._constants, self._fixed) if self._names else values
+
+    def derived(self, count: int) -> dict[str, AnyFunction]:
+        """Extended parameters, and lanes of them, from parameters and their directions (both in place of states)."""
+        none = [ca.SX.sym(name, 0) for name in "upm"]
+        values = ca.densify(ca.vertcat(self._p, *(value for _, value in self._single)))
+        values = self._resolved(ca.vertcat(values, values[self._copies]))
+        wide = self._resolved(ca.densify(ca.vertcat(self._dp, *(value for _, value in self._wide))))
+        single = ca.Function("derived", [self._p, *none], [ca.cse(values)])
+        if not self.lanes_count:
+            return {"derived": single}
+        lanes = ca.Function("derived_lanes", [ca.vertcat(self._p, self._dp), *none], [ca.cse(wide)])
+        size = self._p.shape[0]
+        return {"derived": single, "derived_lanes": Lanes(lanes, count, (size, 0, 0, 0, 0))}

@@ -1,0 +1,101 @@
+"""What a command loads: no package that its work does not need, so that a warm command takes under a second."""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+import subprocess
+import sys
+
+import pytest
+
+from jounce.parts import library
+
+HEAVY = ("casadi", "matplotlib", "numba", "pandas", "scipy.interpolate", "sqlalchemy", "xarray")
+"""Packages that take long to load; jounce needs each of them for something."""
+TWICE = """
+import contextlib
+import io
+import sys
+
+from jounce.cli import main
+
+with contextlib.redirect_stdout(io.StringIO()):
+    assert main(sys.argv[1:]) == 0
+print(*sorted(name for name in sys.modules if name in {heavy!r} or name.startswith("jounce.")))
+"""
+
+
+@pytest.fixture
+def loaded(tmp_path):
+    (tmp_path / "rig.toml").write_text(library()["kart-quarter-car"].read_text(encoding="utf-8"), encoding="utf-8")
+    (tmp_path / "bump.toml").write_text('kind = "half-sine"\nheight = "10 mm"\nlength = "60 mm"\n', encoding="utf-8")
+
+    def run(*words):
+        command = [sys.executable, "-c", TWICE.format(heavy=HEAVY), *words]
+        for _ in range(2):  # the first one may compile the model
+            done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+            assert done.returncode == 0, done.stderr
+        return set(done.stdout.split())
+
+    return run
+
+
+DRIVEN = ("--road", "bump.toml", "--speed", "1.95 m/s", "--duration", "0.5 s")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("simulate", "kart-quarter-car", *DRIVEN),
+        ("simulate", "reference-double-wishbone", *DRIVEN, "--json"),
+        ("modes", "kart-quarter-car"),
+        ("check", "rig.toml"),
+        ("library",),
+        ("library", "kart-quarter-car"),
+        ("version",),
+    ],
+    ids=" ".join,
+)
+def test_a_warm_command_loads_no_heavy_package(loaded, words):
+    assert not loaded(*words) & set(HEAVY)
+
+
+def test_a_run_loads_neither_symbols_nor_controllers(loaded):
+    found = loaded("simulate", "kart-quarter-car", *DRIVEN)
+    for package in ("control", "models", "plots", "report", "identify", "campaign", "design", "ride"):
+        assert not {name for name in found if name.startswith(f"jounce.{package}.")}, package
+    assert {name for name in found if name.startswith("jounce.mechanics.")} == {"jounce.mechanics.facts"}
+
+
+def test_help_loads_no_numbers():
+    script = "import sys\nfrom jounce.cli import main\nmain(['--help'])\nprint('numpy' in sys.modules, file=sys.stderr)"
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert done.stderr == "False\n"
+
+
+def test_validators_of_all_descriptions_can_be_made():
+    """They are made when the first of a kind is made, so a mistake in one would show late."""
+    import jounce
+    from jounce.core.description import Description
+
+    for module in pkgutil.walk_packages(jounce.__path__, "jounce."):
+        if not module.name.endswith("__main__"):
+            importlib.import_module(module.name)
+    waiting, seen = [Description], set()
+    while waiting:
+        kind = waiting.pop()
+        if kind not in seen:
+            seen.add(kind)
+            waiting += kind.__subclasses__()
+            kind.model_rebuild()
+    assert len(seen) > 100
+
+
+@pytest.mark.parametrize("package", ["campaign", "inspection", "mechanics", "recordings", "roads", "simulation"])
+def test_no_name_of_a_package_is_that_of_a_module_in_it(package):
+    """Names are loaded on first use, and importing a module puts it where the name would be."""
+    whole = importlib.import_module(f"jounce.{package}")
+    assert not {module.name for module in pkgutil.iter_modules(whole.__path__)} & set(whole.__all__)
+    for name in whole.__all__:
+        assert getattr(whole, name) is not None
