@@ -309,4 +309,4 @@ def main(folder: Path, kills: int, seed: int, names: list[str]) -> dict[str, dic
 
 
 if __name__ == "__main__":
-    sys.stdout.write(json.dumps(main(Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3]), sys.argv[4:])))
+    sys.stdout.write(json.dumps(main(Path(sys.argv[1]).absolute(), int(sys.argv[2]), int(sys.argv[3]), sys.argv[4:])))
