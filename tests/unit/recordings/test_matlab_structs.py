@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 from pathlib import Path
 
 import h5py
@@ -133,6 +134,17 @@ def test_nesting_without_end_is_left_out(tmp_path: Path) -> None:
     savemat(tmp_path / "a.mat", {"t": TIME, "acc": WAVE, "deep": deep})
     messages = check(tmp_path / "a.mat", columns={"time": "t [s]", "sprung.az": "acc [g]"})
     assert "deep.a.a" in messages[-1]
+
+
+@pytest.mark.parametrize("inside", [False, True])
+def test_a_matrix_that_announces_other_numbers_than_it_holds_is_refused(tmp_path: Path, inside: bool) -> None:
+    savemat(tmp_path / "a.mat", {"t": TIME, "s": {"acc": WAVE}} if inside else {"t": TIME, "acc": WAVE})
+    content = (tmp_path / "a.mat").read_bytes()
+    count, more = (struct.pack("<2i", 1, WAVE.size + extra) for extra in (0, 7))
+    at = content.rindex(count)
+    (tmp_path / "a.mat").write_bytes(content[:at] + more + content[at + len(more) :])
+    with pytest.raises(RecordingError, match=f"announces {WAVE.size + 7} numbers and holds {WAVE.size}"):
+        read_recording(tmp_path / "a.mat", columns={"time": "t [s]", "sprung.az": f"{'s.' if inside else ''}acc [g]"})
 
 
 def test_damaged_files_are_refused_in_one_way(tmp_path: Path) -> None:
