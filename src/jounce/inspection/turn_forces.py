@@ -47,12 +47,12 @@ def prototype() -> tuple[Array, float]:
     A Kaiser window on a sinc between pass band (2 f) and stop band (4 f) with a ripple of 0.01 (EGEA SPECSUS2018), and
     within that ripple moved so that the gain is exactly 1 at 0, f and 2 f: amplitudes are not biased by the filter.
     """
+    from scipy.signal import kaiser_beta
     from scipy.signal.windows import kaiser
 
     attenuation = -20.0 * math.log10(RIPPLE)
-    shape = 0.5842 * (attenuation - 21.0) ** 0.4 + 0.07886 * (attenuation - 21.0)
     half = 0.5 * (attenuation - 7.95) / (2.285 * 2.0 * math.pi * (STOP - PASS))
-    window = kaiser(2 * _POINTS - 1, shape)[_POINTS - 1 :]
+    window = kaiser(2 * _POINTS - 1, kaiser_beta(attenuation))[_POINTS - 1 :]
     u = np.linspace(0.0, half, _POINTS)
     weights = np.full(_POINTS, 2.0 * half / (_POINTS - 1))
     weights[[0, -1]] *= 0.5

@@ -100,6 +100,7 @@ def test_a_light_wheel_that_hops_and_swings_on_is_not_refused(method, wear):
     car, tester = worn(load("kart-quarter-car"), wear), simulated.tester_for(method)
     found = evaluate(simulate_test(car, tester, noise=0.01, seed=2), tester).wheels[0]
     assert found.is_gradable, [one.message for one in found.findings if one.severity == "problem"]
+    assert any("leaves the plate" in one.message for one in found.findings) == found.lift_off
     if tester.kind == "sprung-plate":
         assert found.corner.spring_rate == pytest.approx(22.73e3 * np.cos(car.strut.angle) ** 2, rel=0.02)
         assert found.corner.damping_coefficient == pytest.approx(121.2 * (1.0 - wear), abs=1.0)

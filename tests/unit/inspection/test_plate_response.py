@@ -13,6 +13,7 @@ from jounce.inspection.quarter_car import (
     Corner,
     fit_response,
     force_response,
+    responses,
     rig_poles,
     road_poles,
     steady_state,
@@ -34,6 +35,11 @@ class TestResponse:
         car = twin.Car(c=700.0, ct=90.0)
         frequency = np.linspace(0.2, 30.0, 200)
         assert np.allclose(force_response(corner(car), frequency), car.response(frequency), rtol=1e-12)
+        several = np.array([[car.mu, car.k, car.c, car.kt, car.ct, car.ms], [40.0, 3e4, 1500.0, 2e5, 0.0, 350.0]])
+        found = responses(several, 2j * np.pi * frequency)
+        assert np.allclose(found[0], car.response(frequency), rtol=1e-9)
+        other = Corner(350.0, 40.0, 3e4, 1500.0, 2e5)
+        assert np.allclose(found[1], force_response(other, frequency), rtol=1e-9)
 
     def test_poles_equal_the_twin(self, twin):
         for car in (twin.Car(c=300.0), twin.Car(ct=120.0), twin.Car(c=2500.0)):
