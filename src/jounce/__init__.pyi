@@ -94,6 +94,7 @@ from .recordings import Sensor as Sensor
 from .recordings import apply_sensors as apply_sensors
 from .recordings import read_columns as read_columns
 from .recordings import read_recording as read_recording
+from .recordings import to_pandas as to_pandas
 from .recordings import write_recording as write_recording
 from .recordings.schema import recording as recording
 from .report.protocol import write_protocol as write_protocol

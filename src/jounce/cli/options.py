@@ -191,7 +191,7 @@ def check_outputs(
     if rig is not None:
         check_writable(rig, what="rigs", suffixes=(".toml",), force=force)
     if recording is not None:
-        from jounce.recordings.files import RECORDING_FILES
+        from jounce.recordings.writers import RECORDING_FILES
 
         RECORDING_FILES.check(recording, force=force)
     if folder is not None:

@@ -65,7 +65,9 @@ def ride(
     duration: RideDuration = None,
     seed: Seed = 0,
     set_: Changes = None,
-    out: Annotated[Path | None, typer.Option(help="Write the recording of a single run: RUN.nc or RUN.csv.")] = None,
+    out: Annotated[
+        Path | None, typer.Option(help="Write the recording of a single run (.nc, .csv, .mat, .mf4, .parquet).")
+    ] = None,
     figure: FigureFile = None,
     force: Force = False,
     as_json: AsJson = False,

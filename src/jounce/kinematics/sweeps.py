@@ -22,7 +22,7 @@ from jounce.kernel.poses import END_OF_TRAVEL, REACHED, Found, Walk, Work, space
 from jounce.kinematics.model import KinematicModel, check_corner, check_rack, kinematic_model
 from jounce.parts import Corner, Rig
 from jounce.parts.rig import unit_of, unknown_path
-from jounce.recordings.files import netcdf_of
+from jounce.recordings.writers import netcdf_of
 
 if TYPE_CHECKING:
     import xarray as xr

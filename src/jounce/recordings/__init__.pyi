@@ -2,6 +2,7 @@
 
 from .files import read_columns as read_columns
 from .files import read_recording as read_recording
+from .files import to_pandas as to_pandas
 from .files import write_recording as write_recording
 from .quality import check_channels as check_channels
 from .quality import check_time as check_time

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -14,18 +13,18 @@ from jounce.core.columns import Column, ColumnTable, name_and_unit
 from jounce.core.errors import JounceError, RecordingError, nearest
 from jounce.core.files import existing_file
 from jounce.core.findings import Finding
-from jounce.core.serialise import to_plain
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor, to_si
-from jounce.core.writing import Formats
 from jounce.recordings import isolated
 from jounce.recordings.plausibility import implausible
 from jounce.recordings.quality import FEWEST_SAMPLES, check_channels, check_instants, check_time
 from jounce.recordings.readers import ReaderOptions, SignalTable, is_read_in_child, read_signals
 from jounce.recordings.schema import channel_unit, quantity_of, recording
 from jounce.recordings.signals import read_at, uniform_instants
+from jounce.recordings.writers import RECORDING_FILES
 
 if TYPE_CHECKING:
+    import pandas as pd
     import xarray as xr
 
 Columns = Mapping[str, str] | str | None
@@ -400,7 +399,8 @@ def write_recording(dataset: xr.Dataset, path: Path | str, *, force: bool = Fals
     dataset : xarray.Dataset
         A recording.
     path : Path or str
-        ``.nc`` for netCDF-4 (all attributes), ``.csv`` for text with ``name [unit]`` headers (numbers in full).
+        ``.nc`` for netCDF-4, ``.mat`` for MATLAB, ``.mf4`` for MDF 4.10 and ``.parquet`` (the extra ``io``) keep names,
+        units, long names and attributes; ``.csv`` is text with ``name [unit]`` headers (numbers in full).
     force : bool
         Overwrite an existing file.
 
@@ -412,7 +412,7 @@ def write_recording(dataset: xr.Dataset, path: Path | str, *, force: bool = Fals
     Raises
     ------
     OutputError
-        For an existing file without ``force``, a missing folder, or another suffix.
+        For an existing file without ``force``, a missing folder, another suffix, or (``.mat``) names that collide.
 
     Examples
     --------
@@ -426,37 +426,40 @@ def write_recording(dataset: xr.Dataset, path: Path | str, *, force: bool = Fals
     return RECORDING_FILES.write(dataset, path, force=force)
 
 
-def netcdf_of(dataset: xr.Dataset) -> bytes:
-    """The content of a netCDF-4 file, made in memory: a disk that fills up while HDF5 writes to it ends the process."""
-    return bytes(storable(dataset).to_netcdf(None, engine="h5netcdf"))
+def to_pandas(dataset: xr.Dataset) -> pd.DataFrame:
+    """Give a recording as a table of pandas.
 
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        A recording, or any dataset over one dimension.
 
-def storable(dataset: xr.Dataset) -> xr.Dataset:
-    """The same dataset with attributes a file can hold: what is neither text nor number becomes JSON text."""
-    copy = dataset.copy(deep=False)
-    copy.attrs = {str(key): _storable_attribute(value) for key, value in dataset.attrs.items()}
-    for variable in copy.variables.values():
-        variable.encoding.pop("source", None)
-    return copy
+    Returns
+    -------
+    pandas.DataFrame
+        Indexed by that dimension (``time [s]``), a column a channel, named with its SI unit as in CSV files.
 
+    Raises
+    ------
+    RecordingError
+        For a dataset over several dimensions.
 
-def _storable_attribute(value: object) -> object:
-    if isinstance(value, (str, int, float, np.ndarray, np.generic)) and not isinstance(value, (bool, np.bool_)):
-        return value
-    return json.dumps(to_plain(value), ensure_ascii=False)
+    Examples
+    --------
+    >>> from jounce.recordings import recording
+    >>> run = recording([0.0, 0.001], {"tyre.force": ([200.0, 201.0], "N", "")})
+    >>> to_pandas(run)["tyre.force [N]"].tolist()
+    [200.0, 201.0]
+    """
+    if len(dataset.dims) != 1:
+        found = ", ".join(map(str, dataset.dims)) or "none"
+        raise RecordingError("not a table", where="dataset", found=f"dimensions {found}", allowed="one dimension")
+    (along,) = dataset.dims
 
+    def headed(name: object) -> str:
+        return f"{name} [{dataset[name].attrs.get('units', '1')}]"
 
-def _write_csv(dataset: xr.Dataset, file: Path) -> None:
-    names = ["time", *(str(name) for name, variable in dataset.data_vars.items() if variable.dims == ("time",))]
-    header = ", ".join(f"{name} [{dataset[name].attrs.get('units', '1')}]" for name in names)
-    table = np.column_stack([dataset[name].values for name in names])
-    rows = (",".join(map(repr, row)) for row in table.tolist())
-    file.write_bytes(("\n".join([header, *rows]) + "\n").encode())
-
-
-def _write_netcdf(dataset: xr.Dataset, file: Path) -> None:
-    file.write_bytes(netcdf_of(dataset))
-
-
-RECORDING_FILES = Formats("recordings", {".nc": _write_netcdf, ".csv": _write_csv})
-"""File formats that recordings are written in."""
+    table = dataset.reset_coords(drop=True)[[name for name, one in dataset.data_vars.items() if one.dims == (along,)]]
+    frame = table.to_dataframe().rename(columns={name: headed(name) for name in table.data_vars})
+    frame.index.name = headed(along) if along in dataset.coords else str(along)
+    return frame

@@ -47,8 +47,8 @@ class Matrix:
         return [(name, unit, path) for (name, unit), path in zip(heads, own, strict=True)]
 
 
-def read_matrices(path: Path) -> tuple[dict[str, Matrix], list[str], list[Finding]]:
-    """Numeric matrices of a file by what MATLAB calls them; what could not be read; doubts about the file."""
+def read_matrices(path: Path) -> tuple[dict[str, Matrix], list[str], list[Finding], dict[str, Any]]:
+    """Numeric matrices of a file by what MATLAB calls them; what could not be read; doubts; its texts by variable."""
     from scipy.io import loadmat
 
     findings: list[Finding] = []
@@ -64,7 +64,8 @@ def read_matrices(path: Path) -> tuple[dict[str, Matrix], list[str], list[Findin
     found: dict[str, Matrix] = {}
     left_out: list[str] = []
     _walk("", plain, found, left_out, 0)
-    return found, left_out, findings
+    texts = {name: value for name, value in plain.items() if _is_text(value) or isinstance(value, Mapping)}
+    return found, left_out, findings, texts
 
 
 _HEAD, _COMPRESSED = 128, 15  # bytes before the first variable, and the type of one that is compressed
@@ -187,8 +188,9 @@ def _heads(
              and _is_texts(struct[keys[name]])]  # fmt: skip
     names = next((texts for texts in lists if len(texts) == width > 1), None)
     if isinstance(units, Mapping):
-        own = units.get(key)
-        return ((path, str(own)),) if width == 1 and _is_text(own) and str(own) else ()
+        own, names_of = units.get(key), next((struct[keys[name]] for name in _LISTS if name in keys), None)
+        name = names_of.get(key) if isinstance(names_of, Mapping) else None
+        return ((str(name) if _is_text(name) else path, str(own)),) if width == 1 and _is_text(own) and str(own) else ()
     by_column = list(map(str, np.ravel(np.array(units)))) if _is_texts(units) else []
     if names is None:
         return ()

@@ -27,6 +27,7 @@ from jounce.core.types import Array
 from jounce.recordings.hdf5 import announcement, check_size, held_rows
 from jounce.recordings.isolated import is_possible, read_isolated, too_much_memory
 from jounce.recordings.matlab import read_matrices
+from jounce.recordings.writers import ABOUT, attributes_in
 
 
 @dataclass(frozen=True)
@@ -327,7 +328,7 @@ def _read_mat(path: Path, options: ReaderOptions) -> SignalTable:
     frequent one.
     """
     with _understood(path, "a MATLAB file"):
-        matrices, unread, findings = read_matrices(path)
+        matrices, unread, findings, texts = read_matrices(path)
     struct, variable = "", options.variable
     if variable and variable not in matrices:
         within = tuple(variable + mark for mark in ".({")
@@ -361,8 +362,16 @@ def _read_mat(path: Path, options: ReaderOptions) -> SignalTable:
                 for (n, u, at), v in zip(named, array.T, strict=True)
             ]
     left_out = [name for name, array in arrays.items() if not chosen and array.shape[0] not in (1, rows)]
+    names, told = texts.get("names"), texts.get("long_names")
+    long_names = {}
+    if isinstance(names, Mapping) and isinstance(told, Mapping):
+        long_names = {str(name): str(told[key]) for key, name in names.items() if np.size(told.get(key, []))}
     return SignalTable(
-        ColumnTable(tuple(columns), (), str(path)), left_out=(*left_out, *unread), findings=tuple(findings)
+        ColumnTable(tuple(columns), (), str(path)),
+        long_names,
+        attributes_in(texts.get("attributes", "")),
+        left_out=(*left_out, *unread),
+        findings=tuple(findings),
     )
 
 
@@ -485,6 +494,7 @@ def _read_mdf(path: Path, options: ReaderOptions) -> SignalTable:
     """
     asammdf = require("asammdf", "io")
     findings: list[Finding] = []
+    long_names = dict[str, str]()
     with _understood(path, "an MDF file"), _quiet(), asammdf.MDF(path) as file:
         has_frames = any(name.endswith("DataFrame") for name in file.channels_db)
         sources = [file]
@@ -505,6 +515,8 @@ def _read_mdf(path: Path, options: ReaderOptions) -> SignalTable:
                 columns = clocks.setdefault(instants.tobytes(), [Column("time", "s", instants, str(path))])
                 values = np.array(signal.samples, dtype=float)
                 columns.append(Column(signal.name, str(signal.unit or ""), values, str(path)))
+                long_names[signal.name] = str(signal.comment or "")
+        attributes = attributes_in(getattr(file.header, "description", ""))
     if not clocks:
         hint = ""
         if has_frames:
@@ -514,7 +526,8 @@ def _read_mdf(path: Path, options: ReaderOptions) -> SignalTable:
                 else "It holds bus frames: give the database (.dbc) that decodes them."
             )
         raise RecordingError("no numeric channel over time", where=str(path), hint=hint)
-    return _by_clock(list(clocks.values()), path, options, findings=tuple(findings))
+    found = _by_clock(list(clocks.values()), path, options, findings=tuple(findings))
+    return replace(found, long_names=long_names, attributes=attributes)
 
 
 _FRAMES = ("CAN_", "LIN_", "ETH_", "FLX_")
@@ -604,13 +617,15 @@ def _read_parquet(path: Path, options: ReaderOptions) -> SignalTable:
     writes is a column like the others.
     """
     arrow, parquet = require("pyarrow", "io"), require("pyarrow.parquet", "io")
-    columns = []
+    columns, long_names = [], dict[str, str]()
     with _understood(path, "a Parquet file"):
         table = parquet.read_table(path)
+        attributes = attributes_in((table.schema.metadata or {}).get(ABOUT.encode(), b"").decode(errors="replace"))
         for field_, chunks in zip(table.schema, table.columns, strict=True):
             told = {key.decode(): value.decode() for key, value in (field_.metadata or {}).items()}
             name, unit = name_and_unit(field_.name)
             unit = unit or told.get("unit") or told.get("units") or ""
+            long_names[name] = told.get("long_name", "")
             kind, values, fault = field_.type, np.empty(0), None
             if arrow.types.is_timestamp(kind) or arrow.types.is_duration(kind):
                 ticks = chunks.cast(arrow.int64()).to_numpy()  # float, with NaN, where instants are missing
@@ -631,7 +646,7 @@ def _read_parquet(path: Path, options: ReaderOptions) -> SignalTable:
             columns.append(Column(name, unit, values, str(path), fault, "" if field_.name == name else field_.name))
     if not columns or not table.num_rows:
         raise RecordingError("no rows", where=str(path))
-    return SignalTable(_named(columns, path, options))
+    return SignalTable(_named(columns, path, options), long_names, attributes)
 
 
 def _by_clock(

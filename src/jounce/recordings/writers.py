@@ -1,0 +1,177 @@
+"""Recordings into files of several formats, each of which ``read_recording`` gives back whole."""
+
+from __future__ import annotations
+
+import io
+import json
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from jounce.core.errors import OutputError
+from jounce.core.optional import require
+from jounce.core.serialise import to_plain
+from jounce.core.writing import Formats
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+_LONGEST_NAME = 63  # characters of a variable in MATLAB
+ABOUT = "jounce"
+"""Key under which a file of another format holds the attributes of a recording, as JSON."""
+
+
+def netcdf_of(dataset: xr.Dataset) -> bytes:
+    """The content of a netCDF-4 file, made in memory: a disk that fills up while HDF5 writes to it ends the process."""
+    return bytes(_storable(dataset).to_netcdf(None, engine="h5netcdf"))
+
+
+def _storable(dataset: xr.Dataset) -> xr.Dataset:
+    """The same dataset with attributes a file can hold: what is neither text nor number becomes JSON text."""
+    copy = dataset.copy(deep=False)
+    copy.attrs = {str(key): _storable_attribute(value) for key, value in dataset.attrs.items()}
+    for variable in copy.variables.values():
+        variable.encoding.pop("source", None)
+    return copy
+
+
+def _storable_attribute(value: object) -> object:
+    if isinstance(value, (str, int, float, np.ndarray, np.generic)) and not isinstance(value, (bool, np.bool_)):
+        return value
+    return json.dumps(to_plain(value), ensure_ascii=False)
+
+
+def _signals(dataset: xr.Dataset) -> dict[str, xr.DataArray]:
+    """Time and what is recorded over it, by name."""
+    over_time = {str(name): one for name, one in dataset.data_vars.items() if one.dims == ("time",)}
+    return {"time": dataset["time"], **over_time}
+
+
+def _unit(signal: xr.DataArray) -> str:
+    return str(signal.attrs.get("units", "1"))
+
+
+def _about(dataset: xr.Dataset) -> str:
+    """Attributes of a recording as JSON text."""
+    plain = {str(key): to_plain(_storable_attribute(value)) for key, value in dataset.attrs.items()}
+    return json.dumps({ABOUT: plain}, ensure_ascii=False)
+
+
+def attributes_in(text: object) -> dict[str, object]:
+    """Attributes that ``_about`` wrote; none for other texts.
+
+    >>> attributes_in('{"jounce": {"method": "exact"}}'), attributes_in("made by hand")
+    ({'method': 'exact'}, {})
+    """
+    try:
+        found = json.loads(str(text))
+        return dict(found[ABOUT])
+    except (ValueError, TypeError, KeyError, RecursionError):
+        return {}
+
+
+def _csv_of(dataset: xr.Dataset) -> bytes:
+    signals = _signals(dataset)
+    header = ", ".join(f"{name} [{_unit(signal)}]" for name, signal in signals.items())
+    table = np.column_stack([signal.values for signal in signals.values()])
+    rows = (",".join(map(repr, row)) for row in table.tolist())
+    return ("\n".join([header, *rows]) + "\n").encode()
+
+
+def matlab_name(name: str) -> str:
+    """A channel's name as MATLAB allows it.
+
+    >>> matlab_name("front_left.sprung.az")
+    'front_left_sprung_az'
+    """
+    found = re.sub(r"\W", "_", name, flags=re.ASCII)[:_LONGEST_NAME]
+    return found if found[:1].isalpha() else f"x{found}"[:_LONGEST_NAME]
+
+
+def _mat_of(dataset: xr.Dataset) -> bytes:
+    """Flat vectors, and structs of their ``names``, ``units`` and ``long_names``; attributes as JSON text."""
+    from scipy.io import savemat
+
+    signals = _signals(dataset)
+    own = {"names", "units", "long_names", "attributes"}
+    variables: dict[str, str] = {}
+    for name in signals:
+        variable = matlab_name(name)
+        if variable in variables or variable in own:
+            raise OutputError(
+                "two channels have the same name in MATLAB",
+                where=variable,
+                found=f"{variables.get(variable, variable)} and {name}",
+                hint="Rename one of them, or write .nc or .parquet.",
+            )
+        variables[variable] = name
+    content: dict[str, Any] = {variable: signals[name].values for variable, name in variables.items()}
+    content["names"] = variables
+    content["units"] = {variable: _unit(signals[name]) for variable, name in variables.items()}
+    texts = {variable: str(signals[name].attrs.get("long_name", "")) for variable, name in variables.items()}
+    content["long_names"], content["attributes"] = texts, _about(dataset)
+    buffer = io.BytesIO()
+    savemat(buffer, content, do_compression=True, long_field_names=True, oned_as="column")
+    return buffer.getvalue()
+
+
+def _mdf_of(dataset: xr.Dataset) -> bytes:
+    """One group of channels over time, each with its unit and, as its comment, its long name."""
+    asammdf = require("asammdf", "io")
+    signals = _signals(dataset)
+    time = np.ascontiguousarray(signals.pop("time").values, dtype=float)
+    rows = [
+        asammdf.Signal(
+            np.ascontiguousarray(signal.values, dtype=float),
+            time,
+            name=name,
+            unit=_unit(signal),
+            comment=str(signal.attrs.get("long_name", "")),
+        )
+        for name, signal in signals.items()
+    ]
+    buffer = io.BytesIO()
+    with asammdf.MDF(version="4.10") as file:
+        file.append(rows, acq_name="recording", common_timebase=True)
+        file.header.description = _about(dataset)
+        file.save(buffer, compression=2)
+    return buffer.getvalue()
+
+
+def _parquet_of(dataset: xr.Dataset) -> bytes:
+    """A column a channel, with ``units`` and ``long_name`` in its metadata."""
+    arrow, parquet = require("pyarrow", "io"), require("pyarrow.parquet", "io")
+    signals = _signals(dataset)
+    fields = [
+        arrow.field(
+            name,
+            arrow.float64(),
+            metadata={"units": _unit(signal), "long_name": str(signal.attrs.get("long_name", ""))},
+        )
+        for name, signal in signals.items()
+    ]
+    schema = arrow.schema(fields, metadata={ABOUT: _about(dataset)})
+    columns = [np.asarray(signal.values, dtype=float) for signal in signals.values()]
+    buffer = io.BytesIO()
+    parquet.write_table(arrow.table(columns, schema=schema), buffer, compression="zstd")
+    return buffer.getvalue()
+
+
+def _writer(content: Callable[[xr.Dataset], bytes]) -> Callable[[xr.Dataset, Path], object]:
+    return lambda dataset, file: file.write_bytes(content(dataset))
+
+
+RECORDING_FILES = Formats(
+    "recordings",
+    {
+        ".nc": _writer(netcdf_of),
+        ".csv": _writer(_csv_of),
+        ".mat": _writer(_mat_of),
+        ".mf4": _writer(_mdf_of),
+        ".parquet": _writer(_parquet_of),
+    },
+)
+"""File formats that recordings are written in."""

@@ -1,0 +1,56 @@
+"""Recordings written in every format are read back whole: names, units, long names, attributes, every bit."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.core.errors import OutputError
+from jounce.recordings.writers import RECORDING_FILES
+
+
+@pytest.fixture(scope="module")
+def run():
+    trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="0.2 s")
+    return jn.simulate(jn.load("kart-quarter-car"), trial).assign_attrs(note="ümlaut ✓ {}", numbers=[1, 2.5])
+
+
+@pytest.mark.parametrize("suffix", RECORDING_FILES.writers)
+def test_round_trip(run, tmp_path, suffix):
+    file = jn.write_recording(run, tmp_path / f"run{suffix}")
+    again, findings = jn.read_recording(file)
+    assert [finding for finding in findings if finding.severity != "note"] == []
+    assert set(again.data_vars) == set(run.data_vars)
+    for name in run.data_vars:
+        assert np.array_equal(again[name], run[name])
+        assert again[name].attrs["units"] == run[name].attrs["units"]
+        if suffix != ".csv":
+            assert again[name].attrs["long_name"] == run[name].attrs["long_name"]
+    assert np.array_equal(again["time"], run["time"])
+    if suffix != ".csv":
+        assert again.attrs["status"] == "completed"
+        assert again.attrs["steps"] == run.attrs["steps"]
+        assert again.attrs["note"] == run.attrs["note"]
+
+
+@pytest.mark.parametrize("suffix", [".mat", ".parquet", ".csv"])
+def test_the_same_recording_gives_the_same_bytes(run, tmp_path, suffix):
+    """Not so for MDF, whose library notes when it wrote, nor within MATLAB's header, which has the date."""
+    first, second = (jn.write_recording(run, tmp_path / f"{name}{suffix}").read_bytes() for name in "ab")
+    head = 128 if suffix == ".mat" else 0
+    assert first[head:] == second[head:]
+
+
+def test_long_names_of_cars_in_matlab(tmp_path):
+    trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="0.5 m"), speed="5 m/s", duration="0.05 s")
+    car = jn.simulate(jn.load("audi-a6-full-car"), trial)
+    again, _ = jn.read_recording(jn.write_recording(car, tmp_path / "car.mat"))
+    assert set(again.data_vars) == set(car.data_vars)
+
+
+def test_names_that_collide_in_matlab_are_refused(run, tmp_path):
+    twice = run.assign({"sprung_az": run["sprung.az"]})
+    with pytest.raises(OutputError, match="same name in MATLAB"):
+        jn.write_recording(twice, tmp_path / "run.mat")
+    assert list(tmp_path.iterdir()) == []
