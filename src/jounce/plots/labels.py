@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.types import Array
-from jounce.plots.style import INK, MUTED
+from jounce.plots.style import INK, MUTED, lay_out
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -136,7 +136,7 @@ def name_points(axes: Axes, names: Sequence[str], places: Array, radii: Array) -
     figure = axes.get_figure(root=True)
     assert figure is not None
     trial = [axes.annotate(name, place, fontsize=_SIZE) for name, place in zip(names, places, strict=True)]
-    figure.draw_without_rendering()
+    lay_out(figure)
     boxes = [text.get_window_extent() for text in trial]
     for text in trial:
         text.remove()
