@@ -241,3 +241,18 @@ def test_numba_reads_no_pickled_code() -> None:
     assert {
         file: numba_caches(file.read_text()) for file in package.rglob("*.py") if numba_caches(file.read_text())
     } == {}
+
+
+def searching_here(source: str) -> list[int]:
+    """Lines that start Python so that it takes modules from the folder one stands in, which may be anybody's."""
+    lists = (node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.List) and len(node.elts) > 1)
+    starts = (one for one in lists if ast.unparse(one.elts[0]) == "sys.executable")
+    return [one.lineno for one in starts if ast.unparse(one.elts[1]) != "'-P'"]
+
+
+def test_no_process_takes_modules_from_the_folder_one_stands_in() -> None:
+    assert searching_here("run([sys.executable, '-m', 'zig'])\nrun([sys.executable, '-P', '-m', 'zig'])") == [1]
+    package = Path(jounce.__file__).parent
+    found = {file: searching_here(file.read_text(encoding="utf-8")) for file in package.rglob("*.py")}
+    assert any("[sys.executable, " in file.read_text(encoding="utf-8") for file in package.rglob("*.py"))
+    assert {file: lines for file, lines in found.items() if lines} == {}

@@ -55,7 +55,7 @@ def compiler_for(platforms: Sequence[str]) -> tuple[str, list[str]] | None:
         if name not in PLATFORMS:
             raise unknown(name, PLATFORMS, what="platform", where="export")
     if importlib.util.find_spec("ziglang") is not None:
-        return "zig", [sys.executable, "-m", "ziglang", "cc"]
+        return "zig", [sys.executable, "-P", "-m", "ziglang", "cc"]
     if list(platforms) == [this_platform()]:
         for name in ("cc", "gcc", "clang"):
             if shutil.which(name):
