@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 from inspection_rows import inspection_rows
+from kinematic_design import kinematic_design_rows
 from mechanism_rows import mechanism_rows
 from peers import casadi_runs, cheapest, diffrax_runs, linear_runs, numba_runs, scipy_runs
 from problems import CHANNELS, DURATION, TIMES, Obstacle, QuarterCar, displacement_error, long_road
@@ -163,6 +164,7 @@ PARTS = (
     obstacle_rows,
     linear_rows,
     mechanism_rows,
+    kinematic_design_rows,
     vehicle_rows,
     ride_rows,
     inspection_rows,

@@ -60,7 +60,11 @@ from .inspection.simulated import simulate_axle as simulate_axle
 from .inspection.simulated import simulate_inspection as simulate_inspection
 from .kinematics import AxleLayout as AxleLayout
 from .kinematics import ContactLoad as ContactLoad
+from .kinematics import LoadCase as LoadCase
+from .kinematics import LoadedAxle as LoadedAxle
 from .kinematics import compliance as compliance
+from .kinematics import load_case_table as load_case_table
+from .kinematics import load_cases as load_cases
 from .kinematics import pickup_loads as pickup_loads
 from .kinematics import sweep_path as sweep_path
 from .kinematics import sweep_rack as sweep_rack

@@ -3,15 +3,21 @@
 from jounce.kinematics.axle import sweep_roll, sweep_steering
 from jounce.kinematics.catalogue import CATALOGUE, Quantity
 from jounce.kinematics.compliances import compliance
+from jounce.kinematics.load_cases import LOAD_CASES, LoadCase, LoadedAxle, load_case_table, load_cases
 from jounce.kinematics.loads import ContactLoad, pickup_loads
 from jounce.kinematics.sweeps import AxleLayout, sweep_path, sweep_rack, sweep_travel, sweep_variants, write_sweep
 
 __all__ = [
     "CATALOGUE",
+    "LOAD_CASES",
     "AxleLayout",
     "ContactLoad",
+    "LoadCase",
+    "LoadedAxle",
     "Quantity",
     "compliance",
+    "load_case_table",
+    "load_cases",
     "pickup_loads",
     "sweep_path",
     "sweep_rack",
