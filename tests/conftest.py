@@ -43,9 +43,10 @@ def pytest_itemcollected(item: pytest.Item) -> None:
 
 
 def pytest_collection_finish() -> None:
-    """Thousands of tests are no garbage: collections need not look at them again."""
+    """Thousands of tests are no garbage, and models are made of a million small objects: collections are rare."""
     gc.collect()
     gc.freeze()
+    gc.set_threshold(50_000, 20, 20)
 
 
 @pytest.fixture(scope="session")

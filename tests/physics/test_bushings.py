@@ -179,7 +179,10 @@ RIGS = {
 }
 
 
-@pytest.mark.parametrize("name", RIGS)
+ALIKE = ("tie rod", "five links")  # more rods on bushings as the others have them, seconds to compile
+
+
+@pytest.mark.parametrize("name", [pytest.param(n, marks=[pytest.mark.slow] if n in ALIKE else []) for n in RIGS])
 def test_stiff_bushings_become_the_ideal_joints(name):
     """The difference from the ideal joints falls in proportion to the compliance."""
     rig, points = RIGS[name]
