@@ -17,6 +17,7 @@ from kinematic_design import kinematic_design_rows
 from mechanism_rows import mechanism_rows
 from peers import casadi_runs, cheapest, diffrax_runs, linear_runs, numba_runs, scipy_runs
 from problems import CHANNELS, DURATION, TIMES, Obstacle, QuarterCar, displacement_error, long_road
+from report_rows import report_rows
 from ride_rows import ride_rows
 from timing import Row, markdown, median_time, shown
 from vehicle_rows import vehicle_rows
@@ -170,6 +171,7 @@ PARTS = (
     inspection_rows,
     update_rows,
     start_rows,
+    report_rows,
 )
 
 

@@ -58,6 +58,8 @@ export class MechanismView {
   private wheelGroup = new Group();
   private labels: HTMLElement[] = [];
   private isDirty = true;
+  private isLost = false;
+  private isSeen = false;
   private size = 300;
 
   constructor() {
@@ -69,13 +71,6 @@ export class MechanismView {
     this.names.hidden = true;
     this.element.append(make("div", { class: "bar" }, views, wheel, words),
       make("div", { class: "stage" }, this.canvas, this.names, this.state));
-    try {
-      this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true });
-      this.renderer.setPixelRatio(Math.min(devicePixelRatio, 1.5));
-    } catch {
-      this.state.textContent = "The mechanism is drawn with WebGL, which this browser does not offer.";
-      return;
-    }
     this.space.add(new AmbientLight(0xffffff, 1.9), this.group);
     const sun = new DirectionalLight(0xffffff, 1.9);
     sun.position.set(0.6, 0.3, 1);
@@ -89,6 +84,25 @@ export class MechanismView {
     this.canvas.addEventListener("dblclick", () => this.look("space"));
     this.controls.addEventListener("change", () => { this.isDirty = true; });
     new ResizeObserver(() => this.resize()).observe(this.canvas.parentElement!);
+    new IntersectionObserver((entries) => { this.isSeen = entries.some((entry) => entry.isIntersecting); }, { rootMargin: "300px" }).observe(this.element);
+  }
+
+  /** Begins to draw, once: making a context takes long where there is no graphics card, so not before it is seen. */
+  private begin(): boolean {
+    if (this.renderer || this.isLost) return !this.isLost;
+    const probe = document.createElement("canvas").getContext("webgl2", { failIfMajorPerformanceCaveat: true });
+    const isFast = probe !== null;
+    probe?.getExtension("WEBGL_lose_context")?.loseContext();
+    try {
+      this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: isFast, alpha: true });
+      this.renderer.setPixelRatio(isFast ? Math.min(devicePixelRatio, 2) : 1);
+    } catch {
+      this.isLost = true;
+      this.state.textContent = "The mechanism is drawn with WebGL, which this browser does not offer.";
+      return false;
+    }
+    this.resize();
+    return true;
   }
 
   show(mechanism: Mechanism, motion: Motion | null): void {
@@ -116,15 +130,15 @@ export class MechanismView {
     const centre = this.points[m.wheel.centre]!;
     this.contact.set(centre.x, centre.y, moment.ground);
     for (const step of this.update) step();
-    this.state.textContent = moment.load > 0 ? "" : "no contact";
+    if (!this.isLost) this.state.textContent = moment.load > 0 ? "" : "no contact";
     this.isDirty = true;
   }
 
   /** Draws, where something has changed. */
   draw(): void {
-    if (!this.isDirty || !this.renderer || !this.shown) return;
+    if (!this.isDirty || !this.isSeen || !this.shown || !this.begin()) return;
     this.isDirty = false;
-    this.renderer.render(this.space, this.camera);
+    this.renderer!.render(this.space, this.camera);
     if (!this.names.hidden) this.place();
   }
 

@@ -148,10 +148,10 @@ def campaign_page(result: CampaignResult) -> Page:
 TONES: dict[str, Tone] = {"holds": "good", "holds partly": "fair", "does not hold": "bad", "not usable": "muted"}
 _MOST_FINDINGS = 3
 _VERDICT_WORDS = {
-    "holds": "predicts within limits trials",
-    "holds partly": "predicts partly trials",
-    "does not hold": "does not predict trials",
-    "not usable": "could not be held against trials",
+    "holds": "predicted within limits",
+    "holds partly": "predicted partly",
+    "does not hold": "not predicted",
+    "not usable": "not usable",
 }
 _OTHERS = {"holds partly": "partly", "does not hold": "not", "not usable": "not usable"}
 
@@ -199,9 +199,12 @@ def _where_it_holds(result: CampaignResult) -> str:
         for trial in result.trials:
             if trial.entry.use == use:
                 by_verdict.setdefault(verdict(trial), []).append(str(trial.entry.number))
-        parts = [f"{_VERDICT_WORDS[word]} {_listed(numbers)}" for word, numbers in by_verdict.items()]
+        parts = [
+            f"{_listed(numbers)} {'is' if len(numbers) == 1 else 'are'} {_VERDICT_WORDS[word]}"
+            for word, numbers in by_verdict.items()
+        ]
         if parts:
-            texts.append(f"{words}, the model {'; it '.join(parts)}.")
+            texts.append(f"{words}, {'; '.join(parts)}.")
     return " ".join(texts) or "No trial was compared with the model."
 
 
@@ -339,7 +342,8 @@ def _matrix(result: CampaignResult) -> Table:
     rows = []
     for trial in result.trials:
         word = verdict(trial)
-        cells: list[Cell | str] = [Cell(str(trial.entry.number), show=_shown(trial)), _USES[trial.entry.use]]
+        use = _USES[trial.entry.use].replace(" ", "\u00a0")
+        cells: list[Cell | str] = [Cell(str(trial.entry.number), show=_shown(trial)), use]
         for comparison in (trial.before, trial.after):
             for name in channels:
                 channel = comparison.channels.get(name) if comparison is not None else None
