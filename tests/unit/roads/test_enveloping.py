@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.interpolate import CubicHermiteSpline
 
 from jounce.core.errors import DescriptionError
+from jounce.core.segments import POLYNOMIAL, SINE, Segments
 from jounce.roads import (
     Enveloped,
     HalfSine,
@@ -18,6 +20,7 @@ from jounce.roads import (
     contact_length,
     read_roads,
 )
+from jounce.roads.enveloping import _cubic, _curvature
 
 CLEAT = Rectangle(height="20 mm", length="40 mm", start="1 m")
 METHODS = [
@@ -34,6 +37,10 @@ def test_windows_of_one_road_agree(fields) -> None:
         x = np.linspace(0.0, 2.9, 800)
         height = road.height_at(x)
         np.testing.assert_allclose(road.segments(3.0).evaluate(x)[0], height, rtol=0, atol=2e-5)
+        last = np.linspace(2.9, 3.0, 40)
+        np.testing.assert_allclose(
+            road.segments(3.0).evaluate(last)[0], road.segments(4.0).evaluate(last)[0], atol=2e-5
+        )
         rear = road.segments(3.0, behind=2.6)
         np.testing.assert_allclose(rear.evaluate(x)[0], road.height_at(x - 2.6), rtol=0, atol=2e-5)
         assert (np.diff(rear.edges) > 0).all()
@@ -108,3 +115,17 @@ def test_length_of_the_contact() -> None:
     assert contact_length(4000.0, 200e3, 0.32) == pytest.approx(0.64 * (0.671 * share**0.5 + 0.733 * share), rel=1e-12)
     with pytest.raises(DescriptionError, match="not a loaded tyre"):
         contact_length(0.0, 200e3, 0.32)
+
+
+def test_curvatures_and_cubics_are_those_of_their_definitions() -> None:
+    edges = np.array([0.0, 1.0, 2.5])
+    coefficients = np.array([[0.1, 0.02, 7.0, 0.4], [0.05, 0.3, -0.2, 0.07]])
+    road = Segments(edges, np.array([SINE, POLYNOMIAL]), coefficients)
+    piece, x, step = np.array([0, 0, 1, 1]), np.array([0.2, 0.7, 1.4, 2.2]), 1e-5
+    slopes = [road.on_pieces(piece, x + side * step)[1] for side in (-1.0, 1.0)]
+    np.testing.assert_allclose(_curvature(road, piece, x), (slopes[1] - slopes[0]) / (2.0 * step), rtol=1e-7)
+    spline = CubicHermiteSpline([2.0, 2.5], [0.3, 0.7], [-0.4, 0.9])
+    ends = (np.array([0.3]), np.array([-0.4])), (np.array([0.7]), np.array([0.9]))
+    for share in (0.3, 0.5, 0.8):
+        expected = float(spline(2.0 + 0.5 * share))
+        assert float(_cubic(np.array([0.5]), *ends, share)[0]) == pytest.approx(expected, rel=1e-12)

@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
-from jounce.roads import Excitation, HalfSine, Train, Trial
+from jounce.parts import load
+from jounce.roads import Excitation, HalfSine, Step, Train, Trial
+from jounce.roads.trial import trial_findings
 
 ROAD = HalfSine(height="10 mm", length="60 mm", start="0.2 m")
 T = tuple(np.linspace(0.0, 0.5, 26).tolist())
@@ -144,3 +146,10 @@ def test_refuses_a_missing_excitation(tmp_path) -> None:
 def test_a_trial_is_equal_to_what_its_plain_form_gives_back() -> None:
     for trial in (Trial(road=ROAD, speed=2, duration=3), Trial(excitation=Excitation(time=T, height=Z))):
         assert Trial.model_validate_json(trial.model_dump_json()) == trial
+
+
+def test_jumps_under_massless_axles_are_told() -> None:
+    roads = {True: Step(height=0.02, start=5.0), False: HalfSine(height=0.02, length=1.0, start=5.0)}
+    for jumps, road in roads.items():
+        found = trial_findings(Trial(road=road, speed=10.0, duration=2.0), load("audi-a6-half-car"))
+        assert any("the road jumps" in one.message for one in found) == jumps
