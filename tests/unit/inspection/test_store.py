@@ -205,6 +205,17 @@ def test_a_store_of_another_version_is_refused(sound: Path) -> None:
         Store(sound)
 
 
+def test_small_tables_are_checked_whenever_a_store_is_opened(sound: Path) -> None:
+    with sqlite3.connect(sound) as connection:
+        (root,) = connection.execute("SELECT rootpage FROM sqlite_master WHERE name = 'about'").fetchone()
+    connection.close()
+    content = bytearray(sound.read_bytes())
+    content[(root - 1) * int.from_bytes(content[16:18], "big") + 7] ^= 4  # how many bytes lie loose in the page
+    sound.write_bytes(content)
+    with pytest.raises(DamagedStoreError, match="Fragmentation"):
+        Store(sound)
+
+
 def test_flipped_bits_never_give_a_wrong_record_and_never_a_write(sound: Path) -> None:
     """Whatever bit is flipped: the store is refused, or a record is, or what comes out is what came in."""
     whole = sound.read_bytes()

@@ -1,6 +1,9 @@
 from __future__ import annotations
 
+import re
+import signal
 from pathlib import Path
+from types import SimpleNamespace
 
 import h5py
 import numpy as np
@@ -12,6 +15,7 @@ from jounce.core.errors import DescriptionError, RecordingError
 from jounce.recordings import (
     READERS,
     check_recording,
+    isolated,
     read_columns,
     read_recording,
     readers,
@@ -260,3 +264,11 @@ def test_a_format_is_one_function(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     assert float(run["sprung.az"].max()) == 2.0
     with pytest.raises(RecordingError, match=r"a variable cannot be chosen.*found 'x'"):
         read_recording(file, variable="x")
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGXCPU"), reason="limits of POSIX")
+def test_a_reader_whose_time_is_spent_is_told_from_one_that_crashed() -> None:
+    child = object.__new__(isolated._Child)
+    for code, says in ((signal.SIGXCPU, "does not end"), (signal.SIGSEGV, r"ended the process.*\(SIGSEGV\)")):
+        child.process = SimpleNamespace(wait=lambda code=code: -code)
+        assert re.search(says, str(child._fate(Path("a.csv"), 9.0, late=False)))
