@@ -89,7 +89,7 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
     """
     file = Path(path)
     campaign, text = load_campaign(file)
-    rig_file = _rig_file(campaign.rig, file.parent)
+    rig_file = rig_file_of(campaign, file)
     rig = load(rig_file)
     roads = read_roads(campaign.roads, where=str(file), text=text, folder=file.parent)
     _check_references(campaign, roads, file)
@@ -141,9 +141,18 @@ def _leading(findings: list[Finding]) -> list[Finding]:
     return sorted(findings, key=lambda finding: not any(text in finding.message for text in _LEADING))
 
 
-def _rig_file(name: str, folder: Path) -> Path:
-    beside = folder / name
-    return beside if beside.suffix == ".toml" else rig_path(name)
+def rig_file_of(campaign: Campaign, file: Path) -> Path:
+    """The rig of a campaign: a file beside it, or a shipped one."""
+    beside = file.parent / campaign.rig
+    if beside.suffix == ".toml":
+        return beside
+    try:
+        return rig_path(campaign.rig)
+    except DescriptionError as error:
+        place = f"{file}: rig"
+        raise DescriptionError(
+            error.what, where=place, found=campaign.rig, allowed=error.allowed, hint=error.hint
+        ) from None
 
 
 def _check_references(campaign: Campaign, roads: dict[str, Road], file: Path) -> None:

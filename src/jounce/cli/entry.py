@@ -130,6 +130,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         hint = "Check the path, the permissions and the disk space."
         found = OutputError(error.strerror or str(error), where=str(error.filename or ""), hint=hint)
         return refuse(found, as_json=as_json)
+    except UnicodeEncodeError as error:
+        hint = "Is it written in another encoding than UTF-8?"
+        return refuse(JounceError("a text that is no Unicode", found=error.object, hint=hint), as_json=as_json)
     except MemoryError:
         return refuse(JounceError("out of memory", hint=_TOO_LARGE), as_json=as_json)
     except Exception as error:  # noqa: BLE001 - the last resort says how to report it

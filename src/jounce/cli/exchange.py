@@ -9,6 +9,7 @@ import typer
 
 from jounce.cli.options import AsJson, Changes, Force, RigName, changes, chosen_rig
 from jounce.cli.reply import Reply, progress, show_findings, show_written
+from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -48,6 +49,9 @@ def fmu(
 
     Example: jounce export fmu kart-quarter-car --out kart.fmu
     """
+    if sources_only and platform:
+        what = "--platform says for what is compiled, and --sources-only that nothing is"
+        raise DescriptionError(what, found=platform, hint="Leave one of them out.")
     with progress() as say:
         say("loading")
         from jounce.exchange.fmu import export_fmu

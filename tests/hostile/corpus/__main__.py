@@ -1,21 +1,51 @@
-"""``python -m corpus files 300`` or ``python -m corpus commands``: run a part of the corpus and print its counts."""
+"""``python -m corpus``: run the corpus, or a part of it (``files 300 mat5 -v``), and print its counts.
+
+``python -m corpus --page docs/robustness.md`` writes the counts of all parts to the end of the page.
+"""
 
 from __future__ import annotations
 
 import importlib
 import sys
+from pathlib import Path
 
 from corpus.judging import BAD, counted, judge, table
 
-if __name__ == "__main__":
-    part, *rest = (word for word in sys.argv[1:] if word != "-v")
+PARTS = {"commands": [], "descriptions": [120], "models": [200], "files": [250]}
+"""Parts of the corpus, and how many cases there are of each file."""
+TITLES = {
+    "commands": "Commands: each option and argument with wrong values",
+    "descriptions": "Descriptions: lines that are wrong, checked and used",
+    "models": "Models and roads of other programs: mutations of bytes",
+    "files": "Recordings: mutations of bytes",
+}
+MARK = "<!-- what follows is written by python -m corpus --page -->"
+
+
+def counts_of(part: str, numbers: list[int], only: list[str], *, verbose: bool) -> str:
+    """Run a part; give its table, and say each case that is bad."""
     module = importlib.import_module(f"corpus.{part}")
-    counts = [int(word) for word in rest if word.isdigit()]
-    only = [word for word in rest if not word.isdigit()]
-    asked = [case for case in module.cases(*counts) if not only or case[0] in only]
     found = []
-    for case, verdict, said in judge(module.__name__, asked):
+    for case, verdict, said in judge(module.__name__, [c for c in module.cases(*numbers) if not only or c[0] in only]):
         found.append((case[0], verdict))
-        if verdict in BAD or "-v" in sys.argv:
-            print(case, verdict, " ".join(said.split())[:330], flush=True)
-    print(table(counted(found), part))
+        if verdict in BAD or verbose:
+            print(case, verdict, " ".join(said.split())[:330], file=sys.stderr, flush=True)
+    return table(counted(found), part)
+
+
+def page_with(text: str, tables: dict[str, str]) -> str:
+    """The page with these tables at its end."""
+    told = "\n\n".join(f"### {TITLES[part]}\n\n{found}" for part, found in tables.items())
+    return f"{text.partition(MARK)[0].rstrip()}\n\n{MARK}\n\n{told}\n"
+
+
+if __name__ == "__main__":
+    words = [word for word in sys.argv[1:] if word not in ("-v", "--page")]
+    if "--page" in sys.argv:
+        page = Path(words[0])
+        tables = {part: counts_of(part, numbers, [], verbose=False) for part, numbers in PARTS.items()}
+        page.write_text(page_with(page.read_text(encoding="utf-8"), tables), encoding="utf-8")
+    for part in [] if "--page" in sys.argv else words[:1] or PARTS:
+        given = [int(word) for word in words[1:] if word.isdigit()]
+        only = [word for word in words[1:] if not word.isdigit()]
+        print(counts_of(part, given or PARTS[part], only, verbose="-v" in sys.argv))

@@ -36,7 +36,7 @@ BASES = {
     "version": "version",
     "campaign run": "campaign run none.toml --out results",
     "campaign new": "campaign new mine",
-    "campaign synthesise": 'campaign synthesise bench --duration "0.4 s"',
+    "campaign synthesise": 'campaign synthesise bench --duration "0.6 s"',
     "design springs": 'design springs audi-a6-full-car --frequency "1.2 Hz" --damping-ratio 0.3',
     "design optimise": "design optimise kart-quarter-car --objective sprung.az --free strut.damper.coefficient=50..500",
     "design pareto": 'design pareto audi-a6-quarter-car --free strut.damper.coefficient="300..6000" --points 3',
@@ -223,6 +223,8 @@ def prepare() -> None:
     write("lane.csv", "time [s], left.plate.z [mm], left.plate.force [N]", long, *loads)
     Path("empty").write_bytes(b"")
     Path("rubbish.bin").write_bytes(np.random.default_rng(1).bytes(3000))
+    code, *said = said_by(["inspect", "import", "lane.csv", "--store", "lane.sqlite", "--tester", "theta-msd3000"])
+    assert Path("lane.sqlite").is_file(), (code, said)
     shutil.copy(Path(__file__).parents[2] / "files" / "chrono" / "DoubleWishbone.json", "chrono.json")
 
 
@@ -253,7 +255,7 @@ def _verdict(case: tuple[str, str, str]) -> tuple[str, str]:
         value = VALUES.get(kind, "")
         key = value.partition("=")[0][:20] + (":" if "=" in value else "")
         places = [place, place.strip("-").replace("-", "_"), name, key or "''", visible(value)[:10], "--json"]
-        places += ["none.toml", value.partition("=")[2][:10] or "--json"]
+        places += ["none.toml", repr(value.partition("=")[0]), value.partition("=")[2][:10] or "--json"]
         places += (
             ["jounce: .:", "no such file and no shipped", *words[-8:]] if kind in ("nothing", "no text", "") else []
         )

@@ -97,6 +97,8 @@ VALUES = {
 """What is written behind the equals sign."""
 NEVER = ("digits", "nested", "dotted", "nan", "infinite", "date", "no TOML", "huge", "long integer", "list")
 """What no key of any description takes."""
+NO_QUANTITY = ("table", "truth", "empty", "many units", "huge with a unit", "bomb", "blanks", "long text", "markup")
+"""What no quantity is."""
 WHOLE = ("line twice", "misspelt", "left out", "file cut", "bytes", "another schema")
 """Mutations of the file rather than of a value."""
 _LINE = re.compile(r"(\s*(?:[\w-]+|\"[^\"]*\")(?:\.[\w-]+)*\s*=\s*)([^\s].*)$")
@@ -131,8 +133,8 @@ def damaged(kind: str, line: int, wrong: str) -> tuple[bytes, bool]:
     if wrong in VALUES:
         lines[line] = match[1] + VALUES[wrong]
         quantity = _is_quantity(match[2])
-        must = wrong in NEVER or (quantity and wrong in ("table", "truth", "empty", "many units", "huge with a unit",
-                                                         "bomb", "blanks", "long text", "markup"))  # fmt: skip
+        never = NEVER + (NO_QUANTITY if quantity else ())
+        must = wrong in never and (kind, wrong) != ("header", "date")
         return "\n".join(lines).encode(), must
     if wrong == "line twice":
         lines.insert(line, lines[line])
