@@ -36,7 +36,8 @@ from jounce.identify.richer import own_doubt
 from jounce.identify.signs import compression_positive, sign_of
 from jounce.identify.update import bounds_and_priors, update_model
 from jounce.kinematics import sweep_travel
-from jounce.parts import Corner, Rig, load, rig_findings, rig_path
+from jounce.parts import Corner, Rig, load, rig_findings
+from jounce.parts.files import rig_named_in
 from jounce.parts.variants import strut_angle_findings, with_strut_angle
 from jounce.recordings import Sensor
 from jounce.recordings.plausibility import SLOWEST_STEP
@@ -89,7 +90,7 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
     """
     file = Path(path)
     campaign, text = load_campaign(file)
-    rig_file = rig_file_of(campaign, file)
+    rig_file = rig_named_in(campaign.rig, file)
     rig = load(rig_file)
     roads = read_roads(campaign.roads, where=str(file), text=text, folder=file.parent)
     _check_references(campaign, roads, file)
@@ -139,20 +140,6 @@ _LEADING = ("strongly correlated", "from what the rig states", "ends on its boun
 def _leading(findings: list[Finding]) -> list[Finding]:
     """What says that parameters are not those of the parts, first."""
     return sorted(findings, key=lambda finding: not any(text in finding.message for text in _LEADING))
-
-
-def rig_file_of(campaign: Campaign, file: Path) -> Path:
-    """The rig of a campaign: a file beside it, or a shipped one."""
-    beside = file.parent / campaign.rig
-    if beside.suffix == ".toml":
-        return beside
-    try:
-        return rig_path(campaign.rig)
-    except DescriptionError as error:
-        place = f"{file}: rig"
-        raise DescriptionError(
-            error.what, where=place, found=campaign.rig, allowed=error.allowed, hint=error.hint
-        ) from None
 
 
 def _check_references(campaign: Campaign, roads: dict[str, Road], file: Path) -> None:

@@ -235,8 +235,9 @@ def _check_campaign(checked: Checked) -> None:
     """The campaign, its rig and roads, and every file of bench and trials."""
     from jounce.campaign import load_campaign
     from jounce.campaign.characterise import files_of, read_force_deflection
-    from jounce.campaign.run import checks_of, load_trial, rig_file_of
+    from jounce.campaign.run import checks_of, load_trial
     from jounce.parts import load
+    from jounce.parts.files import rig_named_in
     from jounce.roads import read_roads
 
     campaign, text = load_campaign(checked.file)
@@ -246,7 +247,7 @@ def _check_campaign(checked: Checked) -> None:
         for count, word in ((len(campaign.trial), "trial"), (len(campaign.update), "update"))
     )
     with checked.step():
-        rig = load(rig_file_of(campaign, checked.file))
+        rig = load(rig_named_in(campaign.rig, checked.file))
         for check in checks_of(campaign, rig, checked.file):
             with checked.step():
                 check()

@@ -26,7 +26,7 @@ from jounce.design.kinematic_targets import Evaluator, Wanted, read_targets
 from jounce.kinematics.model import check_corner, kinematic_model
 from jounce.kinematics.sweeps import AxleLayout
 from jounce.parts import Corner, Rig, load
-from jounce.parts.files import rig_path
+from jounce.parts.files import rig_named_in
 from jounce.parts.rig import unit_of, unknown_path
 
 _STEPS = 60
@@ -448,7 +448,7 @@ def _of_file(rig: Rig | str | Path, free: object, targets: object) -> KinematicD
 def design_study(path: Path | str, *, starts: int | None = None) -> tuple[KinematicDesign, Path]:
     """Run a study file; give the design and the file of its rig. Errors name the file and the line."""
     study, text = read_description(KinematicStudy, path, SCHEMA)
-    file = _file_of(study, path)
+    file = rig_named_in(study.rig, Path(path))
     try:
         found = _design(
             check_corner(load(file)),
@@ -466,18 +466,12 @@ def design_study(path: Path | str, *, starts: int | None = None) -> tuple[Kinema
 def check_study(path: Path | str) -> tuple[KinematicStudy, int]:
     """Read a study file without a search; give it with how many numbers are free. Errors name the file and the line."""
     study, text = read_description(KinematicStudy, path, SCHEMA)
-    rig = check_corner(load(_file_of(study, path)))
+    rig = check_corner(load(rig_named_in(study.rig, Path(path))))
     try:
         read_targets(rig, study.target, study.vehicle)
         return study, len(free_numbers(rig, study.free).owners)
     except DescriptionError as error:
         raise _placed(error, path, text) from None
-
-
-def _file_of(study: KinematicStudy, path: Path | str) -> Path:
-    """File of the rig: beside the study, or a shipped one."""
-    beside = Path(path).parent / study.rig
-    return beside if beside.is_file() else rig_path(study.rig)
 
 
 def _placed(error: DescriptionError, path: Path | str, text: str) -> DescriptionError:

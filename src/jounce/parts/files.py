@@ -120,6 +120,21 @@ def rig_path(name: str | Path) -> Path:
     return chosen_file(name, library(), "rig")
 
 
+def rig_named_in(name: str, file: Path) -> Path:
+    """Find the rig that a description names: a file beside it, or a shipped one; the error names the description."""
+    beside = file.parent / name
+    if beside.suffix == ".toml":
+        return beside
+    try:
+        return beside if len(name) < _LONGEST_NAME and beside.is_file() else rig_path(name)
+    except DescriptionError as error:
+        found, place = error.where, f"{file}: rig"
+        raise DescriptionError(error.what, where=place, found=found, allowed=error.allowed, hint=error.hint) from None
+
+
+_LONGEST_NAME = 255
+
+
 def load(name: str | Path) -> Rig:
     """Load a rig or a vehicle from a TOML file or, by name, from the shipped library.
 

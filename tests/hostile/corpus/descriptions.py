@@ -41,8 +41,22 @@ _ROADS = {
     "train": 'count = 3\npitch = "0.2 m"\n[of]\nkind = "versine"\nheight = "10 mm"\nlength = "60 mm"\n',
 }
 _HEADER = 'plate_number = "B-AB 123"\ndate = "2026-11-22"\naxle = "front"\n[left]\nstatic_load = "4.3 kN"\n'
-_CONTROL = 'schema = "jounce.control/1"\nlaw = "skyhook"\nminimum = "300 N*s/m"\nmaximum = "3000 N*s/m"\n'
 _LIBRARY = "jounce.parts", "library"
+_DESIGN = """schema = "jounce.design/1"
+rig = "formula-student-front"
+[[free]]
+point = "hardpoints.tie_rod_inner"
+within = "15 mm"
+[[target]]
+quantity = "camber_gain"
+value = "-33 deg/m"
+tolerance = "0.5 deg/m"
+[[target]]
+quantity = "toe"
+over = "-30 mm:30 mm:5 mm"
+value = "0 deg"
+tolerance = "0.03 deg"
+"""
 
 KINDS = {
     "rig": Kind(_shipped(*_LIBRARY, "kart-quarter-car.toml"), use="modes given.toml"),
@@ -66,6 +80,7 @@ KINDS = {
     ),
     "truth": Kind(_shipped("jounce.campaign", "library", "kart-prototype.toml")),
     "campaign": Kind(_shipped("jounce", "library", "campaigns", "template", "campaign.toml"), name="c/campaign.toml"),
+    "design": Kind(lambda: _DESIGN),
     "header": Kind(lambda: _HEADER, name="lane.toml", use="inspect evaluate lane.csv --tester theta-msd3000"),
 }
 """A good file of each kind; a test holds that every schema has one."""
