@@ -41,7 +41,7 @@ def own_things(module: types.ModuleType) -> dict[str, Any]:
 
 def methods(kind: type) -> dict[str, Any]:
     found = {}
-    for name, value in vars(kind).items():
+    for name, value in list(vars(kind).items()):  # descriptions get their validators when they are looked at
         function = value.fget if isinstance(value, property) else inspect.unwrap(getattr(value, "__func__", value))
         if inspect.isfunction(function) and not name.startswith("_"):
             found[name] = function

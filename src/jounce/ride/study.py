@@ -340,7 +340,7 @@ class RideStudy(Plain):
 
     def to_dict(self) -> dict[str, Any]:
         """Give plain values, SI."""
-        table = {
+        table: dict[str, Any] = {
             "speed": self.trial.trial.speed,
             "duration": self.trial.trial.duration,
             "settling": self.trial.settling,
