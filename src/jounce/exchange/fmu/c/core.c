@@ -9,6 +9,9 @@
 
 static bool failed(JnInstance *c, const char *why) { return c->why = why, false; }
 
+/* Whether a reference lies in a block, which may be empty. */
+static bool within(unsigned vr, unsigned first, unsigned next) { return vr >= first && vr < next; }
+
 static bool finite_all(const double *a, int n) {
     for (int i = 0; i < n; i++)
         if (!isfinite(a[i])) return false;
@@ -105,9 +108,9 @@ bool jn_get(JnInstance *c, unsigned vr, double *value) {
     double u[JN_ROOM(JN_NU)];
     if (vr == VR_TIME) *value = s->t;
     else if (vr < VR_DX) *value = s->x[vr - VR_X];
-    else if (vr >= VR_U && vr < VR_P) *value = inputs(c, s->t, u)[vr - VR_U];
-    else if (vr >= VR_P && vr < VR_G) *value = s->p[vr - VR_P];
-    else if (vr >= VR_G && vr < VR_Y) *value = s->g[vr - VR_G];
+    else if (within(vr, VR_U, VR_P)) *value = inputs(c, s->t, u)[vr - VR_U];
+    else if (within(vr, VR_P, VR_G)) *value = s->p[vr - VR_P];
+    else if (within(vr, VR_G, VR_Y)) *value = s->g[vr - VR_G];
     else if (vr == VR_TOLERANCE) *value = s->tolerance;
     else if (vr > VR_TOLERANCE) return failed(c, "no such real variable");
     else if (!jn_evaluate(c)) return false;
@@ -118,8 +121,8 @@ bool jn_get(JnInstance *c, unsigned vr, double *value) {
 bool jn_set(JnInstance *c, unsigned vr, double value) {
     JnState *s = &c->s;
     if (!isfinite(value)) return failed(c, "a value is no finite number");
-    if (vr >= VR_X && vr < VR_DX) s->x[vr - VR_X] = value;
-    else if (vr >= VR_U && vr < VR_P) {
+    if (within(vr, VR_X, VR_DX)) s->x[vr - VR_X] = value;
+    else if (within(vr, VR_U, VR_P)) {
         int input = (int)(vr - VR_U);
         double u[JN_ROOM(JN_NU)];
         if (s->t_input != s->t) { /* tracks that are not set now go on from where they are */
@@ -129,8 +132,8 @@ bool jn_set(JnInstance *c, unsigned vr, double value) {
         /* Importers set inputs that nobody connected to zero: only a rate that is not zero is one that is given. */
         if (input % JN_ORDER && value != 0.0) s->rated[input / JN_ORDER] = true;
         s->u[input] = value;
-    } else if (vr >= VR_P && vr < VR_G) s->p[vr - VR_P] = value, s->p_changed = true;
-    else if (vr >= VR_G && vr < VR_Y) s->g[vr - VR_G] = value;
+    } else if (within(vr, VR_P, VR_G)) s->p[vr - VR_P] = value, s->p_changed = true;
+    else if (within(vr, VR_G, VR_Y)) s->g[vr - VR_G] = value;
     else if (vr == VR_TOLERANCE && value > 0.0) s->tolerance = value;
     else return failed(c, "not a real variable that can be set");
     s->fresh = false;
@@ -139,7 +142,7 @@ bool jn_set(JnInstance *c, unsigned vr, double value) {
 
 bool jn_get_boolean(JnInstance *c, unsigned vr, bool *value) {
     if (vr == VR_AT_REST) *value = c->s.at_rest;
-    else if (vr >= VR_M && vr < VR_AT_REST) *value = c->s.m[vr - VR_M] > 0.0;
+    else if (within(vr, VR_M, VR_AT_REST)) *value = c->s.m[vr - VR_M] > 0.0;
     else return failed(c, "no such Boolean variable");
     return true;
 }
@@ -165,17 +168,17 @@ bool jn_set_time(JnInstance *c, double t) {
 
 /* Change of rates, outputs and indicators by value reference; false: vr is none of them. */
 static bool known(JnInstance *c, unsigned vr, double *dx, double *y, double *z, double **place) {
-    if (vr >= VR_DX && vr < VR_U) *place = dx + (vr - VR_DX);
-    else if (vr >= VR_Y && vr < VR_Z) *place = y + (vr - VR_Y);
-    else if (vr >= VR_Z && vr < VR_TOLERANCE) *place = z + (vr - VR_Z);
+    if (within(vr, VR_DX, VR_U)) *place = dx + (vr - VR_DX);
+    else if (within(vr, VR_Y, VR_Z)) *place = y + (vr - VR_Y);
+    else if (within(vr, VR_Z, VR_TOLERANCE)) *place = z + (vr - VR_Z);
     else return failed(c, "derivatives are those of rates, outputs and event indicators");
     return true;
 }
 
 static bool seeded(JnInstance *c, unsigned vr, double *sx, double *su, double *sp, double **place) {
-    if (vr >= VR_X && vr < VR_DX) *place = sx + (vr - VR_X);
-    else if (vr >= VR_U && vr < VR_P) *place = su + (vr - VR_U);
-    else if (vr >= VR_P && vr < VR_G) *place = sp + (vr - VR_P);
+    if (within(vr, VR_X, VR_DX)) *place = sx + (vr - VR_X);
+    else if (within(vr, VR_U, VR_P)) *place = su + (vr - VR_U);
+    else if (within(vr, VR_P, VR_G)) *place = sp + (vr - VR_P);
     else return failed(c, "derivatives are by states, inputs and parameters of the rig");
     return true;
 }
