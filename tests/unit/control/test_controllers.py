@@ -27,8 +27,8 @@ from jounce.control import (
 )
 from jounce.control.actuators import Instant
 from jounce.control.controller import DamperLaw
-from jounce.control.design import _least, corner_equations, corner_outputs
-from jounce.control.laws import SHADD, Groundhook, Hybrid, TwoStateGroundhook, TwoStateSkyhook
+from jounce.control.design import H_INFINITY_CHANNELS, _least, corner_equations, corner_outputs
+from jounce.control.laws import LQG, SHADD, Groundhook, HInfinity, Hybrid, TwoStateGroundhook, TwoStateSkyhook
 from jounce.control.preview import PreviewMPC, _horizon
 from jounce.control.program import program, sensor_noise, values
 from jounce.core.errors import DescriptionError
@@ -79,6 +79,7 @@ def test_laws_are_what_their_words_say(body: float, wheel: float, parting: float
     assert float(ideal.force(now)) == pytest.approx(-4000.0 * (0.3 * body - 0.7 * wheel))
     firm = [float(law().product(now)) for law in (TwoStateSkyhook, TwoStateGroundhook, ADD)]
     assert firm == pytest.approx([body * parting, -wheel * parting, 2.0 * body * parting])
+    assert SHADD(crossover=2.0).numbers(CORNER) == {"crossover": pytest.approx(4.0 * math.pi)}
     for crossover, dominant in ((1.5, 2.0 * body), (2.5, body)):
         numbers["crossover"] = crossover
         assert float(SHADD().product(now)) == pytest.approx(dominant * parting)
@@ -100,6 +101,8 @@ def test_pid_of_an_even_acceleration_and_at_its_limit() -> None:
     for step in range(1, 101):
         before = memory
         command, memory = decided(-slope * step * period, before, 1e6)
+        if step == 1:
+            assert memory[1] == pytest.approx(slope * period / (0.02 + period), rel=1e-9)
     assert before[0] == pytest.approx(2000.0 * slope * period**2 * 99 * 100 / 2, rel=1e-9)
     assert command * 0.8 == pytest.approx(3000.0 * slope * 0.5 + before[0] + 50.0 * slope, rel=1e-9)
     held, after = decided(-slope * 0.5, before, 1000.0)
@@ -132,6 +135,24 @@ def test_a_plan_without_limits_begins_with_the_regulator(lag: float, price: floa
     plan = _horizon(law, CORNER, steps)
     found = np.linalg.solve(plan.H[:steps, :steps], plan.gx[:steps])
     np.testing.assert_allclose(found[:1], gain, rtol=1e-6, atol=1e-6 * abs(gain).max())
+
+
+def test_an_h_infinity_law_that_asks_for_nothing_is_the_damper_itself() -> None:
+    law = HInfinity(actuator=SemiActiveDamper(minimum=0.0, maximum=1e5))
+    corner = CornerModel(400.0, 40.0, 25e3, 200e3, 1500.0, motion_ratio=0.8)
+    numbers = {**law.numbers(corner), "minimum": 0.0, "maximum": 1e5}
+    seen = dict.fromkeys(H_INFINITY_CHANNELS, 0.0) | {"strut.velocity": 0.3}
+    look = (lambda name: ca.SX(seen[name])), (lambda name: ca.SX(numbers[name]))
+    now = Instant(*look, ca.SX(0.0), [ca.SX(0.0)] * law.memory_size)
+    assert float(law.decide(now).command) == pytest.approx(1500.0 / 0.8**2, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("lag", "late", "mean_late"), [(0.01, math.exp(-0.5), 2.0 - 2.0 * math.exp(-0.5)), (0.0, 0.0, 0.0)]
+)
+def test_an_observer_knows_the_lag_of_its_actuator(lag: float, late: float, mean_late: float) -> None:
+    numbers = LQG(rate=200.0, actuator=ActiveActuator(lag=lag)).numbers(CORNER)
+    assert (numbers["late"], numbers["mean_late"]) == pytest.approx((late, mean_late), rel=1e-12)
 
 
 def test_controller_from_a_file(tmp_path: Path) -> None:
