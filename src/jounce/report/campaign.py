@@ -39,7 +39,7 @@ from jounce.report.page import (
 )
 from jounce.report.render import write_page
 from jounce.report.strategies import progress
-from jounce.report.trials import scene_name, trial_chart, trials_viewer
+from jounce.report.trials import chosen_trials, scene_name, trial_chart, trials_viewer
 from jounce.roads import Road, read_roads
 
 if TYPE_CHECKING:
@@ -339,11 +339,13 @@ def validation(result: CampaignResult) -> Section:
 def _matrix(result: CampaignResult) -> Table:
     """Rating of every trial and channel before and after updating, at a glance."""
     channels = channels_of(result.trials)
+    drawn = chosen_trials(result, _verdicts_of(result))
+    shown = {trial.entry.number: scene_name(trial.entry.number) for trial in drawn}
     rows = []
     for trial in result.trials:
         word = verdict(trial)
         use = _USES[trial.entry.use].replace(" ", "\u00a0")
-        cells: list[Cell | str] = [Cell(str(trial.entry.number), show=_shown(trial)), use]
+        cells: list[Cell | str] = [Cell(str(trial.entry.number), show=shown.get(trial.entry.number, "")), use]
         for comparison in (trial.before, trial.after):
             for name in channels:
                 channel = comparison.channels.get(name) if comparison is not None else None
@@ -367,10 +369,6 @@ def _matrix(result: CampaignResult) -> Table:
     )
     caption = "ISO/TS 18571 rating of every trial and channel, before and after updating"
     return Table(caption, header, tuple(rows), "ll" + "r" * (2 * len(channels) + 1) + "l", note)
-
-
-def _shown(trial: TrialResult) -> str:
-    return scene_name(trial.entry.number) if trial.signals or trial.signals_before else ""
 
 
 def _errors(result: CampaignResult) -> Chart:
@@ -461,17 +459,22 @@ def _validation_rows(trial: TrialResult) -> list[tuple[Cell | str, ...]]:
 
 def curves(result: CampaignResult) -> Section:
     """Measured and simulated signals of every trial: all in one viewer, and as figures."""
-    verdicts = {trial.entry.number: (word := verdict(trial), TONES[word]) for trial in result.trials}
-    viewer = trials_viewer(result, verdicts)
+    viewer = trials_viewer(result, _verdicts_of(result))
     blocks: list[Block] = [viewer] if viewer is not None else []
     scenes = {scene.name: scene for scene in viewer.scenes} if viewer is not None else {}
     for trial in result.trials:
         scene = scenes.get(scene_name(trial.entry.number))
         lost = Paragraph("The recording could not be used, so there is nothing to plot (see Findings).", "bad")
+        if scene is None and (trial.signals or trial.signals_before):
+            continue  # one of very many: the viewer says which are shown
         blocks.append(Details(_heading(trial), (lost if scene is None else trial_chart(scene, trial),)))
     if not result.trials:
         blocks.append(Paragraph("This campaign contains no trial."))
     return Section("Curves", tuple(blocks))
+
+
+def _verdicts_of(result: CampaignResult) -> dict[int, tuple[str, Tone]]:
+    return {trial.entry.number: (word := verdict(trial), TONES[word]) for trial in result.trials}
 
 
 def _heading(trial: TrialResult) -> str:

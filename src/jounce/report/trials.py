@@ -26,6 +26,8 @@ _MORE = ("tyre.force", "strut.force", "strut.deflection", "sprung.z", "unsprung.
 """Outputs of the model that can be shown beside what was measured."""
 _USES = {"fit": "fitted", "hold-out": "held out"}
 _MOST_OTHERS = 6
+MOST_SCENES = 64
+"""More trials than these would make the page too large to be opened with ease."""
 
 
 def scene_name(number: int) -> str:
@@ -37,20 +39,32 @@ def trials_viewer(result: CampaignResult, verdicts: Mapping[int, tuple[str, Tone
     """Put all trials that have signals into one viewer; ``verdicts`` has word and tone of each by number."""
     others = result.strategies[:-1][-_MOST_OTHERS:]
     mechanisms = _mechanisms(result)
-    scenes = tuple(
-        _scene(result, trial, others, verdicts[trial.entry.number], mechanisms)
-        for trial in result.trials
-        if trial.signals or trial.signals_before
-    )
+    shown = chosen_trials(result, verdicts)
+    scenes = tuple(_scene(result, trial, others, verdicts[trial.entry.number], mechanisms) for trial in shown)
     if not scenes:
         return None
     roles = [(_MEASURED, "measured", True), (_BEFORE, "before updating" if result.strategies else "simulated", True)]
     roles += [(f"other-{k}", strategy.update.name, False) for k, strategy in enumerate(others, 1)]
     roles += [(_AFTER, strategy.update.name, True) for strategy in result.strategies[-1:]]
     caption = "Measured and simulated signals of every trial; shaded: wheel on the obstacle."
+    if len(scenes) == MOST_SCENES < len(result.trials):
+        caption += (
+            f" Shown are {MOST_SCENES} of {len(result.trials)} trials: the fitted ones, then those predicted worst."
+        )
     if mechanisms:
         caption += " The mechanism moves as the model after the last update does, true to scale."
     return Viewer(result.campaign.title, scenes, tuple(roles), caption)
+
+
+def chosen_trials(result: CampaignResult, verdicts: Mapping[int, tuple[str, Tone]]) -> list[TrialResult]:
+    """Trials with signals; of very many the fitted ones and those predicted worst, in their order."""
+    drawn = [trial for trial in result.trials if trial.signals or trial.signals_before]
+    order = {"bad": 0, "fair": 1}
+    ranked = sorted(
+        range(len(drawn)),
+        key=lambda k: (drawn[k].entry.use != "fit", order.get(verdicts[drawn[k].entry.number][1], 2)),
+    )
+    return [drawn[k] for k in sorted(ranked[:MOST_SCENES])]
 
 
 def trial_label(trial: TrialResult) -> str:

@@ -254,6 +254,33 @@ def test_without_bench_updates_and_usable_trials(result: CampaignResult, tmp_pat
     assert html.count("not usable") >= 3
 
 
+def test_no_trial_at_all_is_said(result: CampaignResult, tmp_path: Path) -> None:
+    bare = replace(
+        result, trials=(), strategies=(), campaign=result.campaign.model_copy(update={"trial": (), "update": ()})
+    )
+    write_campaign(bare, tmp_path / "out", pdf=True)
+    html = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert "This campaign contains no trial" in html
+    assert "data-viewer=" not in html
+
+
+def test_five_hundred_trials_are_a_page_that_opens(result: CampaignResult, tmp_path: Path) -> None:
+    many = []
+    for k in range(500):
+        trial = result.trials[k % 3]
+        use = "fit" if k == 499 else "hold-out"
+        many.append(replace(trial, entry=trial.entry.model_copy(update={"number": k + 1, "use": use}), motion=None))
+    strategies = tuple(replace(strategy, trials=()) for strategy in result.strategies)
+    write_campaign(replace(result, trials=tuple(many), strategies=strategies), tmp_path / "out")
+    html = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert "Shown are 64 of 500 trials" in html
+    assert 'id="picture-trial-500"' in html  # the fitted one
+    assert len(re.findall(r"<details><summary>Trial", html)) == 64
+    assert len(html) < 4_000_000
+    reader = Reader(html)
+    assert {link.removeprefix("#") for link in reader.links if link.startswith("#")} <= set(reader.ids)
+
+
 def test_bench_files_that_vanished_do_not_stop_the_report(result: CampaignResult, tmp_path: Path) -> None:
     names = {picture.name for picture in campaign_page(replace(result, folder=tmp_path / "gone")).pictures()}
     assert {"bench-spring", "bench-decay-1", "bench-decay-2", "trial-01"} <= names
