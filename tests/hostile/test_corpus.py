@@ -5,11 +5,12 @@ from __future__ import annotations
 import sys
 from collections import Counter
 from importlib import import_module
+from pathlib import Path
 from typing import Any
 
 import pytest
 from corpus import commands, descriptions, judging, models, recordings
-from corpus.__main__ import PARTS
+from corpus.__main__ import PARTS, TITLES
 from corpus.judging import BAD, judge
 from corpus.mutations import KINDS
 
@@ -66,6 +67,20 @@ def test_it_has_the_size_that_is_told() -> None:
     cases = len(commands.cases()) + len(descriptions.cases(*PARTS["descriptions"]))
     assert cases >= 1400
     assert len(recordings.names()) * PARTS["files"][0] + len(models.SAMPLES) * PARTS["models"][0] >= 5000
+
+
+@pytest.mark.parametrize("part", PARTS)
+def test_the_page_tells_what_is_tried_and_that_nothing_is_bad(part: str) -> None:
+    page = (Path(__file__).parents[2] / "docs" / "robustness.md").read_text(encoding="utf-8")
+    _, _, told = page.partition(f"### {TITLES[part]}")
+    rows = [line.strip("| ").split(" | ") for line in told.split("###")[0].splitlines() if line.startswith("|")]
+    heads, whole = rows[0], next(row for row in rows if row[0] == "**all**")
+    numbers = {head: int(count) for head, count in zip(heads[1:], whole[1:], strict=True)}
+    assert all(numbers[verdict] == 0 for verdict in BAD)
+    assert numbers["tried"] == sum(numbers.values()) - numbers["tried"]
+    assert {row[0] for row in rows[2:]} - {"**all**"} == {
+        case[0] for case in import_module(f"corpus.{part}").cases(*PARTS[part])
+    }
 
 
 JUDGED = """

@@ -106,8 +106,8 @@ TEXTS = {
     "--tester",
 }
 """Options that are any text, or that are looked for and not found."""
-ANY_NUMBER = {"--workers"}
-"""No more processes are started than there is work for."""
+ANY_NUMBER = {"--workers", "--seed"}
+"""Any integer is a seed, and no more processes are started than there is work for."""
 OUTPUTS = {"--out", "--figure", "--plot", "--record", "--protocol", "--store", "FOLDER"}
 """What is written: a name that the system takes is a right one."""
 SLOW = (
