@@ -5,10 +5,7 @@ Ratios count, not times: every peer solves the same problem to the same displace
 
 from __future__ import annotations
 
-import subprocess
 import sys
-import tempfile
-import time
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +16,7 @@ from peers import casadi_runs, cheapest, diffrax_runs, linear_runs, numba_runs, 
 from problems import CHANNELS, DURATION, TIMES, Obstacle, QuarterCar, displacement_error, long_road
 from report_rows import report_rows
 from ride_rows import ride_rows
+from start_rows import start_rows
 from timing import Row, markdown, median_time, shown
 from vehicle_rows import vehicle_rows
 
@@ -103,62 +101,10 @@ def update_rows() -> list[Row]:
     return rows
 
 
-def start_rows() -> list[Row]:
-    """Building and compiling, imports and whole processes."""
-    rows = []
-    build_script = (
-        "import time, jounce as jn\nfrom jounce.models import build\n"
-        "from jounce.simulation.compiled import compile_model\n"
-        "import casadi, llvmlite.binding\nrig = jn.load('kart-quarter-car'); start = time.perf_counter()\n"
-        "compile_model(build(rig)); print(time.perf_counter() - start)"
-    )
-    with tempfile.TemporaryDirectory() as folder:
-        environment = {"JOUNCE_CACHE_DIR": folder}
-        first = float(_python(build_script, environment))
-        cached = float(np.median([float(_python(build_script, environment)) for _ in range(5)]))
-        rows.append(Row("build and compile the quarter car", "first time", first, target="≤ 0.5 s"))
-        rows.append(Row("build and compile the quarter car", "from the cache", cached, target="≤ 20 ms"))
-        script = "import time; start = time.perf_counter(); import jounce; print(time.perf_counter() - start)"
-        imported = float(np.median([float(_python(script, {})) for _ in range(5)]))
-        rows.append(Row("import jounce", "in a fresh process", imported, target="≤ 0.3 s"))
-        road = Path(folder) / "road.toml"
-        road.write_text('kind = "half-sine"\nheight = "10 mm"\nlength = "60 mm"\nstart = "0.2 m"\n', encoding="utf-8")
-        command = ["simulate", "kart-quarter-car", "--road", str(road), "--speed", "1.95 m/s", "--duration", "3 s"]
-        rows.append(Row("jounce --help", "whole process", _process(["--help"]), target="≤ 0.4 s"))
-        rows.append(Row("jounce simulate", "whole process, warm", _process(command), target="≤ 2 s"))
-        start = time.perf_counter()
-        _call(["demo", "--out", str(Path(folder) / "demo")])
-        rows.append(Row("jounce demo", "whole process", time.perf_counter() - start, target="≤ 60 s"))
-    return rows
-
-
 def _segments(bump: Obstacle) -> Segments:
     edges = np.array([0.0, bump.start, bump.start + bump.length, DURATION * bump.speed])
     coefficients = np.array([[0.0] * 4, [0.0, bump.height, np.pi / bump.length, 0.0], [0.0] * 4])
     return Segments(edges, np.array([0, 1, 0]), coefficients).in_time(bump.speed)
-
-
-def _python(script: str, environment: dict[str, str]) -> str:
-    import os
-
-    done = subprocess.run(
-        [sys.executable, "-c", script], capture_output=True, text=True, check=True, env={**os.environ, **environment}
-    )
-    return done.stdout.strip()
-
-
-def _call(arguments: list[str]) -> None:
-    subprocess.run([sys.executable, "-m", "jounce", *arguments], capture_output=True, check=True)
-
-
-def _process(arguments: list[str]) -> float:
-    _call(arguments)
-    times = []
-    for _ in range(5):
-        start = time.perf_counter()
-        _call(arguments)
-        times.append(time.perf_counter() - start)
-    return float(np.median(times))
 
 
 PARTS = (

@@ -201,12 +201,12 @@ class _Hoisted:
     def function(self, name: str, model: Model, seeds: ca.SX | None = None) -> ca.Function:
         """A function of (states, inputs, extended parameters, modes), ``seeds`` behind the states."""
         x = model.x if seeds is None else ca.vertcat(model.x, seeds)
-        return ca.Function(name, [x, model.u, self._numbers, model.m], [ca.cse(self._parts[name])])
+        return ca.Function(name, [x, model.u, self._numbers, model.m], [self._parts[name]])
 
     def lanes(self, name: str, model: Model, seeds: ca.SX, count: int, scalars: int) -> Lanes:
         """The same with lanes behind the states and the parameters; ``scalars`` elements of the result are none."""
         inputs = [ca.vertcat(model.x, seeds), model.u, ca.vertcat(self._numbers, self._lanes), model.m]
-        function = ca.Function(name, inputs, [ca.cse(self._parts[name])])
+        function = ca.Function(name, inputs, [self._parts[name]])
         first = (model.x.shape[0], model.u.shape[0], self.scalars, model.m.shape[0], scalars)
         return Lanes(function, count, first)
 
