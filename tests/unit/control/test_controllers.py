@@ -29,7 +29,7 @@ from jounce.control.actuators import Instant
 from jounce.control.controller import DamperLaw
 from jounce.control.design import H_INFINITY_CHANNELS, _least, corner_equations, corner_outputs
 from jounce.control.laws import LQG, SHADD, Groundhook, HInfinity, Hybrid, TwoStateGroundhook, TwoStateSkyhook
-from jounce.control.preview import PreviewMPC, _horizon
+from jounce.control.preview import PreviewMPC, _horizon, _of_actuator
 from jounce.control.program import program, sensor_noise, values
 from jounce.core.errors import DescriptionError
 
@@ -153,6 +153,14 @@ def test_an_h_infinity_law_that_asks_for_nothing_is_the_damper_itself() -> None:
 def test_an_observer_knows_the_lag_of_its_actuator(lag: float, late: float, mean_late: float) -> None:
     numbers = LQG(rate=200.0, actuator=ActiveActuator(lag=lag)).numbers(CORNER)
     assert (numbers["late"], numbers["mean_late"]) == pytest.approx((late, mean_late), rel=1e-12)
+
+
+def test_a_plan_knows_what_a_magnetorheological_damper_can_give() -> None:
+    damper = MagnetorheologicalDamper(off=TANH, on={**TANH, "coefficient": 900.0, "force": 800.0}, maximum=5.0)
+    velocity = np.array([0.1, 0.3])
+    low, high = _of_actuator(damper, CORNER, 2)[0](velocity, np.zeros(2))
+    np.testing.assert_allclose(low, 400.0 * velocity + 60.0 * np.tanh(25.0 * velocity), rtol=1e-12)
+    np.testing.assert_allclose(high, 900.0 * velocity + 800.0 * np.tanh(25.0 * velocity), rtol=1e-12)
 
 
 def test_controller_from_a_file(tmp_path: Path) -> None:
