@@ -70,13 +70,12 @@ def csv_decimal_commas() -> Sample:
 
 @_sample
 def netcdf() -> Sample:
-    from jounce.recordings import recording
-    from jounce.recordings.files import netcdf_of
+    from jounce.recordings import recording, write_recording
 
     channels = {"strut.stroke": (STROKE, "m", "stroke"), "strut.force": (FORCE, "N", "force")}
-    return Sample(
-        "netcdf", "a.nc", netcdf_of(recording(TIME, channels, attributes={"made_by": "a test", "speed": 1.95}))
-    )
+    made = recording(TIME, channels, attributes={"made_by": "a test", "speed": 1.95})
+    with tempfile.TemporaryDirectory() as folder:
+        return Sample("netcdf", "a.nc", write_recording(made, Path(folder) / "a.nc").read_bytes())
 
 
 def _mat(**more: Any) -> bytes:
