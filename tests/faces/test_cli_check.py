@@ -129,7 +129,7 @@ def test_testers_and_limits(cli, tester_file: Path, limits_file: Path) -> None:
     assert [item["kind"] for item in found] == ["tester", "limits", *["tester"] * len(shipped)]
     assert not any(item["notes"] for item in found)
     assert "rigid-plate, evaluated by egea" in found[0]["what"]
-    assert "eusama, egea, theta, boge, tyre-rigidity, body-damping, difference of adhesion, " in found[1]["what"]
+    assert "eusama, egea, theta, boge, tyre-rigidity, body-damping, explained-force, locked, " in found[1]["what"]
 
 
 @pytest.mark.parametrize(
