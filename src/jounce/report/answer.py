@@ -141,7 +141,7 @@ def answer_table(found: tuple[Answer, ...], name: str, trials: int) -> Table:
         cells.append(number(None if one.described is None else one.described * unit.factor))
         cells.append(_cell(one.bench, one.unit))
         if one.carried is not None:
-            cells.append(Cell(number(one.carried * unit.factor), "muted", "scaled as at the fitted pressure"))
+            cells.append(Cell(number(one.carried * unit.factor), "muted", "scaled likewise"))
         elif one.updated is not None and one.updated.at_bound:
             cells.append(Cell(estimate_cells(one.updated, one.unit)[0], "fair", "at its bound"))
         else:
@@ -240,6 +240,6 @@ def _panel(one: Answer) -> Panel | None:
         title=title if len(title) <= most else f"…{title[1 - most :]}",
         verticals=verticals,
         lanes=tuple(name for name, *_ in shown),
-        width=310,
+        width=300,
         height=72 + 22 * len(shown),
     )
