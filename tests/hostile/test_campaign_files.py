@@ -122,16 +122,16 @@ def test_a_binary_recording_cut_off(campaign: Path, damaged, sample: str) -> Non
 
 
 def test_what_nobody_foresaw_is_a_finding_too(campaign: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from jounce.recordings import formats
+    from jounce.recordings import files
 
-    read = formats.read_recording
+    read = files.read_recording
 
     def fails(file: Path, **told: object):
         if Path(file).name == "02.csv":
             raise ZeroDivisionError("x" * 10_000)
         return read(file, **told)
 
-    monkeypatch.setattr(formats, "read_recording", fails)
+    monkeypatch.setattr(files, "read_recording", fails)
     result = run_campaign(campaign)
     (problem,) = (finding for finding in result.findings if finding.severity == "problem")
     assert problem.place == "trial 2"

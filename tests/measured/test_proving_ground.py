@@ -254,7 +254,7 @@ def test_results_are_plain_and_the_runs_are_recordings(study: ProvingGround):
 
 
 def test_page_holds_every_figure_and_says_what_is_estimated(study: ProvingGround, tmp_path: Path):
-    files = {file.name for file in write_page(proving_ground_page(study), tmp_path / "out")}
+    files = {file.name for file in write_page(proving_ground_page(study), tmp_path / "out", figures=("svg", "png"))}
     assert {
         "report.html",
         "results.json",
