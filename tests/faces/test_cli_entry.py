@@ -200,3 +200,11 @@ def test_application_is_built_once_per_call() -> None:
 def test_module_ends_with_the_exit_code_of_the_command() -> None:
     done = subprocess.run([sys.executable, "-m", "jounce", "modes", "no-such-rig"], capture_output=True, check=False)
     assert done.returncode == 2
+
+
+def test_matrices_get_one_thread_unless_the_user_says_otherwise():
+    code = "import os; from jounce.cli import main; main(['version']); print(os.environ['OPENBLAS_NUM_THREADS'])"
+    bare = {name: value for name, value in os.environ.items() if "THREADS" not in name}
+    for told, used in ((bare, "1"), (bare | {"OPENBLAS_NUM_THREADS": "3"}, "3")):
+        done = subprocess.run([sys.executable, "-c", code], env=told, capture_output=True, text=True, check=True)
+        assert done.stdout.splitlines()[-1] == used
