@@ -6,6 +6,7 @@ the machine does. Cold means that nothing is cached but what comes with the pack
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
@@ -63,18 +64,25 @@ class Process:
     printed: str
 
 
+_STARTED = """import json, os, sys
+pid = os.posix_spawn(sys.executable, [sys.executable, *sys.argv[2:]], os.environ)
+_, status, used = os.wait4(pid, 0)
+told = [os.waitstatus_to_exitcode(status), used.ru_utime + used.ru_stime, used.ru_maxrss]
+open(sys.argv[1], "w").write(json.dumps(told))"""
+"""Starts a process from a small one: one that begins as a copy of a large one is told to have the memory of that."""
+
+
 def process(arguments: list[str], folder: Path) -> Process:
     """Run Python in a folder, whose own cache it uses."""
     environment = {**os.environ, "JOUNCE_CACHE_DIR": str(folder / "cache"), "COLUMNS": "140"}
-    with tempfile.TemporaryFile() as out:
-        child = subprocess.Popen([sys.executable, *arguments], cwd=folder, env=environment, stdout=out)
-        _, status, used = os.wait4(child.pid, 0)
-        child.returncode = os.waitstatus_to_exitcode(status)
-        if child.returncode:
-            raise SystemExit(f"{' '.join(arguments)} failed: {child.returncode}")
-        out.seek(0)
-        scale = 1e6 if sys.platform == "darwin" else 1e3
-        return Process(used.ru_utime + used.ru_stime, used.ru_maxrss / scale, out.read().decode())
+    with tempfile.TemporaryDirectory() as told:
+        numbers = Path(told, "used.json")
+        command = [sys.executable, "-S", "-c", _STARTED, str(numbers), *arguments]
+        printed = subprocess.run(command, cwd=folder, env=environment, stdout=subprocess.PIPE, check=True).stdout
+        code, seconds, memory = json.loads(numbers.read_text())
+    if code:
+        raise SystemExit(f"{' '.join(arguments)} failed: {code}")
+    return Process(seconds, memory / (1e6 if sys.platform == "darwin" else 1e3), printed.decode())
 
 
 def cold_rows() -> list[Row]:
