@@ -85,10 +85,12 @@ viewer: viewer/node_modules/.package-lock.json
 	cd viewer && npm run --silent types && node build.mjs
 
 check-viewer:
-	@if command -v node >/dev/null && command -v npm >/dev/null; then \
-	  $(MAKE) --no-print-directory viewer/node_modules/.package-lock.json && cd viewer && npm run --silent types && \
-	  made=$$(mktemp -d) && node build.mjs "$$made" && diff -rq "$$made" ../src/jounce/report/viewer && rm -r "$$made"; \
-	else echo "The bundle of the viewer is not checked: node or npm is missing"; fi
+	@if ! command -v node >/dev/null || ! command -v npm >/dev/null; then \
+	  echo "The bundle of the viewer is not checked: node or npm is missing"; \
+	elif ! $(MAKE) --no-print-directory viewer/node_modules/.package-lock.json; then \
+	  echo "The bundle of the viewer is not checked: its packages could not be fetched"; \
+	else cd viewer && npm run --silent types && \
+	  made=$$(mktemp -d) && node build.mjs "$$made" && diff -rq "$$made" ../src/jounce/report/viewer && rm -r "$$made"; fi
 
 viewer/node_modules/.package-lock.json: viewer/package-lock.json
 	cd viewer && npm ci --silent --no-fund --no-audit
