@@ -14,7 +14,8 @@ import pytest
 
 import jounce.report.campaign as campaign_report
 from jounce.cli import main
-from jounce.core.errors import DrawingError, OutputError
+from jounce.core.errors import OutputError
+from jounce.core.findings import DrawingError
 from jounce.plots.fits import damper_loops
 from jounce.report import Page, Paragraph, Picture, Section, render, write_page
 

@@ -12,7 +12,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TextIO
 
-from jounce.core.errors import DrawingError, JounceError
+from jounce.core.errors import JounceError
+from jounce.core.findings import DrawingError
 from jounce.core.text import visible
 
 if TYPE_CHECKING:

@@ -4,12 +4,8 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
 
 from jounce.core.text import shortened
-
-if TYPE_CHECKING:
-    from jounce.core.findings import Finding
 
 _LONGEST, _LONGEST_PLACE, _LONGEST_VALUE = 4000, 1000, 300
 """Characters: what a file holds may be of any length, what a reader is told not."""
@@ -69,20 +65,6 @@ class FitError(JounceError):
 
 class OutputError(JounceError):
     """A file that cannot be written without losing something."""
-
-
-class DrawingError(OutputError):
-    """Pictures or pages that could not be drawn; what was computed is written all the same.
-
-    Parameters
-    ----------
-    findings : iterable of Finding
-        What is missing, and why: one problem each.
-    """
-
-    def __init__(self, findings: Iterable[Finding]) -> None:
-        self.findings = tuple(findings)
-        super().__init__("; ".join(one.message.rstrip(".") for one in self.findings), where=self.findings[0].place)
 
 
 def unforeseen(error: Exception, where: str = "", kind: type[JounceError] = JounceError) -> JounceError:

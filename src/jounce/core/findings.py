@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal
 
-from jounce.core.errors import JounceError
+from jounce.core.errors import JounceError, OutputError
 from jounce.core.text import shortened
 
 Severity = Literal["note", "warning", "problem"]
@@ -40,3 +41,17 @@ def not_drawn(place: str, error: Exception) -> Finding:
     """A problem with drawing, which is one of a picture or a page and never of what was computed."""
     text = str(error) if isinstance(error, JounceError) else f"{type(error).__name__}: {shortened(str(error), 300)}"
     return Finding(place, "problem", f"could not be drawn: {text.rstrip('.')}. What was computed is whole.")
+
+
+class DrawingError(OutputError):
+    """Pictures or pages that could not be drawn; what was computed is written all the same.
+
+    Parameters
+    ----------
+    findings : iterable of Finding
+        What is missing, and why: one problem each.
+    """
+
+    def __init__(self, findings: Iterable[Finding]) -> None:
+        self.findings = tuple(findings)
+        super().__init__("; ".join(one.message.rstrip(".") for one in self.findings), where=self.findings[0].place)

@@ -91,3 +91,9 @@ class Facts:
     def counts(self) -> tuple[int, int]:
         """Numbers of coordinates and of speeds."""
         return len(self.coordinates), len(self.speeds)
+
+
+SLOPE_LANES = 8
+"""Directions that the function ``slopes`` differentiates along at once."""
+SLOPES = ("rate", "output", "switch", "constraint")
+"""Parts of its result, one after another."""

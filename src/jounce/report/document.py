@@ -23,6 +23,8 @@ from jounce.report.page import (
     Paragraph,
     Picture,
     Table,
+    alignments,
+    grouped,
     slug,
 )
 from jounce.report.typeset import breakable, compiled
@@ -84,8 +86,6 @@ def _plain(block: Block, figures: Mapping[str, Mapping[str, bytes]]) -> dict[str
     if isinstance(block, Facts):
         return {"kind": kind, "items": [_fact(fact) for fact in block.items]}
     if isinstance(block, Findings):
-        from jounce.report.render import grouped
-
         tones = {"problem": "bad", "warning": "fair", "note": "muted"}
         groups = [
             {"tone": tones[severity], "heading": heading, "items": [{"places": p, "message": m} for p, m in rows]}
@@ -119,8 +119,6 @@ _WIDE, _WIDE_NAME = 22, 44
 
 
 def _table(table: Table) -> dict[str, Any]:
-    from jounce.report.render import alignments
-
     align = alignments(table)
     rows = [[_cell(cell) for cell in row] for row in table.rows]
     longest = [

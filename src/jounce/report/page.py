@@ -243,3 +243,38 @@ def unique_slugs(names: Sequence[str]) -> list[str]:
             candidate = f"{base}-{count}"
         found.append(candidate)
     return found
+
+
+_SEVERITIES = {"problem": "Problems", "warning": "Warnings", "note": "Notes"}
+_MOST_PLACES = 6
+
+
+def alignments(table: Table) -> list[str]:
+    """Name the alignment of each column: ``left``, ``right`` or ``centre``."""
+    letters = table.align.ljust(len(table.header), "l")
+    return [{"l": "left", "r": "right", "c": "centre"}[letter] for letter in letters]
+
+
+def grouped(findings: Findings) -> list[tuple[str, str, list[tuple[str, str]]]]:
+    """Group findings by severity, worst first: (severity, heading, (places, message) of each).
+
+    The same sentence about many places becomes one.
+    """
+    messages: dict[tuple[str, str], list[str]] = {}
+    ordered = worst_first(findings.items)
+    for finding in ordered:
+        places = messages.setdefault((finding.severity, finding.message), [])
+        if finding.place not in places:
+            places.append(finding.place)
+    shown = list(messages.items())[: findings.most]
+    result = []
+    for severity, heading in _SEVERITIES.items():
+        rows = [(_places(places), with_minus(message)) for (kind, message), places in shown if kind == severity]
+        if rows:
+            result.append((severity, heading, rows))
+    return result
+
+
+def _places(places: list[str]) -> str:
+    more = f" and {len(places) - _MOST_PLACES} more" if len(places) > _MOST_PLACES else ""
+    return ", ".join(places[:_MOST_PLACES]) + more

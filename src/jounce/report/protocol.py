@@ -13,8 +13,8 @@ from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from jounce.core.errors import DrawingError, unknown
-from jounce.core.findings import not_drawn
+from jounce.core.errors import unknown
+from jounce.core.findings import DrawingError, not_drawn
 from jounce.core.serialise import to_json, to_plain
 from jounce.core.writing import Formats, check_writable, write_atomically
 from jounce.inspection.findings import sentence_of

@@ -13,14 +13,14 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from jounce.core.errors import DrawingError, OutputError, unknown
-from jounce.core.findings import Finding, not_drawn
+from jounce.core.errors import OutputError, unknown
+from jounce.core.findings import DrawingError, Finding, not_drawn
 from jounce.core.writing import Formats, is_empty, working_folder, write_files
 from jounce.recordings.files import write_recording
 from jounce.report.chart import CSS, SCALED_CSS, Chart, chart_svg, panel_svg
 from jounce.report.document import TABLES, page_pdf, table_csv, tables_of, tables_xlsx
 from jounce.report.live import bundle, live_data
-from jounce.report.page import Findings, Page, Picture, Table, slug, unique_slugs, with_minus, worst_first
+from jounce.report.page import Page, Picture, alignments, grouped, slug, unique_slugs
 from jounce.report.typeset import compiled
 
 if TYPE_CHECKING:
@@ -28,8 +28,6 @@ if TYPE_CHECKING:
 
 
 TEMPLATES = Path(__file__).parent / "templates"
-_SEVERITIES = {"problem": "Problems", "warning": "Warnings", "note": "Notes"}
-_MOST_PLACES = 6
 
 
 def write_page(
@@ -298,37 +296,6 @@ def _environment() -> Any:
     environment.filters["grouped"] = grouped
     environment.filters["alignments"] = alignments
     return environment
-
-
-def alignments(table: Table) -> list[str]:
-    """Name the alignment of each column: ``left``, ``right`` or ``centre``."""
-    letters = table.align.ljust(len(table.header), "l")
-    return [{"l": "left", "r": "right", "c": "centre"}[letter] for letter in letters]
-
-
-def grouped(findings: Findings) -> list[tuple[str, str, list[tuple[str, str]]]]:
-    """Group findings by severity, worst first: (severity, heading, (places, message) of each).
-
-    The same sentence about many places becomes one.
-    """
-    messages: dict[tuple[str, str], list[str]] = {}
-    ordered = worst_first(findings.items)
-    for finding in ordered:
-        places = messages.setdefault((finding.severity, finding.message), [])
-        if finding.place not in places:
-            places.append(finding.place)
-    shown = list(messages.items())[: findings.most]
-    result = []
-    for severity, heading in _SEVERITIES.items():
-        rows = [(_places(places), with_minus(message)) for (kind, message), places in shown if kind == severity]
-        if rows:
-            result.append((severity, heading, rows))
-    return result
-
-
-def _places(places: list[str]) -> str:
-    more = f" and {len(places) - _MOST_PLACES} more" if len(places) > _MOST_PLACES else ""
-    return ", ".join(places[:_MOST_PLACES]) + more
 
 
 _STYLE = re.compile(r"<style type=\"text/css\">.*?</style>", re.DOTALL)

@@ -17,7 +17,7 @@ from jounce.kernel.engine import Engine
 from jounce.kernel.methods.explicit import shortened
 from jounce.kernel.methods.runge_kutta import SHORT_NAMES, STEP_NAMES
 from jounce.kernel.native import Native, Source, compile_functions, kept_code
-from jounce.mechanics.facts import Facts, Output, is_road
+from jounce.mechanics.facts import SLOPES, Facts, Output, is_road
 from jounce.parts import Rig
 from jounce.parts.rig import structure_of
 
@@ -30,10 +30,6 @@ if TYPE_CHECKING:
 
 _PACKAGES = ("core", "parts", "control", "mechanics", "models", "kernel", "simulation")
 """Packages whose sources say what a rig compiles to."""
-SLOPE_LANES = 8
-"""Directions that the function ``slopes`` differentiates along at once."""
-SLOPES = ("rate", "output", "switch", "constraint")
-"""Parts of its result, one after another."""
 
 
 @dataclass(frozen=True)

@@ -17,8 +17,8 @@ from jounce.kernel.engine import NO_FEEDBACK, Control, Feedback, Problem, Sample
 from jounce.kernel.methods import explicit, implicit
 from jounce.kernel.methods.exact import Plan, plan, propagate
 from jounce.kernel.methods.propagators import Calls
-from jounce.mechanics.facts import is_road
-from jounce.simulation.compiled import SLOPE_LANES, Compiled
+from jounce.mechanics.facts import SLOPE_LANES, is_road
+from jounce.simulation.compiled import Compiled
 from jounce.simulation.result import Solution
 from jounce.simulation.settings import MAX_STEPS, Method
 from jounce.simulation.statics import Equilibrium, find_equilibrium, state_scale

@@ -11,9 +11,9 @@ from jounce.core.errors import SimulationError
 from jounce.kernel.lowering import AnyFunction, Lanes
 from jounce.kernel.methods.runge_kutta import Step
 from jounce.kernel.packing import SHARED, Graph, Packed, Parts
+from jounce.mechanics.facts import SLOPE_LANES, SLOPES
 from jounce.mechanics.model import Generic, Model
 from jounce.mechanics.tangents import tangent
-from jounce.simulation.compiled import SLOPE_LANES, SLOPES
 
 
 @dataclass(frozen=True)

@@ -23,8 +23,8 @@ from jounce.report import (
     Table,
 )
 from jounce.report import write_page as write
-from jounce.report.page import slug, unique_slugs, worst_first
-from jounce.report.render import grouped, inline_svg
+from jounce.report.page import grouped, slug, unique_slugs, worst_first
+from jounce.report.render import inline_svg
 
 BOTH = ("svg", "png")
 
