@@ -14,6 +14,7 @@ from .control import MagnetorheologicalDamper as MagnetorheologicalDamper
 from .control import PythonControl as PythonControl
 from .control import SemiActiveDamper as SemiActiveDamper
 from .control import controller as controller
+from .core.display import use_units as use_units
 from .core.errors import AssemblyError as AssemblyError
 from .core.errors import DescriptionError as DescriptionError
 from .core.errors import FitError as FitError

@@ -274,7 +274,7 @@ def _write_kinematics(found: KinematicDesign, file: Path, out: Path, *, force: b
 
 def draw_kinematics(console: Console, plain: dict[str, Any], found: KinematicDesign) -> None:
     """Print targets before and after, what was moved, what fights."""
-    from jounce.plots.display import display_unit
+    from jounce.core.display import display_unit
 
     rows = []
     for target in found.targets:

@@ -210,7 +210,8 @@ def plain_sweep(sweep: xr.Dataset) -> dict[str, Any]:
 def _draw(out: Console, rig: str, sweep: xr.Dataset, written: list[str]) -> None:
     import numpy as np
 
-    from jounce.plots.display import display_unit, kinematic_value
+    from jounce.core.display import display_unit
+    from jounce.plots.display import kinematic_value
 
     along, *others = map(str, sweep.dims)
     shown = sweep.sel(dict.fromkeys(others, 0.0), method="nearest") if others else sweep

@@ -6,10 +6,11 @@
 
 from __future__ import annotations
 
+from jounce.core.display import DisplayUnit, display_unit
 from jounce.plots.campaign import measured_against_simulated, residual_against_speed_and_pitch, trial_matrix
 from jounce.plots.comparison import compare
 from jounce.plots.dispatch import figure_of, show
-from jounce.plots.display import DisplayUnit, display_unit, number, quantity
+from jounce.plots.display import number, quantity
 from jounce.plots.fits import damper_loops, decay_fit, objectives, stiffness_fit, tyre_pressure, update
 from jounce.plots.kinematics import kinematic_curves, write_kinematics
 from jounce.plots.mechanisms.animation import animate

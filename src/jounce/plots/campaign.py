@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from jounce.core.display import DisplayUnit, display_unit
 from jounce.core.errors import FitError
 from jounce.core.types import Array
-from jounce.plots.display import DisplayUnit, display_unit, number, words_of
+from jounce.plots.display import number, words_of
 from jounce.plots.style import AFTER, BEFORE, GRADES, INK, MEASURED, MUTED, PALETTE, VERDICTS, WIDTH, new_figure, styled
 from jounce.recordings.schema import QUANTITIES, quantity_of
 

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from jounce.core.display import display_unit
 from jounce.core.errors import RecordingError, nearest
 from jounce.core.types import Array
-from jounce.plots.display import display_unit, words_of
+from jounce.plots.display import words_of
 from jounce.plots.signals import MOST_COLUMNS
 from jounce.plots.style import PALETTE, new_figure, styled
 from jounce.plots.thinning import thinned

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from jounce.plots.display import display_unit, number, quantity
+from jounce.core.display import display_unit
+from jounce.plots.display import number, quantity
 from jounce.plots.labels import name_points
 from jounce.plots.style import AFTER, BEFORE, INK, MUTED, PALETTE, WIDTH, in_legend, log_axes, new_figure, styled
 

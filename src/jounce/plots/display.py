@@ -3,82 +3,17 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from jounce.core.display import display_unit
 from jounce.core.types import Array
 from jounce.recordings.schema import QUANTITIES, quantity_of
 
 if TYPE_CHECKING:
     from jounce.identify.estimate import Estimate
     from jounce.identify.update import UpdatedParameter
-
-
-@dataclass(frozen=True)
-class DisplayUnit:
-    """Unit in which values of an SI unit are shown.
-
-    Attributes
-    ----------
-    name : str
-        As printed, e.g. ``"mm"``; empty for plain numbers.
-    factor : float
-        Shown value for one SI unit [1].
-    """
-
-    name: str
-    factor: float
-
-    def label(self, words: str) -> str:
-        """Give an axis label such as ``displacement [mm]``; plain numbers carry ``[–]``."""
-        return f"{words} [{self.name or '–'}]"
-
-
-_UNITS = {
-    "m": DisplayUnit("mm", 1e3),
-    "m/s": DisplayUnit("m/s", 1.0),
-    "m/s^2": DisplayUnit("m/s²", 1.0),
-    "rad": DisplayUnit("°", 180.0 / math.pi),
-    "rad/s": DisplayUnit("°/s", 180.0 / math.pi),
-    "rad/s^2": DisplayUnit("°/s²", 180.0 / math.pi),
-    "rad/m": DisplayUnit("°/m", 180.0 / math.pi),
-    "rad/m^2": DisplayUnit("°/m²", 180.0 / math.pi),
-    "Pa": DisplayUnit("MPa", 1e-6),
-    "N/m": DisplayUnit("N/mm", 1e-3),
-    "N*s/m": DisplayUnit("N·s/m", 1.0),
-    "N*m": DisplayUnit("N·m", 1.0),
-    "kg*m^2": DisplayUnit("kg·m²", 1.0),
-    "1": DisplayUnit("", 1.0),
-    "": DisplayUnit("", 1.0),
-}
-_LARGE = {"N": (2e4, DisplayUnit("kN", 1e-3)), "W": (2e4, DisplayUnit("kW", 1e-3))}
-
-
-def display_unit(si: str, largest: float = 0.0) -> DisplayUnit:
-    """Choose the unit in which values of an SI unit are shown.
-
-    Parameters
-    ----------
-    si : str
-        SI unit as written in recordings, e.g. ``"m/s^2"``.
-    largest : float
-        Largest absolute value to be shown, in that SI unit; forces above 20 000 N are shown in kN.
-
-    Returns
-    -------
-    DisplayUnit
-        The SI unit itself where nothing is more usual.
-
-    Examples
-    --------
-    >>> display_unit("m").label("displacement"), display_unit("N", 5e4).name, display_unit("N*s/m").name
-    ('displacement [mm]', 'kN', 'N·s/m')
-    """
-    if si in _LARGE and abs(largest) >= _LARGE[si][0]:
-        return _LARGE[si][1]
-    return _UNITS.get(si) or DisplayUnit(si.replace("^2", "²").replace("^3", "³").replace("*", "·"), 1.0)
 
 
 SMALLEST = {"rad": 1e-5, "rad/m": 1e-4, "m": 1e-6}

@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
+from jounce.core.display import display_unit
 from jounce.core.errors import FitError
 from jounce.core.types import Array
 from jounce.identify.decay import QUANTITIES, alternating, decay_response, turning_points
 from jounce.identify.force_deflection import ForceDeflectionTrial, renamed, seat
-from jounce.plots.display import digits_for, display_unit, number, quantity
+from jounce.plots.display import digits_for, number, quantity
 from jounce.plots.style import (
     AFTER,
     BEFORE,

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from jounce.plots.display import display_unit, settled
+from jounce.core.display import display_unit
+from jounce.plots.display import settled
 from jounce.plots.style import MUTED, PALETTE, new_figure, styled
 
 if TYPE_CHECKING:

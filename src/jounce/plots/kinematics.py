@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from jounce.core.display import display_unit
 from jounce.core.errors import RecordingError, nearest
 from jounce.core.types import Array
 from jounce.core.writing import write_files
-from jounce.plots.display import FAR_AWAY, PARALLEL, display_unit, settled
+from jounce.plots.display import FAR_AWAY, PARALLEL, settled
 from jounce.plots.style import MUTED, PALETTE, new_figure, rendered, styled
 
 if TYPE_CHECKING:

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from jounce.core.display import display_unit
 from jounce.core.errors import RecordingError, SimulationError, nearest
 from jounce.core.types import Array
-from jounce.plots.display import display_unit, number, words_of
+from jounce.plots.display import number, words_of
 from jounce.plots.style import AFTER, MUTED, PALETTE, in_legend, legend_above, limits, log_axes, new_figure, styled
 from jounce.plots.thinning import thinned
 from jounce.recordings.schema import QUANTITIES, quantity_of

@@ -7,10 +7,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from jounce.core.display import display_unit
 from jounce.core.errors import JounceError
 from jounce.core.units import to_si
 from jounce.identify.estimate import Estimate
-from jounce.plots.display import display_unit, estimate_cells, given, number
+from jounce.plots.display import estimate_cells, given, number
 from jounce.report.characterisation import unit_at
 from jounce.report.chart import Chart, Panel, Series
 from jounce.report.page import Cell, Table

@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from jounce.core.display import display_unit
 from jounce.core.types import Array
 from jounce.identify.decay import alternating, decay_response, turning_points
 from jounce.identify.force_deflection import ForceDeflectionTrial, renamed, seat
-from jounce.plots.display import display_unit, number, quantity
+from jounce.plots.display import number, quantity
 from jounce.plots.signals import sampled
 from jounce.report.chart import Panel, Series
 

@@ -8,12 +8,13 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from jounce.core.display import display_unit
 from jounce.core.errors import JounceError
 from jounce.core.findings import Finding
 from jounce.core.serialise import to_json
 from jounce.identify.estimate import Estimate
 from jounce.plots.campaign import channels_of
-from jounce.plots.display import correlation, display_unit, estimate_cells, given, milliseconds, number, percent
+from jounce.plots.display import correlation, estimate_cells, given, milliseconds, number, percent
 from jounce.report.answer import answer_chart, answer_table, answers, decisive
 from jounce.report.bench_charts import road_panels
 from jounce.report.characterisation import characterisation, unit_at

@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from jounce.campaign.characterise import files_of
+from jounce.core.display import display_unit
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.types import Array
 from jounce.identify.signs import compression_positive
 from jounce.parts.rig import unit_of
-from jounce.plots.display import display_unit, estimate_cells, estimate_text, number, quantity
+from jounce.plots.display import estimate_cells, estimate_text, number, quantity
 from jounce.report.bench_charts import decay_panels, pressure_panel, stiffness_panels
 from jounce.report.chart import Chart
 from jounce.report.page import Block, Cell, Details, Paragraph, Section, Subsection, Table, unique_slugs

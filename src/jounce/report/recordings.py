@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from jounce.core.display import DisplayUnit, display_unit
 from jounce.core.errors import JounceError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.plots.comparison import common_axis, common_channels, line_of, named_runs, through
-from jounce.plots.display import DisplayUnit, display_unit, number, settled, words_of
+from jounce.plots.display import number, settled, words_of
 from jounce.report.chart import Chart
 from jounce.report.live import Curve, Mechanism, Motion, Pane, Scene, Viewer, scene_panels
 from jounce.report.page import Block, Details, Findings, Page, Section, Table

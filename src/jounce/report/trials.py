@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from jounce.core.display import display_unit
 from jounce.core.errors import JounceError
 from jounce.parts.corners import Corner
 from jounce.plots.campaign import lively_window
-from jounce.plots.display import display_unit, given
+from jounce.plots.display import given
 from jounce.plots.mechanisms.scene import poses_of, roadway_of, scene_of
 from jounce.recordings.schema import QUANTITIES, channel_unit, quantity_of
 from jounce.report.chart import Chart

@@ -4,7 +4,8 @@ import math
 
 import pytest
 
-from jounce.plots.display import digits_for, display_unit, number, quantity, words_of
+from jounce.core.display import display_unit
+from jounce.plots.display import digits_for, number, quantity, words_of
 
 
 @pytest.mark.parametrize(

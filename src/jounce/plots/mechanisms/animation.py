@@ -15,12 +15,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from jounce.core.display import display_unit
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.optional import MissingPackageError
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.core.writing import Formats
-from jounce.plots.display import display_unit, settled
+from jounce.plots.display import settled
 from jounce.plots.mechanisms.drawing import (
     COILS,
     DAMPER_BODY,

@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.display import DisplayUnit, display_unit
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.types import Array
-from jounce.plots.display import DisplayUnit, display_unit, number
+from jounce.plots.display import number
 from jounce.plots.signals import sampled
 from jounce.plots.style import INK, PALETTE
 
