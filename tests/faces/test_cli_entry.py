@@ -7,9 +7,12 @@ import os
 import re
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
+from typer.main import get_command
 
 from jounce.cli import entry, main, simulate
 from jounce.cli.reply import PIPE_CLOSED
@@ -54,6 +57,18 @@ def test_help_lists_every_command_and_loads_nothing_heavy() -> None:
     *help_text, names = done.stdout.splitlines()
     assert {name.partition(".")[0] for name in names.split()} & HEAVY == set()
     assert {words[0] for words in COMMANDS} <= set(plain("\n".join(help_text)).split())
+
+
+def test_three_options_write_files() -> None:
+    def options(command: Any) -> Iterator[Any]:
+        for inner in getattr(command, "commands", {}).values():
+            yield from options(inner)
+        yield from (one for one in getattr(command, "params", ()) if one.opts[0].startswith("--"))
+
+    every = options(get_command(entry.application()))
+    files = {one.opts[0] for one in every if "Path" in str(getattr(one, "type_descriptor", ""))}
+    read = {"--limits", "--excitation", "--database"}
+    assert files == {"--out", "--figure", "--report"} | read
 
 
 @pytest.mark.parametrize("words", COMMANDS, ids=" ".join)

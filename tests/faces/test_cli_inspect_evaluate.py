@@ -93,7 +93,7 @@ def test_one_axle_as_json(cli, front: Path) -> None:
 
 def test_facts_of_the_command_line_count_before_those_of_the_header(cli, front: Path) -> None:
     given = ("--date", "2026-11-22", "--place", "Kempten", "--plate", "KE-AB 1", "--inspector", "A. Meier")
-    words = ("--protocol", "car.html,pdf", "--store", "lane.sqlite", "--json")
+    words = ("--report", "car.html,pdf", "--store", "lane.sqlite", "--json")
     plain = cli("inspect", "evaluate", front, *TESTER, *given, *words).json
     assert plain["protocol"] == ["car.html", "car.json", "car.pdf"]
     page = Path("car.html").read_text(encoding="utf-8")
@@ -120,7 +120,7 @@ def test_people_get_values_grades_and_reasons(cli, front: Path) -> None:
 
 
 def test_both_axles_with_protocols_of_both_kinds(cli, front: Path, rear: Path) -> None:
-    words = ("--protocol", "car.pdf", "--protocol", "car.html", "--language", "de", "--json")
+    words = ("--report", "car.pdf", "--report", "car.html", "--language", "de", "--json")
     found = cli("inspect", "evaluate", rear, front, *TESTER, *words)
     assert found.exit_code == 0
     plain = found.json
@@ -184,7 +184,7 @@ def test_a_record_that_cannot_be_graded_is_kept_with_its_reasons(cli) -> None:
     Path("hold.csv").write_text(
         f"{header}time [s], left.plate.z [mm], left.plate.force [N]\n{rows}\n", encoding="utf-8"
     )
-    words = ("--store", "lane.sqlite", "--protocol", "hold.pdf", "--json")
+    words = ("--store", "lane.sqlite", "--report", "hold.pdf", "--json")
     found = cli("inspect", "evaluate", "hold.csv", *TESTER, *words)
     assert found.exit_code == 2
     assert found.err.count("jounce: ") == 1
@@ -228,10 +228,10 @@ def test_a_record_that_cannot_be_read_is_kept_too(cli, content: str, message: st
         (("--method", "egae"), "unknown method 'egae'"),
         (("--method", "boge"), "unknown method of a rigid plate 'boge'"),
         (("--limits", "none.toml"), "none.toml: no such file"),
-        (("--protocol", "car.docx"), "protocols are not written in this format"),
-        (("--protocol", "none/car.pdf"), "the folder of the output does not exist"),
-        (("--protocol", "there.pdf"), "the output exists"),
-        (("--protocol", "a.pdf", "--protocol", "a.pdf"), "given twice"),
+        (("--report", "car.docx"), "protocols are not written in this format"),
+        (("--report", "none/car.pdf"), "the folder of the output does not exist"),
+        (("--report", "there.pdf"), "the output exists"),
+        (("--report", "a.pdf", "--report", "a.pdf"), "given twice"),
         (("--language", "fr"), "unknown language 'fr'"),
         (("--store", "none/lane.sqlite"), "the folder of the store does not exist"),
         (("--vehicle", "no-such-car"), "no shipped rig of that name"),
@@ -268,7 +268,7 @@ def test_a_limits_file_with_a_gap_is_refused_before_any_work(cli, front: Path) -
 
 def test_existing_protocols_are_replaced_with_force_only(cli, front: Path) -> None:
     Path("car.json").write_text("mine", encoding="utf-8")
-    words = ("inspect", "evaluate", front, *TESTER, "--protocol", "car.html")
+    words = ("inspect", "evaluate", front, *TESTER, "--report", "car.html")
     assert cli(*words).exit_code == 2
     assert Path("car.json").read_text(encoding="utf-8") == "mine"
     assert cli(*words, "--force").exit_code == 0
@@ -279,7 +279,7 @@ def test_the_vehicle_names_the_car_where_the_record_does_not(cli) -> None:
     write("front.csv", SOUND, SOUND)
     text = Path("front.csv").read_text(encoding="utf-8").replace('# vehicle = "Audi A6"\n', "")
     Path("front.csv").write_text(text, encoding="utf-8")
-    found = cli("inspect", "evaluate", "front.csv", *TESTER, "--vehicle", "audi-a6-quarter-car", "--protocol", "a.html")
+    found = cli("inspect", "evaluate", "front.csv", *TESTER, "--vehicle", "audi-a6-quarter-car", "--report", "a.html")
     assert found.exit_code == 0
     assert "audi-a6-quarter-car" in Path("a.html").read_text(encoding="utf-8")
     assert "is not that of the vehicle file" in found.out  # 366 kg on a wheel of 505 kg

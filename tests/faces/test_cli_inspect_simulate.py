@@ -55,7 +55,7 @@ def test_set_changes_rig_and_tester(cli, car) -> None:
 
 def test_run_down_is_evaluated_like_a_record(cli, car, tmp_path: Path) -> None:
     said = ("inspect", "simulate", car, "--method", "egea", "--noise", "1 %", "--seed", "3")
-    found = cli(*said, "--record", "lane.csv", "--json").json
+    found = cli(*said, "--out", "lane.csv", "--json").json
     assert 100.0 * found["adhesion"] == pytest.approx(61.15, abs=1.0)
     assert found["phase_angle_min_deg"] == pytest.approx(54.66, abs=2.0)
     assert found["theta_road"] == pytest.approx(found["truth"]["theta_road"], abs=0.01)
@@ -65,8 +65,8 @@ def test_run_down_is_evaluated_like_a_record(cli, car, tmp_path: Path) -> None:
     assert record.attrs["vehicle"] == "car"
     blind = evaluate(record, load_tester("egea-specsus2018")).wheel("left")
     assert blind.adhesion == pytest.approx(found["adhesion"], abs=1e-6)
-    assert cli(*said, "--record", "lane.csv").exit_code == 2  # it is there already
-    assert cli(*said, "--record", "lane.csv", "--force").exit_code == 0
+    assert cli(*said, "--out", "lane.csv").exit_code == 2  # it is there already
+    assert cli(*said, "--out", "lane.csv", "--force").exit_code == 0
 
 
 def test_wear_is_a_table(cli, car) -> None:
@@ -119,8 +119,8 @@ def test_people_read_values_and_the_verdict(cli, car) -> None:
         (("car.toml", "--method", "egea", "--wear", "0:2:0.5"), "within 0 to 1"),
         (("car.toml", "--method", "egea", "--wear", "new"), "within 0 to 1"),
         (("car.toml", "--method", "egea", "--noise=-1"), "noise"),
-        (("car.toml", "--method", "egea", "--steady", "--record", "x.csv"), "no record"),
-        (("car.toml", "--method", "egea", "--record", "x.xls"), ".nc, .csv"),
+        (("car.toml", "--method", "egea", "--steady", "--out", "x.csv"), "no record"),
+        (("car.toml", "--method", "egea", "--out", "x.xls"), ".nc, .csv"),
         (("car.toml", "--method", "egea", "--set", "tester.strok=6 mm"), "stroke"),
         (("audi-a6-half-car", "--method", "egea"), "no tyres"),
         (("formula-student-car", "--method", "egea"), "one of its corners"),
@@ -140,7 +140,7 @@ def test_every_shipped_tester_runs(cli, car) -> None:
 
 def test_both_wheels_of_an_axle_make_a_record_of_an_axle(cli, tmp_path: Path) -> None:
     said = ("inspect", "simulate", "audi-a6-full-car", "--method", "egea", "--axle", "rear", "--noise", "1 %")
-    found = cli(*said, "--wheel", "both", "--record", "lane.csv", "--json").json
+    found = cli(*said, "--wheel", "both", "--out", "lane.csv", "--json").json
     assert [wheel["wheel"] for wheel in found["wheels"]] == ["left", "right"]
     assert found["axle"]["axle"] == "rear"
     again = cli("inspect", "evaluate", "lane.csv", "--tester", "egea-specsus2018", "--json").json
@@ -151,7 +151,7 @@ def test_both_wheels_of_an_axle_make_a_record_of_an_axle(cli, tmp_path: Path) ->
 
 
 def test_a_record_of_one_wheel_of_an_axle_is_one_of_this_wheel(cli, tmp_path: Path) -> None:
-    said = ("inspect", "simulate", "audi-a6-full-car", "--method", "egea", "--wheel", "right", "--record", "lane.csv")
+    said = ("inspect", "simulate", "audi-a6-full-car", "--method", "egea", "--wheel", "right", "--out", "lane.csv")
     assert cli(*said).exit_code == 0
     outcome = cli("inspect", "evaluate", "lane.csv", "--tester", "egea-specsus2018", "--json")
     assert outcome.exit_code == 0

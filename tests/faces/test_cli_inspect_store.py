@@ -40,7 +40,7 @@ def simulated(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("simulated")
     (folder / "car.toml").write_text(CAR, encoding="utf-8")
     rig, record = str(folder / "car.toml"), str(folder / "one.csv")
-    assert main(["inspect", "simulate", rig, "--method", "egea", "--record", record, "--json"]) == 0
+    assert main(["inspect", "simulate", rig, "--method", "egea", "--out", record, "--json"]) == 0
     return folder / "one.csv"
 
 

@@ -78,7 +78,7 @@ def test_changes_are_swept(cli) -> None:
 
 
 def test_files_and_pictures(cli, tmp_path: Path) -> None:
-    outcome = cli("kinematics", RIG, *TRAVEL, "--out", "sweep.nc", "--plot", "curves")
+    outcome = cli("kinematics", RIG, *TRAVEL, "--out", "sweep.nc", "--figure", "curves")
     assert outcome.exit_code == 0
     with xr.open_dataset(tmp_path / "sweep.nc", engine="h5netcdf") as read:
         assert read["camber"].shape == (41,)
@@ -87,9 +87,9 @@ def test_files_and_pictures(cli, tmp_path: Path) -> None:
     again = cli("kinematics", RIG, *TRAVEL, "--out", "sweep.nc")
     assert again.exit_code == 2
     assert "exists" in again.err
-    full = cli("kinematics", RIG, *TRAVEL, "--plot", "curves")
+    full = cli("kinematics", RIG, *TRAVEL, "--figure", "curves")
     assert full.exit_code == 2
-    assert cli("kinematics", RIG, *TRAVEL, "--out", "sweep.nc", "--plot", "curves", "--force").exit_code == 0
+    assert cli("kinematics", RIG, *TRAVEL, "--out", "sweep.nc", "--figure", "curves", "--force").exit_code == 0
 
 
 def test_travel_beyond_reach_keeps_the_rest(cli, tmp_path: Path) -> None:

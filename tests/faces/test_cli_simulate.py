@@ -209,11 +209,11 @@ def test_runs_are_compared_and_reported(cli, bump: Path, tmp_path: Path) -> None
 @pytest.mark.parametrize("suffix", ["png", "svg", "pdf"])
 def test_plot(suffix: str, cli, bump: Path, tmp_path: Path) -> None:
     cli("simulate", RIG, "--road", bump, *DRIVE, "--out", "run.nc")
-    outcome = cli("plot", "run.nc", "sprung.az", "tyre.force", "--out", f"figure.{suffix}", "--json")
+    outcome = cli("plot", "run.nc", "sprung.az", "tyre.force", "--figure", f"figure.{suffix}", "--json")
     assert outcome.json["channels"] == ["sprung.az", "tyre.force"]
     start = {"png": b"\x89PNG", "svg": b"<?xml", "pdf": b"%PDF"}[suffix]
     assert (tmp_path / f"figure.{suffix}").read_bytes().startswith(start)
-    again = cli("plot", "run.nc", "--out", f"figure.{suffix}")
+    again = cli("plot", "run.nc", "--figure", f"figure.{suffix}")
     assert again.exit_code == 2
     assert "the output exists" in again.err
 

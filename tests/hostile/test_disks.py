@@ -55,7 +55,11 @@ def answers(disk: Path, before: str, commands: list[list[str]], after: str) -> t
     return json.loads(codes.splitlines()[-1] + "]"), messages, rest
 
 
-WRITE = [[*RUN, "--out", "run.nc", "--force"], ["campaign", "new", "mine"], ["plot", "base.csv", "--out", "base.png"]]
+WRITE = [
+    [*RUN, "--out", "run.nc", "--force"],
+    ["campaign", "new", "mine"],
+    ["plot", "base.csv", "--figure", "base.png"],
+]
 
 
 def test_a_disk_that_is_full(disk: Path) -> None:

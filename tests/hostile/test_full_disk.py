@@ -27,7 +27,7 @@ RUN = ["simulate", "kart-quarter-car", "--excitation", "base.csv", "--force"]
 COMMANDS = [
     [*RUN, "--out", "run.nc"],
     [*RUN, "--out", "run.csv"],
-    ["plot", "base.csv", "--out", "base.png"],
+    ["plot", "base.csv", "--figure", "base.png"],
     ["kinematics", "kart-double-wishbone", "--travel", "-4 mm:4 mm:4 mm", "--out", "sweep.nc"],
     ["campaign", "new", "mine"],
     ["campaign", "new", "started", "--force"],

@@ -107,7 +107,7 @@ def simulate(
     ] = "0",
     seed: Annotated[int, typer.Option(min=0, help="Seed of the noise.")] = 0,
     set_: Changes = None,
-    record: Annotated[Path | None, typer.Option(help="Write the record: RECORD.csv or RECORD.nc.")] = None,
+    out: Annotated[Path | None, typer.Option(help="Write the record: RECORD.csv or RECORD.nc.")] = None,
     truth: Annotated[
         bool, typer.Option("--truth", help="Include channels in the record that no tester measures (truth.*).")
     ] = False,
@@ -125,10 +125,10 @@ def simulate(
         if value not in allowed:
             raise DescriptionError("unknown", where=option, found=value, allowed=", ".join(allowed))
     several = wear is not None and ":" in wear
-    if record is not None and (steady or several):
+    if out is not None and (steady or several):
         what = "steady states have no record" if steady else "a record holds a single test"
-        raise OutputError(what, where=f"--record {record}", hint="Leave out --steady, and give a single --wear.")
-    check_outputs(recording=record, force=force)
+        raise OutputError(what, where=f"--out {out}", hint="Leave out --steady, and give a single --wear.")
+    check_outputs(recording=out, force=force)
     wanted = changes(set_)
     of_rig = {path: value for path, value in wanted.items() if not path.startswith(_OF_TESTER)}
     of_tester = {path.removeprefix(_OF_TESTER): value for path, value in wanted.items() if path not in of_rig}
@@ -151,14 +151,14 @@ def simulate(
             worn(chosen, wears[0]) if wears[0] else chosen, chosen_tester, method=method,
             axle=axle, noise=share, seed=seed, vehicle=name,  # type: ignore[arg-type]
         )  # fmt: skip
-        if record is not None:
-            _write_record(measured, record, truth=truth, force=force)
-        both = {**graded.to_dict(), **about, "record": record and str(record)}
+        if out is not None:
+            _write_record(measured, out, truth=truth, force=force)
+        both = {**graded.to_dict(), **about, "record": out and str(out)}
 
-        def draw(out: Console) -> None:
-            out.print(f"{rig} on {chosen_tester.name}, sweep of both wheels", style="bold")
-            draw_axle(out, graded)
-            show_written(out, both)
+        def draw(console: Console) -> None:
+            console.print(f"{rig} on {chosen_tester.name}, sweep of both wheels", style="bold")
+            draw_axle(console, graded)
+            show_written(console, both)
 
         return Reply(both, draw, as_json)
     runs = []
@@ -170,17 +170,17 @@ def simulate(
                 wheel=wheel, axle=axle, noise=share, seed=seed, vehicle=name,  # type: ignore[arg-type]
             )  # fmt: skip
             runs.append(found)
-    if record is not None and runs[0].record is not None:
-        _write_record(runs[0].record, record, truth=truth, force=force)
+    if out is not None and runs[0].record is not None:
+        _write_record(runs[0].record, out, truth=truth, force=force)
     tables = [found.wheel.to_dict() for found in runs]
     if not steady:
         for one, found in zip(tables, runs, strict=True):
             one["truth"] = {"theta_road": found.theta_road, "theta_rig": found.theta_rig}
     if not several:
-        plain: dict[str, Any] = {**tables[0], **about, "record": record and str(record)}
-        return Reply(plain, lambda out: _draw_wheel(out, plain, runs[0].wheel.findings), as_json)
+        plain: dict[str, Any] = {**tables[0], **about, "record": out and str(out)}
+        return Reply(plain, lambda console: _draw_wheel(console, plain, runs[0].wheel.findings), as_json)
     swept = {**about, "wear": wears, "wheels": [{"wear": lost, **one} for lost, one in zip(wears, tables, strict=True)]}
-    return Reply(swept, lambda out: _draw_wear(out, swept), as_json)
+    return Reply(swept, lambda console: _draw_wear(console, swept), as_json)
 
 
 def _chosen_tester(
@@ -264,7 +264,7 @@ def evaluate(
         typer.Option(help="Deciding method: eusama, egea, theta or boge; by default that of the tester. Repeat it."),
     ] = None,
     limits: Annotated[str | None, typer.Option(help="A limits file instead of the shipped limits.")] = None,
-    protocol: Annotated[
+    report: Annotated[
         list[Path] | None,
         typer.Option(
             help="Write a protocol (.pdf or .html), with its values as .json; CAR.pdf,html writes both. Repeat it."
@@ -286,7 +286,7 @@ def evaluate(
     What --date, --place, --plate and --inspector say takes the place of the header's, in the store as well. A record
     that cannot be graded is stored with the reasons, never graded by guess; the exit code is then 2.
 
-    Example: jounce inspect evaluate front.csv rear.csv --tester egea-specsus2018 --protocol car.pdf
+    Example: jounce inspect evaluate front.csv rear.csv --tester egea-specsus2018 --report car.pdf
     """
     from jounce.inspection.archive.store import Store
     from jounce.inspection.grading import grade_vehicle
@@ -303,11 +303,11 @@ def evaluate(
     _check_methods(method)
     if language not in LANGUAGES:
         raise unknown(language, LANGUAGES, what="language", where="--language")
-    protocols = [one for given in protocol or () for one in _formats_of(given)]
+    protocols = [one for given in report or () for one in _formats_of(given)]
     for file in protocols:
         check_protocol(file, force=force)
     if len(set(protocols)) < len(protocols):
-        raise DescriptionError("the same protocol is given twice", where="--protocol")
+        raise DescriptionError("the same protocol is given twice", where="--report")
     methods = list(dict.fromkeys(method or ())) or None
     chosen, graded_by = load_tester(tester), load_limits(limits)
     facts = {"date": date, "place": place, "plate_number": plate, "operator": inspector}

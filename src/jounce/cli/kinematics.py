@@ -66,9 +66,7 @@ def kinematics(
     ] = False,
     set_: Changes = None,
     out: Annotated[Path | None, typer.Option(help="Write the sweep: SWEEP.nc or SWEEP.csv.")] = None,
-    plot: Annotated[
-        Path | None, typer.Option("--figure", "--plot", metavar="DIR", help="Plot every quantity into this folder.")
-    ] = None,
+    figure: Annotated[Path | None, typer.Option(metavar="DIR", help="Plot every quantity into this folder.")] = None,
     report: ReportFile = None,
     force: Force = False,
     as_json: AsJson = False,
@@ -81,7 +79,7 @@ def kinematics(
 
     if out is not None:
         SWEEP_FILES.check(out, force=force)
-    check_outputs(folder=plot, report=report, force=force)
+    check_outputs(folder=figure, report=report, force=force)
     with progress() as say:
         say("loading")
         chosen = chosen_rig(rig, changes(set_))
@@ -90,21 +88,21 @@ def kinematics(
         if out is not None:
             SWEEP_FILES.write(sweep, out, force=force)
         missing = []
-        if plot is not None:
+        if figure is not None:
             say("drawing")
             try:
                 from jounce.plots.kinematics import write_kinematics
 
-                write_kinematics(sweep, plot, force=force)
+                write_kinematics(sweep, figure, force=force)
             except Exception as error:  # noqa: BLE001 - whatever it is, the sweep is told
-                missing, plot = [not_drawn(str(plot), error)], None
+                missing, figure = [not_drawn(str(figure), error)], None
         page_file, undrawn = write_report(lambda: _page(rig, chosen, sweep), report, force=force)
     stopped = str(sweep.attrs["stopped"])
     if stopped:
         tell(f"{stopped}. The poses before that are kept.")
     elif sweep.attrs.get("findings"):
         tell(str(sweep.attrs["findings"]))
-    written = [str(path) for path in (out, plot, page_file) if path is not None]
+    written = [str(path) for path in (out, figure, page_file) if path is not None]
     exit_code = REFUSED if stopped else DONE
     return Reply(
         plain_sweep(sweep),

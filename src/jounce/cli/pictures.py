@@ -15,6 +15,7 @@ from jounce.cli.options import (
     DrivenSpeed,
     Duration,
     ExcitationFile,
+    FigureFile,
     Force,
     ReportFile,
     Resample,
@@ -30,7 +31,7 @@ from jounce.cli.options import (
     trial_of,
 )
 from jounce.cli.reply import DONE, REFUSED, Reply, progress, show_findings, show_written, tell
-from jounce.core.errors import DescriptionError
+from jounce.core.errors import DescriptionError, OutputError
 
 if TYPE_CHECKING:
     import numpy as np
@@ -53,9 +54,7 @@ def plot(
             show_default=False,
         ),
     ] = None,
-    out: Annotated[
-        Path | None, typer.Option("--figure", "--out", help="Figure to write: .png, .svg or .pdf.", show_default=False)
-    ] = None,
+    figure: FigureFile = None,
     report: ReportFile = None,
     columns_: Columns = None,
     variable: Variable = "",
@@ -71,9 +70,9 @@ def plot(
     """
     from jounce.core.serialise import to_plain
 
-    if out is None and report is None:
+    if figure is None and report is None:
         raise DescriptionError("nothing to write", where="jounce plot", allowed="--figure FILE, --report FILE")
-    check_outputs(figure=out, report=report, force=force)
+    check_outputs(figure=figure, report=report, force=force)
     from jounce.plots.comparison import common_channels
 
     more = [Path(name) for name in channels or [] if _is_file(name)]
@@ -81,21 +80,21 @@ def plot(
     options = reading(columns_, sample_time, variable, resample, database)
     runs, findings = _recordings([run, *more], options)
     drawn = wanted or common_channels(runs, None)
-    if out is not None:
+    if figure is not None:
         from jounce.plots.comparison import compare
         from jounce.plots.signals import time_history
         from jounce.plots.style import FIGURES
 
-        figure = compare(runs, wanted) if more else time_history(runs[next(iter(runs))], wanted)
-        FIGURES.write(figure, out, force=force)
-        drawn = drawn if more or wanted else [axes.get_title("left") for axes in figure.axes]
+        picture = compare(runs, wanted) if more else time_history(runs[next(iter(runs))], wanted)
+        FIGURES.write(picture, figure, force=force)
+        drawn = drawn if more or wanted else [axes.get_title("left") for axes in picture.axes]
     if report is not None:
         from jounce.report import REPORTS, recordings_page
 
         title = " and ".join(runs) if len(runs) < _MANY else f"{len(runs)} recordings"
         REPORTS.write(recordings_page(runs, wanted, title=title, findings=findings), report, force=force)
-    written = [str(file) for file in (out, report) if file is not None]
-    plain = {"run": str(run), "runs": [str(run), *map(str, more)], "channels": drawn, "out": out and str(out)}
+    written = [str(file) for file in (figure, report) if file is not None]
+    plain = {"run": str(run), "runs": [str(run), *map(str, more)], "channels": drawn, "out": figure and str(figure)}
     plain |= {"report": report and str(report), "findings": to_plain(findings)}
 
     def draw(console: Console) -> None:
@@ -143,7 +142,7 @@ Rack = Annotated[str | None, typer.Option(help="Rack travel, positive to the lef
 
 def draw(
     rig: RigName,
-    out: Annotated[
+    figure: Annotated[
         Path | None,
         typer.Option(help="Picture to write: .png, .svg or .pdf; by default the name of the rig with .png."),
     ] = None,
@@ -156,11 +155,11 @@ def draw(
 ) -> Reply:
     """Draw a 3-D rig in three views and in perspective; --travel or --rack add poses to the design position.
 
-    Example: jounce draw kart-double-wishbone --travel "-20 mm:20 mm:20 mm" --out kart.png
+    Example: jounce draw kart-double-wishbone --travel "-20 mm:20 mm:20 mm" --figure kart.png
     """
     from jounce.plots.style import FIGURES
 
-    file = FIGURES.check(f"{Path(rig).stem}.png" if out is None else out, force=force)
+    file = FIGURES.check(f"{Path(rig).stem}.png" if figure is None else figure, force=force)
     with progress() as say:
         say("loading")
         chosen, wanted = _rig(rig, set_)
@@ -181,7 +180,10 @@ def draw(
 
 def animate(
     rig: RigName,
-    out: Annotated[Path, typer.Option(help="File to write: .html (opens anywhere), .gif, or .mp4 (needs ffmpeg).")],
+    report: Annotated[
+        Path | None, typer.Option(help="Page to write: .html, which opens anywhere: turn, play, read values.")
+    ] = None,
+    figure: Annotated[Path | None, typer.Option(help="Film to write: .gif, or .mp4 (needs ffmpeg).")] = None,
     travel: Travel = None,
     rack: Rack = None,
     road: RoadName = None,
@@ -202,13 +204,12 @@ def animate(
 ) -> Reply:
     """Show a 3-D rig in motion: swept over --travel or --rack, or driven over a --road or an --excitation.
 
-    Example: jounce animate kart-double-wishbone --travel "-20 mm:20 mm:1 mm" --out motion.html
+    Example: jounce animate kart-double-wishbone --travel "-20 mm:20 mm:1 mm" --report motion.html
     """
     from jounce.plots.mechanisms.animation import animate as write_animation
-    from jounce.plots.mechanisms.animation import check_animation
     from jounce.roads.trial import trial_findings
 
-    check_animation(out, force=force)
+    files = _animations(report, figure, force=force)
     slower = positive_quantity(slow, "1", "--slow")
     driven = _driven(travel, rack, road, speed, duration, excitation)
     with progress() as say:
@@ -219,28 +220,48 @@ def animate(
 
         poses = simulate(chosen, driven, detail=True) if driven else _sweep(chosen, _ranges(travel, rack))
         part = None if between is None else _ends(between, "s" if driven else "m")
-        write_animation(
-            chosen,
-            poses,
-            out,
-            trial=driven,
-            between=part,
-            slow=slower,
-            frames=frames,
-            title=Path(rig).stem,
-            force=force,
-            progress=say,
-        )
+        for file in files:
+            write_animation(
+                chosen,
+                poses,
+                file,
+                trial=driven,
+                between=part,
+                slow=slower,
+                frames=frames,
+                title=Path(rig).stem,
+                force=force,
+                progress=say,
+            )
     findings = [] if driven is None else trial_findings(driven)
     over = next(name for name in ("time", "rack_travel", "wheel_travel") if name in poses.sizes)
     plain = {"rig": rig, "changes": wanted, "over": over, "poses": poses.sizes[over], "findings": findings}
-    plain["out"] = str(out)
+    plain["out"] = str(files[0])
+    plain |= {"report": report and str(report), "figure": figure and str(figure)}
 
     def tell(console: Console) -> None:
-        show_written(console, plain)
+        for file in files:
+            console.print(f"written: {file}", soft_wrap=True)
         show_findings(console, findings)
 
     return Reply(plain, tell, as_json, _stopped(poses))
+
+
+def _animations(report: Path | None, figure: Path | None, *, force: bool) -> list[Path]:
+    """Refuse, before the work, files that could not be written; give those that are asked for."""
+    from jounce.plots.mechanisms.animation import check_animation
+
+    for option, file, allowed in (("--report", report, (".html",)), ("--figure", figure, (".gif", ".mp4"))):
+        if file is not None and file.suffix.lower() not in allowed:
+            raise OutputError(
+                "animations are not written in this format", where=option, found=str(file), allowed=", ".join(allowed)
+            )
+    found = [check_animation(file, force=force) for file in (report, figure) if file is not None]
+    if not found:
+        raise DescriptionError(
+            "nothing to write", where="jounce animate", allowed="--report FILE.html, --figure FILE.gif"
+        )
+    return found
 
 
 def _rig(name: str, set_: list[str] | None) -> tuple[Corner, dict[str, Any]]:

@@ -28,9 +28,9 @@ BASES = {
     "ride": 'ride audi-a6-quarter-car --road iso:C --speed "20 m/s" --duration "2 s"',
     "compare": 'compare audi-a6-quarter-car --speed "20 m/s" --duration "2 s" --control skyhook',
     "iri": "iri profile.csv",
-    "plot": "plot base.csv --out base.png",
-    "draw": "draw kart-double-wishbone --out kart.png",
-    "animate": 'animate kart-double-wishbone --travel "-4 mm:4 mm:4 mm" --out kart.html',
+    "plot": "plot base.csv --figure base.png",
+    "draw": "draw kart-double-wishbone --figure kart.png",
+    "animate": 'animate kart-double-wishbone --travel "-4 mm:4 mm:4 mm" --report kart.html',
     "check": "check base.csv",
     "library": "library kart-quarter-car",
     "version": "version",
@@ -108,7 +108,7 @@ TEXTS = {
 """Options that are any text, or that are looked for and not found."""
 ANY_NUMBER = {"--workers", "--seed"}
 """Any integer is a seed, and no more processes are started than there is work for."""
-OUTPUTS = {"--out", "--figure", "--plot", "--record", "--protocol", "--store", "FOLDER"}
+OUTPUTS = {"--out", "--figure", "--report", "--store", "FOLDER"}
 """What is written: a name that the system takes is a right one."""
 SLOW = (
     "demo",
