@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from corpus import commands, descriptions, judging, models, recordings
+from corpus import commands, descriptions, files, judging, models, recordings
 from corpus.__main__ import PARTS, TITLES
 from corpus.judging import BAD, judge
 from corpus.mutations import KINDS
@@ -39,11 +39,13 @@ def test_the_whole_corpus(part: str) -> None:
 
 
 def test_a_part_of_the_files() -> None:
-    judged("files", [(name, 7 * k + i) for i, name in enumerate(recordings.names()) for k in range(FAST["files"])])
+    names = recordings.names()
+    judged("files", [(name, 7 * k + i, files.SEED) for i, name in enumerate(names) for k in range(FAST["files"])])
 
 
 def test_a_part_of_the_models() -> None:
-    judged("models", [(name, 5 * k + i) for i, name in enumerate(models.SAMPLES) for k in range(FAST["files"])])
+    names = models.SAMPLES
+    judged("models", [(name, 5 * k + i, models.SEED) for i, name in enumerate(names) for k in range(FAST["files"])])
 
 
 def test_a_part_of_the_descriptions() -> None:
@@ -56,7 +58,8 @@ def test_a_part_of_the_commands() -> None:
 
 
 def test_every_reader_kind_and_command_is_in_it() -> None:
-    assert {recordings.sample(name).reader for name in recordings.names()} == {reader.name for reader in READERS}
+    assert {recordings.reader_of(name) for name in recordings.names()} == {reader.name for reader in READERS}
+    assert all(recordings.sample(name).reader == recordings.reader_of(name) for name in recordings.names())
     assert set(commands.BASES) == set(commands.commands())
     schemas = {name.removeprefix("jounce.").removesuffix("/1") for name in _SCHEMAS}
     assert schemas == {name.partition(" ")[0].strip(":") for name in descriptions.KINDS} - {"full", "header"}
@@ -66,7 +69,10 @@ def test_every_reader_kind_and_command_is_in_it() -> None:
 def test_it_has_the_size_that_is_told() -> None:
     cases = len(commands.cases()) + len(descriptions.cases(*PARTS["descriptions"]))
     assert cases >= 1400
-    assert len(recordings.names()) * PARTS["files"][0] + len(models.SAMPLES) * PARTS["models"][0] >= 5000
+    for module in (files, models):
+        of = recordings.reader_of if module is files else models.reader_of
+        counts = Counter(of(name) for name, _, _ in module.cases(*PARTS[module.__name__.partition(".")[2]]))
+        assert min(counts.values()) >= 2000, counts
 
 
 @pytest.mark.parametrize("part", PARTS)

@@ -14,7 +14,7 @@ import pytest
 from jounce.core.errors import JounceError, RecordingError
 from jounce.recordings import isolated, read_recording, readers, recording, write_recording
 from jounce.recordings.isolated import read_isolated
-from jounce.recordings.readers import Reader, ReaderOptions, SignalTable
+from jounce.recordings.reader import Reader, ReaderOptions, SignalTable
 
 EVIL = """
 import os, signal, time
@@ -57,7 +57,7 @@ EVIL_READER = Reader("evil", "", (".evil",), lambda *_: SignalTable(None), "", "
 @pytest.fixture
 def evil(monkeypatch, tmp_path):
     """Read a file that misbehaves as its text says, with limits that are soon reached."""
-    boot = f"{isolated._PATH}{EVIL}from jounce.recordings.isolated import serve; serve()"
+    boot = f"{isolated._PATH}{EVIL}from jounce.recordings.isolated import serve; serve(readers.READERS)"
     monkeypatch.setattr(isolated, "_CHILD", boot)
     monkeypatch.setattr(isolated, "TIME", 1.0)
     monkeypatch.setattr(isolated, "MEMORY", 3e8)
@@ -127,6 +127,19 @@ def test_a_child_that_was_killed_while_it_waits_is_replaced(tmp_path: Path) -> N
     waiting.kill()
     waiting.wait()
     assert read_recording(file)[0].sizes["time"] == 50
+
+
+def test_one_child_reads_many_files_of_a_library_that_reserves_much(tmp_path: Path, monkeypatch) -> None:
+    pa, parquet = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
+    monkeypatch.setattr(isolated, "_IDLE", [])
+    table = pa.table({"time [s]": np.arange(50) * 0.01, "tyre.force [N]": np.arange(50.0)})
+    seen = set()
+    for name in ("a.parquet", "b.parquet"):
+        parquet.write_table(table, tmp_path / name)
+        assert read_recording(tmp_path / name)[0].sizes["time"] == 50
+        seen |= {child.process.pid for child in isolated._IDLE}
+    assert len(seen) == 1
+    isolated._end_all()
 
 
 def test_the_same_in_a_process_that_can_start_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -6,8 +6,8 @@ from .files import to_pandas as to_pandas
 from .files import write_recording as write_recording
 from .quality import check_channels as check_channels
 from .quality import check_time as check_time
+from .reader import Reader as Reader
 from .readers import READERS as READERS
-from .readers import Reader as Reader
 from .schema import channel_unit as channel_unit
 from .schema import check_recording as check_recording
 from .schema import recording as recording

@@ -18,7 +18,8 @@ from jounce.core.units import conversion_factor, to_si
 from jounce.recordings import isolated
 from jounce.recordings.plausibility import implausible
 from jounce.recordings.quality import FEWEST_SAMPLES, check_channels, check_instants, check_time
-from jounce.recordings.readers import ReaderOptions, SignalTable, is_read_in_child, read_signals
+from jounce.recordings.reader import ReaderOptions, SignalTable
+from jounce.recordings.readers import is_read_in_child, read_signals
 from jounce.recordings.schema import channel_unit, quantity_of, recording
 from jounce.recordings.signals import read_at, uniform_instants
 from jounce.recordings.writers import RECORDING_FILES

@@ -15,9 +15,9 @@ import signal
 import subprocess
 import sys
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import IO, TYPE_CHECKING, Any
+from typing import IO, Any
 
 import numpy as np
 
@@ -25,9 +25,7 @@ from jounce.core import errors, optional
 from jounce.core.columns import Column, ColumnTable
 from jounce.core.errors import JounceError, RecordingError, shown
 from jounce.core.findings import Finding
-
-if TYPE_CHECKING:
-    from jounce.recordings.readers import Reader, ReaderOptions, SignalTable
+from jounce.recordings.reader import Reader, ReaderOptions, SignalTable
 
 MEMORY, MEMORY_A_BYTE = 1.5e9, 32.0
 """Bytes that reading a file may take, and those for each byte of the file (in memory it is not compressed)."""
@@ -35,7 +33,9 @@ TIME, TIME_A_BYTE = 10.0, 1e-6
 """Seconds of computing that reading a file may take, and those for each byte; by the clock it is three times that."""
 
 _PATH = "import json, sys; sys.path[:] = json.loads(sys.argv[1])\n"
-_CHILD = f"{_PATH}from jounce.recordings.isolated import serve; serve()"
+_CHILD = f"""{_PATH}from jounce.recordings.isolated import serve
+from jounce.recordings.readers import READERS
+serve(READERS)"""
 _NUMBERS = "fiub"
 _LARGEST_WORKER = 1e9  # bytes that a child may keep between two files
 
@@ -183,8 +183,8 @@ if hasattr(os, "register_at_fork"):
 # --- what the child does
 
 
-def serve() -> None:
-    """Answer requests from standard input until it ends."""
+def serve(readers: Sequence[Reader]) -> None:
+    """Answer requests for these readers from standard input until it ends."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent decides
     answers = os.fdopen(os.dup(1), "wb")
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what libraries print is no answer
@@ -195,7 +195,7 @@ def serve() -> None:
         try:
             os.chdir(told["folder"])
             _limit(told["memory"], told["seconds"])
-            answer["signals"] = _plain_signals(_read(told), arrays)
+            answer["signals"] = _plain_signals(_read(readers, told), arrays)
         except JounceError as error:
             answer, arrays = {"error": _plain_error(error)}, []
         except MemoryError as error:
@@ -203,7 +203,7 @@ def serve() -> None:
         except Exception as error:  # noqa: BLE001 - whatever it is, the parent shall hear of it
             answer, arrays = {"error": _plain_error(errors.unforeseen(error, told["path"], RecordingError))}, []
         os.chdir(Path(sys.executable).anchor or os.sep)  # a folder where a process stands cannot be removed everywhere
-        answer["is_last"] = _used_memory() > _LARGEST_WORKER
+        answer["is_last"] = _resident_memory() > _LARGEST_WORKER
         _send(answers, answer, arrays)
 
 
@@ -218,11 +218,9 @@ def too_much_memory(error: MemoryError, path: str, allowed: float = 0.0) -> Reco
     )
 
 
-def _read(told: Mapping[str, Any]) -> SignalTable:
-    from jounce.recordings.readers import READERS, ReaderOptions
-
+def _read(readers: Sequence[Reader], told: Mapping[str, Any]) -> SignalTable:
     database = None if told["database"] is None else Path(told["database"])
-    reader = next(one for one in READERS if one.name == told["reader"])
+    reader = next(one for one in readers if one.name == told["reader"])
     return reader.read(Path(told["path"]), ReaderOptions(told["variable"], told["header"], database))
 
 
@@ -244,9 +242,18 @@ def _limit(memory: float, seconds: float) -> None:
 
 
 def _used_memory() -> float:
-    """Bytes of data that this process has, 0 where the system does not tell."""
+    """Bytes of data that this process may use, which the limit counts; 0 where the system does not tell."""
+    return _memory_told(5)
+
+
+def _resident_memory() -> float:
+    """Bytes that this process really takes (libraries reserve many times more); 0 where the system does not tell."""
+    return _memory_told(1)
+
+
+def _memory_told(column: int) -> float:
     try:
-        pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[5])
+        pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[column])
     except (OSError, ValueError, IndexError):
         return 0.0
     return float(pages * os.sysconf("SC_PAGE_SIZE"))
@@ -323,8 +330,6 @@ def _plain_signals(signals: SignalTable, arrays: list[Any]) -> dict[str, Any]:
 
 
 def _signals(plain: Mapping[str, Any], arrays: list[Any]) -> SignalTable:
-    from jounce.recordings.readers import SignalTable
-
     def found(value: Any) -> Any:
         return _unpacked(value, arrays)
 

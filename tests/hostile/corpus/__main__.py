@@ -11,8 +11,8 @@ from pathlib import Path
 
 from corpus.judging import BAD, counted, judge, table
 
-PARTS = {"commands": [], "descriptions": [120], "models": [200], "files": [250]}
-"""Parts of the corpus, and how many cases there are of each file."""
+PARTS = {"commands": [], "descriptions": [120], "models": [2000], "files": [2000]}
+"""Parts of the corpus, and how many cases there are of each file; of each reader, for mutations of bytes."""
 TITLES = {
     "commands": "Commands: each option and argument with wrong values",
     "descriptions": "Descriptions: lines that are wrong, checked and used",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from pathlib import Path
 from typing import Any
 
@@ -13,21 +14,29 @@ from corpus.mutations import STRUCTURAL, mutated
 
 SEED = 20261122
 FEW = 3  # numbers in text that bytes put between them may change
+TIME = 3.0
+"""Seconds of computing after which reading is taken to be endless: whole files of this size take some hundredths."""
 
 
-def cases(count: int) -> list[tuple[str, int]]:
-    """So many mutations of each sample."""
-    return [(name, number) for name in recordings.names() for number in range(count)]
+def cases(count: int, seed: int = SEED) -> list[tuple[str, int, int]]:
+    """Sample, number and seed of so many mutations of the files of each reader, which its samples share."""
+    kinds = Counter(map(recordings.reader_of, recordings.names()))
+    return [
+        (name, number, seed)
+        for name in recordings.names()
+        for number in range(-(-count // kinds[recordings.reader_of(name)]))
+    ]
 
 
-def verdict(case: tuple[str, int]) -> tuple[str, str]:
+def verdict(case: tuple[str, int, int]) -> tuple[str, str]:
     """What reading one mutation gives."""
     from jounce.core.errors import JounceError
-    from jounce.recordings import read_recording
+    from jounce.recordings import isolated, read_recording
 
-    name, number = case
+    isolated.TIME = TIME
+    name, number, seed = case
     sample = recordings.sample(name)
-    kind, content = mutated(sample.content, SEED, number)
+    kind, content = mutated(sample.content, seed, number)
     file = Path(sample.name)
     file.write_bytes(content)
     try:

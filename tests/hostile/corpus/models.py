@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -41,9 +42,15 @@ def content_of(name: str) -> tuple[str, bytes]:
     return "road.csv", f"x [m], z [m]\n{rows}".encode()
 
 
-def cases(count: int) -> list[tuple[str, int]]:
-    """So many mutations of each sample."""
-    return [(name, number) for name in SAMPLES for number in range(count)]
+def reader_of(name: str) -> str:
+    """The kind of a file, before the colon of its name."""
+    return name.partition(":")[0]
+
+
+def cases(count: int, seed: int = SEED) -> list[tuple[str, int, int]]:
+    """Sample, number and seed of so many mutations of the files of each kind, which its samples share."""
+    kinds = Counter(map(reader_of, SAMPLES))
+    return [(name, number, seed) for name in SAMPLES for number in range(-(-count // kinds[reader_of(name)]))]
 
 
 def _chrono(file: Path) -> Any:
@@ -78,17 +85,17 @@ def truth_of(name: str) -> Any:
     return _READ[file.suffix](file)
 
 
-def verdict(case: tuple[str, int]) -> tuple[str, str]:
+def verdict(case: tuple[str, int, int]) -> tuple[str, str]:
     """What reading one mutation gives."""
     from jounce.core.errors import JounceError
 
-    name, number = case
+    name, number, seed = case
     for other in (_FILES / "road_crg").glob("*.crg"):  # those that others refer to
         if not Path(other.name).exists():
             Path(other.name).write_bytes(other.read_bytes())
     truth = truth_of(name)
     file, whole = Path(content_of(name)[0]), content_of(name)[1]
-    kind, content = mutated(whole, SEED, number)
+    kind, content = mutated(whole, seed, number)
     file.write_bytes(content)
     try:
         found = _READ[file.suffix](file)

@@ -43,6 +43,13 @@ def names() -> list[str]:
     return list(_MAKERS)
 
 
+def reader_of(name: str) -> str:
+    """The reader of a sample, which is named after it."""
+    from jounce.recordings import READERS
+
+    return next(reader.name for reader in READERS if name.startswith(reader.name))
+
+
 @cache
 def sample(name: str) -> Sample:
     """One good file."""
