@@ -76,6 +76,7 @@ def test_lengths_for_camber_and_toe(cli) -> None:
         (("--camber", "9 mm"), "wrong unit"),
         (("--camber", "1 deg", "--set", "lower_arm_length=3 mm"), "a length to be found is also given"),
         (("--out", "new.toml"), "nothing to adjust"),
+        (("--set", "upper_arm_length=5 mm", "--out", "new"), "new: rigs are not written in this format"),
     ],
 )
 def test_mistakes_are_one_message(cli, tmp_path: Path, words, message) -> None:

@@ -69,6 +69,7 @@ def test_nothing_is_overwritten(cli, tmp_path: Path):
         ([POLARIS, "--sprung-mass", "0 kg"], "--sprung-mass: out of range"),
         ([POLARIS, "--tyre-stifness", "1"], "Did you mean '--tyre-stiffness'"),
         ([POLARIS, "--out", "missing/rig.toml"], "folder of the output does not exist"),
+        ([POLARIS, "--out", "rig.txt"], "rig.txt: rigs are not written in this format; found '.txt'; allowed: .toml"),
     ],
     ids=str,
 )

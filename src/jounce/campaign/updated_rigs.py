@@ -13,6 +13,7 @@ from tomlkit.items import Comment, InlineTable, Null, Table
 from jounce.campaign.characterise import TYRE_PATHS, Characterisation
 from jounce.campaign.description import Campaign
 from jounce.campaign.result import StrategyResult
+from jounce.core.text import in_one_line
 from jounce.core.units import to_si
 from jounce.parts import Rig, rig_from_table
 from jounce.parts.files import updated_text
@@ -72,7 +73,7 @@ def _updated(
         *([_OF_THE_PART] if any(strategy.update.discrepancy is not None for strategy in chain) else []),
         *([campaign.synthetic] if campaign.synthetic else []),
     ]
-    return "\n".join(f"# {line}" for line in head) + "\n" + _without_head(tomlkit.dumps(document))
+    return "\n".join(f"# {in_one_line(line)}" for line in head) + "\n" + _without_head(tomlkit.dumps(document))
 
 
 def _is_replaced(name: str, found: Sequence[str], rig: Rig) -> bool:
@@ -167,7 +168,7 @@ def _annotate(document: tomlkit.TOMLDocument, path: str, words: str) -> None:
     if isinstance(item, InlineTable):
         kept, words = item.trivia.comment.removeprefix("#").strip(), f"{last} {words}"
     gap = item.trivia.comment_ws or "  "
-    item.comment(f"{kept}; {words}" if kept else words)
+    item.comment(in_one_line(f"{kept}; {words}" if kept else words))
     item.trivia.comment_ws = gap  # which the comment made one blank
 
 

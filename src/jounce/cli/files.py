@@ -446,7 +446,7 @@ def chrono(
     from jounce.parts.importers import import_chrono
 
     if out is not None:
-        check_writable(out, force=force)
+        check_writable(out, what="rigs", suffixes=(".toml",), force=force)
     rig, findings, text = import_chrono(
         file,
         wheel_radius=optional_positive(wheel_radius, "m", "--wheel-radius"),

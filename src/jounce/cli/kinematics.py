@@ -261,7 +261,7 @@ def adjust(
 
     given = {name: bare_number(value) for name, value in pairs(set_, "--set", 'upper_arm_length="10 mm"').items()}
     if out is not None:
-        check_writable(out, force=force)
+        check_writable(out, what="rigs", suffixes=(".toml",), force=force)
     chosen, lengths = chosen_rig(rig, {}), None
     if camber is not None or toe is not None:
         for name in ("lower_arm_length", "upper_arm_length", "tie_rod_length"):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from json import dumps as json_text
 
 # Control characters but tab and new line, those of 8-bit terminals, separators of lines, and what turns the direction.
 _UNSEEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
@@ -18,6 +19,25 @@ def visible(text: str, *, json: bool = False) -> str:
     'spring\\x1b[2J 22 N/mm'
     """
     return _UNSEEN.sub(lambda match: f"\\u{ord(match[0]):04x}" if json else repr(match[0])[1:-1], text)
+
+
+def quoted(text: str) -> str:
+    r"""A text as a string of TOML and of JSON, whatever is in it; halves of characters become ``\ufffd``.
+
+    >>> quoted('2" spring\x7f'), quoted("µ \ud800")
+    ('"2\\" spring\\u007f"', '"µ \ufffd"')
+    """
+    whole = re.sub("[\ud800-\udfff]", "\ufffd", text)
+    return visible(json_text(whole, ensure_ascii=False), json=True)
+
+
+def in_one_line(text: str) -> str:
+    r"""A text as a comment of TOML or another line: blanks and ends of lines are one blank, nothing is unseen.
+
+    >>> in_one_line("2 springs\n  of\x7f steel")
+    '2 springs of\\x7f steel'
+    """
+    return visible(" ".join(text.split()))
 
 
 def shortened(text: str, most: int) -> str:

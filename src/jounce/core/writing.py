@@ -225,14 +225,23 @@ def is_empty(folder: Path) -> bool:
 @contextmanager
 def working_folder() -> Iterator[Path]:
     """Give a folder for this process alone, which goes when the block ends; what killed processes left goes, too."""
-    place = Path(tempfile.gettempdir())
-    with _told(place, "no folder for temporary files can be made"):
-        _sweep(place)
-        folder = Path(tempfile.mkdtemp(prefix=_own_prefix()))
+    folder = lasting_folder()
     try:
         yield folder
     finally:
         shutil.rmtree(folder, ignore_errors=True)
+
+
+def lasting_folder() -> Path:
+    """Give a folder for what other programs open, which outlasts this process: the next one that needs one removes it.
+
+    >>> lasting_folder().name.startswith(".jounce-")
+    True
+    """
+    place = Path(tempfile.gettempdir())
+    with _told(place, "no folder for temporary files can be made"):
+        _sweep(place)
+        return Path(tempfile.mkdtemp(prefix=_own_prefix()))
 
 
 _LONGEST_SUFFIX = 16

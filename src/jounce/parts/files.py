@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 import textwrap
 import tomllib
@@ -17,6 +16,7 @@ import tomlkit
 from jounce.core.description import check_schema, dotted, line_of, read_toml
 from jounce.core.errors import DescriptionError, nearest, unknown
 from jounce.core.files import chosen_file, shipped_files
+from jounce.core.text import in_one_line, quoted
 from jounce.core.units import conversion_factor, to_si
 from jounce.core.writing import check_writable, write_atomically
 from jounce.parts.corners import Corner, Hardpoints
@@ -50,7 +50,7 @@ def rig_text(rig: Rig, comments: Sequence[str] = ()) -> str:
     table = _as_given(rig, rig.model_dump(by_alias=True, exclude_none=True, exclude_unset=True))
     table = {"schema": getattr(rig, "schema_", "jounce.rig/1"), "model": getattr(rig, "model", ""), **table}
     keys = [*(key for key in _ORDER if key in table), *(key for key in table if key not in _ORDER)]
-    head = [f"# {line}" for comment in comments for line in textwrap.wrap(comment, _WIDTH - 2)]
+    head = [f"# {line}" for comment in comments for line in textwrap.wrap(in_one_line(comment), _WIDTH - 2)]
     plain = [f"{key} = {_value(rig, key, table[key])}" for key in keys if not isinstance(table[key], Mapping)]
     body = [line for key in keys if isinstance(table[key], Mapping) for line in _section(rig, key, table[key])]
     return "\n".join([*head, *plain, *body, ""])
@@ -85,7 +85,7 @@ def _value(rig: Rig, path: str, value: Any) -> str:
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, str):
-        return json.dumps(value, ensure_ascii=False)
+        return quoted(value)
     if isinstance(value, (list, tuple)):
         return _list([_value(rig, f"{path}[{i}]", item) for i, item in enumerate(value)])
     si = unit_of(rig, path)

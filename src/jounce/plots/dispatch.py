@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import os
 import sys
-import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from functools import singledispatch
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import JounceError
+from jounce.core.writing import lasting_folder
 from jounce.plots import audi_a6, campaign, design, fits, inspection, kinematics, signals
 from jounce.plots.mechanisms import mechanism
-from jounce.plots.style import write_figure
+from jounce.plots.style import rendered, write_figure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -70,16 +69,12 @@ def show(result: object, **options: Any) -> Figure:
     if "ipykernel" in sys.modules:
         from IPython.display import SVG, display
 
-        display(SVG(_written(figure, ".svg").read_text(encoding="utf-8")))
+        display(SVG(rendered(figure, [".svg"])[".svg"].decode()))
     elif sys.platform in ("win32", "darwin") or os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"):
         import webbrowser
 
-        webbrowser.open(_written(figure, ".png").as_uri())
+        webbrowser.open(write_figure(figure, lasting_folder() / "figure.png").as_uri())
     return figure
-
-
-def _written(figure: Figure, suffix: str) -> Path:
-    return write_figure(figure, Path(tempfile.mkdtemp(prefix="jounce-figure-")) / f"figure{suffix}")
 
 
 def _drawing() -> Callable[..., Figure]:

@@ -246,6 +246,8 @@ def rendered(figure: Figure, suffixes: Sequence[str] = (".svg", ".png"), salt: s
     with style():
         mpl.rcParams["svg.hashsalt"] = salt
         _shorten(figure)
+        # where a layout is solved from is seen in it, so that the next time shall start from there, too
+        before = [(axes, axes.get_position(original=True).frozen(), axes.get_in_layout()) for axes in figure.axes]
         lay_out(figure)
         engine = figure.get_layout_engine()
         figure.set_layout_engine("none")
@@ -259,6 +261,9 @@ def rendered(figure: Figure, suffixes: Sequence[str] = (".svg", ".png"), salt: s
                 found[suffix] = _content(figure, suffix)
         finally:
             figure.set_layout_engine(engine)
+            for axes, place, is_in_layout in before:
+                axes.set_position(place)
+                axes.set_in_layout(is_in_layout)
     return found
 
 

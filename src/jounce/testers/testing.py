@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib import metadata
@@ -13,6 +12,7 @@ import numpy as np
 
 from jounce.core.errors import SimulationError
 from jounce.core.findings import Finding
+from jounce.core.text import quoted
 from jounce.core.types import Array
 from jounce.core.writing import write_atomically
 from jounce.parts.rig import Rig
@@ -218,7 +218,7 @@ def write_test(record: xr.Dataset, path: Path | str, *, force: bool = False) -> 
 
 def _written(key: str, value: object) -> str:
     unit = {"static_load": " N", "plate_mass": " kg"}.get(key.rpartition(".")[2], "")
-    return json.dumps(f"{value}{unit}", ensure_ascii=False)
+    return quoted(f"{value}{unit}")
 
 
 def findings_of_test(rig: Rig, tester: Tester) -> list[Finding]:

@@ -324,3 +324,14 @@ def test_a_single_wishbone_says_what_can_be_read():
         DescriptionError, match="'SingleWishbone'; allowed: the template DoubleWishbone, MacPhersonStrut, "
     ):
         read("Gator_SingleWishboneFront")
+
+
+@pytest.mark.parametrize("name", ["a\x7fb", "a\x00b", "a\ud800b", 'a"\nb', "a\u202e\x85b"])
+def test_names_of_any_characters_are_kept_in_the_rig_file(tmp_path: Path, name: str):
+    file = changed(tmp_path, "HMMWV_DoubleWishboneFront_mapShock", lambda table: table.update(Name=name))
+    rig, _, text = import_chrono(file)
+    assert rig.source is not None
+    assert name.replace("\ud800", "\ufffd") in rig.source
+    assert tomllib.loads(text)["source"] == rig.source
+    assert not {"\x7f", "\x00", "\u202e"} & set(text)
+    text.encode()
