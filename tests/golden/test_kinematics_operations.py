@@ -4,6 +4,8 @@
 with masses in the equations, which do not matter here).
 2026-11-22: 63 quantities. Trail, scrub and offsets in the wheel's axes too, angles of the swing arms, the axis at held
 spring length; links steer about the pure turn that rack and travel can make.
+2026-11-22: 67 quantities. Kingpin inclination gain, camber per steer, ride height, tyre stiffness; three
+more of a rocker.
 """
 
 from __future__ import annotations
@@ -14,10 +16,10 @@ import jounce as jn
 from jounce.kinematics.model import kinematic_model
 
 PINNED = {
-    "reference-double-wishbone": {"pose": 972, "output": 1806},
-    "formula-student-front": {"pose": 1244, "output": 2118},
-    "generic-mcpherson": {"pose": 1051, "output": 2061},
-    "sedan-multi-link": {"pose": 2664, "output": 7349},
+    "reference-double-wishbone": {"pose": 972, "output": 1840},
+    "formula-student-front": {"pose": 1244, "output": 2291},
+    "generic-mcpherson": {"pose": 1051, "output": 2084},
+    "sedan-multi-link": {"pose": 2664, "output": 7391},
     "semi-trailing-arm": {"pose": 60, "output": 562},
 }
 

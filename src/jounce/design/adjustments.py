@@ -206,6 +206,7 @@ def adjusted(rig: Rig, settings: Mapping[str, Value]) -> DoubleWishbone:
     5.2
     """
     corner, values = _double_wishbone(rig), read_settings(rig, settings)
+    corner.require_strut_alone("an adjustment")
     corner = _assembled(corner, values)
     wedges = {
         f"wheel.{name}": getattr(corner.wheel, name) + values[f"{name}_wedge"]

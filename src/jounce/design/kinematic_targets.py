@@ -19,6 +19,7 @@ from jounce.core.types import Array
 from jounce.core.units import conversion_factor, positive_si, to_si
 from jounce.design.kinematic_study import KinematicTarget
 from jounce.kernel.poses import REACHED
+from jounce.kinematics.across import reaches_over
 from jounce.kinematics.axle import Axle, Ground, WheelRows, roll_rows, steering_rows
 from jounce.kinematics.model import KinematicModel, has_rack, kinematic_model
 from jounce.kinematics.sweeps import AxleLayout, PreparedSweep, prepare_sweep, shares, sweep_values
@@ -181,6 +182,8 @@ def quantity_unit(rig: Corner, name: str, along: str, vehicle: AxleLayout | None
     if along == "roll":
         both = {f"{side}.{row}": unit for side in ("left", "right") for row, unit in {**rows, **_EACH}.items()}
         known = {**_ROLLED, **both}
+        if reaches_over(rig):  # its forces need more than the rows of both wheels
+            known.pop("roll_moment")
     elif has_rack(rig):
         known |= _STEERED
         if vehicle is None and name in _STEERED and name not in _WITHOUT_VEHICLE:

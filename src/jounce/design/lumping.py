@@ -288,6 +288,7 @@ def _heaving(rig: Rig) -> Corner:
         raise DescriptionError(
             "a fixed body has no motion to lump", where="guide", found=rig.guide, allowed='"vertical" and a sprung mass'
         )
+    rig.require_strut_alone("a quarter car")
     table = rig.model_dump(by_alias=True, exclude_none=True)
     table.pop("bushings", None)
     return type(rig).from_table({**table, "guide": "vertical"})

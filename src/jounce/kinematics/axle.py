@@ -6,7 +6,6 @@ The right wheel is the left corner's mirror: at a rack travel it stands as the l
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,6 +15,7 @@ from jounce.core.errors import DescriptionError
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.kernel.poses import REACHED
+from jounce.kinematics.across import Connection, Ends, Wheel, connect, reaches_over
 from jounce.kinematics.catalogue import Quantity
 from jounce.kinematics.model import check_corner, check_rack, kinematic_model
 from jounce.kinematics.sweeps import (
@@ -26,6 +26,7 @@ from jounce.kinematics.sweeps import (
     Variables,
     facts_of,
     no_pose,
+    path_sweep,
     prepare_sweep,
     sweep_values,
 )
@@ -60,11 +61,13 @@ _BEND = 1e-4  # rad: step of the only difference, that of an exact slope
 class WheelRows:
     """Catalogue of one wheel of the axle at the poses of a sweep, in the axes of a left wheel.
 
-    ``rows`` holds each quantity, shape (n,), NaN where it is out of reach; ``radius`` in m.
+    ``rows`` holds each quantity, shape (n,), NaN where it is out of reach; ``radius`` in m. ``ends`` are those of what
+    reaches over to the other wheel, where there is such a thing.
     """
 
     rows: dict[str, Array]
     radius: float
+    ends: Ends | None = None
 
     @property
     def centre(self) -> Array:
@@ -102,24 +105,26 @@ class WheelRows:
 class Ground:
     """A plane road under a wheel of a body that rolls: its normal in the wheel's axes, and how that turns with roll.
 
-    ``side`` is 1 for the left wheel, -1 for the right one; ``roll`` (rad) is positive about +x.
+    ``side`` is 1 for the left wheel, -1 for the right one; ``roll`` (rad) is positive about +x, after a ``pitch``
+    about +y (nose down).
     """
 
     wheel: WheelRows
     roll: Array
     side: float
+    pitch: Array | float = 0.0
 
     @property
     def normal(self) -> Array:
         """Unit vector out of the road, shape (n, 3)."""
-        zero = np.zeros_like(self.roll)
-        return np.stack([zero, self.side * np.sin(self.roll), np.cos(self.roll)], axis=1)
+        level, ahead = np.cos(self.pitch), np.zeros_like(self.roll) - np.sin(self.pitch)
+        return np.stack([ahead, self.side * np.sin(self.roll) * level, np.cos(self.roll) * level], axis=1)
 
     @property
     def normal_slope(self) -> Array:
         """Derivative of the normal with roll, shape (n, 3)."""
-        zero = np.zeros_like(self.roll)
-        return np.stack([zero, self.side * np.cos(self.roll), -np.sin(self.roll)], axis=1)
+        level, zero = np.cos(self.pitch), np.zeros_like(self.roll)
+        return np.stack([zero, self.side * np.cos(self.roll) * level, -np.sin(self.roll) * level], axis=1)
 
     @property
     def lean(self) -> Array:
@@ -155,14 +160,16 @@ def _dot(a: Array, b: Array) -> Array:
 
 
 class Axle:
-    """Both wheels of an axle, from the description of one of them.
+    """Both wheels of an axle, from the description of one of them, or of each where ``right`` is given.
 
     ``numbers`` are those of the model's ``parameters`` where they are not the description's own. With ``directions``
     (tracks and parameters, n; see ``tangents``) each wheel keeps its rows' slopes along them in ``slopes``.
     """
 
-    def __init__(self, rig: Corner, numbers: Array | None = None, directions: Array | None = None) -> None:
-        self.rig = rig
+    def __init__(
+        self, rig: Corner, numbers: Array | None = None, directions: Array | None = None, right: Corner | None = None
+    ) -> None:
+        self.rig, self.right = rig, rig if right is None else right
         self.ends: list[End] = []
         self.slopes: dict[float, dict[str, Array]] = {}
         self._numbers, self._directions = numbers, directions
@@ -172,30 +179,67 @@ class Axle:
         self.radius = self.number("wheel.radius")
 
     def number(self, path: str) -> float:
-        """A number of the description, SI."""
+        """A number of the (left) description, SI."""
         return float(self._values[path])
+
+    def of(self, side: float) -> Corner:
+        """Description of the wheel on a side: 1 left, -1 right."""
+        return self.rig if side > 0.0 else self.right
 
     def wheel(self, side: float, travel: Array | float, rack: Array | float) -> WheelRows:
         """One wheel at pairs of travel and rack travel (m); either of them may be one value for all."""
-        own = self.rig.sign
-        turned = side * own * np.asarray(rack, dtype=float)
+        rig = self.of(side)
+        turned = side * rig.sign * np.asarray(rack, dtype=float)
         travel = np.asarray(travel, dtype=float)
-        swept, other = (travel, turned) if turned.ndim == 0 else (turned, travel)
-        order = np.argsort(swept)
-        kept = order[np.isfinite(swept[order])]
-        pair = (swept[kept], float(other)) if turned.ndim == 0 else (float(other), swept[kept])
-        sweep = prepare_sweep(self.rig, *pair) if len(kept) else None
-        values = np.full((len(sweep.model.rows) if sweep else 0, len(swept)), np.nan)
+        if travel.ndim and turned.ndim:
+            kept = np.flatnonzero(np.isfinite(travel + turned))
+            sweep = path_sweep(rig, travel[kept], turned[kept], self._numbers)[0] if len(kept) else None
+            count = len(travel)
+        else:
+            swept, other = (travel, turned) if turned.ndim == 0 else (turned, travel)
+            order = np.argsort(swept)
+            kept, count = order[np.isfinite(swept[order])], len(swept)
+            pair = (swept[kept], float(other)) if turned.ndim == 0 else (float(other), swept[kept])
+            sweep = prepare_sweep(rig, *pair) if len(kept) else None
+            if sweep is not None and self._numbers is not None:
+                sweep.walk.p[:] = self._numbers
+            if sweep is not None:
+                sweep.run()
         if sweep is None:
             raise no_pose(self.ends)
-        if self._numbers is not None:
-            sweep.walk.p[:] = self._numbers
-        values[:, kept] = sweep.run().reshape(len(values), -1)
+        reached = sweep.found.outcome == REACHED
+        values = np.full((len(sweep.model.rows), count), np.nan)
+        values[:, kept] = sweep.in_place(sweep.found.outputs, reached).reshape(len(values), -1)
         self._note(sweep)
         names = [row.name for row in sweep.model.rows]
         if self._directions is not None:
-            self.slopes[side] = self._sloped(sweep, names, kept, len(swept))
-        return WheelRows(self._flipped(dict(zip(names, values, strict=True))), self.radius)
+            self.slopes[side] = self._sloped(sweep, names, kept, count)
+        rows = self._flipped(dict(zip(names, values, strict=True)), rig)
+        return WheelRows(
+            rows,
+            float(sweep.walk.p[sweep.model.parameters.index("wheel.radius")]),
+            self._ends(sweep, side, kept, count),
+        )
+
+    def _ends(self, sweep: PreparedSweep, side: float, kept: NDArray[np.intp], count: int) -> Ends | None:
+        """Ends of what reaches over to the other wheel, at the poses just found."""
+        if "across" not in sweep.model.functions:
+            return None
+        reached = sweep.found.outcome == REACHED
+        states = []
+        for found in (sweep.found.poses, sweep.found.inputs):
+            placed = np.full((len(found), count), np.nan)
+            placed[:, kept] = sweep.in_place(found, reached).reshape(len(found), -1)
+            states.append(placed)
+        return Ends.of(sweep.model, self.of(side), (states[0], states[1], sweep.walk.p), side)
+
+    def connection(self, left: WheelRows, right: WheelRows) -> Connection:
+        """Give what connects both wheels at pairs of poses."""
+        model = kinematic_model(self.rig)
+        numbers = model.parameter_values(self.rig) if self._numbers is None else self._numbers
+        own = self._values if self.right is self.rig else self.right.parameters()
+        one = Wheel(left.rows, left.ends, self._values, self.rig.sign)
+        return connect(self.rig, model, numbers, one, Wheel(right.rows, right.ends, own, -self.right.sign))
 
     def _sloped(self, sweep: PreparedSweep, names: list[str], kept: NDArray[np.intp], count: int) -> dict[str, Array]:
         """Slopes of the rows just found, each (directions, poses), in the axes of a left wheel."""
@@ -204,20 +248,18 @@ class Axle:
         ordered = sweep.in_place(found.reshape(-1, found.shape[2]), sweep.found.outcome == REACHED)
         slopes = np.full((*found.shape[:2], count), np.nan)
         slopes[:, :, kept] = ordered.reshape(*found.shape[:2], -1)
-        return self._flipped(dict(zip(names, slopes, strict=True)))
+        return self._flipped(dict(zip(names, slopes, strict=True)), self.rig)
 
-    def _flipped(self, rows: dict[str, Array]) -> dict[str, Array]:
-        own = self.rig.sign
-        return {name: own * value if name in _ODD else value for name, value in rows.items()}
+    def _flipped(self, rows: dict[str, Array], rig: Corner) -> dict[str, Array]:
+        return {name: rig.sign * value if name in _ODD else value for name, value in rows.items()}
 
     def _note(self, sweep: PreparedSweep) -> None:
         if not self.ends and np.any(sweep.found.outcome != REACHED):
             self.ends = sweep.ends()
 
-    @cached_property
-    def rows(self) -> tuple[Quantity, ...]:
-        """Rows of the catalogue that each wheel has."""
-        return kinematic_model(self.rig).rows
+    def rows_of(self, side: float) -> tuple[Quantity, ...]:
+        """Rows of the catalogue that a wheel has."""
+        return kinematic_model(self.of(side)).rows
 
     def level(self, roll: Array, rack: float) -> tuple[Ground, Ground]:
         """Both wheels, travelled by the same amount against each other until they stand on one plane road."""
@@ -282,7 +324,10 @@ def sweep_roll(rig: Rig, roll: Values, rack: float | str = 0.0) -> xr.Dataset:
     kept = np.isfinite(left.height + right.height)
     if not kept.any():
         raise no_pose(axle.ends)
-    return roll_rows(axle, left, right, _bend(axle, angles, at)).dataset(kept, axle, corner)
+    bend = _bend(axle, angles, at)
+    found = roll_rows(axle, left, right, bend)
+    _add_roll_stiffness(found, axle, angles, at, (left, right), bend)
+    return found.dataset(kept, axle, corner)
 
 
 def roll_rows(axle: Axle, left: Ground, right: Ground, bend: Array) -> AxleVariables:
@@ -296,8 +341,11 @@ def roll_rows(axle: Axle, left: Ground, right: Ground, bend: Array) -> AxleVaria
         found.add(f"{name}.camber_to_ground", -np.arcsin(wheel.lean), "rad", "camber angle to the road", outward)
         found.add(f"{name}.roll_steer", travel * seen["bump_steer"], "1", "roll steer", "positive: about +z")
         found.add(f"{name}.roll_camber", travel * seen["camber_gain"], "1", "roll camber", outward)
-    bar = 0.0 if axle.rig.anti_roll_bar is None else axle.number("anti_roll_bar.stiffness")
-    _add_axle_rows(found, left, right, gain, bend, bar)
+        if "caster_gain" in seen:
+            text, sign = "roll caster: caster angle over roll angle", "positive: top moves rearward"
+            found.add(f"{name}.roll_caster", travel * seen["caster_gain"], "1", text, sign)
+    _add_axle_rows(found, left, right)
+    _add_roll_moments(found, axle, (left, right), bend)
     return found
 
 
@@ -312,7 +360,7 @@ def _bend(axle: Axle, roll: Array, rack: float) -> Array:
     return (ahead - behind) / (2.0 * _BEND)
 
 
-def _add_axle_rows(found: AxleVariables, left: Ground, right: Ground, gain: Array, bend: Array, bar: float) -> None:
+def _add_axle_rows(found: AxleVariables, left: Ground, right: Ground) -> None:
     one, other = left.contact * [1.0, 1.0, 1.0], right.contact * [1.0, -1.0, 1.0]
     roll = left.roll
     at_left, at_right = _across(one, roll), _across(other, roll)
@@ -325,25 +373,63 @@ def _add_axle_rows(found: AxleVariables, left: Ground, right: Ground, gain: Arra
         found.add("roll_centre_height", height, "m", "roll centre height above the road", "positive: up")
         aside = _across(centre, roll) - 0.5 * (at_left + at_right)
         found.add("roll_centre_y", aside, "m", "roll centre, lateral distance from mid-track", "positive: left")
-    if "wheel_force" not in left.wheel.rows:  # hardpoints alone: no forces
+
+
+_AGAINST = "positive: against the roll"
+
+
+def _add_roll_moments(found: AxleVariables, axle: Axle, wheels: tuple[Ground, Ground], bend: Array) -> None:
+    """Moments of springs and of what connects both wheels, and the roll stiffness of the springs."""
+    left, right = (ground.wheel for ground in wheels)
+    if "wheel_force" not in left.rows or (reaches_over(axle.rig) and left.ends is None):  # nothing is known of forces
         return
-    force = right.wheel.rows["wheel_force"] - left.wheel.rows["wheel_force"]
-    stiffness = right.wheel.rows["wheel_rate"] + left.wheel.rows["wheel_rate"]
-    moment, springs = force * gain, stiffness * gain**2 + force * bend
-    twisted = np.zeros_like(roll)
-    if bar:
+    gain = _gain(*wheels)
+    force = right.rows["wheel_force"] - left.rows["wheel_force"]
+    stiffness = right.rows["wheel_rate"] + left.rows["wheel_rate"]
+    connection = axle.connection(left, right)
+    moment = force * gain + (connection.forces[1] - connection.forces[0]) * gain
+    found.add("roll_moment", moment, "N*m", "moment of springs and anti-roll bar on the body", _AGAINST)
+    for name, (value, unit, text, sign) in connection.rows.items():
+        found.add(name, value, unit, text, sign)
+    springs = stiffness * gain**2 + force * bend
+    found.add("roll_stiffness_springs", springs, "N*m/rad", "roll stiffness of the springs", _AGAINST)
+
+
+def _add_roll_stiffness(
+    found: AxleVariables, axle: Axle, roll: Array, rack: float, wheels: tuple[Ground, Ground], bend: Array
+) -> None:
+    """Roll stiffness of what connects both wheels, of all springs, and with the tyres."""
+    left, right = (ground.wheel for ground in wheels)
+    if "wheel_force" not in left.rows:
+        return
+    gain, bar = _gain(*wheels), axle.rig.anti_roll_bar
+    springs, twisted = found.values["roll_stiffness_springs"], np.zeros_like(roll)
+    if bar is not None and bar.kind == "u" and axle.rig.third_spring is None:
         angle, ratio, change = (
-            [wheel.rows[f"anti_roll_bar_{name}"] for wheel in (left.wheel, right.wheel)]
+            [wheel.rows[f"anti_roll_bar_{name}"] for wheel in (left, right)]
             for name in ("angle", "motion_ratio", "motion_ratio_gradient")
         )
         twist, speed = angle[1] - angle[0], (ratio[0] + ratio[1]) * gain
-        moment = moment + bar * twist * speed
-        twisted = bar * (speed**2 + twist * ((change[1] - change[0]) * gain**2 + (ratio[0] + ratio[1]) * bend))
-    against = "positive: against the roll"
-    found.add("roll_moment", moment, "N*m", "moment of springs and anti-roll bar on the body", against)
-    found.add("roll_stiffness_springs", springs, "N*m/rad", "roll stiffness of the springs", against)
-    found.add("roll_stiffness_bar", twisted, "N*m/rad", "roll stiffness of the anti-roll bar", against)
-    found.add("roll_stiffness", springs + twisted, "N*m/rad", "roll stiffness of springs and anti-roll bar", against)
+        turned = twist * ((change[1] - change[0]) * gain**2 + (ratio[0] + ratio[1]) * bend)
+        twisted = left.rows["anti_roll_bar_stiffness"] * (speed**2 + turned)
+    elif bar is not None or axle.rig.third_spring is not None:
+        ahead, behind = (_connected_moment(axle, roll + step, rack) for step in (_BEND, -_BEND))
+        twisted = (ahead - behind) / (2.0 * _BEND)
+    total = springs + twisted
+    text = "roll stiffness of anti-roll bar and third spring"
+    found.add("roll_stiffness_bar", twisted, "N*m/rad", text, _AGAINST)
+    found.add("roll_stiffness", total, "N*m/rad", "roll stiffness of springs and anti-roll bar", _AGAINST)
+    if "tyre_stiffness" in left.rows:
+        tyres = 0.25 * (left.rows["tyre_stiffness"] + right.rows["tyre_stiffness"]) * found.values["track"] ** 2
+        text = "roll stiffness of springs and anti-roll bar in series with the tyres"
+        found.add("roll_stiffness_total", total * tyres / (total + tyres), "N*m/rad", text, _AGAINST)
+
+
+def _connected_moment(axle: Axle, roll: Array, rack: float) -> Array:
+    """Moment against the roll of what connects both wheels, N m."""
+    grounds = axle.level(roll, rack)
+    connection = axle.connection(*(ground.wheel for ground in grounds))
+    return np.asarray((connection.forces[1] - connection.forces[0]) * _gain(*grounds))
 
 
 def _across(point: Array, roll: Array) -> Array:
@@ -362,7 +448,7 @@ class AxleVariables(Variables):
     def add_wheel(self, axle: Axle, wheel: WheelRows, name: str, side: float) -> None:
         """Add the catalogue of one wheel as the ground's axes show it."""
         seen = wheel.seen(side)
-        for row in axle.rows:
+        for row in axle.rows_of(side):
             self.add(f"{name}.{row.name}", seen[row.name], row.unit, f"{name}: {row.long_name}", row.sign)
 
     def dataset(self, kept: NDArray[np.bool_], axle: Axle, corner: Corner) -> xr.Dataset:

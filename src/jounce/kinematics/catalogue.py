@@ -33,9 +33,10 @@ class Quantity:
     clause : str
         Where a standard defines it; empty where none does.
     needs : str
-        ``"axis"`` (a steering axis), ``"rack"``, ``"bar"`` (an anti-roll bar), ``"spring"``, ``"damper"``, ``"tyre"``
-        (each described), ``"stiffness"`` (a spring, and a tyre whose deflection is known); empty for what every corner
-        has.
+        ``"axis"`` (a steering axis), ``"rack"``, ``"bar"`` (an anti-roll bar), ``"coil"``, ``"torsion"`` (bar),
+        ``"third"`` (spring), ``"third damper"``, ``"damper"``, ``"tyre"`` (each described), ``"spring"`` (a coil or a
+        torsion bar), ``"stiffness"`` (a spring, and a tyre whose deflection is known), ``"heave"`` (a third spring or a
+        Z-bar), ``"rocker"``, ``"rocker strut"`` (a strut on it); empty for what every corner has.
     """
 
     name: str
@@ -101,7 +102,23 @@ def _lateral(view: CornerView) -> ca.SX:
 
 
 def _wheel_force(view: CornerView) -> ca.SX:
-    return (view.springs.force + view.stops.force) * view.motion_ratio
+    return (view.springs.force + view.stops.force) * view.motion_ratio + _torsion_force(view, ca.SX(1.0))
+
+
+def _torsion_force(view: CornerView, rise: ca.SX) -> ca.SX:
+    """Force of the torsion bar where that rises by so much for one of the wheel centre."""
+    if view.linkage.rig.torsion_bar is None:
+        return ca.SX(0.0)
+    return view.torsion_torque * view.slope(view.torsion_angle) / rise
+
+
+def _torsion_rate(view: CornerView, rise: ca.SX, *, preload: bool = True) -> ca.SX:
+    """Slope of that force along the rise."""
+    if view.linkage.rig.torsion_bar is None:
+        return ca.SX(0.0)
+    ratio = view.slope(view.torsion_angle) / rise
+    rate = view.mechanism.parameter("torsion_bar.stiffness") * ratio**2
+    return rate + view.torsion_torque * view.slope(ratio) / rise if preload else rate
 
 
 def _contact_ratio_rate(view: CornerView) -> ca.SX:
@@ -115,13 +132,23 @@ def _stiffness(view: CornerView) -> ca.SX:
 def _wheel_rate(view: CornerView) -> ca.SX:
     """At the wheel centre."""
     force = view.springs.force + view.stops.force
-    return _stiffness(view) * view.motion_ratio**2 + force * view.slope(view.motion_ratio)
+    coil = _stiffness(view) * view.motion_ratio**2 + force * view.slope(view.motion_ratio)
+    return coil + _torsion_rate(view, ca.SX(1.0))
+
+
+def _wheel_rate_spring(view: CornerView) -> ca.SX:
+    return _stiffness(view) * view.motion_ratio**2 + _torsion_rate(view, ca.SX(1.0), preload=False)
+
+
+def _contact_rate_spring(view: CornerView) -> ca.SX:
+    return _stiffness(view) * view.contact_ratio**2 + _torsion_rate(view, view.patch[2], preload=False)
 
 
 def _contact_rate(view: CornerView) -> ca.SX:
     """At the contact patch."""
     force = view.springs.force + view.stops.force
-    return _stiffness(view) * view.contact_ratio**2 + force * _contact_ratio_rate(view)
+    coil = _stiffness(view) * view.contact_ratio**2 + force * _contact_ratio_rate(view)
+    return coil + _torsion_rate(view, view.patch[2])
 
 
 def _ride_rate(view: CornerView) -> ca.SX:
@@ -130,12 +157,47 @@ def _ride_rate(view: CornerView) -> ca.SX:
 
 
 def _bar_rate(view: CornerView) -> ca.SX:
-    return 2.0 * view.mechanism.parameter("anti_roll_bar.stiffness") * view.slope(view.bar_angle) ** 2
+    return 0.5 * view.bar_stiffness * view.bar_twist_ratio**2
+
+
+def _third_force(view: CornerView) -> ca.SX:
+    return 0.5 * view.third.force * view.third_ratio
+
+
+def _third_rate(view: CornerView) -> ca.SX:
+    """At either wheel centre, while both move alike."""
+    return 0.5 * (view.third.stiffness * view.third_ratio**2 + view.third.force * view.slope(view.third_ratio))
+
+
+def _heave_bar_force(view: CornerView) -> ca.SX:
+    """Force of a Z-bar on either wheel while both are alike: its ends have turned by twice one of them."""
+    return view.bar_stiffness * view.bar_angle * view.bar_heave_ratio
+
+
+def _heave_rate(view: CornerView) -> ca.SX:
+    """Wheel rate with what works while both wheels move alike."""
+    rig, rate = view.linkage.rig, ca.SX(0.0)
+    if "spring" not in rig.lacks:
+        rate += _wheel_rate(view)
+    if rig.third_spring is not None:
+        rate += _third_rate(view)
+    if rig.anti_roll_bar is not None and rig.anti_roll_bar.kind == "z":
+        rate += view.slope(_heave_bar_force(view))
+    return rate
+
+
+def _inclination_gain(view: CornerView) -> ca.SX:
+    return view.slope(_inclination_of(view.steering_axis))
+
+
+def _camber_per_steer(view: CornerView) -> ca.SX:
+    return view.by_rack(view.camber) / view.by_rack(view.toe_out)
 
 
 _PARALLEL = 1e-9  # rad/m: a swing arm of 1000 km
 _TOP_OUT, _LEFT_TURN = "positive: top outward", "positive: about +z, a left turn"
 _BUMP = "positive: bump, the wheel rises"
+_WINDS = "positive: bump winds it up"
 _HEAVY = "ISO 23365:2022, "
 
 # fmt: off
@@ -244,7 +306,7 @@ CATALOGUE: tuple[Quantity, ...] = (
     Quantity("damper_motion_ratio", "1", "damper motion ratio: damper compression over wheel travel",
         lambda v: v.damper_ratio, "positive: bump compresses the damper"),
     Quantity("spring_force", "N", "spring force", lambda v: v.springs.force, "positive: compression",
-        needs="spring"),
+        needs="coil"),
     Quantity("stop_force", "N", "force of bump and rebound stops", lambda v: v.stops.force, "positive: compression",
         needs="spring"),
     Quantity("wheel_force", "N", "force of spring and stops at the wheel centre", _wheel_force,
@@ -254,13 +316,13 @@ CATALOGUE: tuple[Quantity, ...] = (
         "positive: stiffens in bump",
         needs="spring"),
     Quantity("wheel_rate_spring", "N/m", "wheel rate without the preload term",
-        lambda v: _stiffness(v) * v.motion_ratio**2, "positive: stiffens in bump",
+        _wheel_rate_spring, "positive: stiffens in bump",
         needs="spring"),
     Quantity("wheel_rate_contact", "N/m", "wheel rate at the contact patch, preload term included", _contact_rate,
         "positive: stiffens in bump",
         needs="spring"),
     Quantity("wheel_rate_contact_spring", "N/m", "wheel rate at the contact patch without the preload term",
-        lambda v: _stiffness(v) * v.contact_ratio**2, "positive: stiffens in bump",
+        _contact_rate_spring, "positive: stiffens in bump",
         needs="spring"),
     Quantity("wheel_damping_coefficient", "N*s/m", "damping coefficient at the wheel centre, about rest",
         lambda v: v.damping_coefficient * v.damper_ratio**2, "positive: dissipates energy",
@@ -268,6 +330,8 @@ CATALOGUE: tuple[Quantity, ...] = (
     Quantity("tyre_deflection", "m", "tyre deflection at the wheel's radius", lambda v: v.tyre_deflection,
         "positive: compression",
         needs="tyre"),
+    Quantity("tyre_stiffness", "N/m", "stiffness of the tyre at its deflection", lambda v: v.tyre_stiffness,
+        "never negative", needs="stiffness"),
     Quantity("ride_rate", "N/m", "ride rate: wheel rate and tyre in series", _ride_rate, "positive: stiffens in bump",
         needs="stiffness"),
     Quantity("anti_roll_bar_angle", "rad", "rotation of the anti-roll bar's end", lambda v: v.bar_angle,
@@ -279,8 +343,47 @@ CATALOGUE: tuple[Quantity, ...] = (
         lambda v: v.slope(v.slope(v.bar_angle)), "positive: the ratio grows in bump", needs="bar"),
     Quantity("anti_roll_bar_rate", "N/m", "wheel rate of the anti-roll bar in opposite wheel travel", _bar_rate,
         "never negative", needs="bar"),
+    Quantity("anti_roll_bar_arm_angle", "rad", "angle between the anti-roll bar's arm and its link",
+        lambda v: v.bar_arm_angle, "never negative; a right angle moves the bar best", needs="bar"),
+    Quantity("anti_roll_bar_stiffness", "N*m/rad", "stiffness of the anti-roll bar with its blades",
+        lambda v: v.bar_stiffness, "never negative", needs="bar"),
+    Quantity("torsion_bar_angle", "rad", "turn of the torsion bar from design", lambda v: v.torsion_angle, _WINDS,
+        needs="torsion"),
+    Quantity("torsion_bar_motion_ratio", "rad/m", "torsion-bar motion ratio: its turn over wheel travel",
+        lambda v: v.slope(v.torsion_angle), _WINDS, needs="torsion"),
+    Quantity("torsion_bar_torque", "N*m", "torque of the torsion bar", lambda v: v.torsion_torque,
+        "positive: against bump", needs="torsion"),
+    Quantity("third_spring_length", "m", "length of the third spring, both wheels moving alike",
+        lambda v: v.third_length, "never negative", needs="third"),
+    Quantity("third_spring_motion_ratio", "1",
+        "third-spring motion ratio: its compression over the travel of both wheels", lambda v: v.third_ratio,
+        "positive: bump of both wheels compresses it", needs="third"),
+    Quantity("third_spring_force", "N", "force of the third spring, both wheels moving alike",
+        lambda v: v.third.force, "positive: compression", needs="third"),
+    Quantity("third_wheel_force", "N", "force of the third spring at each wheel centre, both wheels moving alike",
+        _third_force, "positive: pushes the wheel down", needs="third"),
+    Quantity("third_wheel_rate", "N/m", "wheel rate of the third spring, both wheels moving alike", _third_rate,
+        "positive: stiffens in bump", needs="third"),
+    Quantity("third_damping_coefficient", "N*s/m",
+        "damping coefficient of the third damper at each wheel centre, both wheels moving alike, about rest",
+        lambda v: 0.5 * v.third_damping_coefficient * v.third_ratio**2, "positive: dissipates energy",
+        needs="third damper"),
+    Quantity("heave_rate", "N/m", "wheel rate while both wheels move alike: with third spring and Z-bar", _heave_rate,
+        "positive: stiffens in bump", needs="heave"),
+    Quantity("rocker_angle", "rad", "turn of the rocker from design", lambda v: v.turn_of("rocker"),
+        "positive: as bump turns it", needs="rocker"),
+    Quantity("pushrod_angle", "rad", "angle between push rod and rocker arm", lambda v: v.pushrod_angle,
+        "never negative; a right angle moves the rocker best", needs="rocker"),
+    Quantity("rocker_spring_angle", "rad", "angle between spring and rocker arm", lambda v: v.strut_angle,
+        "never negative; a right angle moves the spring best", needs="rocker strut"),
     Quantity("steer_gain", "rad/m", "steer gain: steer angle per rack travel", lambda v: v.by_rack(v.side * v.toe_out),
         "positive: a rack to the left turns the wheel to the left", needs="rack"),
+    Quantity("kingpin_inclination_gain", "rad/m", "kingpin inclination gain", _inclination_gain,
+        "positive: top moves inboard in bump", needs="axis"),
+    Quantity("camber_per_steer", "1", "camber gain in steer, along the rack at the wheel centre's height",
+        _camber_per_steer, "positive: top moves outward as the wheel toes out", needs="rack"),
+    Quantity("ride_height_change", "m", "change of the body's height above the ground at the wheel, from design",
+        lambda v: v.design_contact[2] - v.contact[2], "positive: the body rises, as in rebound"),
 )
 # fmt: on
 
@@ -293,9 +396,16 @@ def quantities(view: CornerView) -> tuple[Quantity, ...]:
         "axis": view.steers,
         "rack": view.rack is not None,
         "bar": rig.anti_roll_bar is not None,
-        "spring": "spring" not in rig.without,
+        "coil": "spring" not in rig.without,
+        "spring": "spring" not in rig.lacks,
+        "torsion": rig.torsion_bar is not None,
+        "third": rig.third_spring is not None,
+        "third damper": rig.third_spring is not None and rig.third_spring.damper is not None,
+        "heave": {"third_spring", "anti_roll_bar"} & set(rig.besides_strut) != set(),
+        "rocker": getattr(rig.hardpoints, "rocker_pivot", None) is not None,
+        "rocker strut": rig.strut.on == "rocker",
         "damper": "damper" not in rig.without,
         "tyre": "tyre" not in rig.without,
-        "stiffness": view.has_tyre_stiffness and not {"spring", "tyre"} & set(rig.without),
+        "stiffness": view.has_tyre_stiffness and not {"spring", "tyre"} & set(rig.lacks),
     }
     return tuple(row for row in CATALOGUE if has[row.needs])

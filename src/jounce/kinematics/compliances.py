@@ -124,6 +124,7 @@ def compliance(
             allowed="tables [bushings.<hardpoint>] with a stiffness",
         )
     corner.require("spring", what="compliance")
+    corner.require_strut_alone("compliance")
     load = load or ContactLoad()
     if load.vertical_force:
         raise DescriptionError("the ground gives the vertical force", where="vertical_force", found=load.vertical_force)

@@ -21,6 +21,7 @@ from jounce.kinematics.catalogue import Quantity, quantities
 from jounce.kinematics.view import CornerView, Quasistatic
 from jounce.mechanics import Track
 from jounce.mechanics.linear_algebra import Ldl
+from jounce.models.attachments import third_law
 from jounce.models.corner import suspension
 from jounce.parts import Corner, FullCar3D, Rig
 from jounce.parts.rig import structure_of
@@ -37,8 +38,9 @@ class KinematicModel:
     ``output`` (see ``kernel.poses``; ``native`` is their machine code), ``points`` (x, y, z of ``point_names``: all
     hardpoints and the contact point) and ``gradient`` of the loop equations for the speeds; ``joints`` names the joint
     of each equation; ``closure`` is the violation of the loops and ``yielding`` gives the slopes of the coordinates for
-    one of that violation (its last argument). They take the numbers of the description at ``parameters``; ``start`` is
-    the design pose.
+    one of that violation (its last argument). ``across`` gives the ends of what reaches over to the other wheel, where
+    the corner has such a thing; ``third_force`` the law of the third spring. They take the numbers of the description
+    at ``parameters``; ``start`` is the design pose.
     """
 
     rows: tuple[Quantity, ...]
@@ -146,6 +148,12 @@ def _build(rig: Corner) -> KinematicModel:
         "gradient": driven.gradient,
         "closure": driven.statics.constraint,
     }
+    third = rig.third_spring is not None
+    if third or (rig.anti_roll_bar is not None and rig.anti_roll_bar.kind == "t"):
+        made["across"] = driven.accelerated(view.across)
+    length = ca.SX.sym("length")
+    if third:
+        made["third_force"] = third_law(linkage, length)
     parameters = _that_matter(mechanism, made)
     arguments = [
         driven.statics.q,
@@ -153,7 +161,10 @@ def _build(rig: Corner) -> KinematicModel:
         ca.vertcat(*parameters.values()),
         ca.SX.sym("m", 1),
     ]
-    functions = {name: ca.Function(name, arguments, [ca.cse(ca.densify(part))]) for name, part in made.items()}
+    law = (
+        {"third_force": ca.Function("third_force", [arguments[2], length], [made.pop("third_force")])} if third else {}
+    )
+    functions = {name: ca.Function(name, arguments, [ca.cse(ca.densify(part))]) for name, part in made.items()} | law
     opened = ca.SX.sym("opened", driven.statics.constraint.shape[0])
     functions["yielding"] = ca.Function("yielding", [*arguments, opened], [driven.yielding(opened)])
     return KinematicModel(

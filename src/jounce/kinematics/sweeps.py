@@ -592,11 +592,7 @@ def sweep_path(
     if len({len(values) for values in pair if len(values) > 1}) > 1:
         raise DescriptionError("not as many racks as travels", where="rack travel", found=[len(one) for one in pair])
     both = np.broadcast_arrays(*pair)
-    sweep = _laid_out(corner, path_grid(*both))
-    values = sweep.run()
-    if np.any(sweep.found.outcome != REACHED):  # what lies behind a pair out of reach is reached from design
-        sweep = _laid_out(corner, path_grid(*both, chained=False))
-        values = sweep.run()
+    sweep, values = path_sweep(corner, *both)
     ends = sweep.ends() if np.any(sweep.found.outcome != REACHED) else []
     if not np.isfinite(values[0]).any():
         raise no_pose(ends)
@@ -616,6 +612,18 @@ def sweep_path(
     facts = facts_of(corner, corner.side, found.values["wheel_travel"], ends)
     facts["findings"] = "; ".join(map(str, toggle_findings(sweep)))
     return xr.Dataset(variables, {"pose": np.arange(len(both[0])), **coordinates}, facts)
+
+
+def path_sweep(corner: Corner, travel: Array, rack: Array, numbers: Array | None = None) -> tuple[PreparedSweep, Array]:
+    """Run a sweep along pairs (m), and give it with its quantities, shape (rows, n, 1); ``numbers`` as in the model."""
+    for chained in (True, False):  # what lies behind a pair out of reach is reached from design
+        sweep = _laid_out(corner, path_grid(travel, rack, chained=chained))
+        if numbers is not None:
+            sweep.walk.p[:] = numbers
+        values = sweep.run()
+        if np.all(sweep.found.outcome == REACHED):
+            break
+    return sweep, values
 
 
 def _path_values(values: Values, name: str) -> Array:

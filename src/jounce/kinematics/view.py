@@ -17,7 +17,18 @@ from jounce.mechanics.bodies import Body
 from jounce.mechanics.elements import curve_force, damper_force, damper_map_force
 from jounce.mechanics.frames import Moving
 from jounce.mechanics.rotations import unit
-from jounce.models.attachments import Line, line_of, spring_law, stop_law, undeformed_radius
+from jounce.models.attachments import (
+    Line,
+    line_of,
+    spring_law,
+    stop_law,
+    third_damper_law,
+    third_end,
+    third_law,
+    torsion_law,
+    undeformed_radius,
+    winding,
+)
 from jounce.models.linkage import Linkage
 from jounce.parts.elements import MapDamper
 
@@ -167,6 +178,18 @@ def steering_screw(rack: Screw, travel: Screw) -> Screw:
 def caster_of(axis: Axis) -> ca.SX:
     """Caster angle of a line, rad."""
     return ca.atan2(-axis.along[0], axis.along[2])
+
+
+def _slope_at_rest(force: ca.SX, velocity: ca.SX) -> ca.SX:
+    """Slope of a damper's force at rest, in the mean of both directions."""
+    slope = ca.jacobian(force, velocity)
+    return 0.5 * (ca.substitute(slope, velocity, ca.SX(-_TINY)) + ca.substitute(slope, velocity, ca.SX(_TINY)))
+
+
+def _angle(one: ca.SX, other: ca.SX) -> ca.SX:
+    """Angle between two directions, rad."""
+    across = ca.cross(one, other)
+    return ca.atan2(ca.sqrt(ca.dot(across, across)), ca.dot(one, other))
 
 
 def _smaller_root(b: ca.SX, c: ca.SX, discriminant: ca.SX) -> ca.SX:
@@ -333,8 +356,7 @@ class CornerView:
             force = damper_map_force(self.mechanism, law, "strut.damper", line.length, velocity)
         else:
             force = damper_force(self.mechanism, law, "strut.damper", line.deflection, velocity)
-        slope = ca.jacobian(force, velocity)
-        return 0.5 * (ca.substitute(slope, velocity, ca.SX(-_TINY)) + ca.substitute(slope, velocity, ca.SX(_TINY)))
+        return _slope_at_rest(force, velocity)
 
     @cached_property
     def motion_ratio(self) -> ca.SX:
@@ -402,15 +424,161 @@ class CornerView:
 
     @property
     def _bar_axis(self) -> ca.SX:
-        """Direction of the anti-roll bar's axis, to the left (of one across to the left: as given)."""
-        if self.linkage.rig.hardpoints.arb_axis is None:
+        """Direction of the anti-roll bar's axis, to the left (of one across to the left: as given).
+
+        A T-bar is hinged across the car; its stem twists by as much as both ends of its bar differ.
+        """
+        bar = self.linkage.rig.anti_roll_bar
+        if self.linkage.rig.hardpoints.arb_axis is None or (bar is not None and bar.kind == "t"):
             return ca.SX([0.0, 1.0, 0.0])
         along = unit(self.linkage.hardpoint("arb_axis") - self.linkage.hardpoint("arb_pivot"))
         return along * ca.if_else(along[1] < 0.0, -1.0, 1.0)
 
+    @cached_property
+    def bar_twist_ratio(self) -> ca.SX:
+        """Twist of the bar while this wheel rises and the other one falls as much, rad/m, about where both are alike.
+
+        A U-bar twists by both ends; the stem of a T-bar lets both ends of its bar go against each other.
+        """
+        bar = self.linkage.rig.anti_roll_bar
+        assert bar is not None
+        if bar.kind == "z":
+            return ca.SX(0.0)
+        if bar.kind == "u":
+            return 2.0 * self.slope(self.bar_angle)
+        link, moving = self._bar_link, self._bar_carrier.frame.point(self.linkage.hardpoint("arb_link_end"))
+        lever = self.bar_points["arb_arm_end"] - self.linkage.hardpoint("arb_pivot")
+        return ca.dot(link, moving.rate) / ca.dot(link, ca.cross(self._stem, lever))
+
+    @cached_property
+    def bar_heave_ratio(self) -> ca.SX:
+        """Twist of a Z-bar while both wheels rise alike, rad/m."""
+        return 2.0 * self.slope(self.bar_angle)
+
+    @property
+    def _stem(self) -> ca.SX:
+        """Direction of a T-bar's stem, hinged over with the bar."""
+        design = unit(self.linkage.hardpoint("arb_axis") - self.linkage.hardpoint("arb_pivot"))
+        axis, angle = self._bar_axis, self.bar_angle
+        return design * ca.cos(angle) + ca.cross(axis, design) * ca.sin(angle)  # it is across the axis
+
+    @property
+    def _bar_link(self) -> ca.SX:
+        """From the end of the bar's arm to the other end of its link."""
+        points = self.bar_points
+        return points["arb_link_end"] - points["arb_arm_end"]
+
+    @cached_property
+    def bar_arm_angle(self) -> ca.SX:
+        """Angle between the bar's arm and its link, rad: a right one moves it best."""
+        arm = self.bar_points["arb_arm_end"] - self.linkage.hardpoint("arb_pivot")
+        axis = self._stem if self._is_t_bar else self._bar_axis
+        return _angle(arm - ca.dot(axis, arm) * axis, self._bar_link)
+
+    @property
+    def _is_t_bar(self) -> bool:
+        bar = self.linkage.rig.anti_roll_bar
+        return bar is not None and bar.kind == "t"
+
+    @cached_property
+    def bar_stiffness(self) -> ca.SX:
+        """Stiffness of the bar with its blades in series, N m/rad of twist."""
+        number, bar = self.mechanism.parameter, self.linkage.rig.anti_roll_bar
+        stiffness = number("anti_roll_bar.stiffness")
+        assert bar is not None
+        if bar.blade is None:
+            return stiffness
+        width, thickness, angle, modulus = (
+            number(f"anti_roll_bar.blade.{name}") for name in ("width", "thickness", "angle", "youngs_modulus")
+        )
+        arm = self.linkage.hardpoint("arb_arm_end") - self.linkage.hardpoint("arb_pivot")
+        axis = self._bar_axis
+        if self._is_t_bar:
+            axis = unit(self.linkage.hardpoint("arb_axis") - self.linkage.hardpoint("arb_pivot"))
+        out = arm - ca.dot(axis, arm) * axis
+        flat, edge = width * thickness**3 / 12.0, thickness * width**3 / 12.0
+        bent = ca.cos(angle) ** 2 / flat + ca.sin(angle) ** 2 / edge  # 1/m^4: each part of the force bends its own way
+        blade = ca.sqrt(ca.dot(out, out)) / (3.0 * modulus) * bent  # rad/(N m) of one arm
+        return 1.0 / (1.0 / stiffness + (0.5 if bar.kind == "t" else 2.0) * blade)
+
     @property
     def _bar_carrier(self) -> Body:
         return self.linkage.carriers[str(getattr(self.linkage.rig.anti_roll_bar, "on", "upright"))]
+
+    # torsion bar, third spring, rocker and arms ----------------------------------------------------------------
+
+    def turn_of(self, body: str) -> ca.SX:
+        """Turn of an arm, or the rocker, about its axis since design, rad, positive in bump."""
+        return winding(self.linkage, body)
+
+    @cached_property
+    def torsion_angle(self) -> ca.SX:
+        """Turn of the torsion bar since design, rad, positive in bump."""
+        assert self.linkage.rig.torsion_bar is not None
+        return self.turn_of(self.linkage.rig.torsion_bar.on)
+
+    @cached_property
+    def torsion_torque(self) -> ca.SX:
+        """Torque of the torsion bar, N m, positive against bump."""
+        return torsion_law(self.linkage, self.torsion_angle)
+
+    @cached_property
+    def third_length(self) -> ca.SX:
+        """Length of the third spring while both wheels move alike, m."""
+        return 2.0 * self.side * third_end(self.linkage).value[1]
+
+    @cached_property
+    def third_ratio(self) -> ca.SX:
+        """Shortening of the third spring for a rise of both wheel centres."""
+        return -self.slope(self.third_length)
+
+    @property
+    def across(self) -> ca.SX:
+        """Place and slope along travel of the end of a T-bar's link, and of the third spring, where there are some.
+
+        In the axes of a left wheel, shape (6,) or (12,).
+        """
+        ends = []
+        if self._is_t_bar:
+            ends.append(self._bar_carrier.frame.point(self.linkage.hardpoint("arb_link_end")))
+        if self.linkage.rig.third_spring is not None:
+            ends.append(third_end(self.linkage))
+        seen = [self._mirrored(end) for end in ends]
+        return ca.vertcat(*(part for end in seen for part in (end.value, end.rate)))
+
+    @cached_property
+    def third(self) -> Elastic:
+        """The third spring alone."""
+        length = ca.SX.sym("third length")
+        force = third_law(self.linkage, length)
+        return Elastic(*(ca.substitute(one, length, self.third_length) for one in (force, -ca.jacobian(force, length))))
+
+    @cached_property
+    def third_damping_coefficient(self) -> ca.SX:
+        """Slope of the third damper's force at rest (N s/m), in the mean of both directions."""
+        velocity = ca.SX.sym("third velocity")
+        design = 2.0 * self.side * self.linkage.hardpoint("third_spring_end")[1]
+        return _slope_at_rest(third_damper_law(self.linkage, design - self.third_length, velocity), velocity)
+
+    @cached_property
+    def pushrod_angle(self) -> ca.SX:
+        """Angle between the push rod and the rocker's arm to it, rad."""
+        return self._at_rocker(self._place("pushrod_inner") - self._place("pushrod_outer"), "pushrod_inner")
+
+    @cached_property
+    def strut_angle(self) -> ca.SX:
+        """Angle between the spring and the rocker's arm to it, rad."""
+        spring = self.spring
+        return self._at_rocker(spring.bottom.value - spring.top.value, "strut_bottom", spring.bottom.value)
+
+    def _at_rocker(self, line: ca.SX, name: str, place: ca.SX | None = None) -> ca.SX:
+        pivot = self._place("rocker_pivot")
+        axis = unit(self._place("rocker_axis") - pivot)
+        arm = (self._place(name) if place is None else place) - pivot
+        return _angle(arm - ca.dot(axis, arm) * axis, -line)
+
+    def _place(self, name: str) -> ca.SX:
+        return self.linkage.owners[name].frame.point(self.linkage.hardpoint(name)).value
 
     # pieces ----------------------------------------------------------------------------------------------------
 

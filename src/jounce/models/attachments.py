@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
-from jounce.mechanics import Track
+from jounce.mechanics import Mechanism, Track
 from jounce.mechanics.elements import (
     bump_stop_force,
     curve_force,
@@ -18,7 +18,7 @@ from jounce.mechanics.elements import (
 from jounce.mechanics.frames import Moving
 from jounce.mechanics.rotations import unit
 from jounce.models.linkage import Linkage
-from jounce.parts.elements import MapDamper
+from jounce.parts.elements import CoilSpring, MapDamper
 
 
 @dataclass(frozen=True)
@@ -73,18 +73,86 @@ def add_strut_points(linkage: Linkage) -> None:
             if getattr(rig.hardpoints, f"{element}_{end}") is not None:
                 linkage.owners[f"{element}_{end}"] = body
     linkage.lines["strut"] = ("strut_bottom", "strut_top")
+    if rig.third_spring is not None:
+        linkage.owners["third_spring_end"] = linkage.carriers[rig.third_spring.on]
 
 
 def spring_law(linkage: Linkage, line: Line) -> ca.SX:
-    """Spring force (N, compression positive)."""
-    mechanism, spring, path = linkage.mechanism, linkage.rig.strut.spring, "strut.spring"
+    """Force of the strut's spring (N, compression positive); none where a torsion bar takes its place."""
+    if "spring" not in linkage.rig.lacks and "spring" in linkage.rig.without:
+        return ca.SX(0.0)
+    return coil_law(linkage.mechanism, linkage.rig.strut.spring, "strut.spring", line.length, line.design)
+
+
+def coil_law(mechanism: Mechanism, spring: CoilSpring, path: str, length: ca.SX, design: ca.SX) -> ca.SX:
+    """Force of a spring (N, compression positive) at a length, which is another one at design (m)."""
     free = spring.free_length is not None
-    deflection = mechanism.parameter(f"{path}.free_length") - line.length if free else line.deflection
+    deflection = mechanism.parameter(f"{path}.free_length") - length if free else design - length
     if spring.curve is not None:
         force = curve_force(mechanism, spring.curve, f"{path}.curve", deflection)
     else:
         force = mechanism.parameter(f"{path}.rate") * deflection
     return force + mechanism.parameter(f"{path}.preload") if spring.preload is not None else force
+
+
+def winding(linkage: Linkage, body: str) -> ca.SX:
+    """Turn (rad) of an arm, or the rocker, about its axis on the car's body since design; positive in bump."""
+    point = linkage.hardpoint
+    one, other, tip = _WOUND[body]
+    pivot = point(one)
+    axis = unit(point(other) - pivot)
+    lever = point(tip) - pivot
+    out = unit(lever - ca.dot(axis, lever) * axis)
+    ahead = ca.cross(axis, out)
+    if body == "rocker":  # a push rod comes up and pushes, a pull rod comes down and pulls
+        rod = point("pushrod_inner") - point("pushrod_outer")
+        bump = ca.dot(rod, ahead) * rod[2]
+    else:
+        bump = ahead[2]
+    now, (along, across) = linkage.carriers[body].frame.direction(out).value, _fixed(linkage, out, ahead)
+    return ca.if_else(bump < 0.0, -1.0, 1.0) * ca.atan2(ca.dot(across, now), ca.dot(along, now))
+
+
+_WOUND = {
+    "lower_arm": ("lower_arm_front", "lower_arm_rear", "lower_ball_joint"),
+    "upper_arm": ("upper_arm_front", "upper_arm_rear", "upper_ball_joint"),
+    "rocker": ("rocker_pivot", "rocker_axis", "pushrod_inner"),
+    "arm": ("arm_inner", "arm_outer", "wheel_centre"),
+}
+"""Two points of the axis of a body, and one that it moves."""
+
+
+def _fixed(linkage: Linkage, *directions: ca.SX) -> tuple[ca.SX, ...]:
+    """Directions fixed to the car's body, as it stands."""
+    return tuple(linkage.chassis.frame.direction(direction).value for direction in directions)
+
+
+def torsion_law(linkage: Linkage, angle: ca.SX) -> ca.SX:
+    """Torque of the torsion bar (N m), positive against bump."""
+    number = linkage.mechanism.parameter
+    return number("torsion_bar.preload") + number("torsion_bar.stiffness") * angle
+
+
+def third_end(linkage: Linkage) -> Moving:
+    """End of the third spring on this side."""
+    assert linkage.rig.third_spring is not None
+    return linkage.carriers[linkage.rig.third_spring.on].frame.point(linkage.hardpoint("third_spring_end"))
+
+
+def third_law(linkage: Linkage, length: ca.SX) -> ca.SX:
+    """Force of the third spring (N, compression positive) at a length (m)."""
+    third, design = linkage.rig.third_spring, 2.0 * linkage.side * linkage.hardpoint("third_spring_end")[1]
+    assert third is not None
+    return coil_law(linkage.mechanism, third.spring, "third_spring.spring", length, design)
+
+
+def third_damper_law(linkage: Linkage, deflection: ca.SX, velocity: ca.SX) -> ca.SX:
+    """Force of the third damper (N, compression positive)."""
+    assert linkage.rig.third_spring is not None
+    damper = linkage.rig.third_spring.damper
+    if damper is None:
+        return ca.SX(0.0)
+    return damper_force(linkage.mechanism, damper, "third_spring.damper", deflection, velocity)
 
 
 def stop_law(linkage: Linkage, line: Line) -> ca.SX:

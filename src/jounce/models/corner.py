@@ -10,6 +10,7 @@ from collections.abc import Callable
 import casadi as ca
 
 from jounce.control.actuators import AnyActuator
+from jounce.core.errors import DescriptionError
 from jounce.mechanics import Mechanism, Model, Track
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.elements import friction_force
@@ -23,6 +24,11 @@ from jounce.models.attachments import (
     push,
     spring_law,
     stop_law,
+    third_damper_law,
+    third_end,
+    third_law,
+    torsion_law,
+    winding,
 )
 from jounce.models.channels import (
     show_bushings,
@@ -89,10 +95,11 @@ def corner(rig: Corner, *, detail: bool = False, actuator: AnyActuator | None = 
     rig.require("bodies", "spring", "damper", "tyre", what="how it moves")
     mechanism = Mechanism()
     mechanism.gravity = mechanism.parameter("gravity")
+    refuse_z_bar(rig)
     road = mechanism.track("road.z")
     linkage = suspension(rig, mechanism)
     mechanism.output("road.z", road.value, "m", "road height under the wheel")
-    elements = add_strut(linkage, actuator)
+    elements = {**add_strut(linkage, actuator), **_add_third_spring(linkage)}
     deflection, force = add_tyre(linkage, road)
     show_tyre(mechanism, deflection, force)
     _guide_friction(linkage)
@@ -121,7 +128,57 @@ def add_strut(linkage: Linkage, actuator: AnyActuator | None = None) -> dict[str
     total = elastic + stops + viscous
     what = "spring, stops, damper and friction"
     show_strut(mechanism, spring.deflection, -damper.rate, total, what, " from design")
-    return {"spring": (elastic + stops, -spring.rate), "damper": (viscous, -damper.rate)}
+    return {
+        "spring": (elastic + stops, -spring.rate),
+        "damper": (viscous, -damper.rate),
+        **_add_torsion_bar(linkage),
+    }
+
+
+def _add_torsion_bar(linkage: Linkage) -> dict[str, tuple[ca.SX, ca.SX]]:
+    """Add the torsion bar; give its torque (N m) and the rate (rad/s) that winds it up."""
+    mechanism, bar = linkage.mechanism, linkage.rig.torsion_bar
+    if bar is None:
+        return {}
+    angle = winding(linkage, bar.on)
+    torque = torsion_law(linkage, angle)
+    mechanism.force(angle, -torque)
+    mechanism.output("torsion_bar.angle", angle, "rad", "turn of the torsion bar from design, positive in bump")
+    mechanism.output("torsion_bar.torque", torque, "N*m", "torque of the torsion bar, positive against bump")
+    return {"torsion bar": (torque, mechanism.rate_of(angle))}
+
+
+def _add_third_spring(linkage: Linkage) -> dict[str, tuple[ca.SX, ca.SX]]:
+    """Add half of the third spring and damper, the other wheel moving alike; give its force and deflection rate."""
+    if linkage.rig.third_spring is None:
+        return {}
+    mechanism, chassis = linkage.mechanism, linkage.chassis.frame
+    middle, left = chassis.point(ca.SX(3, 1)), chassis.direction(ca.SX([0.0, 1.0, 0.0]))
+    half = linkage.side * ca.dot((third_end(linkage) - middle).value, left.value)
+    design = linkage.side * linkage.hardpoint("third_spring_end")[1]
+    deflection, rate = 2.0 * (design - half), -2.0 * mechanism.rate_of(half)
+    force = third_law(linkage, 2.0 * half) + third_damper_law(linkage, deflection, rate)
+    mechanism.force(half, force)
+    show_third_spring(mechanism, deflection, force)
+    return {"third spring": (force, 0.5 * rate)}
+
+
+def show_third_spring(mechanism: Mechanism, deflection: ca.SX, force: ca.SX) -> None:
+    """Let the third spring be seen."""
+    mechanism.output("third_spring.deflection", deflection, "m", "third spring, from design, compression positive")
+    mechanism.output("third_spring.force", force, "N", "third spring and damper, compression positive")
+
+
+def refuse_z_bar(rig: Corner) -> None:
+    """Refuse a Z-bar, whose work in heave no run counts."""
+    if rig.anti_roll_bar is not None and rig.anti_roll_bar.kind == "z":
+        raise DescriptionError(
+            "a Z-bar is known to kinematics and load cases only",
+            where="anti_roll_bar.kind",
+            found="z",
+            allowed="u or t in runs, which leave it out where one wheel stands for both",
+            hint="Describe it as [third_spring] of the same rate in heave, or leave it out.",
+        )
 
 
 def _guide_friction(linkage: Linkage) -> None:

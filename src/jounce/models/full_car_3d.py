@@ -14,9 +14,9 @@ from jounce.control.actuators import AnyActuator
 from jounce.mechanics import Mechanism, Model
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.frames import Moving
-from jounce.models.attachments import add_tyre, undeformed_radius
+from jounce.models.attachments import add_tyre, third_damper_law, third_end, third_law, undeformed_radius
 from jounce.models.channels import show_height, show_turn, show_tyre
-from jounce.models.corner import add_strut, build_linkage, show_wheel
+from jounce.models.corner import add_strut, build_linkage, refuse_z_bar, show_third_spring, show_wheel
 from jounce.models.linkage import Linkage
 from jounce.parts.rig import structure_of
 from jounce.parts.vehicles import FullCar3D, SpatialAxle
@@ -48,6 +48,8 @@ def full_car_3d(vehicle: FullCar3D, *, actuator: AnyActuator | None = None) -> M
     wheels = [_corner(mechanism, frame, name, axles[name], side, actuator) for name in axles for side in _SIDES]
     for pair, name in zip((wheels[:2], wheels[2:]), axles, strict=True):
         _anti_roll_bar(mechanism, pair, mechanism.parameter(f"{name}.anti_roll_bar_rate"))
+        with mechanism.within(name, f"{name}.corner"):
+            _third_spring(mechanism, pair)
     _grip(mechanism, drive, wheels)
     equal = structure_of(axles["front"]) == structure_of(axles["rear"])
     names = [(f"{name}_{side}", name) for name in axles for side in _SIDES]
@@ -93,6 +95,7 @@ def _corner(
 ) -> _Wheel:
     """Hang one corner into the axes of the body and stand it on its road."""
     distance = mechanism.parameter(f"{name}.distance")
+    refuse_z_bar(axle.corner)
     with mechanism.within(f"{name}_{side}", f"{name}.corner"):
         end, turned = mechanism.constant("end", _ENDS[name]), mechanism.constant("side", _SIDES[side])
         ahead = end * distance - mechanism.parameter("hardpoints.wheel_centre[0]")
@@ -119,6 +122,21 @@ def _anti_roll_bar(mechanism: Mechanism, pair: list[_Wheel], rate: ca.SX) -> Non
     twist = rate * (pair[0].travel - pair[1].travel)
     for wheel in pair:
         mechanism.load(wheel.centre.rate[2], -twist * wheel.linkage.side)
+
+
+def _third_spring(mechanism: Mechanism, pair: list[_Wheel]) -> None:
+    """Let a third spring and damper push the left and the right side apart."""
+    third = pair[0].linkage.rig.third_spring
+    if third is None:
+        return
+    one, other = (wheel.linkage for wheel in pair)
+    ends = third_end(one), third_end(other)
+    reach = ends[1] - ends[0]
+    length = ca.sqrt(ca.dot(reach.value, reach.value))
+    deflection = 2.0 * one.side * one.hardpoint("third_spring_end")[1] - length
+    force = third_law(one, length) + third_damper_law(one, deflection, mechanism.rate_of(deflection))
+    mechanism.push_apart(one.carriers[third.on], other.carriers[third.on], *ends, force)
+    show_third_spring(mechanism, deflection, force)
 
 
 def _driving(mechanism: Mechanism, body: Body) -> ca.SX:

@@ -66,7 +66,7 @@ def rig_findings(rig: Rig, where: str = "") -> list[Finding]:
     if isinstance(rig, Corner):  # where a size is wrong, everything else would be found wrong as well
         checks: tuple[Callable[[Corner], Iterator[Finding]], ...]
         checks = (_estimated, _order, _wheel, _strut, _bodies, _sprung, _statics)
-        checks = checks[:3] if rig.without else checks  # what it does not say cannot be wrong
+        checks = checks[:3] if rig.lacks else checks  # what it does not say cannot be wrong
         found = list(_size(rig)) or [finding for check in checks for finding in check(rig)]
     else:
         found = [*_estimated(rig), *(_vehicle(rig) if isinstance(rig, AnyVehicle) else ())]
@@ -218,7 +218,7 @@ def _statics(rig: Corner) -> Iterator[Finding]:
         text = f"the spring shortens by only {ratio:.3g} of the wheel's rise; is the strut on the right body?"
         yield _warn("strut", text, ratio)
         return
-    if rig.guide == "fixed":
+    if rig.guide == "fixed" or rig.besides_strut:
         return
     present, length = spring_force(rig), rig.hardpoints.length("spring")
     low, high = -length, length

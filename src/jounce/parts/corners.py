@@ -13,7 +13,16 @@ from jounce.core.description import Description, misplaced
 from jounce.core.errors import DescriptionError
 from jounce.core.units import Acceleration, Angle, Mass, PositiveLength
 from jounce.parts.bodies import Inertia, Point, RigidBody, Triple, distance, distance_to_line
-from jounce.parts.elements import AntiRollBar, Bushing, CornerTyre, Friction, SpatialStrut, Steering
+from jounce.parts.elements import (
+    AntiRollBar,
+    Bushing,
+    CornerTyre,
+    Friction,
+    SpatialStrut,
+    Steering,
+    ThirdSpring,
+    TorsionBar,
+)
 from jounce.parts.rig import Rig
 
 LARGE = 10.0
@@ -23,6 +32,7 @@ SAME_POINT = 1e-6
 ON_ONE_LINE = 1e-3
 """Share of its triangle's size by which a point must clear the axis that it rotates about."""
 _NO_BODY = {"mass": 1.0, "centre_of_mass": (0.0, 0.0, 0.0), "inertia": {"xx": 1.0, "yy": 1.0, "zz": 1.0}}
+_NO_SPRING = {"rate": 1.0}
 _ON_ROCKER = {"on": "rocker"}
 _STANDING_IN = {"bodies": "bodies.", "spring": "strut.spring.", "damper": "strut.damper.", "tyre": "tyre."}
 _TABLES = {"bodies": "[bodies] and [sprung]", "spring": "strut.spring", "damper": "strut.damper", "tyre": "[tyre]"}
@@ -48,6 +58,7 @@ class Hardpoints(Description):
     arb_axis: Point | None = None
     arb_arm_end: Point | None = None
     arb_link_end: Point | None = None
+    third_spring_end: Point | None = None
 
     outer: ClassVar[tuple[str, ...]] = ("wheel_centre",)
     """Points on the wheel's side of the links."""
@@ -145,6 +156,8 @@ def written(point: Triple) -> str:
     return "[" + ", ".join(f'"{1e3 * value:g} mm"' for value in point) + "]"
 
 
+_APART = 5e-3
+"""Distance in m of a third spring's end from the middle of the car."""
 ACROSS = 0.05
 """Share of the wheel centre's distance from the middle of the car by which a point may lie on the other side."""
 
@@ -185,6 +198,8 @@ class Corner(Rig):
     bodies: Description
     strut: SpatialStrut
     anti_roll_bar: AntiRollBar | None = None
+    torsion_bar: TorsionBar | None = None
+    third_spring: ThirdSpring | None = None
     bushings: Description = Description()
     without: tuple[Literal["bodies", "spring", "damper", "tyre"], ...] = ()
     """What the file leaves out: hardpoints and wheel are enough for kinematics. Numbers stand in its place, unread."""
@@ -196,6 +211,8 @@ class Corner(Rig):
     """Bodies that may carry the lower end of the strut, the default first; likewise for push rod and anti-roll bar."""
     pushrod_on: ClassVar[tuple[str, ...]] = ()
     bar_on: ClassVar[tuple[str, ...]] = ()
+    wound_on: ClassVar[tuple[str, ...]] = ()
+    """Bodies on an axis that a torsion bar may lie in; the third spring may be where an anti-roll bar may."""
     bushed: ClassVar[tuple[str, ...]] = ()
     """Hardpoints at which a bushing may take the place of an ideal joint."""
 
@@ -222,10 +239,15 @@ class Corner(Rig):
         text = "Strut from the body ``on``, or the rocker of a push rod on ``pushrod_on``, to the car's body."
         strut = part("Strut", SpatialStrut, text, {**on("on", cls.strut_on), **on("pushrod_on", cls.pushrod_on)})
         bar = part("Bar", AntiRollBar, "Anti-roll bar, linked to the body ``on``.", on("on", cls.bar_on))
+        text = "Torsion bar on the axis of the body ``on``."
+        wound = part("TorsionBar", TorsionBar, text, on("on", cls.wound_on))
+        text = "Third spring, from the body ``on`` to its mirror image."
+        third = part("ThirdSpring", ThirdSpring, text, on("on", tuple(reversed(cls.bar_on))))
         text = "Bushings in place of ideal joints on the car's body."
         bushings = part("Bushings", Description, text, dict.fromkeys(cls.bushed, (Bushing | None, None)))
         cls.__annotations__ |= {"bodies": bodies, "strut": strut, "anti_roll_bar": bar | None, "bushings": bushings}
-        cls.anti_roll_bar, cls.bushings = None, bushings()
+        cls.__annotations__ |= {"torsion_bar": wound | None, "third_spring": third | None}
+        cls.anti_roll_bar, cls.torsion_bar, cls.third_spring, cls.bushings = None, None, None, bushings()
 
     @model_validator(mode="before")
     @classmethod
@@ -234,7 +256,13 @@ class Corner(Rig):
 
         Only what is left out whole is: a rig with some of its bodies has forgotten the others.
         """
-        if not isinstance(table, dict) or table.get("bodies") or not isinstance(table.get("hardpoints"), dict):
+        if not isinstance(table, dict):
+            return table
+        if table.get("bodies") and table.get("torsion_bar") and isinstance(table.get("strut"), dict):
+            coil = "spring" in table["strut"]  # without it the torsion bar carries the car alone
+            strut = {"spring": _NO_SPRING, **table["strut"]}
+            return table if coil else {**table, "strut": strut, "without": ["spring"]}
+        if table.get("bodies") or not isinstance(table.get("hardpoints"), dict):
             return table
         if table.get("sprung") or table.get("guide", "fixed") != "fixed":
             return table
@@ -250,7 +278,7 @@ class Corner(Rig):
             "guide": "fixed",
             "bodies": dict.fromkeys(names, _NO_BODY),
             "strut": {
-                "spring": {"rate": 1.0},
+                "spring": _NO_SPRING,
                 "damper": {"coefficient": 1.0},
                 **(_ON_ROCKER if rocker else {}),
                 **strut,
@@ -265,9 +293,31 @@ class Corner(Rig):
         unread = tuple(_STANDING_IN[name] for name in self.without)
         return {path: value for path, value in found.items() if not path.startswith(unread)} if unread else found
 
+    @property
+    def lacks(self) -> tuple[str, ...]:
+        """What it leaves out that nothing else does the work of, as a torsion bar does that of the strut's spring."""
+        return tuple(name for name in self.without if name != "spring" or self.torsion_bar is None)
+
+    @property
+    def besides_strut(self) -> tuple[str, ...]:
+        """Tables of springs that carry the car beside the strut's while both wheels move alike."""
+        has = {"torsion_bar": self.torsion_bar is not None, "third_spring": self.third_spring is not None}
+        has["anti_roll_bar"] = self.anti_roll_bar is not None and self.anti_roll_bar.kind == "z"
+        return tuple(name for name, there in has.items() if there)
+
+    def require_strut_alone(self, what: str) -> None:
+        """Refuse torsion bars, third springs and Z-bars where only the strut's spring is counted."""
+        if self.besides_strut:
+            raise DescriptionError(
+                f"{what} counts spring and damper of the strut alone",
+                where=self.source or "rig",
+                found=f"a rig with {' and '.join(self.besides_strut)}",
+                allowed="kinematics and load cases with these parts; or a rig without them",
+            )
+
     def require(self, *parts: str, what: str) -> None:
         """Refuse what cannot be known of a rig that leaves out one of these parts (bodies, spring, damper, tyre)."""
-        missing = [name for name in parts if name in self.without]
+        missing = [name for name in parts if name in self.lacks]
         if missing:
             raise DescriptionError(
                 f"{what} cannot be had from hardpoints alone",
@@ -378,13 +428,50 @@ class Corner(Rig):
         if self.hardpoints.arb_axis is not None and not bar_points:
             raise misplaced(("hardpoints", "arb_axis"), "is a point of the axis through arb_pivot, which is missing")
         if self.anti_roll_bar is not None:
-            self._require_body("anti_roll_bar", getattr(self.anti_roll_bar, "on", "upright"))
+            self._require_body("anti_roll_bar", self.anti_roll_bar.on)
+            if self.anti_roll_bar.kind == "t":
+                self._check_stem()
+        if self.torsion_bar is not None:
+            self._require_body("torsion_bar", self.torsion_bar.on)
+        self._check_third_spring()
+
+    def _check_stem(self) -> None:
+        """Refuse T-bars whose stem is not in the middle of the car."""
+        points = self.hardpoints
+        if points.arb_axis is None:
+            raise misplaced(("hardpoints", "arb_axis"), "missing; the stem of a T-bar runs from arb_pivot to it")
+        for name in ("arb_pivot", "arb_axis"):
+            if abs(getattr(points, name)[1]) >= SAME_POINT:
+                raise misplaced(
+                    ("hardpoints", name),
+                    f"off the middle of the car; found {written(getattr(points, name))}; allowed: y = 0, where the "
+                    "stem of a T-bar is",
+                )
+
+    def _check_third_spring(self) -> None:
+        """Refuse half of a third spring, and ends that have no place for it between them."""
+        end = self.hardpoints.third_spring_end
+        if (end is None) != (self.third_spring is None):
+            raise misplaced(
+                ("hardpoints",) if self.third_spring is None else ("third_spring",),
+                "a third spring needs its table [third_spring] and hardpoint third_spring_end; "
+                f"found only {'the point' if self.third_spring is None else 'the table'}",
+            )
+        if end is None or self.third_spring is None:
+            return
+        self._require_body("third_spring", self.third_spring.on)
+        if self.sign * end[1] < _APART:
+            raise misplaced(
+                ("hardpoints", "third_spring_end"),
+                f"at or across the middle of the car, where the other end is; found {written(end)}; allowed: "
+                f"{1e3 * _APART:g} mm from it at least",
+            )
 
     def _require_body(self, element: str, name: str) -> None:
         if name in self.body_masses():
             return
         raise misplaced(
-            (element, "on") if element in ("strut", "anti_roll_bar") else (element,),
+            (element,) if element == "hardpoints" else (element, "on"),
             f"the body {name!r} carries it and does not exist; allowed: {', '.join(self.body_masses())}, or a table "
             f"[bodies.{name}] with mass, centre_of_mass and inertia",
         )
@@ -397,7 +484,7 @@ def _turned_over(table: dict[str, Any]) -> dict[str, Any]:
         if key == "bushings":
             continue
         if isinstance(value, dict):
-            found[key] = _mirrored_points(value) if key == "hardpoints" else _turned_over(value)
+            found[key] = _mirrored_points(value) if key in ("hardpoints", "column") else _turned_over(value)
         elif key in ("centre_of_mass", "joint"):
             found[key] = (value[0], -value[1], value[2])
         elif key in ("xy", "yz", "rack_travel"):
@@ -406,7 +493,10 @@ def _turned_over(table: dict[str, Any]) -> dict[str, Any]:
 
 
 def _mirrored_points(table: dict[str, Any]) -> dict[str, Any]:
-    return {name: (x, -y, z) for name, (x, y, z) in table.items()}
+    """Points with the sign of y changed, and angles with theirs."""
+    return {
+        name: -value if isinstance(value, float) else (value[0], -value[1], value[2]) for name, value in table.items()
+    }
 
 
 class ArmHardpoints(Hardpoints):
@@ -479,6 +569,7 @@ class DoubleWishbone(Corner):
     strut_on = ("lower_arm", "upper_arm", "upright", "rocker")
     pushrod_on = ("lower_arm", "upper_arm", "upright")
     bar_on = ("lower_arm", "upper_arm", "upright", "rocker")
+    wound_on = ("lower_arm", "upper_arm", "rocker")
     bushed = ("lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear", "tie_rod_inner")
 
 
@@ -510,6 +601,7 @@ class McPherson(Corner):
     further_bodies = ("strut", "tie_rod", "wheel")
     strut_on = ("upright",)
     bar_on = ("upright", "lower_arm")
+    wound_on = ("lower_arm",)
     bushed = ("lower_arm_front", "lower_arm_rear", "tie_rod_inner", "strut_top")
 
 
@@ -557,6 +649,7 @@ class FiveLink(Corner):
     strut_on = ("upright", "link_1", "link_2", "link_3", "link_4", "link_5", "rocker")
     pushrod_on = ("upright",)
     bar_on = ("upright", "link_1", "link_2", "link_3", "link_4", "link_5", "rocker")
+    wound_on = ("rocker",)
     bushed = ("link_1_inner", "link_2_inner", "link_3_inner", "link_4_inner", "link_5_inner")
 
 
@@ -580,6 +673,7 @@ class TrailingArm(Corner):
     further_bodies = ("wheel",)
     strut_on = ("arm",)
     bar_on = ("arm",)
+    wound_on = ("arm",)
     bushed = ("arm_inner", "arm_outer")
 
 

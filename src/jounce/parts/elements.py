@@ -1,10 +1,11 @@
 """Force elements as frozen descriptions.
 
-Springs, dampers, friction, stops, tyres, steering, anti-roll bars and bushings.
+Springs, dampers, friction, stops, tyres, steering, anti-roll, torsion and third springs, bushings.
 """
 
 from __future__ import annotations
 
+import math
 from itertools import pairwise
 from typing import Annotated, Any, Literal, Self
 
@@ -12,6 +13,7 @@ from pydantic import Discriminator, Field, Tag, model_validator
 
 from jounce.core.description import Description, misplaced
 from jounce.core.units import (
+    Angle,
     Force,
     Length,
     NonNegativeDampingCoefficient,
@@ -22,11 +24,13 @@ from jounce.core.units import (
     PositiveRotationalStiffness,
     PositiveSpeed,
     PositiveStiffness,
+    Pressure,
     Speed,
     Stiffness,
+    Torque,
     Unit,
 )
-from jounce.parts.bodies import DampingTriple, RotationalStiffnessTriple, StiffnessTriple
+from jounce.parts.bodies import DampingTriple, Point, RotationalStiffnessTriple, StiffnessTriple, Triple
 
 
 class PolynomialCurve(Description):
@@ -299,10 +303,66 @@ class CornerTyre(Tyre):
     undeformed_radius: PositiveLength | None = None
 
 
+class SteeringColumn(Description):
+    """Shafts between handwheel and pinion with one or two universal joints; places in m.
+
+    The first shaft runs from ``handwheel`` to ``upper_joint``, the last one to ``pinion``; with a ``lower_joint`` there
+    is one between the joints. ``yoke_angle`` (rad) is that of the first shaft's yoke straight ahead, from where its
+    pin stands across the plane of the shafts it joins; ``phase`` (rad) is that between both yokes of the shaft in the
+    middle. Both are right-handed about the direction from the handwheel to the pinion.
+    """
+
+    handwheel: Point
+    upper_joint: Point
+    lower_joint: Point | None = None
+    pinion: Point
+    yoke_angle: Angle = 0.0
+    phase: Angle = 0.0
+
+    @model_validator(mode="after")
+    def _has_shafts(self) -> Self:
+        points = {name: getattr(self, name) for name in ("handwheel", "upper_joint", "lower_joint", "pinion")}
+        given = [(name, point) for name, point in points.items() if point is not None]
+        for (one, start), (other, end) in pairwise(given):
+            if math.dist(start, end) < _SHORTEST_SHAFT:
+                raise misplaced((other,), f"the same point as {one}; allowed: the other end of a shaft")
+        for (_, start), (joint, middle), (_, end) in zip(given, given[1:], given[2:], strict=False):
+            bend = _bend(start, middle, end)
+            if bend > _STEEPEST_JOINT:
+                allowed = f"allowed: up to {_STEEPEST_JOINT:g} deg, as universal joints do"
+                raise misplaced((joint,), f"bends the column by {bend:.3g} deg; {allowed}")
+        return self
+
+
+_SHORTEST_SHAFT = 1e-3  # m
+_STEEPEST_JOINT = 60.0  # deg
+
+
+def _bend(start: Triple, middle: Triple, end: Triple) -> float:
+    """Angle between the lines into and out of a point, deg."""
+    one, other = ([b - a for a, b in zip(*pair, strict=True)] for pair in ((start, middle), (middle, end)))
+    along = sum(a * b for a, b in zip(one, other, strict=True)) / (math.hypot(*one) * math.hypot(*other))
+    return math.degrees(math.acos(min(max(along, -1.0), 1.0)))
+
+
 class Steering(Description):
-    """Rack that moves the inner end of the tie rod along y by ``rack_travel`` (m, positive to the left)."""
+    """Rack that moves the inner end of the tie rod along y by ``rack_travel`` (m, positive to the left).
+
+    ``rack_ratio`` (m/rad) is its travel over the turn of the pinion; positive where a turn of the handwheel to the left
+    moves the rack to the left. Without a ``column`` the handwheel turns the pinion itself.
+    """
 
     rack_travel: Length = 0.0
+    rack_ratio: Annotated[float, Unit("m/rad")] | None = None
+    column: SteeringColumn | None = None
+
+    @model_validator(mode="after")
+    def _turns_the_rack(self) -> Self:
+        if self.rack_ratio == 0.0:
+            raise misplaced(("rack_ratio",), "a rack that does not move; allowed: below or above 0 m/rad")
+        if self.column is not None and self.rack_ratio is None:
+            raise misplaced(("column",), "turns a pinion that moves no rack; add steering.rack_ratio")
+        return self
 
 
 class Bushing(Description):
@@ -313,8 +373,50 @@ class Bushing(Description):
     damping: DampingTriple = (0.0, 0.0, 0.0)
 
 
+class Blade(Description):
+    """Arm of an anti-roll bar that bends: ``width`` and ``thickness`` (m) of its cross section, constant along the arm.
+
+    ``angle`` (rad) turns it about its length: at 0 it bends about its thin side, at 90 degrees it stands on edge.
+    """
+
+    width: PositiveLength
+    thickness: PositiveLength
+    angle: Angle = 0.0
+    youngs_modulus: Pressure = 210e9
+
+
 class AntiRollBar(Description):
-    """Torsion bar: ``stiffness`` (N m/rad) of twist between its ends, linked to the body that ``on`` names."""
+    """Torsion bar: ``stiffness`` (N m/rad) of twist between its ends, linked to the body that ``on`` names.
+
+    ``kind`` says how it turns: ``"u"`` twists by the difference of both ends; ``"z"`` by their sum, so that it works in
+    heave and lets the car roll; ``"t"`` is a stem from ``arb_pivot`` to ``arb_axis``, hinged across at the pivot, that
+    a bar across its other end twists. ``blade`` arms bend in series with it.
+    """
 
     stiffness: PositiveRotationalStiffness
+    on: str
+    kind: Literal["u", "z", "t"] = "u"
+    blade: Blade | None = None
+
+
+class TorsionBar(Description):
+    """Torsion bar on the axis of an arm or the rocker: ``stiffness`` (N m/rad), ``preload`` (N m) at design.
+
+    Torque and angle are positive as bump winds it up. It takes the place of the strut's spring, or works beside it.
+    """
+
+    stiffness: PositiveRotationalStiffness
+    preload: Torque = 0.0
+    on: str
+
+
+class ThirdSpring(Description):
+    """Spring, and damper, between ``hardpoints.third_spring_end`` and its mirror image on the other side of the car.
+
+    It works in heave and hardly in roll. ``on`` names the body that carries its end. Deflection is design length minus
+    length, compression positive, as of a strut.
+    """
+
+    spring: CoilSpring
+    damper: Damper | None = None
     on: str

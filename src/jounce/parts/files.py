@@ -25,7 +25,8 @@ from jounce.parts.rig import MODELS, Rig, parameters_of, split_path, unit_of, un
 _WIDTH = 120
 _NUMBER_AND_UNIT = re.compile(r"\s*[-+]?[\d.]+(?:[eE][-+]?\d+)?\s*([^\d\s].*?)\s*$")
 _ORDER = ["schema", "model", "source", "estimated", "gravity", "side", "guide", "guide_friction", "hardpoints"]
-_ORDER += ["wheel", "sprung", "unsprung", "bodies", "strut", "steering", "anti_roll_bar", "bushings", "tyre"]
+_ORDER += ["wheel", "sprung", "unsprung", "bodies", "strut", "torsion_bar", "third_spring"]
+_ORDER += ["steering", "anti_roll_bar", "bushings", "tyre"]
 _SHOWN: dict[str, tuple[str, float]] = {
     "m": ("mm", 1e-3),
     "rad": ("deg", float(np.pi / 180.0)),
@@ -61,7 +62,9 @@ def _as_given(rig: Rig, table: dict[str, Any]) -> dict[str, Any]:
     missing = getattr(rig, "without", ())
     if not missing:
         return table
-    found = {key: value for key, value in table.items() if key not in ("without", "guide", *missing)}
+    found = {key: value for key, value in table.items() if key not in ("without", *missing)}
+    if "bodies" in missing:
+        found.pop("guide", None)
     found["strut"] = {key: value for key, value in table["strut"].items() if key not in missing}
     return found
 

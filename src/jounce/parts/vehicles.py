@@ -269,8 +269,8 @@ class SpatialAxle(Description):
     def _is_left(self) -> Self:
         if self.corner.side != "left":
             raise misplaced(("corner", "side"), 'found "right"; allowed: the left corner, the right one is its mirror')
-        if self.corner.without:
-            raise misplaced(("corner",), f"of a car needs all its parts; it has no {', '.join(self.corner.without)}")
+        if self.corner.lacks:
+            raise misplaced(("corner",), f"of a car needs all its parts; it has no {', '.join(self.corner.lacks)}")
         return self
 
 

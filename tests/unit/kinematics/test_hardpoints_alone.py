@@ -22,6 +22,7 @@ OF_FORCES = {
     "wheel_damping_coefficient",
     "tyre_deflection",
     "ride_rate",
+    "tyre_stiffness",
 }
 
 
