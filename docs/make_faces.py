@@ -23,6 +23,7 @@ import jounce
 from jounce.campaign.description import Campaign
 from jounce.campaign.truth import BenchTruth
 from jounce.cli.entry import application
+from jounce.cli.everywhere import completed
 from jounce.control import CONTROLS
 from jounce.core.kinds import FILE_REF
 from jounce.design.kinematic_study import KinematicStudy
@@ -356,16 +357,19 @@ def _table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
 def commands() -> dict[str, str]:
     """Reference of every command by its full name, e.g. ``jounce fit decay``: its help, arguments and options."""
     found: dict[str, str] = {}
-    pending: list[tuple[str, Any]] = [("jounce", typer.main.get_command(application()))]
+    pending: list[tuple[str, Any]] = [("jounce", completed(typer.main.get_command(application())))]
     while pending:
         name, command = pending.pop()
         inner = getattr(command, "commands", {})
         pending += [(f"{name} {word}", item) for word, item in inner.items()]
         if not inner:
             text = inspect.cleandoc(command.help).partition("Example:")[0]
-            rows = [_option(item) for item in command.params if not {*item.opts} & {"--json", "--force", "--help"}]
+            rows = [_option(item) for item in command.params if not {*item.opts} & _EVERYWHERE]
             found[name] = text + (_table(("option", "", "default"), rows) if rows else "")
     return found
+
+
+_EVERYWHERE = {"--json", "--force", "--help", "--open", "--all", "--units"}
 
 
 def _option(item: Any) -> tuple[str, str, str]:

@@ -292,9 +292,9 @@ class _Runner:
 
     def update_all(self, start: Knowledge) -> list[StrategyResult]:
         done: dict[str, StrategyResult] = {}
-        for entry in self.campaign.update:
+        for k, entry in enumerate(self.campaign.update, 1):
             try:
-                self.progress(f"update: {entry.name}")
+                self.progress(f"update {k} of {len(self.campaign.update)}: {entry.name}")
                 done[entry.name] = self._update(entry, start, done)
             except Exception as error:  # noqa: BLE001 - one bad file never loses the others
                 self.findings.append(Finding(entry.name, "problem", f"{unforeseen(error)} The update is left out."))
@@ -357,10 +357,13 @@ class _Runner:
 
     def compare_strategies(self, strategies: list[StrategyResult]) -> list[StrategyResult]:
         """Hold every update against all trials, before and after it."""
-        return [self._compared(strategy) for strategy in strategies]
+        compared = []
+        for k, strategy in enumerate(strategies, 1):
+            self.progress(f"compare strategy {k} of {len(strategies)}: {strategy.update.name}")
+            compared.append(self._compared(strategy))
+        return compared
 
     def _compared(self, strategy: StrategyResult) -> StrategyResult:
-        self.progress(f"compare: {strategy.update.name}")
         lags = strategy.update.lags
         trials = []
         for number, item in self.loaded.items():
@@ -418,7 +421,8 @@ class _Runner:
         item = self.loaded.get(entry.number)
         if item is None:
             return TrialResult(entry, None, None, None, {}, {})
-        self.progress(f"compare: {name}")
+        which = list(self.loaded).index(entry.number) + 1
+        self.progress(f"compare trial {which} of {len(self.loaded)}: {name}")
         lag = lags.get(name, None if aligned else 0.0)
         pitch = item.trial.road.pitch if isinstance(item.trial.road, Train) else None
         before, curves_before, _, _ = self._comparison(item, start, lag)

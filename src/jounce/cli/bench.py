@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 import typer
 
 from jounce.cli.options import (
+    LENGTH,
     AsJson,
-    bare_number,
+    bare_numbers,
     optional_positive,
     optional_quantity,
     pairs,
@@ -117,7 +118,8 @@ def _with_values(helps: Mapping[str, str]) -> Callable[[Callable[..., Reply]], C
 
 def _described(kind: type[D], values: Values) -> D:
     """Build a description from the values that were given (others may be among them); the rest keeps its defaults."""
-    given = {name: bare_number(str(values[name])) for name in kind.model_fields if values.get(name) is not None}
+    texts = {name: str(values[name]) for name in kind.model_fields if values.get(name) is not None}
+    given = bare_numbers(kind, texts, lambda name: f"--{name.replace('_', '-')}")
     try:
         return kind.from_table(given)
     except DescriptionError as error:
@@ -162,7 +164,7 @@ def speed(
     computed = None if frequency is None else belt_speed(drive, frequency)
     counted = None
     counting = optional_positive(duration, "s", "--duration")
-    error = quantity(radius_error, "m", "--radius-error")
+    error = quantity(radius_error, "m", "--radius-error", most=LENGTH)
     if pulses is None and counting is not None:
         hint = "Count them in that time, or leave it out."
         raise DescriptionError("--duration is the time in which --pulses are counted, which are missing", hint=hint)

@@ -7,8 +7,9 @@ import os
 import sys
 import traceback
 from collections.abc import Sequence
+from enum import StrEnum
 from functools import cache
-from typing import Any
+from typing import Annotated, Any
 
 import typer
 
@@ -26,8 +27,10 @@ from jounce.cli import (
     simulate,
     study,
 )
+from jounce.cli.everywhere import as_usual, completed, open_pages
 from jounce.cli.options import AsJson
 from jounce.cli.reply import (
+    DONE,
     FAILED,
     PIPE_CLOSED,
     REFUSED,
@@ -77,20 +80,79 @@ def application() -> typer.Typer:
     app.add_typer(bench.app, name="bench")
     app.add_typer(inspection.app, name="inspect")
     app.add_typer(study.app, name="study")
+    app.command("completion")(completion)
     app.command("version")(version)
+
+    @app.callback()
+    def above(  # the options before a command; its text is that of the application
+        shows_version: Annotated[
+            bool, typer.Option("--version", help="Print versions, as the command version does.")
+        ] = False,
+    ) -> None:
+        """Only for its options."""
+
     return app
 
 
 def version(as_json: AsJson = False) -> Reply:
-    """Print the version of jounce and of what it runs on.
+    """Print the version of jounce, of what it runs on, and the folder that keeps compiled models.
 
     Example: jounce version
     """
     import platform
     from importlib import metadata
 
-    plain = {"jounce": metadata.version("jounce"), "python": platform.python_version(), "system": platform.platform()}
-    return Reply(plain, lambda out: out.print(*(f"{name} {value}" for name, value in plain.items()), sep="\n"), as_json)
+    def installed(name: str) -> str | None:
+        try:
+            return metadata.version(name)
+        except metadata.PackageNotFoundError:
+            return None
+
+    from jounce.kernel.native import cache_folder
+
+    cache: str | None = None
+    with contextlib.suppress(RuntimeError):
+        cache = str(cache_folder())
+    plain: dict[str, str | None] = {"jounce": metadata.version("jounce"), "python": platform.python_version()}
+    plain |= {name: installed(name) for name in ("casadi", "llvmlite", "numba", "numpy", "scipy")}
+    plain |= {"system": platform.platform(), "cache": cache}
+    rows = [f"{name} {value or 'none'}" for name, value in plain.items()]
+    return Reply(plain, lambda out: out.print(*rows, sep="\n", soft_wrap=True), as_json)
+
+
+class Shell(StrEnum):
+    """Shells that complete commands."""
+
+    BASH = "bash"
+    ZSH = "zsh"
+    FISH = "fish"
+    POWERSHELL = "powershell"
+
+
+def completion(
+    shell: Annotated[Shell, typer.Argument(metavar="SHELL", help="bash, zsh, fish or powershell.")],
+    install: Annotated[
+        bool, typer.Option("--install", help="Add it to what the shell reads when it starts, instead of printing it.")
+    ] = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Print the script with which a shell completes commands, options and names of the library, or install it.
+
+    Example: jounce completion bash --install
+    """
+    from typer.completion import get_completion_script  # type: ignore[attr-defined]
+    from typer.completion import install as install_completion  # type: ignore[attr-defined]
+
+    if install:
+        _, file = install_completion(shell.value, "jounce", _COMPLETION)
+        plain = {"shell": shell.value, "installed": str(file)}
+        return Reply(plain, lambda out: out.print(f"installed: {file}; it works in new shells"), as_json)
+    script = get_completion_script(prog_name="jounce", complete_var=_COMPLETION, shell=shell.value)
+    return Reply({"shell": shell.value, "script": script}, lambda out: out.out(script, highlight=False), as_json)
+
+
+_COMPLETION = "_JOUNCE_COMPLETE"
+"""The variable by which a shell asks for completions."""
 
 
 def _one_thread_for_matrices() -> None:
@@ -123,7 +185,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     debug = "--debug" in words
     words = [word for word in words if word != "--debug"]
     as_json = "--json" in words
+    if words[:1] == ["--version"]:
+        words[0] = "version"
     try:
+        if _COMPLETION in os.environ:
+            return _complete(words)
         exit_code = _answer(words)
         sys.stdout.flush()
     except (KeyboardInterrupt, typer.Abort):
@@ -160,17 +226,34 @@ def main(arguments: Sequence[str] | None = None) -> int:
 @cache
 def _command() -> Any:
     """All commands, read from their signatures once a process."""
-    return typer.main.get_command(application())
+    return completed(typer.main.get_command(application()))
+
+
+def _complete(words: list[str]) -> int:
+    """Answer a shell that asks what may follow."""
+    from typer.completion import completion_init  # type: ignore[attr-defined]
+
+    completion_init()  # its shells, with the form of their questions
+    try:
+        _command().main(words, prog_name="jounce", complete_var=_COMPLETION)
+    except SystemExit as end:
+        return int(end.code or 0)
+    return DONE
 
 
 def _answer(words: list[str]) -> int:
-    with contextlib.redirect_stdout(sys.stderr) if "--json" in words else contextlib.nullcontext():
-        try:
-            with _command().make_context("jounce", words) as context:
-                reply = _command().invoke(context)
-        except typer.Exit as end:  # after --help
-            return end.exit_code
-    return reply.show() if isinstance(reply, Reply) else 0
+    with as_usual():
+        with contextlib.redirect_stdout(sys.stderr) if "--json" in words else contextlib.nullcontext():
+            try:
+                with _command().make_context("jounce", words) as context:
+                    reply = _command().invoke(context)
+            except typer.Exit as end:  # after --help
+                return end.exit_code
+        if not isinstance(reply, Reply):
+            return 0
+        exit_code = reply.show()
+        open_pages(reply.plain)
+        return exit_code
 
 
 def _misused(error: Any, *, as_json: bool) -> int:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.options import AsJson, Force, files, optional_positive
+from jounce.cli.options import LENGTH, AsJson, Force, files, optional_positive
 from jounce.cli.reply import DONE, REFUSED, Reply, show_findings, table, tell
 from jounce.core.errors import DescriptionError, JounceError, RecordingError, unknown
 
@@ -449,7 +449,7 @@ def chrono(
         check_writable(out, what="rigs", suffixes=(".toml",), force=force)
     rig, findings, text = import_chrono(
         file,
-        wheel_radius=optional_positive(wheel_radius, "m", "--wheel-radius"),
+        wheel_radius=optional_positive(wheel_radius, "m", "--wheel-radius", most=LENGTH),
         wheel_mass=optional_positive(wheel_mass, "kg", "--wheel-mass"),
         tyre_stiffness=optional_positive(tyre_stiffness, "N/m", "--tyre-stiffness"),
         sprung_mass=optional_positive(sprung_mass, "kg", "--sprung-mass"),

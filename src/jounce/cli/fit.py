@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from jounce.cli.options import (
+    LENGTH,
     AsJson,
     Columns,
     Database,
@@ -90,7 +91,7 @@ def stiffness(
     choice: dict[str, Any] = {
         "law": law,
         "degree": degree,
-        "discard_below": quantity(discard_below, "m", "--discard-below"),
+        "discard_below": quantity(discard_below, "m", "--discard-below", most=LENGTH),
         "intercept": intercept,
         "branch": branch,
         "operating_force": optional_quantity(load, "N", "--load"),

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from jounce.cli.options import (
+    STROKE,
     AsJson,
     Changes,
     FigureFile,
@@ -39,6 +40,7 @@ from jounce.cli.reply import (
     table,
     tell,
 )
+from jounce.core.display import shown_as
 from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError, unknown
 from jounce.core.files import existing_file
 from jounce.core.text import visible
@@ -202,7 +204,7 @@ def _chosen_tester(
         found = load_tester(tester)
     made = dict(wanted)
     if stroke is not None:
-        made["stroke"] = positive_quantity(stroke, "m", "--stroke")
+        made["stroke"] = positive_quantity(stroke, "m", "--stroke", most=STROKE)
     if sweep_rate is not None:
         made["programme.sweep_rate"] = positive_quantity(sweep_rate, "Hz/s", "--sweep-rate")
     return found.with_changes(made) if made else found
@@ -218,12 +220,16 @@ def _write_record(record: Any, file: Path, *, truth: bool, force: bool) -> None:
 def _draw_wheel(out: Console, plain: dict[str, Any], findings: Any) -> None:
     how = "steady states" if plain["steady"] else "sweep"
     uncertainty = plain["uncertainty"]
-    rows = [
-        (text, cell(plain[key]) + (f" ± {uncertainty[key]:.2g}" if key in uncertainty else ""), unit)
-        for key, text, unit in _ROWS
-        if plain.get(key) is not None
-    ]
-    title = f"{plain['rig']} on {plain['tester']}, {how}: {plain['wheel']} wheel, {plain['static_load']:.0f} N"
+    rows = []
+    for key, text, unit in _ROWS:
+        if plain.get(key) is not None:
+            other = shown_as(unit)
+            value = plain[key] * other.factor if isinstance(plain[key], float) else plain[key]
+            error = f" ± {uncertainty[key] * other.factor:.2g}" if key in uncertainty else ""
+            rows.append((text, cell(value) + error, other.name))
+    load = shown_as("N")
+    title = f"{plain['rig']} on {plain['tester']}, {how}: {plain['wheel']} wheel, "
+    title += f"{plain['static_load'] * load.factor:.0f} {load.name}"
     out.print(title, style="bold", soft_wrap=not out.is_terminal)
     out.print(table("", ("", "value", "unit"), rows, text=(0, 1, 2)))
     for name, band in plain["grade"].items():

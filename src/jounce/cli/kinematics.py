@@ -8,15 +8,18 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from jounce.cli.options import (
+    ANGLE,
     AsJson,
     Changes,
     Force,
     ReportFile,
     RigName,
     bare_number,
+    bare_numbers,
     changes,
     check_outputs,
     chosen_rig,
+    optional_quantity,
     pairs,
     write_report,
 )
@@ -182,11 +185,10 @@ def _one_value(values: NDArray[np.float64], option: str, why: str) -> float:
 def _vehicle(texts: list[str] | None) -> AxleLayout | None:
     if not texts:
         return None
-    from jounce.cli.options import bare_number
     from jounce.kinematics.sweeps import AxleLayout
 
     given = pairs(texts, "--vehicle", 'wheelbase="2.7 m"')
-    return AxleLayout.from_table({name: bare_number(value) for name, value in given.items()}, where="--vehicle")
+    return AxleLayout.from_table(bare_numbers(AxleLayout, given, "--vehicle {}".format), where="--vehicle")
 
 
 def plain_sweep(sweep: xr.Dataset) -> dict[str, Any]:
@@ -268,8 +270,8 @@ def adjust(
             if name in given:
                 hint = "Leave it out, or --camber and --toe."
                 raise DescriptionError("a length to be found is also given", where=f"--set {name}", hint=hint)
-        wished = (None if value is None else bare_number(value) for value in (camber, toe))
-        lengths = lengths_for(chosen, *wished)
+        wished = ((camber, "--camber"), (toe, "--toe"))
+        lengths = lengths_for(chosen, *(optional_quantity(text, "rad", name, most=ANGLE) for text, name in wished))
         given |= lengths.settings()
     if out is not None and not given:
         raise DescriptionError("nothing to adjust", where="--out", allowed="--set, --camber or --toe beside it")

@@ -15,6 +15,8 @@ from jounce.core.errors import DescriptionError
 from jounce.core.findings import not_drawn
 
 if TYPE_CHECKING:
+    from pydantic import BaseModel
+
     from jounce.core.findings import Finding
     from jounce.parts import Rig
     from jounce.report import Page
@@ -47,34 +49,68 @@ Database = Annotated[
     Path | None,
     typer.Option(help="Database of bus messages (.dbc) with which the bus frames of an MDF file are decoded."),
 ]
-RigName = Annotated[str, typer.Argument(metavar="RIG", help="A rig file, or a name of `jounce library`.")]
+
+
+def shipped(*packages: str) -> Callable[[str], list[str]]:
+    """Give a function that completes names of what is shipped in these packages; a shell completes files itself."""
+
+    def complete(incomplete: str) -> list[str]:
+        from jounce.core.files import shipped_files
+
+        files = [shipped_files(f"jounce.{one}", "library", suffix) for one in packages for suffix in (".toml", ".crg")]
+        return [name for names in files for name in names if name.startswith(incomplete)]
+
+    return complete
+
+
+RigName = Annotated[
+    str,
+    typer.Argument(metavar="RIG", help="A rig file, or a name of `jounce library`.", autocompletion=shipped("parts")),
+]
 VehicleName = Annotated[
-    str, typer.Argument(metavar="VEHICLE", help="A vehicle or rig file, or a name of `jounce library`.")
+    str,
+    typer.Argument(
+        metavar="VEHICLE", help="A vehicle or rig file, or a name of `jounce library`.", autocompletion=shipped("parts")
+    ),
 ]
 
 
-def quantity(text: str, unit: str, option: str) -> float:
-    """Read the value of an option into SI; a bare number is SI, as in the files."""
+def quantity(text: str, unit: str, option: str, *, most: float | None = None) -> float:
+    """Read the value of an option into SI; a bare number is SI, as in the files, unless that cannot be meant.
+
+    ``most`` bounds bare numbers more closely than their unit does.
+    """
     from jounce.core.units import to_si
 
-    return to_si(bare_number(text), unit, where=option)
+    return to_si(_questioned(text, unit, option, most), unit, where=option)
 
 
-def optional_quantity(text: str | None, unit: str, option: str) -> float | None:
+def _questioned(text: str, unit: str, option: str, most: float | None) -> str | float:
+    from jounce.core.units import bare_si
+
+    given = bare_number(text)
+    return given if isinstance(given, str) else bare_si(given, unit, where=option, most=most)
+
+
+def optional_quantity(text: str | None, unit: str, option: str, *, most: float | None = None) -> float | None:
     """Read the value of an option that may be left out."""
-    return None if text is None else quantity(text, unit, option)
+    return None if text is None else quantity(text, unit, option, most=most)
 
 
-def positive_quantity(text: str, unit: str, option: str) -> float:
+def positive_quantity(text: str, unit: str, option: str, *, most: float | None = None) -> float:
     """Read the value of an option that must be above 0."""
     from jounce.core.units import positive_si
 
-    return positive_si(bare_number(text), unit, where=option)
+    return positive_si(_questioned(text, unit, option, most), unit, where=option)
 
 
-def optional_positive(text: str | None, unit: str, option: str) -> float | None:
+def optional_positive(text: str | None, unit: str, option: str, *, most: float | None = None) -> float | None:
     """Read the value of an option that may be left out, and must be above 0."""
-    return None if text is None else positive_quantity(text, unit, option)
+    return None if text is None else positive_quantity(text, unit, option, most=most)
+
+
+LENGTH, STROKE, STEP, ANGLE = 10.0, 1.0, 1.0, 0.35
+"""Bounds of bare numbers: sizes of parts (m), strokes (m), sampling intervals (s), angles that are adjusted (rad)."""
 
 
 def pairs(texts: Sequence[str] | None, option: str, example: str) -> dict[str, str]:
@@ -97,6 +133,18 @@ def changes(texts: Sequence[str] | None) -> dict[str, Any]:
     return {path: _toml_value(value) for path, value in given.items()}
 
 
+def question_bare(rig: Rig, wanted: dict[str, Any]) -> None:
+    """Refuse numbers of ``--set`` without a unit that cannot be meant."""
+    from jounce.core.units import bare_si
+    from jounce.parts.rig import unit_of
+
+    known = rig.parameters()
+    for path, value in wanted.items():
+        if path in known and isinstance(value, float):
+            unit = unit_of(rig, path)
+            bare_si(value, unit, where=f"--set {path}", most=LENGTH if unit == "m" else None)
+
+
 def columns(texts: Sequence[str] | None) -> dict[str, str] | None:
     """Columns by quantity from ``--columns``, one or several in each text; None when nothing is mapped."""
     split = [part for text in texts or () for part in re.split(r",\s*(?=[\w.]+\s*=)", text)]
@@ -109,9 +157,9 @@ def reading(
     """Arguments of ``read_recording`` from the options that all commands that read recordings have."""
     return {
         "columns": columns(columns_),
-        "sample_time": optional_positive(sample_time, "s", "--sample-time"),
+        "sample_time": optional_positive(sample_time, "s", "--sample-time", most=STEP),
         "variable": variable,
-        "resample": optional_positive(resample, "s", "--resample"),
+        "resample": optional_positive(resample, "s", "--resample", most=STEP),
         "database": database,
     }
 
@@ -142,6 +190,21 @@ def bare_number(text: str) -> str | float:
         return float(text)
     except ValueError:
         return text
+
+
+def bare_numbers(kind: type[BaseModel], texts: dict[str, str], option: Callable[[str], str]) -> dict[str, str | float]:
+    """Values of the fields of a description as it takes them; numbers without a unit are refused as in `quantity`.
+
+    ``option`` names the place of a field.
+    """
+    from jounce.core.units import Unit, bare_si
+
+    given = {name: bare_number(text) for name, text in texts.items()}
+    for name, value in given.items():
+        units = [item.si for item in getattr(kind.model_fields.get(name), "metadata", ()) if isinstance(item, Unit)]
+        if units and isinstance(value, float):
+            bare_si(value, units[0], where=option(name), most=LENGTH if units[0] == "m" else None)
+    return given
 
 
 def _toml_value(text: str) -> Any:
@@ -246,6 +309,7 @@ def chosen_rig(name: str, wanted: dict[str, Any]) -> Rig:
     from jounce.parts import load
 
     rig = load(name)
+    question_bare(rig, wanted)
     rig = rig.with_changes(wanted) if wanted else rig
     warn_of(rig, name)
     return rig
@@ -261,7 +325,10 @@ def warn_of(rig: Rig, name: str) -> None:
 
 
 RoadName = Annotated[
-    str | None, typer.Option(help="A road: TOML, OpenCRG or table file, or a name of `jounce library`.")
+    str | None,
+    typer.Option(
+        help="A road: TOML, OpenCRG or table file, or a name of `jounce library`.", autocompletion=shipped("roads")
+    ),
 ]
 DrivenSpeed = Annotated[str | None, typer.Option(help='Speed over the road, e.g. "1.95 m/s".')]
 Duration = Annotated[str | None, typer.Option(help='Length of the run, e.g. "3 s".')]

@@ -7,11 +7,14 @@ import json
 import os
 import re
 import sys
+import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, TextIO
+from typing import TYPE_CHECKING, Any, TextIO, cast
 
+from jounce.cli.everywhere import VIEW
+from jounce.core.display import chosen_units, shown_as
 from jounce.core.errors import JounceError
 from jounce.core.findings import DrawingError
 from jounce.core.text import visible
@@ -19,6 +22,7 @@ from jounce.core.text import visible
 if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
+    from rich.text import Text
 
     from jounce.core.findings import Finding
     from jounce.identify.estimate import Estimate
@@ -145,25 +149,104 @@ def tell(message: str, *, program: str = "jounce: ") -> None:
     sys.stderr.write(f"{program}{visible(message)}\n")
 
 
+class Elapsed:
+    """What is being done, for how long already, and where the words say ``3 of 10`` or ``30 %``, how long still.
+
+    Parameters
+    ----------
+    clock : callable
+        Gives the time in s.
+    """
+
+    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+        self.clock = clock
+        self.started = clock()
+        self.said, self.waits = "starting", ""
+        self._phase, self._since, self._from, self._heard = "", self.started, 0.0, self.started
+
+    def say(self, text: str) -> None:
+        """Take what is being done now."""
+        self.said, self._heard = text, self.clock()
+        phase = _SHARE.sub("", text).partition(":")[0]
+        if phase != self._phase:
+            self._phase, self._since, self._from = phase, self._heard, self._share() or 0.0
+
+    def _share(self) -> float | None:
+        found = _SHARE.search(self.said)
+        if found is None:
+            return None
+        if found["percent"] is not None:
+            return min(1.0, 0.01 * float(found["percent"]))
+        return min(1.0, (int(found["which"]) - 1) / max(1, int(found["of"])))  # the one that is named is not done yet
+
+    def text(self) -> str:
+        """One line.
+
+        Examples
+        --------
+        >>> time = iter((0.0, 0.0, 8.0, 9.0))
+        >>> line = Elapsed(lambda: next(time))
+        >>> line.say("testing 1 of 10")
+        >>> line.say("testing 5 of 10")
+        >>> line.text()   # 2 s each, of which this one has had 1 s
+        'testing 5 of 10 · 9 s, 40 %, about 11 s left'
+        """
+        now = self.clock()
+        line = f"{self.waits or self.said} · {_duration(now - self.started)}"
+        share = self._share()
+        if not share:
+            return line
+        done = share - self._from
+        left = (1.0 - share) * (self._heard - self._since) / done - (now - self._heard) if done > 0.0 else 0.0
+        return f"{line}, {100.0 * share:.0f} %" + (f", about {_duration(left)} left" if left >= 1.0 else "")
+
+    def __rich__(self) -> Text:
+        """The same line for a console that draws it again and again."""
+        from rich.text import Text
+
+        return Text(self.text())
+
+
+_SHARE = re.compile(r"\b(?P<which>\d+) of (?P<of>\d+)\b|\b(?P<percent>\d+(?:\.\d+)?) %")
+
+
+def _duration(seconds: float) -> str:
+    """Write a time as people do.
+
+    >>> _duration(8.4), _duration(94.0), _duration(7500.0)
+    ('8 s', '1 min 34 s', '2 h 5 min')
+    """
+    whole = round(seconds)
+    if whole < 60:
+        return f"{whole} s"
+    return f"{whole // 60} min {whole % 60} s" if whole < 3600 else f"{whole // 3600} h {whole % 3600 // 60} min"
+
+
+_WORTH_TELLING = 2.0  # s
+
+
 @contextmanager
 def progress() -> Iterator[Callable[[str], None]]:
-    """Give a function that shows one line of text as the work goes on: on stderr, and only on a terminal."""
+    """Give a function that shows one line of text as the work goes on: on stderr, and only on a terminal.
+
+    Time passed stands behind it; share and time left, too, where the text says ``3 of 10`` or ``30 %``.
+    """
     if not sys.stderr.isatty():
         yield lambda _: None
         return
-    from rich.markup import escape
-
     from jounce.core.waiting import heard_by
 
-    said = "starting"
+    line = Elapsed()
 
-    def say(text: str) -> None:
-        nonlocal said
-        said = text
-        status.update(escape(text))
+    def wait(text: str | None) -> None:
+        line.waits = text.rpartition(",")[0] if text else ""
 
-    with console(stderr=True).status(said) as status, heard_by(lambda waits: status.update(escape(waits or said))):
-        yield say
+    shown = console(stderr=True)
+    with shown.status(line, refresh_per_second=4.0), heard_by(wait):
+        yield line.say
+    took = line.clock() - line.started
+    if took > _WORTH_TELLING:
+        shown.print(f"took {_duration(took)}", style="dim")
 
 
 ROUNDING = 1e-12  # SI values of this size are what is left of zero
@@ -171,16 +254,69 @@ SEVERITY_STYLES = {"note": "dim", "warning": "yellow", "problem": "bold red"}
 
 
 def table(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]], *, text: Sequence[int] = (0,)) -> Table:
-    """Build a table; columns are numbers and stand to the right but those listed in ``text``."""
+    """Build a table; columns are numbers and stand to the right but those listed in ``text``.
+
+    Its units are those of the values given, in a column ``unit`` or at the end of a column's name; where others are
+    chosen, values and units are converted here. A terminal gets the first rows of long tables, but with ``--all``.
+    """
+    return _built(title, *_in_chosen_units(columns, rows), text=text)
+
+
+_LONG, _FIRST = 25, 20  # rows: longer tables are cut, to so many
+
+
+def _built(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]], *, text: Sequence[int]) -> Table:
     from rich import box
     from rich.table import Table
 
     built = Table(title=title or None, title_justify="left", title_style="bold", box=box.SIMPLE_HEAD, pad_edge=False)
+    rows = list(rows)
+    if len(rows) > _LONG and not VIEW.every_row and sys.stdout.isatty():
+        built.caption, built.caption_justify = f"… and {len(rows) - _FIRST} more rows: --all", "left"
+        rows = rows[:_FIRST]
     for index, column in enumerate(columns):
         built.add_column(column, justify="left" if index in text else "right", overflow="fold")
     for row in rows:
         built.add_row(*(cell(item) for item in row))
     return built
+
+
+_AT_END = re.compile(r"(?P<words>.*\s|)(?:\[(?P<inside>[^\[\]]+)\]|(?P<bare>mm|m|m/s|N|N/m|N/mm|N\*s/m|kg|W|deg/mm))")
+_OWN = re.compile(r".*(?:%|\b(?:s|Hz|factor|gain|R2|by chance|active|full size / prototype))")
+"""Names of columns that have a unit of their own beside a column ``unit``."""
+
+
+def _in_chosen_units(
+    columns: Sequence[str], rows: Iterable[Sequence[object]]
+) -> tuple[Sequence[str], Iterable[Sequence[object]]]:
+    """The same table in the units that are chosen; numbers that stand in text keep theirs, with their unit."""
+    if chosen_units() == "metric":
+        return columns, rows
+    names, cells = list(columns), [list(row) for row in rows]
+    if "unit" in names:
+        at = names.index("unit")
+        free = [i for i, name in enumerate(names) if i != at and not _OWN.fullmatch(name)]
+        for row in cells:
+            if any(isinstance(row[i], str) and str(row[i])[:1].isdecimal() for i in free[1:]):
+                continue  # a number with words around it
+            sizes = [i for i in free if isinstance(row[i], float)]
+            largest = max((abs(cast("float", row[i])) for i in sizes), default=0.0)
+            other = shown_as(str(row[at]), str(row[0]), largest)
+            row[at] = other.name
+            for i in sizes:
+                row[i] = cast("float", row[i]) * other.factor
+        return names, cells
+    for i, name in enumerate(names):
+        ended = _AT_END.fullmatch(name)
+        if ended is None:
+            continue
+        largest = max((abs(cast("float", row[i])) for row in cells if isinstance(row[i], float)), default=0.0)
+        other = shown_as(ended["inside"] or ended["bare"], name, largest)
+        names[i] = ended["words"] + (f"[{other.name}]" if ended["inside"] else other.name)
+        for row in cells:
+            if isinstance(row[i], float):
+                row[i] = cast("float", row[i]) * other.factor
+    return names, cells
 
 
 def cell(value: object) -> str:
@@ -210,8 +346,11 @@ def estimates(title: str, rows: Iterable[tuple[str, Estimate | None, str]]) -> T
     cells: list[tuple[object, ...]] = []
     for name, found, unit in rows:
         value, error, ends = (None,) * 3 if found is None else (found.value, found.standard_error, found.interval)
-        cells.append((name, value, error, ends and f"{number(ends[0])} … {number(ends[1])}", unit))
-    return table(title, ("quantity", "value", "standard error", "95 % interval", "unit"), cells, text=(0, 4))
+        other = shown_as(unit, name, abs(value or 0.0))
+        value, error = (None if size is None else size * other.factor for size in (value, error))
+        between = ends and " … ".join(number(end * other.factor) for end in ends)
+        cells.append((name, value, error, between, other.name))
+    return _built(title, ("quantity", "value", "standard error", "95 % interval", "unit"), cells, text=(0, 4))
 
 
 def show_written(out: Console, plain: Mapping[str, Any]) -> None:

@@ -25,6 +25,7 @@ from jounce.cli.options import (
     write_picture,
 )
 from jounce.cli.reply import Reply, progress, show_findings, show_written, table
+from jounce.core.display import size
 from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
@@ -207,7 +208,7 @@ def _draw_ride(console: Console, plain: dict[str, Any], study: RideStudy) -> Non
         for item in ride.metrics.values:
             rows.append((item.label if item.label != last else "", item.place, item.value, item.unit))
             last = item.label
-        title = f"{plain['vehicle']}, {ride.control}, on {plain['road']} at {plain['speed']:g} m/s"
+        title = f"{plain['vehicle']}, {ride.control}, on {plain['road']} at {size(plain['speed'], 'm/s', 'speed')}"
         console.print(table(title, ("metric", "place", "value", "unit"), rows, text=(0, 1, 3)))
         for place, words in ride.metrics.comfort.items():
             console.print(f"{place}: {words}")
@@ -243,7 +244,7 @@ def _draw_comparison(console: Console, plain: dict[str, Any], study: RideStudy) 
     shown = [merit for merit in MERITS if any(merit.name in ride.merits for ride in study.rides)]
     rows = [(ride.control, *(ride.merits.get(merit.name) for merit in shown)) for ride in study.rides]
     header = ("controller", *(f"{merit.label} [{merit.unit}]" for merit in shown))
-    title = f"{plain['vehicle']} on {plain['road']} at {plain['speed']:g} m/s; smaller is better"
+    title = f"{plain['vehicle']} on {plain['road']} at {size(plain['speed'], 'm/s', 'speed')}; smaller is better"
     built = table(title, header, rows)
     built.columns[0].no_wrap = True  # a name stays in one piece
     console.print(built)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, cast
 import typer
 
 from jounce.cli.options import (
+    STEP,
     AsJson,
     Changes,
     Deceleration,
@@ -32,6 +33,7 @@ from jounce.cli.options import (
     write_report,
 )
 from jounce.cli.reply import Reply, progress, show_findings, show_written, table
+from jounce.core.display import size
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -70,7 +72,7 @@ def simulate(
     Example: jounce simulate kart-quarter-car --road bump.toml --speed "1.95 m/s" --duration "3 s" --out run.nc
     """
     check_outputs(recording=out, figure=figure, report=report, force=force)
-    step = positive_quantity(output_step, "s", "--output-step")
+    step = positive_quantity(output_step, "s", "--output-step", most=STEP)
     error = positive_quantity(tolerance, "1", "--tolerance")
     loads = {
         "pitch_moment": pitch_moment,
@@ -143,7 +145,7 @@ def _summary(run: Solved, trial: Trial) -> dict[str, Any]:
 
 
 def _draw(out: Console, plain: dict[str, Any], findings: list[Finding]) -> None:
-    on = plain["excitation"] or f"{plain['road']} at {plain['speed']:g} m/s"
+    on = plain["excitation"] or f"{plain['road']} at {size(plain['speed'], 'm/s', 'speed')}"
     header = ("channel", "unit", "static", "minimum", "at s", "maximum", "at s")
     rows = [(name, *channel.values()) for name, channel in plain["channels"].items()]
     out.print(table(f"{plain['rig']} on {on}, {plain['duration']:g} s", header, rows, text=(0, 1)))
@@ -170,13 +172,16 @@ def modes(rig: RigName, set_: Changes = None, as_json: AsJson = False) -> Reply:
     from jounce.simulation import modes as find_modes
 
     wanted = changes(set_)
-    chosen = chosen_rig(rig, wanted)
-    plain = {
-        "rig": rig,
-        "changes": wanted,
-        "modes": to_plain(list(find_modes(chosen))),
-        "equilibrium": equilibrium(chosen),
-    }
+    with progress() as say:
+        say("loading")
+        chosen = chosen_rig(rig, wanted)
+        say("finding modes")
+        plain = {
+            "rig": rig,
+            "changes": wanted,
+            "modes": to_plain(list(find_modes(chosen))),
+            "equilibrium": equilibrium(chosen),
+        }
     return Reply(plain, lambda out: _draw_modes(out, plain), as_json)
 
 
@@ -195,7 +200,15 @@ def _draw_modes(out: Console, plain: dict[str, Any]) -> None:
         out.print(table("Shapes", ("mode", *map(str, range(1, len(found) + 1))), shapes))
     if not found:
         out.print("no oscillating mode: all motions are overdamped")
-    out.print(table("Static equilibrium (SI)", ("quantity", "value"), plain["equilibrium"].items()))
+    rest = [(name, _unit(name), value) for name, value in plain["equilibrium"].items()]
+    out.print(table("Static equilibrium", ("quantity", "unit", "value"), rest, text=(0, 1)))
+
+
+def _unit(name: str) -> str:
+    """SI unit of a quantity in equilibrium; coordinates of joints are no channels."""
+    from jounce.recordings.schema import channel_unit, quantity_of
+
+    return channel_unit(name) if quantity_of(name) else "SI"
 
 
 def _amplitude(shape: list[float]) -> float:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from jounce.cli.options import (
+    STROKE,
     AsJson,
     Changes,
     FigureFile,
@@ -192,7 +193,7 @@ def exciter(
 
     Example: jounce study audi-a6-excenter --amplitude "3 mm"
     """
-    size = positive_quantity(amplitude, "m", "--amplitude")
+    size = positive_quantity(amplitude, "m", "--amplitude", most=STROKE)
     mass = quantity(plate_mass, "kg", "--plate-mass")
     check_outputs(folder=out, force=force)
     with progress() as say:

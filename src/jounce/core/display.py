@@ -73,6 +73,7 @@ _UNITS: dict[System, dict[str, DisplayUnit]] = {
         "1/m": DisplayUnit("1/ft", _FOOT),
         "rad/m": DisplayUnit("°/in", _DEGREES * _INCH),
         "rad/m^2": DisplayUnit("°/in²", _DEGREES * _INCH**2),
+        "m/rad": DisplayUnit("in/rad", 1.0 / _INCH),
         "kg": DisplayUnit("lb", 1.0 / _POUND),
         "kg*m^2": DisplayUnit("lb·ft²", 1.0 / (_POUND * _FOOT**2)),
         "N": DisplayUnit("lbf", 1.0 / _POUND_FORCE),
@@ -212,6 +213,18 @@ def shown_as(unit: str, words: str = "", largest: float = 0.0) -> DisplayUnit:
         largest = math.inf
     other = display_unit(si, largest * size)
     return DisplayUnit(other.name, other.factor * size)
+
+
+def size(value: float, unit: str, words: str = "") -> str:
+    """A value that stands in a metric unit, written in the chosen system with its unit; ``words`` as in `shown_as`.
+
+    >>> with shown_in("imperial"):
+    ...     size(20.0, "m/s"), size(0.35, "m"), size(2.0, "s")
+    ('44.74 mph', '13.78 in', '2 s')
+    """
+    other = shown_as(unit, words, abs(value))
+    digits = ".6g" if other.factor == 1.0 else ".4g"
+    return f"{value * other.factor:{digits}} {other.name}"
 
 
 @lru_cache(maxsize=256)

@@ -15,6 +15,7 @@ from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 from jounce.core.errors import DescriptionError, shown
 
 _NUMBER = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(\S.*)?", re.DOTALL)
+_COMMA = re.compile(r"([+-]?\d+),(\d+(?:[eE][+-]?\d+)?(?:\s*[^\d\s,].*)?)", re.DOTALL)
 _LONGEST_TEXT = 1000
 _DIMENSIONLESS = {"", "1", "-"}
 _UNIT_HINT = "Check spelling and case, e.g. 'mm', 'N/mm', 'N*s/m', 'MPa', 'deg', 'm/s^2'."
@@ -187,8 +188,15 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
             number = math.inf
     else:
         match = _NUMBER.fullmatch(value.strip()) if len(value) <= _LONGEST_TEXT else None
-        if match is None:
-            raise DescriptionError("not a number with a unit", where=where, found=value, allowed=f"'<number> {si}'")
+        comma = _COMMA.fullmatch(value.strip()) if len(value) <= _LONGEST_TEXT else None
+        if match is None or comma is not None:
+            raise DescriptionError(
+                "not a number with a unit" if comma is None else "a comma in a number",
+                where=where,
+                found=value,
+                allowed=f"'<number> {si}'".replace(" 1'", "'"),
+                hint="" if comma is None else f"Decimals have a point, thousands no sign: '{comma[1]}.{comma[2]}'.",
+            )
         number = float(match[1])
         if match[2] is None and si not in _DIMENSIONLESS:
             raise DescriptionError(
@@ -209,6 +217,47 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
 
 LARGEST = 1e30
 """Size in SI beyond which nothing of a vehicle lies, and products of a few values are no numbers any more."""
+
+
+_MEANT = {
+    "m/s": (0.0, 150.0, "km/h"),
+    "m/s^2": (0.0, 1e4, "g"),
+    "kg": (0.0, 1e5, "g"),
+    "rad": (0.0, 1.0, "deg"),
+    "N/m": (100.0, 1e9, "N/mm"),
+    "N*s/m": (0.0, 1e6, "N*s/m"),
+    "N*m": (0.0, 1e6, "N*mm"),
+    "N": (0.0, 1e7, "N"),
+    "Pa": (1e3, 1e9, "bar"),
+    "Hz": (0.0, 1e5, "rpm"),
+    "s": (0.0, 1e6, "ms"),
+    "m": (0.0, 1e6, "mm"),
+}
+"""Sizes (SI) that a number without a unit may have, 0 or from the first up to the second, and what else is usual."""
+
+
+def bare_si(number: float, si: str, *, where: str, most: float | None = None) -> float:
+    """Take a number that somebody wrote without its unit for one in ``si``, unless that cannot be meant.
+
+    ``most`` is a closer bound than that of the unit; where the unit is written, any size is taken.
+
+    >>> bare_si(1.95, "m/s", where="--speed")
+    1.95
+    >>> bare_si(-2.0, "rad", where="--camber")   # doctest: +ELLIPSIS
+    Traceback (most recent call last):
+    jounce.core.errors.DescriptionError: --camber: -2 rad cannot be meant, ... Write the unit: '-2 deg', or '-2 rad' ...
+    """
+    low, high, usual = _MEANT.get(si, (0.0, math.inf, si))
+    high = min(high, math.inf if most is None else most)
+    if number == 0.0 or low <= abs(number) < high or not math.isfinite(number):
+        return to_si(number, si, where=where)
+    other = f"'{number:g} {usual}', or " if usual != si else ""
+    raise DescriptionError(
+        f"{number:g} {si} cannot be meant, and a bare number is in {si}",
+        where=where,
+        found=f"{number:g}",
+        hint=f"Write the unit: {other}'{number:g} {si}' where it is.",
+    )
 
 
 def positive_si(value: object, si: str, *, where: str, zero: bool = False) -> float:

@@ -16,7 +16,7 @@ from jounce.core.description import Description
 from jounce.core.errors import DescriptionError, SimulationError, nearest
 from jounce.core.findings import Finding
 from jounce.core.types import Array
-from jounce.core.units import Length, PositiveLength, Unit, to_si
+from jounce.core.units import Length, PositiveLength, Unit, bare_si, to_si
 from jounce.core.writing import Formats
 from jounce.kernel.poses import END_OF_TRAVEL, REACHED, Found, Walk, Work, space_for, walk_poses, walk_variants
 from jounce.kinematics.model import KinematicModel, check_corner, check_rack, kinematic_model
@@ -94,9 +94,10 @@ def refuse_metres(values: Array, where: str, unit: str, text: object = None) -> 
 
 def _quantity(text: str, unit: str, where: str) -> float:
     try:
-        return to_si(float(text), unit, where=where)
+        number = float(text)
     except ValueError:
         return to_si(text, unit, where=where)
+    return bare_si(number, unit, where=where)
 
 
 def si_values(values: object, unit: str, name: str) -> Array:

@@ -205,8 +205,8 @@ def run_eccentric_exciter(
     rig = jn.load(RIG)
     assert isinstance(rig, jn.QuarterCar)
     runs = []
-    for variant in VARIANTS:
-        progress(f"simulate: {variant}")
+    for k, variant in enumerate(VARIANTS, 1):
+        progress(f"simulate {k} of {len(VARIANTS)}: {variant}")
         runs.append(_plate_run(variant, rig, amplitude, plate_mass))
     summed = runs[0]
     fitting = (summed.statics["compression"] - (FREE_LENGTH - READ_LENGTH)) / summed.closed_form["spring"]

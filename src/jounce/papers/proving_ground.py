@@ -444,9 +444,10 @@ def run_proving_ground(speeds: tuple[float, ...] = SPEEDS, *, progress: Progress
     runs: dict[str, xr.Dataset] = {}
     rows: dict[str, list[dict[str, float]]] = {name: [] for name in rigs}
     fastest = {one.name: one.peak_velocity / similitude.speed_ratio for one in dampers}
-    for name, rig in rigs.items():
-        for speed in speeds:
-            progress(f"drive: {name}, {3.6 * speed:.0f} km/h")
+    for k, (name, rig) in enumerate(rigs.items()):
+        for i, speed in enumerate(speeds, 1):
+            which = f"{k * len(speeds) + i} of {len(rigs) * len(speeds)}"
+            progress(f"drive {which}: {name}, {3.6 * speed:.0f} km/h")
             run = drive(rig, course, speed)
             rows[name].append(ride_figures(run, rig, corner, fastest.get(name, np.inf)))
         runs[name] = drive(rig, course, SHOWN_SPEED)

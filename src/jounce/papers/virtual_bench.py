@@ -179,8 +179,8 @@ def measurement_texts(
     texts = _springs(plan, truth) | _tyres(plan, truth)
     progress("virtual bench: free decays")
     texts |= _decays(plan, truth)
-    for row in plan.trials:
-        progress(f"virtual bench: trial {row.number}")
+    for k, row in enumerate(plan.trials, 1):
+        progress(f"virtual bench, trial {k} of {len(plan.trials)}: {row.number}")
         texts[f"trials/{row.number:02d}.csv"] = _pass(row, plan, truth)
     return texts
 

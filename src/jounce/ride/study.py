@@ -432,9 +432,9 @@ def compare_rides(
     chosen = [as_controller(control) for control in controls]
     rides, failed = [], {}
     problem: JounceError | None = None
-    for given, control in zip(controls, chosen, strict=True):
+    for k, (given, control) in enumerate(zip(controls, chosen, strict=True), 1):
         name = control_name(given)
-        progress(f"driving: {name}")
+        progress(f"driving {k} of {len(chosen)}: {name}")
         try:
             rides.append(replace(drive(rig, trial, None if name == PASSIVE else control), control=name))
         except JounceError as error:

@@ -1,0 +1,193 @@
+"""What every command has: options about how its answer is shown, and help that names values in the field's words."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import typer
+
+from jounce.core.display import shown_in, use_units
+
+
+@dataclass
+class View:
+    """How the answer of one command is shown."""
+
+    every_row: bool = False  # of tables that a terminal would not hold
+    opens: bool = False  # the page that is written
+
+
+VIEW = View()
+_PANEL = "Everywhere"
+
+
+@contextmanager
+def as_usual() -> Iterator[None]:
+    """Forget after a block what one command line asked for."""
+    before = VIEW.every_row, VIEW.opens
+    VIEW.every_row, VIEW.opens = False, False
+    try:
+        with shown_in("metric"):
+            yield
+    finally:
+        VIEW.every_row, VIEW.opens = before
+
+
+def _options(
+    open_: Annotated[
+        bool, typer.Option("--open", rich_help_panel=_PANEL, help="Open the page that is written in the browser.")
+    ] = False,
+    every_row: Annotated[
+        bool,
+        typer.Option("--all", rich_help_panel=_PANEL, help="Every row of long tables; what is piped has them all."),
+    ] = False,
+    units: Annotated[
+        Literal["metric", "imperial"],
+        typer.Option(
+            rich_help_panel=_PANEL,
+            help="Units of tables, figures and reports: mm, N/mm, MPa, or in, lbf/in, lb, psi, mph. JSON and "
+            "recordings stay SI.",
+        ),
+    ] = "metric",
+) -> None:
+    """Only for its options."""
+
+
+def _open(value: bool) -> None:
+    VIEW.opens = VIEW.opens or value
+
+
+def _all(value: bool) -> None:
+    VIEW.every_row = VIEW.every_row or value
+
+
+_TAKEN: Mapping[str, Callable[[Any], None]] = {"open_": _open, "every_row": _all, "units": use_units}
+
+
+def completed(command: Any) -> Any:
+    """The same command and those in it, with what every one of them has."""
+    inner = getattr(command, "commands", None)
+    if inner is None:
+        command.params += [
+            option for option in _everywhere() if option.name != "open_" or _writes_pages(command.params)
+        ]
+    for parameter in [*command.params, command.get_help_option(typer.Context(command))]:
+        if parameter is not None:
+            parameter.metavar = word_of(parameter)
+            if parameter.param_type_name == "argument":
+                parameter.display_type_rich = _nothing  # beside its name
+    for one in (inner or {}).values():
+        completed(one)
+    return command
+
+
+def _nothing(**_: Any) -> None:
+    return None
+
+
+def _everywhere() -> list[Any]:
+    """The options, anew for each command: a parser keeps what it has seen in them."""
+    app = typer.Typer(add_completion=False)
+    app.command()(_options)
+    options: list[Any] = typer.main.get_command(app).params
+    for option in options:
+        option.expose_value = False
+        option.callback = _taken
+    return options
+
+
+def _taken(context: Any, option: Any, value: Any) -> None:
+    if not context.resilient_parsing:
+        _TAKEN[option.name](value)
+
+
+def _writes_pages(options: list[Any]) -> bool:
+    helps = [str(getattr(option, "help", "")) for option in options]
+    return any("report" in text.lower() or ".html" in text for text in helps)
+
+
+_WORDS = {
+    "camber": "ANGLE",
+    "toe": "ANGLE",
+    "travel": "RANGE",
+    "rack": "RANGE",
+    "roll": "RANGE",
+    "wear": "SHARE",
+    "noise": "SHARE",
+    "duration": "TIME",
+    "from": "TIME",
+    "to": "TIME",
+    "interval": "TIME",
+    "settle": "TIME",
+    "resample": "TIME",
+    "discard-below": "LENGTH",
+    "offset": "LENGTH",
+    "segment": "LENGTH",
+    "load": "FORCE",
+    "holding": "METRIC",
+    "comfort": "METRIC",
+    "since": "DAY",
+    "until": "DAY",
+    "date": "DAY",
+    "inspector": "NAME",
+    "place": "NAME",
+    "slow": "FACTOR",
+    "lumped": "RIG",
+    "limits": "FILE",
+}
+"""Words for the values of options that do not end with one."""
+
+
+def word_of(parameter: Any) -> str | None:
+    """What stands for the value of an option in the help: nothing for a switch, choices, or a word of the field.
+
+    Arguments keep theirs.
+    """
+    if parameter.metavar is not None or parameter.param_type_name == "argument":
+        return parameter.metavar  # type: ignore[no-any-return]
+    kind = parameter.type_descriptor
+    if getattr(parameter, "is_flag", False):
+        return ""
+    if kind.is_choice:
+        return "|".join(str(getattr(choice, "value", choice)) for choice in kind.choices)
+    name = parameter.opts[0].lstrip("-")
+    if name in _WORDS:
+        return _WORDS[name]
+    if "Path" in parameter.bare_type():
+        return "DIR" if "older" in str(parameter.help) else "FILE"
+    return "NUMBER" if "int" in parameter.bare_type() else name.rpartition("-")[2].upper()
+
+
+def open_pages(plain: Mapping[str, Any]) -> None:
+    """Open the page that a command has written, where it was asked for; where there is none, that is said."""
+    if not VIEW.opens:
+        return
+    import webbrowser
+
+    page = next(_pages(plain), None)
+    if page is None:
+        said = "--open: no page was written. Ask for one, e.g. with --report page.html."
+    elif webbrowser.open(page.resolve().as_uri()):
+        return
+    else:
+        said = f"--open: no browser was found. Open {page} in one."
+    sys.stderr.write(f"jounce: {said}\n")
+
+
+def _pages(value: Any) -> Iterator[Path]:
+    if isinstance(value, Mapping):
+        for item in value.values():
+            yield from _pages(item)
+    elif isinstance(value, list | tuple):
+        for item in value:
+            yield from _pages(item)
+    elif isinstance(value, str | Path) and value:
+        file = Path(value)
+        for page in (file, file / "report.html"):
+            if page.suffix == ".html" and page.is_file():
+                yield page

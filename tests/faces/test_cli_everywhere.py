@@ -1,0 +1,250 @@
+"""What every command has: units that are shown, long tables, pages opened, completion, help in the field's words."""
+
+from __future__ import annotations
+
+import io
+import re
+import sys
+import webbrowser
+from pathlib import Path
+
+import pytest
+
+from jounce.cli import main
+from jounce.cli.entry import _command
+from jounce.cli.everywhere import VIEW, open_pages, word_of
+from jounce.cli.reply import Elapsed, console, table
+from jounce.core.display import chosen_units, shown_in
+
+RIG = "kart-quarter-car"
+
+
+def commands(command: object = None, path: tuple[str, ...] = ()) -> list[tuple[tuple[str, ...], object]]:
+    command = command or _command()
+    inner = getattr(command, "commands", None)
+    if inner is None:
+        return [(path, command)]
+    return [found for name, one in inner.items() for found in commands(one, (*path, name))]
+
+
+def test_help_names_values_in_words_and_never_in_types(cli) -> None:
+    seen = set()
+    for path, command in commands():
+        for one in command.params:
+            if one.param_type_name == "option":
+                seen.add(one.metavar)
+                assert one.metavar == "" if one.is_flag else re.fullmatch(r"[A-Za-z0-9:=@.\[\]|]+", one.metavar), (
+                    path,
+                    one.opts,
+                )
+    assert {"SPEED", "RANGE", "FILE", "DIR", "TIME", "metric|imperial", "svg|png|paper"} <= seen
+    for words in (("kinematics",), ("fit", "stiffness"), ("ride",)):
+        assert not re.search(r"<\w+(\[\w+\])?>", cli(*words, "--help").out)
+
+
+def test_word_of_leaves_what_a_command_says() -> None:
+    [simulate] = [command for path, command in commands() if path == ("simulate",)]
+    words = {one.opts[0]: word_of(one) for one in simulate.params}
+    assert words["--set"] == "PATH=VALUE"
+    assert words["--duration"] == "TIME"
+    assert words["--output-step"] == "STEP"
+    assert words["rig"] == "RIG"
+
+
+def test_versions_of_what_it_runs_on(cli) -> None:
+    found = cli("--version", "--json").json
+    assert {"jounce", "python", "casadi", "llvmlite", "numba", "numpy", "scipy", "system", "cache"} == set(found)
+    assert found["numpy"]
+    text = cli("--version").out
+    assert text == cli("version").out
+    assert text.startswith(f"jounce {found['jounce']}\n")
+
+
+def test_cache_that_cannot_be_named_is_none(cli, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("JOUNCE_CACHE_DIR", "not/absolute")
+    assert cli("version", "--json").json["cache"] is None
+    assert "cache none" in cli("version").out
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish", "powershell"])
+def test_a_shell_gets_its_script_and_names_of_the_library(
+    shell: str, cli, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert "_JOUNCE_COMPLETE" in cli("completion", shell).out
+    assert "_JOUNCE_COMPLETE" in cli("completion", shell, "--json").json["script"]
+    line = "jounce simulate kart-q"
+    for name, value in {
+        "_JOUNCE_COMPLETE": f"complete_{shell}",
+        "COMP_WORDS": line,
+        "COMP_CWORD": "2",
+        "_TYPER_COMPLETE_ARGS": line,
+        "_TYPER_COMPLETE_FISH_ACTION": "get-args",
+        "_TYPER_COMPLETE_WORD_TO_COMPLETE": "kart-q",
+    }.items():
+        monkeypatch.setenv(name, value)
+    capsys.readouterr()
+    assert main([]) == 0
+    answer = capsys.readouterr().out
+    assert RIG in answer
+    assert "kart-double-wishbone" not in answer
+
+
+def test_another_shell_is_refused_with_those_there_are(cli) -> None:
+    outcome = cli("completion", "csh")
+    assert outcome.exit_code == 2
+    assert "'powershell'" in outcome.err
+
+
+def test_completion_is_installed_where_the_shell_looks(cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("HOME", str(tmp_path))
+    assert cli("completion", "fish", "--install").out.startswith(f"installed: {tmp_path}")
+    [file] = tmp_path.rglob("*.fish")
+    assert "_JOUNCE_COMPLETE" in file.read_text(encoding="utf-8")
+
+
+def test_tables_in_imperial_units_and_json_in_si(cli, bump: Path) -> None:
+    run = ("simulate", RIG, "--road", bump, "--speed", "20 m/s", "--duration", "0.1 s")
+    shown = re.sub(r"[ \n]+", " ", cli(*run, "--units", "imperial").out)
+    assert "at 44.74 mph" in shown
+    static = {"strut.force": "39.259", "sprung.z": "-0.39511"}  # 174.634 N, -10.0359 mm
+    for name, text in static.items():
+        assert re.search(rf"{re.escape(name)} +(lbf|in) +{re.escape(text)}", shown), name
+    assert not re.search(r" (N|m|m/s|m/s\^2) ", shown)
+    assert cli(*run, "--units", "imperial", "--json").json == cli(*run, "--json").json
+    assert chosen_units() == "metric"  # the next command line begins anew
+    assert " N " in cli(*run).out
+
+
+def test_every_number_of_a_table_follows_its_unit() -> None:
+    def text(columns: tuple[str, ...], *rows: tuple[object, ...]) -> str:
+        shown = io.StringIO()
+        out = console()
+        out.file = shown
+        out.print(table("", columns, rows))
+        return re.sub(r"\s+", " ", shown.getvalue())
+
+    with shown_in("imperial"):
+        # 1 in = 25.4 mm, 1 lb = 0.45359237 kg, 1 lbf = 4.4482216152605 N
+        assert "spring lbf/in static in natural Hz" in text(
+            ("spring N/mm", "static mm", "natural Hz"), (1.0, 25.4, 2.0)
+        )
+        assert "5.7101 1 2" in text(("spring N/mm", "static mm", "natural Hz"), (1.0, 25.4, 2.0))
+        assert "speed mph" in text(("speed m/s",), (0.44704,))
+        assert "gain °/in 25.4" in re.sub("─", "", text(("gain deg/mm",), (1.0,))).replace("  ", " ")
+        rows = (("mass", "kg", 0.45359237, 3.0), ("share", "1", 0.5, 3.0), ("force", "N", "4.4 ± 0.1", 3.0))
+        found = text(("", "unit", "value", "at s"), *rows)
+        assert "mass lb 1 3" in found
+        assert "share 1 0.5 3" in found
+        assert "force N 4.4 ± 0.1 3" in found  # what stands in words keeps its unit
+    assert "spring N/mm" in text(("spring N/mm",), (1.0,))
+
+
+def test_a_terminal_gets_the_first_rows_and_all_on_demand(monkeypatch: pytest.MonkeyPatch) -> None:
+    rows = [(f"row {i}", float(i)) for i in range(40)]
+    assert table("", ("a", "b"), rows).row_count == 40  # piped
+    monkeypatch.setattr(sys.stdout, "isatty", lambda: True, raising=False)
+    cut = table("", ("a", "b"), rows)
+    assert cut.row_count == 20
+    assert cut.caption == "… and 20 more rows: --all"
+    assert table("", ("a", "b"), rows[:25]).caption is None
+    monkeypatch.setattr(VIEW, "every_row", True)
+    assert table("", ("a", "b"), rows).row_count == 40
+
+
+def test_a_page_is_opened_and_a_missing_one_said(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    opened: list[str] = []
+    monkeypatch.setattr(webbrowser, "open", lambda uri: not opened.append(uri))
+    page, folder = tmp_path / "run.html", tmp_path / "results"
+    folder.mkdir()
+    for file in (page, folder / "report.html"):
+        file.touch()
+    open_pages({"report": str(page)})  # not asked for
+    monkeypatch.setattr(VIEW, "opens", True)
+    open_pages({"out": None, "figure": "a.png", "more": [{"report": page}]})
+    open_pages({"out": str(folder)})
+    assert opened == [page.as_uri(), (folder / "report.html").as_uri()]
+    open_pages({"out": str(tmp_path / "run.nc"), "report": "gone.html"})
+    said = "jounce: --open: no page was written. Ask for one, e.g. with --report page.html.\n"
+    assert capsys.readouterr().err == said
+    monkeypatch.setattr(webbrowser, "open", lambda _: False)
+    open_pages({"report": str(page)})
+    assert f"no browser was found. Open {page} in one." in capsys.readouterr().err
+
+
+def test_only_what_writes_pages_opens_them(cli) -> None:
+    asked = {path: "open_" in {one.name for one in command.params} for path, command in commands()}
+    assert asked[("simulate",)]
+    assert asked[("demo",)]
+    assert asked[("animate",)]
+    assert not asked[("check",)]
+    assert cli("check", "x.toml", "--open").exit_code == 2
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (("kinematics", "kart-double-wishbone", "--travel", "-20:20:2"), "20 m of travel; a bare number is in metres"),
+        (("kinematics", "kart-double-wishbone", "--roll", "-4:4:1"), "-4 rad cannot be meant"),
+        (("simulate", RIG, "--road", "bump.toml", "--speed", "195", "--duration", "1"), "'195 km/h', or '195 m/s'"),
+        (
+            ("simulate", RIG, "--road", "bump.toml", "--speed", "2", "--duration", "1", "--output-step", "1"),
+            "1 s cannot",
+        ),
+        (("modes", RIG, "--set", "strut.spring.rate=22.73"), "--set strut.spring.rate: 22.73 N/m cannot be meant"),
+        (("modes", RIG, "--set", "sprung.mass=250000"), "250000 kg cannot be meant"),
+        (("bench", "springs", "soft=22.73", "hard=33"), "22.73 N/m cannot be meant"),
+        (("bench", "springs", "--strut-angle", "26"), "--strut-angle: 26 rad cannot be meant"),
+        (("adjust", "kart-double-wishbone", "--camber=-2"), "--camber: -2 rad cannot be meant"),
+        (("fit", "stiffness", "x.csv", "--discard-below", "20"), "'20 mm', or '20 m'"),
+    ],
+    ids=lambda value: value if isinstance(value, str) else " ".join(value),
+)
+def test_bare_numbers_that_cannot_be_meant_are_questioned(words, message, cli, bump: Path) -> None:
+    outcome = cli(*words)
+    assert outcome.exit_code == 2
+    assert message in outcome.err
+    assert outcome.out == ""
+
+
+def test_what_can_be_meant_or_has_its_unit_is_taken(cli) -> None:
+    assert cli("modes", RIG, "--set", "strut.spring.rate=25000").exit_code == 0
+    assert cli("modes", RIG, "--set", "strut.spring.rate=22.73 N/m").exit_code == 0
+    assert cli("modes", RIG, "--set", "strut.spring.preload=0").exit_code == 0
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("simulate", RIG, "--road", "bump.toml", "--speed", "1,95 m/s", "--duration", "1"),
+        ("modes", RIG, "--set", "strut.spring.rate=22,73 N/mm"),
+        ("kinematics", "kart-double-wishbone", "--travel", "-20,5 mm:20,5 mm:1 mm"),
+        ("design", "springs", RIG, "--frequency", "2", "--damping-ratio", "0,3"),
+    ],
+    ids=" ".join,
+)
+def test_a_decimal_comma_is_named(words, cli, bump: Path) -> None:
+    outcome = cli(*words)
+    assert outcome.exit_code == 2
+    assert "a comma in a number" in outcome.err
+    assert "Decimals have a point, thousands no sign: '" in outcome.err
+
+
+def test_time_passed_and_time_left() -> None:
+    now = [0.0]
+    line = Elapsed(lambda: now[0])
+    line.say("loading")
+    now[0] = 3.0
+    assert line.text() == "loading · 3 s"
+    line.say("trial 1 of 4: a")
+    assert line.text() == "trial 1 of 4: a · 3 s"
+    now[0] = 13.0
+    line.say("trial 2 of 4: b")
+    assert line.text() == "trial 2 of 4: b · 13 s, 25 %, about 30 s left"
+    now[0] = 18.0
+    assert line.text() == "trial 2 of 4: b · 18 s, 25 %, about 25 s left"
+    line.say("testing: 50 %")  # another phase: nothing is known of its speed
+    assert line.text() == "testing: 50 % · 18 s, 50 %"
+    line.waits = "compiling"
+    assert line.text().startswith("compiling · 18 s")
