@@ -3,7 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from jounce.identify.warping import warping_path
+from jounce.identify.warping import _pays, warping_path
 
 
 def plain_path(x: np.ndarray, y: np.ndarray, radius: int) -> list[tuple[int, int]]:
@@ -50,6 +50,19 @@ def test_long_path_stays_in_its_band_and_moves_by_single_steps() -> None:
 def test_shapes_must_fit(x: np.ndarray, y: np.ndarray) -> None:
     with pytest.raises(ValueError, match="same length"):
         warping_path(x, y, 2)
+
+
+@pytest.mark.parametrize(
+    ("nrmse", "kind", "pays"), [(0.05, "body", True), (0.3, "wheel", True), (1.0, "wheel", False), (3.0, "body", False)]
+)
+def test_a_narrower_band_is_tried_where_it_saves_time(nrmse: float, kind: str, pays: bool) -> None:
+    """Measured at 6 s: 0.3 to 0.75 of the time up to NRMSE 0.3, 1.05 to 1.2 from 1 on."""
+    rng, n = np.random.default_rng(1), 20_008
+    spectrum = np.fft.rfft(rng.standard_normal((2, n)))
+    low, high = {"body": (0.5, 3.0), "wheel": (5.0, 30.0)}[kind]
+    frequency = np.fft.rfftfreq(n, 1e-4)
+    one, other = np.fft.irfft(np.where((frequency < low) | (frequency > high), 0.0, spectrum), n)
+    assert _pays(one + nrmse * other, np.ascontiguousarray(one[::-1]), 2000) is pays
 
 
 @pytest.mark.parametrize("nrmse", [0.01, 0.3, 1.5])
