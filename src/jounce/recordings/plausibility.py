@@ -185,7 +185,7 @@ def _advice(number: float, reach: Reach, unit: str, si: str) -> str:
         raw = number / conversion_factor(unit, si)
         for other in _UNITS.get(si, ()):
             factor = conversion_factor(other, si)
-            if reach.usual[0] <= raw * factor <= reach.usual[1] and not np.isclose(factor * raw, number, rtol=1e-6):
+            if reach.usual[0] <= raw * factor <= reach.usual[1]:  # where the number as it was read does not lie
                 likely.append((abs(math.log(raw * factor / middle)), other))
     except DescriptionError:
         return "check its unit"

@@ -11,6 +11,7 @@ import pytest
 import jounce as jn
 from jounce.core.description import Description
 from jounce.mechanics import System, damper_map_force
+from jounce.mechanics.bushings import add_sliding_bushing
 from jounce.mechanics.elements import bump_stop_force, damper_force, friction_force, spring_force, tyre_force
 from jounce.parts.elements import (
     BilinearDamper,
@@ -115,6 +116,7 @@ def over(x: np.ndarray, points: tuple[float, ...], forces: tuple[float, ...]) ->
         (tyre_force, Tyre(stiffness=2e5, lift_off=False), lambda x, _: 2e5 * x),
         (tyre_force, Tyre(curve=POWER), lambda x, _: 3e5 * np.maximum(x, 0.0) ** 1.3),
         (tyre_force, Tyre(curve=POLYNOMIAL), lambda x, _: held(2e4 * x - 3e4 * x**2 + 5e5 * x**3, x)),
+        (tyre_force, Tyre(curve=TABLE), lambda x, _: held(over(x, TABLE.deflection, TABLE.force), x)),
     ],
 )
 def test_a_law_is_what_its_description_says(make: Callable, part: Description, expected: Callable) -> None:
@@ -134,6 +136,37 @@ def test_a_law_is_what_its_description_says(make: Callable, part: Description, e
 def held(force: np.ndarray, depth: np.ndarray) -> np.ndarray:
     """A contact force: neither does it pull nor does it act where the tyre is off the road."""
     return np.where((force > 0.0) & (depth > 0.0), force, 0.0)
+
+
+def test_steps_land_where_friction_is_nearly_full() -> None:
+    system = System()
+    place, rate = system.coordinate("place"), system.coordinate("rate")
+    for each in (place, rate):
+        system.point_mass(ca.SX(1.0), each)
+    friction = Friction(force=90.0, regularisation_velocity=0.01)
+    system.output("force", friction_force(system, friction, "part", rate), "N", "force")
+    model = system.finish()
+    both = ca.Function("f", [model.x, model.p], [model.switch, model.output])
+    assert model.parameters == ("part.regularisation_velocity", "part.force")
+    for speed in (-0.03, 0.03):  # on both sides of the layer
+        sliding, force = (float(part) for part in both([0.0, speed, 0.0, 0.0], [0.01, 90.0]))
+        assert sliding == pytest.approx(0.0, abs=1e-12)
+        assert force == pytest.approx(np.sign(speed) * 0.995 * 90.0, rel=1e-4)
+
+
+def test_contact_of_a_tyre_is_asked_for_in_newtons() -> None:
+    """Force and deflection are compared where the tyre hardly presses: in newtons, by a stiffness of its order."""
+    for curve, stiffness in ((None, 2e5), (POLYNOMIAL, 2e4 + 1.0), (POWER, 3e5), (TABLE, 1200.0 / 0.05)):
+        part, system = Tyre(curve=curve, stiffness=None if curve else 2e5, damping_coefficient=1e9), System()
+        depth, rate = system.coordinate("depth"), system.coordinate("rate")
+        for each in (depth, rate):
+            system.point_mass(ca.SX(1.0), each)
+        system.output("force", tyre_force(system, part, depth, rate), "N", "force")
+        model = system.finish()
+        contact = ca.Function("f", [model.x, model.p, model.m], [model.switch])
+        numbers = numbers_of(part, "tyre")
+        found = contact([1e-3, 1.0, 0.0, 0.0], [numbers[name] for name in model.parameters], [1.0] * model.m.numel())
+        assert float(found[list(model.switches).index("tyre contact")]) == pytest.approx(1e-3 * stiffness, rel=1e-12)
 
 
 @pytest.mark.parametrize("velocity", [-0.3, 0.2])
@@ -158,6 +191,28 @@ def test_a_damper_map_is_bilinear_between_its_points() -> None:
             slope = (forces[:, j + 1] - forces[:, j]) / (speeds[j + 1] - speeds[j])
             expected = np.interp(place, rows, forces[:, j] + slope * (speed - speeds[j]))
             assert law(place, speed)[0] == pytest.approx(expected, rel=1e-12, abs=1e-9)
+
+
+def test_a_sliding_bushing_holds_across_its_line_and_not_along_it() -> None:
+    mechanism = jn.mechanics.Mechanism()
+    block = mechanism.body("block", 2.0, (0.0, 0.0, 0.0), (0.1, 0.1, 0.1))
+    mechanism.free("block", block)
+    at, axis, stiffness, damping = (
+        np.array(v) for v in ((0.1, 0, 0), (0, 0.6, 0.8), (3e3, 5e3, 9e3), (20.0, 30.0, 50.0))
+    )
+    given = [ca.SX(v) for v in (at, axis, at, stiffness, damping)]
+    force, power = add_sliding_bushing(mechanism, mechanism.ground, block, *given)
+    for i, part in enumerate((*ca.vertsplit(force), power)):
+        mechanism.output(f"out {i}", part, "N", "bushing")
+    model = mechanism.finish()
+    seen = ca.Function("f", [model.x, model.p], [model.output])
+    apart, rate = np.array([0.01, -0.02, 0.03]), np.array([0.3, -0.2, 0.1])
+    x = np.concatenate((apart, (1.0, 0.0, 0.0, 0.0), rate, (0.0, 0.0, 0.0)))
+    found = seen(x, [mechanism.values[name] for name in model.parameters]).full().ravel()
+    across = np.eye(3) - np.outer(axis, stiffness * axis) / (axis @ (stiffness * axis))  # slid to where nothing pushes
+    expected = -stiffness * (across @ apart) - damping * (across @ rate)
+    np.testing.assert_allclose(found, [*expected, -expected @ (across @ rate)], rtol=1e-9)
+    assert (stiffness * (across @ apart)) @ axis == pytest.approx(0.0, abs=1e-12)
 
 
 @pytest.mark.parametrize(("end", "place", "side"), [("lower", -0.12, 1.0), ("upper", 0.23, -1.0)])

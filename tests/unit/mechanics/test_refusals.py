@@ -272,6 +272,66 @@ def test_two_motions_of_one_coordinate_are_named():
         jn.simulate_mechanism(mechanism, 0.1, motions={"a": still, "b": still})
 
 
+def test_equations_that_repeat_each_other_are_told_in_groups():
+    mechanism = jn.mechanics.Mechanism()
+    body, other = (mechanism.body(name, 1.0, ORIGIN, BALL) for name in ("bob", "other"))
+    places = [mechanism.prismatic(f"slide {one.name}", mechanism.ground, one, axis=Y) for one in (body, other)]
+    still = {}
+    for i, place in enumerate((*places, *places, places[0])):
+        mechanism.motion(f"drive {i}", place, mechanism.track(f"t{i}"))
+        still[f"t{i}"] = jn.mechanics.constant(0.0)
+    with refused("redundant joints: they repeat each other; found '3 superfluous equations (") as caught:
+        jn.simulate_mechanism(mechanism, 0.1, motions=still)
+    groups = [set(group.split(", ")) for group in str(caught.value).split("equations (")[1].split(")")[0].split("; ")]
+    first, second = {f"drive {i}" for i in (0, 2, 4)}, {"drive 1", "drive 3"}
+    assert sorted(map(len, groups)) == [2, 2, 3]
+    assert second in groups
+    assert first in groups
+    assert all(group <= first or group == second for group in groups)
+
+
+def test_equations_on_what_cannot_move_are_each_superfluous():
+    mechanism, _ = pendulum()
+    one, other = (mechanism.body(name, 1.0, ORIGIN, BALL) for name in ("one", "other"))
+    for each in (one, other):
+        mechanism.fixed(f"weld of {each.name}", mechanism.ground, each)
+    mechanism.coincident("peg", one, other, at=ORIGIN)
+    with refused("peg: redundant joints: they repeat each other; found '3 superfluous equations (peg.x; peg.y; peg.z)"):
+        jn.simulate_mechanism(mechanism, 0.1)
+
+
+def test_loops_that_stay_askew_are_told_in_degrees():
+    mechanism, _ = pendulum()
+    mechanism.parallel("level", mechanism.ground, mechanism.bodies["bob"], axis=(0.0, 0.0, 1.0))
+    mechanism.motion("drive", mechanism.coordinate_named("pivot.angle"), mechanism.track("turn"))
+    with refused("the mechanism cannot be assembled") as caught:
+        jn.simulate_mechanism(mechanism, 0.1, motions={"turn": jn.mechanics.constant(0.5)})
+    askew, missed = (float(re.search(pattern, str(caught.value))[1]) for pattern in
+                     (r"level stays askew by (\S+) degrees", r"drive misses its condition by (\S+) "))  # fmt: skip
+    assert np.radians(askew) + missed == pytest.approx(0.5, rel=1e-3)  # the angle lies between 0 and what is driven
+    assert str(caught.value).startswith("level, drive: " if np.radians(askew) > missed else "drive, level: ")
+
+
+def test_loops_that_are_no_numbers_are_named():
+    mechanism, body = pendulum()
+    along = mechanism.parameter("along")
+    mechanism.revolute("hinge", mechanism.ground, body, at=ORIGIN, axis=casadi.vertcat(0.0, along, 0.0))
+    model = mechanism.finish()
+    p = np.array([mechanism.values.get(name, 0.0) for name in model.parameters])
+    with refused("hinge: the loop cannot be computed; found 'not a number'. Check the axes"):
+        jn.mechanics.assemble(model, p, np.zeros(0))
+    with refused("redundant: unknown choice 'drop'"):
+        jn.mechanics.assemble(model, p, np.zeros(0), redundant="drop")
+
+
+def test_nothing_is_removed_where_nothing_repeats():
+    mechanism, body = pendulum()
+    arm = mechanism.body("arm", 1.0, (1.0, 0.0, -1.0), BALL)
+    mechanism.revolute("elbow", body, arm, at=(1.0, 0.0, 0.0), axis=Y)
+    mechanism.rod("rod", mechanism.ground, arm, (1.0, 0.0, -2.0), (1.5, 0.0, -1.0))
+    assert mechanism.finish("remove").constraints == mechanism.finish().constraints != ()
+
+
 def test_forces_along_what_moves_nothing():
     mechanism, body = pendulum()
     angle, place = mechanism.coordinate_named("pivot.angle"), body.point((1.0, 0.0, 0.0)).value
@@ -283,6 +343,23 @@ def test_forces_along_what_moves_nothing():
     with refused("force: as many forces as expressions"):
         mechanism.force(place, 100.0)
     mechanism.force(mechanism.switch("up", angle) * place[2], 100.0)
+
+
+def test_what_a_finished_builder_cannot_give():
+    given = loaded()
+    with refused("n: a body without mass or joint has nothing to show"):
+        given.m.watch_body(given.m.body("n", 1.0, ORIGIN))
+    given.m.free("flight", given.m.bodies["n"])
+    with refused("reaction of pivot: unknown body it acts on 'slider'"):
+        given.m.reaction("pivot", on="slider")
+    given.m.watch_angle("turn", given.b, given.s, Y)
+    with refused("turn: the name is used twice"):
+        given.m.watch_angle("turn", given.b, given.s, Y)
+    given.m.rod("rod", given.m.ground, given.s, ORIGIN, (0.0, 0.0, 1.0), length=given.m.parameter("length"))
+    with refused("inputs: unknown track 'stop'"):
+        given.m.finish("remove", inputs={"stop": 1.0})
+    with refused("length: parameters without a value. Give them in values."):
+        given.m.finish("remove")
 
 
 def test_reactions_that_are_watched_twice():
@@ -399,6 +476,9 @@ def symbols(count):
         (lambda t: t.m.revolute(None, t.m.ground, t.m.body("n"), ORIGIN, Y), "not a name; found 'NoneType'"),
         (lambda t: t.m.add("revolute"), "add: not a joint; found 'str'"),
         (lambda t: t.m.act(5.0), "act: not a load; found 'float'"),
+        (lambda t: t.m.free("f", t.m.body("n")), "n: a free body without mass. Give mass and centre_of_mass."),
+        (lambda t: t.m.watch_body(t.m.body("n")), "n: a body without mass or joint has nothing to show"),
+        (lambda t: t.m.number("n", symbols(2)), "n: not a number; found '2 expressions'; allowed: one"),
         (lambda t: t.m.moving_frame(t.b, (0, 1)), "field of bob axes: not a vector"),
         (lambda t: t.m.screw("t", t.m.ground, t.m.body("n"), ORIGIN, Y, pitch=0.0), "t: a screw without pitch"),
         (lambda t: t.m.universal("u", t.m.ground, t.m.body("n"), ORIGIN, Y, (0, 1, 1)), "u: the axes of a universal"),

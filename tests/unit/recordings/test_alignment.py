@@ -79,3 +79,8 @@ def test_coefficients_are_those_of_the_overlapping_parts() -> None:
     for shift in range(-20, 21):
         left, right = (a[: 60 - shift], b[shift:]) if shift >= 0 else (a[-shift:], b[:shift])
         assert found[shift + 20] == pytest.approx(np.corrcoef(left, right)[0, 1], abs=1e-12)
+    for first, second, flat in ((a, b, False), (np.where(np.arange(60) < 50, 5.0, a), b, True)):
+        for one, other, sign in ((first, second, 1), (second, first, -1)):
+            coefficients = correlation_coefficients(one, other, 20)
+            constant = np.flatnonzero(coefficients == -1.0) - 20
+            assert sorted(sign * constant) == [*range(10, 21)] * flat

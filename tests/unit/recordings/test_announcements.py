@@ -11,6 +11,7 @@ import pytest
 from jounce.core.columns import Column, ColumnTable
 from jounce.core.errors import RecordingError
 from jounce.recordings import read_recording, readers
+from jounce.recordings.hdf5 import check_size, held_part, held_rows
 
 TIME = np.arange(3000) * 0.001
 WAVE = np.sin(TIME * 20.0)
@@ -80,3 +81,45 @@ def test_an_answer_that_is_no_table_is_refused_where_readers_are_called(
     (tmp_path / "a.odd").write_text("1")
     with pytest.raises(RecordingError, match=says):
         read_recording(tmp_path / "a.odd")
+
+
+def test_signals_that_were_never_recorded_at_once_have_no_time_in_common(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(readers, "READERS", [*readers.READERS])
+    starts = [0.0, 0.01]
+
+    @readers.reader("odd", "odd", (".odd",), source="this test", example="none")
+    def read_odd(path: Path, options: readers.ReaderOptions) -> readers.SignalTable:
+        tables = [
+            ColumnTable((Column("time", "s", start + TIME[:40]), Column(name, "g", WAVE[:40])), (), str(path))
+            for start, name in zip(starts, ("sprung.az", "unsprung.az"), strict=True)
+        ]
+        return readers.SignalTable(tables[0], others=(tables[1],))
+
+    (tmp_path / "a.odd").write_text("1")
+    run, _ = read_recording(tmp_path / "a.odd", resample="1 ms")
+    assert (run.sizes["time"], float(run["time"][0])) == (30, pytest.approx(0.01))
+    starts[1] = 0.5
+    with pytest.raises(RecordingError, match=r"a\.odd: the signals have no time in common"):
+        read_recording(tmp_path / "a.odd", resample="1 ms")
+
+
+def test_more_numbers_than_a_recording_can_have(tmp_path: Path) -> None:
+    check_size(500_000_000, "a.nc")
+    with pytest.raises(RecordingError, match=r"a\.nc: too many numbers; found '500000001'; allowed: up to 5e\+08"):
+        check_size(500_000_001, "a.nc")
+
+
+@pytest.mark.parametrize("chunks", [None, (1000, 2), (700, 1), (5000, 1)])
+@pytest.mark.parametrize("held", [0, 1000, 2100, 3000])
+def test_rows_that_were_written_are_counted(tmp_path: Path, chunks: tuple[int, int] | None, held: int) -> None:
+    with h5py.File(tmp_path / "a.h5", "w") as file:
+        signals = file.create_dataset("a", (3000, 2), float, chunks=chunks and (min(chunks[0], 3000), chunks[1]))
+        if held:
+            signals[:held] = 1.0
+        step = chunks[0] if chunks else 3000
+        assert held_rows(signals) == (0, min(3000, -(-held // step) * step))
+        values, findings = held_part(signals, "a.h5") if held else (np.empty((0, 2)), [])
+        assert values.shape == (min(3000, -(-held // step) * step), 2)
+        assert [found.value for found in findings] == [float(len(values))] * (0 < len(values) < 3000)

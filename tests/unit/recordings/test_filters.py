@@ -26,6 +26,13 @@ def test_minus_3_db_at_the_given_frequency_without_phase(order: int, key: str, c
     )
     assert abs(response) == pytest.approx(np.sqrt(0.5), rel=1e-3)
     assert np.angle(response) == pytest.approx(0.0, abs=1e-3)
+    beyond = corner * (1.3 if key == "below" else 0.7)
+    steepness = np.tan(np.pi * beyond / RATE) / np.tan(np.pi * corner / RATE)
+    squared = (np.sqrt(2.0) - 1.0) * steepness ** (2 * order if key == "below" else -2 * order)
+    response = gain_and_phase(
+        band_limit(np.sin(2.0 * np.pi * beyond * TIME), RATE, order=order, **{key: corner}), beyond
+    )
+    assert abs(response) == pytest.approx(1.0 / (1.0 + squared), rel=2e-3)
 
 
 def test_band_pass_and_no_filter() -> None:
@@ -88,6 +95,19 @@ def test_resampling_down_lets_nothing_fold_back() -> None:
     coarse, values = resample(TIME, slow + fast, 1000.0)
     inner = slice(100, -100)
     np.testing.assert_allclose(values[inner], np.sin(2.0 * np.pi * 5.0 * coarse)[inner], rtol=0.0, atol=1e-4)
+    for share, gain in ((0.4, np.sqrt(0.5)), (0.44, 0.340)):  # Butterworth of order 8, both ways, at 0.4 of the rate
+        wave = resample(TIME, np.sin(2.0 * np.pi * 1000.0 * share * TIME), 1000.0)[1][200:-200]
+        assert np.sqrt(2.0 * np.mean(wave**2)) == pytest.approx(gain, rel=1e-2)
+
+
+def test_a_gap_of_more_than_ten_steps_is_bridged_by_a_line() -> None:
+    for gap, bridged in ((9.9, False), (10.1, True)):
+        time = np.concatenate((np.arange(40.0), 39.0 + gap + np.arange(40.0)))
+        instants, values = resample(time, np.stack((time**2, time), axis=1), 4.0)
+        within = (instants > 39.0) & (instants < 39.0 + gap)
+        chord = 39.0**2 + (78.0 + gap) * (instants - 39.0)
+        np.testing.assert_allclose(values[:, 0], np.where(within & bridged, chord, instants**2), rtol=1e-9)
+        np.testing.assert_allclose(values[:, 1], instants, rtol=1e-12)
 
 
 def test_same_rate_changes_nothing() -> None:

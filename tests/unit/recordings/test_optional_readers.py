@@ -7,7 +7,7 @@ import pytest
 
 from jounce.core.errors import RecordingError
 from jounce.core.optional import MissingPackageError, require
-from jounce.recordings import read_recording
+from jounce.recordings import read_recording, readers
 
 TIME = np.arange(40) * 0.001
 WAVE = np.sin(TIME * 200.0)
@@ -46,6 +46,36 @@ def test_tdms(tmp_path: Path) -> None:
     assert findings == []
 
 
+def test_tdms_with_bytes_that_belong_to_no_segment(tmp_path: Path) -> None:
+    nptdms = pytest.importorskip("nptdms")
+    file, told = tmp_path / "a.tdms", {"unit_string": "g", "wf_increment": 0.001}
+    with nptdms.TdmsWriter(file) as writer:
+        writer.write_segment([nptdms.ChannelObject("Run", "a", WAVE, properties=told)])
+        writer.write_segment([nptdms.ChannelObject("Run", "a", WAVE)])
+    content, columns = file.read_bytes(), {"sprung.az": "a"}
+    for lost in (0, 1, 27):
+        file.write_bytes(content + b"x" * lost)
+        run, findings = read_recording(file, columns=columns)
+        assert run.sizes["time"] == 80
+        assert [one.value for one in findings] == [lost] * bool(lost)
+        for finding in findings:
+            assert (finding.severity, finding.place) == ("problem", str(file))
+            assert f"{lost} bytes from byte {len(content)} on belong to no segment" in finding.message
+    file.write_bytes(content + b"x" * 28)  # as long as the head of a segment
+    with pytest.raises(RecordingError, match="not a TDMS file, or damaged"):
+        read_recording(file, columns=columns)
+    last = content.rindex(b"TDSm")
+    file.write_bytes(content[: last + 12] + b"\xff" * 8 + content[last + 20 :])  # the writer did not come to its end
+    run, findings = read_recording(file, columns=columns)
+    assert (run.sizes["time"], findings) == (80, [])
+    with nptdms.TdmsWriter(file) as writer:
+        writer.write_segment(
+            [nptdms.ChannelObject("Run", "a", np.array(["x", "y"])), nptdms.ChannelObject("Run", "b", WAVE[:1])]
+        )
+    with pytest.raises(RecordingError, match=r"a\.tdms: group 'Run': no numeric channel"):
+        read_recording(file, columns=columns)
+
+
 def data_set_58(entity: str, node: int, values: np.ndarray) -> str:
     """A time response as the Universal File Format has it, ASCII, double precision, 1 kHz."""
     axis = f"{0:10d}{0:5d}{0:5d}{0:5d} "
@@ -67,6 +97,15 @@ def test_uff(tmp_path: Path) -> None:
     np.testing.assert_allclose(run["sprung.az"], WAVE, rtol=0.0, atol=1e-9)
     np.testing.assert_allclose(run["unsprung.az"], WAVE * 2.0, rtol=0.0, atol=1e-9)
     assert "Wheel:3+3" in findings[0].message  # it has fewer samples
+    kind, samples = f"{4:10d}{40:10d}", f"{6:10d}{20:10d}"  # pairs of numbers are complex ones
+    phasor, short = data_set_58("Phasor", 4, WAVE).replace(kind, samples), data_set_58("Blink", 5, WAVE[:1])
+    file.write_text(data_set_58("Wheel", 2, WAVE) + phasor + short)
+    run, findings = read_recording(file, columns={"sprung.az": "Wheel"})
+    assert run.sizes["time"] == 40
+    assert "Phasor, Blink" in findings[0].message
+    file.write_text(phasor)
+    with pytest.raises(RecordingError, match="no time response of real numbers; found 'Phasor'"):
+        read_recording(file, columns={"sprung.az": "Phasor"})
 
 
 def test_mdf(tmp_path: Path) -> None:
@@ -76,11 +115,15 @@ def test_mdf(tmp_path: Path) -> None:
         content.append([asammdf.Signal(WAVE, TIME, name="Acc_Body", unit="g")])
         content.append([asammdf.Signal(WAVE * 2.0, TIME, name="strut.force", unit="kN")])
         content.append([asammdf.Signal(WAVE[:5], TIME[:5] * 4.0, name="slow.az", unit="g")])
+        content.append([asammdf.Signal(np.array([b"a"] * 40), TIME, name="remark", encoding="utf-8")])
+        content.append([asammdf.Signal(WAVE[:1], TIME[:1], name="once", unit="g")])
         content.save(file)
     run, findings = read_recording(file, columns={"sprung.az": "Acc_Body"})
     np.testing.assert_allclose(run["sprung.az"], WAVE * 9.80665, rtol=1e-14)
     np.testing.assert_allclose(run["strut.force"], WAVE * 2e3, rtol=1e-14)
     assert "slow.az" in findings[0].message
+    assert "remark" not in findings[0].message
+    assert "once" not in findings[0].message
 
 
 @pytest.mark.parametrize(
@@ -263,8 +306,9 @@ def test_mdf_bus_frames_with_a_database(tmp_path: Path) -> None:
         read_recording(plain, database=database)
 
 
-def test_parquet(tmp_path: Path) -> None:
+def test_parquet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pa, pq = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
+    monkeypatch.setattr(readers, "is_possible", lambda: False)  # a child that has loaded Arrow serves one file only
     file = tmp_path / "a.parquet"
     stamps = pa.array(1_700_000_000_000_000_000 + np.arange(40) * 1_000_000, pa.timestamp("ns"))
     fields = [
@@ -289,3 +333,17 @@ def test_parquet(tmp_path: Path) -> None:
     pq.write_table(holes, file)
     with pytest.raises(RecordingError, match="not a finite number at row 1"):
         read_recording(file)
+
+
+def test_parquet_without_rows_and_with_durations(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    pa, pq = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
+    monkeypatch.setattr(readers, "is_possible", lambda: False)
+    file = tmp_path / "a.parquet"
+    pq.write_table(pa.table({"time [s]": TIME[:0], "sprung.az [g]": WAVE[:0]}), file)
+    with pytest.raises(RecordingError, match=r"a\.parquet: no rows"):
+        read_recording(file)
+    for unit, size in (("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9)):
+        ticks = pa.array(np.arange(40) * 7, pa.duration(unit))
+        pq.write_table(pa.table({"time": ticks, "sprung.az [g]": pa.array(WAVE)}), file)
+        run, _ = read_recording(file)
+        np.testing.assert_allclose(run["time"], 7.0 * size * np.arange(40), rtol=1e-12)

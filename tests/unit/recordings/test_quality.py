@@ -32,10 +32,28 @@ def test_small_jitter_is_a_finding() -> None:
     np.testing.assert_allclose(time, STEPS * 0.001, rtol=0.0, atol=1e-15)
 
 
+def test_jitter_below_a_millionth_is_rounding() -> None:
+    for shift, told in ((0.9e-9, 0), (1.1e-9, 1), (9.9e-6, 1)):
+        recorded = STEPS * 0.001
+        recorded[50] += shift
+        assert [found.value for found in check_time(recorded, where="a.csv")[1]] == [pytest.approx(1e3 * shift)] * told
+
+
+def test_numbers_that_no_range_holds_are_marks() -> None:
+    assert check_channels({"sprung.az": np.where(STEPS == 7, 0.99e20, STEPS)}, where="a.csv") == []
+    for value in (1.01e20, -9.9e37):
+        with pytest.raises(
+            RecordingError, match=r"a\.csv: sprung\.az: no measured number at row 8; found '.*over range"
+        ):
+            check_channels({"sprung.az": np.where(STEPS == 7, value, STEPS)}, where="a.csv")
+
+
 @pytest.mark.parametrize(
     ("change", "message"),
     [
         (lambda t: np.where(STEPS == 50, t + 12e-6, t), r"jitters by 1\.2 % at row 51"),
+        (lambda t: np.where(STEPS == 50, t + 10.1e-6, t), r"jitters by 1\.01 % at row 51; .*too few digits"),
+        (lambda t: np.delete(t, 70), r"at row 71.*found 'a step of 0\.002 s'.*1 sample missing there"),
         (lambda t: np.delete(t, [70, 71]), r"at row 71.*allowed: 0\.001 s within 1 %.*2 samples missing there"),
         (lambda t: np.where(STEPS == 9, t[8], t), r"time does not ascend at row 10; found '0\.008 s after 0\.008 s'"),
         (lambda t: t[::-1].copy(), "time does not ascend at row 2"),
@@ -48,6 +66,7 @@ def test_small_jitter_is_a_finding() -> None:
     ],
 )
 def test_bad_time(change: object, message: str) -> None:
+    assert check_time(STEPS[:8] * 0.001, where="a.csv")[0].size == 8
     with pytest.raises(RecordingError, match=message):
         check_time(change(STEPS * 0.001), where="a.csv")  # type: ignore[operator]
 
@@ -71,6 +90,8 @@ def test_constant_channel() -> None:
     (finding,) = check_channels({"sprung.az": np.full(20, 0.3)}, where="a.csv")
     assert (finding.place, finding.severity, finding.value) == ("a.csv: sprung.az", "warning", 0.3)
     assert "constant" in finding.message
+    assert len(check_channels({"force": np.full(2, 3.0)}, where="")) == 1
+    assert check_channels({"force": np.full(1, 3.0)}, where="", clipping=False) == []
 
 
 def test_nothing_is_said_of_a_level_road_and_of_no_braking() -> None:
@@ -88,6 +109,33 @@ def test_clipped_channel() -> None:
     assert "clipped" in finding.message
     assert finding.value == pytest.approx(np.mean(wave == -0.9), abs=1e-12)
     assert check_channels({"sprung.az": wave}, where="a.csv", clipping=False) == []
+
+
+@pytest.mark.parametrize(
+    ("pieces", "clipped"),
+    [
+        (([2.0, 5.0, 5.0, 5.0, 2.0],) * 2, 6),
+        (([2.0, *[5.0] * 6, 2.0],), 6),
+        (([2.0, *[5.0] * 5, 2.0],), 0),  # fewer than six samples
+        (([2.0, 5.0, 5.0, 2.0],) * 3, 0),  # runs of two
+        (([2.0, 5.0, 5.0, 5.0, 2.0], [2.0, 5.0, 5.0, 2.0], [2.0, *[5.0] * 4, 2.0]), 7),
+        (([4.84, *[5.0] * 6, 4.84],), 6),  # entered and left by more than one and a half of the resolution
+        (([4.86, *[5.0] * 6, 2.0],), 0),
+        (([2.0, *[5.0] * 6, 4.86],), 0),
+        (([2.0, *[5.0] * 6],), 0),  # at the end of the record
+    ],
+)
+def test_clipped_samples_are_counted_in_runs_of_three(pieces: tuple[list[float], ...], clipped: int) -> None:
+    wave = np.array([0.5, 0.6, 0.7, *(value for piece in pieces for value in piece)])
+    for values in (wave, wave[::-1], 9.0 - wave):
+        found = check_channels({"sprung.az": values}, where="a.csv")
+        assert [one.value for one in found] == [pytest.approx(clipped / wave.size, rel=1e-12)] * bool(clipped)
+        for name in ("road.z", "left.platform.z", "road.slope", "damper.command", "left.adhesion", "body.deceleration"):
+            assert check_channels({name: values}, where="a.csv") == []
+    both = np.concatenate(((5.0 - wave)[::-1], wave))
+    assert [one.value for one in check_channels({"sprung.az": both - 9.0}, where="a.csv")] == (
+        [pytest.approx(2.0 * clipped / both.size, rel=1e-12)] if clipped else []
+    )
 
 
 @pytest.mark.parametrize(

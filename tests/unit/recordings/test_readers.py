@@ -216,6 +216,26 @@ def test_matlab_version_5(tmp_path: Path) -> None:
         read_columns(file, {"force": "N"}, columns="a [m], b [N]", variable="x_F")
     with pytest.raises(RecordingError, match=r"0 variables have as many columns as the given header \(2\)"):
         read_columns(file, {"force": "N"}, columns="a [m], force [N]")
+    for given in ("force [N]", "force"):  # a header of one name is for the one vector, not for a number or a matrix
+        content = {"a": 3.0, "b": WAVE[:, None], "c": np.stack((WAVE, WAVE), axis=1)}
+        savemat(file, content)
+        values, _ = read_columns(file, {"force": "N"}, columns="force [N]")
+        np.testing.assert_array_equal(values["force"], WAVE)
+        savemat(file, content | {"d": WAVE})
+        with pytest.raises(
+            RecordingError, match=r"2 variables have as many.*\(1\); found 'b \(40 x 1\), c \(40 x 2\), d"
+        ):
+            read_columns(file, {"force": "N"}, columns=given)
+    savemat(file, {"t": TIME, "az": WAVE, "long": np.arange(50.0), "wide": np.zeros((40, 65)), "one": 1.0})
+    run, findings = read_recording(file, columns={"time": "t [s]", "sprung.az": "az [g]"})
+    assert run.sizes["time"] == 40
+    assert "left out: long" in findings[-1].message
+    assert "wide" not in " ".join(one.message for one in findings)
+    savemat(file, {"wide": np.stack([WAVE] * 65, axis=1)})
+    named = ", ".join(f"c{i} [N]" for i in range(64)) + ", force [N]"
+    np.testing.assert_array_equal(read_columns(file, {"force": "N"}, columns=named)[0]["force"], WAVE)
+    savemat(file, {"a": TIME[:30], "b": WAVE[:30], "c": WAVE, "d": TIME})  # as many of each: the longer ones
+    assert read_columns(file, {"force": "N"}, columns={"force": "c [N]"})[0]["force"].size == 40
     savemat(file, {"a": "only text"})
     with pytest.raises(RecordingError, match="no numeric variable"):
         read_recording(file)

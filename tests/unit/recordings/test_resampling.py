@@ -66,6 +66,16 @@ def test_gaps_are_bridged_by_a_line_and_told(tmp_path: Path) -> None:
     assert ends.min() <= within.min() <= within.max() <= ends.max()  # a spline would swing to +-8
 
 
+def test_a_gap_of_more_than_three_steps_is_a_warning(tmp_path: Path) -> None:
+    usual, longer, shorter = "1 ms", "2 ms", "0.5 ms"
+    for gap, step in ((2.9, usual), (3.1, usual), (5.9, longer), (6.1, longer), (2.9, shorter), (3.1, shorter)):
+        severity = "warning" if gap in (3.1, 6.1) else "note"
+        time = 1e-3 * np.concatenate((np.arange(100), 99.0 + gap + np.arange(100)))
+        finding = read_recording(written(tmp_path, time, truth(time)), resample=step)[1][-1]
+        assert (finding.severity, finding.value) == (severity, pytest.approx(1e-3 * gap, rel=1e-9))
+        assert ("band-limited" in finding.message) == (step == "2 ms")
+
+
 def test_resampled_time_must_still_be_a_clock(tmp_path: Path) -> None:
     time = irregular()[:200]
     for change, message in (
@@ -104,6 +114,13 @@ def test_a_sample_time_that_contradicts_the_recorded_time(tmp_path: Path) -> Non
     assert "the record is 1.998 s long, by its recorded time 0.999 s" in finding.message
     assert float(run["time"][-1]) == pytest.approx(1.998)
     assert read_recording(file, sample_time="1 ms")[1] == []
+    for shift, told in ((0.49e-3, []), (0.51e-3, ["warning"])):  # half a step
+        late = np.where(time == time[500], time + shift, time)
+        assert [
+            one.severity for one in read_recording(written(tmp_path, late, truth(time)), sample_time="1 ms")[1]
+        ] == told
+    unclear = written(tmp_path, time, truth(time), "t, sprung.az [m/s^2]")
+    assert read_recording(unclear, sample_time="2 ms", columns={"time": "t"})[1] == []
     broken = written(tmp_path, time, truth(time), "time [s], sprung.az [m/s^2], t").with_name("a.csv")
     text = broken.read_text().replace("\n", ", \n").replace("t, \n", "t\n").replace("0.5, ", "half past, ")
     broken.write_text(text)

@@ -6,7 +6,7 @@ from scipy import signal
 
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.recordings import Sensor, apply_sensors, filter_signals, recording
-from jounce.recordings.sensors import bias_of, noise_of, sections_of
+from jounce.recordings.sensors import bias_of, check_sensors, noise_of, sections_of
 
 RATE = 1000.0
 TIME = np.arange(4000) / RATE
@@ -128,6 +128,20 @@ def test_recorded_signal() -> None:
     assert record["sprung.az"].attrs == motion["sprung.az"].attrs
     np.testing.assert_array_equal(record["road.z"], motion["road.z"])
     np.testing.assert_array_equal(motion["sprung.az"], np.sin(TIME * 30.0))
+
+
+@pytest.mark.parametrize(("datum", "zero"), [("rest", 3.0), ("undeformed", 0.0), ("free offset", 0.0), (None, 0.0)])
+def test_a_sensor_that_was_zeroed_at_rest_counts_from_the_first_sample(datum: str | None, zero: float) -> None:
+    motion = recording(TIME, {"sprung.z": (3.0 + np.sin(TIME * 30.0), "m", "")})
+    record = apply_sensors(motion, {"sprung.z": Sensor(datum=datum, gain=2.0, bias="10 mm")})
+    np.testing.assert_allclose(record["sprung.z"], 0.01 + 2.0 * (motion["sprung.z"] - zero), rtol=0.0, atol=1e-14)
+
+
+def test_values_of_sensors_are_checked_before_anything_is_computed() -> None:
+    check_sensors({"sprung.az": Sensor(bias="1 g", noise="1 mm/s^2")}, "bench")
+    for key in ("bias", "noise"):
+        with pytest.raises(DescriptionError, match=rf"bench: sprung\.az\.{key}: wrong unit; found 'mm'"):
+            check_sensors({"sprung.az": Sensor(**{key: "3 mm"})}, "bench")
 
 
 def test_noise_needs_a_seed_and_depends_on_seed_and_channel_only() -> None:

@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from jounce.core.errors import OutputError
-from jounce.recordings import read_recording, recording, write_recording
+from jounce.core.errors import OutputError, RecordingError
+from jounce.recordings import read_recording, recording, to_pandas, write_recording
 
 RUN = recording(np.arange(9) * 0.1, {"sprung.z": (np.arange(9.0) ** 2, "m", "")})
 
@@ -27,6 +27,15 @@ def test_missing_folder_and_unknown_format(tmp_path: Path) -> None:
         write_recording(RUN, tmp_path / "none" / "run.nc")
     with pytest.raises(OutputError, match=r"not written in this format; found '\.txt'; allowed: \.nc, \.csv"):
         write_recording(RUN, tmp_path / "run.txt")
+
+
+def test_a_table_of_pandas_is_of_one_dimension() -> None:
+    frame = to_pandas(RUN.assign_coords(place=3.0).assign(mass=2.0))
+    assert (frame.index.name, list(frame)) == ("time [s]", ["sprung.z [m]"])
+    assert frame.loc[0.2, "sprung.z [m]"] == 4.0
+    for dataset, found in ((RUN.expand_dims("trial"), "trial, time"), (RUN.isel(time=0), "none")):
+        with pytest.raises(RecordingError, match=f"dataset: not a table; found 'dimensions {found}'"):
+            to_pandas(dataset)
 
 
 def test_failure_leaves_nothing(tmp_path: Path) -> None:
