@@ -67,6 +67,8 @@ from .kinematics import compliance as compliance
 from .kinematics import load_case_table as load_case_table
 from .kinematics import load_cases as load_cases
 from .kinematics import pickup_loads as pickup_loads
+from .kinematics import steering_effort as steering_effort
+from .kinematics import sweep_axle as sweep_axle
 from .kinematics import sweep_path as sweep_path
 from .kinematics import sweep_rack as sweep_rack
 from .kinematics import sweep_roll as sweep_roll

@@ -41,12 +41,14 @@ class Ends:
 class Connection:
     """What connects both wheels, at n pairs of travels; index 0 is the left wheel.
 
-    ``forces`` push the wheel centres down (N); ``links`` pull the suspension at the bar's link ends (N, tension of the
-    link); ``rows`` name what is known besides: value, unit, text, sign.
+    ``forces`` push the wheel centres down (N); ``rows`` name what is known besides: value, unit, text, sign.
     """
 
     forces: list[Array]
+    turns: list[Array] = field(default_factory=list)
+    """Torque that each end of a U- or Z-bar asks for, N m about its axis to the left."""
     links: list[Array] = field(default_factory=list)
+    """Tension of each link of a T-bar, N; its ends on the bar are ``arm_ends`` (m)."""
     arm_ends: list[Array] = field(default_factory=list)
     third: tuple[Array, Array] | None = None
     """Force of the third spring (N) and the direction in which it pushes the left wheel's side, (n, 3)."""
@@ -105,6 +107,7 @@ def _bar(found: Connection, stiffness: Array, left: Wheel, right: Wheel, way: fl
     twist = angles[1] + way * angles[0]
     torque = stiffness * twist
     for i, (wheel, sign) in enumerate(((left, way), (right, 1.0))):
+        found.turns.append(sign * torque)
         found.forces[i] = found.forces[i] + sign * torque * wheel.rows["anti_roll_bar_motion_ratio"]
     _add_bar(found, twist, torque)
 
@@ -124,8 +127,8 @@ def _t_bar(found: Connection, stiffness: Array, left: Wheel, right: Wheel) -> No
         float(np.linalg.norm(wheel.point("arb_link_end") - pivot - arm))
         for wheel, arm in zip((left, right), arms, strict=True)
     ]
-    ends, rates = zip(*(wheel.ends.bar for wheel in (left, right) if wheel.ends and wheel.ends.bar), strict=True)
-    ends = [end - pivot for end in ends]
+    known = [wheel.ends.bar for wheel in (left, right) if wheel.ends and wheel.ends.bar]
+    ends, rates = [end - pivot for end, _ in known], [rate for _, rate in known]
     hinge = 0.5 * (left.rows["anti_roll_bar_angle"] + right.rows["anti_roll_bar_angle"])
     twist = np.zeros_like(hinge)
     for _ in range(_ITERATIONS):
@@ -156,7 +159,7 @@ def _t_bar(found: Connection, stiffness: Array, left: Wheel, right: Wheel) -> No
     pulls = np.linalg.solve(levers, np.stack([np.zeros_like(torque), torque], axis=1)[:, :, None])[:, :, 0]
     for i, (way, rate) in enumerate(zip(along, rates, strict=True)):
         found.forces[i] = found.forces[i] + pulls[:, i] * _dot(way, rate)
-        found.links.append(pulls[:, i])
+        found.links.append(np.asarray(pulls[:, i], dtype=np.float64))
         found.arm_ends.append(pivot + tips[i])
     found.add("anti_roll_bar_hinge_angle", hinge, "rad", "turn of the T-bar about its hinge", "positive: about +y")
     _add_bar(found, twist, torque)

@@ -17,6 +17,7 @@ from jounce.core.units import to_si
 from jounce.kernel.poses import REACHED
 from jounce.kinematics.across import Connection, Ends, Wheel, connect, reaches_over
 from jounce.kinematics.catalogue import Quantity
+from jounce.kinematics.column import handwheel_angle, pinion_angle, rack_travel
 from jounce.kinematics.model import check_corner, check_rack, kinematic_model
 from jounce.kinematics.sweeps import (
     AxleLayout,
@@ -125,6 +126,14 @@ class Ground:
         """Derivative of the normal with roll, shape (n, 3)."""
         level, zero = np.cos(self.pitch), np.zeros_like(self.roll)
         return np.stack([zero, self.side * np.cos(self.roll) * level, -np.sin(self.roll) * level], axis=1)
+
+    @property
+    def toe_out(self) -> Array:
+        """Angle along the road from the body's x axis to the plane of a left wheel, rad."""
+        ahead = np.cross(self.wheel.axis, self.normal)
+        body = np.array([1.0, 0.0, 0.0]) - self.normal[:, :1] * self.normal
+        turned = _dot(np.cross(body, ahead), self.normal)
+        return np.arctan2(turned, _dot(body, ahead))
 
     @property
     def lean(self) -> Array:
@@ -317,8 +326,7 @@ def sweep_roll(rig: Rig, roll: Values, rack: float | str = 0.0) -> xr.Dataset:
     True
     """
     corner, angles = check_corner(rig), sweep_values(roll, "roll", "rad")
-    if np.max(np.abs(angles)) > _STEEPEST:
-        raise DescriptionError("too steep", where="roll", found=f"{np.max(np.abs(angles)):g} rad", allowed="1.2 rad")
+    check_roll(angles, "roll")
     axle, at = Axle(corner), to_si(rack, "m", where="rack travel")
     left, right = axle.level(angles, at)
     kept = np.isfinite(left.height + right.height)
@@ -328,6 +336,12 @@ def sweep_roll(rig: Rig, roll: Values, rack: float | str = 0.0) -> xr.Dataset:
     found = roll_rows(axle, left, right, bend)
     _add_roll_stiffness(found, axle, angles, at, (left, right), bend)
     return found.dataset(kept, axle, corner)
+
+
+def check_roll(angles: Array, name: str) -> None:
+    """Refuse angles of the body at which no wheel stands on a road."""
+    if np.max(np.abs(angles)) > _STEEPEST:
+        raise DescriptionError("too steep", where=name, found=f"{np.max(np.abs(angles)):g} rad", allowed="1.2 rad")
 
 
 def roll_rows(axle: Axle, left: Ground, right: Ground, bend: Array) -> AxleVariables:
@@ -344,7 +358,7 @@ def roll_rows(axle: Axle, left: Ground, right: Ground, bend: Array) -> AxleVaria
         if "caster_gain" in seen:
             text, sign = "roll caster: caster angle over roll angle", "positive: top moves rearward"
             found.add(f"{name}.roll_caster", travel * seen["caster_gain"], "1", text, sign)
-    _add_axle_rows(found, left, right)
+    add_axle_rows(found, left, right)
     _add_roll_moments(found, axle, (left, right), bend)
     return found
 
@@ -360,7 +374,8 @@ def _bend(axle: Axle, roll: Array, rack: float) -> Array:
     return (ahead - behind) / (2.0 * _BEND)
 
 
-def _add_axle_rows(found: AxleVariables, left: Ground, right: Ground) -> None:
+def add_axle_rows(found: AxleVariables, left: Ground, right: Ground) -> None:
+    """Add track and roll centre."""
     one, other = left.contact * [1.0, 1.0, 1.0], right.contact * [1.0, -1.0, 1.0]
     roll = left.roll
     at_left, at_right = _across(one, roll), _across(other, roll)
@@ -525,11 +540,15 @@ def steering_rows(
     found = AxleVariables("rack_travel", racks, "m", "travel of the steering rack", "positive: to the left (+y)")
     found.add_wheel(axle, left, "left", 1.0)
     found.add_wheel(axle, right, "right", -1.0)
-    _add_rows(found, left, right, vehicle, axle)
+    add_steering(found, left, right, vehicle, axle)
+    handwheel_rows(found, axle, racks, left, right)
     return found
 
 
-def _add_rows(found: AxleVariables, left: WheelRows, right: WheelRows, vehicle: AxleLayout | None, axle: Axle) -> None:
+def add_steering(
+    found: AxleVariables, left: WheelRows, right: WheelRows, vehicle: AxleLayout | None, axle: Axle
+) -> None:
+    """Add steer angles of both wheels together and, with a vehicle, those of the turn."""
     one, other = left.rows["steer"], -right.rows["steer"]
     mean = 0.5 * (one + other)
     difference = one - other  # the inner wheel is the left one in left turns, where both angles are positive
@@ -542,9 +561,27 @@ def _add_rows(found: AxleVariables, left: WheelRows, right: WheelRows, vehicle: 
         "steer angle of the inner minus that of the outer wheel",
         "positive: toe-out",
     )
-    found.add("track", track, "m", "track: distance of the contact points", "never negative")
+    if "track" not in found.values:
+        found.add("track", track, "m", "track: distance of the contact points", "never negative")
     if vehicle is not None:
         _add_turn(found, left, right, vehicle, axle)
+
+
+def handwheel_rows(found: AxleVariables, axle: Axle, racks: Array, left: WheelRows, right: WheelRows) -> None:
+    """Add what turns the rack, where the corner says it."""
+    steering = getattr(axle.rig, "steering", None)
+    if steering is None or steering.rack_ratio is None:
+        return
+    at = handwheel_angle(steering, racks)
+    moved = rack_travel(steering, at)[1]
+    angle = pinion_angle(steering, at)[0]
+    to_left, mean = "positive: to the left", 0.5 * (left.rows["steer_gain"] + right.rows["steer_gain"])
+    found.add("handwheel_angle", at, "rad", "angle of the handwheel", to_left)
+    found.add("pinion_angle", angle, "rad", "angle of the pinion", to_left)
+    text = "C-factor: travel of the rack over one turn of the handwheel, here"
+    found.add("c_factor", 2.0 * np.pi * moved, "m", text, "positive: a turn to the left moves the rack to the left")
+    text = "steering ratio: turn of the handwheel over the mean turn of the wheels"
+    found.add("steering_ratio", 1.0 / (moved * mean), "1", text, "positive: the wheels follow the handwheel")
 
 
 def _add_turn(found: AxleVariables, left: WheelRows, right: WheelRows, vehicle: AxleLayout, axle: Axle) -> None:

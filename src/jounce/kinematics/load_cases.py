@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
@@ -13,7 +14,8 @@ from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.core.units import Mass, PositiveLength, Unit
-from jounce.kinematics.loads import ContactLoad, pickup_loads
+from jounce.kinematics.axle import Axle
+from jounce.kinematics.loads import ContactLoad, Joints, balanced, pickup_loads, single_forces, vector_forces
 from jounce.kinematics.model import check_corner
 from jounce.kinematics.sweeps import prepare_sweep
 from jounce.parts import Corner, Rig
@@ -74,8 +76,8 @@ def load_cases(
     Wheel loads follow from weight and load transfer of a rigid car; a wheel that would be pulled off the road carries
     nothing, and the other one all. Longitudinal and lateral forces of the axle are shared by the wheels in proportion
     to their loads; brakes are outboard, drive torque is reacted by the body. Each wheel stands where its spring and
-    stops carry its load (at design where the rig has no spring); anti-roll bars do not count. Parts have no weight.
-    ``attrs["findings"]`` names cases that the spring cannot carry.
+    stops carry its load, with the anti-roll bar and the third spring between both wheels (at design where the rig has
+    no spring). Parts have no weight. ``attrs["findings"]`` names cases that the springs cannot carry.
 
     Parameters
     ----------
@@ -90,7 +92,8 @@ def load_cases(
     -------
     xarray.Dataset
         On ``case`` and ``wheel`` (left, right): ``longitudinal_force``, ``lateral_force``, ``vertical_force`` at the
-        contact point (N), ``wheel_travel`` (m), and what :func:`pickup_loads` gives at each hardpoint (N).
+        contact point (N), ``wheel_travel`` (m), what :func:`pickup_loads` gives at each hardpoint (N), and the
+        forces that anti-roll bar and third spring bring (``anti_roll_bar_link.axial_force``, ``third_spring.force``).
 
     Raises
     ------
@@ -116,15 +119,23 @@ def load_cases(
         raise DescriptionError("no load case", where="cases", allowed="a name and its accelerations")
     read = {name: case if isinstance(case, LoadCase) else LoadCase(**case) for name, case in chosen.items()}
     left = corner if corner.side == "left" else corner.mirrored()
-    sides = {"left": left, "right": left.mirrored()}
+    right, rack = left.mirrored(), _rack_travel(left)
+    sides = {"left": left, "right": right.with_changes({"steering.rack_travel": rack}) if rack else right}
+    together = left.anti_roll_bar is not None or left.third_spring is not None
     found, told = [], []
     for name, case in read.items():
-        pair = []
-        for (wheel, side), load in zip(sides.items(), wheel_loads(car, case, left), strict=True):
-            travel, findings = _equilibrium(side, load, f"{name}, {wheel} wheel")
-            pair.append(_of_wheel(side, load, travel))
-            told += findings
-        found.append(pair)
+        loads = wheel_loads(car, case, left)
+        if together and not {"spring"} & set(left.lacks):
+            travels, findings = _together(left, loads, name)
+        else:
+            stands = [
+                _equilibrium(side, load, f"{name}, {wheel} wheel")
+                for (wheel, side), load in zip(sides.items(), loads, strict=True)
+            ]
+            travels, findings = (stands[0][0], stands[1][0]), [one for _, more in stands for one in more]
+        told += findings
+        pairs = zip(sides.values(), loads, travels, _across(left, travels) if together else (None, None), strict=True)
+        found.append([_of_wheel(*pair) for pair in pairs])
     units = {name: unit for name, (_, unit, _) in found[0][0].items()}
     texts = {name: text for name, (_, _, text) in found[0][0].items()}
     variables = {
@@ -164,22 +175,148 @@ def wheel_loads(car: LoadedAxle, case: LoadCase, rig: Corner) -> tuple[ContactLo
     return one, other
 
 
-def _of_wheel(rig: Corner, load: ContactLoad, travel: float) -> dict[str, tuple[float, str, str]]:
+@dataclass(frozen=True)
+class _FromAcross:
+    """What comes to a wheel from the other one: tension of the bar's link (N) and its end on the bar (m), third spring.
+
+    ``turn`` is the torque (N m about the bar's axis to the left) of a U- or Z-bar's end; ``tension`` that of a T-bar's
+    link; ``third`` the force of the third spring and its vector on the suspension (N).
+    """
+
+    turn: float | None = None
+    tension: float | None = None
+    arm_end: Array | None = None
+    third: tuple[float, Array] | None = None
+
+
+def _across(left: Corner, travels: tuple[float, float]) -> list[_FromAcross]:
+    """What anti-roll bar and third spring do to each wheel of an axle."""
+    axle, rack = Axle(left), np.full(1, _rack_travel(left))
+    wheels = [axle.wheel(side, np.full(1, travel), rack) for side, travel in zip((1.0, -1.0), travels, strict=True)]
+    connection = axle.connection(*wheels)
+    third = None if connection.third is None else (float(connection.third[0][0]), connection.third[1][0])
+    return [
+        _FromAcross(
+            turn=float(connection.turns[i][0]) if connection.turns else None,
+            tension=float(connection.links[i][0]) if connection.links else None,
+            arm_end=connection.arm_ends[i][0] if connection.arm_ends else None,
+            third=None if third is None else (third[0], sign * third[0] * third[1]),
+        )
+        for i, sign in enumerate((1.0, -1.0))
+    ]
+
+
+def _rack_travel(rig: Corner) -> float:
+    steering = getattr(rig, "steering", None)
+    return 0.0 if steering is None else float(steering.rack_travel)
+
+
+def _of_wheel(
+    rig: Corner, load: ContactLoad, travel: float, across: _FromAcross | None
+) -> dict[str, tuple[float, str, str]]:
     """Every force of one wheel: value, unit and what it is."""
-    loads = pickup_loads(rig, load, travel)
+    _, joints = balanced(prepare_sweep(rig, travel), load)
+    if across is not None:
+        _put_across(joints, across)
+    unknowns = joints.balance.solve()
     found = {
         name: (float(getattr(load, name)), "N", f"{name.replace('_', ' ')} of the road on the wheel")
         for name in ("longitudinal_force", "lateral_force", "vertical_force")
     }
     found["wheel_travel"] = travel, "m", "vertical travel of the wheel centre, bump positive"
-    for name, variable in loads.data_vars.items():
-        found[str(name)] = float(variable[0]), "N", str(variable.attrs["long_name"])
+    for name, force in vector_forces(joints, unknowns).items():
+        for k, axis in enumerate("xyz"):
+            text = f"{name.replace('_', ' ')}: force along {axis} on the part nearer to the body"
+            found[f"{name}.f{axis}"] = float(force[0, k]), "N", text
+    for name, value, text in single_forces(joints, unknowns):
+        found[name] = float(value[0]), "N*m" if name.endswith(".torque") else "N", text
     return found
+
+
+def _put_across(joints: Joints, across: _FromAcross) -> None:
+    """Let link and third spring push the suspension."""
+    rig, points = joints.rig, joints.points
+    if rig.anti_roll_bar is not None:
+        end = points["arb_arm_end"][0] if across.arm_end is None else across.arm_end
+        link = points["arb_link_end"][0] - end
+        link = link / np.linalg.norm(link)
+        tension = across.tension
+        if tension is None:
+            lever = np.cross(bar_axis(rig), end - points["arb_pivot"][0])
+            tension = float((across.turn or 0.0) / (link @ lever))
+        joints.push(rig.anti_roll_bar.on, -tension * link[None, :], ("arb_link_end", "arb_arm_end", "arb_pivot"))
+        text = "link of the anti-roll bar: axial force, tension positive"
+        joints.given["anti_roll_bar_link.axial_force"] = np.full(1, tension), text
+    if rig.third_spring is not None and across.third is not None:
+        force, push = across.third
+        joints.push(rig.third_spring.on, push[None, :], ("third_spring_end",))
+        joints.given["third_spring.force"] = np.full(1, force), "force of the third spring, compression positive"
+
+
+def bar_axis(rig: Corner) -> Array:
+    """Direction of the anti-roll bar's axis, to the left, shape (3,)."""
+    points = rig.hardpoints
+    if points.arb_axis is None or points.arb_pivot is None:
+        return np.array([0.0, 1.0, 0.0])
+    along = np.array(points.arb_axis) - np.array(points.arb_pivot)
+    return np.asarray(along / np.linalg.norm(along) * (-1.0 if along[1] < 0.0 else 1.0))
+
+
+_NEWTON, _CLOSE, _FARTHEST, _STEP = 60, 1e-9, 0.1, 0.01  # N over N; m
+_DIFFERENCE = 1e-6  # m: of slopes that only find the way
+
+
+def _together(
+    rig: Corner, loads: tuple[ContactLoad, ContactLoad], name: str
+) -> tuple[tuple[float, float], list[Finding]]:
+    """Travels (m) of both wheels at which all springs carry both loads, or come nearest to it."""
+    axle, rack = Axle(rig), np.full(3, _rack_travel(rig))
+    size = sum(abs(load.vertical_force) + abs(load.lateral_force) + abs(load.longitudinal_force) for load in loads)
+    travel, step, share = np.zeros(2), np.zeros(2), 1.0
+    best, least = travel, np.inf
+    for _ in range(_NEWTON):
+        tried = travel[:, None] + _DIFFERENCE * np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+        wheels = [axle.wheel(side, at, rack) for side, at in zip((1.0, -1.0), tried, strict=True)]
+        forces = axle.connection(*wheels).forces
+        off = np.array(
+            [
+                wheel.rows["wheel_force"] + force - _pushed(load, wheel.rows, side)
+                for wheel, force, load, side in zip(wheels, forces, loads, (1.0, -1.0), strict=True)
+            ]
+        )
+        worst = float(np.max(np.abs(off[:, 0])))
+        if not worst < least:  # out of reach, or not nearer: go half as far from the best pose
+            share *= 0.5
+            if share < _CLOSE:
+                break
+            travel = best + share * step
+            continue
+        best, least, share = travel, worst, 1.0
+        if worst <= _CLOSE * max(size, 1.0):
+            return (float(travel[0]), float(travel[1])), []
+        step = np.linalg.solve((off[:, 1:] - off[:, :1]) / _DIFFERENCE, -off[:, 0])
+        step = step * min(1.0, _STEP / float(np.max(np.abs(step))))
+        travel = np.clip(best + step, -_FARTHEST, _FARTHEST)
+    text = (
+        f"springs and bars cannot carry it within {1e3 * _FARTHEST:g} mm of travel: forces are those where they come "
+        f"nearest, and the spring has what the load asks for."
+    )
+    return (float(best[0]), float(best[1])), [Finding(name, "warning", text, least)]
+
+
+def _pushed(load: ContactLoad, rows: dict[str, Array], side: float) -> Array:
+    """Force at the wheel centre (N, up) that does the work of a load (without aligning torque) along the travel."""
+    rise = rows["motion_ratio"] / rows["motion_ratio_contact"]  # of the contact patch
+    ahead = rows["contact_patch_recession"] * rise
+    if load.through == "wheel_centre":
+        ahead = rows["wheel_centre_longitudinal_slope"]
+    lateral = side * load.lateral_force * rows["jacking"] * rise
+    return np.asarray(load.vertical_force * rise + lateral + load.longitudinal_force * ahead)
 
 
 def _equilibrium(rig: Corner, load: ContactLoad, where: str) -> tuple[float, list[Finding]]:
     """Travel (m) at which spring and stops have the force that the load asks of them, or come nearest to it."""
-    if "spring" in rig.without:
+    if "spring" in rig.lacks:
         return 0.0, []
     sweep = prepare_sweep(rig, _TRAVELS)
     rows = {name: value[:, 0] for name, value in sweep.quantities().items()}
@@ -188,8 +325,13 @@ def _equilibrium(rig: Corner, load: ContactLoad, where: str) -> tuple[float, lis
 
     def over(travel: Array) -> Array:
         own = prepare_sweep(rig, travel).quantities()
+        asked = pickup_loads(rig, load, travel)
+        if "spring" in rig.without:  # a torsion bar carries it, beside which only stops push along the strut
+            return np.asarray(
+                (own["wheel_force"] / own["torsion_bar_motion_ratio"])[:, 0] - asked["torsion_bar.torque"]
+            )
         has = (own["spring_force"] + own["stop_force"])[:, 0]
-        return np.asarray(has - pickup_loads(rig, load, travel)["spring.force"].to_numpy())
+        return np.asarray(has - asked["spring.force"].to_numpy())
 
     for _ in range(4):
         travels = np.linspace(low, high, 41)

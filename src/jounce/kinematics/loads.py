@@ -1,12 +1,12 @@
 """Loads of pickup points and joints for a load at the contact patch: rigid parts and the spring in equilibrium.
 
 The spring's force is the one that the load requires, not what its law gives at that travel, so that forces and virtual
-work agree. Weights of the parts and the anti-roll bar do not count.
+work agree. Weights of the parts do not count; what comes from the other wheel only where it is known (load cases).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -19,6 +19,7 @@ from jounce.core.units import Force, Unit
 from jounce.kinematics.model import check_corner
 from jounce.kinematics.sweeps import PreparedSweep, Values, ends_text, no_pose, prepare_sweep
 from jounce.mechanics.rotations import normals, unit
+from jounce.models.attachments import AXES
 from jounce.parts import Corner, Rig
 
 if TYPE_CHECKING:
@@ -123,7 +124,8 @@ class Joints:
     """Unknowns of a corner with their names, collected while its parts are put into balance.
 
     ``points`` holds the place of every hardpoint, m, shape (n, 3); ``forces`` the hardpoints at which vectors are
-    reported, each with (direction, unknown) terms; ``scalars`` single forces.
+    reported, each with (direction, unknown) terms, ``known`` vectors that are given; ``scalars`` single forces and
+    torques.
     """
 
     rig: Corner
@@ -131,6 +133,8 @@ class Joints:
     balance: Balance
     forces: dict[str, list[tuple[Array, int]]] = field(default_factory=dict)
     scalars: dict[str, tuple[int, str]] = field(default_factory=dict)
+    known: dict[str, Array] = field(default_factory=dict)
+    given: dict[str, tuple[Array, str]] = field(default_factory=dict)
 
     def ball(self, name: str, inner: str, outer: str) -> list[int]:
         """Ball joint at a hardpoint: three unknown forces along the ground's axes."""
@@ -156,8 +160,31 @@ class Joints:
         self.report(outer, [(-along, unknown)])
         self.scalars[f"{name}.axial_force"] = unknown, f"{name.replace('_', ' ')}: axial force, tension positive"
 
+    def torsion_bar(self, torque: Array) -> None:
+        """Torsion bar on its axis: it carries the load where there is no coil spring, else what its law says (N m)."""
+        bar = self.rig.torsion_bar
+        assert bar is not None
+        along = np.tile(bump_axis(self.rig, bar.on), (self.balance.poses, 1))
+        text = "torque of the torsion bar, positive against bump"
+        if "spring" in self.rig.without:
+            self.scalars["torsion_bar.torque"] = (
+                self.balance.about(BODY, bar.on, along),
+                f"{text}: what the load requires",
+            )
+            return
+        self.balance.load(bar.on, 0.0 * along, 0.0 * along, -torque[:, None] * along)
+        self.given["torsion_bar.torque"] = torque, f"{text}: of its law"
+
+    def push(self, part: str, force: Array, points: Sequence[str]) -> None:
+        """Let a known force (N, (n, 3)) push a part at the first of some hardpoints, all of which it passes."""
+        self.balance.load(part, force, self.points[points[0]], np.zeros_like(force))
+        for name in points:
+            self.known[name] = -force
+
     def spring(self) -> None:
         """Spring between the body and what carries the strut."""
+        if "spring" in self.rig.without and self.rig.torsion_bar is not None:
+            return
         names = [
             f"spring_{end}" if getattr(self.rig.hardpoints, f"spring_{end}") is not None else f"strut_{end}"
             for end in ("bottom", "top")
@@ -202,8 +229,9 @@ def pickup_loads(rig: Rig, load: ContactLoad, travel: Values = 0.0, *, rack: flo
     -------
     xarray.Dataset
         On ``wheel_travel`` (m): ``<hardpoint>.fx``, ``.fy``, ``.fz`` (N, ground axes): what the part nearer to the
-        wheel does to the one nearer to the body. ``spring.force`` (N, compression positive) and
-        ``<rod>.axial_force`` (N, tension positive).
+        wheel does to the one nearer to the body. ``spring.force`` (N, compression positive), or ``torsion_bar.torque``
+        (N m, against bump) where it takes the spring's place, and ``<rod>.axial_force`` (N, tension positive). What
+        anti-roll bar and third spring bring from the other wheel does not count (see :func:`load_cases`).
 
     Raises
     ------
@@ -223,18 +251,24 @@ def pickup_loads(rig: Rig, load: ContactLoad, travel: Values = 0.0, *, rack: flo
     """
     corner = check_corner(rig)
     sweep = prepare_sweep(corner, travel, rack)
-    rows = {name: value[:, 0] for name, value in sweep.quantities().items()}
+    at, joints = balanced(sweep, load)
+    return _dataset(sweep, joints, at["wheel_travel"], joints.balance.solve())
+
+
+def balanced(sweep: PreparedSweep, load: ContactLoad) -> tuple[dict[str, Array], Joints]:
+    """Give the rows of all poses that are reached, and the parts in balance there; more may be put on them."""
+    rows = {name: value.ravel() for name, value in sweep.quantities().items()}
     kept = np.flatnonzero(np.isfinite(rows["wheel_travel"]))
     if not len(kept):
         raise no_pose(sweep.ends())
     places = sweep.points()
     names = sweep.model.point_names
-    points = {name: np.stack([places[f"{name}.{axis}"][kept, 0] for axis in "xyz"], axis=1) for name in names}
-    joints = _balanced(corner, points, load)
-    return _dataset(sweep, joints, rows["wheel_travel"][kept], joints.balance.solve())
+    points = {name: np.stack([places[f"{name}.{axis}"].ravel()[kept] for axis in "xyz"], axis=1) for name in names}
+    rows = {name: value[kept] for name, value in rows.items()}
+    return rows, _balanced(sweep.rig, points, load, rows)
 
 
-def _balanced(rig: Corner, points: dict[str, Array], load: ContactLoad) -> Joints:
+def _balanced(rig: Corner, points: dict[str, Array], load: ContactLoad, rows: dict[str, Array]) -> Joints:
     """Put the parts of a corner into balance."""
     model = str(getattr(rig, "model", ""))
     parts, build = _TEMPLATES[model]
@@ -245,6 +279,8 @@ def _balanced(rig: Corner, points: dict[str, Array], load: ContactLoad) -> Joint
     build(joints)
     joints.rocker()
     joints.spring()
+    if rig.torsion_bar is not None:
+        joints.torsion_bar(rows["torsion_bar_torque"])
     wheel, contact = parts[-1], points["contact_point"]
     flat = np.tile([0.0, load.lateral_force, load.vertical_force], (poses, 1))
     pull = np.tile([load.longitudinal_force, 0.0, 0.0], (poses, 1))
@@ -252,6 +288,17 @@ def _balanced(rig: Corner, points: dict[str, Array], load: ContactLoad) -> Joint
     joints.balance.load(wheel, flat, contact, torque)
     joints.balance.load(wheel, pull, points[load.through], np.zeros((poses, 3)))
     return joints
+
+
+def bump_axis(rig: Corner, body: str) -> Array:
+    """Unit vector about which bump turns an arm, or the rocker, at design, ground axes, shape (3,)."""
+    one, other, tip = (np.array(rig.hardpoints.at(name)) for name in AXES[body])
+    axis = (other - one) / np.linalg.norm(other - one)
+    way = np.cross(axis, tip - one)
+    if body == "rocker":
+        rod = np.array(rig.hardpoints.at("pushrod_inner")) - np.array(rig.hardpoints.at("pushrod_outer"))
+        return np.asarray(axis * np.where((rod @ way) * rod[2] < 0.0, -1.0, 1.0))
+    return np.asarray(axis * np.where(way[2] < 0.0, -1.0, 1.0))
 
 
 def _double_wishbone(joints: Joints) -> None:
@@ -318,13 +365,12 @@ def _dataset(sweep: PreparedSweep, joints: Joints, travel: Array, unknowns: Arra
     import xarray as xr
 
     variables = {}
-    for name, terms in joints.forces.items():
-        force = sum((direction * unknowns[:, [i]] for direction, i in terms), np.zeros((len(travel), 3)))
+    for name, force in vector_forces(joints, unknowns).items():
         for k, axis in enumerate("xyz"):
             text = f"{name.replace('_', ' ')}: force along {axis} on the part nearer to the body"
-            variables[f"{name}.f{axis}"] = ("wheel_travel", force[:, k], _attributes(text))
-    for name, (i, text) in joints.scalars.items():
-        variables[name] = ("wheel_travel", unknowns[:, i], _attributes(text))
+            variables[f"{name}.f{axis}"] = ("wheel_travel", force[:, k], _attributes(text, name))
+    for name, value, text in single_forces(joints, unknowns):
+        variables[name] = ("wheel_travel", value, _attributes(text, name))
     at = {"wheel_travel": ("wheel_travel", travel, {"units": "m", "long_name": "vertical travel of the wheel centre"})}
     ends = sweep.ends() if len(travel) < len(sweep.layout.place) else []
     facts = {
@@ -335,5 +381,23 @@ def _dataset(sweep: PreparedSweep, joints: Joints, travel: Array, unknowns: Arra
     return xr.Dataset(variables, at, facts)
 
 
-def _attributes(text: str) -> dict[str, str]:
-    return {"units": "N", "long_name": text}
+def vector_forces(joints: Joints, unknowns: Array) -> dict[str, Array]:
+    """Forces at hardpoints on the part nearer to the body, N, ground axes, shape (n, 3)."""
+    poses = joints.balance.poses
+    found = {
+        name: sum((direction * unknowns[:, [i]] for direction, i in terms), np.zeros((poses, 3)))
+        for name, terms in joints.forces.items()
+    }
+    for name, force in joints.known.items():
+        found[name] = found.get(name, np.zeros((poses, 3))) + force
+    return found
+
+
+def single_forces(joints: Joints, unknowns: Array) -> list[tuple[str, Array, str]]:
+    """Forces (N) and torques (N m) that are one number: name, value, text."""
+    found = [(name, unknowns[:, i], text) for name, (i, text) in joints.scalars.items()]
+    return [*found, *((name, value, text) for name, (value, text) in joints.given.items())]
+
+
+def _attributes(text: str, name: str) -> dict[str, str]:
+    return {"units": "N*m" if name.endswith(".torque") else "N", "long_name": text}

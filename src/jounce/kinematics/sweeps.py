@@ -587,7 +587,7 @@ def sweep_path(
     import xarray as xr
 
     corner = check_corner(rig)
-    pair = [_path_values(values, name) for values, name in ((travel, "wheel travel"), (rack, "rack travel"))]
+    pair = [path_values(values, name) for values, name in ((travel, "wheel travel"), (rack, "rack travel"))]
     if np.any(pair[1] != 0.0):
         check_rack(corner, "0, or a corner with a tie rod")
     if len({len(values) for values in pair if len(values) > 1}) > 1:
@@ -627,16 +627,16 @@ def path_sweep(corner: Corner, travel: Array, rack: Array, numbers: Array | None
     return sweep, values
 
 
-def _path_values(values: Values, name: str) -> Array:
+def path_values(values: Values, name: str, unit: str = "m") -> Array:
     """Values pose by pose, in any order."""
     if isinstance(values, str):
-        return text_range(values, "m", name)
-    checked = si_values(values, "m", name)
+        return text_range(values, unit, name)
+    checked = si_values(values, unit, name)
     if checked.ndim != 1 or not len(checked) or not np.all(np.isfinite(checked)):
         raise DescriptionError("not a list of finite values", where=name, found=str(values)[:60])
     if len(checked) > _MOST_POSES:
         raise DescriptionError("too many values", where=name, found=len(checked), allowed=f"at most {_MOST_POSES}")
-    refuse_metres(checked, name, "m")
+    refuse_metres(checked, name, unit)
     return checked
 
 

@@ -98,7 +98,7 @@ def coil_law(mechanism: Mechanism, spring: CoilSpring, path: str, length: ca.SX,
 def winding(linkage: Linkage, body: str) -> ca.SX:
     """Turn (rad) of an arm, or the rocker, about its axis on the car's body since design; positive in bump."""
     point = linkage.hardpoint
-    one, other, tip = _WOUND[body]
+    one, other, tip = AXES[body]
     pivot = point(one)
     axis = unit(point(other) - pivot)
     lever = point(tip) - pivot
@@ -113,7 +113,7 @@ def winding(linkage: Linkage, body: str) -> ca.SX:
     return ca.if_else(bump < 0.0, -1.0, 1.0) * ca.atan2(ca.dot(across, now), ca.dot(along, now))
 
 
-_WOUND = {
+AXES = {
     "lower_arm": ("lower_arm_front", "lower_arm_rear", "lower_ball_joint"),
     "upper_arm": ("upper_arm_front", "upper_arm_rear", "upper_ball_joint"),
     "rocker": ("rocker_pivot", "rocker_axis", "pushrod_inner"),

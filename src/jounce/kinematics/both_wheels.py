@@ -1,0 +1,251 @@
+"""An axle at any pair of wheel travels, or any attitude of the body over a plane road: left and right their own."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError
+from jounce.core.types import Array
+from jounce.kinematics.axle import (
+    Axle,
+    AxleVariables,
+    Ground,
+    WheelRows,
+    add_axle_rows,
+    add_steering,
+    check_roll,
+    handwheel_rows,
+)
+from jounce.kinematics.column import rack_travel, steering_of
+from jounce.kinematics.model import check_corner, check_rack
+from jounce.kinematics.sweeps import AxleLayout, Values, no_pose, path_values
+from jounce.parts import Corner, Rig
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+_ITERATIONS, _LEVEL = 60, 1e-12  # m
+_STEP = 0.03  # m of travel in one iteration
+
+
+def sweep_axle(
+    rig: Rig,
+    *,
+    right: Rig | None = None,
+    left_travel: Values | None = None,
+    right_travel: Values | None = None,
+    heave: Values | None = None,
+    roll: Values | None = None,
+    pitch: Values | None = None,
+    rack: Values | None = None,
+    handwheel: Values | None = None,
+    vehicle: AxleLayout | None = None,
+) -> xr.Dataset:
+    """Give both wheels of an axle pose by pose, for pairs of their travels or for attitudes of the body.
+
+    The road is a plane under both contact points; deflections of the tyres do not count. With travels the body lies
+    as the wheels say; with ``heave`` and ``roll`` each wheel travels until it stands on the road. All values are given
+    pose by pose; one value of any of them holds for all poses.
+
+    Parameters
+    ----------
+    rig : Rig
+        The left corner; a right one is mirrored.
+    right : Rig, optional
+        The right corner, where it is not the mirror image of the left one.
+    left_travel, right_travel : float, str or array_like, shape (n,), optional
+        Vertical travel of each wheel centre from design, m, bump positive; one that is not given is 0.
+    heave : float, str or array_like, shape (n,), optional
+        Rise of the body above the road in the middle of the axle, m, from design; instead of the travels.
+    roll : float, str or array_like, shape (n,), optional
+        Roll angle of the body, rad, about +x (left side up); instead of the travels.
+    pitch : float, str or array_like, shape (n,), optional
+        Pitch angle of the body, rad, about +y (nose down), about the middle of the axle; before the roll.
+    rack : float, str or array_like, shape (n,), optional
+        Travel of the rack, m, positive to the left; 0 by default.
+    handwheel : float, str or array_like, shape (n,), optional
+        Instead of it the angle of the handwheel, rad, positive to the left, over ``steering.column`` and
+        ``steering.rack_ratio`` of the left corner.
+    vehicle : AxleLayout, optional
+        Adds Ackermann and turn diameters, as :func:`sweep_steering` does.
+
+    Returns
+    -------
+    xarray.Dataset
+        On ``pose``: ``left.<quantity>`` and ``right.<quantity>`` of the catalogue (against the body) with
+        ``camber_to_ground`` and ``steer_to_ground`` (rad); ``heave`` (m), ``roll_angle``, ``pitch_angle`` (rad),
+        ``track``, ``roll_centre_height``, ``roll_centre_y`` (m), steer angles as :func:`sweep_steering`; of what
+        connects the wheels twist and torque of the anti-roll bar, length and force of the third spring, and
+        ``left.axle_force``, ``right.axle_force`` (N, of all springs at the wheel centre). Out of reach is NaN.
+
+    Raises
+    ------
+    DescriptionError
+        For rigs that do not go together, travels with an attitude, or values of different lengths.
+    SimulationError
+        When no pose at all can be reached.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> rig = jn.load("formula-student-front")
+    >>> found = jn.sweep_axle(rig, heave="-10 mm", roll=["0 deg", "1 deg"], pitch="0.5 deg")
+    >>> [round(1e3 * float(travel), 1) for travel in found["left.wheel_travel"]]   # mm
+    [10.0, -0.6]
+    """
+    corner, other = _pair(rig, right)
+    given = {
+        "left travel": (left_travel, "m"),
+        "right travel": (right_travel, "m"),
+        "heave": (heave, "m"),
+        "roll": (roll, "rad"),
+        "pitch": (pitch, "rad"),
+        "rack travel": (rack, "m"),
+        "handwheel": (handwheel, "rad"),
+    }
+    read = {name: path_values(value, name, unit) for name, (value, unit) in given.items() if value is not None}
+    travelled, placed = ({one for one in names if one in read} for names in (_TRAVELS, _PLACES))
+    if travelled and placed:
+        raise DescriptionError(
+            "wheel travels and an attitude of the body at once",
+            where="jounce sweep of an axle",
+            found=", ".join(sorted(travelled | placed)),
+            allowed="left and right travel, or heave and roll",
+        )
+    if "rack travel" in read and "handwheel" in read:
+        raise DescriptionError("a rack travel and an angle of the handwheel", where="handwheel", hint="Give one.")
+    check_roll(read.get("roll", np.zeros(1)), "roll")
+    check_roll(read.get("pitch", np.zeros(1)), "pitch")
+    counts = {len(values) for values in read.values() if len(values) > 1}
+    if len(counts) > 1:
+        found = ", ".join(f"{name}: {len(values)}" for name, values in read.items())
+        raise DescriptionError("not as many values of each", where="sweep of an axle", found=found)
+    count = max(counts, default=1)
+    at = {name: np.broadcast_to(read.get(name, np.zeros(1)), (count,)).copy() for name in given}
+    if handwheel is not None:
+        at["rack travel"] = rack_travel(steering_of(corner), at["handwheel"])[0]
+    if np.any(at["rack travel"] != 0.0):
+        check_rack(corner, "0, or a corner with a tie rod")
+    axle = Axle(corner, right=other)
+    pose = _on_road(axle, at) if placed else _on_wheels(axle, at)
+    return _dataset(axle, pose, at, vehicle)
+
+
+_TRAVELS = ("left travel", "right travel")
+_PLACES = ("heave", "roll")
+
+
+def _pair(rig: Rig, right: Rig | None) -> tuple[Corner, Corner | None]:
+    """Left corner, and the right one where it is another."""
+    corner = check_corner(rig)
+    corner = corner if corner.side == "left" else corner.mirrored()
+    if right is None:
+        return corner, None
+    other = check_corner(right)
+    if other.side != "right":
+        raise DescriptionError("not a right corner", where="right", found=f'side = "{other.side}"', allowed='"right"')
+    for name in ("anti_roll_bar", "third_spring"):
+        one, another = getattr(corner, name), getattr(other, name)
+        if (one is None) != (another is None) or getattr(one, "kind", "") != getattr(another, "kind", ""):
+            raise DescriptionError(
+                "both corners of an axle need their end of it", where=name, allowed="a table in both files, or in none"
+            )
+    return corner, other
+
+
+@dataclass(frozen=True)
+class _Pose:
+    left: Ground
+    right: Ground
+    heave: Array
+
+
+class _Middle:
+    """Middle of the axle at design, from which heave counts: x of the wheel centres, y 0, z of the contact points."""
+
+    def __init__(self, axle: Axle) -> None:
+        at = [axle.wheel(side, np.zeros(1), 0.0) for side in (1.0, -1.0)]
+        x, z = (
+            np.mean([float(wheel.rows[f"{of}"][0]) for wheel in at]) for of in ("wheel_centre_x", "contact_point_z")
+        )
+        self.place = np.array([x, 0.0, z])
+
+    def height(self, ground: Ground) -> Array:
+        """Height of the middle along the normal of the road, m."""
+        return np.asarray(ground.normal @ self.place)
+
+
+def _on_road(axle: Axle, at: dict[str, Array]) -> _Pose:
+    """Let each wheel travel until it stands on the road that heave, roll and pitch of the body place."""
+    middle = _Middle(axle)
+    found = []
+    for side in (1.0, -1.0):
+        away = abs(float(axle.of(side).hardpoints.wheel_centre[1]))
+        travel = -at["heave"] - side * away * np.tan(at["roll"])
+        for _ in range(_ITERATIONS):
+            ground = Ground(axle.wheel(side, travel, at["rack travel"]), at["roll"], side, at["pitch"])
+            off = ground.height - (middle.height(ground) - at["heave"])
+            if np.nanmax(np.abs(off), initial=0.0) < _LEVEL:
+                break
+            travel = travel - np.clip(off / ground.height_by_travel, -_STEP, _STEP)
+        found.append(ground)
+    return _Pose(found[0], found[1], at["heave"])
+
+
+def _on_wheels(axle: Axle, at: dict[str, Array]) -> _Pose:
+    """Lay the road under both wheels where they are."""
+    wheels = [
+        axle.wheel(side, at[f"{name} travel"], at["rack travel"]) for side, name in ((1.0, "left"), (-1.0, "right"))
+    ]
+    roll = np.zeros_like(at["roll"])
+    for _ in range(_ITERATIONS):
+        left, right = (Ground(wheel, roll, side, at["pitch"]) for wheel, side in zip(wheels, (1.0, -1.0), strict=True))
+        off = left.height - right.height
+        if np.nanmax(np.abs(off), initial=0.0) < _LEVEL:
+            break
+        roll = roll - off / (left.height_by_roll - right.height_by_roll)
+    return _Pose(left, right, _Middle(axle).height(left) - left.height)
+
+
+def _dataset(axle: Axle, pose: _Pose, at: dict[str, Array], vehicle: AxleLayout | None) -> xr.Dataset:
+    left, right = pose.left, pose.right
+    kept = np.isfinite(left.height + right.height)
+    if not kept.any():
+        raise no_pose(axle.ends)
+    count = len(kept)
+    found = AxleVariables("pose", np.arange(float(count)), "1", "pose", "in the order given")
+    for name, ground in (("left", left), ("right", right)):
+        found.add_wheel(axle, ground.wheel, name, ground.side)
+        lean, heading = ground.lean, ground.side * ground.toe_out
+        found.add(
+            f"{name}.camber_to_ground", -np.arcsin(lean), "rad", "camber angle to the road", "positive: top outward"
+        )
+        text = "steer angle along the road, against the body's x axis seen from above it"
+        found.add(f"{name}.steer_to_ground", heading, "rad", text, "positive: about +z, a left turn")
+    up, left_up = "positive: the body rises", "positive: about +x, left side up"
+    found.add(
+        "heave", np.where(kept, pose.heave, np.nan), "m", "rise of the body above the road, middle of the axle", up
+    )
+    found.add("roll_angle", np.where(kept, left.roll, np.nan), "rad", "roll angle of the body", left_up)
+    found.add("pitch_angle", at["pitch"], "rad", "pitch angle of the body", "positive: about +y, nose down")
+    add_axle_rows(found, left, right)
+    add_steering(found, left.wheel, right.wheel, vehicle, axle)
+    handwheel_rows(found, axle, at["rack travel"], left.wheel, right.wheel)
+    _add_forces(found, axle, left.wheel, right.wheel)
+    return found.dataset(np.ones(count, dtype=bool), axle, axle.rig)
+
+
+def _add_forces(found: AxleVariables, axle: Axle, left: WheelRows, right: WheelRows) -> None:
+    """Forces of all springs at both wheel centres, and what connects them."""
+    connection = axle.connection(left, right)
+    for name, (value, unit, text, sign) in connection.rows.items():
+        found.add(name, value, unit, text, sign)
+    for name, wheel, force in (("left", left, connection.forces[0]), ("right", right, connection.forces[1])):
+        if "wheel_force" in wheel.rows:
+            text = f"{name}: force of all springs at the wheel centre"
+            found.add(
+                f"{name}.axle_force", wheel.rows["wheel_force"] + force, "N", text, "positive: pushes the wheel down"
+            )

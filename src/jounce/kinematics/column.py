@@ -1,0 +1,106 @@
+"""Steering column: from the angle of the handwheel, over shafts with universal joints, to pinion and rack.
+
+Angles of the handwheel and the pinion are positive to the left (as the driver sees them, against the clock).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError, SimulationError
+from jounce.core.types import Array
+from jounce.parts import Corner
+from jounce.parts.elements import Steering, SteeringColumn
+
+_ITERATIONS, _CLOSED = 50, 1e-13  # rad
+_STRAIGHT = 1e-9  # sine of a bend below which shafts are in line
+
+
+@dataclass(frozen=True)
+class _Joint:
+    """A universal joint: its bend, and the angle of the first shaft's pin straight ahead from across the bend, rad."""
+
+    bend: float
+    pin: float
+
+    def turned(self, angle: Array) -> tuple[Array, Array]:
+        """Turn of the shaft behind for one of the shaft before it (rad), and its slope."""
+        start = _behind(np.asarray(self.pin), self.bend)
+        at = angle + self.pin
+        slope = np.cos(self.bend) / (np.cos(at) ** 2 + np.cos(self.bend) ** 2 * np.sin(at) ** 2)
+        return _behind(at, self.bend) - start, slope
+
+
+def _behind(pin: Array, bend: float) -> Array:
+    """Angle behind a joint, tan(behind) = cos(bend) tan(pin), on the same turn as the pin."""
+    turns = np.round(pin / np.pi)
+    rest = pin - np.pi * turns
+    return np.asarray(np.pi * turns + np.arctan2(np.cos(bend) * np.sin(rest), np.cos(rest)))
+
+
+def _joints(column: SteeringColumn) -> list[_Joint]:
+    points = (column.handwheel, column.upper_joint, column.lower_joint, column.pinion)
+    given = [np.array(point) for point in points if point is not None]
+    shafts = [(b - a) / np.linalg.norm(b - a) for a, b in pairwise(given)]
+    found: list[_Joint] = []
+    pin, across = float(column.yoke_angle), None
+    for one, other in pairwise(shafts):
+        normal = np.cross(one, other)
+        size = float(np.linalg.norm(normal))
+        if size > _STRAIGHT:
+            normal = normal / size
+        else:  # no plane: any direction across will do, it does not matter
+            normal = np.cross(one, np.eye(3)[int(np.argmin(np.abs(one)))])
+            normal = normal / np.linalg.norm(normal)
+        if across is not None:  # behind a joint the pin is a quarter of a turn on; the next yoke is turned by the phase
+            between = float(np.arctan2(np.cross(across, normal) @ one, across @ normal))
+            before = found[-1]
+            pin = float(_behind(np.asarray(before.pin), before.bend)) + 0.5 * np.pi + float(column.phase) - between
+        found.append(_Joint(float(np.arctan2(size, one @ other)), pin))
+        across = normal
+    return found
+
+
+def steering_of(rig: Corner) -> Steering:
+    """Steering of a corner whose handwheel moves the rack; a corner without is refused."""
+    steering = getattr(rig, "steering", None)
+    if steering is None or steering.rack_ratio is None:
+        raise DescriptionError(
+            "no handwheel moves this rack",
+            where="steering.rack_ratio",
+            allowed='a table [steering] with rack_ratio = "13 mm/rad", the rack\'s travel over the turn of the pinion',
+        )
+    return steering  # type: ignore[no-any-return]
+
+
+def pinion_angle(steering: Steering, handwheel: Array) -> tuple[Array, Array]:
+    """Angle of the pinion (rad) for one of the handwheel (rad), and its slope [1]; both positive to the left."""
+    angle, slope = -np.asarray(handwheel, dtype=float), np.ones_like(handwheel, dtype=float)
+    for joint in [] if steering.column is None else _joints(steering.column):
+        angle, further = joint.turned(angle)
+        slope = slope * further
+    return -angle, slope
+
+
+def rack_travel(steering: Steering, handwheel: Array) -> tuple[Array, Array]:
+    """Travel of the rack (m, to the left) for an angle of the handwheel (rad), and its slope (m/rad)."""
+    assert steering.rack_ratio is not None
+    angle, slope = pinion_angle(steering, handwheel)
+    return steering.rack_ratio * angle, steering.rack_ratio * slope
+
+
+def handwheel_angle(steering: Steering, rack: Array) -> Array:
+    """Angle of the handwheel (rad, to the left) at a travel of the rack (m)."""
+    assert steering.rack_ratio is not None
+    wanted = np.asarray(rack, dtype=float) / steering.rack_ratio
+    found = wanted.copy()
+    for _ in range(_ITERATIONS):
+        angle, slope = pinion_angle(steering, found)
+        step = (wanted - angle) / slope
+        found = found + np.clip(step, -0.3, 0.3)  # rad: within the waves of the joints
+        if np.nanmax(np.abs(step), initial=0.0) < _CLOSED * max(1.0, float(np.nanmax(np.abs(found), initial=0.0))):
+            return np.asarray(found)
+    raise SimulationError("the angle of the handwheel was not found", hint="Are the joints of the column too steep?")
