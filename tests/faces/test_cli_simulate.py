@@ -221,10 +221,10 @@ def test_plot(suffix: str, cli, bump: Path, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (("run.nc", "sprung.zz", "--out", "f.png"), "no channel 'sprung.zz'"),
-        (("run.nc", "--out", "f.gif"), "allowed: .svg, .png, .pdf"),
-        (("gone.nc", "--out", "f.png"), "gone.nc: no such file"),
-        (("bump.toml", "--out", "f.png"), "suffix is of no known format"),
+        (("run.nc", "sprung.zz", "--figure", "f.png"), "no channel 'sprung.zz'"),
+        (("run.nc", "--figure", "f.gif"), "allowed: .svg, .png, .pdf"),
+        (("gone.nc", "--figure", "f.png"), "gone.nc: no such file"),
+        (("bump.toml", "--figure", "f.png"), "suffix is of no known format"),
     ],
 )
 def test_bad_plots(words: tuple[str, ...], message: str, cli, bump: Path, tmp_path: Path) -> None:

@@ -6,6 +6,8 @@ import { make, toggle, whenColoursChange, written } from "./page";
 import { LinkedPlots } from "./plots";
 
 const SLOWER = [1, 2, 5, 10, 20, 50, 100];
+/** Channels that are all offered at once; of more those that are shown, and the others behind a button. */
+const FEW = matchMedia("(max-width: 40rem)").matches ? 6 : 16;
 const STILL = matchMedia("(prefers-reduced-motion: reduce)");
 
 export class Player {
@@ -109,15 +111,29 @@ export class Player {
     this.note.hidden = !scene.note;
     this.livelyPart.hidden = !scene.window;
     const x = this.store.get(scene.x);
-    this.channels.replaceChildren(...(scene.panes.length < 2 ? [] : scene.panes.map((pane) => toggle(pane.name, this.isShown(pane.name, pane.shown), (on) => {
-      this.panes.set(pane.name, on);
-      this.plot(this.plots.window);
-    }, pane.words))));
+    this.offer(scene);
     this.slider.min = String(x[0]); this.slider.max = String(x[x.length - 1]);
     this.plot(keep);
     if (scene.motion && this.view) this.view.show(this.store.content.mechanisms[scene.motion.mechanism]!, scene.motion);
     this.goTo(this.now);
     this.draw();
+  }
+
+  /** A button for each channel. */
+  private offer(scene: Scene): void {
+    const many = scene.panes.length > FEW;
+    let others = 0;
+    const buttons = scene.panes.length < 2 ? [] : scene.panes.map((pane) => {
+      const shown = this.isShown(pane.name, pane.shown);
+      const button = toggle(pane.name, shown, (on) => { this.panes.set(pane.name, on); this.plot(this.plots.window); }, pane.words);
+      if (many && !shown) { button.classList.add("other"); others++; }
+      return button;
+    });
+    if (others) {
+      const open = this.channels.classList.contains("every");
+      buttons.push(toggle(`${others} more`, open, (on) => { this.channels.classList.toggle("every", on); }, "all other channels"));
+    }
+    this.channels.replaceChildren(...buttons);
   }
 
   private plot(window: [number, number] | null): void {

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -24,17 +26,19 @@ from jounce.cli.options import (
     quantity,
     write_picture,
 )
-from jounce.cli.reply import DONE, FAILED, Reply, progress, show_findings, show_written, table
+from jounce.cli.reply import DONE, FAILED, Reply, drawing, progress, show_findings, show_written, table
 from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from jounce.core.findings import Finding
     from jounce.design.kinematics import KinematicDesign
     from jounce.design.optimise import Optimisation
     from jounce.design.pareto import ParetoFront
     from jounce.design.springs import SpringDesign
     from jounce.parts import Rig
+    from jounce.report import Page
 
 
 app = typer.Typer(no_args_is_help=True, help="Springs, dampers, hardpoints and best designs.")
@@ -160,7 +164,7 @@ def optimise(
         say("searching")
         found = find_best(rig, bounds, weights, limits, **driven, starts=starts)
     _write_rig(found.rig, out, f"{vehicle}, best for {', '.join(weights)} over {found.driven}.", force=force)
-    drawn, missing = write_picture(found, figure, force=force)
+    drawn, missing = write_picture(found, figure, f"{vehicle} over {found.driven}", force=force)
     plain = {"rig": vehicle, "set": wanted, **found.to_dict()}
     plain |= {"out": out and str(out), "figure": drawn}
     return Reply(plain, lambda console: draw_optimisation(console, plain, found), as_json, missing=missing)
@@ -201,7 +205,7 @@ def pareto(
             chosen_rig(vehicle, wanted), bounds, road, velocity,
             comfort=comfort, holding=holding, travel=travel, constraints=limits, points=points, band=waves,
         )  # fmt: skip
-    drawn, missing = write_picture(front, figure, force=force)
+    drawn, missing = write_picture(front, figure, vehicle, force=force)
     plain = {"rig": vehicle, "set": wanted, **front.to_dict(), "figure": drawn}
     return Reply(plain, lambda console: draw_front(console, plain, front), as_json, missing=missing)
 
@@ -231,7 +235,7 @@ def kinematics(
     ],
     out: Annotated[
         Path | None,
-        typer.Option(metavar="DIR", help="Write rig.toml, results.json, tables and pictures into this folder."),
+        typer.Option(metavar="DIR", help="Write report, rig.toml, results.json, tables and pictures into this folder."),
     ] = None,
     starts: Annotated[int | None, typer.Option(min=1, help="Number of searches; the study's own by default.")] = None,
     force: Force = False,
@@ -247,29 +251,39 @@ def kinematics(
         from jounce.design.kinematics import design_study
 
         found, file = design_study(study, starts=starts)
+        missing: Sequence[Finding] = ()
         if out is not None:
             say("drawing")
-            _write_kinematics(found, file, out, force=force)
+            missing = _write_kinematics(found, file, out, force=force)
     plain = {**found.to_dict(), "out": out and str(out)}
-    return Reply(plain, lambda console: draw_kinematics(console, plain, found), as_json, DONE if found.met else FAILED)
+    code = DONE if found.met else FAILED
+    return Reply(plain, lambda console: draw_kinematics(console, plain, found), as_json, code, missing)
 
 
-def _write_kinematics(found: KinematicDesign, file: Path, out: Path, *, force: bool) -> None:
+def _write_kinematics(found: KinematicDesign, file: Path, out: Path, *, force: bool) -> Sequence[Finding]:
+    """Write what was found, and then its page; give what could not be drawn."""
     from jounce.core.serialise import to_json
-    from jounce.core.writing import write_files
     from jounce.parts.files import updated_text
     from jounce.plots.kinematic_design import sensitivity_bars, target_curves
     from jounce.plots.style import rendered
+    from jounce.report import kinematic_design_page, write_page
 
-    contents: dict[str, bytes | str] = {
+    computed: dict[str, bytes | str] = {
         "rig.toml": updated_text(file.read_text(encoding="utf-8"), found.rig),
         "results.json": to_json(found.results()) + "\n",
         "targets.csv": found.curve_table(),
         "sensitivity.csv": found.sensitivity_table(),
-        "targets.png": rendered(target_curves(found), [".png"])[".png"],
-        "sensitivity.png": rendered(sensitivity_bars(found), [".png"])[".png"],
     }
-    write_files(out, contents, force=force)
+
+    def page() -> Page:
+        whole = kinematic_design_page(found, title=f"Kinematics of {file.stem}")
+        pictures = {"targets.png": target_curves(found), "sensitivity.png": sensitivity_bars(found)}
+        drawn = {name: rendered(picture, [".png"])[".png"] for name, picture in pictures.items()}
+        return replace(whole, files=tuple(drawn.items()))
+
+    with drawing() as missing:
+        write_page(page, out, files=computed, force=force)
+    return missing
 
 
 def draw_kinematics(console: Console, plain: dict[str, Any], found: KinematicDesign) -> None:

@@ -656,7 +656,8 @@ def history(
 
         return vehicle_history(visits)
 
-    drawn, missing = write_picture(picture, figure, force=force)
+    name = " ".join(filter(None, (records[-1].plate, records[-1].vehicle)))
+    drawn, missing = write_picture(picture, figure, name, force=force)
     plain = {
         "plate": records[-1].plate, "vehicle": records[-1].vehicle, "records": [one.number for one in records],
         "wheels": [

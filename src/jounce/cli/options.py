@@ -237,6 +237,39 @@ ReportFile = Annotated[
     typer.Option("--report", help="Write a report: .html (one page with a viewer, needs nothing else) or .pdf."),
 ]
 FigureFile = Annotated[Path | None, typer.Option(help="Plot the result: .png, .svg or .pdf.")]
+NumbersFile = Annotated[Path | None, typer.Option("--out", help="Write the numbers: .csv (SI), or .json as --json.")]
+
+
+def check_numbers(out: Path | None, *, force: bool) -> None:
+    """Refuse a file of numbers that could not be written."""
+    from jounce.core.writing import check_writable
+
+    if out is not None:
+        check_writable(out, what="numbers", suffixes=(".csv", ".json"), force=force)
+
+
+def write_numbers(
+    plain: dict[str, Any], rows: Sequence[dict[str, Any]], out: Path | None, *, force: bool
+) -> str | None:
+    """Write the rows of a result as CSV, or all of it as JSON, if a file is asked for; give its name."""
+    if out is None:
+        return None
+    import csv
+    import io
+
+    from jounce.core.serialise import to_json
+    from jounce.core.writing import write_atomically
+
+    if out.suffix.lower() == ".json":
+        text = f"{to_json(plain)}\n"
+    else:
+        stream = io.StringIO()
+        writer = csv.DictWriter(stream, list(rows[0]) if rows else [], lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+        text = stream.getvalue()
+    write_atomically(out, text, force=force)
+    return str(out)
 
 
 def check_outputs(
@@ -271,8 +304,10 @@ def check_outputs(
         FIGURES.check(figure, force=force)
 
 
-def write_picture(result: object, figure: Path | None, *, force: bool) -> tuple[str | None, Sequence[Finding]]:
-    """Draw a result, or what a function draws, into the file, if one is asked for.
+def write_picture(
+    result: object, figure: Path | None, title: str = "", *, force: bool
+) -> tuple[str | None, Sequence[Finding]]:
+    """Draw a result, or what a function draws, into the file, if one is asked for, with what it shows above it.
 
     It gives the file's name, and what could not be drawn: that loses no result.
     """
@@ -280,9 +315,10 @@ def write_picture(result: object, figure: Path | None, *, force: bool) -> tuple[
         return None, ()
     try:
         from jounce.plots import figure_of
-        from jounce.plots.style import FIGURES
+        from jounce.plots.style import FIGURES, name_figure
 
-        FIGURES.write(result() if callable(result) else figure_of(result), figure, force=force)
+        drawn = result() if callable(result) else figure_of(result)
+        FIGURES.write(name_figure(drawn, title), figure, force=force)
     except Exception as error:  # noqa: BLE001 - whatever it is, what was computed is told
         return None, [not_drawn(str(figure), error)]
     return str(figure), ()

@@ -14,15 +14,20 @@ from jounce.cli.options import (
     Columns,
     FigureFile,
     Force,
+    NumbersFile,
+    ReportFile,
     VehicleName,
     changes,
+    check_numbers,
     check_outputs,
     chosen_rig,
     columns,
     optional_positive,
     positive_quantity,
     quantity,
+    write_numbers,
     write_picture,
+    write_report,
 )
 from jounce.cli.reply import Reply, progress, show_findings, show_written, table
 from jounce.core.display import size
@@ -34,6 +39,7 @@ if TYPE_CHECKING:
 
     from jounce.core.findings import Finding
     from jounce.parts import Rig
+    from jounce.report import Page
     from jounce.ride.study import Ride, RideStudy, RideTrial
     from jounce.roughness.iri import Roughness
 
@@ -70,6 +76,7 @@ def ride(
         Path | None, typer.Option(help="Write the recording of a single run (.nc, .csv, .mat, .mf4, .parquet).")
     ] = None,
     figure: FigureFile = None,
+    report: ReportFile = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -82,8 +89,8 @@ def ride(
         raise DescriptionError(
             "one file holds one run", where="--out", found=", ".join(names), allowed="one --control with --out"
         )
-    check_outputs(recording=out, figure=figure, force=force)
-    study, plain = _study(vehicle, road, speed, duration, seed, names, set_)
+    check_outputs(recording=out, figure=figure, report=report, force=force)
+    study, plain, rig = _study(vehicle, road, speed, duration, seed, names, set_)
     if out is not None:
         from jounce.recordings import write_recording
 
@@ -92,13 +99,20 @@ def ride(
     def spectra() -> Figure:
         from jounce.plots.design import ride_spectra
 
-        driven = f"{vehicle}, {names[0]}," if len(names) == 1 else vehicle  # several have a legend
-        title = f"{driven} on {road} at {study.trial.trial.speed:g} m/s"
         return ride_spectra(study.rides, study.stationary, title)
 
+    driven = f"{vehicle}, {names[0]}," if len(names) == 1 else vehicle  # several have a legend
+    title = f"{driven} on {road} at {study.trial.trial.speed:g} m/s"
     drawn, missing = write_picture(spectra, figure, force=force)
-    plain = {**plain, "out": out and str(out), "figure": drawn}
-    return Reply(plain, lambda console: _draw_ride(console, plain, study), as_json, missing=missing)
+    document, undrawn = write_report(lambda: _page(study, title, rig), report, force=force)
+    plain = {**plain, "out": out and str(out), "figure": drawn, "report": document}
+    return Reply(plain, lambda console: _draw_ride(console, plain, study), as_json, missing=[*missing, *undrawn])
+
+
+def _page(study: RideStudy, title: str, rig: Rig) -> Page:
+    from jounce.report import ride_page
+
+    return ride_page(study, title=title, rig=rig)
 
 
 _SOME = "passive, skyhook, lqr, ..."
@@ -131,6 +145,7 @@ def compare(
     seed: Seed = 0,
     set_: Changes = None,
     figure: FigureFile = None,
+    report: ReportFile = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -140,10 +155,13 @@ def compare(
     """
     length = duration if duration is not None else ("20 s" if road.lower().startswith("iso:") else None)
     names = _names(control or ["all"])
-    check_outputs(figure=figure, force=force)
-    study, plain = _study(vehicle, road, speed, length, seed, names, set_)
-    drawn, missing = write_picture(study, figure, force=force)
-    plain = {**plain, "figure": drawn}
+    check_outputs(figure=figure, report=report, force=force)
+    study, plain, rig = _study(vehicle, road, speed, length, seed, names, set_)
+    title = f"{vehicle} on {road} at {study.trial.trial.speed:g} m/s"
+    drawn, missing = write_picture(study, figure, title, force=force)
+    document, undrawn = write_report(lambda: _page(study, title, rig), report, force=force)
+    plain = {**plain, "figure": drawn, "report": document}
+    missing = [*missing, *undrawn]
     return Reply(plain, lambda console: _draw_comparison(console, plain, study), as_json, missing=missing)
 
 
@@ -165,8 +183,8 @@ def _study(
     seed: int,
     names: list[str],
     set_: list[str] | None,
-) -> tuple[RideStudy, dict[str, Any]]:
-    """Run the study that the options describe; give it with what ``--json`` prints."""
+) -> tuple[RideStudy, dict[str, Any], Rig]:
+    """Run the study that the options describe; give it with what ``--json`` prints, and the rig."""
     seed = _seed(road, seed)
     wanted, v = changes(set_), positive_quantity(speed, "m/s", "--speed")
     lasting = optional_positive(duration, "s", "--duration")
@@ -176,7 +194,7 @@ def _study(
 
         rig = chosen_rig(vehicle, wanted)
         study = compare_rides(rig, _trial(rig, road, v, lasting, seed), names, progress=say)
-    return study, {"vehicle": vehicle, "changes": wanted, "road": road, "seed": seed, **study.to_dict()}
+    return study, {"vehicle": vehicle, "changes": wanted, "road": road, "seed": seed, **study.to_dict()}, rig
 
 
 def _seed(road: str, seed: int) -> int:
@@ -264,12 +282,18 @@ def iri(
     segment: Annotated[str, typer.Option(help="Length of the segments.")] = "100 m",
     offset: Annotated[str, typer.Option(help="Lateral offset of the profile in a .crg road.")] = "0 m",
     columns_: Columns = None,
+    out: NumbersFile = None,
+    figure: FigureFile = None,
+    report: ReportFile = None,
+    force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
     """Give the international roughness index (IRI) of a profile and of its segments.
 
     Example: jounce iri track.csv --segment "100 m"
     """
+    check_numbers(out, force=force)
+    check_outputs(figure=figure, report=report, force=force)
     length, lateral = positive_quantity(segment, "m", "--segment"), quantity(offset, "m", "--offset")
     from jounce.core.serialise import to_plain
     from jounce.roughness.iri import iri as roughness_of
@@ -279,7 +303,28 @@ def iri(
     found = roughness_of(x, z, segment=length, place=profile)
     findings = [*notes, *found.findings]
     plain = {"profile": profile, "offset": lateral, **to_plain(found), "findings": to_plain(findings)}
-    return Reply(plain, lambda out: _draw_iri(out, profile, found, findings), as_json)
+    title = f"Roughness of {Path(profile).stem}"
+
+    def picture() -> Figure:
+        from jounce.plots.signals import roughness
+
+        return roughness(found, x, z)
+
+    def page() -> Page:
+        from jounce.report import roughness_page
+
+        return roughness_page(found, x, z, findings, title=title)
+
+    written = write_numbers(plain, plain["segments"], out, force=force)
+    drawn, missing = write_picture(picture, figure, title, force=force)
+    document, undrawn = write_report(page, report, force=force)
+    plain |= {"out": written, "figure": drawn, "report": document}
+
+    def tell(console: Console) -> None:
+        _draw_iri(console, profile, found, findings)
+        show_written(console, plain)
+
+    return Reply(plain, tell, as_json, missing=[*missing, *undrawn])
 
 
 def _draw_iri(out: Console, profile: str, found: Roughness, findings: list[Finding]) -> None:

@@ -19,16 +19,19 @@ from jounce.cli.options import (
     FigureFile,
     Force,
     LateralAcceleration,
+    NumbersFile,
     PitchMoment,
     ReportFile,
     RightRoad,
     RigName,
     RoadName,
     changes,
+    check_numbers,
     check_outputs,
     chosen_rig,
     positive_quantity,
     trial_of,
+    write_numbers,
     write_picture,
     write_report,
 )
@@ -95,8 +98,9 @@ def simulate(
 
             write_recording(run.recording(), out, force=force)
         findings = trial_findings(trial, chosen, output_step=step)
-        drawn, missing = write_picture(_picture(run), figure, force=force)
-        page, undrawn = write_report(lambda: _page(rig, chosen, run, trial, findings), report, force=force)
+        on = Path(str(excitation or road)).stem + ("" if trial.speed is None else f" at {trial.speed:g} m/s")
+        drawn, missing = write_picture(_picture(run), figure, f"{Path(rig).stem} on {on}", force=force)
+        page, undrawn = write_report(lambda: _page(rig, chosen, run, trial, findings, on), report, force=force)
     setup: dict[str, Any] = {"rig": rig, "changes": wanted, "road": road, "right_road": right_road, "loads": loads}
     setup |= {"excitation": excitation and str(excitation)}
     plain = {**setup, **_summary(run, trial), "findings": findings, "out": out and str(out)}
@@ -113,14 +117,13 @@ def _picture(run: Solved) -> Callable[[], Figure]:
     return drawn
 
 
-def _page(rig: str, chosen: Rig, run: Solved, trial: Trial, findings: list[Finding]) -> Page:
+def _page(rig: str, chosen: Rig, run: Solved, trial: Trial, findings: list[Finding], on: str) -> Page:
     from jounce.report import recordings_page
 
     name = Path(rig).stem
-    on = "excitation" if trial.speed is None else f"road at {trial.speed:g} m/s"
     return recordings_page(
         {name: run.recording()},
-        title=f"{name}: {on}",
+        title=f"{name} on {on}",
         subtitle=f"Simulation of {trial.duration:g} s",
         rig=chosen,
         trial=trial,
@@ -162,11 +165,21 @@ _MOST_BESIDE = 4  # amplitudes in the rows of the modes; more of them are a tabl
 _NUMBERS = ("frequency_hz", "damped_frequency_hz", "damping_ratio")
 
 
-def modes(rig: RigName, set_: Changes = None, as_json: AsJson = False) -> Reply:
+def modes(
+    rig: RigName,
+    set_: Changes = None,
+    out: NumbersFile = None,
+    figure: FigureFile = None,
+    report: ReportFile = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
     """List the oscillating modes of a rig or vehicle, and its static equilibrium.
 
     Example: jounce modes kart-quarter-car --set strut.angle="16 deg"
     """
+    check_numbers(out, force=force)
+    check_outputs(figure=figure, report=report, force=force)
     from jounce.core.serialise import to_plain
     from jounce.simulation import equilibrium
     from jounce.simulation import modes as find_modes
@@ -176,13 +189,29 @@ def modes(rig: RigName, set_: Changes = None, as_json: AsJson = False) -> Reply:
         say("loading")
         chosen = chosen_rig(rig, wanted)
         say("finding modes")
-        plain = {
-            "rig": rig,
-            "changes": wanted,
-            "modes": to_plain(list(find_modes(chosen))),
-            "equilibrium": equilibrium(chosen),
-        }
-    return Reply(plain, lambda out: _draw_modes(out, plain), as_json)
+        found, rest = find_modes(chosen), equilibrium(chosen)
+    plain = {"rig": rig, "changes": wanted, "modes": to_plain(list(found)), "equilibrium": rest}
+    name = Path(rig).stem
+
+    def picture() -> Figure:
+        from jounce.plots import modes as draw_modes
+
+        return draw_modes(found)
+
+    def page() -> Page:
+        from jounce.report import modes_page
+
+        return modes_page(found, rest, title=f"Modes of {name}")
+
+    rows = [
+        {"mode": k, **{key: mode[key] for key in _NUMBERS}, **{n: _amplitude(v) for n, v in mode["shape"].items()}}
+        for k, mode in enumerate(plain["modes"], 1)
+    ]
+    written = write_numbers(plain, rows, out, force=force)
+    drawn, missing = write_picture(picture, figure, f"Modes of {name}", force=force)
+    document, undrawn = write_report(page, report, force=force)
+    plain |= {"out": written, "figure": drawn, "report": document}
+    return Reply(plain, lambda console: _draw_modes(console, plain), as_json, missing=[*missing, *undrawn])
 
 
 def _draw_modes(out: Console, plain: dict[str, Any]) -> None:
@@ -202,6 +231,7 @@ def _draw_modes(out: Console, plain: dict[str, Any]) -> None:
         out.print("no oscillating mode: all motions are overdamped")
     rest = [(name, _unit(name), value) for name, value in plain["equilibrium"].items()]
     out.print(table("Static equilibrium", ("quantity", "unit", "value"), rest, text=(0, 1)))
+    show_written(out, plain)
 
 
 def _unit(name: str) -> str:

@@ -15,13 +15,18 @@ from jounce.cli.options import (
     Changes,
     FigureFile,
     Force,
+    NumbersFile,
+    ReportFile,
     RigName,
     changes,
+    check_numbers,
     check_outputs,
     chosen_rig,
     positive_quantity,
     quantity,
+    write_numbers,
     write_picture,
+    write_report,
 )
 from jounce.cli.reply import Reply, drawing, progress, show_findings, show_written, table
 
@@ -32,6 +37,7 @@ if TYPE_CHECKING:
     from jounce.inspection.equivalence import Equivalence, Factor
     from jounce.papers.audi_a6_paper import Erratum
     from jounce.papers.proving_ground import ProvingGround
+    from jounce.report import Page
 
 
 app = typer.Typer(no_args_is_help=True, help="Shipped studies.")
@@ -86,12 +92,18 @@ def lumped_vs_spatial(
     road: Annotated[str | None, typer.Option(help="A road: file, or a name of `jounce library`.")] = None,
     speed: Annotated[list[str] | None, typer.Option(help='Speed over the road, e.g. "1.95 m/s". Repeat it.')] = None,
     duration: Annotated[str, typer.Option(help="Length of each run.")] = "2 s",
+    out: NumbersFile = None,
+    figure: FigureFile = None,
+    report: ReportFile = None,
+    force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
     """Show where a lumped quarter car differs from a 3-D rig, and why.
 
     Example: jounce study lumped-vs-spatial kart-double-wishbone --lumped kart-quarter-car
     """
+    check_numbers(out, force=force)
+    check_outputs(figure=figure, report=report, force=force)
     trials = _trials(road, speed or list(_SPEEDS), positive_quantity(duration, "s", "--duration"))
     with progress() as say:
         say("loading")
@@ -101,8 +113,20 @@ def lumped_vs_spatial(
         pair = load(rig), None if lumped is None else load(lumped)
         say("comparing")
         found = compare_models(*pair, trials)
-    plain = {"rig": rig, "lumped_rig": lumped, **found.to_dict()}
-    return Reply(plain, lambda console: _draw_models(console, plain), as_json)
+        plain = {"rig": rig, "lumped_rig": lumped, **found.to_dict()}
+        other = "its equivalent quarter car" if lumped is None else Path(lumped).stem
+        title = f"{Path(rig).stem} and {other}"
+
+        def page() -> Page:
+            from jounce.report import model_comparison_page
+
+            return model_comparison_page(found, title=title, rig=pair[0])
+
+        written = write_numbers(plain, plain["rows"], out, force=force)
+        drawn, missing = write_picture(found, figure, title, force=force)
+        document, undrawn = write_report(page, report, force=force)
+    plain |= {"out": written, "figure": drawn, "report": document}
+    return Reply(plain, lambda console: _draw_models(console, plain), as_json, missing=[*missing, *undrawn])
 
 
 def _trials(road: str | None, speeds: list[str], duration: float) -> dict[str, Any]:
@@ -133,6 +157,7 @@ def _draw_models(console: Console, plain: dict[str, Any]) -> None:
     ]
     names = ("trial", "peak of", "unit", "3-D", "lumped", "difference %")
     console.print(table("Peaks", names, peaks, text=(0, 1, 2)))
+    show_written(console, plain)
 
 
 def _draw(console: Console, plain: dict[str, Any], study: ProvingGround, out: Path | None) -> None:
@@ -333,7 +358,7 @@ def equivalence(
             workers=os.cpu_count() or 1,
             progress=lambda share: say(f"testing: {100.0 * share:.0f} %"),
         )
-        drawn, missing = write_picture(study, figure, force=force)
+        drawn, missing = write_picture(study, figure, f"{Path(rig).stem}, simulated tests", force=force)
     plain = {"rig": rig, "changes": wanted, **study.to_dict(), "figure": drawn}
     return Reply(plain, lambda console: _draw_equivalence(console, plain, study), as_json, missing=missing)
 

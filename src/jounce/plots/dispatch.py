@@ -92,6 +92,7 @@ def _registered() -> Callable[..., Figure]:
     import xarray as xr
 
     from jounce.campaign.result import CampaignResult, StrategyResult, TrialResult
+    from jounce.design.model_comparison import ModelComparison
     from jounce.design.optimise import Optimisation
     from jounce.design.pareto import ParetoFront
     from jounce.identify.damper import DamperCurve
@@ -155,6 +156,7 @@ def _registered() -> Callable[..., Figure]:
     draw.register(Optimisation, design.optimisation)
     draw.register(ParetoFront, design.pareto_front)
     draw.register(RideStudy, design.trade_off)
+    draw.register(ModelComparison, lambda result, **options: signals.sweep(result.curves(), along="travel", **options))
     draw.register(Ride, lambda result, **options: design.ride_spectra([result], **options))
     draw.register(AudiCase, lambda result, **options: audi_a6.case_overview(result, result.runs[0].moment, **options))
     draw.register(EccentricExciter, audi_a6.exciter_spring)

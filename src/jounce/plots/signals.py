@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
     from jounce.core.segments import Segments
     from jounce.roads import Road
+    from jounce.roughness.iri import Roughness
     from jounce.simulation import LinearModel, Mode
 
 
@@ -328,6 +329,46 @@ def frequency_response(
 
 
 @styled
+def roughness(found: Roughness, distance: Array, height: Array) -> Figure:
+    """Draw a profile and the international roughness index of each of its segments.
+
+    Parameters
+    ----------
+    found : Roughness
+        What :func:`jounce.iri` gives, m/km.
+    distance, height : ndarray, shape (n,)
+        The profile, m.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The profile above, a bar for each segment below; dashed: the whole.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> x = np.arange(0.0, 50.0, 0.05)
+    >>> z = 0.005 * np.sin(x)
+    >>> [axes.get_ylabel() for axes in roughness(jn.iri(x, z, segment="10 m"), x, z).axes]
+    ['height [mm]', 'IRI [m/km]']
+    """
+    figure = new_figure(3.8)
+    above, below = figure.subplots(2, 1, sharex=True)
+    unit = display_unit("m", float(np.abs(height).max(initial=0.0)))
+    few, shown = thinned(distance, height, float(distance[0]), float(distance[-1]), MOST_COLUMNS)
+    above.plot(few, shown * unit.factor, color=PALETTE[0], linewidth=0.9)
+    above.set_ylabel(unit.label("height"))
+    starts = [part.start for part in found.segments]
+    widths = [part.end - part.start for part in found.segments]
+    values = [part.iri_m_per_km for part in found.segments]
+    below.bar(starts, values, widths, align="edge", color=AFTER, edgecolor="white", linewidth=0.8)
+    below.axhline(found.iri_m_per_km, color=MUTED, linewidth=1.0, linestyle="--")
+    below.set(ylabel="IRI [m/km]", xlabel="distance [m]")
+    limits(below, float(distance[0]), float(distance[-1]))
+    return figure
+
+
+@styled
 def modes(found: Sequence[Mode]) -> Figure:
     """Draw the shapes of the modes of a rig as bars: real part of each coordinate, the largest being 1.
 
@@ -359,5 +400,6 @@ def modes(found: Sequence[Mode]) -> Figure:
         axes.set_xlim(-1.15, 1.15)
         axes.grid(axis="y", visible=False)
         axes.set(xlabel="relative motion [–]")
+        axes.set_ylim(len(names) - 0.4, -0.6)  # in their order from the top
         axes.set_title(f"{number(mode.frequency_hz, 3)} Hz, damping ratio {number(mode.damping_ratio, 2)}", fontsize=9)
     return figure

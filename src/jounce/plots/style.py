@@ -159,6 +159,14 @@ def _shorten(figure: Figure) -> None:
         one.set_text("\n".join(at_tick(line, _LONGEST_LINE) for line in one.get_text().split("\n")))
 
 
+def name_figure(figure: Figure, title: str) -> Figure:
+    """Write above a figure what it shows, unless it says so already; give the figure."""
+    if title and not figure.get_suptitle():
+        with style():
+            figure.suptitle(title, x=0.01, ha="left", fontsize=10)
+    return figure
+
+
 def add_note(figure: Figure, text: str) -> None:
     """Write a small note at the foot of a figure, below everything else; an empty text changes nothing."""
     if not text:

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from jounce.plots.style import write_figure
 from jounce.report.campaign import campaign_page, write_campaign
+from jounce.report.kinematic_design import kinematic_design_page
+from jounce.report.models import model_comparison_page, modes_page, roughness_page
 from jounce.report.page import (
     Bullets,
     Cell,
@@ -26,6 +28,7 @@ from jounce.report.page import (
 from jounce.report.protocol import write_protocol
 from jounce.report.recordings import recordings_page
 from jounce.report.render import REPORTS, write_folder, write_page
+from jounce.report.ride import ride_page
 
 __all__ = [
     "REPORTS",
@@ -42,7 +45,12 @@ __all__ = [
     "Subsection",
     "Table",
     "campaign_page",
+    "kinematic_design_page",
+    "model_comparison_page",
+    "modes_page",
     "recordings_page",
+    "ride_page",
+    "roughness_page",
     "write_campaign",
     "write_figure",
     "write_folder",

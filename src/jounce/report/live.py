@@ -1,7 +1,7 @@
 """What a page's viewers show: curves over time and mechanisms as data, packed into the page in little room.
 
 A number takes sixteen bits between the least and the greatest of its curve, an error below 1/130 000 of that range,
-which no screen shows; what is written in tables comes from the numbers themselves.
+which no screen shows, and none at zero; what is written in tables comes from the numbers themselves.
 """
 
 from __future__ import annotations
@@ -172,7 +172,9 @@ class Packed:
             return {"n": n, "at": 0, "order": 0, "low": 0.0, "step": 0.0, "even": even}
         finite = np.isfinite(values)
         low, high = (float(f(values[finite])) for f in (np.min, np.max)) if finite.any() else (0.0, 0.0)
-        step = (high - low) / (_GAP - 1) or 1.0
+        step = (high - low) / (_GAP - 2) or 1.0
+        if high > low:
+            low = step * float(np.floor(low / step))  # so that 0 is one of the steps
         whole = np.full(n, _GAP, np.int64)
         whole[finite] = np.round((values[finite] - low) / step)
         best = min(range(3), key=lambda order: _size(whole, order))

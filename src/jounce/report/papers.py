@@ -11,6 +11,7 @@ from jounce.plots import damper_loops, road_profile, sweep, time_history
 from jounce.plots.audi_a6 import case_curve, case_overview, exciter_spring, exciter_torque_curve, start_up_transient
 from jounce.plots.display import number, percent, quantity
 from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table
+from jounce.report.recordings import curve_blocks
 from jounce.report.render import curve_files
 
 _ABOUT_PROVING_GROUND = (
@@ -206,7 +207,10 @@ def _signals(study: ProvingGround) -> Section:
         part = run.isel(time=(run["time"] > 20.0) & (run["time"] < 32.0))
         file = f"signals-{name.replace(' ', '-').replace('.', '')}"
         pictures.append(Picture(time_history(part, channels), file, words, words))
-    return Section("Time histories", tuple(pictures))
+    blocks = curve_blocks(
+        {"": study.runs}, channels, title="Time histories", name="signals", window=(20.0, 32.0), figures=pictures
+    )
+    return Section("Time histories", (Paragraph(f"Driven at {3.6 * SHOWN_SPEED:.0f} km/h."), *blocks))
 
 
 _ABOUT_CASES = (
@@ -326,7 +330,12 @@ def _case_curves(study: AudiCase) -> Section:
         )
         name = f"figure-16-signals-{abs(moment):.0f}Nm"
         pictures.append(Picture(case_overview(study, moment), name, text, text))
-    return Section("Curves", (Paragraph(_SAME), *pictures))
+    moments = dict.fromkeys(run.moment for run in study.runs)
+    groups = {
+        f"pitch moment {_signed(moment)} N·m": {run.variant: run.signals for run in study.runs if run.moment == moment}
+        for moment in moments
+    }
+    return Section("Curves", (Paragraph(_SAME), *curve_blocks(groups, list(titles), title="Curves", figures=pictures)))
 
 
 def _statics(study: AudiCase) -> Section:
@@ -477,7 +486,11 @@ def _spring(study: EccentricExciter) -> tuple[Block, ...]:
     )
     note = "For the summed model this is the merged spring, for the others the suspension spring."
     return (
-        Picture(exciter_spring(study), "figure-8-spring", words, words),
+        *curve_blocks(
+            {"": {run.variant: run.signals for run in study.runs}},
+            title="Spring",
+            figures=[Picture(exciter_spring(study), "figure-8-spring", words, words)],
+        ),
         Table("Spring of 341 mm under the load.", header, rows, "lrrrr", note),
         Paragraph(text),
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,7 +16,7 @@ from jounce.plots.comparison import common_axis, common_channels, line_of, named
 from jounce.plots.display import number, settled, words_of
 from jounce.report.chart import Chart
 from jounce.report.live import Curve, Mechanism, Motion, Pane, Scene, Viewer, scene_panels
-from jounce.report.page import Block, Details, Findings, Page, Section, Table
+from jounce.report.page import Block, Details, Findings, Page, Section, Table, slug
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -28,6 +29,8 @@ _ROLES = ("after", "other-5", "other-1", "other-2", "other-3", "other-4", "other
 _REACTIONS = tuple(f".{kind}{axis}" for kind in "ft" for axis in "xyz")
 _MOST_CHANNELS = 120
 _POSES = 25
+_LONG = 10.0
+"""m, from which on a distance is one of a road."""
 
 
 def recordings_page(
@@ -78,29 +81,98 @@ def recordings_page(
     named = named_runs(runs)
     axis = common_axis(named)
     first = common_channels(named, channels)
-    every = _channels(named, axis, first)
+    units = {name: _unit(named, name) for name in _channels(named, axis, first)}
     unit = _axis_unit(next(iter(named.values())), axis)
-    units = {name: _unit(named, name) for name in every}
-    scene = _scene(named, axis, unit, every, first, units, _motion(next(iter(named.values())), axis, rig, trial))
-    roles = tuple((role, label, True) for role, label in zip(_roles(named), named, strict=True))
-    words = axis.replace("_", " ")
-    viewer = Viewer(title, (scene,), roles, words=words, unit=unit.name)
-    blocks: list[Block] = [viewer]
-    figures = tuple(scene_panels(scene, words, unit.name))
-    listed = ", ".join(first)
-    blocks.append(
-        Details(
-            "The same as a figure", (Chart(figures, "curves", f"Curves of {listed}.", f"{listed} against {words}.", 1),)
-        )
-    )
     answer: list[Block] = [_extremes(named, axis, unit, first, units)]
-    others = [name for name in every if name not in first and not name.startswith(_DIFFERENCE)]
+    others = [name for name in units if name not in first]
     if others:
         answer.append(Details("All other channels", (_extremes(named, axis, unit, others, units),)))
     if findings:
         answer.append(Findings(tuple(findings)))
-    sections = (Section("Extremes", tuple(answer)), Section("Curves", tuple(blocks)))
+    curves = curve_blocks({"": named}, first, title=title, rig=rig, trial=trial)
+    sections = (Section("Extremes", tuple(answer)), Section("Curves", curves))
     return Page(title or ", ".join(named), sections, subtitle)
+
+
+def curve_blocks(
+    groups: Mapping[str, Mapping[str, xr.Dataset]],
+    channels: Sequence[str] | None = None,
+    *,
+    title: str = "",
+    name: str = "curves",
+    rig: Rig | None = None,
+    trial: Trial | None = None,
+    window: tuple[float, float] | None = None,
+    figures: Sequence[Block] = (),
+) -> tuple[Block, ...]:
+    """Put runs into a viewer, a scene for each group of them that belongs together, and the same as figures.
+
+    Parameters
+    ----------
+    groups : mapping of str to mapping of str to xarray.Dataset
+        By what they have in common (nothing where there is only one): runs by name, over the same axis; channels in SI.
+    channels : sequence of str, optional
+        What is shown first; all others can be chosen, as many as a page holds.
+    title, name : str
+        Of the viewer, and of the figures' files.
+    rig, trial : Rig and Trial, optional
+        The 3-D rig that moves with the first run of each group, and what it is driven over.
+    window : (float, float), optional
+        Part of the axis that is shown first, SI.
+    figures : sequence of Block
+        What shows the same without a script; by default what the viewer shows first.
+
+    Returns
+    -------
+    tuple of Block
+        The viewer, and the figures folded away.
+    """
+    runs = list(dict.fromkeys(label for named in groups.values() for label in named))
+    roles = {label: _ROLES[k % len(_ROLES)] for k, label in enumerate(runs)}
+    scenes, words, unit, left_out = [], "", "", 0
+    for label, named in groups.items():
+        axis = common_axis(named)
+        first = common_channels(named, channels)
+        every = _channels(named, axis, first)
+        kept = every[: max(len(first), _most_channels(named, axis))]
+        left_out = max(left_out, len(every) - len(kept))
+        along = _axis_unit(next(iter(named.values())), axis)
+        units = {one: _unit(named, one) for one in kept}
+        motion = _motion(next(iter(named.values())), axis, rig, trial)
+        scene = _scene(named, axis, along, kept, first, units, motion, roles)
+        part = None if window is None else (window[0] * along.factor, window[1] * along.factor)
+        scenes.append(replace(scene, name=slug(label) if label else name, label=label or name, window=part))
+        words, unit = axis.replace("_", " "), along.name
+    shown = tuple((role, label, True) for label, role in roles.items())
+    caption = f"{left_out} more channels do not fit into a page; the recording holds them." if left_out else ""
+    viewer = Viewer(title, tuple(scenes), shown, caption, words, unit)
+    if not figures:
+        figures = [
+            Chart(
+                scene_panels(scene, words, unit),
+                name if len(scenes) == 1 else f"{name}-{scene.name}",
+                f"{scene.label[:1].upper()}{scene.label[1:]}: {_shown(scene)}.",
+                f"{_shown(scene)} against {words}.",
+                1,
+            )
+            for scene in scenes
+        ]
+    many = "figure" if len(figures) == 1 else "figures"
+    return viewer, Details(f"The same as {'a ' * (many == 'figure')}{many}", tuple(figures))
+
+
+def _shown(scene: Scene) -> str:
+    return ", ".join(pane.name for pane in scene.panes if pane.shown)
+
+
+_MOST_NUMBERS = 1_200_000
+"""Of all curves of a scene: some 2 MB of a page."""
+
+
+def _most_channels(named: Mapping[str, xr.Dataset], axis: str) -> int:
+    """How many channels of these runs a page holds with ease, differences counted."""
+    curves = 2 * len(named) - 1
+    return int(_MOST_NUMBERS // (curves * max(data.sizes[axis] for data in named.values())))
 
 
 _DIFFERENCE = "Δ "
@@ -123,12 +195,12 @@ def _is_place(name: str, data: xr.Dataset) -> bool:
     return bool(point) and all(f"{point}.{letter}" in data for letter in "xyz")
 
 
-def _roles(named: Mapping[str, xr.Dataset]) -> list[str]:
-    return [_ROLES[k] if k < len(_ROLES) else f"{_ROLES[k % len(_ROLES)]}" for k in range(len(named))]
-
-
 def _axis_unit(data: xr.Dataset, axis: str) -> DisplayUnit:
-    return DisplayUnit("s", 1.0) if axis == "time" else display_unit(str(data[axis].attrs.get("units", "1")))
+    if axis == "time":
+        return DisplayUnit("s", 1.0)
+    largest = float(np.nanmax(np.abs(data[axis].to_numpy()), initial=0.0))
+    unit = display_unit(str(data[axis].attrs.get("units", "1")), largest)
+    return DisplayUnit("m", 1.0) if unit.name == "mm" and largest > _LONG else unit
 
 
 def _unit(named: Mapping[str, xr.Dataset], name: str) -> DisplayUnit:
@@ -145,6 +217,7 @@ def _scene(
     first: Sequence[str],
     units: Mapping[str, DisplayUnit],
     motion: Any,
+    roles: Mapping[str, str],
 ) -> Scene:
     """All curves over the places of all of them: between samples a line is drawn, so it is read there as well."""
     lengths = [data[axis].to_numpy().astype(float) for data in named.values()]
@@ -152,7 +225,8 @@ def _scene(
     panes, differences = [], []
     for name in every:
         curves, apart, reference = [], [], None
-        for role, (label, data) in zip(_roles(named), named.items(), strict=True):
+        for label, data in named.items():
+            role = roles[label]
             if name not in data or data[name].dims != (axis,):
                 continue
             si = str(data[name].attrs.get("units", "1"))

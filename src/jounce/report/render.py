@@ -295,7 +295,18 @@ def _environment() -> Any:
     environment.filters["kind"] = lambda block: type(block).__name__
     environment.filters["grouped"] = grouped
     environment.filters["alignments"] = alignments
+    environment.filters["parted"] = parted
     return environment
+
+
+_JOINTS = re.compile(r"(?<=[^\W\d_]{2})([._])(?=[^\W_]{2})")
+
+
+def parted(text: str) -> Any:
+    """Let a long name break behind the joints between its words, so that a narrow column breaks it nowhere else."""
+    from markupsafe import Markup, escape
+
+    return Markup(_JOINTS.sub(r"\1<wbr>", str(escape(text))))
 
 
 _STYLE = re.compile(r"<style type=\"text/css\">.*?</style>", re.DOTALL)

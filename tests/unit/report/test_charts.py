@@ -81,8 +81,15 @@ def test_long_records_keep_their_peaks() -> None:
     data = live_data([viewer])
     array = data["arrays"][data["viewers"][0]["scenes"][0]["panes"][0]["curves"][0]["y"]]
     assert array["n"] <= 20_000
-    assert array["low"] == -8.0
-    assert array["low"] + 65534 * array["step"] == pytest.approx(9.0)
+    assert array["low"] == pytest.approx(-8.0, abs=array["step"])
+    assert array["low"] + 65534 * array["step"] == pytest.approx(9.0, abs=array["step"])
+
+
+def test_zero_is_zero_in_a_page() -> None:
+    for values in (np.array([-0.3, 0.0, 17.0, 5.0]), np.array([0.0, -1e-7, 2e5, 3.0]), np.array([0.0, 0.1, np.nan])):
+        packed = Packed()
+        back = unpacked(packed, packed.add(values))
+        assert (back[values == 0.0] == 0.0).all()
 
 
 def test_thinning_keeps_first_last_lowest_and_highest_of_every_column() -> None:

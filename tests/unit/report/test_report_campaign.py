@@ -16,7 +16,7 @@ from jounce.report import campaign_page, write_campaign
 from jounce.report.campaign import most_important
 from jounce.report.page import Details, Facts, Table
 
-_VOID = {"meta", "path", "use", "rect", "link", "br", "image", "line", "circle"}
+_VOID = {"wbr", "meta", "path", "use", "rect", "link", "br", "image", "line", "circle"}
 
 
 class Reader(HTMLParser):

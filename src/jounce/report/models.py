@@ -1,0 +1,195 @@
+"""What is known of a model without a run as pages: modes, a 3-D rig beside a lumped one, roughness of a profile."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from jounce.plots.display import SMALLEST, display_unit, number, percent
+from jounce.plots.signals import modes as draw_modes
+from jounce.recordings.schema import channel_unit, quantity_of
+from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table, with_minus
+from jounce.report.recordings import curve_blocks
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from jounce.core.findings import Finding
+    from jounce.core.types import Array
+    from jounce.design.model_comparison import ModelComparison
+    from jounce.parts import Rig
+    from jounce.roughness.iri import Roughness
+    from jounce.simulation import Mode
+
+
+_ROUNDING = 1e-9  # of quantities without a smallest value of their own
+
+
+def modes_page(found: Sequence[Mode], equilibrium: Mapping[str, float], *, title: str) -> Page:
+    """Put the oscillating modes of a rig and its static equilibrium on a page.
+
+    Parameters
+    ----------
+    found : sequence of Mode
+        As :func:`jounce.modes` gives them.
+    equilibrium : mapping of str to float
+        Channel to its value at rest, SI, as :func:`jounce.equilibrium` gives it.
+    title : str
+        Head of the page.
+
+    Returns
+    -------
+    Page
+        To be written with :data:`jounce.report.REPORTS`.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> rig = jn.load("kart-quarter-car")
+    >>> page = modes_page(jn.modes(rig), jn.equilibrium(rig), title="A kart")
+    >>> [section.title for section in page.sections]
+    ['Modes', 'Static equilibrium']
+    """
+    if not found:
+        answer: tuple[Block, ...] = (Paragraph("No oscillating mode: all motions are overdamped."),)
+    else:
+        names = list(found[0].shape)
+        rows = tuple(
+            (str(k), number(m.frequency_hz), number(m.damped_frequency_hz), number(m.damping_ratio, 3), _largest(m))
+            for k, m in enumerate(found, 1)
+        )
+        header = ("mode", "natural frequency [Hz]", "damped [Hz]", "damping ratio [–]", "moves most")
+        shapes = tuple((name, *(number(abs(complex(*m.shape[name])), 3) for m in found)) for name in names)
+        words = "Shape of each mode: motion of every coordinate relative to the largest."
+        answer = (
+            Table("Modes by rising natural frequency", header, rows, "lrrrl"),
+            Picture(draw_modes(found), "modes", words, words),
+            Table(
+                "Amplitudes of the shapes",
+                ("coordinate", *map(str, range(1, len(found) + 1))),
+                shapes,
+                "l" + "r" * len(found),
+            ),
+        )
+    rest = tuple((name, *_at_rest(name, value)) for name, value in equilibrium.items())
+    statics = Table("Static equilibrium", ("quantity", "unit", "value"), rest, "llr")
+    return Page(title, (Section("Modes", answer), Section("Static equilibrium", (statics,))), "Linear model about rest")
+
+
+def _at_rest(name: str, value: float) -> tuple[str, str]:
+    """Unit and value; what rounding leaves of nothing is nothing."""
+    si = channel_unit(name) if quantity_of(name) else "1"
+    unit = display_unit(si, value)
+    return unit.name or "–", number(0.0 if abs(value) < SMALLEST.get(si, _ROUNDING) else value * unit.factor)
+
+
+def _largest(mode: Mode) -> str:
+    return max(mode.shape, key=lambda name: abs(complex(*mode.shape[name])))
+
+
+def roughness_page(
+    found: Roughness, distance: Array, height: Array, findings: Sequence[Finding], *, title: str
+) -> Page:
+    """Put the roughness of a profile on a page: the index first, its segments, then the profile.
+
+    Parameters
+    ----------
+    found : Roughness
+        As :func:`jounce.iri` gives it.
+    distance, height : ndarray, shape (n,)
+        The profile, m.
+    findings : sequence of Finding
+        What weakens the numbers.
+    title : str
+        Head of the page.
+
+    Returns
+    -------
+    Page
+        To be written with :data:`jounce.report.REPORTS`.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> x = np.arange(0.0, 50.0, 0.05)
+    >>> z = 0.005 * np.sin(x)
+    >>> found = jn.iri(x, z, segment="10 m")
+    >>> [section.title for section in roughness_page(found, x, z, found.findings, title="Waves").sections]
+    ['Answer', 'Profile']
+    """
+    import xarray as xr
+
+    worst = max(found.segments, key=lambda part: part.iri_m_per_km, default=None)
+    facts = [
+        Fact("IRI of the whole profile", f"{number(found.iri_m_per_km)} m/km", f"over {found.end - found.start:g} m")
+    ]
+    if worst is not None and len(found.segments) > 1:
+        facts.append(
+            Fact("roughest segment", f"{number(worst.iri_m_per_km)} m/km", f"{worst.start:g} to {worst.end:g} m")
+        )
+    rows = tuple(
+        (
+            f"{part.start:g}",
+            f"{part.end:g}",
+            number(part.iri_m_per_km),
+            "shorter than the others" if part.partial else "",
+        )
+        for part in found.segments
+    )
+    segments = Table("Segments", ("from [m]", "to [m]", "IRI [m/km]", ""), rows, "rrrl")
+    note = f"Samples every {found.spacing:g} m, slopes over {found.base:g} m."
+    steps = np.full(len(distance), np.nan)
+    for part in found.segments:
+        steps[(distance >= part.start - 1e-9) & (distance <= part.end + 1e-9)] = part.iri_m_per_km
+    profile = xr.Dataset(
+        {
+            "height": ("distance", height, {"units": "m", "long_name": "height of the profile"}),
+            "iri": ("distance", steps, {"units": "m/km", "long_name": "IRI of the segment"}),
+        },
+        {"distance": ("distance", distance, {"units": "m"})},
+    )
+    answer: list[Block] = [Facts(tuple(facts)), segments, Paragraph(note, "muted")]
+    if findings:
+        answer.append(Findings(tuple(findings)))
+    curves = curve_blocks({"": {"profile": profile}}, ["height", "iri"], title=title)
+    return Page(title, (Section("Answer", tuple(answer)), Section("Profile", curves)), "International roughness index")
+
+
+def model_comparison_page(found: ModelComparison, *, title: str, rig: Rig | None = None) -> Page:
+    """Put a 3-D rig and its lumped model side by side on a page: what differs and why, in trials, and over travel.
+
+    Parameters
+    ----------
+    found : ModelComparison
+        As :func:`jounce.design.model_comparison.compare_models` gives it.
+    title : str
+        Head of the page.
+    rig : Rig, optional
+        The 3-D rig, which moves with the curves.
+
+    Returns
+    -------
+    Page
+        To be written with :data:`jounce.report.REPORTS`.
+
+    """
+    rows = []
+    for row in found.rows:
+        values = [value for value in (row.spatial, row.lumped) if value is not None]
+        unit = display_unit(row.unit, max(map(abs, values), default=0.0))
+        cells = (number(None if value is None else value * unit.factor) for value in (row.spatial, row.lumped))
+        rows.append((row.quantity, unit.name or "–", *cells, with_minus(row.why)))
+    about_rest = Table("About rest", ("quantity", "unit", "3-D", "lumped", "reason"), tuple(rows), "llrrl")
+    peaks = []
+    for peak in found.peaks:
+        unit = display_unit(peak.unit, peak.spatial)
+        both = (number(value * unit.factor) for value in (peak.spatial, peak.lumped))
+        peaks.append((peak.trial, peak.channel, unit.name or "–", *both, percent(peak.relative)))
+    header = ("trial", "peak of", "unit", "3-D", "lumped", "difference")
+    in_trials = Table("Largest values in the trials", header, tuple(peaks), "lllrrr")
+    curves = found.curves().rename(travel="wheel_travel")
+    runs = {str(model): curves.sel(model=model, drop=True) for model in curves["model"].to_numpy()}
+    moving = curve_blocks({"": runs}, ["motion_ratio", "wheel_rate"], title=title, rig=rig)
+    answer = (about_rest, *((in_trials,) if peaks else ()))
+    return Page(title, (Section("Answer", answer), Section("Over travel", moving)), "Where the models differ, and why")

@@ -1,0 +1,171 @@
+"""Rides and comparisons of controllers as pages: what they amount to first, then all curves, then spectra."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from jounce.plots.design import ride_spectra, trade_off
+from jounce.plots.display import display_unit, number, percent
+from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table
+from jounce.report.recordings import curve_blocks
+from jounce.ride.study import MERITS
+
+if TYPE_CHECKING:
+    from jounce.core.findings import Finding
+    from jounce.parts import Rig
+    from jounce.ride.study import RideStudy
+
+_FIRST = (("road.z",), ("body.az", "sprung.az"), ("strut.deflection",), ("tyre.force",))
+"""What is shown first: of each the first that the rides hold, in any place."""
+_SHOWN = 10.0  # s, of a long ride at first
+
+
+def ride_page(study: RideStudy, *, title: str, rig: Rig | None = None) -> Page:
+    """Put the rides of one rig over one trial on a page.
+
+    Parameters
+    ----------
+    study : RideStudy
+        One ride or several controllers, as :func:`jounce.compare_rides` gives them.
+    title : str
+        Vehicle, road and speed.
+    rig : Rig, optional
+        A 3-D corner, which moves with the first ride.
+
+    Returns
+    -------
+    Page
+        To be written with :data:`jounce.report.REPORTS`.
+    """
+    several = len(study.rides) > 1
+    lasting = study.rides[0].duration if study.rides else 0.0
+    answer: list[Block] = []
+    if several:
+        answer.append(_merits(study))
+    elif study.rides:
+        answer += [_facts(study), _metrics(study)]
+    if study.failed:
+        texts = (f"{name} was not run: {reason}." for name, reason in study.failed.items())
+        answer += [Paragraph(text, "bad") for text in texts]
+    if not study.rides:
+        return Page(title, (Section("Answer", (*answer, Paragraph("No ride reached its end."))),))
+    found = _findings(study)
+    if found:
+        answer.append(Findings(tuple(found)))
+    sections = [Section("Answer", tuple(answer)), Section("Curves", _curves(study, title, rig)), _spectra(study, title)]
+    if several:
+        words = "Comfort against road holding of every controller; the area of a point shows the travel."
+        sections.insert(1, Section("Trade-off", (Picture(trade_off(study), "trade-off", words, words),)))
+        sections.append(Section("Every metric", (_metrics(study),)))
+    against = _stationary(study)
+    if against:
+        sections.append(Section("Linear model", tuple(against)))
+    counted = f"{number(lasting, 4)} s counted, from {number(study.trial.settling, 3)} s on"
+    return Page(title, tuple(sections), f"Simulated ride; {counted}")
+
+
+def _merits(study: RideStudy) -> Table:
+    """Every controller by comfort, travel and road holding; the best of each column stands out."""
+    shown = [merit for merit in MERITS if any(merit.name in ride.merits for ride in study.rides)]
+    units = {merit.name: display_unit(merit.unit) for merit in shown}
+    rows = tuple(
+        (
+            ride.control,
+            *(
+                number(None if (value := ride.merits.get(m.name)) is None else value * units[m.name].factor)
+                for m in shown
+            ),
+        )
+        for ride in study.rides
+    )
+    header = ("controller", *(units[merit.name].label(merit.label) for merit in shown))
+    return Table("Controllers over the same road; smaller is better", header, rows, "l" + "r" * len(shown))
+
+
+def _facts(study: RideStudy) -> Facts:
+    (ride,) = study.rides
+    comfort = ride.metrics.comfort
+    facts = []
+    for merit in MERITS:
+        if merit.name in ride.merits:
+            unit = display_unit(merit.unit)
+            value = f"{number(ride.merits[merit.name] * unit.factor)} {unit.name}".strip()
+            facts.append(Fact(merit.label, value, next(iter(comfort.values()), "") if merit.name == "comfort" else ""))
+    return Facts(tuple(facts))
+
+
+def _metrics(study: RideStudy) -> Table:
+    """Every metric at every place, a column for each controller."""
+    values = {ride.control: {(one.metric, one.place): one for one in ride.metrics.values} for ride in study.rides}
+    every = dict.fromkeys(key for found in values.values() for key in found)
+    rows, last = [], ""
+    for key in every:
+        one = next(found[key] for found in values.values() if key in found)
+        unit = display_unit(one.unit, one.value)
+        cells = (number(found[key].value * unit.factor) if key in found else "–" for found in values.values())
+        rows.append((one.label if one.label != last else "", one.place, unit.name or "–", *cells))
+        last = one.label
+    header = ("metric", "place", "unit", *(values if len(values) > 1 else ("value",)))
+    return Table("Ride metrics", header, tuple(rows), "lll" + "r" * len(values))
+
+
+def _stationary(study: RideStudy) -> list[Block]:
+    """Simulated beside stationary standard deviations, of the rig as it is."""
+    passive = next((ride for ride in study.rides if ride.control == "passive"), None)
+    if study.stationary is None or passive is None:
+        return []
+    linear, chances = study.stationary.standard_deviation, study.by_chance
+    rows = []
+    for name in (one for one in linear if linear[one]):
+        unit = display_unit(study.stationary.units[name], linear[name])
+        chance = chances[name]
+        rows.append(
+            (
+                name,
+                unit.name or "–",
+                number(passive.standard_deviation(name) * unit.factor),
+                number(linear[name] * unit.factor),
+                "–" if chance is None else f"± {percent(chance)}",
+            )
+        )
+    return [
+        Table(
+            "Standard deviations of the passive ride, and of the linear model over endless time",
+            ("channel", "unit", "simulated", "linear model", "by chance"),
+            tuple(rows),
+            "llrrr",
+            "By chance: 95 % of rides as long as this one differ by no more from an endless one.",
+        )
+    ]
+
+
+def _findings(study: RideStudy) -> list[Finding]:
+    several = len(study.rides) > 1
+    found = [
+        replace(one, place=f"{ride.control}, {one.place}") if several else one
+        for ride in study.rides
+        for one in ride.metrics.findings
+    ]
+    return [*found, *(study.stationary.findings if study.stationary is not None else ())]
+
+
+def _curves(study: RideStudy, title: str, rig: Rig | None) -> tuple[Block, ...]:
+    runs = {ride.control: ride.run for ride in study.rides}
+    held = _names(study)
+    found = [[name for end in ends for name in held if name.endswith(end)] for ends in _FIRST]
+    first = [names[0] for names in found if names]
+    start = study.trial.settling
+    window = (start, start + _SHOWN) if study.trial.trial.duration > start + _SHOWN else None
+    return curve_blocks({"": runs}, first or None, title=title, rig=rig, trial=study.trial.trial, window=window)
+
+
+def _names(study: RideStudy) -> list[str]:
+    """Channels that every ride holds."""
+    held = [set(map(str, ride.run.data_vars)) for ride in study.rides]
+    return [str(name) for name in study.rides[0].run.data_vars if all(name in others for others in held)]
+
+
+def _spectra(study: RideStudy, title: str) -> Section:
+    words = "Power spectral densities of the body's acceleration and of every wheel load."
+    return Section("Spectra", (Picture(ride_spectra(study.rides, study.stationary, title), "spectra", words, words),))
