@@ -18,7 +18,7 @@ def test_json_holds_every_setting_with_its_range_and_effect(cli) -> None:
     assert outcome.exit_code == 0
     assert outcome.err == ""
     found = outcome.json
-    assert [effect["setting"] for effect in found["effects"]] == list(SETTINGS)
+    assert [effect["setting"] for effect in found["effects"]] == [name for name in SETTINGS if name != "pushrod_length"]
     arm = next(effect for effect in found["effects"] if effect["setting"] == "upper_arm_length")
     assert (arm["unit"], arm["lowest"], arm["highest"]) == ("m", 0.0, 0.02)
     assert "section 4" in arm["source"]

@@ -14,7 +14,7 @@ from jounce.core.errors import AssemblyError, DescriptionError, JounceError, unk
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.design.poses import moved_rig, rigid_motion
+from jounce.design.poses import moved_rig, rigid_motion, spin_axis
 from jounce.kinematics import sweep_travel
 from jounce.mechanics import Mechanism, Model, assemble
 from jounce.parts import DoubleWishbone, Rig
@@ -42,7 +42,8 @@ _UPRIGHT = ("lower_ball_joint", "upper_ball_joint", "tie_rod_outer", "wheel_cent
 class Setting:
     """One adjustment: range in the SI ``unit``, what it is, and where the range comes from.
 
-    ``base`` gives the value that a rig has as it is; ``ends`` the range for a rig where it depends on it.
+    ``base`` gives the value that a rig has as it is; ``ends`` the range for a rig where it depends on it; ``fits``
+    whether a rig has what is set.
     """
 
     name: str
@@ -53,6 +54,7 @@ class Setting:
     source: str
     base: Callable[[DoubleWishbone], float] = field(default_factory=lambda: _unchanged)
     ends: Callable[[DoubleWishbone], tuple[float, float]] | None = None
+    fits: Callable[[DoubleWishbone], bool] = field(default_factory=lambda: _always)
 
     def range_for(self, rig: DoubleWishbone) -> tuple[float, float]:
         """Lowest and highest value for a rig, SI."""
@@ -62,6 +64,14 @@ class Setting:
 def _unchanged(_rig: DoubleWishbone) -> float:
     """Value that a change has in a rig as it is."""
     return 0.0
+
+
+def _always(_rig: DoubleWishbone) -> bool:
+    return True
+
+
+def _has_rocker(rig: DoubleWishbone) -> bool:
+    return rig.hardpoints.rocker_pivot is not None
 
 
 def _preload(rig: DoubleWishbone) -> float:
@@ -94,6 +104,7 @@ def _short_arms(rig: DoubleWishbone) -> tuple[float, float]:
 
 
 _PAPER = "quarter-car prototype paper, section 4"
+_SHIMS = "no published range; estimated"
 _ESTIMATED = "the paper gives no range; estimated"
 _FIVE, _TOE = float(np.radians(5.0)), float(np.radians(10.5))
 _TURNBUCKLE = "lengthening of the {} arm at its turnbuckle"
@@ -117,6 +128,8 @@ SETTINGS: dict[str, Setting] = {
         Setting(
             "spring_preload", "N", 0.0, 361.7, "spring force at design length", _ESTIMATED, _preload, ends=_preloads
         ),
+        Setting("camber_shim", "m", -0.010, 0.010, "shims between upright and upper ball joint, wheel outward", _SHIMS),
+        Setting("pushrod_length", "m", -0.010, 0.010, "lengthening of the push rod", _SHIMS, fits=_has_rocker),
         Setting("camber_wedge", "rad", -_FIVE, _FIVE, "tilt of the wheel on the upright, top outward", _ESTIMATED),
         Setting("toe_wedge", "rad", -_TOE, _TOE, "turn of the wheel on the upright, toe-in", _ESTIMATED),
         Setting(
@@ -141,6 +154,8 @@ def read_settings(rig: Rig, settings: Mapping[str, Value]) -> dict[str, float]:
         if name not in SETTINGS:
             raise unknown(name, SETTINGS, what="setting", where="adjust")
         setting = SETTINGS[name]
+        if not setting.fits(corner):
+            raise DescriptionError("this rig has nothing to set there", where=name, hint="It needs a rocker.")
         value = to_si(given, setting.unit, where=name)
         low, high = (-LARGEST, LARGEST) if name == "strut_angle" else setting.range_for(corner)
         if not low - 1e-12 <= value <= high + 1e-12:
@@ -179,7 +194,7 @@ def adjusted(rig: Rig, settings: Mapping[str, Value]) -> DoubleWishbone:
     Parameters
     ----------
     rig : Rig
-        A double wishbone without a rocker; it is not changed.
+        A double wishbone; it is not changed.
     settings : dict
         Setting to value, text with a unit or SI; see ``SETTINGS``. Lengths and supports of arms are changes.
 
@@ -256,24 +271,56 @@ def _foot(front: Array, rear: Array, ball: Array) -> tuple[Array, Array, Array]:
 
 def _assembled(rig: DoubleWishbone, values: Mapping[str, float]) -> DoubleWishbone:
     """Make the changes of the linkage, if there are any."""
-    geometry = [name for name in values if name.endswith(("_length", "_support")) or name == "short_upper_arm"]
+    geometry = [name for name in values if name.endswith(("_length", "_support")) or name in _OTHER_GEOMETRY]
     if not any(values[name] != SETTINGS[name].base(rig) for name in geometry):
         return rig
-    if rig.hardpoints.rocker_pivot is not None:
-        raise DescriptionError(
-            "the linkage of a rig with a rocker cannot be adjusted here",
-            where=geometry[0],
-            hint="Change its hardpoints.",
-        )
     before = rig.hardpoints.given()
     inner, lengths = _supports_and_lengths(rig, values)
+    upright = np.array(before["upper_ball_joint"]) - values.get("camber_shim", 0.0) * spin_axis(rig)
+    before["upper_ball_joint"] = _triple(upright)  # where the upright has it; the arm's end is found
     places: dict[str, Triple] = {**before, **inner}
     places |= _upright_places(places, lengths)
-    for arm in ("lower_arm", "upper_arm"):
-        places |= _carried(rig, arm, before, places)
     turn, shift = rigid_motion(np.array([before[n] for n in _UPRIGHT]), np.array([places[n] for n in _UPRIGHT]))
     places |= {name: _triple(turn @ np.array(before[name]) + shift) for name in _on(rig, "upright")}
-    return moved_rig(rig, places)
+    before = rig.hardpoints.given()
+    for arm in ("lower_arm", "upper_arm"):
+        places |= _carried(rig, arm, before, places)
+    if _has_rocker(rig):
+        places |= _rocker_places(rig, before, places, values.get("pushrod_length", 0.0))
+    return moved_rig(rig, places, (turn, shift) if "camber_shim" in values else None)
+
+
+_OTHER_GEOMETRY = ("short_upper_arm", "camber_shim")
+
+
+def _rocker_places(
+    rig: DoubleWishbone, before: Mapping[str, Triple], places: Mapping[str, Triple], longer: float
+) -> dict[str, Triple]:
+    """Places of the rocker's points where the push rod fits, the nearer of both ways to turn it."""
+    pivot, end, inner = (np.array(before[name]) for name in ("rocker_pivot", "rocker_axis", "pushrod_inner"))
+    outer = np.array(places["pushrod_outer"]) - pivot
+    length = distance(before["pushrod_outer"], before["pushrod_inner"]) + longer
+    axis = (end - pivot) / np.linalg.norm(end - pivot)
+    arm = inner - pivot
+    along = (arm @ axis) * axis
+    flat = arm - along
+    across = np.cross(axis, flat)
+    # |arm turned - outer| = length is a cos(turn) + b sin(turn) = needed
+    a, b = float(flat @ outer), float(across @ outer)
+    needed = 0.5 * float(arm @ arm + outer @ outer - length**2) - float(along @ outer)
+    if abs(needed) > np.hypot(a, b):
+        raise AssemblyError("rocker and push rod do not go together", where="pushrod_length", found=shown(longer, "m"))
+    middle, half = np.arctan2(b, a), np.arccos(needed / np.hypot(a, b))
+    turns = [(middle + sign * half + np.pi) % (2.0 * np.pi) - np.pi for sign in (1.0, -1.0)]
+    turn = min(turns, key=abs)
+
+    def turned(name: str) -> Triple:
+        away = np.array(before[name]) - pivot
+        on_axis = (away @ axis) * axis
+        rest = away - on_axis
+        return _triple(pivot + on_axis + rest * np.cos(turn) + np.cross(axis, rest) * np.sin(turn))
+
+    return {name: turned(name) for name in ("pushrod_inner", *_on(rig, "rocker"))}
 
 
 def _supports_and_lengths(
@@ -346,6 +393,8 @@ def _on(rig: DoubleWishbone, body: str) -> list[str]:
         names += [name for name in ends if getattr(rig.hardpoints, name) is not None]
     if rig.anti_roll_bar is not None and rig.anti_roll_bar.on == body:
         names.append("arb_link_end")
+    if _has_rocker(rig) and getattr(rig.strut, "pushrod_on", "upright") == body:
+        names.append("pushrod_outer")
     return names
 
 
@@ -541,7 +590,7 @@ def adjust_report(rig: Rig, settings: Mapping[str, Value] | None = None, *, effe
     before = wheel_state(rig)
     findings = adjustment_findings(values)
     found: list[Effect] = []
-    for setting in SETTINGS.values() if effects else ():
+    for setting in (item for item in SETTINGS.values() if effects and item.fits(rig)):
         try:
             found.append(_effect(rig, setting, findings))
         except JounceError as error:

@@ -172,7 +172,7 @@ def quantity_unit(rig: Corner, name: str, along: str, vehicle: AxleLayout | None
     rows = {row.name: row.unit for row in kinematic_model(rig).rows}
     known = dict(rows)
     if vehicle is not None:
-        known |= dict.fromkeys(("anti_dive",) if vehicle.axle == "front" else ("anti_lift", "anti_squat"), "1")
+        known |= dict.fromkeys(vehicle.effects, "1")
     points = _DISTANCE.match(name)
     if points:
         for point in points.groups():

@@ -31,23 +31,29 @@ def rigs_along(rig: Corner, travels: Sequence[float]) -> list[Corner]:
     ]
 
 
-def moved_rig(rig: C, places: Mapping[str, Triple]) -> C:
+Motion = tuple[Array, Array]
+"""Rotation (3, 3) and shift (3,) of a body, m."""
+
+
+def moved_rig(rig: C, places: Mapping[str, Triple], upright: Motion | None = None) -> C:
     """Give the rig with hardpoints in other ``places`` (m; the others stay), as it would be described there.
 
-    Bodies follow their hardpoints as rigid ones; the wheel's camber and toe follow the body that carries it. The spring
-    keeps its free length and the stops their places: preload and gaps count from the new design length.
+    Bodies follow their hardpoints as rigid ones, but for an ``upright`` whose motion is given because its points move
+    on it; the wheel's camber and toe follow the body that carries it. The spring keeps its free length and the stops
+    their places: preload and gaps count from the new design length.
     """
     table: dict[str, Any] = rig.model_dump(by_alias=True, exclude_none=True)
     before = rig.hardpoints.given()
     after = {name: places.get(name, point) for name, point in before.items()}
     table["hardpoints"] = {name: tuple(map(float, point)) for name, point in after.items()}
+    known = {} if upright is None else {"upright": upright, "wheel": upright}
     for name, body in rig.body_masses().items():
-        turn, shift = _body_motion(rig, name, before, after)
+        turn, shift = known.get(name) or _body_motion(rig, name, before, after)
         table["bodies"][name] |= {
             "centre_of_mass": tuple(map(float, turn @ np.array(body.centre_of_mass) + shift)),
             "inertia": _tensor(turn @ body.inertia.tensor @ turn.T),
         }
-    turn, _ = _body_motion(rig, "upright", before, after)
+    turn, _ = known.get("upright") or _body_motion(rig, "upright", before, after)
     camber, toe = wheel_angles(rig, turn @ spin_axis(rig))
     table["wheel"] |= {"camber": camber, "toe": toe}
     _keep_spring(table["strut"], _length(before, "spring"), _length(after, "spring"))

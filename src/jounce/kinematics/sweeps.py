@@ -11,12 +11,13 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.constants import GRAVITY
 from jounce.core.datasets import dataset
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError, SimulationError, nearest
 from jounce.core.findings import Finding
 from jounce.core.types import Array
-from jounce.core.units import Length, PositiveLength, Unit, bare_si, to_si
+from jounce.core.units import Length, Mass, PositiveLength, Unit, bare_si, to_si
 from jounce.core.writing import Formats
 from jounce.kernel.poses import END_OF_TRAVEL, REACHED, Found, Walk, Work, space_for, walk_poses, walk_variants
 from jounce.kinematics.model import KinematicModel, check_corner, check_rack, kinematic_model
@@ -194,7 +195,10 @@ class AxleLayout(Description):
     """The car around a corner, for shares of load transfer that the suspension's geometry carries.
 
     ``axle`` says which one the corner belongs to; ``wheelbase`` (m), ``centre_of_mass_height`` (m, above the ground);
-    ``brake_share`` is this axle's share of the braking force (outboard brakes). ``front_overhang`` (m, of the body
+    ``brake_share`` is this axle's share of the braking force, of ``brakes`` on the wheels (outboard) or at the body's
+    end of their shafts (inboard). ``drive_share`` is its share of the driving force (a rear axle's is 1 where it is not
+    given, a front axle's 0), over shafts from a motor on the body or, with ``drive = "hub"``, of motors on the wheels.
+    ``mass`` (kg, of the car) adds dive, lift and squat in m at 1 g. ``front_overhang`` (m, of the body
     ahead of the front wheel centres) and ``body_width`` (m) are for the turn diameter between walls.
 
     Examples
@@ -207,27 +211,65 @@ class AxleLayout(Description):
     wheelbase: PositiveLength
     centre_of_mass_height: PositiveLength
     brake_share: _Share
+    brakes: Literal["outboard", "inboard"] = "outboard"
+    drive_share: _Share | None = None
+    drive: Literal["shaft", "hub"] = "shaft"
+    mass: Mass | None = None
     front_overhang: Length | None = None
     body_width: PositiveLength | None = None
 
+    @property
+    def driven(self) -> float:
+        """Share of the driving force that the axle has."""
+        return float(self.axle == "rear") if self.drive_share is None else self.drive_share
+
+    @property
+    def effects(self) -> tuple[str, ...]:
+        """Names of its shares: in braking, then in driving where it is driven."""
+        names = ("anti_dive", "anti_lift") if self.axle == "front" else ("anti_lift", "anti_squat")
+        return names if self.driven > 0.0 else names[:1]
+
 
 _ANTI_EFFECTS = {
-    "anti_dive": "share of the braking dive that the front geometry takes",
-    "anti_lift": "share of the braking lift that the rear geometry takes",
-    "anti_squat": "share of the driving squat that the rear geometry takes, drive torque reacted by the body",
+    ("front", "anti_dive"): "share of the braking dive that the front geometry takes",
+    ("front", "anti_lift"): "share of the driving lift that the front geometry takes",
+    ("rear", "anti_lift"): "share of the braking lift that the rear geometry takes",
+    ("rear", "anti_squat"): "share of the driving squat that the rear geometry takes",
 }
 _ANTI_SIGN = "positive: against the body's motion; 1 is all of it"
+_PER_G = {"front": ("dive_per_g", "lift_per_g"), "rear": ("lift_per_g", "squat_per_g")}
+_MOVES = {"dive": "sinking", "squat": "sinking", "lift": "rising"}
 
 
 def shares(vehicle: AxleLayout, contact: Array, centre: Array) -> dict[str, Array]:
-    """Shares of load transfer that the geometry carries, 1 being all of it (brake and drive forces at the wheel).
+    """Shares of load transfer that the geometry carries, 1 being all of it.
 
-    ``contact`` and ``centre`` are dx/dz [1] of the contact patch with the wheel locked, and of the wheel centre.
+    ``contact`` and ``centre`` are dx/dz [1] of the contact patch with the wheel locked, for torques that the wheel
+    carrier takes (outboard brakes, hub motors), and of the wheel centre, for those that come over a shaft.
     """
     lever = vehicle.wheelbase / vehicle.centre_of_mass_height
-    if vehicle.axle == "front":
-        return {"anti_dive": vehicle.brake_share * lever * contact}
-    return {"anti_lift": -vehicle.brake_share * lever * contact, "anti_squat": -lever * centre}
+    way = 1.0 if vehicle.axle == "front" else -1.0
+    braked = contact if vehicle.brakes == "outboard" else centre
+    driven = contact if vehicle.drive == "hub" else centre
+    found = way * vehicle.brake_share * lever * braked, way * vehicle.driven * lever * driven
+    return dict(zip(vehicle.effects, found, strict=False))
+
+
+def moves_per_g(vehicle: AxleLayout, rows: Mapping[str, Array], taken: Mapping[str, Array]) -> dict[str, Array]:
+    """How far the body goes (m) above this axle at 1 g of braking, and of driving, by springs and tyres."""
+    if vehicle.mass is None or "wheel_rate_contact" not in rows:
+        return {}
+    transfer = 0.5 * vehicle.mass * GRAVITY * vehicle.centre_of_mass_height / vehicle.wheelbase  # N, of a wheel
+    rate = rows["wheel_rate_contact"]
+    if "heave_rate" in rows:  # what works while both wheels move alike does so at the ratio of the wheel centre
+        rate = (
+            rate
+            + (rows["heave_rate"] - rows["wheel_rate"]) * (rows["motion_ratio_contact"] / rows["motion_ratio"]) ** 2
+        )
+    tyre = transfer / rows["tyre_stiffness"] if "tyre_stiffness" in rows else 0.0
+    shares_of = [*(taken[name] for name in vehicle.effects), 0.0][:2]
+    names = _PER_G[vehicle.axle]
+    return {name: transfer * (1.0 - share) / rate + tyre for name, share in zip(names, shares_of, strict=True)}
 
 
 # ends of travel -------------------------------------------------------------------------------------------------------
@@ -464,7 +506,8 @@ def sweep_travel(
         Travel of the rack, m, positive to the left, or text; the description's own (or 0) by default. Several values
         give every pair of travel and rack.
     vehicle : AxleLayout, optional
-        Adds ``anti_dive`` (front), or ``anti_lift`` and ``anti_squat`` (rear) [1].
+        Adds ``anti_dive`` (front; of a driven one also ``anti_lift``), or ``anti_lift`` and ``anti_squat`` (rear) [1];
+        with its mass also ``dive_per_g``, ``lift_per_g``, ``squat_per_g`` (m).
     points : bool
         Adds the place of every hardpoint and of the contact point as ``<name>.x``, ``.y``, ``.z`` (m, ground axes).
 
@@ -646,8 +689,15 @@ def _add_further(
     """Add what only some sweeps have: shares of load transfer, places of points."""
     if vehicle is not None:
         slopes = (found.values["contact_patch_recession"], found.values["wheel_centre_longitudinal_slope"])
-        for name, share in shares(vehicle, *slopes).items():
-            found.add(name, share, "1", _ANTI_EFFECTS[name], _ANTI_SIGN)
+        taken = shares(vehicle, *slopes)
+        for name, share in taken.items():
+            found.add(name, share, "1", _ANTI_EFFECTS[vehicle.axle, name], _ANTI_SIGN)
+        for (name, move), when in zip(
+            moves_per_g(vehicle, found.values, taken).items(), ("braking", "driving"), strict=False
+        ):
+            way = _MOVES[name.partition("_")[0]]
+            text = f"{way} of the body above this axle at 1 g of {when}, springs and tyres together"
+            found.add(name, move, "m", text, f"positive: {way}")
     if points:
         for name, value in sweep.points().items():
             found.add(name, value[keep], "m", f"place of {name}", "ground axes")

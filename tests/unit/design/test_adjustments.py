@@ -175,7 +175,7 @@ def report():
 
 
 def test_report_covers_every_setting_and_quantity(report):
-    assert [effect.setting for effect in report.effects] == list(SETTINGS)
+    assert [effect.setting for effect in report.effects] == [name for name in SETTINGS if name != "pushrod_length"]
     assert report.findings == ()
     for effect in report.effects:
         assert effect.at_lowest is not None
@@ -293,3 +293,50 @@ def test_a_linkage_that_does_not_go_together_is_refused_by_name():
     assert distance(points.tie_rod_inner, points.tie_rod_outer) == pytest.approx(0.107)
     with pytest.raises(AssemblyError, match="cannot be assembled"):
         adjusted(stretched, {"tie_rod_length": "-20 mm"})
+
+
+# shims and rockers ----------------------------------------------------------------------------------------------------
+
+
+def lengths_of(rig) -> dict[str, float]:
+    points = {name: np.array(point) for name, point in rig.hardpoints.given().items()}
+    rods = {**{inner: outer for outer, inner in rig.hardpoints.rods}, "pushrod_inner": "pushrod_outer"}
+    rods |= {"rocker_pivot": "strut_bottom", "rocker_axis": "pushrod_inner"}
+    found = {f"{a} {b}": float(np.linalg.norm(points[a] - points[b])) for a, b in rods.items()}
+    upper = [("upper_arm_front", "upper_ball_joint"), ("upper_arm_rear", "upper_ball_joint")]
+    return found | {f"{a} {b}": float(np.linalg.norm(points[a] - points[b])) for a, b in upper}
+
+
+def test_shims_and_rods_of_a_car_with_rockers_change_their_length_alone():
+    rig = jn.load("formula-student-front")
+    before = lengths_of(rig)
+    for setting, rod, longer in (
+        ("pushrod_length", "pushrod_inner pushrod_outer", 0.004),
+        ("tie_rod_length", "tie_rod_inner tie_rod_outer", -0.003),
+    ):
+        after = lengths_of(adjusted(rig, {setting: longer}))
+        for name, length in before.items():
+            assert after[name] == pytest.approx(length + longer * (name == rod), abs=1e-10), (setting, name)
+    shimmed = adjusted(rig, {"camber_shim": "3 mm"})
+    assert lengths_of(shimmed) == pytest.approx(before, abs=1e-10)  # every rod keeps its length
+    # in the upright the ball joint has moved by the shim, along the wheel's axis, inwards
+    bases, frames = [], []
+    for one in (rig, shimmed):
+        points = {name: np.array(point) for name, point in one.hardpoints.given().items()}
+        along = [points[name] - points["wheel_centre"] for name in ("lower_ball_joint", "tie_rod_outer")]
+        bases.append(np.column_stack([*along, np.cross(*along)]))
+        frames.append(np.linalg.solve(bases[-1], points["upper_ball_joint"] - points["wheel_centre"]))
+    moved = bases[0] @ (frames[1] - frames[0])
+    camber = rig.wheel.camber
+    assert moved == pytest.approx([0.0, -0.003 * np.cos(camber), 0.003 * np.sin(camber)], abs=1e-9)
+    assert 0.9 < (shimmed.wheel.camber - camber) / (0.003 / 0.2) < 1.0  # 200 mm between joints, on arms that lean
+    high = adjusted(rig, {"pushrod_length": "4 mm"})
+    assert wheel_state(high).ride_height > wheel_state(rig).ride_height + 2e-3  # a longer push rod lifts the car
+
+
+def test_a_rig_without_rocker_has_no_push_rod_to_set():
+    with pytest.raises(jn.DescriptionError, match="nothing to set there"):
+        adjusted(KART, {"pushrod_length": "2 mm"})
+    in_line = {"hardpoints.rocker_pivot": [0.0, 0.2361, 0.4569], "hardpoints.rocker_axis": [0.1, 0.2361, 0.4569]}
+    with pytest.raises(AssemblyError, match="do not go together"):  # the rod points at the pivot: it cannot be shorter
+        adjusted(jn.load("formula-student-front").with_changes(in_line), {"pushrod_length": "-5 mm"})
