@@ -140,17 +140,34 @@ def find_adhesion(analysis: Analysis, highest: float) -> Adhesion | None:
     return Adhesion(max(share, 0.0), min(float(at), highest), lifted, amplitude, half)
 
 
+def _of_fit(test: WheelTest) -> Found:
+    """What the fitted quarter car says of every method's value: whether a damper acts, and whether it is one."""
+    found = Found()
+    if test.fit is not None:
+        found.values["explained_force"] = test.fit.explained
+        half = NORMAL_95 * test.fit.spread(_of_body)
+        if half < _VAGUE:
+            found.values["body_damping_ratio"] = _of_body(test.fit.corner)
+            found.half_widths["body_damping_ratio"] = half
+    return found
+
+
+def _of_body(corner: Corner) -> float:
+    return body_damping(road_poles(corner))
+
+
 def _eusama(test: WheelTest) -> Found:
     """Adhesion, where the force is least, and the relative force amplitude of EGEA, which is made of the same force."""
-    one = test.adhesion
+    found, one = _of_fit(test), test.adhesion
     if one is None:
-        return Found()
-    values = {
+        return found
+    found.values |= {
         "adhesion": one.adhesion,
         "adhesion_frequency_hz": one.frequency_hz,
         "relative_force_amplitude": one.relative_force_amplitude,
     }
-    return Found(values, {"adhesion": one.half_width, "relative_force_amplitude": one.half_width})
+    found.half_widths |= {"adhesion": one.half_width, "relative_force_amplitude": one.half_width}
+    return found
 
 
 @dataclass(frozen=True)
@@ -355,10 +372,6 @@ def theta_by_fit(fit: ResponseFit, tester: Tester | None) -> Theta:
     return Theta(on_rig(fit.corner), road, NORMAL_95 * fit.spread(on_rig), half)
 
 
-def _of_body(corner: Corner) -> float:
-    return body_damping(road_poles(corner))
-
-
 def half_power(frequency: Array, amplitude: Array) -> float | None:
     """Damping ratio (1) from the width of a resonance at 0.707 of its height: (f2 - f1) / (2 f_r).
 
@@ -468,16 +481,11 @@ _THETA_SENTENCES = {
 
 def _theta(test: WheelTest) -> Found:
     """Damping ratios by the fitted quarter car; on a sprung plate by the older methods as well."""
-    found, wheel = Found(), test.signals.wheel
+    found, wheel = _of_fit(test), test.signals.wheel
     if test.fit is not None:
         theta = theta_by_fit(test.fit, test.tester)
-        found.values = {"theta_rig": theta.rig, "theta_road": theta.road, "theta_methods": {"fit": theta.rig}}
-        found.values["explained_force"] = test.fit.explained
-        found.half_widths = {"theta_rig": theta.rig_half_width, "theta_road": theta.road_half_width}
-        half = NORMAL_95 * test.fit.spread(_of_body)
-        if half < _VAGUE:
-            found.values["body_damping_ratio"] = _of_body(test.fit.corner)
-            found.half_widths["body_damping_ratio"] = half
+        found.values |= {"theta_rig": theta.rig, "theta_road": theta.road, "theta_methods": {"fit": theta.rig}}
+        found.half_widths |= {"theta_rig": theta.rig_half_width, "theta_road": theta.road_half_width}
         if theta.road <= theta.road_half_width:
             found.findings.append(warning(f"{wheel}.theta", "undamped", theta.road))
         if theta.road >= 1.0:
