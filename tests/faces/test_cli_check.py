@@ -129,8 +129,8 @@ def test_testers_and_limits(cli, tester_file: Path, limits_file: Path) -> None:
     assert [item["kind"] for item in found] == ["tester", "limits", *["tester"] * len(shipped)]
     assert not any(item["notes"] for item in found)
     assert "rigid-plate, evaluated by egea" in found[0]["what"]
-        names = "body-damping, explained-force, explained-force-on-rigid-plates, locked, "
-        assert f"eusama, egea, theta, boge, tyre-rigidity, {names}" in found[1]["what"]
+    names = "body-damping, explained-force, explained-force-on-rigid-plates, locked, "
+    assert f"eusama, egea, theta, boge, tyre-rigidity, {names}" in found[1]["what"]
 
 
 @pytest.mark.parametrize(
