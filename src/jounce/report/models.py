@@ -79,7 +79,9 @@ def modes_page(found: Sequence[Mode], equilibrium: Mapping[str, float], *, title
 
 def _at_rest(name: str, value: float) -> tuple[str, str]:
     """Unit and value; what rounding leaves of nothing is nothing."""
-    si = channel_unit(name) if quantity_of(name) else "1"
+    if not quantity_of(name):  # coordinates of joints are no channels
+        return "SI", number(value)
+    si = channel_unit(name)
     unit = display_unit(si, value)
     return unit.name or "–", number(0.0 if abs(value) < SMALLEST.get(si, _ROUNDING) else value * unit.factor)
 

@@ -27,7 +27,9 @@ from jounce.inspection.record import day_of, is_simulated
 from jounce.inspection.result import NOT_GRADED, WheelResult
 from jounce.plots import rendered
 from jounce.plots.inspection import inspection_curves
+from jounce.report.live import Viewer
 from jounce.report.page import with_minus
+from jounce.report.recordings import curve_blocks
 from jounce.report.render import TEMPLATES, filled, inline_svg
 from jounce.report.typeset import breakable, compiled
 
@@ -164,11 +166,41 @@ def protocol_html(
     alternative = content["words"]["curves"]
     return filled(
         "protocol",
+        _viewers(vehicle, records or {}, content["words"]),
         c=content,
         svg=lambda axle: inline_svg(
             figures[axle["figure"]], axle["figure"].removesuffix(".svg"), f"{alternative}, {axle['title']}"
         ),
     )
+
+
+def _viewers(vehicle: VehicleGrade, records: Mapping[str, xr.Dataset], words: Mapping[str, str]) -> tuple[Viewer, ...]:
+    """What was recorded of each axle over time, both wheels over each other, to be zoomed."""
+    groups: dict[str, dict[str, xr.Dataset]] = {}
+    for graded in vehicle.axles:
+        record = records.get(graded.axle)
+        if record is None:
+            continue
+        sides = {side: [name for name in record.data_vars if str(name).startswith(f"{side}.plate.")] for side in _SIDES}
+        wheels = {
+            words[side]: _of_side(record[names], side)
+            for side, names in sides.items()
+            if f"{side}.plate.force" in names
+        }
+        if wheels:
+            groups[words[graded.axle] if graded.axle in words else words["axle"]] = wheels
+    if not groups:
+        return ()
+    return tuple(block for block in curve_blocks(groups, ["plate.force"], title="") if isinstance(block, Viewer))
+
+
+def _of_side(record: xr.Dataset, side: str) -> xr.Dataset:
+    """Channels of one side without its name."""
+    names = [name for name in record.data_vars if str(name).startswith(f"{side}.plate.")]
+    own = record[names].rename({name: str(name).removeprefix(f"{side}.") for name in names})
+    for channel in own.data_vars.values():
+        channel.attrs["long_name"] = str(channel.attrs.get("long_name", "")).replace(f"{side} ", "")
+    return own
 
 
 def protocol_pdf(

@@ -19,7 +19,7 @@ from jounce.core.writing import Formats, is_empty, working_folder, write_files
 from jounce.recordings.files import write_recording
 from jounce.report.chart import CSS, SCALED_CSS, Chart, chart_svg, panel_svg
 from jounce.report.document import TABLES, page_pdf, table_csv, tables_of, tables_xlsx
-from jounce.report.live import bundle, live_data
+from jounce.report.live import Viewer, bundle, live_data
 from jounce.report.page import Page, Picture, alignments, grouped, slug, unique_slugs
 from jounce.report.typeset import compiled
 
@@ -252,27 +252,32 @@ def page_html(page: Page, figures: Mapping[str, str]) -> str:
         return f'<p class="bad">This figure could not be drawn: {escape(picture.alternative)}</p>'
 
     anchors = unique_slugs([section.title for section in page.sections])
-    viewers = page.viewers()
-    script = bundle("viewer.js" if viewers else "page.js")
-    data = json.dumps(live_data(viewers), ensure_ascii=False, allow_nan=False, separators=(",", ":")) if viewers else ""
     return filled(
         "page",
-        css=_css("colours") + _css("page") + CSS + (bundle("viewer.css") if viewers else ""),
+        page.viewers(),
         page=page,
         sections=list(zip(anchors, page.sections, strict=True)),
-        viewers=viewers,
-        data=data.replace("<", "\\u003c"),
-        script=script,
-        script_hash=base64.b64encode(sha256(script.encode()).digest()).decode(),
         svg=shown,
         chart=shown,
     )
 
 
-def filled(template: str, **content: Any) -> str:
-    """Fill an HTML template; its style sheet has the same name where none is given."""
-    content.setdefault("css", _css(template))
-    text: str = _environment().get_template(f"{template}.html.j2").render(**content)
+def filled(template: str, viewers: Sequence[Viewer], **content: Any) -> str:
+    """Fill an HTML template, whose style sheet has the same name, with its viewers and the script of all pages."""
+    script = bundle("viewer.js" if viewers else "page.js")
+    data = json.dumps(live_data(viewers), ensure_ascii=False, allow_nan=False, separators=(",", ":")) if viewers else ""
+    text: str = (
+        _environment()
+        .get_template(f"{template}.html.j2")
+        .render(
+            css=_css("colours") + _css(template) + CSS + (bundle("viewer.css") if viewers else ""),
+            viewers=viewers,
+            data=data.replace("<", "\\u003c"),
+            script=script,
+            script_hash=base64.b64encode(sha256(script.encode()).digest()).decode(),
+            **content,
+        )
+    )
     return text
 
 

@@ -259,7 +259,7 @@ def test_hostile_texts_are_printed_and_not_run(worn: VehicleGrade, text: str) ->
     assert archived.startswith(b"%PDF-")
     page = protocol_html(worn, about=about)
     found = Text(page)
-    assert "script" not in found.tags
+    assert found.tags.count("script") == 1  # the page's own
     assert shortened(text, 64).split("…")[0][:20].strip() in found.text
     assert "alert(1)</script>" not in page
 
@@ -270,7 +270,7 @@ def test_hostile_findings_and_labels_are_printed(tmp_path: Path) -> None:
     files = write_protocol(grade(inspection), tmp_path / "a.pdf")
     assert [file.name for file in files] == ["a.pdf", "a.json"]
     assert json.loads(files[1].read_text(encoding="utf-8"))["about"]["vehicle"] == HOSTILE[0]
-    assert "script" not in Text(protocol_html(grade_vehicle([grade(inspection)]))).tags
+    assert Text(protocol_html(grade_vehicle([grade(inspection)]))).tags.count("script") == 1  # the page's own
 
 
 def test_many_remarks_stay_on_one_page() -> None:
