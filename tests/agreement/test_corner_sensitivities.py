@@ -35,17 +35,15 @@ NUMBERS = (
     "strut.spring.free_length",
     "strut.damper.coefficient",
 )
+FREE = (*POINTS, *NUMBERS)
 STOP = {"strut.bump_stop": {"gap": 0.004, "rate": 6e4, "progression": 3e8}}
 CASES = {
-    "bilateral tyre, points": ({"tyre.lift_off": False}, POINTS),
-    "unilateral tyre, points": ({"tyre.lift_off": True}, POINTS),
-    "bilateral tyre, numbers": ({"tyre.lift_off": False}, NUMBERS),
-    "unilateral tyre, numbers": ({"tyre.lift_off": True}, NUMBERS),
-    "radial tyre with damping": (
-        {"tyre.law": "radial", "tyre.damping_coefficient": 60.0, "wheel.camber": -0.02},
-        ("tyre.damping_coefficient", "wheel.camber"),
+    "bilateral tyre": ({"tyre.lift_off": False}, FREE),
+    "unilateral tyre": ({"tyre.lift_off": True}, FREE),
+    "radial tyre with damping, bump stop": (
+        {"tyre.law": "radial", "tyre.damping_coefficient": 60.0, "wheel.camber": -0.02} | STOP,
+        ("tyre.damping_coefficient", "wheel.camber", "strut.bump_stop.gap", "strut.bump_stop.rate"),
     ),
-    "bump stop": (STOP, ("strut.bump_stop.gap", "strut.bump_stop.rate")),
 }
 
 
@@ -79,7 +77,7 @@ def test_every_kind_of_number(name):
 
 def test_states_are_those_of_a_run_without_sensitivities():
     rig = PROTOTYPE.with_changes({"tyre.lift_off": True})
-    plain, sensitive = compile_rig(rig), compile_rig(rig, POINTS)
+    plain, sensitive = compile_rig(rig), compile_rig(rig, FREE)
     p = plain.parameter_values(rig.parameters())
     a, b = (solve(compiled, p, ROAD, TIMES) for compiled in (plain, sensitive))
     assert (a.steps, a.rejected, a.events) == (b.steps, b.rejected, b.events)

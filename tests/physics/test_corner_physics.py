@@ -55,7 +55,9 @@ def test_reactions_at_rest_carry_the_weight(detailed):
     assert carried + float(start["tyre.force"]) == pytest.approx(suspension, rel=1e-6)
 
 
-@pytest.mark.parametrize("name", VEHICLES)
+@pytest.mark.parametrize(  # the right side is another model: two seconds for that of five links
+    "name", [pytest.param(name, marks=[pytest.mark.slow] if name == "sedan-multi-link" else []) for name in VEHICLES]
+)
 def test_right_is_the_mirror_of_left(name):
     left = jn.load(name)
     right = left.mirrored()

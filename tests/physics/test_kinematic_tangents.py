@@ -22,7 +22,9 @@ RIGS = (
 STEP = 2e-6
 
 
-@pytest.mark.parametrize("name", RIGS)
+@pytest.mark.parametrize(  # five links differ from the others in their number only, and take five seconds to compile
+    "name", [pytest.param(name, marks=[pytest.mark.slow] if name == "sedan-multi-link" else []) for name in RIGS]
+)
 def test_slopes_of_every_row_along_every_hardpoint(name: str) -> None:
     rig = jn.load(name)
     model = kinematic_model(rig)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 
 import numpy as np
 import pytest
@@ -121,6 +122,7 @@ def test_runs_with_and_without_drag_are_not_mixed_silently():
 # impact tests ---------------------------------------------------------------------------------------------------------
 
 
+@cache
 def struck(ratio, hits, *, rate=1000.0, frequency=5.0, seconds=4.0, contact=5e-3):
     """Displacement, velocity and acceleration of a mass hit by half-sine pulses at times (s) with sizes."""
     omega, sub = 2 * math.pi * frequency, 10
@@ -143,7 +145,7 @@ def struck(ratio, hits, *, rate=1000.0, frequency=5.0, seconds=4.0, contact=5e-3
 @pytest.mark.parametrize("ratio", [0.005, 0.03, 0.15])
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_the_whole_record_of_an_impact_test(quantity, ratio, sign):
-    time, motion = struck(ratio, [(1.0, 0.5)])
+    time, motion = struck(ratio, ((1.0, 0.5),))
     result = fit_decay(time, sign * motion[quantity], mass=MASS, quantity=quantity)
     assert result.damping_ratio.value == pytest.approx(ratio, rel=0.01)
     assert result.natural_frequency_hz.value == pytest.approx(5.0, rel=1e-3)
@@ -161,7 +163,7 @@ def test_the_whole_record_of_an_impact_test(quantity, ratio, sign):
     ],
 )
 def test_several_hits_in_one_record(quantity, sizes):
-    time, motion = struck(0.03, list(zip((0.5, 1.9, 3.1), sizes, strict=True)), seconds=5.0)
+    time, motion = struck(0.03, tuple(zip((0.5, 1.9, 3.1), sizes, strict=True)), seconds=5.0)
     result = fit_decay(time, motion[quantity], mass=MASS, quantity=quantity)
     wrong = abs(result.damping_ratio.value / 0.03 - 1.0) > 0.02
     if min(sizes) < 0.4 and wrong:  # hits that hardly stand out of the ringing
@@ -191,7 +193,7 @@ def test_a_record_that_ends_while_it_moves():
 
 @pytest.mark.parametrize(("begin", "end"), [(0.6, 1.7), ("600 ms", "1.7 s"), (0.6, None), (None, 1.7)])
 def test_a_time_window(begin, end):
-    time, motion = struck(0.03, [(0.5, 0.5), (1.9, 0.9)], seconds=4.0)
+    time, motion = struck(0.03, ((0.5, 0.5), (1.9, 0.9)), seconds=4.0)
     result = fit_decay(time, motion["displacement"], mass=MASS, begin=begin, end=end)
     assert result.damping_ratio.value == pytest.approx(0.03, rel=1e-3)
     assert begin is None or result.window[0] >= 0.6
@@ -202,7 +204,7 @@ def test_a_time_window(begin, end):
     ("begin", "end", "text"), [(1.0, 0.5, "too few"), (9.0, None, "too few"), (0.0, 0.3, "never changes")]
 )
 def test_windows_without_a_decay_are_refused(begin, end, text):
-    time, motion = struck(0.03, [(0.5, 0.5)])
+    time, motion = struck(0.03, ((0.5, 0.5),))
     with pytest.raises(FitError, match=text):
         fit_decay(time, motion["displacement"], mass=MASS, begin=begin, end=end)
     with pytest.raises(DescriptionError, match="from"):

@@ -237,6 +237,7 @@ class WheelsTwin(Twin):
         )
         self.wheels = 1.0 if self.full else 2.0
         self.unsprung = np.array([axle.unsprung_mass for axle in self.axle])
+        self.bar_rates = np.array([axle.anti_roll_bar_rate for axle in self.axle]) if self.full else None
         self.n = 3 + len(self.corners)
 
     # --- laws of one wheel ------------------------------------------------------------------------------------
@@ -288,8 +289,7 @@ class WheelsTwin(Twin):
     def bars(self, d):
         if not self.full:
             return np.zeros(len(d))
-        other = d[[1, 0, 3, 2]]
-        return np.array([axle.anti_roll_bar_rate for axle in self.axle]) * (d - other)
+        return self.bar_rates * (d - d[[1, 0, 3, 2]])
 
     def cornering(self, t: float) -> tuple[float, np.ndarray]:
         """Moment about the x axis on the body (N m), and what the links press each wheel down with (N)."""
@@ -392,10 +392,18 @@ def road_pieces(segments):
 
 
 def _line(c, start: float, speed: float):
-    return (
-        lambda t: sum(c[k] * (speed * (t - start)) ** k for k in range(4)),
-        lambda t: speed * sum(k * c[k] * (speed * (t - start)) ** (k - 1) for k in range(1, 4)),
-    )
+    if not any(c[1:4]):
+        return held(c[0])
+
+    def height(t: float) -> float:
+        s = speed * (t - start)
+        return c[0] + s * (c[1] + s * (c[2] + s * c[3]))
+
+    def rate(t: float) -> float:
+        s = speed * (t - start)
+        return speed * (c[1] + s * (2.0 * c[2] + s * 3.0 * c[3]))
+
+    return height, rate
 
 
 def _sine(c, start: float, speed: float):

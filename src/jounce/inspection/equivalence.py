@@ -33,6 +33,7 @@ METHODS = {key: EVALUATED[key].quantities[0].name for key in ("eusama", "egea", 
 SOUND, WORN = 0.2, 0.7
 """A damper that has lost up to this share is sound; one that has lost this share or more is worn (estimated)."""
 _RIGID, _SPRUNG = "egea-specsus2018", "theta-msd3000"
+_TESTS_OF_A_PROCESS = 200  # as many as one can do in the time that another process takes to start
 
 
 @dataclass(frozen=True)
@@ -166,7 +167,8 @@ def compare_tests(
     limits : Limits, optional
         Whose bands count; the shipped ones by default.
     workers : int
-        Processes that share the work (1: this one); a script that asks for more needs ``if __name__ == "__main__":``.
+        Processes that share the work (1: this one), one for at least 200 tests; a script that asks for more needs
+        ``if __name__ == "__main__":``.
     progress : callable
         Told the share that is done, 1.
 
@@ -227,6 +229,7 @@ def _edges(limits: Limits) -> dict[str, float]:
 
 def _tested(columns: Sequence[tuple[QuarterCar, Array]], workers: int) -> Iterator[dict[str, Array]]:
     """Test all columns, in their order."""
+    workers = min(workers, sum(len(shares) for _, shares in columns) // _TESTS_OF_A_PROCESS)
     if workers <= 1:
         yield from map(_column, columns)
         return

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import pickle
+from typing import ClassVar, Self
+
 import numpy as np
 import pytest
 
 import jounce as jn
 from jounce.core.errors import JounceError
+from jounce.inspection import equivalence
 from jounce.inspection.equivalence import METHODS, Equivalence, compare_tests, usual_factors
 
 CAR = jn.load("audi-a6-quarter-car").with_changes({"tyre.damping_coefficient": 100.0, "sprung.mass": 400.0})
@@ -74,3 +78,42 @@ def test_a_boundary_lies_where_the_value_meets_the_limit(study: Equivalence) -> 
 def test_other_rigs_are_refused() -> None:
     with pytest.raises(JounceError, match="quarter cars"):
         compare_tests(jn.load("audi-a6-half-car"))  # type: ignore[arg-type]
+
+
+class Pool:
+    """In place of processes: keeps how many there would be, and sends what it is given through pickle as they do."""
+
+    started: ClassVar[list[int]] = []
+
+    def __init__(self, workers: int, **_: object) -> None:
+        self.started.append(workers)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        pass
+
+    def map(self, function, things):
+        function, things = pickle.loads(pickle.dumps((function, list(things))))
+        return [pickle.loads(pickle.dumps(function(thing))) for thing in things]
+
+
+@pytest.mark.parametrize(("tests", "started"), [(9, []), (4, [2]), (3, [3]), (1, [3])])
+def test_processes_are_started_where_they_save_time(study: Equivalence, monkeypatch, tests: int, started: list[int]):
+    """9 tests in three columns, for at most three processes."""
+    monkeypatch.setattr(equivalence, "_TESTS_OF_A_PROCESS", tests)
+    monkeypatch.setattr(equivalence, "ProcessPoolExecutor", Pool)
+    monkeypatch.setattr(Pool, "started", [])
+    found = compare_tests(CAR, wear=[0.0, 0.4, 0.8], factors=usual_factors(3)[:1], workers=3)
+    assert Pool.started == started
+    name = found.factors[0].name
+    assert found.planes[name].identical(study.planes[name])
+
+
+@pytest.mark.slow
+def test_real_processes_give_the_same(study: Equivalence, monkeypatch):
+    """Seconds for two interpreters; tests of a store's evaluation anew have such processes, too."""
+    monkeypatch.setattr(equivalence, "_TESTS_OF_A_PROCESS", 1)
+    found = compare_tests(CAR, wear=[0.0, 0.4, 0.8], factors=usual_factors(3), workers=2)
+    assert all(found.planes[name].identical(plane) for name, plane in study.planes.items())

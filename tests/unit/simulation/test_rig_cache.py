@@ -20,6 +20,7 @@ TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m
 @pytest.fixture
 def fresh(tmp_path, monkeypatch):
     """A process that has compiled nothing, with an empty cache; calling it forgets again. Counts builds and code."""
+    jn.simulate(KART, TRIAL)  # the code of its loops is loaded: it would be kept in that cache, too
     monkeypatch.setenv("JOUNCE_CACHE_DIR", str(tmp_path))
     monkeypatch.setattr(compiled_module, "_compiled", {})
     counts = {"built": 0, "emitted": 0}
@@ -101,17 +102,17 @@ def test_detail_is_another_entry(fresh):
     assert len(detailed.output_names) > len(plain.output_names)
 
 
-@pytest.mark.parametrize("at", [0, 36, 44, 300, -5])
-def test_damaged_entry_is_rebuilt(fresh, tmp_path, at):
+def test_damaged_entry_is_rebuilt(fresh, tmp_path):
     counts = fresh()
     expected = jn.simulate(KART, TRIAL)
     (entry,) = tmp_path.iterdir()
-    content = bytearray(entry.read_bytes())
-    content[at] ^= 1
-    entry.write_bytes(bytes(content))
-    fresh()
-    assert jn.simulate(KART, TRIAL).identical(expected)
-    assert counts["emitted"] == 2
+    for times, at in enumerate((0, 36, 44, 300, -5), 1):
+        content = bytearray(entry.read_bytes())
+        content[at] ^= 1
+        entry.write_bytes(bytes(content))
+        fresh()
+        assert jn.simulate(KART, TRIAL).identical(expected), at
+        assert counts["emitted"] == 1 + times, at
 
 
 def test_entry_of_another_rig_is_rebuilt(fresh, tmp_path):
