@@ -43,6 +43,8 @@ SOURCES = ROOT / "src" / "jounce"
 HARMLESS = Path(__file__).parent / "harmless.toml"
 KEPT = ROOT / "build" / "mutants"
 KINDS = ("physics", "reference", "properties")
+PROOF = {"identify": ("recovery", "measured")}
+"""Kinds of tests beside unit tests that use a package, and those that it is proven by (other kinds take minutes)."""
 LIBRARIES = (
     "casadi",
     "h5py",
@@ -222,7 +224,7 @@ def load_what_stands_below(package: str) -> None:
 
 
 def own_tests(package: str) -> list[str]:
-    """Its unit tests, the examples in its docstrings, and files elsewhere that use it or a public function of it.
+    """Its unit tests, the examples in its docstrings, and files of other kinds that use it or a public function of it.
 
     What is loaded, or described by a class (a road, a controller), is only driven with in most files.
     """
@@ -233,7 +235,9 @@ def own_tests(package: str) -> list[str]:
     unit = ROOT / "tests" / "unit"
     files = [(file, uses) for kind in KINDS for file in sorted((ROOT / "tests" / kind).glob("test_*.py"))]
     others = [file for file in sorted(unit.glob("*/test_*.py")) if file.parent.name != package]
-    files += [(file, imports) for file in (*others, *sorted((ROOT / "tests" / "hostile").glob("test_*.py")))]
+    for kind in ("hostile", *PROOF.get(package, ())):
+        others += sorted((ROOT / "tests" / kind).glob("test_*.py"))
+    files += [(file, imports) for file in others]
     named = [file for file, words in files if words.search(file.read_text(encoding="utf-8"))]
     modules = (file.relative_to(SOURCES.parent).with_suffix("").parts for file in sources_of(package))
     examples = "tests/architecture/test_docstrings.py::test_examples_are_true"

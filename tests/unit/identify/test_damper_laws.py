@@ -2,13 +2,23 @@
 
 import itertools
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.serialise import to_json
-from jounce.identify.damper import damper_curve, damper_law, fit_damper, hysteresis_share, read_motion
+from jounce.identify.damper import (
+    _force_step,
+    damper_advice,
+    damper_curve,
+    damper_law,
+    fit_damper,
+    hysteresis_share,
+    read_motion,
+)
+from jounce.identify.estimate import Estimate
 from jounce.identify.hysteresis_path import bouc_wen_path
 
 TIME = np.arange(0.0, 6.0, 0.005)
@@ -291,3 +301,92 @@ def test_unknown_choices_are_refused(wrong):
 def test_an_unknown_law_is_refused_by_the_law_itself():
     with pytest.raises(DescriptionError, match="unknown damper law"):
         damper_law("viscous", read_motion(X, V, V, TIME)[0])
+
+
+@pytest.fixture(scope="module")
+def line():
+    motion, _ = read_motion(X, V, 900.0 * V, TIME)
+    return fit_damper(X, V, 900.0 * V, TIME), motion
+
+
+@pytest.mark.parametrize(
+    ("changes", "told"),
+    [
+        ({}, []),
+        ({"cycles": 3.0}, []),
+        ({"cycles": 2.99}, [("note", 2.99)]),
+        ({"r2": 0.901}, []),
+        ({"r2": 0.899}, [("warning", 0.899)]),
+        ({"parameters": {"offset": Estimate(3.0, 1.0, (1.0, 5.0))}}, [("note", 3.0)]),
+        ({"parameters": {"offset": Estimate(3.0, 2.0, (-1.0, 7.0))}}, []),
+        ({"parameters": {"coefficient": Estimate(-1.0, 0.1)}}, [("problem", -1.0)]),
+        ({"parameters": {"bump_coefficient": Estimate(-1.0)}}, [("problem", -1.0)]),
+        ({"parameters": {"rebound_coefficient": Estimate(-1.0)}}, [("problem", -1.0)]),
+        ({"parameters": {"slope": Estimate(10.0, 4.9)}}, []),
+        ({"parameters": {"slope": Estimate(-10.0, 5.1)}}, [("note", 5.1)]),
+        ({"parameters": {"sigma": Estimate(10.0, 5.1)}}, [("note", 5.1)]),
+        ({"parameters": {"force": Estimate(10.0, 9.0)}}, []),
+        ({"damper": {"velocity": [-1.0, 0.0, 1.0], "force": [-1.0, 2.0, 1.9]}}, [("warning", None)]),
+        ({"damper": {"velocity": [-1.0, 0.0, 1.0], "force": [-1.0, 2.0, 2.0]}}, []),
+        ({"law": "tanh-hysteretic", "parameters": {"coefficient": Estimate(-1.0)}}, []),
+    ],
+)
+def test_what_a_law_is_told_of_begins_at_its_limits(line, changes, told):
+    result, motion = line
+    parameters = {"offset": Estimate(0.0, 1.0, (-2.0, 2.0))} | changes.get("parameters", {})
+    units = dict.fromkeys(parameters, "1")
+    known = {"cycles": 9.0, "r2": 0.99, "parameters": parameters, "units": units}
+    changed = replace(result, **known | {key: value for key, value in changes.items() if key != "parameters"})
+    found = damper_advice(changed, motion, (), "a.csv")
+    assert [(one.place, one.severity, one.value) for one in found] == [("a.csv", *each) for each in told]
+
+
+def test_a_number_at_the_limit_of_its_range_is_told(line):
+    result, motion = line
+    at_end = replace(result, law="bouc-wen", parameters={"sigma": Estimate(4.0)}, units={"sigma": "1"}, cycles=9.0)
+    (limit,) = damper_advice(at_end, motion, ("sigma",), "a.csv")
+    assert (limit.severity, limit.value) == ("warning", 4.0)
+
+
+@pytest.mark.parametrize(("share", "told"), [(0.039, 0), (0.041, 1)])
+def test_hysteresis_is_told_from_four_percent_on(line, share, told):
+    result, motion = line
+    rising = np.gradient(motion.velocity, motion.time) > 0.0
+    smooth = np.ptp(900.0 * motion.velocity)
+    step = smooth / (1.0 / share - 1.0)  # the range of the force grows with what is added
+    looped = replace(motion, force=900.0 * motion.velocity + 0.5 * step * np.where(rising, 1.0, -1.0))
+    size = hysteresis_share(looped)
+    looped = replace(looped, force=900.0 * motion.velocity + (looped.force - 900.0 * motion.velocity) * share / size)
+    assert [one.value for one in damper_advice(result, looped, (), "") if "hysteresis" in one.message] == (
+        [pytest.approx(share, rel=0.03)] * told
+    )
+
+
+def test_hysteresis_is_the_difference_of_both_ways_less_their_noise():
+    """Two velocities, passed twice up and twice down: means 5 and 1 apart by 4, of variances 2 / 2 + 8 / 2 = 5."""
+    speeds = np.array([-1.0, 0.5, 1.0, 0.5, -1.0, 0.5, 1.0, 0.5, -1.0])
+    motion = replace(
+        read_motion(X, V, 900.0 * V, TIME)[0],
+        time=np.arange(9.0),
+        velocity=speeds,
+        force=np.array([0.0, 4.0, 10.0, -1.0, 0.0, 6.0, 10.0, 3.0, 0.0]),
+    )
+    assert hysteresis_share(motion) == pytest.approx(math.sqrt((5.0 - 1.0) ** 2 - 5.0) / 11.0, rel=1e-12)
+    once = replace(motion, time=motion.time[:5], velocity=speeds[:5], force=motion.force[:5])
+    assert hysteresis_share(once) == 0.0  # passed once each way, nothing is known of the noise
+
+
+@pytest.mark.parametrize(
+    ("share", "noise", "told"), [(0.0205, 0.0, 1), (0.0195, 0.0, 0), (0.05, 1.0, 0), (0.05, 0.3, 1)]
+)
+def test_a_jump_of_the_force_is_told_where_it_is_two_percent_and_explains_a_fifth(share, noise, told):
+    motion, _ = read_motion(X, V, 9000.0 * V, TIME)
+    smooth = 9000.0 * motion.velocity
+    step = share * np.ptp(smooth) / (1.0 - 2.0 * share)  # the range grows with the step
+    jumped = smooth + step * np.tanh(motion.velocity / (0.01 * motion.peak_velocity))
+    jumped += noise * step * np.random.default_rng(0).normal(size=len(jumped))
+    found = _force_step(replace(motion, force=jumped))
+    assert (found is not None) == bool(told)
+    if told:
+        assert found == pytest.approx(step, rel=0.1 if noise else 1e-6)
+    assert _force_step(replace(motion, force=-jumped)) is None

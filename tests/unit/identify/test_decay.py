@@ -1,14 +1,23 @@
 """Results and refusals of the decay fit."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.serialise import to_json
-from jounce.identify.decay import DecayParameters, combine_decays, decay_response, decay_slopes, fit_decay
-from jounce.identify.estimate import Estimate, combine
+from jounce.identify.decay import (
+    DecayParameters,
+    _advice,
+    _naive_decrement,
+    combine_decays,
+    decay_response,
+    decay_slopes,
+    fit_decay,
+)
+from jounce.identify.estimate import Estimate, Uncertainty, combine
 
 MASS, STIFFNESS = 16.0, 18362.0
 TIME = np.arange(0.0, 2.0, 1e-3)
@@ -232,3 +241,76 @@ def test_runs_of_different_systems_are_noticed():
     other = fit_decay(TIME, record(), mass=MASS)
     faster = fit_decay(0.8 * TIME, record(), mass=MASS)
     assert "was something changed" in messages(combine_decays([other, faster]))
+
+
+@pytest.fixture(scope="module")
+def exact():
+    return fit_decay(TIME, record(), mass=MASS)
+
+
+@pytest.mark.parametrize(
+    ("changes", "step", "time", "stiffness", "told"),
+    [
+        ({}, 1e-3, 4.1, None, [("warning", "use the combined estimate", 15.0), ("note", "successive residuals", 4.1)]),
+        ({}, 1e-3, 3.9, None, [("warning", "use the combined estimate", 15.0)]),
+        ({"decrements": (1.0,)}, 1e-3, 1.0, None, []),
+        ({"coulomb_force": Estimate(3.0, 2.0, (-1.0, 7.0))}, 1e-3, 1.0, None, []),
+        ({"decrements": (), "cycles": 1.49}, 1e-3, 1.0, None, [("warning", "only 1.49 cycles", 1.49)]),
+        ({"decrements": (), "cycles": 1.5}, 1e-3, 1.0, None, []),
+        ({"decrements": (), "r2": 0.981}, 1e-3, 1.0, None, []),
+        ({"decrements": (), "r2": 0.979}, 1e-3, 9.0, None, [("problem", "explains only 97.9 %", 0.979)]),
+        ({"decrements": ()}, 1.0 / (19.9 * 5.39163), 1.0, None, [("warning", "only 19.9 samples per cycle", 19.9)]),
+        ({"decrements": ()}, 1.0 / (20.1 * 5.39163), 1.0, None, []),
+        ({"decrements": ()}, 1e-3, 1.0, STIFFNESS / 1.029, []),
+        ({"decrements": ()}, 1e-3, 1.0, STIFFNESS / 0.971, []),
+        ({"decrements": ()}, 1e-3, 1.0, STIFFNESS / 1.031, [("warning", "+3.1 % from the given", 0.031)]),
+        ({"decrements": ()}, 1e-3, 1.0, STIFFNESS / 0.969, [("warning", "-3.1 % from the given", -0.031)]),
+        (
+            {"decrements": (), "quadratic_drag": Estimate(3.0)},
+            1e-3,
+            1.0,
+            None,
+            [("warning", "quadratic drag, 3 N", 3.0)],
+        ),
+        ({"decrements": (), "quadratic_drag": Estimate(0.0)}, 1e-3, 1.0, None, []),
+        ({"decrements": (), "rms_residual": 1.9e-8}, 1e-3, 9.0, None, []),  # a millionth of the release is rounding
+        ({"decrements": (), "rms_residual": 2.1e-8}, 1e-3, 9.0, None, [("note", "successive residuals", 9.0)]),
+    ],
+)
+def test_what_a_decay_is_told_of_begins_at_its_limits(exact, changes, step, time, stiffness, told):
+    known = {"coulomb_force": Estimate(15.0, 1.0, (13.0, 17.0)), "rms_residual": 1e-5, "r2": 0.999, "cycles": 2.0}
+    found = _advice(replace(exact, **known | changes), Uncertainty(np.eye(7), 10.0, time), step, stiffness, "decay")
+    assert [(one.severity, pytest.approx(one.value, rel=1e-4)) for one in found] == [(one[0], one[2]) for one in told]
+    assert all(words in one.message for one, (_, words, _) in zip(found, told, strict=True))
+
+
+@pytest.mark.parametrize("key", ["friction_deflection", "damping_ratio"])
+def test_what_was_fitted_as_zero_is_told(exact, key):
+    none = replace(exact, parameters=replace(exact.parameters, **{key: 0.0}), decrements=())
+    (finding,) = _advice(none, Uncertainty(np.eye(7), 10.0, 1.0), 1e-3, None, "decay")
+    assert ("dry friction" if key.startswith("friction") else "viscous damping") in finding.message
+    assert (finding.severity, finding.value) == ("note", 0.0)
+
+
+def test_decrements_of_one_two_and_many_amplitudes():
+    assert _naive_decrement(np.array([3.0])) == Estimate(math.inf)
+    assert _naive_decrement(np.array([3.0, 2.0])) == Estimate(2.0 * math.log(1.5))
+    assert _naive_decrement(3.0 * 0.8 ** np.arange(5.0)).value == pytest.approx(-2.0 * math.log(0.8), rel=1e-12)
+
+
+def test_runs_are_held_against_each_other(exact):
+    def run(frequency=5.0, **more):
+        return replace(exact, natural_frequency_hz=Estimate(frequency, 0.01), findings=(), **more)
+
+    for other, told in ((5.25, 0), (5.26, 1), (4.76, 0), (4.75, 1)):  # 5 % of the mean
+        found = combine_decays([run(), run(other)]).findings
+        assert [one.value for one in found] == [pytest.approx(abs(other - 5.0))] * told
+    drag = {"quadratic_drag": Estimate(2.0, 0.1)}
+    both, mixed, none = (combine_decays(each) for each in ([run(**drag)] * 2, [run(**drag), run(), run()], [run()] * 2))
+    assert both.quadratic_drag.value == pytest.approx(2.0)
+    assert (both.findings, none.findings, mixed.quadratic_drag, none.quadratic_drag) == ((), (), None, None)
+    assert [(one.severity, one.value) for one in mixed.findings] == [("warning", 1.0)]
+    assert combine_decays([run(), run(equilibrium=None)]).equilibrium is None
+    negative = run(damping_ratio=Estimate(-0.1, 0.01), damping_coefficient=Estimate(-1.0, 0.1))
+    assert combine_decays([negative, negative]).damping_ratio.value == 0.0
+    assert combine_decays([negative, negative]).damping_coefficient.value == 0.0

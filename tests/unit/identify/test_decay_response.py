@@ -10,10 +10,13 @@ from jounce.identify.decay import (
     Peaks,
     decay_response,
     find_peaks,
+    find_release,
     noise_of,
     ratio_from_decrement,
     regress_peaks,
     turning_points,
+    until_it_grows,
+    zigzag,
 )
 
 MASS, STIFFNESS, DAMPING, FRICTION = 16.0, 18362.0, 120.0, 15.0
@@ -105,3 +108,49 @@ def test_noise_is_measured_under_a_motion():
     t = np.arange(0.0, 2.0, 1e-3)
     noise = np.random.default_rng(0).normal(0.0, 2e-4, len(t))
     assert noise_of(decay_response(t, system(), "displacement") + noise) == pytest.approx(2e-4, rel=0.1)
+
+
+def test_noise_is_measured_to_a_few_percent_of_itself():
+    noise = np.random.default_rng(1).normal(0.0, 3e-4, 200_000)
+    assert noise_of(noise) == pytest.approx(3e-4, rel=0.01)
+
+
+def test_turning_points_are_left_by_more_than_the_threshold_both_ways():
+    for turn in (1.0, -1.0):
+        for offset in (0.0, 7.0):
+            signal = offset + turn * np.array([0.0, 0.9, 0.1, 3.0, 2.1, 3.1, 0.0, 0.9, -0.5, 1.0, 0.2, 5.0, 3.9])
+            assert zigzag(signal, 1.0) == [0, 5, 8, 11]
+            assert zigzag(signal, 0.85) == [0, 3, 4, 5, 6, 7, 8, 11]
+            assert zigzag(signal, 0.75) == [*range(12)]
+    assert zigzag(np.array([1.0, 1.9, 1.0]), 1.0) == [0]
+
+
+@pytest.mark.parametrize(
+    ("begin", "noise", "index"),
+    [
+        ([1.0, 1.0, 0.985, 0.975], 0.0, 2),  # within 2 % of the largest excursion
+        ([1.0, 1.0, 0.985, 0.975], 0.007, 2),
+        ([1.0, 1.0, 0.985, 0.975], 0.009, 3),  # or three times the noise
+        ([0.2, 1.0, 0.71, 0.99], 0.0, 3),  # before it falls below 70 %
+        ([0.2, 1.0, 0.69, 0.99], 0.0, 1),
+    ],
+)
+@pytest.mark.parametrize("rest", [0.0, 3.0])
+def test_the_release_is_where_the_largest_excursion_is_left(begin, noise, index, rest):
+    for turn in (1.0, -1.0):
+        assert find_release(rest + turn * np.array([*begin, *np.zeros(60)]), noise) == index
+    assert find_release(np.array([0.0, 0.0, 1.0, 1.0, 1.0]), 0.0) == 1  # the end of the record is where it rests
+
+
+def test_a_second_hit_is_a_swing_that_is_suddenly_much_larger():
+    def kept(*swings, noise=0.0):
+        values = np.cumsum([0.0, *(size * (-1.0) ** i for i, size in enumerate(swings))])
+        return len(until_it_grows(Peaks(np.arange(float(len(values))), values), noise).time) - 1
+
+    assert kept(9.0, 4.0, 2.0, 7.9, 3.0) == 5  # less than twice the larger of the two before
+    assert kept(9.0, 4.0, 2.0, 8.1, 3.0) == 3
+    assert kept(9.0, 2.0, 4.0, 8.1, 3.0) == 3
+    assert kept(9.0, 19.0, 4.0) == 3  # of two before there is only one
+    assert kept(9.0, 0.1, 0.05, 0.85) == 4  # less than a tenth of the first
+    assert kept(9.0, 0.1, 0.05, 0.95) == 3
+    assert kept(9.0, 0.1, 0.05, 0.95, noise=0.006) == 4  # or within the noise

@@ -7,7 +7,18 @@ import pytest
 
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.serialise import to_json
-from jounce.identify.stiffness import ForceDeflectionTrial, fit_stiffness
+from jounce.identify.estimate import Estimate
+from jounce.identify.stiffness import (
+    FittedCurve,
+    ForceDeflectionTrial,
+    TrialStiffness,
+    _advice,
+    _end_force,
+    _increasing,
+    _slope_at,
+    fit_curve,
+    fit_stiffness,
+)
 
 STROKE = np.linspace(0.0, 0.010, 101)
 
@@ -258,3 +269,101 @@ def test_a_deflection_beyond_a_metre_is_a_problem(reach, is_told):
     assert [f.value for f in result.findings if "exceeds 1 m" in f.message] == (
         [pytest.approx(reach)] if is_told else []
     )
+
+
+def test_a_curve_is_asked_for_the_deflection_at_a_force():
+    curve = FittedCurve("polynomial", (1e4, 1e6), preload=3.0, origin=0.002)
+    for deflection in (0.0021, 0.005, 0.0099):
+        assert curve.deflection_at(float(curve(deflection)), 0.01) == pytest.approx(deflection, rel=1e-6)
+    assert curve.deflection_at(2.0, 0.01) == 0.002  # less than the preload: where it begins
+    assert curve.deflection_at(float(curve(0.01)) + 0.1, 0.01) is None
+    assert curve.tangent(0.005) == pytest.approx(1e4 + 2e6 * 0.003)
+    power = FittedCurve("power", (4e5, 1.5))
+    assert power.tangent(0.01) == pytest.approx(4e5 * 1.5 * 0.1)
+    assert power(-1.0) == 0.0
+    table = FittedCurve("table", deflection=(0.0, 0.01, 0.02), force=(0.0, 100.0, 200.0))
+    assert table.tangent(0.013) == pytest.approx(1e4)
+
+
+def test_values_are_pooled_until_none_falls():
+    assert _increasing(np.array([1.0, 5.0, 2.0, 3.0, 9.0]), np.array([1.0, 1.0, 2.0, 1.0, 1.0])).tolist() == [
+        1,
+        3,
+        3,
+        3,
+        9,
+    ]
+    assert _increasing(np.array([4.0, 2.0, 0.0]), np.array([1.0, 2.0, 1.0])).tolist() == [2.0] * 3
+    assert _increasing(np.array([3.0, 2.0, 2.5]), np.array([1.0, 3.0, 1.0])).tolist() == [2.25, 2.25, 2.5]
+
+
+def test_the_slope_at_a_place_is_that_of_a_parabola_there():
+    x = np.linspace(-0.01, 0.01, 41)
+    force = 200.0 * x + 9e3 * x**2 + 4e6 * x**3
+    assert _slope_at(x, 200.0 * x + 9e3 * x**2, 0.003) == pytest.approx(200.0, rel=1e-9)
+    odd = float(np.sum(x[14:27] ** 4) / np.sum(x[14:27] ** 2))  # what a parabola takes a cube's slope to be
+    assert _slope_at(x, force, 0.003001) == pytest.approx(200.0 + 4e6 * odd, rel=1e-9)
+    few = np.array([-0.002, 0.0, 0.001, 0.003])
+    assert _slope_at(few, 5.0 * few + 1.0, 0.01) == pytest.approx(5.0)
+    assert _slope_at(few, few**2, 0.01) == pytest.approx(np.polyfit(few, few**2, 1)[0])  # a line through so few
+    five = np.append(few, 0.004)
+    assert _slope_at(five, five**2, 0.01) == pytest.approx(0.0, abs=1e-12)
+    assert _slope_at(few, few, 0.0005) is None
+
+
+def test_the_force_at_the_end_is_that_of_a_line_through_the_last_tenth():
+    x = np.linspace(0.0, 0.01, 101)
+    force = np.where(x >= 0.009 - 1e-9, 5e4 * x + 7.0, 0.0)
+    assert _end_force(x, force) == pytest.approx(507.0, rel=1e-12)
+    assert _end_force(np.array([0.0, 0.001, 0.01, 0.01]), np.array([0.0, 1.0, 6.0, 8.0])) == 7.0
+
+
+@pytest.mark.parametrize(("law", "least"), [("linear", 3), ("polynomial", 4), ("power", 3), ("monotone-spline", 5)])
+def test_a_law_needs_more_points_than_numbers(law, least):
+    x = np.linspace(0.001, 0.01, least)
+    given = {"law": law, "degree": 3, "intercept": "drop", "where": "a"}
+    assert fit_curve(x, 1e4 * x, **given).curve(0.005) == pytest.approx(50.0, rel=0.2)
+    with pytest.raises(FitError, match="a: fewer points than the law needs"):
+        fit_curve(np.append(x[1:], x[-1]), 1e4 * np.append(x[1:], x[-1]), **given)
+
+
+def row(**changes):
+    known = {"name": "a", "stiffness": Estimate(1e4), "intercept": None, "loss_factor": 0.1,
+             "hysteresis_energy": 1.0, "rms_residual": 0.0, "points": 10}  # fmt: skip
+    return TrialStiffness(**known | changes)
+
+
+@pytest.mark.parametrize(
+    ("bend", "preload", "rows", "told"),
+    [
+        (0.0, None, [row(), row()], []),
+        (0.0, None, [row()], ["trials"]),
+        (0.0, None, [row(loss_factor=None), row()], []),
+        (0.0, None, [row(loss_factor=None)] * 2, ["trials"]),
+        (0.0, None, [row(), row(points=9)], ["a"]),
+        (0.028, None, [row(), row()], []),
+        (0.032, None, [row(), row()], ["linear law"]),
+        (-0.032, None, [row(), row()], ["linear law"]),
+        (0.0, Estimate(-0.1), [row(), row()], ["intercept"]),
+        (0.0, Estimate(0.0), [row(), row()], []),
+    ],
+)
+def test_what_a_stiffness_is_told_of_begins_at_its_limits(bend, preload, rows, told):
+    x = np.linspace(0.0, 0.01, 60)
+    force = 1e4 * x * (1.0 + 0.5 * bend * (x / 0.01 - 1.0)) + 1e-6 * (-1.0) ** np.arange(60)
+    fit = fit_curve(x, force, law="linear", degree=1, intercept="drop", where="a")
+    found = _advice(fit, x, force, "linear", preload, rows)
+    assert [one.place for one in found] == told
+    for one in found:
+        if one.place == "linear law":
+            assert one.value == pytest.approx(bend, rel=1e-3)
+        if one.place == "intercept":
+            assert one.value == -0.1
+
+
+def test_a_curve_that_falls_is_a_problem():
+    x = np.linspace(0.0, 0.01, 60)
+    for force, told in ((1e4 * x - 4.9e5 * x**2, 0), (1e4 * x - 5.1e5 * x**2, 1)):
+        fit = fit_curve(x, force, law="polynomial", degree=2, intercept="drop", where="a")
+        found = _advice(fit, x, force, "polynomial", None, [row(), row()])
+        assert [(one.place, one.severity) for one in found] == [("curve", "problem")] * told

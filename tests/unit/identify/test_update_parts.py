@@ -1,0 +1,213 @@
+"""The parts of an update that need no simulation: what is told apart, starts that end elsewhere, bounds, priors."""
+
+from __future__ import annotations
+
+import re
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.identify import update
+from jounce.identify.datum import QuietStart, start_findings
+from jounce.identify.fit_problem import Free, _weight, check_free, free_parameters
+from jounce.identify.update import Optimum, UpdatedParameter, bounds_and_priors, identifiability
+
+RIG = jn.load("kart-quarter-car")
+RATE, MASS = "strut.spring.rate", "sprung.mass"
+
+
+def test_what_the_data_cannot_tell_apart() -> None:
+    base = np.linalg.qr(np.random.default_rng(3).normal(size=(60, 3)))[0]
+    for likeness, told in ((0.979, 0), (0.981, 1)):
+        alike = likeness * base[:, 0] + np.sqrt(1.0 - likeness**2) * base[:, 1]
+        found = identifiability(np.column_stack((base[:, 0], 3.0 * alike, 2.0 * base[:, 2])), ("a", "b", "c"))
+        assert [finding.place for finding in found.findings] == ["b"] * told
+        assert found.correlation[1][0] == pytest.approx(-likeness, rel=1e-9)
+        assert found.correlation[2][0] == pytest.approx(0.0, abs=1e-9)
+        assert found.sensitivity == pytest.approx(np.array([1.0, 3.0, 2.0]) / np.sqrt(60.0))
+        assert found.rank == 3
+        assert found.condition == pytest.approx(
+            np.linalg.cond(np.column_stack((base[:, 0], 3.0 * alike, 2.0 * base[:, 2])))
+        )
+    silent = identifiability(np.column_stack((base[:, 0], np.zeros(60))), ("a", "b"))
+    assert (silent.rank, silent.condition) == (1, float("inf"))
+    assert [(finding.place, finding.value) for finding in silent.findings] == [("b", 0.0)]
+    assert identifiability(np.zeros((60, 2)), ("a", "b")).rank == 0
+
+
+def test_strong_correlations_and_masses_that_move_far_are_told_from_their_limits_on() -> None:
+    for value, told in ((0.89, 0), (-0.89, 0), (0.91, 1), (-0.91, 1)):
+        found = update._correlated(("a", "b"), np.array([[1.0, value], [value, 1.0]]))
+        assert [(finding.place, finding.value) for finding in found] == [("b", value)] * told
+    weighed = SimpleNamespace(is_estimated=lambda path: path.startswith("guessed"))
+    for share, told in ((1.049, 0), (0.951, 0), (1.051, 1), (0.949, 1)):
+        for path, initial, is_told in ((MASS, 16.0, told), ("guessed.mass", 16.0, 0), (RATE, 16.0, 0), (MASS, 0.0, 0)):
+            moved = UpdatedParameter(
+                **dict.fromkeys(UpdatedParameter.__dataclass_fields__) | {"value": share * 16.0, "initial": initial}
+            )
+            found = update._far_masses(weighed, {path: moved})
+            assert [finding.value for finding in found] == [pytest.approx(share - 1.0)] * is_told
+
+
+def test_how_a_search_ended_is_told() -> None:
+    def optimum(objective: float, place: float, converged: bool = True) -> Optimum:
+        return Optimum(np.array([0.0, place]), objective, 1, 1, converged)
+
+    assert update._stall("u", optimum(1.0, 0.0), 1.0) == []
+    (finding,) = update._stall("u", optimum(0.5, 0.0, converged=False), 1.0)
+    assert (finding.severity, finding.value) == ("warning", 0.5)
+    assert update._stall("u", optimum(0.0, 0.0, converged=False), 0.0)[0].value == 0.0
+    for objective in (1.0, 1.1):
+        with pytest.raises(jn.FitError, match="u: the optimiser stalled at the start values"):
+            update._stall("u", optimum(objective, 0.0, converged=False), 1.0)
+    assert update._several_minima("u", [optimum(1.0, 0.2), optimum(1.1, 0.2009)]) == []
+    (finding,) = update._several_minima(
+        "u", [optimum(1.0, 0.2), optimum(1.1, 0.1992), optimum(1.2, 0.2012), optimum(3.0, 0.9)]
+    )
+    assert (finding.severity, finding.value) == ("note", 1.2)
+    assert "2 of 4 starts converged elsewhere" in finding.message
+
+
+def test_start_values_that_differ_between_trials_are_told() -> None:
+    free = (Free("a", 2.0, 1.0, 3.0), Free("b", 2.0, 1.0, 3.0))
+    trials = [SimpleNamespace(factors=np.array(each)) for each in ((1.0, 1.0), (1.0, 1.5), (1.0, 0.75))]
+    (finding,) = update._common_factors(SimpleNamespace(free=free, trials=trials))
+    assert (finding.place, finding.value) == ("b", 2.0)
+
+
+def test_several_starts_lie_within_the_bounds_and_the_best_end_leads(monkeypatch: pytest.MonkeyPatch) -> None:
+    begun: list[np.ndarray] = []
+
+    def minimise(_: object, point: np.ndarray, __: str) -> Optimum:
+        begun.append(point)
+        return Optimum(point, float(point[0]), 1, 1, converged=True)
+
+    monkeypatch.setattr(update, "minimise", minimise)
+    problem = SimpleNamespace(size=2)
+    found = update.minimise_from_many(problem, np.array([0.3, 0.3]), "bfgs", 9, 5)
+    places = np.array(begun)
+    assert places.shape == (9, 2)
+    assert begun[0].tolist() == [0.3, 0.3]
+    for column in places[1:].T:  # one in each eighth of the range
+        assert sorted(np.floor(4.0 * (column + 1.0)).astype(int)) == list(range(8))
+    assert [one.objective for one in found] == sorted(one.objective for one in found)
+    assert len(update.minimise_from_many(problem, np.zeros(2), "bfgs", 1, 5)) == 1
+
+
+def test_relative_and_absolute_bounds() -> None:
+    rate = RIG.parameters()[RATE]
+    for given, lower, upper in (
+        ("10 %", 0.9 * rate, 1.1 * rate),
+        (0.1, 0.9 * rate, 1.1 * rate),
+        (["10 N/mm", "40 N/mm"], 1e4, 4e4),
+        ([rate, "40 N/mm"], rate, 4e4),
+    ):
+        (found,) = free_parameters(RIG, {RATE: given}, where="u")
+        assert (found.initial, found.lower, found.upper) == pytest.approx((rate, lower, upper), rel=1e-12)
+    (cold,) = free_parameters(RIG.with_changes({"strut.spring.preload": "-10 N"}), {"strut.spring.preload": "10 %"})
+    assert (cold.lower, cold.upper) == pytest.approx((-11.0, -9.0))
+
+
+@pytest.mark.parametrize(
+    ("free", "message"),
+    [
+        ({}, "u: no free parameter"),
+        ({"strut.spring.rat": "10 %"}, "u: strut.spring.rat: .*Did you mean 'strut.spring.rate'"),
+        ({RATE: "0 %"}, "u: strut.spring.rate: the range must be above zero; found '0 %'"),
+        ({RATE: -0.1}, "the range must be above zero"),
+        ({RATE: ["1 N/mm"]}, "not a pair of bounds"),
+        ({RATE: 3 + 4j}, "not a pair of bounds"),
+        ({RATE: ["20 N/mm", "20 N/mm"]}, "the lower bound must lie below the upper"),
+        ({RATE: ["40 N/mm", "50 N/mm"]}, "the bounds exclude the start value.*allowed: 40000 to 50000"),
+        ({RATE: ["1 N/mm", "2 N/mm"]}, "the bounds exclude the start value"),
+        ({"strut.spring.preload": "10 %"}, "strut.spring.preload: a relative range of a zero start value"),
+    ],
+)
+def test_bounds_that_are_none(free: dict[str, object], message: str) -> None:
+    with pytest.raises(jn.JounceError, match=message):
+        free_parameters(RIG.with_changes({"strut.spring.preload": 0.0}), free, where="u")
+
+
+def test_no_free_parameter_here_may_be_some_elsewhere() -> None:
+    check_free(RIG, {}, more=1)
+    check_free(RIG.with_changes({"strut.spring.preload": 0.0}), {"strut.spring.preload": "10 %"})
+    with pytest.raises(jn.FitError, match="no free parameter"):
+        check_free(RIG, {})
+
+
+def test_bounds_with_a_prior() -> None:
+    given = {"bounds": "10 %", "prior": ["22 N/mm", "300 N/m"]}
+    assert bounds_and_priors(RIG, {RATE: given, MASS: "5 %"}, "u") == (
+        {RATE: "10 %", MASS: "5 %"},
+        {RATE: (pytest.approx(22e3), pytest.approx(300.0))},
+    )
+    assert bounds_and_priors(RIG, {"elsewhere": given}, "u") == ({"elsewhere": "10 %"}, {})
+    for bad, message in (
+        ({"bounds": "10 %"}, "not bounds with a prior"),
+        (given | {"more": 1}, "not bounds with a prior"),
+        (given | {"prior": ["22 N/mm"]}, "not bounds with a prior"),
+        (given | {"prior": 3.0}, "not bounds with a prior"),
+        (given | {"prior": ["22 N/mm", 0.0]}, "not a standard deviation; found 0"),
+    ):
+        with pytest.raises(jn.FitError, match=f"u: {re.escape(RATE)}: {message}"):
+            bounds_and_priors(RIG, {RATE: bad}, "u")
+
+
+def test_weights_of_channels() -> None:
+    values = np.array([1.0, 3.0, 1.0, 3.0])
+    assert _weight("printed", "a", values) == 1.0
+    assert _weight("normalised", "a", values) == pytest.approx(0.5)  # over the deviation, and over the root of four
+    assert _weight({"a": 9.0}, "a", values) == 3.0
+    assert _weight({"a": 9.0}, "b", values) == 0.0
+    with pytest.raises(jn.FitError, match="a: the channel is constant and cannot be normalised"):
+        _weight("normalised", "a", np.ones(4))
+    with pytest.raises(jn.FitError, match="unknown weighting; found 'normal'"):
+        _weight("normal", "a", values)
+
+
+@pytest.mark.parametrize(
+    ("recorded", "doubt", "static", "zero", "datum"),
+    [
+        (None, 0.0, 0.019, 0.0, "undeformed"),  # in motion: a static value of 2 % of the range does no harm
+        (None, 0.0, 0.021, 0.0, "free offset"),
+        (None, 0.01, 0.059, 0.0, "undeformed"),  # 4 standard errors of the quiet start beside
+        (None, 0.01, 0.061, 0.0, "free offset"),
+        (0.0119, 0.0, 0.01, 0.0, "undeformed"),  # hardly loaded: within 0.2 % of the range
+        (0.0121, 0.0, 0.01, 0.0, "free offset"),
+        (0.0519, 0.01, 0.01, 0.0, "undeformed"),
+        (0.0521, 0.01, 0.01, 0.0, "free offset"),
+        (0.119, 0.0, 1.0, 0.0, "rest"),  # loaded: within 2 % of the range and 10 % of the load
+        (-0.119, 0.0, 1.0, 0.0, "rest"),
+        (0.121, 0.0, 1.0, 0.0, "free offset"),
+        (0.319, 0.0, 1.0, 0.2, "free offset"),
+        (0.299, 0.0, 1.0, 0.2, "rest"),
+        (0.631, 0.0, 1.0, 0.0, "undeformed"),  # a load may be off by 35 %
+        (1.369, 0.0, 1.0, 0.0, "undeformed"),
+        (0.629, 0.0, 1.0, 0.0, "free offset"),
+    ],
+)
+def test_where_a_quiet_start_says_the_zero_lies(
+    recorded: float | None, doubt: float, static: float, zero: float, datum: str
+) -> None:
+    start = QuietStart(recorded, doubt, static, zero, reach=1.0)
+    assert start.datum() == datum
+    assert start.matters() == (abs(static - zero) > 0.02 + 4.0 * doubt or datum != "undeformed")
+    assert not QuietStart(recorded, doubt, static, zero, 1.0, is_stated=True).matters()
+
+
+def test_what_quiet_starts_tell() -> None:
+    rest = QuietStart(0.0, 0.0, 1.0, 0.0, 1.0, likeness=-0.59)
+    turned = QuietStart(0.7, 0.0, 1.0, 0.0, 1.0, likeness=-0.61)
+    free = QuietStart(0.4, 0.0, 1.0, 0.0, 1.0)
+    starts = {f"trial {i}": {"a": rest, "b": turned} for i in range(4)} | {"last": {"c": free}}
+    found = {(finding.place, finding.severity): finding.message for finding in start_findings(starts)}
+    assert set(found) == {("b", "warning"), ("a", "note"), ("b", "note"), ("c", "warning")}
+    assert (
+        'datum "rest" taken from the start of trial 0, trial 1, trial 2, trial 3: zero at rest;' in found["a", "note"]
+    )
+    assert "goes against the model in trial 0, trial 1, trial 2, trial 3 (correlation -0.61)" in found["b", "warning"]
+    assert "neither zeroed at rest nor counts as the model does" in found["c", "warning"]
+    many = start_findings({f"trial {i}": {"a": rest} for i in range(5)})
+    assert "taken from the start of 5 trials:" in many[0].message
