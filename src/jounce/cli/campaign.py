@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -204,22 +204,36 @@ def campaign_reply(
     if figures:
         plain["figures"] = list(figures)
     exit_code = DONE if result.is_complete else FAILED
-    return Reply(plain, lambda console: _draw(console, plain, result.findings, folder), as_json, exit_code, missing)
+
+    def draw(console: Console) -> None:
+        _draw(console, plain, result.findings, folder, _units(result))
+
+    return Reply(plain, draw, as_json, exit_code, missing)
 
 
-def _draw(out: Console, plain: dict[str, Any], findings: tuple[Finding, ...], folder: Path) -> None:
+def _units(result: CampaignResult) -> Callable[[str], str]:
+    """Give the SI unit of a parameter by its path, of whichever rig of the campaign has it."""
+    from jounce.report.characterisation import unit_at
+
+    rigs = [result.start, *(one.knowledge.rig for one in result.strategies)]
+    return lambda path: next((unit_at(rig, path) for rig in rigs if path in rig.parameters()), "SI")
+
+
+def _draw(
+    out: Console, plain: dict[str, Any], findings: tuple[Finding, ...], folder: Path, unit_at: Callable[[str], str]
+) -> None:
     if plain["synthetic"]:
         out.print(plain["synthetic"], style="yellow")
     replaced = plain["characterisation"]["replaced"]
     if replaced:
+        keys = ("described", "measured", "standard_error")
         rows = [
-            (item["source"], item["path"], item["described"], item["measured"], item["standard_error"])
-            for item in replaced
+            (item["source"], path := item["path"], unit_at(path), *(item[key] for key in keys)) for item in replaced
         ]
-        header = ("source", "parameter", "rig file", "measured", "standard error")
-        out.print(table("Characterisation (SI)", header, rows, text=(0, 1)))
+        header = ("source", "parameter", "unit", "rig file", "measured", "standard error")
+        out.print(table("Characterisation", header, rows, text=(0, 1, 2)))
     if plain["updates"]:
-        _draw_updates(out, plain["updates"])
+        _draw_updates(out, plain["updates"], unit_at)
     _draw_trials(out, plain["trials"])
     show_findings(out, findings)
     out.print(f"written: {folder}" + (f", open {folder / 'report.html'}" if (folder / "report.html").exists() else ""))
@@ -230,27 +244,39 @@ def _draw(out: Console, plain: dict[str, Any], findings: tuple[Finding, ...], fo
         )
 
 
-def _draw_updates(out: Console, updates: list[dict[str, Any]]) -> None:
+def _draw_updates(out: Console, updates: list[dict[str, Any]], unit_at: Callable[[str], str]) -> None:
     header = ("update", "objective before", "after", "reduction %", "iterations", "evaluations")
     keys = ("name", "objective_before", "objective_after", "reduction_percent", "iterations", "evaluations")
     out.print(table("Updates", header, [[update[key] for key in keys] for update in updates]))
     rows = [
-        (update["name"], path, *(fitted[key] for key in ("initial", "value", "standard_error", "at_bound")))
+        (
+            update["name"],
+            path,
+            unit_at(path),
+            *(fitted[key] for key in ("initial", "value", "standard_error", "at_bound")),
+        )
         for update in updates
         for path, fitted in update["parameters"].items()
     ]
-    header = ("update", "parameter", "initial", "value", "standard error, noise only", "at bound")
-    out.print(table("Parameters (SI)", header, rows, text=(0, 1)))
+    header = ("update", "parameter", "unit", "initial", "value", "standard error, noise only", "at bound")
+    out.print(table("Parameters", header, rows, text=(0, 1, 2)))
     known = [
-        (update["name"], path, law["value"], *law["interval"], law["why"] and f"not identified: {law['why']}")
+        (
+            update["name"],
+            path,
+            unit_at(path),
+            law["value"],
+            *law["interval"],
+            law["why"] and f"not identified: {law['why']}",
+        )
         for update in updates
         if update["discrepancy"]
         for path, law in update["discrepancy"]["parameters"].items()
     ]
     if known:
-        header = ("update", "parameter", "value", "95 % from", "to", "verdict")
-        rows = [(*row[:5], row[5] or "identified") for row in known]
-        out.print(table("Parameters as the parts have them, model error counted (SI)", header, rows, text=(0, 1, 5)))
+        header = ("update", "parameter", "unit", "value", "95 % from", "to", "verdict")
+        rows = [(*row[:6], row[6] or "identified") for row in known]
+        out.print(table("Parameters as the parts have them, model error counted", header, rows, text=(0, 1, 2, 6)))
 
 
 def _draw_trials(out: Console, trials: list[dict[str, Any]]) -> None:

@@ -437,6 +437,6 @@ def draw_front(console: Console, plain: dict[str, Any], front: ParetoFront) -> N
     for mark in front.marks:
         dampers = ", ".join(f"{path} = {value:.5g}" for path, value in mark.values.items())
         marks.append((mark.name, mark.kind, mark.comfort, mark.holding, mark.travel, dampers))
-    console.print(table("For comparison (SI)", ("design", "by", *names, "dampers"), marks, text=(0, 1, 5)))
+    console.print(table("For comparison", ("design", "by", *names, "dampers"), marks, text=(0, 1, 5)))
     show_findings(console, front.findings)
     show_written(console, plain)

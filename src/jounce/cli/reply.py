@@ -281,7 +281,9 @@ def _built(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]],
     return built
 
 
-_AT_END = re.compile(r"(?P<words>.*\s|)(?:\[(?P<inside>[^\[\]]+)\]|(?P<bare>mm|m|m/s|N|N/m|N/mm|N\*s/m|kg|W|deg/mm))")
+_AT_END = re.compile(
+    r"(?P<words>.*\s|)(?:\[(?P<inside>[^\[\]]+)\]|(?P<bare>mm|m|m/s|N|N/m|N/mm|N\*s/m|kg|W|deg/mm|m/km))"
+)
 _OWN = re.compile(r".*(?:%|\b(?:s|Hz|factor|gain|R2|by chance|active|full size / prototype))")
 """Names of columns that have a unit of their own beside a column ``unit``."""
 

@@ -30,7 +30,7 @@ from jounce.cli.options import (
     write_report,
 )
 from jounce.cli.reply import Reply, progress, show_findings, show_written, table
-from jounce.core.display import size
+from jounce.core.display import shown_as, size
 from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
@@ -329,7 +329,8 @@ def iri(
 
 def _draw_iri(out: Console, profile: str, found: Roughness, findings: list[Finding]) -> None:
     rows = [(part.start, part.end, part.iri_m_per_km, "partial" if part.partial else "") for part in found.segments]
-    out.print(f"{profile}: IRI {found.iri_m_per_km:.4g} m/km", soft_wrap=True)
+    unit = shown_as("m/km")
+    out.print(f"{profile}: IRI {found.iri_m_per_km * unit.factor:.4g} {unit.name}", soft_wrap=True)
     out.print(table("", ("from m", "to m", "IRI m/km", ""), rows, text=(3,)))
     out.print(f"{found.end - found.start:g} m, samples every {found.spacing:g} m, slopes over {found.base:g} m")
     show_findings(out, findings)

@@ -171,7 +171,7 @@ def _draw(console: Console, plain: dict[str, Any], study: ProvingGround, out: Pa
         (item["name"], item["value"], item["unit"], "estimated" if item["is_estimated"] else "")
         for item in plain["model"]
     ]
-    console.print(table("Quarter car (SI)", ("quantity", "value", "unit", ""), model, text=(0, 2, 3)))
+    console.print(table("Quarter car", ("quantity", "value", "unit", ""), model, text=(0, 2, 3)))
     rows = [
         (name, damper, *values) for name, by_damper in plain["figures"].items() for damper, values in by_damper.items()
     ]

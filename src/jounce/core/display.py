@@ -73,6 +73,7 @@ _UNITS: dict[System, dict[str, DisplayUnit]] = {
         "1/m": DisplayUnit("1/ft", _FOOT),
         "rad/m": DisplayUnit("°/in", _DEGREES * _INCH),
         "rad/m^2": DisplayUnit("°/in²", _DEGREES * _INCH**2),
+        "m/km": DisplayUnit("in/mi", 1e-3 * 5280.0 * _FOOT / _INCH),
         "m/rad": DisplayUnit("in/rad", 1.0 / _INCH),
         "kg": DisplayUnit("lb", 1.0 / _POUND),
         "kg*m^2": DisplayUnit("lb·ft²", 1.0 / (_POUND * _FOOT**2)),

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from jounce.core.display import DisplayUnit, display_unit
+from jounce.core.display import DisplayUnit, display_unit, shown_as
 from jounce.core.errors import FitError
 from jounce.core.types import Array
 from jounce.plots.display import number, words_of
@@ -238,13 +238,15 @@ def residual_against_speed_and_pitch(trials: Sequence[TrialResult]) -> Figure:
     figure = new_figure(3.4)
     left, right = figure.subplots(1, 2, sharey=True, gridspec_kw={"width_ratios": [1.4, 1.0]})
     single = [trial for trial in usable if trial.entry.speed is not None and trial.obstacle_pitch is None]
-    _draw_errors(left, [(float(t.entry.speed or 0.0), t) for t in single], channels_of(usable))
-    trains = [(1e3 * trial.obstacle_pitch, trial) for trial in usable if trial.obstacle_pitch is not None]
+    speed, pitch = shown_as("m/s", "speed"), display_unit("m")
+    singles = [(speed.factor * float(t.entry.speed or 0.0), t) for t in single]
+    _draw_errors(left, singles, channels_of(usable))
+    trains = [(pitch.factor * trial.obstacle_pitch, trial) for trial in usable if trial.obstacle_pitch is not None]
     _draw_errors(right, trains, channels_of(usable))
-    left.set(xlabel="speed [m/s]", ylabel="NRMSE after updating [–]", title="single obstacle")
-    right.set(xlabel="pitch of the obstacles [mm]", title="trains")
+    left.set(xlabel=speed.label("speed"), ylabel="NRMSE after updating [–]", title="single obstacle")
+    right.set(xlabel=pitch.label("pitch of the obstacles"), title="trains")
     left.set_ylim(bottom=0.0)
-    _number_points(left, single, [float(trial.entry.speed or 0.0) for trial in single])
+    _number_points(left, single, [x for x, _ in singles])
     _number_points(right, [trial for _, trial in trains], [x for x, _ in trains])
     _residual_legend(figure, channels_of(usable))
     return figure

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from jounce.core.display import display_unit
+from jounce.core.display import display_unit, shown_as
 from jounce.plots.display import number, quantity
 from jounce.plots.labels import name_points
 from jounce.plots.style import AFTER, BEFORE, INK, MUTED, PALETTE, WIDTH, in_legend, log_axes, new_figure, styled
@@ -247,24 +247,26 @@ def ride_spectra(rides: Sequence[Ride], stationary: StationaryResponse | None = 
     columns = 1 if len(channels) < 3 else 2
     figure = new_figure(0.6 + 2.6 * -(-len(channels) // columns), 9.6 if columns > 1 else WIDTH)
     grid = figure.subplots(-(-len(channels) // columns), columns, sharex=True, squeeze=False)
-    labels = {"az": "power spectral density [(m/s²)²/Hz]", "force": "power spectral density [N²/Hz]"}
+    units = {"az": display_unit("m/s^2"), "force": display_unit("N")}
     for name, axes in zip(channels, grid.flat, strict=False):
         for i, (ride, spectrum) in enumerate(zip(rides, spectra, strict=True)):
             found = spectrum[name]
+            unit = units[name.rpartition(".")[2]]
             band = (found.frequency > 0.0) & (found.frequency <= _HIGHEST)
             style = "-" if i < len(PALETTE) else "--"
             axes.plot(
                 found.frequency[band],
-                found.density[band],
+                unit.factor**2 * found.density[band],
                 style,
                 color=PALETTE[i % len(PALETTE)],
                 label=in_legend(ride.control),
             )
         if stationary is not None and stationary.frequency is not None and name in stationary.spectra:
             line = {"color": INK, "linewidth": 1.0, "linestyle": (0, (4, 2)), "label": "linear model, passive"}
-            axes.plot(stationary.frequency, stationary.spectra[name], **line)
+            axes.plot(stationary.frequency, unit.factor**2 * stationary.spectra[name], **line)
         log_axes(axes)
-        axes.set(title=name, ylabel=labels[name.rpartition(".")[2]], xlim=(0.2, _HIGHEST))
+        squared = f"({unit.name})²" if "/" in unit.name else f"{unit.name}²"
+        axes.set(title=name, ylabel=f"power spectral density [{squared}/Hz]", xlim=(0.2, _HIGHEST))
         low, high = _seen(axes)
         axes.set_ylim(low, high)
     for axes in grid.flat[len(channels) :]:
@@ -307,8 +309,10 @@ def trade_off(study: RideStudy) -> Figure:
     travel = np.array([ride.merits["travel"] for ride in study.rides])
     low, high = float(travel.min()), float(max(travel.max(), travel.min() * (1.0 + 1e-9)))
     sizes = _POINT_SIZE * travel / (high or 1.0)  # areas: three times as large is three times the travel
-    factor = 1e3 if up.unit == "m" else 1.0
-    places = np.array([(ride.merits[across.name], factor * ride.merits[up.name]) for ride in study.rides])
+    along, height, stroke = shown_as("m/s²"), display_unit(up.unit), display_unit("m")
+    places = np.array(
+        [(along.factor * ride.merits[across.name], height.factor * ride.merits[up.name]) for ride in study.rides]
+    )
     for i in np.argsort(-sizes, kind="stable"):  # small ones upon large ones
         is_passive = study.rides[i].control == "passive"
         x, y = places[i]
@@ -317,8 +321,9 @@ def trade_off(study: RideStudy) -> Figure:
         if is_passive:
             axes.axvline(x, color=MUTED, linewidth=0.8, linestyle=":")
             axes.axhline(y, color=MUTED, linewidth=0.8, linestyle=":")
-    axes.set(xlabel=f"{across.label} [m/s²]", ylabel=f"{up.label} [{'–' if up.unit == '1' else 'mm'}]")
-    axes.set_title(f"Better is to the lower left; area shows travel, {1e3 * low:.3g} to {1e3 * high:.3g} mm r.m.s.")
+    axes.set(xlabel=along.label(across.label), ylabel=height.label(up.label))
+    low, high = (f"{stroke.factor * end:.3g}" for end in (low, high))
+    axes.set_title(f"Better is to the lower left; area shows travel, {low} to {high} {stroke.name} r.m.s.")
     axes.margins(0.1)
     axes.autoscale_view()
     name_points(axes, [ride.control for ride in study.rides], places, np.sqrt(sizes / np.pi))

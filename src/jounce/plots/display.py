@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from jounce.core.display import display_unit
+from jounce.core.display import display_unit, shown_as
 from jounce.core.types import Array
 from jounce.recordings.schema import QUANTITIES, quantity_of
 
@@ -169,8 +169,10 @@ def percent(share: float | None, digits: int = 1) -> str:
     return text[1:] if text.startswith("-") and not text.strip("-0. %") else text.replace("-", "−")
 
 
-def given(value: float | None, si: str) -> str:
+def given(value: float | None, si: str, words: str = "") -> str:
     """Write a setting as the campaign gave it, in its display unit and without padding zeros; ``si`` is its SI unit.
+
+    What it is, in ``words``, matters for speeds, as :func:`jounce.core.display.shown_as` has them.
 
     Examples
     --------
@@ -179,7 +181,7 @@ def given(value: float | None, si: str) -> str:
     """
     if value is None:
         return "–"
-    unit = display_unit(si, value)
+    unit = shown_as(si, words) if words else display_unit(si, value)
     return f"{value * unit.factor:.5g} {unit.name}".strip().replace("-", "−")
 
 

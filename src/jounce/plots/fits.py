@@ -38,9 +38,6 @@ if TYPE_CHECKING:
     from jounce.identify.update import UpdatedParameter, UpdateResult
 
 
-_MM = display_unit("m")
-
-
 @styled
 def stiffness_fit(result: StiffnessResult, trials: Sequence[ForceDeflectionTrial] = (), title: str = "") -> Figure:
     """Draw a fitted force law over the measured points, and the stiffness of each trial by itself.
@@ -72,7 +69,7 @@ def stiffness_fit(result: StiffnessResult, trials: Sequence[ForceDeflectionTrial
     left, right = figure.subplots(1, 2, gridspec_kw={"width_ratios": [1.5, 1.0]})
     reach = _draw_points(left, trials, result.zero) or result.fitted_range[1]
     _draw_law(left, result, reach)
-    left.set(xlabel="deflection [mm]", ylabel="force [N]", title=title)
+    left.set(xlabel=display_unit("m").label("deflection"), ylabel=display_unit("N").label("force"), title=title)
     _draw_trials(right, result)
     figure.legend(*left.get_legend_handles_labels(), loc="outside lower left", ncols=3, columnspacing=1.4)
     return figure
@@ -81,12 +78,13 @@ def stiffness_fit(result: StiffnessResult, trials: Sequence[ForceDeflectionTrial
 def _draw_points(axes: Axes, trials: Sequence[ForceDeflectionTrial], zero: Zero) -> float:
     """Draw all points from where the fit counts them; give the largest deflection in m."""
     reach = 0.0
+    across, up = display_unit("m"), display_unit("N")
     for k, trial in enumerate(renamed(list(trials))):
         seated, _ = seat(trial, zero=zero)
         label = ("measured" if len(trials) == 1 else f"measured, {len(trials)} trials") if k == 0 else None
         axes.plot(
-            seated.deflection * _MM.factor,
-            seated.force,
+            seated.deflection * across.factor,
+            seated.force * up.factor,
             color=MEASURED,
             alpha=0.75,
             linewidth=0.6,
@@ -100,20 +98,21 @@ def _draw_points(axes: Axes, trials: Sequence[ForceDeflectionTrial], zero: Zero)
 
 
 def _draw_law(axes: Axes, result: StiffnessResult, reach: float) -> None:
+    across, up = display_unit("m"), display_unit("N")
     low, high = result.fitted_range
     inside, whole = np.linspace(low, high, 200), np.linspace(0.0, max(high, reach), 200)
     dropped = 0.0  # force that the fit has and the law for the model has not
     if result.law == "linear" and result.intercept_choice == "drop" and result.intercept is not None:
         dropped = result.intercept.value
-    axes.plot(
-        inside * _MM.factor, result.curve(inside) + dropped, color=AFTER, linewidth=1.8, label=f"fit, {result.law}"
-    )
+    fitted = (result.curve(inside) + dropped) * up.factor
+    axes.plot(inside * across.factor, fitted, color=AFTER, linewidth=1.8, label=f"fit, {result.law}")
     label = "used in the model, without intercept" if dropped else "beyond the fitted range"
-    axes.plot(whole * _MM.factor, result.curve(whole), color=AFTER, linewidth=1.0, linestyle=(0, (4, 2)), label=label)
+    law = result.curve(whole) * up.factor
+    axes.plot(whole * across.factor, law, color=AFTER, linewidth=1.0, linestyle=(0, (4, 2)), label=label)
     if low > 0.02 * high:
-        axes.axvspan(0.0, low * _MM.factor, color="#e4e8eb", linewidth=0.0, zorder=0, label="not fitted")
+        axes.axvspan(0.0, low * across.factor, color="#e4e8eb", linewidth=0.0, zorder=0, label="not fitted")
     if result.operating_deflection is not None:
-        at = result.operating_deflection * _MM.factor
+        at = result.operating_deflection * across.factor
         axes.axvline(at, color=PALETTE[1], linewidth=1.2, linestyle=(0, (1, 1.5)), label="static operating point")
 
 
@@ -327,7 +326,7 @@ def _draw_peaks(axes: Axes, result: DecayResult) -> None:
         )
     axes.set_xlim(left=0.0)
     axes.set_ylim(bottom=0.0)
-    axes.set(xlabel="turning point, from equilibrium [mm]", ylabel="next turning point [mm]")
+    axes.set(xlabel=unit.label("turning point, from equilibrium"), ylabel=unit.label("next turning point"))
     axes.set_title("each turning point against the previous one", fontweight="normal", fontsize=9)
     axes.legend(loc="upper left")
 

@@ -131,8 +131,9 @@ def sensitivity_bars(design: KinematicDesign) -> Figure:
     """
     targets = design.targets[:6]
     paths = list(design.sensitivity)
-    effects = 1e-3 * np.array([design.sensitivity[path][: len(targets)] for path in paths])
-    effects = effects / np.array([target.tolerance for target in targets])
+    unit = display_unit("m")
+    effects = np.array([design.sensitivity[path][: len(targets)] for path in paths])
+    effects = effects / unit.factor / np.array([target.tolerance for target in targets])
     order = np.argsort(-np.max(np.abs(effects), axis=1))[:_MOST_BARS]
     order = order[np.max(np.abs(effects[order]), axis=1) > 0.0]
     figure = new_figure(1.0 + 0.24 * len(order), 2.2 + 1.9 * len(targets))
@@ -144,7 +145,7 @@ def sensitivity_bars(design: KinematicDesign) -> Figure:
         axes.set_title(target.quantity.replace("_", " "), loc="left")
     grid[0].set_yticks(range(len(order)), names)
     grid[0].set_ylim(len(order) - 0.5, -0.5)
-    figure.supxlabel("change by 1 mm, in tolerances of the target (the largest over its curve)", fontsize=9)
+    figure.supxlabel(f"change by 1 {unit.name}, in tolerances of the target (the largest over its curve)", fontsize=9)
     return figure
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from jounce.core.display import display_unit
+from jounce.core.display import display_unit, shown_as
 from jounce.core.errors import RecordingError, SimulationError, nearest
 from jounce.core.types import Array
 from jounce.plots.display import number, words_of
@@ -244,17 +244,18 @@ def road_profile(roads: Road | Mapping[str, Road], distance: float | None = None
     rows = figure.subplots(len(named), 1, sharex=True, sharey=True, squeeze=False)[:, 0]
     ends = {name: road.end() for name, road in named.items()}
     reach = distance if distance is not None else 1.08 * max(*ends.values(), 1e-3)
+    across, up = shown_as("m", largest=reach), display_unit("m")
     for (name, road), axes in zip(named.items(), rows, strict=True):
         x, height = sampled(road.segments(reach))
         if height.min() >= 0.0:
-            axes.fill_between(x, 1e3 * height, 0.0, color="#cfd6dc", linewidth=0.0)
-        axes.plot(x, 1e3 * height, color=PALETTE[0], linewidth=1.1)
+            axes.fill_between(across.factor * x, up.factor * height, 0.0, color="#cfd6dc", linewidth=0.0)
+        axes.plot(across.factor * x, up.factor * height, color=PALETTE[0], linewidth=1.1)
         axes.set_title(name)
-        axes.set_ylabel("height [mm]" if len(named) == 1 else "height\n[mm]")
+        axes.set_ylabel(up.label("height" if len(named) == 1 else "height\n").replace("\n ", "\n"))
         axes.margins(y=0.15)
     begin = min(road.start for road in named.values()) if distance is None else 0.0
-    rows[0].set_xlim(max(0.0, begin - 0.08 * (reach - begin)), reach)
-    rows[-1].set_xlabel("distance [m]")
+    rows[0].set_xlim(across.factor * max(0.0, begin - 0.08 * (reach - begin)), across.factor * reach)
+    rows[-1].set_xlabel(across.label("distance"))
     figure.align_ylabels(rows)
     return figure
 
@@ -313,17 +314,18 @@ def frequency_response(
     f = np.geomspace(0.1, 100.0, 1200) if frequency is None else np.asarray(frequency, float)
     figure = new_figure(3.6, 3.9 * max(1, len(outputs)) if len(outputs) < 3 else 3.0 * len(outputs))
     grid = figure.subplots(2, len(outputs), sharex=True, squeeze=False, gridspec_kw={"height_ratios": [2.2, 1.0]})
+    road = display_unit("m")
     for column, name in enumerate(outputs):
         response = model.frequency_response(f, name, track)
         known = quantity_of(name)
         unit = display_unit(QUANTITIES[known][0] if known else "1")
-        per_mm = f"({unit.name})/mm" if "/" in unit.name else f"{unit.name or '1'}/mm"
+        per = f"({unit.name})/{road.name}" if "/" in unit.name else f"{unit.name or '1'}/{road.name}"
         top, bottom = grid[:, column]
-        top.plot(f, np.abs(response) * unit.factor * 1e-3, color=PALETTE[0])
+        top.plot(f, np.abs(response) * unit.factor / road.factor, color=PALETTE[0])
         bottom.plot(f, np.degrees(np.unwrap(np.angle(response))), color=PALETTE[0])
         log_axes(top)
         log_axes(bottom, "x")
-        top.set(ylabel=f"{words_of(name)}\nper {track} [{per_mm}]", title=name)
+        top.set(ylabel=f"{words_of(name)}\nper {track} [{per}]", title=name)
         bottom.set(xlabel="frequency [Hz]", ylabel="phase [°]", xlim=(float(f[0]), float(f[-1])))
     return figure
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from jounce.core.display import display_unit
+from jounce.core.display import display_unit, shown_as
 from jounce.core.types import Array
 from jounce.identify.decay import alternating, decay_response, turning_points
 from jounce.identify.force_deflection import ForceDeflectionTrial, renamed, seat
@@ -21,17 +21,17 @@ if TYPE_CHECKING:
     from jounce.roads import Road
 
 
-_MM = 1e3
 _UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2"}
 
 
 def stiffness_panels(found: StiffnessResult, trials: Sequence[ForceDeflectionTrial], title: str) -> tuple[Panel, ...]:
     """Force against deflection with the fitted law, and the stiffness of each trial with its interval."""
     series, reach = [], 0.0
+    across, up = display_unit("m"), display_unit("N")
     for k, trial in enumerate(renamed(list(trials))):
         seated, _ = seat(trial, zero=found.zero)
         label = "" if k else ("measured" if len(trials) == 1 else f"measured, {len(trials)} trials")
-        series.append(Series(_MM * seated.deflection, seated.force, "measured", "line", label))
+        series.append(Series(across.factor * seated.deflection, up.factor * seated.force, "measured", "line", label))
         reach = max(reach, float(seated.deflection.max()))
     low, high = found.fitted_range
     dropped = 0.0  # force that the fit has and the law for the model has not
@@ -39,13 +39,15 @@ def stiffness_panels(found: StiffnessResult, trials: Sequence[ForceDeflectionTri
         dropped = found.intercept.value
     inside, whole = np.linspace(low, high, 60), np.linspace(0.0, max(high, reach), 60)
     words = "used in the model, without intercept" if dropped else "beyond the fitted range"
-    series.append(Series(_MM * whole, found.curve(whole), "after", "dashed", words))
-    series.append(Series(_MM * inside, found.curve(inside) + dropped, "after", "line", f"fit, {found.law}"))
-    bands = ((0.0, _MM * low, "not fitted"),) if low > 0.02 * high else ()
+    series.append(Series(across.factor * whole, up.factor * found.curve(whole), "after", "dashed", words))
+    fitted = up.factor * (found.curve(inside) + dropped)
+    series.append(Series(across.factor * inside, fitted, "after", "line", f"fit, {found.law}"))
+    bands = ((0.0, across.factor * low, "not fitted"),) if low > 0.02 * high else ()
     verticals: tuple[tuple[float, str, str], ...] = ()
     if found.operating_deflection is not None:
-        verticals = ((_MM * found.operating_deflection, "before", "static operating point"),)
-    left = Panel(tuple(series), "deflection [mm]", "force [N]", title, bands, verticals, width=450, height=290)
+        verticals = ((across.factor * found.operating_deflection, "before", "static operating point"),)
+    labels = across.label("deflection"), up.label("force")
+    left = Panel(tuple(series), *labels, title, bands, verticals, width=450, height=290)
     return left, _each_trial(found)
 
 
@@ -100,14 +102,14 @@ def decay_panels(found: DecayResult, time: Array, record: Array, title: str) -> 
     shown = (begin - 0.15 * span, end + 0.02 * span)
     panels = [Panel(tuple(over_time), *labels, title, x_range=shown, width=520)]
     if found.quantity == "displacement":
-        amplitudes = np.array(found.amplitudes) * _MM
-        turns = alternating(turning_points(found.parameters, 40)) * _MM
+        amplitudes = np.array(found.amplitudes) * unit.factor
+        turns = alternating(turning_points(found.parameters, 40)) * unit.factor
         points = [Series(amplitudes[:-1], amplitudes[1:], "measured", "dots", "measured")]
         if len(turns) > 2:
             points.append(Series(turns[:-1], turns[1:], "after", "line", "fitted"))
             without = [0.0, float(found.parameters.half_cycle_ratio * turns[0])]
             points.append(Series([0.0, float(turns[0])], without, "muted", "dotted", "without friction"))
-        labels = "turning point, from equilibrium [mm]", "next turning point [mm]"
+        labels = unit.label("turning point, from equilibrium"), unit.label("next turning point")
         panels.append(Panel(tuple(points), *labels, "each turning point against the last", from_zero=True, width=380))
     return (*panels, _ratios(found))
 
@@ -137,15 +139,17 @@ def road_panels(roads: Mapping[str, Road]) -> tuple[Panel, ...]:
     reach = 1.08 * max(*(road.end() for road in roads.values()), 1e-3)
     begin = min(road.start for road in roads.values())
     shown = (max(0.0, begin - 0.08 * (reach - begin)), reach)
+    across, up = shown_as("m", largest=reach), display_unit("m")
+    shown = (across.factor * shown[0], across.factor * shown[1])
     panels = []
     for k, (name, road) in enumerate(roads.items()):
         x, height = sampled(road.segments(reach))
-        label = "distance [m]" if k == len(roads) - 1 else ""
+        label = across.label("distance") if k == len(roads) - 1 else ""
         panels.append(
             Panel(
-                (Series(x, _MM * height),),
+                (Series(across.factor * x, up.factor * height),),
                 label,
-                "height [mm]",
+                up.label("height"),
                 name,
                 x_range=shown,
                 width=620,

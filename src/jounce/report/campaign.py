@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from jounce.core.display import display_unit
+from jounce.core.display import display_unit, shown_as
 from jounce.core.errors import JounceError
 from jounce.core.findings import Finding
 from jounce.core.serialise import to_json
@@ -309,7 +309,7 @@ def _setting(trial: TrialResult) -> tuple[Cell | str, ...]:
     return (
         str(entry.number),
         _USES[entry.use],
-        given(entry.speed, "m/s"),
+        given(entry.speed, "m/s", "speed"),
         road or "–",
         given(trial.obstacle_pitch, "m"),
         given(entry.strut_angle, "rad"),
@@ -376,12 +376,15 @@ def _errors(result: CampaignResult) -> Chart:
     """Normalised error of every trial after updating against speed (single obstacles) and against pitch (trains)."""
     usable = [trial for trial in result.trials if trial.after is not None]
     channels = channels_of(usable)
-    single = [(t.entry.speed, t) for t in usable if t.entry.speed is not None and t.obstacle_pitch is None]
-    trains = [(1e3 * t.obstacle_pitch, t) for t in usable if t.obstacle_pitch is not None]
+    speed, pitch = shown_as("m/s", "speed"), display_unit("m")
+    single = [
+        (speed.factor * t.entry.speed, t) for t in usable if t.entry.speed is not None and t.obstacle_pitch is None
+    ]
+    trains = [(pitch.factor * t.obstacle_pitch, t) for t in usable if t.obstacle_pitch is not None]
     panels = []
     for points, label, title in (
-        (single, "speed [m/s]", "single obstacles"),
-        (trains, "pitch of the obstacles [mm]", "trains"),
+        (single, speed.label("speed"), "single obstacles"),
+        (trains, pitch.label("pitch of the obstacles"), "trains"),
     ):
         series, notes = [], []
         for k, name in enumerate(channels):
@@ -482,7 +485,7 @@ def _heading(trial: TrialResult) -> str:
     entry = trial.entry
     parts = [f"Trial {entry.number} ({_USES[entry.use]})"]
     if entry.speed is not None:
-        parts.append(given(entry.speed, "m/s"))
+        parts.append(given(entry.speed, "m/s", "speed"))
     parts.append(f"road {entry.road}" if entry.road is not None else _driven(entry))
     return f"{', '.join(parts)}: {verdict(trial)}"
 
@@ -763,16 +766,16 @@ _MODELS: tuple[tuple[str, Style, str], ...] = (("after", "line", "3-D"), ("befor
 
 
 def _travel(found: ModelComparison) -> Chart:
-    curves = found.curves()
+    curves, across = found.curves(), display_unit("m")
     panels = []
     for name, si in (("motion_ratio", "1"), ("wheel_rate", "N/m")):
         unit = display_unit(si)
         series = [
-            Series(1e3 * found.travel, unit.factor * curves[name].to_numpy()[:, k], role, style, label)
+            Series(across.factor * found.travel, unit.factor * curves[name].to_numpy()[:, k], role, style, label)
             for k, (role, style, label) in enumerate(_MODELS)
         ]
         words = str(curves[name].attrs["long_name"])
-        panels.append(Panel(tuple(series), "wheel travel from design [mm]", unit.label(words), words))
+        panels.append(Panel(tuple(series), across.label("wheel travel from design"), unit.label(words), words))
     return Chart(
         tuple(panels),
         "lumped-travel",
@@ -796,19 +799,21 @@ def _differences(found: ModelComparison) -> Table:
 
 
 def _shares(found: ModelComparison) -> Table:
+    unit = display_unit("kg")
     rows = tuple(
         (
             name.replace("_", " "),
-            number(part.mass),
+            number(unit.factor * part.mass),
             number(part.wheel_share, 3),
             *(
-                number(kilograms if abs(kilograms) > _ROUNDING * part.mass else 0.0, 3)
+                number(unit.factor * kilograms if abs(kilograms) > _ROUNDING * part.mass else 0.0, 3)
                 for kilograms in (part.sprung_mass, part.unsprung_mass, part.inertance)
             ),
         )
         for name, part in found.lumping.shares.items()
     )
-    header = ("body", "mass [kg]", "travel ratio [–]", "sprung [kg]", "unsprung [kg]", "inertance [kg]")
+    masses = (unit.label(words) for words in ("sprung", "unsprung", "inertance"))
+    header = ("body", unit.label("mass"), "travel ratio [–]", *masses)
     note = (
         "Travel ratio: vertical travel of the body's centre of mass per wheel travel. "
         "Inertance: additional effective mass due to rotation and lateral motion."

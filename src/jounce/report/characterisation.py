@@ -129,11 +129,12 @@ def _fit_note(found: StiffnessResult) -> str:
 
 
 def _trial_table(found: StiffnessResult) -> Table:
+    stiffness, force = display_unit("N/m"), display_unit("N")
     rows = tuple(
         (
             trial.name,
             *estimate_cells(trial.stiffness, "N/m")[:3],
-            number(trial.rms_residual, 2),
+            number(force.factor * trial.rms_residual, 2),
             number(trial.loss_factor, 2),
             str(trial.points),
         )
@@ -141,10 +142,8 @@ def _trial_table(found: StiffnessResult) -> Table:
     )
     header = (
         "trial",
-        "stiffness [N/mm]",
-        "standard error [N/mm]",
-        "95 % interval [N/mm]",
-        "r.m.s. residual [N]",
+        *(stiffness.label(words) for words in ("stiffness", "standard error", "95 % interval")),
+        force.label("r.m.s. residual"),
         "loss factor [–]",
         "points",
     )
@@ -160,7 +159,8 @@ def _pressure(result: CampaignResult) -> tuple[Block, ...]:
     )
     note = []
     if found.slope is not None:
-        note.append(f"Slope {number(found.slope * 1e3, 4)} N/mm per MPa")
+        stiffness, of = display_unit("N/m"), display_unit("Pa")
+        note.append(f"Slope {number(found.slope * stiffness.factor / of.factor, 4)} {stiffness.name} per {of.name}")
     if found.at_zero_pressure is not None:
         note.append(f"extrapolated to zero pressure {quantity(found.at_zero_pressure, 'N/m')}")
     if found.exponent is not None:
@@ -247,6 +247,7 @@ _METHODS = {
 
 
 def _damping_choices(choices: tuple[DampingChoice, ...]) -> Table:
+    damping = display_unit("N*s/m")
     rows = tuple(
         (
             _METHODS[choice.method],
@@ -260,7 +261,7 @@ def _damping_choices(choices: tuple[DampingChoice, ...]) -> Table:
     )
     return Table(
         "What each way to read the decays means for the damper",
-        ("way", "damping ratio", "of the sprung mass [N·s/m]", "at the strut [N·s/m]", "used"),
+        ("way", "damping ratio", damping.label("of the sprung mass"), damping.label("at the strut"), "used"),
         rows,
         "lrrrl",
         "With 95 % intervals. The decrement takes dry friction for viscous damping: it is right at the amplitudes of "
@@ -291,7 +292,13 @@ def _each_decay(decays: tuple[DecayResult, ...], names: list[str]) -> Table:
     )
     return Table(
         "Individual decays (with 95 % intervals)",
-        ("record", "damping coefficient [N·s/m]", "dry friction [N]", "natural frequency [Hz]", "cycles"),
+        (
+            "record",
+            display_unit("N*s/m").label("damping coefficient"),
+            display_unit("N").label("dry friction"),
+            "natural frequency [Hz]",
+            "cycles",
+        ),
         rows,
         "lrrrr",
     )

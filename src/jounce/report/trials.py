@@ -73,7 +73,7 @@ def trial_label(trial: TrialResult) -> str:
     entry = trial.entry
     parts = [f"{entry.number}", _USES[entry.use]]
     if entry.speed is not None:
-        parts.append(given(entry.speed, "m/s"))
+        parts.append(given(entry.speed, "m/s", "speed"))
     if entry.road is not None:
         parts.append(f"road {entry.road}")
     if entry.strut_angle is not None:

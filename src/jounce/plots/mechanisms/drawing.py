@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from jounce.core.display import display_unit
 from jounce.core.types import Array
 from jounce.plots.labels import column_width, write_names
 from jounce.plots.mechanisms.scene import Pose, Poses, Scene, poses_of, scene_of
@@ -318,7 +320,8 @@ class Sheet:
         """Add the axes, two by two."""
         width, height = _panel()
         size = np.array(_PAPER)
-        labels = (("y [mm]", "z [mm]"), ("x [mm]", "z [mm]"), ("y [mm]", "x [mm]"), ("", ""))
+        labels = [tuple(display_unit("m").label(word) for word in pair) for pair in ("yz", "xz", "yx")]
+        labels.append(("", ""))
         found = []
         for k, view in enumerate(self.views):
             corner = (_LEFT + (k % 2) * (width + _BETWEEN), _BOTTOM + (1 - k // 2) * (height + _ABOVE))
@@ -342,17 +345,31 @@ def _panel() -> tuple[float, float]:
 
 def _ticks(axes: Axes, view: View) -> None:
     """Show places along ground axes, also where these point to the left or down; none in space."""
-    from matplotlib.ticker import FuncFormatter
+    from matplotlib.ticker import FuncFormatter, MultipleLocator
 
     if view.name.startswith("from"):
         axes.set(xticks=[], yticks=[])
         axes.grid(visible=False)
         axes.spines[:].set_visible(False)
         return
+    shown = display_unit("m").factor / MM
     for axis, direction in ((axes.xaxis, view.right), (axes.yaxis, view.up)):
-        if direction.sum() < 0.0:
-            axis.set_major_formatter(FuncFormatter(lambda value, _: f"{0.0 - value:g}".replace("-", "−")))
+        sign = -1.0 if direction.sum() < 0.0 else 1.0
+        if shown != 1.0:
+            low, high = axis.get_view_interval()
+            steps = [step for step in (0.5, 1.0, 2.0, 5.0, 10.0, 20.0) if step > (high - low) * shown / _MOST_TICKS]
+            axis.set_major_locator(MultipleLocator((steps or [50.0])[0] / shown))
+        if shown != 1.0 or sign < 0.0:
+            text = partial(_place, factor=sign * shown)
+            axis.set_major_formatter(FuncFormatter(text))
     axes.tick_params(length=2.5)
+
+
+_MOST_TICKS = 6
+
+
+def _place(value: float, _: int | None = None, *, factor: float) -> str:
+    return f"{factor * value + 0.0:g}".replace("-", "−")
 
 
 def new_sheet(title: str, scene: Scene) -> Figure:
