@@ -22,6 +22,7 @@ from jounce.cli import (
     fit,
     inspection,
     kinematics,
+    load_cases,
     pictures,
     ride,
     simulate,
@@ -65,6 +66,7 @@ def application() -> typer.Typer:
     app.command("modes")(simulate.modes)
     app.command("adjust")(kinematics.adjust)
     app.command("kinematics")(kinematics.kinematics)
+    app.command("load-cases")(load_cases.load_cases)
     app.command("ride")(ride.ride)
     app.command("compare", cls=ride.NamesControllers)(ride.compare)
     app.command("iri")(ride.iri)

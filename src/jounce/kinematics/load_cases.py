@@ -111,6 +111,13 @@ def load_cases(
     >>> round(float(found["vertical_force"].sel(case="static", wheel="left")), 1)   # N
     659.2
     """
+    return solved_cases(rig, car, cases)[0]
+
+
+def solved_cases(
+    rig: Rig, car: LoadedAxle, cases: Mapping[str, LoadCase | Mapping[str, float]] | None = None
+) -> tuple[xr.Dataset, list[Finding]]:
+    """Give what :func:`load_cases` gives, and beside it what is to be said of it."""
     import xarray as xr
 
     corner = check_corner(rig)
@@ -134,7 +141,9 @@ def load_cases(
             ]
             travels, findings = (stands[0][0], stands[1][0]), [one for _, more in stands for one in more]
         told += findings
-        pairs = zip(sides.values(), loads, travels, _across(left, travels) if together else (None, None), strict=True)
+        pairs = zip(
+            sides.values(), loads, travels, from_across(left, travels) if together else (None, None), strict=True
+        )
         found.append([_of_wheel(*pair) for pair in pairs])
     units = {name: unit for name, (_, unit, _) in found[0][0].items()}
     texts = {name: text for name, (_, _, text) in found[0][0].items()}
@@ -147,7 +156,7 @@ def load_cases(
         for name in units
     }
     facts = {"model": str(getattr(rig, "model", "")), "findings": "; ".join(map(str, told))}
-    return xr.Dataset(variables, {"case": list(read), "wheel": list(sides)}, facts)
+    return xr.Dataset(variables, {"case": list(read), "wheel": list(sides)}, facts), told
 
 
 def wheel_loads(car: LoadedAxle, case: LoadCase, rig: Corner) -> tuple[ContactLoad, ContactLoad]:
@@ -176,7 +185,7 @@ def wheel_loads(car: LoadedAxle, case: LoadCase, rig: Corner) -> tuple[ContactLo
 
 
 @dataclass(frozen=True)
-class _FromAcross:
+class FromAcross:
     """What comes to a wheel from the other one: tension of the bar's link (N) and its end on the bar (m), third spring.
 
     ``turn`` is the torque (N m about the bar's axis to the left) of a U- or Z-bar's end; ``tension`` that of a T-bar's
@@ -189,14 +198,14 @@ class _FromAcross:
     third: tuple[float, Array] | None = None
 
 
-def _across(left: Corner, travels: tuple[float, float]) -> list[_FromAcross]:
+def from_across(left: Corner, travels: tuple[float, float]) -> list[FromAcross]:
     """What anti-roll bar and third spring do to each wheel of an axle."""
     axle, rack = Axle(left), np.full(1, _rack_travel(left))
     wheels = [axle.wheel(side, np.full(1, travel), rack) for side, travel in zip((1.0, -1.0), travels, strict=True)]
     connection = axle.connection(*wheels)
     third = None if connection.third is None else (float(connection.third[0][0]), connection.third[1][0])
     return [
-        _FromAcross(
+        FromAcross(
             turn=float(connection.turns[i][0]) if connection.turns else None,
             tension=float(connection.links[i][0]) if connection.links else None,
             arm_end=connection.arm_ends[i][0] if connection.arm_ends else None,
@@ -212,7 +221,7 @@ def _rack_travel(rig: Corner) -> float:
 
 
 def _of_wheel(
-    rig: Corner, load: ContactLoad, travel: float, across: _FromAcross | None
+    rig: Corner, load: ContactLoad, travel: float, across: FromAcross | None
 ) -> dict[str, tuple[float, str, str]]:
     """Every force of one wheel: value, unit and what it is."""
     _, joints = balanced(prepare_sweep(rig, travel), load)
@@ -233,7 +242,7 @@ def _of_wheel(
     return found
 
 
-def _put_across(joints: Joints, across: _FromAcross) -> None:
+def _put_across(joints: Joints, across: FromAcross) -> None:
     """Let link and third spring push the suspension."""
     rig, points = joints.rig, joints.points
     if rig.anti_roll_bar is not None:

@@ -331,7 +331,7 @@ class Sheet:
             low, high = self.middles[k] - half, self.middles[k] + half
             axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), xlabel=labels[k][0], ylabel=labels[k][1])
             axes.set_title(view.name)
-            _ticks(axes, view)
+            show_ticks(axes, view)
             found.append(axes)
         return found
 
@@ -343,7 +343,7 @@ def _panel() -> tuple[float, float]:
     )
 
 
-def _ticks(axes: Axes, view: View) -> None:
+def show_ticks(axes: Axes, view: View) -> None:
     """Show places along ground axes, also where these point to the left or down; none in space."""
     from matplotlib.ticker import FuncFormatter, MultipleLocator
 

@@ -1,0 +1,220 @@
+"""Load cases on paper: both wheels of an axle in equilibrium, with the forces of the road and those on the body."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError, unknown
+from jounce.core.types import Array
+from jounce.core.writing import write_files
+from jounce.kinematics import sweep_travel
+from jounce.kinematics.load_cases import from_across
+from jounce.plots.mechanisms.drawing import MM, ROAD, View, axis_view, draw_pose, everything, show_ticks
+from jounce.plots.mechanisms.scene import Pose, Scene, poses_of, scene_of
+from jounce.plots.style import INK, MUTED, rendered, styled
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from jounce.parts.corners import Corner
+
+_Drawn: TypeAlias = "tuple[Scene, Pose, xr.Dataset]"
+_PAPER = (11.0, 9.2)  # inches
+_ON_ROAD, _ON_BODY = "#c1121f", "#0067a8"
+_LONGEST = 0.30  # m on paper: the largest force
+_TOLD = 0.12  # share of the largest force from which a force has its number beside it
+_SEEN = 0.01  # share of the largest force from which it is drawn
+_LEAST = 1e-3  # N
+
+
+@styled
+def load_case(rig: Corner, found: xr.Dataset, case: str) -> Figure:
+    """Draw one load case: front and top view of both wheels where they stand, with forces in kN.
+
+    Parameters
+    ----------
+    rig : Corner
+        The corner that the cases are of.
+    found : xarray.Dataset
+        As :func:`jounce.load_cases` gives it.
+    case : str
+        Which case.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Axes ``front`` and ``top``, in mm: forces of the road on the wheels, and those of the suspension on the body.
+
+    Raises
+    ------
+    DescriptionError
+        For a case that ``found`` does not have.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> car = jn.LoadedAxle(
+    ...     axle="front", mass=280.0, wheelbase=1.55, centre_of_mass_height=0.3, weight_share=0.48, brake_share=0.65
+    ... )
+    >>> rig = jn.load("formula-student-front")
+    >>> [axes.get_label() for axes in load_case(rig, jn.load_cases(rig, car), "braking 1 g").figure.axes]
+    ['front', 'top']
+    """
+    from matplotlib.figure import Figure
+
+    known = [str(name) for name in found["case"].to_numpy()]
+    if case not in known:
+        raise unknown(case, known, what="load case", where="case")
+    left = rig if rig.side == "left" else rig.mirrored()
+    wheels: list[_Drawn] = []
+    for wheel, side in (("left", left), ("right", left.mirrored())):
+        one = found.sel(case=case, wheel=wheel)
+        scene = scene_of(side)
+        pose = poses_of(side, scene, sweep_travel(side, [float(one["wheel_travel"])], points=True)).pose(0)
+        wheels.append((scene, pose, one))
+    wheels = _with_bar(left, wheels)
+    figure = Figure(figsize=_PAPER)
+    figure.suptitle(f"{case}: {wheels[0][0].title.partition(',')[0]}", x=0.06, ha="left", fontweight="bold")
+    across = (0.0, 1.0, 0.0)
+    views = axis_view("front view", across, (0.0, 0.0, 1.0)), axis_view("top view", across, (-1.0, 0.0, 0.0))
+    largest = max(float(np.linalg.norm(force)) for _, pose, one in wheels for _, _, force in _forces(pose, one))
+    labels = ("front", "z [mm]"), ("top", "x [mm]")
+    for k, (view, (label, up)) in enumerate(zip(views, labels, strict=True)):
+        axes = figure.add_axes((0.07, 0.55 - 0.46 * k, 0.90, 0.38), label=label)
+        axes.set(xlabel="y [mm]", ylabel=up)
+        axes.set_title(view.name + (", forward down" if k else ", seen from ahead: the left wheel on the right"))
+        axes.set_aspect("equal", adjustable="box")
+        show_ticks(axes, view)
+        for scene, pose, one in wheels:
+            draw_pose(axes, view, scene, pose)
+            _draw_forces(axes, view, _forces(pose, one), max(largest, _LEAST))
+        _draw_between(axes, view, wheels)
+        if label == "front":
+            ends = np.array([pose.contact for _, pose, _ in wheels])
+            axes.axline(*(MM * view.flat(ends)), color=ROAD, linewidth=0.9, zorder=0.6)
+        cloud = [everything(scene, pose) for scene, pose, _ in wheels]
+        cloud += [_ends(*force, largest) for _, pose, one in wheels for force in _forces(pose, one)]
+        flat, room = MM * view.flat(np.vstack(cloud)), MM * np.array([0.12, 0.05])
+        low, high = flat.min(axis=0) - room, flat.max(axis=0) + room
+        axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+    travels = [f"{MM * float(one['wheel_travel']):+.1f}" for _, _, one in wheels]
+    text = f"numbers: kN; wheel travel: left {travels[0]} mm, right {travels[1]} mm".replace("-", "−")
+    figure.text(0.97, 0.012, text, ha="right", color=MUTED, fontsize=8.5)
+    told = (_ON_ROAD, "force of the road on the wheel"), (_ON_BODY, "force of the suspension on the body")
+    for i, (colour, words) in enumerate(told):
+        figure.text(0.07 + 0.24 * i, 0.012, f"→ {words}", color=colour, fontsize=8.5)
+    return figure
+
+
+def _with_bar(left: Corner, wheels: list[_Drawn]) -> list[_Drawn]:
+    """Wheels with the bar across a T-bar where both of them turn it; a corner alone knows them alike only."""
+    if left.anti_roll_bar is None or left.anti_roll_bar.kind != "t":
+        return wheels
+    travels = [float(one["wheel_travel"]) for _, _, one in wheels]
+    ends = from_across(left, (travels[0], travels[1]))
+    return [
+        (scene, replace(pose, points={**pose.points, "arb_arm_end": end.arm_end}), one)
+        for (scene, pose, one), end in zip(wheels, ends, strict=True)
+        if end.arm_end is not None
+    ]
+
+
+def _forces(pose: Pose, one: xr.Dataset) -> list[tuple[str, Array, Array]]:
+    """Colour, place (m) and vector (N) of all forces of a wheel."""
+    road = np.array([float(one[f"{name}_force"]) for name in ("longitudinal", "lateral", "vertical")])
+    found = [(_ON_ROAD, pose.contact, road)]
+    for name in _BODY:
+        if f"{name}.fx" in one and name in pose.points:
+            force = np.array([float(one[f"{name}.f{axis}"]) for axis in "xyz"])
+            found.append((_ON_BODY, pose.points[name], force))
+    return found
+
+
+_BODY = (
+    *(f"{arm}_arm_{end}" for arm in ("lower", "upper") for end in ("front", "rear")),
+    *(f"link_{i}_inner" for i in range(1, 6)),
+    *("tie_rod_inner", "arm_inner", "arm_outer", "rocker_pivot", "strut_top", "spring_top", "arb_pivot"),
+)
+"""Hardpoints at which the suspension pushes the body, or the rack on it."""
+
+
+def _ends(colour: str, place: Array, force: Array, largest: float) -> Array:
+    """Both ends of an arrow in space, shape (2, 3), m: to the contact point, or away from a point of the body."""
+    reach = force * (_LONGEST / max(largest, _LEAST))
+    return np.array([place - reach, place] if colour == _ON_ROAD else [place, place + reach])
+
+
+def _draw_forces(axes: Axes, view: View, forces: list[tuple[str, Array, Array]], largest: float) -> None:
+    for colour, place, force in forces:
+        size = float(np.linalg.norm(force))
+        if size < _SEEN * largest:
+            continue
+        start, end = MM * view.flat(_ends(colour, place, force, largest))
+        arrow = {"arrowstyle": "-|>", "color": colour, "linewidth": 1.6, "shrinkA": 0, "shrinkB": 0}
+        axes.annotate("", tuple(end), tuple(start), arrowprops=arrow, zorder=6.0)
+        if size >= _TOLD * largest:
+            free, text = start if colour == _ON_ROAD else end, f"{1e-3 * size:.2f}"
+            beside: dict[str, Any] = {"textcoords": "offset points", "fontsize": 7.5, "color": colour, "zorder": 6.5}
+            axes.annotate(text, tuple(free), (3, 3), **beside)
+
+
+def _draw_between(axes: Axes, view: View, wheels: list[_Drawn]) -> None:
+    """Draw a third spring as a line between both sides."""
+    ends = [pose.points["third_spring_end"] for _, pose, _ in wheels if "third_spring_end" in pose.points]
+    if len(ends) == 2:
+        axes.plot(*(MM * view.flat(np.array(ends))).T, color=INK, linewidth=1.4, linestyle=(0, (4, 1.5)), zorder=3.0)
+
+
+def write_load_cases(rig: Corner, found: xr.Dataset, folder: Path | str, *, force: bool = False) -> list[Path]:
+    """Draw every case into a folder, one PNG each.
+
+    Parameters
+    ----------
+    rig : Corner
+        The corner that the cases are of.
+    found : xarray.Dataset
+        As :func:`jounce.load_cases` gives it.
+    folder : Path or str
+        Made where it is missing.
+    force : bool
+        Overwrite existing files.
+
+    Returns
+    -------
+    list of Path
+        The files, named after the cases.
+
+    Raises
+    ------
+    OutputError
+        For existing files without ``force``.
+    DescriptionError
+        For two cases whose files would have one name.
+
+    Examples
+    --------
+    >>> import tempfile, pathlib
+    >>> import jounce as jn
+    >>> car = jn.LoadedAxle(
+    ...     axle="front", mass=280.0, wheelbase=1.55, centre_of_mass_height=0.3, weight_share=0.48, brake_share=0.65
+    ... )
+    >>> rig = jn.load("formula-student-front")
+    >>> found = jn.load_cases(rig, car, {"braking 1.2 g": {"longitudinal": -1.2}})
+    >>> [file.name for file in write_load_cases(rig, found, pathlib.Path(tempfile.mkdtemp()) / "cases")]
+    ['braking-1.2-g.png']
+    """
+    names = [str(name) for name in found["case"].to_numpy()]
+    files = {name: re.sub(r"[^\w.]+", "-", name).strip("-.") + ".png" for name in names}
+    if len(set(files.values())) < len(names):
+        raise DescriptionError("two cases would have one file", where="cases", found=", ".join(names))
+    contents: dict[str, bytes | str] = {
+        file: rendered(load_case(rig, found, name), [".png"])[".png"] for name, file in files.items()
+    }
+    return write_files(folder, contents, force=force)

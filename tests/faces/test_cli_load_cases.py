@@ -1,0 +1,67 @@
+"""``jounce load-cases`` through its entry point."""
+
+from __future__ import annotations
+
+import csv
+
+import pytest
+
+import jounce as jn
+
+RIG = "formula-student-front"
+CAR = {"axle": "front", "mass": "280 kg", "wheelbase": "1.55 m", "centre_of_mass_height": "300 mm"}
+SHARES = {"weight_share": 0.48, "brake_share": 0.65}
+GIVEN = [part for key, value in {**CAR, **SHARES}.items() for part in ("--car", f"{key}={value}")]
+
+
+def test_forces_are_those_of_python_in_table_file_json_and_picture(cli, tmp_path) -> None:
+    case = ["--case", "braking 1.2 g: longitudinal=-1.2", "--case", "both: longitudinal=-0.7, lateral=0.9"]
+    out, folder = tmp_path / "cases.csv", tmp_path / "cases"
+    outcome = cli("load-cases", RIG, *GIVEN, *case, "--out", str(out), "--figure", str(folder), "--json")
+    assert outcome.exit_code == 0, outcome.err
+    found = outcome.json
+    assert found["cases"] == ["braking 1.2 g", "both"]
+    cases = {"braking 1.2 g": {"longitudinal": -1.2}, "both": {"longitudinal": -0.7, "lateral": 0.9}}
+    wanted = jn.load_cases(jn.load(RIG), jn.LoadedAxle(**CAR, **SHARES), cases)
+    for name in ("tie_rod.axial_force", "upper_ball_joint.fy", "wheel_travel"):
+        assert found["forces"][name]["values"] == wanted[name].to_numpy().tolist()
+    rows = list(csv.DictReader(out.read_text(encoding="utf-8").splitlines()))
+    assert [(row["case"], row["wheel"]) for row in rows][:3] == [
+        ("braking 1.2 g", "left"), ("braking 1.2 g", "right"), ("both", "left")
+    ]  # fmt: skip
+    assert float(rows[3]["spring.force [N]"]) == wanted["spring.force"].to_numpy()[1, 1]
+    assert sorted(file.name for file in folder.iterdir()) == ["both.png", "braking-1.2-g.png"]
+    assert (folder / "both.png").stat().st_size > 50_000
+    again = cli("load-cases", RIG, *GIVEN, *case, "--out", str(out))
+    assert again.exit_code == 2
+    assert "exists" in again.err
+
+
+def test_usual_cases_are_shown_and_what_the_spring_cannot_carry_is_told(cli) -> None:
+    outcome = cli("load-cases", RIG, *GIVEN)
+    assert outcome.exit_code == 0
+    for text in ("static", "cornering 1 g", "upper ball joint, size", "cannot carry it within 100 mm"):
+        assert text in outcome.out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--case", "braking"], "not a load case"),
+        (["--case", "a: lateral=fast"], "lateral"),
+        (["--case", "a: sideways=1"], "sideways"),
+        (["--case", "a: lateral=1", "--case", "a: lateral=2"], "given twice"),
+        (["--car", "colour=red"], "colour"),
+        (["--out", "cases.xlsx"], ".csv"),
+    ],
+)
+def test_bad_cases_are_refused(cli, arguments, message: str) -> None:
+    outcome = cli("load-cases", RIG, *GIVEN, *arguments)
+    assert outcome.exit_code == 2
+    assert message in outcome.err
+
+
+def test_a_lumped_rig_has_no_joints(cli) -> None:
+    outcome = cli("load-cases", "kart-quarter-car", *GIVEN)
+    assert outcome.exit_code == 2
+    assert "lumped" in outcome.err
