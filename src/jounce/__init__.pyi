@@ -141,6 +141,11 @@ from .simulation.corner_models import corner_models as corner_models
 from .simulation.environment import ride_environment as ride_environment
 from .testers.plate_response import steady_response as steady_response
 from .testers.testing import simulate_test as simulate_test
+from .variants.designs import grid as grid
+from .variants.designs import latin_hypercube as latin_hypercube
+from .variants.designs import monte_carlo as monte_carlo
+from .variants.designs import sobol as sobol
+from .variants.many import simulate_many as simulate_many
 
 __version__: str
 

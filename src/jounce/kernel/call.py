@@ -32,6 +32,8 @@ from jounce.kernel.loops import BUILT, ENTRY, FAILED, PLATFORMS, SOURCES, Platfo
 PYTHON = (
     "PyErr_Clear",
     "PyErr_Occurred",
+    "PyEval_RestoreThread",
+    "PyEval_SaveThread",
     "PyFloat_AsDouble",
     "PyLong_AsLongLong",
     "PyObject_IsTrue",

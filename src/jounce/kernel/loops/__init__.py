@@ -19,6 +19,7 @@ LOOPS = {
     "exact": ("exact", "propagate"),
     "explicit": ("explicit", "integrate"),
     "implicit": ("implicit", "integrate"),
+    "lanes": ("lanes", "follow"),
     "rate_bound": ("exact", "bound_rates"),
     "poses": ("poses", "walk_poses"),
     "pose_variants": ("poses", "walk_variants"),
@@ -29,6 +30,9 @@ LOOPS = {
     "drag": ("drag", "follow"),
 }
 """Loops that are called from Python: module and function."""
+
+UNLOCKED = ("lanes",)
+"""Loops that let go of the interpreter's lock while they run: nothing in them calls Python."""
 
 ENTRY = "entry"
 """Name of the function that a loop's code is called by."""

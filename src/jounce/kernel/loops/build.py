@@ -20,7 +20,7 @@ from numba.core.registry import cpu_target
 
 from jounce.kernel import native
 from jounce.kernel.arrays import Layout
-from jounce.kernel.loops import ENTRY, FAILED, LOOPS
+from jounce.kernel.loops import ENTRY, FAILED, LOOPS, UNLOCKED
 
 _BYTE, _SHORT, _INDEX = ir.IntType(8), ir.IntType(32), ir.IntType(64)
 _POINTER, _DOUBLE = _BYTE.as_pointer(), ir.DoubleType()
@@ -48,7 +48,7 @@ def bitcode_of(name: str) -> bytes:
         loop.compile(arguments)
         compiled = loop.overloads[arguments]
         module = _linked(compiled.library)
-    entry = _Entry(compiled.fndesc, list(hints))
+    entry = _Entry(compiled.fndesc, list(hints), unlocked=name in UNLOCKED)
     module.link_in(llvm.parse_assembly(str(entry.module)))
     for number, thing in enumerate([*module.functions, *module.global_variables]):
         if not thing.is_declaration and thing.name != ENTRY:
@@ -114,10 +114,11 @@ class _Entry:
     """``int64 entry(PyObject* arguments, int64* facts)``: walk the arguments, check them, call the loop.
 
     It gives what the loop gives, -1 - i where leaf ``i`` is not what it should be, and FAILED where the loop raises.
-    What Python itself refuses (a text for a number) is left as its error.
+    What Python itself refuses (a text for a number) is left as its error. A loop that is ``unlocked`` runs without the
+    interpreter's lock.
     """
 
-    def __init__(self, loop: Any, names: list[str]) -> None:
+    def __init__(self, loop: Any, names: list[str], *, unlocked: bool = False) -> None:
         self.context = cpu_target.target_context
         self.module = self.context.codegen().create_library(ENTRY).create_ir_module(ENTRY)
         self.leaves: list[Leaf] = []
@@ -131,7 +132,10 @@ class _Entry:
             b.ret(_INDEX(0))
         kind = self.context.call_conv.get_function_type(loop.restype, loop.argtypes)
         target = cgutils.get_or_insert_function(self.module, kind, loop.llvm_func_name)
+        lock = b.call(self._python("PyEval_SaveThread", _POINTER, []), []) if unlocked else None
         status, result = self.context.call_conv.call_function(b, target, loop.restype, loop.argtypes, values)
+        if unlocked:
+            b.call(self._python("PyEval_RestoreThread", ir.VoidType(), [_POINTER]), [lock])
         with b.if_then(status.is_error, likely=False):
             b.ret(_INDEX(FAILED))
         b.ret(_INDEX(0) if loop.restype == types.none else result)

@@ -27,11 +27,13 @@ def find(problem: Any, props: Any) -> None:
             return
     used[1] = used[0] % len(props.fastest)  # the oldest makes room
     used[0] += 1
-    _build(problem, props, used[1])
+    build(problem, props, used[1])
+    _kicks(problem, props, props.matrix[used[1]], used[1])
 
 
 @part()
-def _build(problem: Any, props: Any, c: int) -> None:
+def build(problem: Any, props: Any, c: int) -> None:
+    """Fill in all rows of a propagator for the problem's modes and parameters."""
     matrix, lay = props.matrix[c], props.layout
     for i in range(len(problem.m)):
         props.modes[c, i] = problem.m[i]
@@ -51,7 +53,6 @@ def _build(problem: Any, props: Any, c: int) -> None:
     _first_step(props, matrix, props.step * 0.5**doublings, terms_for(z, _CLOSE))
     for k in range(doublings):
         _double(props, matrix, props.step * 0.5 ** (doublings - k))
-    _kicks(problem, props, matrix, c)
 
 
 @part()

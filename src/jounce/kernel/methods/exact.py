@@ -78,11 +78,11 @@ def plan(problem: Problem, control: Control, calls: Calls, slopes: int, times: A
     if np.any(tracks.kind == 2) or len(frequency) > _MAX_WAVES or len(times) < 2:
         return None
     count = len(tracks.rate)
-    sizes = (len(control.scale), count, problem.inputs // max(count, 1), _signals(tracks, problem.inputs))
+    sizes = (len(control.scale), count, problem.inputs // max(count, 1), signals_of(tracks, problem.inputs))
     props = propagators(calls, sizes, slopes, switches, frequency, control.scale)
-    typical = _typical(times)
-    z = max(_rate_bound(problem, props), float(frequency[-1])) * typical
-    parts = _parts(z, switches > 0)
+    typical = typical_step(times)
+    z = max(rate_bound_of(problem, props), float(frequency[-1])) * typical
+    parts = parts_for(z, switches > 0)
     along_edges = z / parts * len(tracks.start) if z > parts else 0.0
     if not parts * len(times) + along_edges < _MAX_STEPS:
         return None
@@ -108,14 +108,14 @@ def plan(problem: Problem, control: Control, calls: Calls, slopes: int, times: A
     return Plan(props._replace(step=typical / parts), blocks)
 
 
-def _signals(tracks: Tracks, inputs: int) -> int:
+def signals_of(tracks: Tracks, inputs: int) -> int:
     """Number of signals that each track needs: its inputs, and derivatives up to the last that does not vanish."""
     bent = np.any(tracks.kind == 1) or np.any(tracks.coefficients[:, 2])
     cubic = np.any((tracks.kind == 0) & (tracks.coefficients[:, 3] != 0.0))
     return max(4 if cubic else 3 if bent else 2, inputs // max(len(tracks.rate), 1))
 
 
-def _typical(times: Array) -> float:
+def typical_step(times: Array) -> float:
     """Distance of the samples (s) that is met most."""
     distances = np.diff(times)
     whole = distances[:-1] if len(distances) > 1 else distances  # the last one may be shorter
@@ -124,14 +124,14 @@ def _typical(times: Array) -> float:
     return float(np.median(distances))
 
 
-def _parts(z: float, watched: bool) -> int:
+def parts_for(z: float, watched: bool) -> int:
     """Steps between two samples, over which the fastest motion goes through ``z`` radians."""
     if watched:  # short enough that the switches between two looks are nearly parabolas
         return max(1, math.ceil(min(z / WATCHED, 1e9)))
     return max(1, math.ceil(z)) if z <= _MAX_PARTS else 1
 
 
-def _rate_bound(problem: Problem, props: Propagators) -> float:
+def rate_bound_of(problem: Problem, props: Propagators) -> float:
     """Bound of the rates with the modes at the start, with all ones and with none."""
     # Modes to come are not known; all contacts closed and all open are the extremes of stiffness, near enough for a
     # step.

@@ -136,6 +136,15 @@ def propagators(
     )
 
 
+def terms_of(z: float) -> int:
+    """Terms of a series that a jump inside a step takes, where the fastest motion goes through ``z`` radians."""
+    term, count = 1.0, 0
+    while term > 1e-16 and count < TERMS - 1:
+        count += 1
+        term *= z / count
+    return count
+
+
 def _layout(states: int, tracks: int, order: int, signals: int, *, waves: int, width: int) -> Layout:
     forcing = width + 1
     slope = forcing + waves * tracks * signals

@@ -1,0 +1,1 @@
+"""Many runs: designs of experiments, variants side by side, and metrics of each."""

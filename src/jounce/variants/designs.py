@@ -1,0 +1,290 @@
+"""Which variants are run: lists, grids, and points spread over ranges or distributions."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import warnings
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError
+from jounce.core.types import Array
+from jounce.core.units import to_si
+
+Spread = str | Sequence[float | str] | Mapping[str, float | str]
+"""Over what a number is spread: see :func:`sobol`."""
+Kind = Literal["grid", "latin-hypercube", "sobol", "monte-carlo"]
+MOST = 50_000_000
+"""Variants of a design."""
+_FORMS = '"20 %", ["14 kg", "18 kg"], {mean = "16 kg", sd = "0.5 kg"} or {low, mode, high}'
+_SHAPES = ({"mean", "sd"}, {"sd"}, {"low", "mode", "high"}, {"low", "high"})
+
+
+@dataclass(frozen=True)
+class Design:
+    """Variants still to be worked out for a rig; made by :func:`grid`, :func:`sobol` and the like.
+
+    Attributes
+    ----------
+    kind : {"grid", "latin-hypercube", "sobol", "monte-carlo"}
+        How the points are laid out.
+    spreads : mapping
+        Path of a number to what it is spread over.
+    count : int
+        Number of variants.
+    seed : int
+        What random points follow from: the same points each time.
+    """
+
+    kind: Kind
+    spreads: Mapping[str, Any]
+    count: int
+    seed: int = 0
+
+    def values(self, number: Callable[[str], tuple[float, str]]) -> dict[str, Array]:
+        """Give the values (SI) of every variant by path; ``number`` gives value and SI unit of the number at a path."""
+        if self.kind == "grid":
+            columns = [_list(given, number(path)[1], path) for path, given in self.spreads.items()]
+            rows = np.array(list(itertools.product(*columns))).reshape(-1, len(columns))
+            return {path: rows[:, i].copy() for i, path in enumerate(self.spreads)}
+        shares = _points(self.kind, len(self.spreads), self.count, self.seed)
+        laws = [_law(spread, *number(path), path) for path, spread in self.spreads.items()]
+        return {path: law(shares[:, i]) for i, (path, law) in enumerate(zip(self.spreads, laws, strict=True))}
+
+
+def grid(values: Mapping[str, Sequence[float | str]]) -> Design:
+    """Lay out every combination of values.
+
+    Parameters
+    ----------
+    values : mapping
+        Path of a number to its values, SI or texts with units; the last path changes fastest.
+
+    Returns
+    -------
+    Design
+        For :func:`jounce.simulate_many`.
+
+    Raises
+    ------
+    DescriptionError
+        Where there is nothing to vary, or too much.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> jn.grid({"sprung.mass": ["14 kg", "16 kg", "18 kg"], "strut.spring.rate": ["20 N/mm", "25 N/mm"]}).count
+    6
+    """
+    for path, given in _named(values).items():
+        if isinstance(given, str) or not isinstance(given, Sequence | np.ndarray) or not len(given):
+            raise DescriptionError("not a list of values", where=path, found=given, allowed='e.g. ["14 kg", "16 kg"]')
+    return Design("grid", dict(values), _count(math.prod(len(given) for given in values.values())))
+
+
+def sobol(spreads: Mapping[str, Spread], count: int, *, seed: int = 0) -> Design:
+    """Spread points evenly over all numbers at once: a scrambled Sobol sequence [sobol1967].
+
+    Means over such points converge faster than over random ones, most evenly for a ``count`` that is a power of 2.
+
+    Parameters
+    ----------
+    spreads : mapping
+        Path of a number to what it is spread over: ``"20 %"`` is to either side of the rig's own value, two values
+        (SI or texts with units) are the ends of a range, ``{"mean": ..., "sd": ...}`` is a normal distribution (``sd``
+        may be in percent; without ``mean`` the rig's own value), ``{"low": ..., "mode": ..., "high": ...}`` a
+        triangular one.
+    count : int
+        Number of variants.
+    seed : int
+        Of the scrambling: the same points each time.
+
+    Returns
+    -------
+    Design
+        For :func:`jounce.simulate_many`.
+
+    Raises
+    ------
+    DescriptionError
+        Where there is nothing to vary, a spread is none, or there are too many variants.
+
+    Notes
+    -----
+    Scrambling after Owen, from ``scipy.stats.qmc``.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> jn.sobol({"strut.spring.rate": "20 %", "sprung.mass": ["14 kg", "18 kg"]}, 4096, seed=1).count
+    4096
+    """
+    return _spread("sobol", spreads, count, seed)
+
+
+def latin_hypercube(spreads: Mapping[str, Spread], count: int, *, seed: int = 0) -> Design:
+    """Spread points so that each number takes every ``count``-th part of its range once [mckay1979].
+
+    Parameters
+    ----------
+    spreads : mapping
+        As for :func:`sobol`.
+    count : int
+        Number of variants.
+    seed : int
+        Of the random order: the same points each time.
+
+    Returns
+    -------
+    Design
+        For :func:`jounce.simulate_many`.
+
+    Raises
+    ------
+    DescriptionError
+        As for :func:`sobol`.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> jn.latin_hypercube({"tyre.stiffness": "10 %"}, 50).kind
+    'latin-hypercube'
+    """
+    return _spread("latin-hypercube", spreads, count, seed)
+
+
+def monte_carlo(spreads: Mapping[str, Spread], count: int, *, seed: int = 0) -> Design:
+    """Draw points at random, each without regard to the others.
+
+    Parameters
+    ----------
+    spreads : mapping
+        As for :func:`sobol`.
+    count : int
+        Number of variants.
+    seed : int
+        Of the random numbers: the same points each time.
+
+    Returns
+    -------
+    Design
+        For :func:`jounce.simulate_many`.
+
+    Raises
+    ------
+    DescriptionError
+        As for :func:`sobol`.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> jn.monte_carlo({"tyre.stiffness": {"sd": "5 %"}}, 1000, seed=3).seed
+    3
+    """
+    return _spread("monte-carlo", spreads, count, seed)
+
+
+def _spread(kind: Kind, spreads: Mapping[str, Spread], count: int, seed: int) -> Design:
+    for path, spread in _named(spreads).items():
+        if not isinstance(spread, str | Mapping | Sequence | np.ndarray):
+            raise DescriptionError("nothing to spread over", where=path, found=spread, allowed=_FORMS)
+    if not _is_whole(seed) or seed < 0:
+        raise DescriptionError("not a seed", where="seed", found=seed, allowed="a whole number, 0 or more")
+    return Design(kind, dict(spreads), _count(count), int(seed))
+
+
+def _named(given: object) -> Mapping[str, Any]:
+    if not isinstance(given, Mapping) or not given:
+        raise DescriptionError("nothing to vary", where="variants", found=given, allowed="path of a number to values")
+    return given
+
+
+def _is_whole(number: object) -> bool:
+    return isinstance(number, int | np.integer) and not isinstance(number, bool)
+
+
+def _count(count: int) -> int:
+    if not _is_whole(count) or not 1 <= count <= MOST:
+        raise DescriptionError("not a number of variants", where="count", found=count, allowed=f"1 to {MOST}")
+    return int(count)
+
+
+def _points(kind: Kind, numbers: int, count: int, seed: int) -> Array:
+    """Points in the unit cube, one row each, none on its faces."""
+    if kind == "monte-carlo":
+        found = np.random.default_rng(seed).random((count, numbers))
+    else:
+        from scipy.stats import qmc
+
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)  # a count that is no power of 2: the docstring says it
+            sampler = (qmc.Sobol if kind == "sobol" else qmc.LatinHypercube)(numbers, seed=seed)
+            found = sampler.random(count)
+    return np.asarray(np.clip(found, 1e-12, 1.0 - 1e-12), dtype=float)
+
+
+def _law(spread: Any, value: float, unit: str, path: str) -> Callable[[Array], Array]:
+    """What shares between 0 and 1 become, SI."""
+    if isinstance(spread, str):
+        part = _percent(spread, path)
+        return lambda share: value + abs(value) * part * (2.0 * share - 1.0)
+    if not isinstance(spread, Mapping):
+        low, high = _ends(_list(spread, unit, path), path, spread)
+        return lambda share: low + (high - low) * share
+    if set(spread) not in _SHAPES:
+        raise DescriptionError("not a distribution", where=path, found=dict(spread), allowed=_FORMS)
+    if "sd" in spread:
+        mean = to_si(spread["mean"], unit, where=f"{path}: mean") if "mean" in spread else value
+        given = spread["sd"]
+        relative = isinstance(given, str) and given.strip().endswith("%")
+        sd = abs(mean) * _percent(str(given), path) if relative else to_si(given, unit, where=f"{path}: sd")
+        if not (sd > 0.0 and math.isfinite(sd) and math.isfinite(mean)):
+            raise DescriptionError("not a standard deviation", where=f"{path}: sd", found=given, allowed="above 0")
+        from scipy.special import ndtri
+
+        return lambda share: np.asarray(mean + sd * ndtri(share), dtype=float)
+    low, high = _ends([to_si(spread[key], unit, where=f"{path}: {key}") for key in ("low", "high")], path, spread)
+    if "mode" not in spread:
+        return lambda share: low + (high - low) * share
+    mode = to_si(spread["mode"], unit, where=f"{path}: mode")
+    if not low <= mode <= high:
+        raise DescriptionError("the mode lies outside its range", where=path, found=dict(spread), allowed="low to high")
+    bend = (mode - low) / (high - low)
+
+    def triangular(share: Array) -> Array:
+        rising = low + np.sqrt(share * (high - low) * (mode - low))
+        falling = high - np.sqrt((1.0 - share) * (high - low) * (high - mode))
+        return np.asarray(np.where(share < bend, rising, falling))
+
+    return triangular
+
+
+def _percent(text: str, path: str) -> float:
+    try:
+        share = text.strip().removeprefix("±")
+        found = float(share.removesuffix("%")) / 100.0 if share.endswith("%") else math.nan
+    except ValueError:
+        found = math.nan
+    if not 0.0 < found < math.inf:
+        raise DescriptionError("not a share", where=path, found=text, allowed=_FORMS)
+    return found
+
+
+def _ends(values: Sequence[float], path: str, given: object) -> tuple[float, float]:
+    if len(values) != 2 or not values[0] < values[1]:
+        raise DescriptionError("not a range", where=path, found=given, allowed="a lower and a higher value")
+    return values[0], values[1]
+
+
+def _list(given: Sequence[float | str], unit: str, path: str) -> list[float]:
+    found = [
+        to_si(value.item() if isinstance(value, np.generic) else value, unit, where=f"{path}[{i}]")
+        for i, value in enumerate(given)
+    ]
+    if not np.all(np.isfinite(found)):
+        raise DescriptionError("not finite numbers", where=path, found=str(list(given))[:60])
+    return found

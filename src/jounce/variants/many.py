@@ -1,0 +1,420 @@
+"""Many runs of one rig: numbers of the description, the trial or the controller vary, everything else is kept."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError, JounceError, unknown
+from jounce.core.types import Array
+from jounce.core.units import to_si
+from jounce.core.waiting import told
+from jounce.parts import Rig
+from jounce.parts.rig import change_table, parameters_of, quantity_at, unit_of, unknown_path
+from jounce.recordings.schema import channels_of
+from jounce.roads import Trial
+from jounce.simulation.compiled import Compiled, compile_rig
+from jounce.simulation.prepare import prepare
+from jounce.simulation.problem import excitation, known_actuator
+from jounce.simulation.result import held_to_its_branch, samples_reached
+from jounce.simulation.settings import Method, RunSettings
+from jounce.variants.designs import MOST, Design
+from jounce.variants.metrics import RunMetric, of_course, of_sums, read_metrics
+from jounce.variants.side_by_side import sums_side_by_side
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from numpy.typing import NDArray
+
+    from jounce.control import Controller
+    from jounce.core.segments import Segments
+    from jounce.simulation.controlled import AnyControl
+
+Variants = Mapping[str, Sequence[float | str] | Array] | Design
+_MOST_SAMPLES = 400_000_000  # numbers that channels over time may have: 3.2 GB
+_TRIAL, _CONTROL = "trial.", "control."
+
+
+def simulate_many(
+    rig: Rig,
+    trial: Trial,
+    variants: Variants,
+    *,
+    metrics: Sequence[str] | str | None = None,
+    outputs: Sequence[str] | str | None = None,
+    output_step: float = 1e-3,
+    tolerance: float = 1e-5,
+    method: Method = "auto",
+    control: AnyControl | None = None,
+    threads: int | None = None,
+) -> xr.Dataset:
+    """Simulate many variants of a rig over a trial, each from its own static equilibrium.
+
+    What is linear between its contacts runs side by side in vector registers wherever contacts keep, threads sharing
+    the variants; only sums of the samples are kept then. All other runs are those of :func:`simulate`, one by one. The
+    results do not depend on the number of threads.
+
+    Parameters
+    ----------
+    rig : Rig
+        What all variants start from.
+    trial : Trial
+        What all of them are driven over.
+    variants : mapping or Design
+        Path of a number to its value in each variant, SI or texts with units, all of one length; or a design
+        (:func:`grid`, :func:`sobol`, :func:`latin_hypercube`, :func:`monte_carlo`). Paths are those of the rig
+        (``"strut.spring.rate"``), ``"trial.speed"``, ``"trial.road.seed"`` and the like, and with a controller
+        ``"control.rate"`` and the like.
+    metrics : sequence of str, optional
+        Numbers to keep of each run: ``rms``, ``mean``, ``min``, ``max`` or ``range`` of a channel (``"rms sprung.az"``)
+        or a weighting of ISO 2631-1 (``"Wk sprung.az"``); of the samples. ``rms`` is about the value at rest. A channel
+        that every corner has is taken of all of them.
+    outputs : sequence of str, optional
+        Channels to keep over time; all of them where neither ``metrics`` nor ``outputs`` are given.
+    output_step, tolerance, method : float, float, {"auto", "explicit", "implicit"}
+        As :class:`jounce.simulation.RunSettings` has them: s, 1.
+    control : Controller, str, Path or callable, optional
+        As for :func:`simulate`.
+    threads : int, optional
+        Threads that share variants which run side by side; as many as there are processors by default.
+
+    Returns
+    -------
+    xarray.Dataset
+        Metrics on ``variant`` and channels on ``variant`` and ``time`` (s), each with ``units`` (SI) and ``long_name``;
+        the varied numbers are coordinates. A variant that does not run has NaN and the reason in ``reason``.
+        ``attrs["side_by_side"]`` counts the variants that ran side by side.
+
+    Raises
+    ------
+    DescriptionError
+        For unknown paths, channels or metrics, values of different lengths, or more results than memory holds.
+    SimulationError
+        When the rig as it is does not run on the trial.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> rig = jn.load("audi-a6-quarter-car")
+    >>> trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="1 m"), speed="10 m/s", duration="1 s")
+    >>> many = jn.simulate_many(rig, trial, {"strut.damper.coefficient": [1000.0, 2000.0]}, metrics=["max sprung.az"])
+    >>> bool(many["max sprung.az"][0] < many["max sprung.az"][1])   # the softer damper
+    True
+    """
+    settings = RunSettings(output_step, tolerance, method)
+    study = _Study(rig, trial, settings, _as_controller(control))
+    columns = study.columns(variants)
+    wanted = read_metrics(metrics, study.units) if metrics is not None else []
+    channels = study.channels(outputs if outputs is not None or metrics is not None else list(study.units))
+    count = len(next(iter(columns.values())))
+    _check_size(count, len(channels), len(settings.times(trial.duration)))
+    results = _Results(wanted, channels, count)
+    with told(f"simulating {count:,} variants".replace(",", " ")):
+        for group, rows in study.groups(columns):
+            group.fill(results, columns, rows, threads)
+    return results.dataset(study, columns, variants)
+
+
+@dataclass(frozen=True)
+class _Results:
+    """Arrays of results, filled group by group."""
+
+    metrics: list[RunMetric]
+    channels: list[str]
+    count: int
+
+    @cached_property
+    def numbers(self) -> Array:
+        return np.full((self.count, len(self.metrics)), np.nan)
+
+    @cached_property
+    def reasons(self) -> list[str]:
+        return [""] * self.count
+
+    @cached_property
+    def courses(self) -> list[Array | None]:
+        return [None] * self.count
+
+    @cached_property
+    def tally(self) -> dict[str, int]:
+        return {"side_by_side": 0}
+
+    def dataset(self, study: _Study, columns: Mapping[str, Array], variants: Variants) -> xr.Dataset:
+        import xarray as xr
+
+        found: dict[str, Any] = {}
+        for i, metric in enumerate(self.metrics):
+            about = {"units": metric.unit, "long_name": metric.long_name}
+            found[metric.text] = xr.Variable(("variant",), self.numbers[:, i].copy(), about)
+        times = study.settings.times(study.trial.duration)
+        for i, name in enumerate(self.channels):
+            values = np.full((self.count, len(times)), np.nan)
+            for row, course in zip(values, self.courses, strict=True):
+                if course is not None:
+                    row[: course.shape[1]] = course[i]
+            about = {"units": study.units[name], "long_name": study.long_names[name]}
+            found[name] = xr.Variable(("variant", "time"), values, about)
+        found["reason"] = xr.Variable(
+            ("variant",), np.array(self.reasons, dtype=str), {"long_name": "why it has no run"}
+        )
+        where: dict[str, Any] = {"variant": np.arange(self.count)}
+        if self.channels:
+            where["time"] = xr.Variable(("time",), times, {"units": "s"})
+        for path, column in columns.items():
+            where[path] = xr.Variable(("variant",), column, {"units": study.number(path)[1], "long_name": path})
+        attributes: dict[str, str | int] = {"rig": str(getattr(study.rig, "model", "")), **self.tally}
+        if isinstance(variants, Design):
+            attributes |= {"design": variants.kind, "seed": variants.seed}
+        return xr.Dataset(found, where, attributes)
+
+
+@dataclass(frozen=True)
+class _Study:
+    """What all variants share, and the numbers that may vary."""
+
+    rig: Rig
+    trial: Trial
+    settings: RunSettings
+    control: Controller | None
+
+    @cached_property
+    def compiled(self) -> Compiled:
+        if self.control is not None:
+            from jounce.simulation.controlled import close_loop
+
+            loop = close_loop(self.rig, self.control)
+            return compile_rig(self.rig, actuator=loop.actuator if loop else known_actuator(self.trial))
+        return compile_rig(self.rig, actuator=known_actuator(self.trial))
+
+    @cached_property
+    def units(self) -> dict[str, str]:
+        return {output.name: output.unit for output in self.compiled.facts.outputs}
+
+    @cached_property
+    def long_names(self) -> dict[str, str]:
+        return {output.name: output.long_name for output in self.compiled.facts.outputs}
+
+    @cached_property
+    def base(self) -> Array:
+        return self.compiled.parameter_values(self.rig.parameters())
+
+    def channels(self, given: Sequence[str] | str | None) -> list[str]:
+        found: list[str] = []
+        for name in [given] if isinstance(given, str) else given or []:
+            channels = channels_of(name, list(self.units))
+            if not channels:
+                raise unknown(name, self.units, what="channel", where="outputs")
+            found += channels
+        return list(dict.fromkeys(found))
+
+    def owner(self, path: str) -> tuple[Any, str]:
+        """What a path leads into, and the rest of the path."""
+        for prefix, of in ((_TRIAL, self.trial), (_CONTROL, self.control)):
+            if path.startswith(prefix):
+                if of is None:
+                    raise DescriptionError("there is no controller", where=f"variants: {path}", hint="Give control=...")
+                return of, path.removeprefix(prefix)
+        return self.rig, path
+
+    def number(self, path: str) -> tuple[float, str]:
+        """Value (SI) and SI unit of the number at a path."""
+        of, rest = self.owner(path)
+        known = of.parameters() if of is self.rig else _numbers_of(of)
+        if rest not in known:
+            raise unknown_path(f"variants: {path}", known, name=rest)
+        if of is self.rig:
+            return known[rest], unit_of(of, rest)
+        return known[rest], quantity_at(of, rest).si
+
+    def columns(self, variants: Variants) -> dict[str, Array]:
+        """Values of every variant, SI."""
+        if isinstance(variants, Design):
+            found = variants.values(self.number)
+        elif not variants or not hasattr(variants, "items"):
+            allowed = "path of a number to its values, or a design such as jn.sobol(...)"
+            raise DescriptionError("nothing to vary", where="variants", found=variants, allowed=allowed)
+        else:
+            found = {path: _column(given, self.number(path)[1], path) for path, given in variants.items()}
+        lengths = {path: len(column) for path, column in found.items()}
+        if len(set(lengths.values())) > 1:
+            raise DescriptionError("the values have different lengths", where="variants", found=lengths)
+        if not 1 <= max(lengths.values()) <= MOST:
+            raise DescriptionError("not a number of variants", where="variants", found=max(lengths.values()))
+        for path in found:
+            of, rest = self.owner(path)
+            if of is self.rig and rest not in self.compiled.facts.parameters:
+                raise DescriptionError("does not enter the model", where=f"variants: {path}", hint="Leave it out.")
+        return found
+
+    def groups(self, columns: Mapping[str, Array]) -> Iterator[tuple[_Group, NDArray[np.int64]]]:
+        """Variants that share a trial and a controller, and the numbers of these variants."""
+        outer = [path for path in columns if path.startswith((_TRIAL, _CONTROL))]
+        count = len(next(iter(columns.values())))
+        if not outer:
+            yield _Group(self, self.trial, self.control), np.arange(count)
+            return
+        table = np.column_stack([columns[path] for path in outer])
+        kinds, of = np.unique(table, axis=0, return_inverse=True)
+        for i, values in enumerate(kinds):
+            rows = np.flatnonzero(of.ravel() == i)
+            changes = {path: float(value) for path, value in zip(outer, values, strict=True)}
+            try:
+                trial = _changed(self.trial, changes, _TRIAL)
+                control = _changed(self.control, changes, _CONTROL)
+            except JounceError as error:
+                yield _Group(self, self.trial, None, str(error)), rows
+                continue
+            yield _Group(self, trial, control), rows
+
+
+@dataclass(frozen=True)
+class _Group:
+    """Variants of the rig over one trial; with a reason where none of them can run."""
+
+    study: _Study
+    trial: Trial
+    control: Controller | None
+    reason: str = ""
+
+    def fill(
+        self, results: _Results, columns: Mapping[str, Array], rows: NDArray[np.int64], threads: int | None
+    ) -> None:
+        own = {path: column[rows] for path, column in columns.items() if not path.startswith((_TRIAL, _CONTROL))}
+        if self.reason:
+            for row in rows:
+                results.reasons[row] = self.reason
+            return
+        careful = np.ones(len(rows), dtype=bool)
+        summed = not results.channels and not any(metric.needs_course for metric in results.metrics)
+        if summed and self.control is None and self.study.settings.method == "auto" and self._is_sound(own):
+            careful = self._side_by_side(results, own, rows, threads)
+        for i in np.flatnonzero(careful):
+            self._alone(results, {path: float(column[i]) for path, column in own.items()}, int(rows[i]))
+
+    def _is_sound(self, own: Mapping[str, Array]) -> bool:
+        """Whether the description allows the ends of what each number is spread over."""
+        try:
+            for path, column in own.items():
+                for value in (column.min(), column.max()):
+                    self.study.rig.with_changes({path: float(value)})
+        except DescriptionError:
+            return False  # one by one those that are allowed run, and the others say why not
+        return True
+
+    @cached_property
+    def _signals(self) -> list[Segments]:
+        return excitation(self.study.compiled.facts, self.study.rig, self.trial)
+
+    def _side_by_side(
+        self, results: _Results, own: Mapping[str, Array], rows: NDArray[np.int64], threads: int | None
+    ) -> NDArray[np.bool_]:
+        """Fill in what can run side by side; tell which variants are left."""
+        study, names = self.study, list(dict.fromkeys(metric.channel for metric in results.metrics))
+        if any(path in ("front.distance", "rear.distance") for path in own):  # they move the signals
+            return np.ones(len(rows), dtype=bool)
+        parameters = np.tile(study.base, (len(rows), 1))
+        for path, column in own.items():
+            parameters[:, study.compiled.facts.parameters.index(path)] = column
+        channels = [study.compiled.output_names.index(name) for name in names]
+        times = study.settings.times(self.trial.duration)
+        sums = sums_side_by_side(study.compiled, study.base, parameters, self._signals, times, channels, threads)
+        if sums is None:
+            return np.ones(len(rows), dtype=bool)
+        for i, metric in enumerate(results.metrics):
+            j = names.index(metric.channel)
+            parts = (sums.mean, sums.square, sums.least, sums.most, sums.rest)
+            found = of_sums(metric.word, *(part[:, j] for part in parts))
+            results.numbers[rows[~sums.careful], i] = found[~sums.careful]
+        results.tally["side_by_side"] += int(np.sum(~sums.careful))
+        return sums.careful
+
+    def _alone(self, results: _Results, changes: dict[str, float], row: int) -> None:
+        try:
+            outputs, rest = self._run(self.study.rig.with_changes(changes))
+        except JounceError as error:
+            results.reasons[row] = str(error)
+            return
+        names = self.study.compiled.output_names
+        for i, metric in enumerate(results.metrics):
+            j = names.index(metric.channel)
+            results.numbers[row, i] = of_course(metric, outputs[j], rest[j], self.study.settings.output_step)
+        if results.channels:
+            results.courses[row] = outputs[[names.index(name) for name in results.channels]]
+
+    def _run(self, rig: Rig) -> tuple[Array, Array]:
+        """Samples of all outputs, and their values at rest."""
+        settings, compiled = self.study.settings, self.study.compiled
+        if self.control is not None:
+            from jounce.simulation.run import solved
+
+            run = solved(rig, self.trial, settings, control=self.control)
+            outputs = np.array([values for values, _, _ in run.channels.values()])
+            return outputs, outputs[:, 0]
+        p, times = compiled.parameter_values(rig.parameters()), settings.times(self.trial.duration)
+        signals = excitation(compiled.facts, rig, self.trial)
+        prepared = prepare(compiled, p, signals, times, tolerance=settings.tolerance, method=settings.method)
+        solution = held_to_its_branch(compiled, prepared.run())
+        samples_reached(solution, compiled.facts, check=True)
+        at = prepared.equilibrium
+        if at is None:
+            return solution.outputs, solution.outputs[:, 0]
+        return solution.outputs, compiled.evaluate("output", at.x, prepared.still, p, at.modes)
+
+
+def _as_controller(control: AnyControl | None) -> Controller | None:
+    if control is None:
+        return None
+    from jounce.control import as_controller
+
+    return as_controller(control)
+
+
+def _numbers_of(description: Any, *, whole: bool = False) -> dict[str, float]:
+    """Numbers of a trial or a controller by path, whole ones (a seed) included; or these alone."""
+    found = {} if whole else parameters_of(description)
+    for name in type(description).model_fields:
+        value = getattr(description, name)
+        if isinstance(value, int) and not isinstance(value, bool):
+            found[name] = float(value)
+        elif hasattr(type(value), "model_fields"):
+            found |= {f"{name}.{path}": number for path, number in _numbers_of(value, whole=whole).items()}
+    return found
+
+
+def _changed(description: Any, changes: Mapping[str, float], prefix: str) -> Any:
+    own: dict[str, float] = {
+        path.removeprefix(prefix): value for path, value in changes.items() if path.startswith(prefix)
+    }
+    if description is None or not own:
+        return description
+    whole = _numbers_of(description, whole=True)
+    own = {path: int(value) if path in whole and value.is_integer() else value for path, value in own.items()}
+    return type(description).from_table(change_table(description, own), where=prefix.removesuffix("."))
+
+
+def _column(given: object, unit: str, path: str) -> Array:
+    if isinstance(given, np.ndarray) and given.dtype.kind in "fiu":
+        found = np.asarray(given, dtype=float)
+    elif isinstance(given, str) or not isinstance(given, Sequence | np.ndarray):
+        raise DescriptionError("not a list of values", where=f"variants: {path}", found=given, allowed="one a variant")
+    else:
+        plain = (value.item() if isinstance(value, np.generic) else value for value in given)
+        found = np.array([to_si(value, unit, where=f"variants: {path}[{i}]") for i, value in enumerate(plain)])
+    if found.ndim != 1 or not len(found) or not np.all(np.isfinite(found)):
+        raise DescriptionError("not a list of finite numbers", where=f"variants: {path}", found=str(given)[:60])
+    return found
+
+
+def _check_size(count: int, channels: int, samples: int) -> None:
+    if count * channels * samples > _MOST_SAMPLES:
+        raise DescriptionError(
+            "too many samples to keep",
+            where="variants, outputs, output_step",
+            found=f"{count} variants of {channels} channels with {samples} samples",
+            allowed=f"{_MOST_SAMPLES:.0e} numbers",
+            hint="Ask for metrics, for fewer outputs, or for a longer output step.",
+        )

@@ -1,0 +1,101 @@
+"""Numbers that a run is judged by, as words: ``rms sprung.az``, ``max tyre.force``, ``Wk sprung.az``.
+
+What they are made of can be summed up sample by sample, but for the weightings of ISO 2631-1, which need the course of
+the channel.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError, nearest, unknown
+from jounce.core.types import Array
+from jounce.recordings.schema import channels_of
+from jounce.ride.weighting import WEIGHTINGS, weighted
+
+WORDS = {
+    "rms": "root mean square about the value at rest",
+    "mean": "mean",
+    "min": "least value",
+    "max": "greatest value",
+    "range": "greatest less least value",
+}
+"""What a metric may begin with, beside the names of weightings."""
+
+
+@dataclass(frozen=True)
+class RunMetric:
+    """One number of a run: what is made of a channel.
+
+    Attributes
+    ----------
+    text : str
+        Its words, with the whole name of the channel.
+    word : str
+        One of ``WORDS``, or a weighting.
+    channel : str
+        Name of the channel.
+    unit : str
+        SI unit.
+    """
+
+    text: str
+    word: str
+    channel: str
+    unit: str
+
+    @property
+    def long_name(self) -> str:
+        """What it is, in words."""
+        what = WORDS.get(self.word) or f"root mean square, weighted by {self.word}, about the value at rest"
+        return f"{self.channel}: {what}"
+
+    @property
+    def needs_course(self) -> bool:
+        """Whether sums over samples do not do."""
+        return self.word not in WORDS
+
+
+def read_metrics(texts: Sequence[str] | str, units: Mapping[str, str]) -> list[RunMetric]:
+    """Read metrics; ``units`` has the SI unit of every channel. One of all corners becomes one for each of them."""
+    found: list[RunMetric] = []
+    for text in [texts] if isinstance(texts, str) else texts:
+        words = str(text).split()
+        if len(words) != 2:
+            raise DescriptionError("not a metric", where="metrics", found=text, allowed="e.g. 'rms sprung.az'")
+        if words[0] not in WORDS and words[0] not in WEIGHTINGS:
+            known = (*WORDS, *WEIGHTINGS)
+            raise DescriptionError(
+                f"no such number of a channel: {words[0]!r}",
+                where="metrics",
+                found=text,
+                allowed=", ".join(known),
+                hint=nearest(words[0], known),
+            )
+        channels = channels_of(words[1], list(units))
+        if not channels:
+            raise unknown(words[1], units, what="channel", where="metrics")
+        found += [RunMetric(f"{words[0]} {name}", words[0], name, units[name]) for name in channels]
+    return list({metric.text: metric for metric in found}.values())
+
+
+def of_sums(word: str, mean: Array, square: Array, least: Array, most: Array, rest: Array) -> Array:
+    """Metric of every variant from what was summed about the value at rest."""
+    if word == "rms":
+        return np.sqrt(square)
+    if word == "range":
+        return most - least
+    return rest + {"mean": mean, "min": least, "max": most}[word]
+
+
+def of_course(metric: RunMetric, values: Array, rest: float, output_step: float) -> float:
+    """Metric of the samples of a channel (``output_step`` s apart), whose value at rest is known."""
+    moved = values - rest
+    if metric.needs_course:
+        moved = weighted(moved, 1.0 / output_step, metric.word)
+        return float(np.sqrt(np.mean(moved**2)))
+    sums = np.array([moved.mean(), np.mean(moved**2), moved.min(), moved.max(), rest])
+    return float(of_sums(metric.word, *sums[:, None])[0])

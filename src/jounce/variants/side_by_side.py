@@ -1,0 +1,177 @@
+"""Variants of a piecewise linear model side by side: sums over the samples of their outputs, from native code."""
+
+from __future__ import annotations
+
+import itertools
+import os
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.segments import POLYNOMIAL, Segments
+from jounce.core.types import Array
+from jounce.kernel.engine import Problem, flatten
+from jounce.kernel.methods import lanes
+from jounce.kernel.methods.exact import parts_for, signals_of, typical_step
+from jounce.kernel.methods.propagators import Calls, propagators, terms_of
+from jounce.mechanics.facts import SLOPE_LANES
+from jounce.simulation.compiled import Compiled
+from jounce.simulation.statics import find_equilibrium, state_scale
+
+_SPARE = 1.3  # by which the motions of a variant may be faster than those of the one that the step is chosen for
+_FEW = 64  # variants below which a thread more gains nothing
+_MOST_STEPS = 20_000_000
+
+
+@dataclass(frozen=True)
+class Sums:
+    """What was found of each variant and channel: mean, mean square, least and greatest value about ``rest``.
+
+    All have one row a variant; ``rest`` is the value at rest. ``careful`` tells which variants have nothing here: they
+    change their contacts, or cannot be followed at the common step.
+    """
+
+    mean: Array
+    square: Array
+    least: Array
+    most: Array
+    rest: Array
+    careful: NDArray[np.bool_]
+
+
+def sums_side_by_side(
+    compiled: Compiled,
+    base: Array,
+    parameters: Array,
+    signals: Sequence[Segments],
+    times: Array,
+    channels: Sequence[int],
+    threads: int | None = None,
+) -> Sums | None:
+    """Follow variants of a model over one course; None where model or course are not for it.
+
+    ``parameters`` has one row of values (SI) a variant, ``base`` those of a variant that is typical; ``times`` (s) are
+    the samples, evenly spaced; ``channels`` the numbers of the outputs.
+    """
+    work = _prepared(compiled, base, parameters, signals, times, channels)
+    if work is None:
+        return None
+    count, wide = len(parameters), work.room.kept.shape[1]
+    workers = min(threads or os.cpu_count() or 1, max(count // _FEW, 1))
+    blocks = -(-count // wide)
+    borders = [min(wide * (blocks * i // workers), count) for i in range(workers)] + [count]
+    spans = [np.array(pair, dtype=np.int64) for pair in itertools.pairwise(borders)]
+    works = [work._replace(span=span) if i == 0 else _apart(work, span) for i, span in enumerate(spans)]
+    if workers == 1:
+        lanes.follow(works[0])
+    else:
+        with ThreadPoolExecutor(workers) as pool:
+            list(pool.map(lanes.follow, works))
+    total, square, least, most = (work.sums[:, i :: lanes.SUMS] for i in range(lanes.SUMS))
+    return Sums(total / len(times), square / len(times), least, most, work.rest, work.margin < 0.0)
+
+
+def _prepared(
+    compiled: Compiled,
+    base: Array,
+    parameters: Array,
+    signals: Sequence[Segments],
+    times: Array,
+    channels: Sequence[int],
+) -> lanes.Work | None:
+    facts, zero = compiled.facts, compiled.facts.linear_without
+    if zero is None or facts.constraints or len(times) < 2 or not compiled.identity:
+        return None
+    if any(np.any(parameters[:, facts.parameters.index(name)] != 0.0) for name in zero):
+        return None
+    if any(np.any(signal.kind != POLYNOMIAL) for signal in signals):
+        return None
+    step = typical_step(times)
+    if np.max(np.abs(np.diff(times) - step)) > 1e-9 * step:
+        return None
+    order, count = facts.track_order, len(facts.tracks)
+    tracks = flatten(list(signals))
+    still = compiled.inputs(
+        {name: float(s.evaluate(times[:1])[0][0]) for name, s in zip(facts.tracks, signals, strict=True)}
+    )
+    rest = find_equilibrium(compiled, base, still)
+    if not _outputs_are_linear(compiled, base, rest.x, rest.modes, still, channels):
+        return None
+    scale = state_scale(rest, *facts.counts, 1.0)
+    inputs, each = order * count, signals_of(tracks, order * count)
+    address = compiled.native.address
+    calls = Calls(address["rate"], address["switch"], address.get("switch_many", 0), address["slopes"], SLOPE_LANES)
+    sizes = (len(facts.states), count, order, each)
+    props = propagators(calls, sizes, compiled.shapes["slopes"][0], len(facts.switches), np.zeros(1), scale)
+    values = np.zeros((1, compiled.scalars))
+    values[0] = compiled.extended(base)
+    problem = Problem(
+        compiled.engine, tracks, tracks.first[:-1].copy(), values[0], rest.modes.copy(), rest.x.copy(), inputs
+    )
+    from jounce.kernel.methods.exact import rate_bound_of
+
+    watched = len(facts.switches) > 0
+    z = rate_bound_of(problem, props) * step * _SPARE
+    parts = parts_for(z, watched)
+    if parts * len(times) > _MOST_STEPS:
+        return None
+    fastest = z / parts
+    if fastest > 1.0:
+        return None
+    jumping = lanes.jumps(tracks, each)
+    terms = terms_of(fastest)
+    made = lanes.Sizes(len(facts.states), count * each, inputs, len(channels), len(facts.switches), jumping, terms)
+    nodes = times if parts == 1 else (times[:-1, None] + step / parts * np.arange(parts)).ravel()
+    nodes = nodes if parts == 1 else np.append(nodes, times[-1])
+    course = lanes.course(tracks, each, inputs, nodes, jumping, terms)
+    code = lanes.code(compiled.identity, made, lambda: compiled.functions["switch"])
+    variants = len(parameters)
+    return lanes.Work(
+        problem,
+        props._replace(step=step / parts),
+        lanes.Addresses(address["derived"], address["output"], address["switch"], *code.address),
+        course,
+        lanes.room(code.sizes, compiled.scalars, len(facts.outputs))._replace(values=values),
+        np.ascontiguousarray(parameters),
+        np.array([0, variants], dtype=np.int64),
+        np.array(channels, dtype=np.int64),
+        2.0 * rest.modes - 1.0,
+        np.array(jumping, dtype=np.int64),
+        np.array(code.numbers, dtype=np.int64),
+        parts,
+        terms,
+        fastest,
+        np.full((variants, lanes.SUMS * len(channels)), np.nan),
+        np.full((variants, len(channels)), np.nan),
+        np.zeros(variants),
+    )
+
+
+def _apart(work: lanes.Work, span: NDArray[np.int64]) -> lanes.Work:
+    """The same work on other variants, with arrays of its own to work in."""
+    room = lanes.Room(*(array.copy() for array in work.room))
+    problem = work.problem._replace(p=room.values[0], piece=work.problem.piece.copy(), m=work.problem.m.copy())
+    scratch = type(work.props.scratch)(*(array.copy() for array in work.props.scratch))
+    own = {name: getattr(work.props, name).copy() for name in ("matrix", "modes", "fastest", "terms", "kick", "used")}
+    return work._replace(problem=problem, props=work.props._replace(scratch=scratch, **own), room=room, span=span)
+
+
+def _outputs_are_linear(
+    compiled: Compiled, p: Array, x: Array, modes: Array, u: Array, channels: Sequence[int]
+) -> bool:
+    """Whether outputs follow states and inputs linearly, tried out at three places: a power, say, does not."""
+    chosen = list(channels)
+    at = compiled.evaluate("output", x, u, p, modes)[chosen]
+    by_x, by_u = (compiled.slopes(by, x, u, p, modes)["output"][chosen] for by in "xu")
+    random = np.random.default_rng(0)
+    for _ in range(3):
+        dx, du = 0.1 * random.standard_normal(len(x)), 0.1 * random.standard_normal(len(u))
+        found = compiled.evaluate("output", x + dx, u + du, p, modes)[chosen]
+        linear = at + by_x @ dx + by_u @ du
+        size = np.abs(at) + np.abs(by_x) @ np.abs(dx) + np.abs(by_u) @ np.abs(du)
+        if np.any(np.abs(found - linear) > 1e-9 * size + 1e-300):
+            return False
+    return True

@@ -1,0 +1,173 @@
+"""Variants side by side against the same variants one by one, which is what `simulate` does."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.core.errors import DescriptionError
+from jounce.variants import many as module
+
+METRICS = {
+    "audi-a6-quarter-car": ["rms sprung.az", "mean tyre.force", "min tyre.force", "range strut.deflection"],
+    "audi-a6-half-car": ["rms body.az", "max strut.deflection", "rms sprung.az"],
+    "audi-a6-full-car": ["rms body.az", "range tyre.force", "mean strut.deflection"],
+}
+SPREADS = {
+    "audi-a6-quarter-car": {
+        "strut.damper.coefficient": "50 %", "tyre.stiffness": "20 %", "sprung.mass": ["400 kg", "520 kg"],
+    },
+    "audi-a6-half-car": {"body.mass": "20 %", "front.spring_rate": "30 %", "rear.damping_coefficient": "30 %"},
+    "audi-a6-full-car": {"body.mass": "20 %", "front.tyre.stiffness": "20 %"},
+}  # fmt: skip
+
+
+def course(grade: str = "A", speed: str = "20 m/s", duration: str = "2 s", seed: int = 1) -> jn.Trial:
+    return jn.Trial(road=jn.Iso8608(**{"class": grade}, seed=seed, length="100 m"), speed=speed, duration=duration)
+
+
+@pytest.fixture
+def one_by_one(monkeypatch):
+    def run(*arguments, **keywords):
+        with monkeypatch.context() as patch:
+            patch.setattr(module, "sums_side_by_side", lambda *_: None)
+            found = jn.simulate_many(*arguments, **keywords)
+        assert found.attrs["side_by_side"] == 0
+        return found
+
+    return run
+
+
+def same(first, second, rel=1e-11):
+    for name in first.data_vars:
+        if name != "reason":
+            scale = float(np.nanmax(np.abs(second[name])))
+            assert first[name].values == pytest.approx(second[name].values, rel=rel, abs=rel * scale, nan_ok=True), name
+
+
+@pytest.mark.parametrize("name", METRICS)
+def test_side_by_side_gives_what_single_runs_give(name, one_by_one):
+    rig, trial, design = jn.load(name), course(), jn.sobol(SPREADS[name], 20, seed=2)
+    found = jn.simulate_many(rig, trial, design, metrics=METRICS[name])
+    assert found.attrs["side_by_side"] == 20
+    same(found, one_by_one(rig, trial, design, metrics=METRICS[name]))
+
+
+@pytest.mark.parametrize("step", [1e-4, 2e-3, 1e-2])
+def test_samples_as_close_or_far_apart_as_wanted(step, one_by_one):
+    """A long step is cut into parts; edges of the road lie anywhere between samples."""
+    rig, design = jn.load("audi-a6-quarter-car"), jn.sobol({"strut.damper.coefficient": "30 %"}, 8)
+    arguments = (rig, course(speed="7.3 m/s"), design)
+    found = jn.simulate_many(*arguments, metrics=METRICS["audi-a6-quarter-car"], output_step=step)
+    assert found.attrs["side_by_side"] == 8
+    same(found, one_by_one(*arguments, metrics=METRICS["audi-a6-quarter-car"], output_step=step))
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_variants_whose_tyres_lift_off_go_the_careful_way(seed, one_by_one):
+    rig, trial = jn.load("audi-a6-quarter-car"), course("D", "25 m/s", seed=seed)
+    design = jn.sobol({"strut.damper.coefficient": "90 %", "sprung.mass": ["200 kg", "1500 kg"]}, 24, seed=seed)
+    found = jn.simulate_many(rig, trial, design, metrics=["min tyre.force", "rms sprung.az"])
+    alone = one_by_one(rig, trial, design, metrics=["min tyre.force", "rms sprung.az"])
+    same(found, alone)
+    lifted = int(np.sum(alone["min tyre.force"].values == 0.0))
+    assert 0 < lifted < 24
+    assert 0 < found.attrs["side_by_side"] <= 24 - lifted
+
+
+def test_results_do_not_depend_on_threads():
+    rig, design = jn.load("audi-a6-quarter-car"), jn.sobol({"strut.damper.coefficient": "50 %"}, 300)
+    runs = [jn.simulate_many(rig, course(), design, metrics=["rms sprung.az"], threads=n) for n in (1, 2, 3)]
+    assert all(run.identical(runs[0]) for run in runs)
+
+
+def test_sines_and_circles_run_one_by_one():
+    rig = jn.load("audi-a6-quarter-car")
+    trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="1 m"), speed="10 m/s", duration="0.5 s")
+    found = jn.simulate_many(rig, trial, {"strut.damper.coefficient": [1000.0, 2000.0]}, metrics=["max sprung.az"])
+    single = [
+        float(jn.simulate(rig.with_changes({"strut.damper.coefficient": c}), trial)["sprung.az"].max())
+        for c in (1000.0, 2000.0)
+    ]
+    assert found["max sprung.az"].values.tolist() == single
+
+
+def test_channels_over_time_are_those_of_simulate():
+    rig, trial = jn.load("audi-a6-quarter-car"), course(duration="0.5 s")
+    found = jn.simulate_many(rig, trial, {"sprung.mass": ["400 kg", "500 kg"]}, outputs="tyre.force")
+    for variant, mass in enumerate((400.0, 500.0)):
+        run = jn.simulate(rig.with_changes({"sprung.mass": mass}), trial)
+        assert found["tyre.force"].values[variant].tolist() == run["tyre.force"].values.tolist()
+    assert found["tyre.force"].attrs["units"] == "N"
+    assert found["sprung.mass"].attrs["units"] == "kg"
+
+
+def test_weighted_metrics_are_those_of_the_ride_metrics():
+    from jounce.ride.weighting import weighted
+
+    rig, trial = jn.load("audi-a6-quarter-car"), course()
+    found = jn.simulate_many(rig, trial, {"sprung.mass": [460.0]}, metrics="Wk sprung.az")
+    run = jn.simulate(rig, trial)["sprung.az"].values
+    assert float(found["Wk sprung.az"][0]) == pytest.approx(
+        float(np.sqrt(np.mean(weighted(run, 1000.0, "Wk") ** 2))), rel=1e-9
+    )
+
+
+def test_speeds_seeds_and_controllers_vary():
+    rig, trial = jn.load("audi-a6-quarter-car"), course(duration="1 s")
+    found = jn.simulate_many(
+        rig, trial, {"trial.speed": ["10 m/s", "20 m/s"], "trial.road.seed": [1, 5]}, metrics="rms sprung.az"
+    )
+    for i, (speed, seed) in enumerate(((10.0, 1), (20.0, 5))):
+        run = jn.simulate(rig, course(speed=f"{speed} m/s", duration="1 s", seed=seed))["sprung.az"].values
+        assert float(found["rms sprung.az"][i]) == pytest.approx(float(np.sqrt(np.mean(run**2))), rel=1e-3)
+    held = jn.simulate_many(
+        rig, trial, {"control.rate": ["50 Hz", "1 kHz"]}, metrics="rms sprung.az", control="skyhook"
+    )
+    run = jn.simulate(rig, trial, control="skyhook")["sprung.az"].values
+    expected = float(np.sqrt(np.mean((run - run[0]) ** 2)))
+    assert float(held["rms sprung.az"][1]) == pytest.approx(expected, rel=1e-12)
+    assert float(held["rms sprung.az"][0]) != pytest.approx(expected, rel=1e-3)
+
+
+def test_a_variant_that_does_not_run_is_a_row_with_its_reason():
+    rig = jn.load("audi-a6-quarter-car")
+    found = jn.simulate_many(
+        rig,
+        course(duration="0.2 s"),
+        {"sprung.mass": [460.0, -1.0], "trial.speed": [20.0, 20.0]},
+        metrics="rms sprung.az",
+    )
+    assert found["reason"].values[0] == ""
+    assert "sprung.mass" in found["reason"].values[1]
+    assert np.isfinite(found["rms sprung.az"].values).tolist() == [True, False]
+    wrong = jn.simulate_many(rig, course(duration="0.2 s"), {"trial.road.seed": [1.0, 1.5]}, metrics="rms sprung.az")
+    assert "seed" in wrong["reason"].values[1]
+    assert np.isfinite(wrong["rms sprung.az"].values[0])
+
+
+@pytest.mark.parametrize(
+    ("variants", "keywords", "said"),
+    [
+        ({"sprung.mas": [1.0]}, {}, "sprung.mass"),
+        ({"trial.sped": [1.0]}, {}, "speed"),
+        ({"control.rate": [1.0]}, {}, "there is no controller"),
+        ({"sprung.mass": [1.0, 2.0], "unsprung.mass": [1.0]}, {}, "different lengths"),
+        ({"sprung.mass": "16 kg"}, {}, "not a list of values"),
+        ({"sprung.mass": []}, {}, "finite numbers"),
+        ({"sprung.mass": ["16 m"]}, {}, "kg"),
+        ({"sprung.mass": [float("nan")]}, {}, "finite"),
+        ({}, {}, "nothing to vary"),
+        (5, {}, "nothing to vary"),
+        ({"sprung.mass": [400.0]}, {"metrics": "rms"}, "not a metric"),
+        ({"sprung.mass": [400.0]}, {"metrics": "rns sprung.az"}, "rms"),
+        ({"sprung.mass": [400.0]}, {"metrics": "rms sprung.ax"}, "sprung.az"),
+        ({"sprung.mass": [400.0]}, {"outputs": ["sprung.ax"]}, "sprung.az"),
+        ({"sprung.mass": np.linspace(400, 500, 100_000)}, {}, "too many samples"),
+    ],
+)
+def test_bad_input_gets_one_clear_message(variants, keywords, said):
+    with pytest.raises(DescriptionError) as caught:
+        jn.simulate_many(jn.load("audi-a6-quarter-car"), course(), variants, **keywords)
+    assert said in str(caught.value)

@@ -1,0 +1,101 @@
+"""Designs of experiments: what values the variants get."""
+
+from __future__ import annotations
+
+import pytest
+
+from jounce.core.errors import DescriptionError
+from jounce.variants.designs import grid, latin_hypercube, monte_carlo, sobol
+
+NUMBERS = {"mass": (16.0, "kg"), "rate": (22730.0, "N/m"), "height": (-0.2, "m")}
+
+
+def values(design):
+    return design.values(NUMBERS.__getitem__)
+
+
+def test_a_grid_has_every_combination_the_last_number_changing_fastest():
+    found = values(grid({"mass": ["14 kg", 18.0], "rate": ["20 N/mm", "25 N/mm", "30 N/mm"]}))
+    assert found["mass"].tolist() == [14.0, 14.0, 14.0, 18.0, 18.0, 18.0]
+    assert found["rate"] == pytest.approx([20e3, 25e3, 30e3] * 2)
+
+
+@pytest.mark.parametrize("make", [sobol, latin_hypercube, monte_carlo])
+def test_spreads_have_their_ends_and_moments(make):
+    spreads = {
+        "mass": "20 %",
+        "rate": {"mean": "20 N/mm", "sd": "5 %"},
+        "height": {"low": "-0.3 m", "mode": "-0.1 m", "high": "0.3 m"},
+    }
+    found = values(make(spreads, 4096, seed=7))
+    assert 12.8 <= found["mass"].min() < 12.83
+    assert 19.17 < found["mass"].max() <= 19.2
+    # Standard errors of 4 096 random points, three of them; the other designs are far closer.
+    assert found["rate"].mean() == pytest.approx(20e3, abs=3 * 1000 / 64)
+    assert found["rate"].std() == pytest.approx(1000.0, rel=0.04)
+    triangle = (-0.3 - 0.1 + 0.3) / 3.0
+    assert found["height"].mean() == pytest.approx(triangle, abs=3 * 0.125 / 64)
+    assert found["height"].var() == pytest.approx((0.09 + 0.01 + 0.09 - (0.03 - 0.09 - 0.03)) / 18.0, rel=0.05)
+
+
+def test_points_of_a_sobol_sequence_lie_evenly():
+    """In 64 points every one of 8 x 8 cells of two numbers has one: the sequence's defining property."""
+    found = values(sobol({"mass": [0.0, 8.0], "rate": [0.0, 8.0]}, 64, seed=3))
+    cells = {(int(a), int(b)) for a, b in zip(found["mass"], found["rate"], strict=True)}
+    assert len(cells) == 64
+
+
+def test_a_latin_hypercube_takes_every_part_once():
+    found = values(latin_hypercube({"mass": [0.0, 50.0]}, 50, seed=1))
+    assert sorted(found["mass"].astype(int)) == list(range(50))
+
+
+@pytest.mark.parametrize("make", [sobol, latin_hypercube, monte_carlo])
+def test_the_same_seed_gives_the_same_points(make):
+    first, again, other = (values(make({"mass": "10 %"}, 8, seed=seed))["mass"] for seed in (4, 4, 5))
+    assert first.tolist() == again.tolist() != other.tolist()
+
+
+def test_shares_of_a_negative_number_keep_the_order_of_the_ends():
+    found = values(monte_carlo({"height": "±50 %"}, 1000))["height"]
+    assert -0.3 <= found.min() < found.max() <= -0.1
+
+
+@pytest.mark.parametrize(
+    ("spread", "said"),
+    [
+        ("20", "20 %"),
+        ("-5 %", "20 %"),
+        ([1.0], "a lower and a higher value"),
+        (["18 kg", "14 kg"], "a lower and a higher value"),
+        (["14 m", "18 m"], "kg"),
+        ([1.0, float("inf")], "finite"),
+        ({"mean": 16.0}, "not a distribution"),
+        ({"mean": 16.0, "sd": 0.0}, "above 0"),
+        ({"sd": "-5 %"}, "20 %"),
+        ({"low": 14.0, "mode": 20.0, "high": 18.0}, "the mode lies outside"),
+        (16.0, "nothing to spread over"),
+    ],
+)
+def test_what_is_no_spread_is_refused(spread, said):
+    with pytest.raises(DescriptionError, match="mass") as caught:
+        values(sobol({"mass": spread}, 8))
+    assert said in str(caught.value)
+
+
+@pytest.mark.parametrize("count", [0, -1, 2.5, True, 10**9])
+def test_a_number_of_variants_that_makes_no_sense_is_refused(count):
+    with pytest.raises(DescriptionError, match="count"):
+        sobol({"mass": "10 %"}, count)
+
+
+@pytest.mark.parametrize("given", [{}, None, {"mass": "14 kg"}, {"mass": []}])
+def test_a_grid_of_nothing_is_refused(given):
+    with pytest.raises(DescriptionError):
+        grid(given)
+
+
+@pytest.mark.parametrize("seed", [-1, 1.5, "a"])
+def test_a_seed_is_a_whole_number(seed):
+    with pytest.raises(DescriptionError, match="seed"):
+        sobol({"mass": "10 %"}, 8, seed=seed)
