@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -9,7 +10,9 @@ import pytest
 
 import jounce as jn
 from jounce.control import CONTROLS
+from jounce.core.errors import DescriptionError
 from jounce.recordings import recording
+from jounce.ride import study
 from jounce.ride.stationary import linear_findings
 from jounce.ride.study import Ride, _merits, all_controls
 
@@ -77,3 +80,35 @@ def test_a_road_is_driven_until_the_last_axle_has_left_it() -> None:
         2.0, abs=1e-3
     )  # nobody knows how it goes on
     assert jn.road_trial(car, level, 10.0).settling == pytest.approx(car.wheelbase / 10.0)
+
+
+def test_names_of_controls() -> None:
+    def own(measurement, t):
+        raise NotImplementedError
+
+    named = [study.control_name(one) for one in (None, "skyhook", Path("a/soft.toml"), "b/firm.toml", own)]
+    assert named == ["passive", "skyhook", "soft", "firm", "own"]
+    assert study.control_name(jn.controller("clipped-lqr")) == "lqr"
+    assert study.all_controls()[0] == "passive"
+    assert sorted(study.all_controls()) == sorted({*study.CONTROLS, "passive"})
+
+
+def test_points_too_far_apart_for_the_speed_are_refused() -> None:
+    """A drive shows waves of twice the distance of the points; wheels hop at 15 Hz and more."""
+    car = jn.load("audi-a6-quarter-car")
+    x = np.arange(0.0, 200.5, 0.5)
+    road = jn.Table(x=x, height=0.01 * np.sin(x) * np.sin(x / 200.0 * np.pi))
+    slowest = 2.0 * 0.5 * study.FASTEST
+    assert study.road_trial(car, road, 1.001 * slowest).settling == 0.0
+    words = f"found '0.5 m, which shows nothing above .* Hz at 5 m/s'; allowed: at most {2.5 / study.FASTEST:.3g} m"
+    with pytest.raises(DescriptionError, match=words):
+        study.road_trial(car, road, 5.0)
+
+
+def test_a_measured_course_lies_under_both_tracks() -> None:
+    car, course = jn.load("audi-a6-full-car"), jn.load_road("detrended_rms_course_1in")
+    left, right = study._tracks(car, course)
+    assert (left.v, right.v) == pytest.approx((0.5 * car.front.track, -0.5 * car.front.track))
+    narrow = course.model_copy(update={"v": 50.0})
+    assert study._tracks(car, narrow) == (narrow, None)
+    assert study._tracks(jn.load("audi-a6-half-car-4dof"), course) == (course, None)
