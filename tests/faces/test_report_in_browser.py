@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import io
+import os
 import re
 import shutil
 from collections.abc import Iterator
@@ -13,6 +15,8 @@ import pytest
 
 import jounce as jn
 from jounce.campaign import run_campaign
+from jounce.cli import main
+from jounce.papers.audi_a6 import run_audi_a6
 from jounce.report import (
     REPORTS,
     Page,
@@ -24,6 +28,7 @@ from jounce.report import (
     write_page,
 )
 from jounce.report.live import Curve, Pane, Scene, Viewer
+from jounce.report.papers import audi_case_page
 
 sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
@@ -137,6 +142,137 @@ def test_a_campaign_s_report_is_zoomed_and_played(browser: Any, report: Path, wi
     )
     assert 0.05 < painted < 0.9
     opened.close()
+
+
+BUMP = 'kind = "half-sine"\nheight = "8 mm"\nlength = "100 mm"\nstart = "0.2 m"\n'
+STUDY = """schema = "jounce.design/1"
+rig = "formula-student-front"
+[[free]]
+point = "hardpoints.tie_rod_inner"
+within = "15 mm"
+[[target]]
+quantity = "toe"
+over = "-30 mm:30 mm:15 mm"
+value = "0 deg"
+tolerance = "0.03 deg"
+"""
+KART = "kart-double-wishbone"
+QUARTER = ("audi-a6-quarter-car", "--road", "iso:C", "--speed", "20 m/s", "--duration", "5 s")
+COMMANDS: dict[str, tuple[str, ...]] = {
+    "simulate": ("simulate", KART, "--road", "bump.toml", "--speed", "2 m/s", "--duration", "0.5 s", "--out", "a.nc"),
+    "faster": ("simulate", KART, "--road", "bump.toml", "--speed", "3 m/s", "--duration", "0.5 s", "--out", "b.nc"),
+    "comparison": ("plot", "a.nc", "b.nc"),
+    "kinematics": ("kinematics", KART, "--travel", "-10 mm:10 mm:2 mm"),
+    "ride": ("ride", *QUARTER),
+    "controllers": ("compare", *QUARTER, "--control", "passive,skyhook"),
+    "modes": ("modes", "kart-quarter-car"),
+    "roughness": ("iri", "profile.csv", "--segment", "20 m"),
+    "models": ("study", "lumped-vs-spatial", KART, "--speed", "2 m/s", "--duration", "0.3 s"),
+    "design": ("design", "kinematics", "study.toml", "--starts", "1", "--out", "design"),
+    "record": ("inspect", "simulate", "audi-a6-quarter-car", "--method", "egea", "--out", "lane.csv"),
+    "protocol": ("inspect", "evaluate", "lane.csv", "--tester", "egea-specsus2018"),
+    "animation": ("animate", KART, "--travel", "-10 mm:10 mm:2 mm"),
+}
+MOVING = ("simulate", "kinematics", "models", "design")
+"""Pages whose mechanism moves with the curves."""
+PAGES = [name for name in COMMANDS if name not in ("faster", "record")] + ["study"]
+KEPT = Path(__file__).parent / "pages"
+SCALE, TALLEST, ALIKE = 20, 2400, 5.0
+"""Pixels that become one in a picture that is kept, how much of a page it shows, and grey levels (of 255) by which one
+of another machine, with its fonts, may differ on average."""
+
+
+@pytest.fixture(scope="module")
+def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    """One page of every kind, written by its command."""
+    folder = tmp_path_factory.mktemp("pages")
+    (folder / "bump.toml").write_text(BUMP, encoding="utf-8")
+    (folder / "study.toml").write_text(STUDY, encoding="utf-8")
+    x = np.arange(0.0, 60.0, 0.1)
+    rows = "".join(f"{a:.1f},{0.01 * np.sin(a):.5f}\n" for a in x)
+    (folder / "profile.csv").write_text(f"x [m],z [m]\n{rows}", encoding="utf-8")
+    found = {}
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        for name, words in COMMANDS.items():
+            wanted = (
+                () if {"--out", "--report"} & set(words) - ({"--out"} if name == "simulate" else set()) else (name,)
+            )
+            report = [word for one in wanted for word in ("--report", f"{one}.html")]
+            assert main([*words, *report]) == 0, name
+            found[name] = folder / (f"{name}.html" if report else "design/report.html")
+    study = audi_case_page(run_audi_a6("case-a"))
+    found["study"] = REPORTS.write(study, folder / "study.html")
+    return found
+
+
+def shrunk(png: bytes) -> Any:
+    """The top of a page in grey, in little."""
+    from PIL import Image
+
+    picture = Image.open(io.BytesIO(png)).convert("L")
+    return picture.resize((picture.width // SCALE, picture.height // SCALE), Image.Resampling.BOX)
+
+
+def apart(one: Any, other: Any) -> float:
+    """Grey levels by which two pictures differ on average, blurred; all of them where their sizes do."""
+    from PIL import ImageFilter
+
+    if one.width != other.width or abs(one.height - other.height) > 0.06 * other.height:
+        return 255.0
+    blurred = (picture.resize(other.size).filter(ImageFilter.GaussianBlur(2)) for picture in (one, other))
+    first, second = (np.asarray(picture, float) for picture in blurred)
+    return float(np.abs(first - second).mean())
+
+
+@pytest.mark.parametrize(("width", "scheme"), [(1400, "light"), (390, "dark")])
+@pytest.mark.parametrize("name", PAGES)
+def test_every_kind_of_page_is_opened_zoomed_and_played(
+    browser: Any, pages: dict[str, Path], name: str, width: int, scheme: str
+) -> None:
+    from PIL import Image
+
+    opened = Opened(browser, pages[name], width, scheme)
+    page = opened.page
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    tall = page.evaluate("document.documentElement.scrollHeight")
+    dark = page.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(21, 25, 29)"
+    assert dark == (scheme == "dark")
+    button = page.get_by_role("button", name="Light" if dark else "Dark", exact=True)
+    assert button.is_visible()
+    top = {"x": 0, "y": 0, "width": width, "height": min(tall, TALLEST)}
+    seen = shrunk(page.screenshot(full_page=True, clip=top))
+    kept = KEPT / f"{name}-{width}.png"
+    if os.environ.get("JOUNCE_KEEP_PAGES"):
+        seen.save(kept, optimize=True)
+    assert apart(seen, Image.open(kept)) < ALIKE
+    has_player = page.evaluate("typeof jounce === 'object' && (jounce.players ?? []).length > 0")
+    assert has_player == (name not in ("modes", "animation"))
+    if has_player and width == 1400:
+        assert page.evaluate("jounce.players[0].view !== null") == (name in MOVING)
+        first, last = page.evaluate("jounce.players[0].plots.whole")
+        low, high = first + 0.2 * (last - first), first + 0.6 * (last - first)
+        page.evaluate(f"jounce.players[0].zoom({low}, {high})")
+        assert page.evaluate("jounce.players[0].plots.window") == pytest.approx([low, high])
+        if name in MOVING:
+            page.evaluate(f"jounce.players[0].goTo({low})")
+            page.get_by_role("button", name="Play", exact=True).click()
+            assert any(page.wait_for_timeout(100) or page.evaluate("jounce.players[0].now") > low for _ in range(100))
+    if width == 1400:
+        page.emulate_media(media="print", color_scheme="dark")
+        assert page.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
+        assert not has_player or not page.locator(".player").first.is_visible()
+    opened.close()
+
+
+def test_pictures_of_other_pages_are_told_apart() -> None:
+    from PIL import Image
+
+    kept = [
+        Image.open(KEPT / f"{name}-{width}.png") for name in ("simulate", "ride", "protocol") for width in (390, 1400)
+    ]
+    for i, one in enumerate(kept):
+        assert [apart(one, other) < ALIKE for other in kept] == [k == i for k in range(len(kept))]
 
 
 def test_values_of_the_viewer_are_those_of_the_recording(browser: Any, report: Path) -> None:
