@@ -94,7 +94,10 @@ def _rest(work: Any) -> bool:
         for j in range(k + 1, n):
             total -= table[k, j] * state[j, 0]
         state[k, 0] = total / table[k, k]
-    return all(math.isfinite(state[k, 0]) for k in range(n))
+    total = 0.0
+    for k in range(n):
+        total += abs(state[k, 0])
+    return math.isfinite(total)
 
 
 @part()
