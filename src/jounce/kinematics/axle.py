@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.datasets import dataset
 from jounce.core.errors import DescriptionError
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -328,14 +329,20 @@ def sweep_roll(rig: Rig, roll: Values, rack: float | str = 0.0) -> xr.Dataset:
     corner, angles = check_corner(rig), sweep_values(roll, "roll", "rad")
     check_roll(angles, "roll")
     axle, at = Axle(corner), to_si(rack, "m", where="rack travel")
-    left, right = axle.level(angles, at)
-    kept = np.isfinite(left.height + right.height)
+    found = rolled(axle, angles, at)
+    kept = np.isfinite(found.values["track"])
     if not kept.any():
         raise no_pose(axle.ends)
-    bend = _bend(axle, angles, at)
-    found = roll_rows(axle, left, right, bend)
-    _add_roll_stiffness(found, axle, angles, at, (left, right), bend)
     return found.dataset(kept, axle, corner)
+
+
+def rolled(axle: Axle, angles: Array, rack: float) -> AxleVariables:
+    """Roll an axle (rad), its rack at one travel (m)."""
+    left, right = axle.level(angles, rack)
+    bend = _bend(axle, angles, rack)
+    found = roll_rows(axle, left, right, bend)
+    _add_roll_stiffness(found, axle, angles, rack, (left, right), bend)
+    return found
 
 
 def check_roll(angles: Array, name: str) -> None:
@@ -458,7 +465,7 @@ class AxleVariables(Variables):
     def __init__(self, along: str, at: Array, unit: str, long_name: str, sign: str) -> None:
         super().__init__()
         self.along, self.at = along, at
-        self._coordinate = {"units": unit, "long_name": long_name, "sign": sign}
+        self.coordinate = {"units": unit, "long_name": long_name, "sign": sign}
 
     def add_wheel(self, axle: Axle, wheel: WheelRows, name: str, side: float) -> None:
         """Add the catalogue of one wheel as the ground's axes show it."""
@@ -471,10 +478,12 @@ class AxleVariables(Variables):
         import xarray as xr
 
         variables = {
-            name: xr.Variable((self.along,), value[kept], self.attributes[name]) for name, value in self.values.items()
+            name: xr.Variable((self.along,), value[kept], self.attributes[name], fastpath=True)
+            for name, value in self.values.items()
         }
         facts = facts_of(corner, "both", self.at[kept], axle.ends if not kept.all() else [])
-        return xr.Dataset(variables, {self.along: xr.Variable((self.along,), self.at[kept], self._coordinate)}, facts)
+        along = xr.Variable((self.along,), self.at[kept], self.coordinate)
+        return dataset(variables, xr.Dataset(coords={self.along: along}), facts)
 
 
 # steering -------------------------------------------------------------------------------------------------------------

@@ -14,15 +14,14 @@ from numpy.typing import NDArray
 from jounce.core.constants import GRAVITY
 from jounce.core.datasets import dataset
 from jounce.core.description import Description
-from jounce.core.errors import DescriptionError, SimulationError, nearest
+from jounce.core.errors import DescriptionError, SimulationError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.core.units import Length, Mass, PositiveLength, Unit, bare_si, to_si
 from jounce.core.writing import Formats
-from jounce.kernel.poses import END_OF_TRAVEL, REACHED, Found, Walk, Work, space_for, walk_poses, walk_variants
+from jounce.kernel.poses import END_OF_TRAVEL, REACHED, Found, Walk, Work, space_for, walk_poses
 from jounce.kinematics.model import KinematicModel, check_corner, check_rack, kinematic_model
 from jounce.parts import Corner, Rig
-from jounce.parts.rig import unit_of, unknown_path
 from jounce.recordings.writers import netcdf_of
 
 if TYPE_CHECKING:
@@ -267,7 +266,8 @@ def moves_per_g(vehicle: AxleLayout, rows: Mapping[str, Array], taken: Mapping[s
             + (rows["heave_rate"] - rows["wheel_rate"]) * (rows["motion_ratio_contact"] / rows["motion_ratio"]) ** 2
         )
     tyre = transfer / rows["tyre_stiffness"] if "tyre_stiffness" in rows else 0.0
-    shares_of = [*(taken[name] for name in vehicle.effects), 0.0][:2]
+    shares_of: list[Array | float] = [taken[name] for name in vehicle.effects]
+    shares_of += [0.0] * (2 - len(shares_of))
     names = _PER_G[vehicle.axle]
     return {name: transfer * (1.0 - share) / rate + tyre for name, share in zip(names, shares_of, strict=True)}
 
@@ -644,18 +644,17 @@ def sweep_path(
     for row, value in zip(sweep.model.rows, values, strict=True):
         found.add(row.name, value, row.unit, row.long_name, row.sign, row.clause)
     _add_further(found, sweep, vehicle, points=points, keep=...)
-    placed = {name: ("pose", one) for name, one in zip(("wheel_travel", "rack_travel"), both, strict=True)}
     variables = {
-        name: xr.Variable(("pose",), value[:, 0], found.attributes[name])
+        name: xr.Variable(("pose",), value[:, 0], found.attributes[name], fastpath=True)
         for name, value in found.values.items()
-        if name not in placed
+        if name not in ("wheel_travel", "rack_travel")
     }
-    coordinates = {
-        name: xr.Variable(*value, {"units": "m", "long_name": name.replace("_", " ")}) for name, value in placed.items()
-    }
+    axes: dict[str, Any] = {"pose": np.arange(len(both[0]))}
+    for name, one in zip(("wheel_travel", "rack_travel"), both, strict=True):
+        axes[name] = xr.Variable(("pose",), np.array(one), {"units": "m", "long_name": name.replace("_", " ")})
     facts = facts_of(corner, corner.side, found.values["wheel_travel"], ends)
     facts["findings"] = "; ".join(map(str, toggle_findings(sweep)))
-    return xr.Dataset(variables, {"pose": np.arange(len(both[0])), **coordinates}, facts)
+    return dataset(variables, xr.Dataset(coords=axes), facts)
 
 
 def path_sweep(corner: Corner, travel: Array, rack: Array, numbers: Array | None = None) -> tuple[PreparedSweep, Array]:
@@ -832,119 +831,5 @@ def _on_grid(variable: Any, sizes: dict[str, int]) -> list[float]:
     return list(variable.set_dims(sizes).transpose(*sizes).values.ravel().tolist())
 
 
-# many variants --------------------------------------------------------------------------------------------------------
-
-
 SWEEP_FILES = Formats("sweeps", {".nc": _write_netcdf, ".csv": _write_csv})
 """Formats that sweeps are written in."""
-
-
-_MOST_RESULTS = 200_000_000  # numbers in one result
-
-
-def sweep_variants(
-    rig: Rig,
-    changes: Mapping[str, Sequence[float | str] | Array],
-    travel: Values,
-    *,
-    rack: float | str | None = None,
-    quantities: Sequence[str] | None = None,
-) -> xr.Dataset:
-    """Sweep many variants of a corner over the same travel, all in one native loop.
-
-    Parameters
-    ----------
-    rig : Rig
-        The corner that all variants start from.
-    changes : mapping of str to array_like, shape (k,)
-        Path of a number of the description to its value in each variant, SI or texts with units; all of one length.
-    travel : float, str or array_like, shape (n,)
-        Vertical travel of the wheel centre from design, m, bump positive, ascending.
-    rack : float, optional
-        Travel of the rack, m, positive to the left; the description's own by default.
-    quantities : sequence of str, optional
-        Which of the catalogue are kept; all by default.
-
-    Returns
-    -------
-    xarray.Dataset
-        Quantities on ``variant`` and ``wheel_travel`` (m); the changed numbers are coordinates along ``variant``. NaN
-        where a variant cannot reach a pose; ``reached`` tells how many poses each of them reached.
-
-    Raises
-    ------
-    DescriptionError
-        For a rig without hardpoints, unknown paths or names, values that are not finite or of different lengths.
-
-    Examples
-    --------
-    >>> import jounce as jn
-    >>> rig = jn.load("reference-double-wishbone")
-    >>> heights = {"hardpoints.tie_rod_inner[2]": [0.180, 0.185, 0.190]}
-    >>> sorted(jn.sweep_variants(rig, heights, [-0.04, 0.0, 0.04])["bump_steer"].sizes.items())
-    [('variant', 3), ('wheel_travel', 3)]
-    """
-    import xarray as xr
-
-    sweep = prepare_sweep(rig, travel, rack)
-    model = sweep.model
-    values = _changed(model, rig, changes)
-    chosen = _chosen(model, quantities)
-    count, poses = len(next(iter(values.values()))), len(sweep.layout.place)
-    if count * poses * len(chosen) > _MOST_RESULTS:
-        raise DescriptionError(
-            "too many results", where="changes, travel, quantities", found=count * poses * len(chosen)
-        )
-    parameters = np.tile(sweep.walk.p, (count, 1))
-    for path, column in values.items():
-        parameters[:, model.parameters.index(path)] = column
-    out = np.empty((len(chosen), count, poses))
-    place = sweep.layout.place.astype(np.int64)
-    walk_variants(sweep.walk, parameters, sweep.found, sweep.work, place, chosen, out)
-    variables = {}
-    for row, value in zip((model.rows[i] for i in chosen), out, strict=True):
-        if row.name not in ("wheel_travel", "rack_travel"):
-            attributes = {"units": row.unit, "long_name": row.long_name, "sign": row.sign}
-            variables[row.name] = xr.Variable(("variant", "wheel_travel"), value, attributes)
-    at = np.sort(sweep.layout.targets[:, 0])
-    coordinates = {
-        "wheel_travel": xr.Variable(("wheel_travel",), at, {"units": "m", "long_name": "wheel travel"}),
-        **{path: _variant_coordinate(xr, rig, path, column) for path, column in values.items()},
-    }
-    found = xr.Dataset(variables, coordinates, {"model": str(getattr(rig, "model", ""))})
-    return found.assign(reached=("variant", np.isfinite(out[0]).sum(axis=1), {"units": "1", "long_name": "poses"}))
-
-
-def _variant_coordinate(xr: object, rig: Rig, path: str, column: Array) -> object:
-    return xr.Variable(("variant",), column, {"units": unit_of(rig, path), "long_name": path})  # type: ignore[attr-defined]
-
-
-def _changed(model: KinematicModel, rig: Rig, changes: Mapping[str, Sequence[float | str] | Array]) -> dict[str, Array]:
-    if not changes:
-        raise DescriptionError("no variants", where="changes", allowed="path of a number to its values")
-    known = rig.parameters()
-    found: dict[str, Array] = {}
-    for path, given in changes.items():
-        if path not in known:
-            raise unknown_path(path, known)
-        if path not in model.parameters:
-            raise DescriptionError(
-                "does not enter the kinematics", where=path, hint=nearest(path, model.parameters) or "Leave it out."
-            )
-        column = si_values(given, unit_of(rig, path), f"changes: {path}")
-        if column.ndim != 1 or not len(column) or not np.all(np.isfinite(column)):
-            raise DescriptionError("not a list of finite numbers", where=f"changes: {path}", found=str(given)[:60])
-        found[path] = column
-    lengths = {len(column) for column in found.values()}
-    if len(lengths) > 1:
-        raise DescriptionError("the changes have different lengths", where="changes", found=sorted(lengths))
-    return found
-
-
-def _chosen(model: KinematicModel, quantities: Sequence[str] | None) -> NDArray[np.int64]:
-    names = [row.name for row in model.rows]
-    for name in quantities or ():
-        if name not in names:
-            hint = nearest(name, names)
-            raise DescriptionError("no such quantity", where=name, allowed=", ".join(names), hint=hint)
-    return np.array([names.index(name) for name in quantities or names], dtype=np.int64)

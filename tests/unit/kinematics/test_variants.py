@@ -82,3 +82,77 @@ def test_wide_steps_stay_on_the_branch_of_fine_ones(name: str, size: float) -> N
         assert both.mean() > 0.6
         assert np.mean(np.isfinite(one) != np.isfinite(other)) < 1e-3
         assert np.max(np.abs(one - other)[both]) < 1e-8
+
+
+CAR = jn.AxleLayout(axle="front", wheelbase=2.7, centre_of_mass_height=0.55, brake_share=0.6)
+
+
+# points, racks, axles -------------------------------------------------------------------------------------------------
+
+
+def test_points_racks_and_pairs_of_both() -> None:
+    base = np.array(RIG.hardpoints.tie_rod_inner)
+    places = [base.tolist(), ["2 mm", float(base[1]), float(base[2]) + 0.003]]
+    batch = jn.sweep_variants(RIG, {"hardpoints.tie_rod_inner": places}, [-0.02, 0.0, 0.03], rack="-10 mm:10 mm:10 mm")
+    assert batch["steer"].dims == ("variant", "wheel_travel", "rack_travel")
+    assert batch["hardpoints.tie_rod_inner[0]"].to_numpy().tolist() == [base[0], 0.002]
+    for k, place in enumerate(places):
+        single = jn.sweep_travel(
+            RIG.with_changes({"hardpoints.tie_rod_inner": place}), [-0.02, 0.0, 0.03], [-0.01, 0.0, 0.01]
+        )
+        assert batch["rack_travel"].to_numpy() == pytest.approx(single["rack_travel"].to_numpy(), abs=1e-15)
+        for name in ("steer", "camber_gain", "steer_gain"):
+            assert np.array_equal(batch[name].to_numpy()[k], single[name].to_numpy()), name
+    assert batch["reached"].to_numpy().tolist() == [9, 9]
+
+
+def test_axles_in_roll_and_steered() -> None:
+    changes = {"hardpoints.upper_ball_joint[2]": [0.45, 0.46], "strut.spring.rate": [25e3, 30e3]}
+    names = ["roll_centre_height", "roll_stiffness", "left.camber_to_ground"]
+    roll, rack = np.radians([-2.0, 0.0, 1.0]), [-0.02, 0.0, 0.01]
+    batch = jn.sweep_variants(RIG, changes, roll=roll, quantities=names)
+    turned = jn.sweep_variants(RIG, changes, 0.01, rack=rack, axle=True, vehicle=CAR)
+    for k in range(2):
+        rig = RIG.with_changes({path: values[k] for path, values in changes.items()})
+        rolled, steered = jn.sweep_roll(rig, roll), jn.sweep_steering(rig, rack, 0.01, vehicle=CAR)
+        for name in names:
+            assert batch[name].to_numpy()[k] == pytest.approx(rolled[name].to_numpy(), rel=1e-12), name
+        for name in ("ackermann", "mean_steer", "right.camber"):
+            assert turned[name].to_numpy()[k] == pytest.approx(steered[name].to_numpy(), rel=1e-12, nan_ok=True), name
+    assert set(batch.data_vars) == {*names, "reached"}
+    assert turned["mean_steer"].dims == ("variant", "rack_travel")
+    far = jn.sweep_variants(RIG, {"hardpoints.upper_ball_joint[1]": [0.69, 0.99]}, roll=roll, quantities=names)
+    assert far["reached"].to_numpy().tolist() == [3, 0]
+    assert np.isnan(far["roll_stiffness"].to_numpy()[1]).all()
+
+
+@pytest.mark.parametrize(
+    ("given", "text"),
+    [
+        ({"roll": 0.01, "travel": 0.0}, "sets the wheel travel itself"),
+        ({"roll": 2.0}, "too steep"),
+        ({"axle": True}, "nothing to sweep"),
+        ({"axle": True, "rack": [0.0, 0.01], "travel": [0.0, 0.01]}, "only a single value"),
+        ({"roll": 0.01, "quantities": ["roll_center"]}, "no such quantity"),
+        (
+            {"vehicle": jn.AxleLayout(axle="rear", wheelbase=2.0, centre_of_mass_height=0.5, brake_share=0.4)},
+            "steered axle",
+        ),
+    ],
+)
+def test_bad_axles_of_variants(given, text: str) -> None:
+    with pytest.raises(jn.DescriptionError, match=text):
+        jn.sweep_variants(RIG, {"wheel.camber": [0.0]}, **given)
+
+
+@pytest.mark.parametrize(
+    ("changes", "text"),
+    [
+        ({"hardpoints.tie_rod_inner": [0.1, 0.2, 0.3]}, "not a list of places"),
+        ({"hardpoints.tie_rod_inner": [[0.1, 0.2, np.nan]]}, "not a finite number"),
+        ({"hardpoints.tie_rod_inner": [[0.1, 0.2, 0.3]], "hardpoints.tie_rod_inner[0]": [0.1]}, "given twice"),
+    ],
+)
+def test_bad_places_are_refused(changes, text: str) -> None:
+    with pytest.raises(jn.DescriptionError, match=text):
+        jn.sweep_variants(RIG, changes, TRAVEL)

@@ -1,0 +1,264 @@
+"""Many variants of a corner over the same sweep: of one wheel in one native loop, of an axle one after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import DescriptionError, SimulationError, nearest
+from jounce.core.types import Array
+from jounce.core.units import to_si
+from jounce.kernel.poses import walk_variants
+from jounce.kinematics.axle import Axle, AxleVariables, check_roll, rolled, steering_rows
+from jounce.kinematics.model import KinematicModel, check_corner, check_rack, kinematic_model
+from jounce.kinematics.sweeps import AxleLayout, PreparedSweep, Values, prepare_sweep, si_values, sweep_values
+from jounce.parts import Corner, Rig
+from jounce.parts.rig import unit_of, unknown_path
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+_MOST_RESULTS = 200_000_000  # numbers in one result
+Changes = Mapping[str, Sequence[float | str] | Sequence[Sequence[float | str]] | Array]
+"""Path of a number, or of a point, to its value in each variant."""
+
+
+def sweep_variants(
+    rig: Rig,
+    changes: Changes,
+    travel: Values | None = None,
+    *,
+    rack: Values | None = None,
+    roll: Values | None = None,
+    axle: bool = False,
+    vehicle: AxleLayout | None = None,
+    quantities: Sequence[str] | None = None,
+) -> xr.Dataset:
+    """Sweep many variants of a corner over the same travel, rack, or both; or of an axle over roll or rack.
+
+    Those of one wheel are swept in one native loop, those of an axle one after the other.
+
+    Parameters
+    ----------
+    rig : Rig
+        The corner that all variants start from.
+    changes : mapping of str to array_like, shape (k,) or (k, 3)
+        Path of a number of the description to its value in each variant, or of a point (``"hardpoints.tie_rod_inner"``)
+        to its places; SI or texts with units; all of one length.
+    travel : float, str or array_like, shape (n,), optional
+        Vertical travel of the wheel centre from design, m, bump positive, ascending; 0 where it is not given.
+    rack : float, str or array_like, shape (m,), optional
+        Travel of the rack, m, positive to the left; the description's own by default. Several values give every pair
+        of travel and rack.
+    roll : float, str or array_like, shape (r,), optional
+        Roll angle of the body, rad: the axle is swept as by :func:`sweep_roll`, and there is no travel.
+    axle : bool
+        The axle is steered over ``rack`` as by :func:`sweep_steering`, at one travel.
+    vehicle : AxleLayout, optional
+        With ``axle`` adds Ackermann and turn diameters.
+    quantities : sequence of str, optional
+        Which are kept, of the catalogue or of the axle (``"roll_centre_height"``, ``"left.camber"``); all by default.
+
+    Returns
+    -------
+    xarray.Dataset
+        Quantities on ``variant`` and ``wheel_travel`` (m), ``rack_travel`` (m) or ``roll_angle`` (rad), whichever is
+        swept; the changed numbers are coordinates along ``variant``. NaN where a variant cannot reach a pose;
+        ``reached`` tells how many poses each of them reached.
+
+    Raises
+    ------
+    DescriptionError
+        For a rig without hardpoints, unknown paths or names, values that are not finite or of different lengths, or
+        sweeps that do not go together.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> rig = jn.load("reference-double-wishbone")
+    >>> heights = {"hardpoints.tie_rod_inner[2]": [0.180, 0.185, 0.190]}
+    >>> sorted(jn.sweep_variants(rig, heights, [-0.04, 0.0, 0.04])["bump_steer"].sizes.items())
+    [('variant', 3), ('wheel_travel', 3)]
+    >>> rolled = jn.sweep_variants(rig, heights, roll="-2 deg:2 deg:1 deg", quantities=["roll_centre_height"])
+    >>> rolled["roll_centre_height"].dims
+    ('variant', 'roll_angle')
+    """
+    corner = check_corner(rig)
+    if roll is not None and (travel is not None or axle):
+        raise DescriptionError("a roll sweep sets the wheel travel itself", where="roll", hint="Leave out the others.")
+    if vehicle is not None and not axle:
+        raise DescriptionError("needs a steered axle", where="vehicle", hint="Add axle=True, or leave it out.")
+    if roll is not None or axle:
+        return _of_axle(corner, changes, 0.0 if travel is None else travel, rack, roll, vehicle, quantities)
+    return _of_wheel(corner, changes, 0.0 if travel is None else travel, rack, quantities)
+
+
+def _of_wheel(
+    rig: Corner, changes: Changes, travel: Values, rack: Values | None, quantities: Sequence[str] | None
+) -> xr.Dataset:
+    import xarray as xr
+
+    sweep = prepare_sweep(rig, travel, rack)
+    model = sweep.model
+    parameters, columns = _parameters(sweep, rig, changes)
+    chosen = _chosen(model, quantities)
+    count, poses = len(parameters), len(sweep.layout.place)
+    _refuse_many(count * poses * len(chosen))
+    out = np.empty((len(chosen), count, poses))
+    place = sweep.layout.place.astype(np.int64)
+    walk_variants(sweep.walk, parameters, sweep.found, sweep.work, place, chosen, out)
+    several = rack is not None and sweep.layout.shape[1] > 1
+    along = ("wheel_travel", "rack_travel") if several else ("wheel_travel",)
+    shape = (count, *sweep.layout.shape[: len(along)])
+    variables = {}
+    for row, value in zip((model.rows[i] for i in chosen), out, strict=True):
+        if row.name not in ("wheel_travel", "rack_travel"):
+            attributes = {"units": row.unit, "long_name": row.long_name, "sign": row.sign}
+            variables[row.name] = xr.Variable(("variant", *along), value.reshape(shape), attributes)
+    at = (np.unique(sweep.layout.targets[:, i]) for i in range(len(along)))
+    coordinates = {
+        name: xr.Variable((name,), one, {"units": "m", "long_name": name.replace("_", " ")})
+        for name, one in zip(along, at, strict=True)
+    }
+    return _together(rig, variables, coordinates, columns, np.isfinite(out[0]).sum(axis=1))
+
+
+def _of_axle(
+    rig: Corner,
+    changes: Changes,
+    travel: Values,
+    rack: Values | None,
+    roll: Values | None,
+    vehicle: AxleLayout | None,
+    quantities: Sequence[str] | None,
+) -> xr.Dataset:
+    import xarray as xr
+
+    parameters, columns = _parameters(prepare_sweep(rig, 0.0), rig, changes)
+    lifted, steered = _one(travel, "wheel travel"), None if rack is None else sweep_values(rack, "rack travel")
+    if roll is None:
+        check_rack(rig)
+        if steered is None:
+            raise DescriptionError("nothing to sweep", where="rack", allowed='"-20 mm:20 mm:5 mm", or roll')
+        at = steered
+    else:
+        at = sweep_values(roll, "roll", "rad")
+        check_roll(at, "roll")
+    turned = 0.0 if rack is None or roll is None else _one(rack, "rack travel")
+
+    def of(numbers: Array) -> AxleVariables:
+        axle = Axle(rig, numbers)
+        if roll is not None:
+            return rolled(axle, at, turned)
+        return steering_rows(axle, *(axle.wheel(side, lifted, at) for side in (1.0, -1.0)), at, vehicle)
+
+    first = of(kinematic_model(rig).parameter_values(rig))
+    names = list(first.values) if quantities is None else list(quantities)
+    for name in names:
+        if name not in first.values:
+            hint = nearest(name, list(first.values))
+            raise DescriptionError("no such quantity", where=name, allowed=", ".join(first.values), hint=hint)
+    _refuse_many(len(parameters) * len(at) * len(names))
+    out = np.full((len(names), len(parameters), len(at)), np.nan)
+    reached = np.zeros(len(parameters), dtype=np.int64)
+    for k, numbers in enumerate(parameters):
+        try:
+            found = of(numbers)
+        except SimulationError:  # no pose of this one can be reached
+            continue
+        out[:, k] = [found.values[name] for name in names]
+        both = found.values["left.wheel_travel"] + found.values["right.wheel_travel"]
+        reached[k] = int(np.isfinite(both).sum())
+    variables = {
+        name: xr.Variable(("variant", first.along), value, first.attributes[name])
+        for name, value in zip(names, out, strict=True)
+        if name != first.along
+    }
+    coordinates = {first.along: xr.Variable((first.along,), at, first.coordinate)}
+    return _together(rig, variables, coordinates, columns, reached)
+
+
+def _together(
+    rig: Corner, variables: dict[str, Any], coordinates: dict[str, Any], columns: dict[str, Array], reached: Array
+) -> xr.Dataset:
+    import xarray as xr
+
+    for path, column in columns.items():
+        coordinates[path] = xr.Variable(("variant",), column, {"units": unit_of(rig, path), "long_name": path})
+    found = xr.Dataset(variables, coordinates, {"model": str(getattr(rig, "model", ""))})
+    return found.assign(reached=("variant", reached, {"units": "1", "long_name": "poses"}))
+
+
+def _one(values: Values, name: str) -> float:
+    """A value where only one can be had."""
+    if isinstance(values, str) or np.ndim(np.asarray(values, dtype=object)):
+        found = sweep_values(values, name)
+        if len(found) > 1:
+            raise DescriptionError("only a single value can be used here", where=name, found=f"{len(found)} values")
+        return float(found[0])
+    return to_si(values, "m", where=name)
+
+
+def _refuse_many(count: int) -> None:
+    if count > _MOST_RESULTS:
+        raise DescriptionError("too many results", where="changes, travel, quantities", found=count)
+
+
+def _parameters(sweep: PreparedSweep, rig: Corner, changes: Changes) -> tuple[Array, dict[str, Array]]:
+    """Numbers of all variants, shape (k, parameters), and the columns that were changed, by path."""
+    columns = _changed(sweep.model, rig, changes)
+    parameters = np.tile(sweep.walk.p, (len(next(iter(columns.values()))), 1))
+    for path, column in columns.items():
+        parameters[:, sweep.model.parameters.index(path)] = column
+    return parameters, columns
+
+
+def _changed(model: KinematicModel, rig: Corner, changes: Changes) -> dict[str, Array]:
+    if not changes:
+        raise DescriptionError("no variants", where="changes", allowed="path of a number to its values")
+    known = rig.parameters()
+    found: dict[str, Array] = {}
+    for path, given in changes.items():
+        parts = [path] if path in known else [f"{path}[{i}]" for i in range(3)]
+        if parts[-1] not in known:
+            raise unknown_path(path, known)
+        if parts[0] not in model.parameters:
+            raise DescriptionError(
+                "does not enter the kinematics", where=path, hint=nearest(path, model.parameters) or "Leave it out."
+            )
+        where = f"changes: {path}"
+        if len(parts) == 1:
+            read = [si_values(given, unit_of(rig, path), where)]
+        else:
+            read = _places(given, where)
+        for part, column in zip(parts, read, strict=True):
+            if column.ndim != 1 or not len(column) or not np.all(np.isfinite(column)):
+                raise DescriptionError("not a list of finite numbers", where=where, found=str(given)[:60])
+            if part in found:
+                raise DescriptionError("given twice, as a point and as one of its numbers", where=f"changes: {part}")
+            found[part] = column
+    lengths = {len(column) for column in found.values()}
+    if len(lengths) > 1:
+        raise DescriptionError("the changes have different lengths", where="changes", found=sorted(lengths))
+    return found
+
+
+def _places(given: object, where: str) -> list[Array]:
+    """Columns x, y, z (m) of places, one for each variant."""
+    rows = list(given) if isinstance(given, Sequence) and not isinstance(given, str) else np.asarray(given)
+    if np.ndim(np.asarray(rows, dtype=object)) != 2 or np.shape(np.asarray(rows, dtype=object))[1] != 3:
+        raise DescriptionError("not a list of places", where=where, found=str(given)[:60], allowed="[[x, y, z], ...]")
+    places = np.array([si_values(list(row), "m", f"{where}[{i}]") for i, row in enumerate(rows)])
+    return list(places.T)
+
+
+def _chosen(model: KinematicModel, quantities: Sequence[str] | None) -> NDArray[np.int64]:
+    names = [row.name for row in model.rows]
+    for name in quantities or ():
+        if name not in names:
+            hint = nearest(name, names)
+            raise DescriptionError("no such quantity", where=name, allowed=", ".join(names), hint=hint)
+    return np.array([names.index(name) for name in quantities or names], dtype=np.int64)
