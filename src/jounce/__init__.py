@@ -20,6 +20,8 @@ def __getattr__(name: str) -> object:
         from importlib import metadata
 
         return metadata.version("jounce")
+    if name.startswith("__"):  # what tools ask every object for is no name misspelt
+        raise AttributeError(f"module 'jounce' has no attribute {name!r}.")
     if name not in __all__:
         from jounce.core.errors import nearest
 

@@ -37,8 +37,8 @@ else:
     call._compiled = None
 
 rig = jn.load("kart-quarter-car")
-bump = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m"), speed="1.95 m/s", duration="3 s")
-rough = jn.Trial(road=jn.Iso8608(**{"class": "C"}, length="120 m", seed=1), speed="10 m/s", duration="10 s")
+bump = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m"), speed="1.95 m/s", duration="1 s")
+rough = jn.Trial(road=jn.Iso8608(**{"class": "C"}, length="40 m", seed=1), speed="10 m/s", duration="3 s")
 found = {}
 for where, trial in {"bump": bump, "rough": rough}.items():
     for method in ("auto", "explicit", "implicit"):

@@ -78,18 +78,19 @@ def test_changes_are_swept(cli) -> None:
 
 
 def test_files_and_pictures(cli, tmp_path: Path) -> None:
-    outcome = cli("kinematics", RIG, *TRAVEL, "--out", "sweep.nc", "--figure", "curves")
-    assert outcome.exit_code == 0
+    for file in (sweep := tmp_path / "sweep.nc", sheet := tmp_path / "curves" / "wheel.png"):
+        file.parent.mkdir(exist_ok=True)
+        file.write_bytes(b"mine")
+    for words in (("--out", "sweep.nc"), ("--figure", "curves")):
+        refused = cli("kinematics", RIG, *TRAVEL, *words)
+        assert refused.exit_code == 2
+        assert "--force" in refused.err
+    assert sweep.read_bytes() == sheet.read_bytes() == b"mine"
+    assert cli("kinematics", RIG, *TRAVEL, "--out", "sweep.nc", "--figure", "curves", "--force").exit_code == 0
     with xr.open_dataset(tmp_path / "sweep.nc", engine="h5netcdf") as read:
         assert read["camber"].shape == (41,)
         assert read["camber"].attrs["units"] == "rad"
-    assert (tmp_path / "curves" / "wheel.png").is_file()
-    again = cli("kinematics", RIG, *TRAVEL, "--out", "sweep.nc")
-    assert again.exit_code == 2
-    assert "exists" in again.err
-    full = cli("kinematics", RIG, *TRAVEL, "--figure", "curves")
-    assert full.exit_code == 2
-    assert cli("kinematics", RIG, *TRAVEL, "--out", "sweep.nc", "--figure", "curves", "--force").exit_code == 0
+    assert sheet.read_bytes().startswith(b"\x89PNG")
 
 
 def test_travel_beyond_reach_keeps_the_rest(cli, tmp_path: Path) -> None:

@@ -13,17 +13,12 @@ from jounce.campaign.speed_sweep import misfit_against_speed
 from jounce.core.errors import DescriptionError, JounceError, OutputError
 from jounce.core.serialise import to_json
 from jounce.core.units import to_si
-from jounce.core.writing import write_files
 from jounce.papers.demo import prepare_demo, run_demo
 from jounce.papers.table2 import table2
 from jounce.papers.virtual_bench import (
-    BenchPlan,
-    campaign_texts,
     course,
-    measurement_texts,
     shipped_truth,
     true_pass,
-    truth_text,
 )
 from jounce.parts import rig_from_table
 
@@ -33,19 +28,8 @@ STRUT_FRICTION, GUIDE_FRICTION = TRUE_RIG.strut.friction.force, TRUE_RIG.guide_f
 
 
 @pytest.fixture(scope="module")
-def shipped(tmp_path_factory):
-    """The shipped campaign's quick look; recordings of 1 s, all obstacles passed by then, to save time."""
-    folder = tmp_path_factory.mktemp("shipped")
-    plan = BenchPlan(duration=1.0)
-    truth = {"truth.toml": truth_text(plan, shipped_truth())}
-    write_files(folder, {**campaign_texts(), **measurement_texts(plan), **truth})
-    said = []
-    return run_campaign(folder / "quick-look.toml", progress=said.append), said
-
-
-@pytest.fixture(scope="module")
-def result(shipped):
-    return shipped[0]
+def result(quick_look):
+    return quick_look[0]
 
 
 def update(result, name):
@@ -63,8 +47,8 @@ def test_description_is_table_2_over_the_courses_of_the_bench(result):
     assert (roads["A"]["height"], roads["B20"]["pitch"]) == ("10 mm", "0.20 m")
 
 
-def test_everything_is_done_and_every_trial_judged(shipped):
-    result, said = shipped
+def test_everything_is_done_and_every_trial_judged(quick_look):
+    result, said = quick_look
     assert result.is_complete
     assert [strategy.update.name for strategy in result.strategies] == [f"strategy {i}" for i in (1, 2, 3, 4)]
     assert len(result.trials) == 16

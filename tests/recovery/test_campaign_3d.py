@@ -12,11 +12,10 @@ from jounce.campaign import run_campaign
 from jounce.cli.files import check_file
 from jounce.core.errors import DescriptionError
 from jounce.core.units import to_si
-from jounce.core.writing import write_files
 from jounce.design.lumping import lump
 from jounce.papers import demo, virtual_bench
 from jounce.papers.table2 import table2
-from jounce.papers.virtual_bench import BenchPlan, campaign_texts, measurement_texts, shipped_truth, true_pass
+from jounce.papers.virtual_bench import campaign_texts, shipped_truth, true_pass
 from jounce.parts import rig_from_table
 from jounce.parts.variants import strut_angle, with_strut_angle
 from jounce.recordings import write_recording
@@ -220,10 +219,8 @@ def test_damping_of_a_3d_strut_is_recovered_from_a_decay(tmp_path, support):
 
 
 @pytest.fixture(scope="module")
-def shipped(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("shipped-3d")
-    write_files(folder, {**campaign_texts(), **measurement_texts(BenchPlan(duration=1.0))})
-    return run_campaign(folder / "campaign.toml")
+def shipped(shipped_folder):
+    return run_campaign(shipped_folder / "campaign.toml")
 
 
 def test_shipped_campaign_runs_the_double_wishbone(shipped):
@@ -262,10 +259,9 @@ def test_shipped_campaign_finds_spring_friction_and_lags(shipped):
         assert found.lags[f"trial {number}"] == pytest.approx(true_pass(rows[number]).lag, abs=0.6e-3)
 
 
-def test_the_linkage_explains_more_of_the_wheel_than_two_masses(shipped, tmp_path):
+def test_the_linkage_explains_more_of_the_wheel_than_two_masses(shipped, quick_look):
     """Both campaigns look at the same recordings; single obstacles, held out, errors in the mean."""
-    write_files(tmp_path, {**campaign_texts(), **measurement_texts(BenchPlan(duration=1.0))})
-    quick = run_campaign(tmp_path / "quick-look.toml")
+    quick, _ = quick_look
 
     def misfit(result):
         held = [t for t in result.trials if t.entry.use == "hold-out" and t.obstacle_pitch is None]

@@ -17,6 +17,7 @@ from jounce.core.findings import Finding
 from jounce.inspection.grading import VehicleGrade, grade, grade_vehicle
 from jounce.inspection.quarter_car import Corner, force_response, steady_state
 from jounce.inspection.result import Inspection, WheelCurves, WheelResult
+from jounce.report import protocol
 from jounce.report.protocol import (
     protocol_content,
     protocol_html,
@@ -70,7 +71,7 @@ def sound() -> VehicleGrade:
     return vehicle(axle("front"), axle("rear"))
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def worn() -> VehicleGrade:
     return vehicle(axle("front", wheel("left"), wheel("right", 300.0)), axle("rear"))
 
@@ -250,8 +251,15 @@ HOSTILE = [
 ]
 
 
+@pytest.fixture(scope="module")
+def drawn(worn: VehicleGrade) -> dict[str, bytes]:
+    """The curves of one vehicle, which are the same whatever stands around them."""
+    return protocol._figures(worn, None, "en")
+
+
 @pytest.mark.parametrize("text", HOSTILE)
-def test_hostile_texts_are_printed_and_not_run(worn: VehicleGrade, text: str) -> None:
+def test_hostile_texts_are_printed_and_not_run(worn: VehicleGrade, drawn, monkeypatch, text: str) -> None:
+    monkeypatch.setattr(protocol, "_figures", lambda *_: drawn)
     about = dict.fromkeys((*FACTS, "place", "operator", "record"), text)
     pages = protocol_png(worn, about=about, ppi=20.0)
     assert len(pages) == 1
