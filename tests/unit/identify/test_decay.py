@@ -314,3 +314,20 @@ def test_runs_are_held_against_each_other(exact):
     negative = run(damping_ratio=Estimate(-0.1, 0.01), damping_coefficient=Estimate(-1.0, 0.1))
     assert combine_decays([negative, negative]).damping_ratio.value == 0.0
     assert combine_decays([negative, negative]).damping_coefficient.value == 0.0
+
+
+def test_time_windows_that_leave_nothing_are_refused():
+    rest = np.where(TIME < 1.0, record(), record()[1000])
+    for begin, end, text in (
+        (0.5, 0.5, r"found '1 from 0.5 s to 0.5 s'; allowed: at least 20 within 0 s to 1.999 s"),
+        (0.7, 0.5, "the time window leaves too few samples"),
+        ("500 ms", 0.5185, "found '19 from 0.5 s to 0.5185 s'"),
+        (1.1, None, "the record never changes in the time window; found '1.1 s to inf s'"),
+    ):
+        with pytest.raises(FitError, match=text):
+            fit_decay(TIME, rest, mass=MASS, begin=begin, end=end, name="decay.csv")
+    part = fit_decay(TIME, record(), mass=MASS, begin=0.21, end="1.5 s")
+    assert part.damping_coefficient.value == pytest.approx(120.0, rel=1e-4)
+    assert part.window[1] <= 1.5
+    with pytest.raises(DescriptionError, match="unknown quadratic_drag"):
+        fit_decay(TIME, record(), mass=MASS, quadratic_drag="maybe")

@@ -243,6 +243,11 @@ def test_result_is_plain_data():
         ([ForceDeflectionTrial(STROKE[:4], 1e4 * STROKE[:4])], {"law": "polynomial", "degree": 5}, "fewer points"),
         ([line(1e4)], {"law": "power", "intercept": "keep"}, "no intercept"),
         ([ForceDeflectionTrial(STROKE, 0 * STROKE)], {}, "does not grow"),
+        (
+            [ForceDeflectionTrial(STROKE, np.where(STROKE > 0.00985, 9.0, -1.0))],
+            {"law": "power", "zero": "none"},
+            "three",
+        ),
     ],
 )
 def test_unusable_data_are_refused(trials, options, text):
@@ -367,3 +372,18 @@ def test_a_curve_that_falls_is_a_problem():
         fit = fit_curve(x, force, law="polynomial", degree=2, intercept="drop", where="a")
         found = _advice(fit, x, force, "polynomial", None, [row(), row()])
         assert [(one.place, one.severity) for one in found] == [("curve", "problem")] * told
+
+
+@pytest.mark.parametrize(("back", "is_told"), [(0.019, False), (0.021, True)])
+def test_a_deflection_that_reverses_on_the_way_is_told(back, is_told):
+    x = np.concatenate([np.linspace(0.0, 0.005, 40), [0.005 - 0.01 * back], np.linspace(0.0051, 0.01, 40)])
+    found = [one for one in fit_stiffness([ForceDeflectionTrial(x, 1e4 * x)] * 2).findings if "reverses" in one.message]
+    assert [one.value for one in found] == [pytest.approx(0.01 * back)] * (2 * is_told)
+
+
+@pytest.mark.parametrize(("drop", "is_told"), [(0.029, False), (0.031, True)])
+def test_a_force_that_falls_on_the_way_is_told_from_three_percent_on(drop, is_told):
+    force = 1e4 * STROKE
+    force[50] = force[49] - 100.0 * drop
+    found = [one for one in fit_stiffness([ForceDeflectionTrial(STROKE, force)]).findings if "falls by" in one.message]
+    assert [one.value for one in found] == [pytest.approx(100.0 * drop)] * is_told

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -11,8 +12,11 @@ import pytest
 import jounce as jn
 from jounce.identify import update
 from jounce.identify.datum import QuietStart, start_findings
+from jounce.identify.discrepancy import _moved, _scaled
 from jounce.identify.fit_problem import Free, _weight, check_free, free_parameters
+from jounce.identify.richer import Richer, Ridden, own_doubt
 from jounce.identify.update import Optimum, UpdatedParameter, bounds_and_priors, identifiability
+from jounce.simulation.compiled import compile_rig
 
 RIG = jn.load("kart-quarter-car")
 RATE, MASS = "strut.spring.rate", "sprung.mass"
@@ -211,3 +215,56 @@ def test_what_quiet_starts_tell() -> None:
     assert "neither zeroed at rest nor counts as the model does" in found["c", "warning"]
     many = start_findings({f"trial {i}": {"a": rest} for i in range(5)})
     assert "taken from the start of 5 trials:" in many[0].message
+
+
+@pytest.mark.parametrize("track", ["waves", "pieces"])
+def test_tracks_are_made_higher_and_later(track: str) -> None:
+    time = np.linspace(0.01, 1.49, 30)
+    given = jn.mechanics.interpolated([0.0, 0.5, 1.0, 1.5], [0.0, 1.0, -1.0, 2.0])
+    if track == "waves":
+        kind = jn.mechanics.harmonic(1.0, 1.0).kind[0]
+        tables = np.random.default_rng(2).normal(size=(len(given.kind), 4)) * (1.0, 1.0, 7.0, 1.0)
+        given = replace(given, kind=np.full(len(given.kind), kind), coefficients=tables)
+    value, rate = given.evaluate(time)
+    assert np.ptp(value) > 1.0
+    for factor in (1.0, 1.3):
+        higher = _scaled(given, factor).evaluate(time)
+        np.testing.assert_allclose(higher, (factor * value, factor * rate), rtol=1e-12, atol=1e-12)
+    later = _moved(given, 2.0 + 1.6 * given.edges).evaluate(2.0 + 1.6 * time)
+    np.testing.assert_allclose(later, (value, rate / 1.6), rtol=1e-9, atol=1e-9)
+
+
+def test_doubts_are_shares_or_in_the_unit_of_what_is_doubted() -> None:
+    mass = RIG.parameters()[MASS]
+    assert own_doubt(RIG, MASS, "2 %", "doubt") == pytest.approx(0.02)
+    assert own_doubt(RIG, MASS, 0.03, "doubt") == 0.03
+    assert own_doubt(RIG, MASS, "400 g", "doubt") == pytest.approx(0.4 / mass)
+    cold = RIG.with_changes({"strut.spring.preload": "-20 N"})
+    assert own_doubt(cold, "strut.spring.preload", "5 N", "doubt") == pytest.approx(0.25)
+    assert own_doubt(RIG.with_changes({"strut.spring.preload": 0.0}), "strut.spring.preload", "5 N", "doubt") == 0.0
+    with pytest.raises(jn.DescriptionError, match=r"doubt: sprung\.mass: a doubt below zero; found '-2 %'"):
+        own_doubt(RIG, MASS, "-2 %", "doubt")
+    with pytest.raises(jn.DescriptionError, match=r"doubt: sprung\.mas: no such parameter"):
+        own_doubt(RIG, "sprung.mas", "2 %", "doubt")
+
+
+def test_a_doubted_curve_has_the_stiffness_of_the_rig_where_it_rests() -> None:
+    used = compile_rig(RIG).facts.parameters
+    rest = {"strut.spring": 0.007, "tyre": 0.0015}
+    richer = Richer(RIG, [], jn.Doubt(), Ridden(rest["strut.spring"], rest["tyre"], 1.0), used)
+    p, xi = RIG.parameters(), np.linspace(-1.0, 1.5, len(richer.nuisances))
+    for part, rate in (("strut.spring", p[RATE]), ("tyre", p["tyre.stiffness"])):
+        x, h = rest[part], 1e-6
+        force = richer.elastic_force(part, p, xi, np.array([x - h, x, x + h, 0.0]))
+        assert force[3] == 0.0
+        assert (force[2] - force[0]) / (2.0 * h) == pytest.approx(rate, rel=1e-6)
+        places = richer._curved.get(part)
+        if places is None:
+            assert force[1] == pytest.approx(rate * x)
+            continue
+        bends = [richer.nuisances[i].mean + richer.nuisances[i].deviation * xi[i] for i in places]
+        first, second = rate * bends[0] / (2.0 * x), rate * bends[1] / (3.0 * x**2) if len(bends) > 1 else 0.0
+        coefficients = richer.curve(part, p, xi, places)
+        assert coefficients[1:] == pytest.approx([first, second][: len(bends)])
+        assert force[1] == pytest.approx(sum(one * x**k for k, one in enumerate(coefficients, 1)))
+    assert richer._curved

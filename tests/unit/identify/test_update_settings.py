@@ -26,12 +26,30 @@ def trials() -> list[jn.FitTrial]:
         ({"weights": {"tyre.force": 1.0}}, r"one: no channel of the recording has a weight; found"),
         ({"starts": 0}, "not a number of starts; found 0; allowed: 1 or more"),
         ({"align": "lag", "lag_bound": 0.0}, "not a largest lag"),
+        ({"align": "lags"}, "unknown alignment; found 'lags'"),
+        ({"method": "bgfs"}, "unknown method; found 'bgfs'; allowed: bfgs, least-squares"),
         ({"tolerance": -1e-8}, "tolerance: not a tolerance; found -1e-08; allowed: 1e-13 to 0.1"),
     ],
 )
 def test_impossible_settings_are_refused(trials, settings, message):
     with pytest.raises(jn.JounceError, match=message):
         jn.update_model(trials, {"strut.spring.rate": "10 %"}, **settings)
+
+
+def test_recordings_that_cannot_be_compared_are_refused(trials):
+    free, measured = {"strut.spring.rate": "10 %"}, trials[0].measured
+    obstacle = (0.1 + 0.06) / 1.95
+    for changed, message in (
+        (measured.sel(time=slice(None, obstacle - 2e-3)), r"one: the recording ends before the obstacle pass does"),
+        (measured.rename({"sprung.az": "a.az", "unsprung.az": "b.az"}), r"one: the recording holds no channel that"),
+        (measured.isel(time=slice(-2, None)), r"fewer data than parameters; found '4 samples'; allowed: at least 5"),
+    ):
+        more = {"align": "lag"} if "fewer" in message else {}
+        all_free = free | dict.fromkeys(("sprung.mass", "unsprung.mass", "tyre.stiffness"), "10 %") if more else free
+        with pytest.raises(jn.FitError, match=message):
+            jn.update_model([jn.FitTrial("one", RIG, TRIAL, changed)], all_free, **more)
+    with pytest.raises(jn.FitError, match="no trial to fit"):
+        jn.update_model([], free)
 
 
 def test_a_weight_of_zero_leaves_a_channel_out(trials):
