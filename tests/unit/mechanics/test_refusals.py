@@ -52,6 +52,8 @@ def refused(text: str):
         ({"inertia": (1.0, 1.0, 1.0, 0.0)}, "bob.inertia: not a tensor of inertia; found '4 numbers'"),
         ({"inertia": np.array([[1.0, 0.1, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])}, "found 'not symmetric'"),
         ({"mass": None}, "bob: a centre of mass or an inertia without a mass"),
+        ({"mass": None, "inertia": None}, "bob: a centre of mass or an inertia without a mass"),
+        ({"mass": None, "centre_of_mass": None}, "bob: a centre of mass or an inertia without a mass"),
     ],
 )
 def test_masses(changed, text):
