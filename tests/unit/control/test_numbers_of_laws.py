@@ -9,6 +9,7 @@ import casadi as ca
 import numpy as np
 import pytest
 from scipy.linalg import block_diag, expm, solve_discrete_are
+from scipy.optimize import minimize
 
 from jounce.control import LQR, PID, ActiveActuator, CornerModel, SemiActiveDamper, Skyhook, controller
 from jounce.control.actuators import Instant
@@ -25,7 +26,7 @@ from jounce.control.design import (
     regulator_gains,
 )
 from jounce.control.laws import LQG, LQG_CHANNELS, SHADD, HInfinity, Hybrid, Passive
-from jounce.control.preview import PreviewMPC, _limits, _Plan, _Planner
+from jounce.control.preview import PreviewMPC, _horizon, _limits, _Plan, _Planner
 from jounce.control.program import program, values
 from jounce.core.errors import SimulationError
 
@@ -292,3 +293,32 @@ def test_a_program_keeps_the_order_of_corners_and_limits_rates() -> None:
     assert found[:2] == pytest.approx([-130.0, -40.0])  # -500 held back; -40 within reach
     assert found[-2:] == pytest.approx(found[:2])
     assert [found[4], found[7]] == pytest.approx([-0.9, -0.03])
+
+
+def test_a_plan_beyond_its_limits_goes_over_by_what_it_costs() -> None:
+    """Stroke and tyre load are soft: the first force is that of the problem with two slacks, solved by SciPy."""
+    law = PreviewMPC(actuator=ActiveActuator(force_limit=1e6, lag=0.0), stroke=0.01, preview=0.02)
+    plan, horizon = _Plan(law, law.actuator, CORNER, 4, np.zeros(12)), _horizon(law, CORNER, 4)
+    state = np.array([0.016, 0.9, 0.024, 0.3])  # apart by more than the stroke, and the tyre nearly off the road
+    linear, free = np.append(horizon.gx @ state, [0.0, 0.0]), horizon.Fx @ state
+    rows, contact = [], 440.0 * CORNER.gravity / 200e3
+    for i in range(1, 5):
+        for index, sign, limit, slack in ((0, 1.0, 0.01, 4), (0, -1.0, 0.01, 4), (2, 1.0, contact, 5)):
+            rows.append((sign * horizon.Fu[4 * i + index], slack, limit - sign * free[4 * i + index]))
+    scale = np.array([*[1e3] * 4, 1e-2, 1e-2])
+
+    def cost(z):
+        return 1e-2 * float(0.5 * (z * scale) @ horizon.H @ (z * scale) + linear @ (z * scale))
+
+    def kept(row, slack, room):
+        return {"type": "ineq", "fun": lambda z: 1e3 * (room - row @ (1e3 * z[:4]) + 1e-2 * z[slack])}
+
+    limits = [kept(*row) for row in rows]
+    bounds = [(None, None)] * 4 + [(0.0, None)] * 2
+    best = minimize(
+        cost, np.zeros(6), method="SLSQP", bounds=bounds, constraints=limits, options={"ftol": 1e-14, "maxiter": 500}
+    )
+    assert best.success
+    assert min(best.x[4:]) > 0.01  # both limits are exceeded
+    found = plan.command([-0.8 * state[0], state[1], -state[2], state[3], -0.8 * (state[1] - state[3])], 0)
+    assert found == pytest.approx(1e3 * best.x[0] / 0.8, rel=1e-3)
