@@ -86,3 +86,5 @@ def test_own_states_of_an_actuator_answer_a_step_by_their_closed_form(ratio: flo
     assert found[1] == pytest.approx(w * decay * swing, rel=1e-9)
     a, b = ActiveActuator(lag=0.01).equations
     assert (a.item(), b.item()) == (-100.0, 100.0)
+    orders = [ActiveActuator(bandwidth=20.0).order, ActiveActuator(lag=0.01).order, ActiveActuator(lag=0.0).order]
+    assert orders == [2, 1, 0]
