@@ -90,16 +90,17 @@ def test_sweeps_that_are_too_fast(share: float, told: list[str]) -> None:
         assert one.words == pytest.approx({"rate": share * most, "most": most}, rel=0.01)
 
 
-@pytest.mark.parametrize(("share", "low", "told"), [(1.12, 1.0, []), (1.02, 1.0, ["sweep_short"]), (1.02, 2.5, [])])
+@pytest.mark.parametrize(("share", "low", "told"), [(1.1, 1.5, []), (0.92, 1.5, ["sweep_short"]), (0.85, 2.5, [])])
 def test_sweeps_that_are_too_short(share: float, low: float, told: list[str]) -> None:
     """Below 98 % of what is asked for; one that ends above 2 Hz ends early, and is no shorter."""
     least = limits_of(EGEA).sweep_time_min
     lasting = share * least
-    sweep, findings = find_sweep(plate(course((0.0, 23.0), (2.0, 23.0), (2.0 + lasting, low))), EGEA, rigid=True)
+    frequency = course((0.0, 23.0), (2.0, 23.0), (2.0 + lasting, low), (2.8 + lasting, low))
+    sweep, findings = find_sweep(plate(frequency), EGEA, rigid=True)
     found = [one for one in findings if one.code == "sweep_short"]
     assert [one.code for one in found] == told
     length = float(sweep.turns.top[sweep.last] - sweep.turns.top[sweep.first])
-    assert length == pytest.approx(lasting - 0.5, abs=0.4)  # from 98.5 % of the highest to the last whole turn
+    assert length == pytest.approx(lasting, abs=0.8)
     for one in found:
         assert one.words == pytest.approx({"length": length, "least": least})
 
