@@ -63,7 +63,11 @@ from .kinematics import AxleLayout as AxleLayout
 from .kinematics import ContactLoad as ContactLoad
 from .kinematics import LoadCase as LoadCase
 from .kinematics import LoadedAxle as LoadedAxle
+from .kinematics import Rim as Rim
+from .kinematics import Solid as Solid
+from .kinematics import clearances as clearances
 from .kinematics import compliance as compliance
+from .kinematics import link_lengths as link_lengths
 from .kinematics import load_case_table as load_case_table
 from .kinematics import load_cases as load_cases
 from .kinematics import pickup_loads as pickup_loads

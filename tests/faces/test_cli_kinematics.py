@@ -145,3 +145,35 @@ def test_a_trailing_arm_has_no_steering_rows(cli) -> None:
     assert "camber" in found
     assert not {"caster", "scrub_radius", "steer_gain", "kingpin_inclination"} & set(found)
     assert cli("kinematics", "semi-trailing-arm", "--rack", "-1 mm:1 mm:1 mm").exit_code == 2
+
+
+def test_an_axle_pose_by_pose_with_a_right_corner_of_its_own(cli, tmp_path) -> None:
+    rig = jn.load("formula-student-front")
+    other = jn.save(rig.mirrored().with_changes({"hardpoints.upper_ball_joint[1]": "-541 mm"}), tmp_path / "right.toml")
+    given = ["--heave", "-10 mm:0 mm:5 mm", "--roll", "1 deg", "--pitch", "0.5 deg", "--rack", "3 mm"]
+    outcome = cli("kinematics", "formula-student-front", *given, "--right", str(other), "--json")
+    assert outcome.exit_code == 0, outcome.err
+    wanted = jn.sweep_axle(
+        rig, right=jn.load(other), heave=[-0.01, -0.005, 0.0], roll=np.radians(1.0), pitch=np.radians(0.5), rack=0.003
+    )
+    for name in ("right.camber_to_ground", "left.wheel_travel", "track"):
+        assert outcome.json[name]["values"] == pytest.approx(wanted[name].to_numpy().tolist(), abs=1e-12), name
+    table = cli("kinematics", "formula-student-front", "--left-travel", "10 mm", "--right-travel", "-5 mm:5 mm:5 mm")
+    assert table.exit_code == 0
+    assert "roll_angle" in table.out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--heave", "0 mm", "--travel", "0 mm"], "--left-travel"),
+        (["--heave", "0 mm", "--left-travel", "1 mm"], "an attitude of the body at once"),
+        (["--handwheel", "90 deg"], "no handwheel moves this rack"),
+        (["--pitch", "0 mm"], "rad"),
+        (["--heave", "0 mm", "--right", "formula-student-front"], "not a right corner"),
+    ],
+)
+def test_bad_poses_of_an_axle_are_refused(cli, arguments, message: str) -> None:
+    outcome = cli("kinematics", "formula-student-front", *arguments)
+    assert outcome.exit_code == 2
+    assert message in outcome.err

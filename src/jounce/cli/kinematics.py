@@ -56,6 +56,23 @@ def kinematics(
     axle: Annotated[
         bool, typer.Option("--axle", help="With --rack only: both wheels of an axle, and Ackermann percentage.")
     ] = False,
+    right: Annotated[
+        str | None,
+        typer.Option(metavar="RIG", help="The right corner of an axle that is no mirror image of the left one."),
+    ] = None,
+    left_travel: Annotated[
+        str | None, typer.Option(help="Travel of the left wheel of an axle, pose by pose; --right-travel likewise.")
+    ] = None,
+    right_travel: Annotated[str | None, typer.Option(help="Travel of the right wheel, pose by pose.")] = None,
+    heave: Annotated[
+        str | None,
+        typer.Option(help="Rise of the body above the road, pose by pose, together with --roll and --pitch."),
+    ] = None,
+    pitch: Annotated[str | None, typer.Option(help="Pitch of the body, nose down positive, pose by pose.")] = None,
+    handwheel: Annotated[
+        str | None,
+        typer.Option(help='Angle of the handwheel, to the left positive, in place of --rack: "-90 deg:90 deg:15 deg".'),
+    ] = None,
     vehicle: Annotated[
         list[str] | None,
         typer.Option(
@@ -87,7 +104,14 @@ def kinematics(
         say("loading")
         chosen = chosen_rig(rig, changes(set_))
         say("sweeping")
-        sweep = _sweep(chosen, travel, rack, roll, _vehicle(vehicle), axle=axle, points=points)
+        both = {"left_travel": left_travel, "right_travel": right_travel, "heave": heave, "pitch": pitch}
+        both |= {"handwheel": handwheel}
+        if right is not None or any(value is not None for value in both.values()):
+            _refuse_beside({"--travel": travel is not None, "--axle": axle, "--points": points})
+            other = None if right is None else chosen_rig(right, {})
+            sweep = _sweep_both(chosen, other, {**both, "roll": roll, "rack": rack}, _vehicle(vehicle))
+        else:
+            sweep = _sweep(chosen, travel, rack, roll, _vehicle(vehicle), axle=axle, points=points)
         if out is not None:
             SWEEP_FILES.write(sweep, out, force=force)
         missing = []
@@ -151,6 +175,28 @@ def _sweep(
         return sweep_rack(rig, steered, float(lifted[0]), vehicle=vehicle, points=points)
     pair = steered if steered is None or len(steered) > 1 else float(steered[0])
     return sweep_travel(rig, lifted, pair, vehicle=vehicle, points=points)
+
+
+def _refuse_beside(given: dict[str, bool]) -> None:
+    """Refuse options that poses of an axle do not take."""
+    for option, there in given.items():
+        if there:
+            hint = "Use --left-travel and --right-travel." if option == "--travel" else "Leave it out."
+            raise DescriptionError("an axle pose by pose does not take it", where=option, hint=hint)
+
+
+def _sweep_both(rig: Rig, right: Rig | None, texts: dict[str, str | None], vehicle: AxleLayout | None) -> xr.Dataset:
+    """Sweep both wheels of an axle pose by pose."""
+    from jounce.kinematics import sweep_axle
+    from jounce.kinematics.sweeps import text_range
+
+    units = {"roll": "rad", "pitch": "rad", "handwheel": "rad"}
+    values = {
+        name: text_range(text, units.get(name, "m"), "--" + name.replace("_", "-"))
+        for name, text in texts.items()
+        if text is not None
+    }
+    return sweep_axle(rig, right=right, vehicle=vehicle, **values)
 
 
 def _sweep_axle(

@@ -3,6 +3,7 @@
 from jounce.kinematics.axle import sweep_roll, sweep_steering
 from jounce.kinematics.both_wheels import sweep_axle
 from jounce.kinematics.catalogue import CATALOGUE, Quantity
+from jounce.kinematics.clearances import Rim, Solid, clearances, link_lengths
 from jounce.kinematics.compliances import compliance
 from jounce.kinematics.effort import steering_effort
 from jounce.kinematics.load_cases import LOAD_CASES, LoadCase, LoadedAxle, load_case_table, load_cases
@@ -18,7 +19,11 @@ __all__ = [
     "LoadCase",
     "LoadedAxle",
     "Quantity",
+    "Rim",
+    "Solid",
+    "clearances",
     "compliance",
+    "link_lengths",
     "load_case_table",
     "load_cases",
     "pickup_loads",

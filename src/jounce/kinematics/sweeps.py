@@ -219,7 +219,7 @@ class AxleLayout(Description):
 
     @property
     def driven(self) -> float:
-        """Share of the driving force that the axle has."""
+        """Share of the driving force that the axle has [1]."""
         return float(self.axle == "rear") if self.drive_share is None else self.drive_share
 
     @property

@@ -153,7 +153,7 @@ def _of_axle(
         axle = Axle(rig, numbers)
         if roll is not None:
             return rolled(axle, at, turned)
-        return steering_rows(axle, *(axle.wheel(side, lifted, at) for side in (1.0, -1.0)), at, vehicle)
+        return steering_rows(axle, axle.wheel(1.0, lifted, at), axle.wheel(-1.0, lifted, at), at, vehicle)
 
     first = of(kinematic_model(rig).parameter_values(rig))
     names = list(first.values) if quantities is None else list(quantities)
@@ -182,7 +182,11 @@ def _of_axle(
 
 
 def _together(
-    rig: Corner, variables: dict[str, Any], coordinates: dict[str, Any], columns: dict[str, Array], reached: Array
+    rig: Corner,
+    variables: dict[str, Any],
+    coordinates: dict[str, Any],
+    columns: dict[str, Array],
+    reached: NDArray[np.integer],
 ) -> xr.Dataset:
     import xarray as xr
 

@@ -1,0 +1,240 @@
+"""Clearances: distance of any two links, points or the rim over travel and rack, and the lengths of links."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING, Self, TypeAlias
+
+import numpy as np
+from pydantic import model_validator
+
+from jounce.core.description import Description
+from jounce.core.errors import DescriptionError, unknown
+from jounce.core.types import Array
+from jounce.core.units import Length, NonNegativeLength, PositiveLength
+from jounce.kinematics.model import check_corner
+from jounce.kinematics.sweeps import PreparedSweep, Values, ends_text, no_pose, prepare_sweep
+from jounce.parts import Corner, Rig
+from jounce.parts.bodies import distance
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+class Solid(Description):
+    """A sphere at one hardpoint, or a round bar along several, of this ``radius`` (m); it moves with its hardpoints.
+
+    Examples
+    --------
+    >>> Solid(points=["tie_rod_inner", "tie_rod_outer"], radius="8 mm").radius
+    0.008
+    """
+
+    points: tuple[str, ...]
+    radius: NonNegativeLength = 0.0
+
+    @model_validator(mode="after")
+    def _has_points(self) -> Self:
+        if not self.points:
+            raise ValueError("no points; allowed: one hardpoint, or several along a bar")
+        return self
+
+
+class Rim(Description):
+    """The inside of a rim: a cylinder of this ``radius`` (m) about the wheel's axis, between two offsets (m).
+
+    Offsets count from the wheel centre along its axis, outboard positive.
+
+    Examples
+    --------
+    >>> Rim(radius="115 mm", inner="-90 mm", outer="20 mm").inner
+    -0.09
+    """
+
+    radius: PositiveLength
+    inner: Length
+    outer: Length
+
+    @model_validator(mode="after")
+    def _has_width(self) -> Self:
+        if self.inner >= self.outer:
+            raise ValueError(f"inner = {self.inner:g} m does not lie inboard of outer = {self.outer:g} m")
+        return self
+
+
+Shape: TypeAlias = Solid | Rim
+_SAMPLES, _ROUNDS = 33, 4
+_POINT = 1e-12  # m: length below which a bar is a sphere
+
+
+def clearances(
+    rig: Rig, pairs: Mapping[str, Sequence[Shape]], travel: Values = 0.0, rack: Values | None = None
+) -> xr.Dataset:
+    """Give the distance of bodies of a corner from each other over travel and rack.
+
+    Parameters
+    ----------
+    rig : Rig
+        A corner with hardpoints.
+    pairs : mapping of str to sequence of Solid or Rim, shape (2,)
+        What is near what, by a name of one's own; at most one of two is a rim.
+    travel : float, str or array_like, shape (n,)
+        Vertical travel of the wheel centre from design, m, bump positive, ascending.
+    rack : float, str or array_like, shape (m,), optional
+        Travel of the rack, m, positive to the left; the description's own by default.
+
+    Returns
+    -------
+    xarray.Dataset
+        On ``wheel_travel`` and ``rack_travel`` (m): of each pair the shortest distance of their surfaces, m, negative
+        where they overlap (by their radii); NaN out of reach.
+
+    Raises
+    ------
+    DescriptionError
+        For a rig without hardpoints, a hardpoint that it does not have, two rims, or values that do not ascend.
+    SimulationError
+        When no pose at all can be reached.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> rods = {"pushrod": ("pushrod_outer", "pushrod_inner"), "arm": ("upper_arm_front", "upper_ball_joint")}
+    >>> bars = [jn.Solid(points=points, radius="8 mm") for points in rods.values()]
+    >>> found = jn.clearances(jn.load("formula-student-front"), {"push rod to arm": tuple(bars)}, "-20 mm:20 mm:10 mm")
+    >>> found["push rod to arm"].dims
+    ('wheel_travel', 'rack_travel')
+    """
+    import xarray as xr
+
+    corner = check_corner(rig)
+    if not pairs:
+        raise DescriptionError("nothing to measure", where="pairs", allowed="a name and two bodies")
+    given = corner.hardpoints.given()
+    for name, pair in pairs.items():
+        if len(pair) != 2 or all(isinstance(shape, Rim) for shape in pair):
+            raise DescriptionError(
+                "not a pair of bodies", where=f"pairs: {name}", allowed="two bars, or a bar and a rim"
+            )
+        for shape in pair:
+            for point in shape.points if isinstance(shape, Solid) else ():
+                if point not in given:
+                    raise unknown(point, given, what="hardpoint", where=f"pairs: {name}")
+    sweep = prepare_sweep(corner, travel, rack)
+    rows = sweep.quantities()
+    if not np.isfinite(rows["wheel_travel"]).any():
+        raise no_pose(sweep.ends())
+    places = _places(sweep)
+    wheel = places["wheel_centre"], _axis(corner, rows)
+    variables = {}
+    for name, (one, other) in pairs.items():
+        found = _apart(one, other, places, wheel)
+        what = {"units": "m", "long_name": f"clearance: {name}", "sign": "positive: apart"}
+        variables[name] = (("wheel_travel", "rack_travel"), found.reshape(sweep.layout.shape), what)
+    at = [np.unique(sweep.layout.targets[:, i]) for i in (0, 1)]
+    ends = sweep.ends() if not np.isfinite(rows["wheel_travel"]).all() else []
+    facts = {"model": str(getattr(rig, "model", "")), "stopped": ends_text(ends)}
+    coordinates = {
+        name: ((name,), values, {"units": "m", "long_name": name.replace("_", " ")})
+        for name, values in zip(("wheel_travel", "rack_travel"), at, strict=True)
+    }
+    return xr.Dataset(variables, coordinates, facts)
+
+
+def link_lengths(rig: Rig) -> dict[str, float]:
+    """Give the lengths of the links of a corner at design.
+
+    Parameters
+    ----------
+    rig : Rig
+        A corner with hardpoints.
+
+    Returns
+    -------
+    dict of str to float
+        Hardpoints of both ends, such as ``"tie_rod_inner - tie_rod_outer"``, to their distance in m: legs of arms and
+        rods, push rod, strut, link of the anti-roll bar. A sweep keeps all of them but the strut's.
+
+    Raises
+    ------
+    DescriptionError
+        For a rig without hardpoints.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> lengths = jn.link_lengths(jn.load("formula-student-front"))
+    >>> round(1e3 * lengths["tie_rod_inner - tie_rod_outer"], 1)   # mm
+    331.5
+    """
+    corner = check_corner(rig)
+    points = corner.hardpoints.given()
+    ends = [(inner, outer) for outer, inner in corner.hardpoints.rods]
+    ends += [("pushrod_inner", "pushrod_outer"), ("strut_bottom", "strut_top"), ("arb_arm_end", "arb_link_end")]
+    return {f"{a} - {b}": distance(points[a], points[b]) for a, b in ends if a in points and b in points}
+
+
+def _places(sweep: PreparedSweep) -> dict[str, Array]:
+    """Places of all points, shape (poses, 3), m."""
+    found = sweep.points()
+    names = sweep.model.point_names
+    return {name: np.stack([found[f"{name}.{axis}"].ravel() for axis in "xyz"], axis=1) for name in names}
+
+
+def _axis(rig: Corner, rows: dict[str, Array]) -> Array:
+    """Axis of the wheel, outboard, ground axes, shape (poses, 3)."""
+    camber, steer = rows["camber"].ravel(), rows["steer"].ravel()
+    side = rig.sign
+    level = np.cos(camber)
+    return np.stack([-side * np.sin(steer) * level, side * np.cos(steer) * level, -np.sin(camber)], axis=1)
+
+
+def _apart(one: Shape, other: Shape, places: dict[str, Array], wheel: tuple[Array, Array]) -> Array:
+    """Shortest distance of two surfaces at all poses, m."""
+    if isinstance(other, Rim):
+        one, other = other, one
+    assert isinstance(other, Solid)
+    if isinstance(one, Rim):
+        near = np.min([_to_rim(one, *bar, *wheel) for bar in _bars(other, places)], axis=0)
+        return np.asarray(near - other.radius)
+    found = [_between(*bar, *rod) for bar in _bars(one, places) for rod in _bars(other, places)]
+    return np.asarray(np.min(found, axis=0) - one.radius - other.radius)
+
+
+def _bars(solid: Solid, places: dict[str, Array]) -> list[tuple[Array, Array]]:
+    """Straight pieces of a bar; of a sphere one that has no length."""
+    names = solid.points if len(solid.points) > 1 else solid.points * 2
+    return [(places[a], places[b]) for a, b in pairwise(names)]
+
+
+def _between(a: Array, b: Array, c: Array, d: Array) -> Array:
+    """Distance of the pieces a-b and c-d, each end of shape (n, 3): at the feet of the common normal, or at ends."""
+    u, v, w = b - a, d - c, a - c
+    uu, uv, vv, uw, vw = (np.sum(x * y, axis=1) for x, y in ((u, u), (u, v), (v, v), (u, w), (v, w)))
+    skew = uu * vv - uv**2
+    with np.errstate(divide="ignore", invalid="ignore"):
+        s = np.where(skew > _POINT * uu * vv, (uv * vw - vv * uw) / skew, 0.0)
+        s = np.clip(np.nan_to_num(s), 0.0, 1.0)
+        t = np.where(vv > _POINT**2, (uv * s + vw) / vv, 0.0)
+        t = np.clip(t, 0.0, 1.0)
+        s = np.where(uu > _POINT**2, (uv * t - uw) / uu, 0.0)
+        s = np.clip(s, 0.0, 1.0)
+    return np.asarray(np.linalg.norm(w + s[:, None] * u - t[:, None] * v, axis=1))
+
+
+def _to_rim(rim: Rim, a: Array, b: Array, centre: Array, axis: Array) -> Array:
+    """Distance of the piece a-b from the rim's cylinder: its nearest place by a grid that closes in on it."""
+    share = np.linspace(0.0, 1.0, _SAMPLES)[None, :] * np.ones((len(a), 1))
+    step = 1.0 / (_SAMPLES - 1)
+    for _ in range(_ROUNDS):
+        places = a[:, None, :] + share[:, :, None] * (b - a)[:, None, :] - centre[:, None, :]
+        along = np.einsum("nki,ni->nk", places, axis)
+        out = np.sqrt(np.maximum(np.sum(places**2, axis=2) - along**2, 0.0)) - rim.radius
+        past = np.maximum(np.maximum(rim.inner - along, along - rim.outer), 0.0)
+        away = np.hypot(out, past)
+        best = np.take_along_axis(share, np.argmin(np.nan_to_num(away, nan=np.inf), axis=1)[:, None], axis=1)
+        nearest = np.min(away, axis=1)
+        share = np.clip(best + np.linspace(-step, step, _SAMPLES)[None, :], 0.0, 1.0)
+        step *= 2.0 / (_SAMPLES - 1)
+    return np.asarray(nearest)
