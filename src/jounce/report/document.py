@@ -65,7 +65,13 @@ def _kept_files(value: Any) -> Any:
 
 
 def _blocks(blocks: Sequence[Block], figures: Mapping[str, Mapping[str, bytes]]) -> list[dict[str, Any]]:
-    return [plain for block in blocks if (plain := _plain(block, figures)) is not None]
+    found: list[dict[str, Any]] = []
+    for block in blocks:
+        if isinstance(block, Details) and block.is_still:  # on paper nothing moves that it would be the same as
+            found += _blocks(block.blocks, figures)
+        elif (plain := _plain(block, figures)) is not None:
+            found.append(plain)
+    return found
 
 
 def _plain(block: Block, figures: Mapping[str, Mapping[str, bytes]]) -> dict[str, Any] | None:

@@ -131,7 +131,7 @@ def scene_panels(scene: Scene, words: str, unit: str, roles: Sequence[str] = ())
                 ),
                 f"{words} [{unit}]" if k == len(panes) - 1 else "",
                 f"[{pane.unit or '–'}]",
-                f"{pane.name}: {pane.words}" if pane.name != pane.words else pane.words,
+                pane.words if pane.words.startswith(pane.name) else f"{pane.name}: {pane.words}",
                 bands=tuple((low, high, "") for low, high in scene.spans),
                 x_range=scene.window or (float(scene.x[0]), float(scene.x[-1])),
                 width=500,
@@ -219,7 +219,7 @@ def live_data(viewers: Sequence[Viewer]) -> dict[str, Any]:
             "speed": 1e3 * one.speed,
         }
         tracks = {name: packed.add(1e3 * getattr(one, name)[keep]) for name in ("body", "travel", "ground")}
-        return {"mechanism": index, **tracks, "load": packed.add(np.maximum(one.load[keep], 0.0)), "road": road}
+        return {"mechanism": index, **tracks, "load": packed.add(one.load[keep]), "road": road}
 
     def scene(one: Scene) -> dict[str, Any]:
         keep = _kept(one)

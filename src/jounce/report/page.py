@@ -105,11 +105,12 @@ class Findings:
 
 @dataclass(frozen=True)
 class Details:
-    """Blocks that can be folded away; printed unfolded."""
+    """Blocks that can be folded away; printed unfolded, without a heading where they stand for what moves."""
 
     summary: str
     blocks: tuple[Block, ...]
     is_open: bool = False
+    is_still: bool = False
 
 
 Block: TypeAlias = "Paragraph | Bullets | Table | Picture | Chart | Viewer | Facts | Findings | Details | Subsection"

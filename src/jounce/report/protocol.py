@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 SCHEMA = "jounce.protocol/1"
 _MOST = 24  # reasons and remarks
 _COUNTING = 8.0  # dots per inch suffice to count pages
-_HEIGHTS = {1: 3.2, 2: 1.75}  # inches of the curves of one axle
+_HEIGHTS = {1: 3.2, 2: 1.6}  # inches of the curves of one axle
 
 
 def write_protocol(

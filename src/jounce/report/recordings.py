@@ -158,7 +158,7 @@ def curve_blocks(
             for scene in scenes
         ]
     many = "figure" if len(figures) == 1 else "figures"
-    return viewer, Details(f"The same as {'a ' * (many == 'figure')}{many}", tuple(figures))
+    return viewer, Details(f"The same as {'a ' * (many == 'figure')}{many}", tuple(figures), is_still=True)
 
 
 def _shown(scene: Scene) -> str:

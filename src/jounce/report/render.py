@@ -6,6 +6,7 @@ import base64
 import json
 import re
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import cache
 from hashlib import sha256
 from html import escape
@@ -185,7 +186,9 @@ def _panels(picture: Picture | Chart) -> dict[str, bytes]:
     """Give the panels of a figure as SVG files for a document, which knows light colours only."""
     name = slug(picture.name)
     if isinstance(picture, Chart):
-        alone = (Chart((panel,), picture.name, "", picture.alternative) for panel in picture.panels)
+        last = picture.panels[-1].x_label  # on paper panels stand side by side
+        panels = (replace(panel, x_label=panel.x_label or last) for panel in picture.panels)
+        alone = (Chart((panel,), picture.name, "", picture.alternative) for panel in panels)
         return {f"{name}-{k}.svg": plain_colours(chart_svg(one, chart_style())).encode() for k, one in enumerate(alone)}
     from jounce.plots.style import rendered
 

@@ -6,7 +6,7 @@ from scipy.linalg import toeplitz
 from scipy.optimize import least_squares
 
 import jounce as jn
-from jounce.identify.fit_problem import UpdateProblem, free_parameters
+from jounce.identify.fit_problem import Simulated, UpdateProblem, free_parameters
 from jounce.identify.lags import Shifted, best_lag
 from jounce.identify.update import _correlation, _level, robust_covariance
 
@@ -34,6 +34,17 @@ def test_what_lies_before_and_after_a_record_is_its_first_and_last_value():
     early, late = (shifted.at(lag)[0][:, 0] for lag in (-4.0 / RATE, 4.0 / RATE))
     assert early == pytest.approx(np.minimum(ramp + 8.0, ramp[-1]))
     assert late == pytest.approx(np.maximum(ramp - 8.0, ramp[0]))
+
+
+def test_a_tyre_that_lifts_off_has_no_force_however_late_its_record_is():
+    road = jn.HalfSine(height="15 mm", length="60 mm", start="0.1 m")
+    trial = jn.Trial(road=road, speed="2 m/s", duration="0.3 s")
+    run = jn.simulate(RIG, trial)
+    simulated = Simulated(jn.FitTrial("one", RIG, trial, run[["sprung.az"]]))
+    force = simulated.outputs(1.3e-3)["tyre.force"]
+    assert force.min() == 0.0
+    late = np.interp(run["time"] - 1.3e-3, run["time"], run["tyre.force"])
+    assert force == pytest.approx(late, abs=1e-3 * float(run["tyre.force"].max()))
 
 
 def test_a_lag_beyond_its_bound_is_held_there():

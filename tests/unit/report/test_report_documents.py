@@ -29,7 +29,7 @@ from jounce.report import (
     write_page,
 )
 from jounce.report.chart import Chart, Panel, Series
-from jounce.report.document import page_pdf, table_csv, tables_of, tables_xlsx
+from jounce.report.document import _blocks, page_pdf, table_csv, tables_of, tables_xlsx
 from jounce.report.render import TEMPLATES
 from jounce.report.typeset import compiled
 
@@ -116,3 +116,12 @@ def test_unknown_formats_are_refused_before_any_work(tmp_path: Path) -> None:
         with pytest.raises(JounceError, match=r"unknown format of .*allowed"):
             write_page(everything(), tmp_path / "out", **options)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_on_paper_figures_stand_alone_where_a_page_has_them_below_what_moves() -> None:
+    still = Details("The same as a figure", (Paragraph("drawn"),), is_still=True)
+    folded = Details("More", (Paragraph("told"),))
+    assert [(one["kind"], one.get("text", one.get("title"))) for one in _blocks((still, folded), {})] == [
+        ("Paragraph", "drawn"),
+        ("Group", "More"),
+    ]
