@@ -19,14 +19,14 @@ import sys
 import numpy as np
 
 import jounce as jn
-from jounce.kernel import call, native
+from jounce.kernel import cache, call
 from jounce.kernel.call import BUILT, SOURCES, digest_of, key_of
 
 way, file = sys.argv[1:]
 asked = []
 def by_bitcode(name, platform):
     asked.append(name)
-    return call.object_for(native.read_sealed(BUILT / f"{name}.bc", key_of(name, digest_of(*SOURCES))))
+    return call.object_for(cache.read_sealed(BUILT / f"{name}.bc", key_of(name, digest_of(*SOURCES))))
 def as_shipped(name, platform, shipped=call._shipped):
     asked.append(name)
     return shipped(name, platform)

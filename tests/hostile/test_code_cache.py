@@ -14,7 +14,7 @@ import pytest
 import jounce
 from jounce.core import ownership
 from jounce.core.ownership import ForeignError, own_folder, read_own
-from jounce.kernel import call, native
+from jounce.kernel import cache, call, machine
 from jounce.kernel.loops import LOOPS
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="owners and modes are a thing of POSIX")
@@ -30,7 +30,7 @@ def private(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     module.touch(0o644)
     monkeypatch.setattr(ownership, "__file__", str(module))
     monkeypatch.setattr(ownership, "_is_private", lambda *_: False)
-    native._TOLD.clear()
+    cache._TOLD.clear()
 
 
 @pytest.fixture
@@ -137,15 +137,15 @@ def test_a_relative_folder_is_not_used(
 ) -> None:
     """An unpacked archive belongs to whoever has unpacked it, and may hold a cache."""
     monkeypatch.chdir(tmp_path)
-    native._tell_relative.cache_clear()
+    cache._tell_relative.cache_clear()
     monkeypatch.setenv("JOUNCE_CACHE_DIR", "cache")
-    native.keep("key", b"code")
-    assert native.recall("key") is native.recall("key") is None
+    cache.keep("key", b"code")
+    assert cache.recall("key") is cache.recall("key") is None
     assert not Path("cache").exists()
     assert len(caplog.messages) == 1
     monkeypatch.delenv("JOUNCE_CACHE_DIR")
     monkeypatch.setenv("XDG_CACHE_HOME", "cache")
-    assert native.cache_folder().is_absolute()
+    assert cache.cache_folder().is_absolute()
 
 
 def test_a_folder_with_many_open_files_is_told_once(
@@ -153,9 +153,9 @@ def test_a_folder_with_many_open_files_is_told_once(
 ) -> None:
     monkeypatch.setenv("JOUNCE_CACHE_DIR", str(tmp_path / "cache"))
     for key in "abc":
-        native.keep(key, b"code")
+        cache.keep(key, b"code")
         (tmp_path / "cache" / f"{key}.o").chmod(0o666)
-        assert native.recall(key) is None
+        assert cache.recall(key) is None
     assert len(caplog.messages) == 1
     assert caplog.records[0].levelno == logging.WARNING
 
@@ -187,7 +187,7 @@ def test_code_that_cannot_be_loaded_is_made_another_way(
         raise RuntimeError("no such processor")
 
     monkeypatch.setattr(call, "_shipped", lambda *_: b"of another version")
-    monkeypatch.setattr(call.native, "recall", broken)
+    monkeypatch.setattr(call, "recall", broken)
     monkeypatch.setattr(call, "_compiled", broken)
     monkeypatch.setattr(call, "_by_numba", lambda _name: lambda _: 7)
     assert call._load("drag")[1](()) == 7
@@ -199,23 +199,23 @@ def test_a_processor_without_a_name(monkeypatch: pytest.MonkeyPatch) -> None:
     def unknown() -> None:
         raise RuntimeError
 
-    native.features.cache_clear()
-    monkeypatch.setattr(native.llvm, "get_host_cpu_features", unknown)
-    monkeypatch.setattr(native.llvm, "get_host_cpu_name", lambda: "")
+    machine.features.cache_clear()
+    monkeypatch.setattr(machine.llvm, "get_host_cpu_features", unknown)
+    monkeypatch.setattr(machine.llvm, "get_host_cpu_name", lambda: "")
     try:
-        assert native.features() == {}
-        assert native.this_machine().triple
-        assert len(native.key_here("model")) == 64
+        assert machine.features() == {}
+        assert machine.this_machine().triple
+        assert len(cache.key_here("model")) == 64
     finally:
-        native.features.cache_clear()
+        machine.features.cache_clear()
 
 
 KEEPER = """
 import sys
-from jounce.kernel import native
+from jounce.kernel import cache
 for k in range(200):
-    native.keep("key", bytes([int(sys.argv[1])]) * 100_000)
-    assert len(set(native.recall("key"))) == 1
+    cache.keep("key", bytes([int(sys.argv[1])]) * 100_000)
+    assert len(set(cache.recall("key"))) == 1
 """
 
 

@@ -110,7 +110,7 @@ def version(as_json: AsJson = False) -> Reply:
         except metadata.PackageNotFoundError:
             return None
 
-    from jounce.kernel.native import cache_folder
+    from jounce.kernel.cache import cache_folder
 
     cache: str | None = None
     with contextlib.suppress(RuntimeError):

@@ -67,12 +67,12 @@ class Segments:
 
     def piece_at(self, x: Array) -> NDArray[np.int64]:
         """Number of the piece at ``x`` (the unit of ``edges``); at an edge the right-hand one."""
-        return np.clip(np.searchsorted(self.edges, x, side="right") - 1, 0, len(self.kind) - 1)
+        return (self.edges.searchsorted(x, side="right") - 1).clip(0, len(self.kind) - 1)
 
     def on_pieces(self, piece: NDArray[np.int64], x: Array) -> tuple[Array, Array]:
         """Height (m) and derivative at ``x`` (the unit of ``edges``) of the given pieces, inside or outside of them."""
         s = self.rate * (x - self.edges[piece])
-        coefficients, kind = np.moveaxis(self.coefficients[piece], -1, 0), self.kind[piece]
+        coefficients, kind = self.coefficients.T[:, piece], self.kind[piece]
         height, slope = _polynomial(s, *coefficients)
         for other, law in ((SINE, _sine), (CIRCLE, _circle)):
             chosen = kind == other

@@ -1,6 +1,7 @@
 """Expression graphs to machine code, and the integrators that run it: arrays in, arrays out.
 
-- ``lowering``, ``packing``, ``native``: expression graphs become native functions, kept on disk;
+- ``lowering``, ``packing``, ``native``: expression graphs become native functions; ``machine``: by LLVM, for this
+  processor; ``cache``: kept on disk;
 - ``engine``: what a run is computed from and into; ``arrays``: how its arrays lie in memory;
 - ``methods``: ``explicit`` and ``implicit`` steps, ``exact`` propagation; ``poses``: a mechanism along given motions;
 - ``loops``: what these run through, compiled when jounce is built; ``call``: how that code is found and called.
@@ -11,7 +12,7 @@ from __future__ import annotations
 from jounce.core.sources import digest_of
 from jounce.kernel.loops import SOURCES
 
-# Before any module is loaded: `native` keeps nothing that is made of modules edited since, and no loop is taken that is
+# Before any module is loaded: `cache` keeps nothing that is made of modules edited since, and no loop is taken that is
 # made of later ones.
 digest_of("kernel")
 digest_of(*SOURCES)

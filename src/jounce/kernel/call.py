@@ -26,8 +26,9 @@ from jounce.core.errors import JounceError
 from jounce.core.optional import require
 from jounce.core.sources import digest_of
 from jounce.core.waiting import told
-from jounce.kernel import native
+from jounce.kernel.cache import joined, keep, key_here, parted, read_sealed, recall, write_sealed
 from jounce.kernel.loops import BUILT, ENTRY, FAILED, PLATFORMS, SOURCES, Platform, key_of, this_platform
+from jounce.kernel.machine import Code, features, machine_code, this_machine
 
 PYTHON = (
     "PyErr_Clear",
@@ -137,7 +138,7 @@ def _load(name: str) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
     platform = this_platform()
     ways: tuple[Callable[[], bytes | None], ...] = (
         lambda: _shipped(name, platform),
-        lambda: native.recall(native.key_here(f"loop {name}")),
+        lambda: recall(key_here(f"loop {name}")),
     )
     for way in ways:
         with contextlib.suppress(Exception):  # whatever is wrong with it: the next way
@@ -156,8 +157,8 @@ def _load(name: str) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
 def _ready(content: bytes) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
     for symbol in PYTHON:
         llvm.add_symbol(symbol, ctypes.cast(getattr(ctypes.pythonapi, symbol), ctypes.c_void_p).value)
-    head, code = native.parted(content)
-    loaded = native.Native(code, (ENTRY,))
+    head, code = parted(content)
+    loaded = Code([code], (ENTRY,))
     function, facts = _PROTOTYPE(loaded.address[ENTRY]), _facts()
     place = ctypes.addressof(facts)
 
@@ -170,7 +171,7 @@ def _ready(content: bytes) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
 def _shipped(name: str, platform: str) -> bytes | None:
     if not _suits(platform):
         return None
-    return native.read_sealed(BUILT / platform / f"{name}.o", key_of(name, digest_of(*SOURCES), platform))
+    return read_sealed(BUILT / platform / f"{name}.o", key_of(name, digest_of(*SOURCES), platform))
 
 
 @cache
@@ -178,12 +179,12 @@ def _suits(platform: str) -> bool:
     """Whether objects are made for this platform, and its processor has what they need."""
     if platform not in PLATFORMS:
         return False
-    return all(native.features().get(feature, False) for feature in PLATFORMS[platform].needs)
+    return all(features().get(feature, False) for feature in PLATFORMS[platform].needs)
 
 
 def _compiled(name: str, platform: str) -> bytes:
     """Compile the bitcode of a loop, which is made from its sources where none came along, and keep the object."""
-    content = native.read_sealed(BUILT / f"{name}.bc", key_of(name, digest_of(*SOURCES)))
+    content = read_sealed(BUILT / f"{name}.bc", key_of(name, digest_of(*SOURCES)))
     with contextlib.suppress(Exception):  # a newer LLVM's, for example
         if content is not None:
             return _kept_object(content, name, platform)
@@ -195,11 +196,11 @@ def _kept_object(bitcode: bytes, name: str, platform: str) -> bytes:
     if _suits(platform):
         content = object_for(bitcode, PLATFORMS[platform])
         key = key_of(name, digest_of(*SOURCES), platform)
-        if native.write_sealed(BUILT / platform / f"{name}.o", key, content):
+        if write_sealed(BUILT / platform / f"{name}.o", key, content):
             return content
     else:
         content = object_for(bitcode)
-    native.keep(native.key_here(f"loop {name}"), content)
+    keep(key_here(f"loop {name}"), content)
     return content
 
 
@@ -211,22 +212,22 @@ def bitcode_from_sources(name: str) -> bytes:
     _LOG.warning("compiling the loop %r (once; 2 to 30 s)", name)
     with told(f"compiling the loop {name!r} (once on this machine)"):
         content = bitcode_of(name)
-    native.write_sealed(BUILT / f"{name}.bc", key_of(name, digest_of(*SOURCES)), content)
+    write_sealed(BUILT / f"{name}.bc", key_of(name, digest_of(*SOURCES)), content)
     return content
 
 
 def object_for(bitcode: bytes, platform: Platform | None = None) -> bytes:
     """Object of a loop for a platform; for this very processor without one."""
-    machine = native.this_machine()
+    machine = this_machine()
     if platform is not None:
         # On Windows llvmlite itself says that it wants ELF.
         triple = platform.triple.removesuffix("-elf") if sys.platform == "win32" else platform.triple
         target = llvm.Target.from_triple(triple)
         machine = target.create_target_machine(cpu=platform.processor, opt=3, jit=True)
-    head, code = native.parted(bitcode)
+    head, code = parted(bitcode)
     module = llvm.parse_bitcode(code)
     module.triple, module.data_layout = machine.triple, str(machine.target_data)
-    return native.joined(head, native.machine_code(module, machine, 2))
+    return joined(head, machine_code(module, machine, 2))
 
 
 def _by_numba(name: str) -> Callable[[tuple[Any, ...]], int]:

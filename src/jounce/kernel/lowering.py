@@ -111,13 +111,9 @@ class Lowering:
     def add(self, name: str, function: AnyFunction, *, seldom: bool = False) -> None:
         """Append ``void name(double* x, double* u, double* p, double* m, double* out)``; arrays must not overlap.
 
-        What is called ``seldom`` is compiled as it stands, without the optimiser, block by block: over one long block
-        that takes much more than linear time.
+        What is called ``seldom`` is cut into blocks: over one long block the compiler takes much more than linear time.
         """
         native = self.declare(name, [_DOUBLE.as_pointer()] * 5)
-        if seldom:
-            for attribute in ("optnone", "noinline"):
-                native.attributes.add(attribute)
         builder = _Blocks(native.append_basic_block()) if seldom else ir.IRBuilder(native.append_basic_block())
         if isinstance(function, Packed):
 
@@ -187,6 +183,39 @@ class Lowering:
         sample.add_incoming(following, builder.block)
         builder.cbranch(builder.icmp_signed("<", following, end), loop, leave)
         ir.IRBuilder(leave).ret_void()
+
+    def add_sum(self, name: str, function: ca.Function, total: int, count: int) -> None:
+        """Append ``void name(x, u, p, m, out)``: the sum of a function over the first ``count`` samples.
+
+        ``x`` holds one row of ``total`` samples for each element, ``m`` one row; ``u`` and ``p`` are the same for all
+        samples. Every output is a sum.
+        """
+        native = self.declare(name, [_DOUBLE.as_pointer()] * 5)
+        entry, loop, leave = (native.append_basic_block(part) for part in ("entry", "loop", "leave"))
+        ir.IRBuilder(entry).branch(loop)
+        builder = ir.IRBuilder(loop)
+        sample = builder.phi(_INDEX)
+        sums = [builder.phi(_DOUBLE) for _ in range(function.numel_out(0))]
+        places = {0: lambda i: builder.add(_INDEX(i * total), sample), 3: lambda _: sample}
+        found: dict[int, ir.Value] = {}
+        self._body(
+            builder,
+            function,
+            load=lambda a, i: builder.load(builder.gep(native.args[a], [places.get(a, _INDEX)(i)])),
+            store=lambda value, element: found.update({element: value}),
+        )
+        further = [builder.fadd(part, found[i], flags=_FAST) for i, part in enumerate(sums)]
+        following = builder.add(sample, _INDEX(1))
+        builder.cbranch(builder.icmp_signed("<", following, _INDEX(count)), loop, leave)
+        sample.add_incoming(_INDEX(0), entry)
+        sample.add_incoming(following, loop)
+        for part, value in zip(sums, further, strict=True):
+            part.add_incoming(_ZERO, entry)
+            part.add_incoming(value, loop)
+        builder = ir.IRBuilder(leave)
+        for i, value in enumerate(further):
+            builder.store(value, builder.gep(native.args[4], [_INDEX(i)]))
+        builder.ret_void()
 
     def add_single(self, name: str, many: str) -> None:
         """Append ``void name(x, u, p, m, out)``: one sample of a function that takes many."""

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import casadi as ca
 from llvmlite import ir
@@ -53,8 +53,7 @@ class Parts:
         return frozenset(found.values())
 
 
-@dataclass(frozen=True)
-class Node:
+class Node(NamedTuple):
     """An operation or a leaf: its operands, and the constant or (argument, element) of a leaf."""
 
     operation: str
@@ -105,46 +104,60 @@ class Graph:
                 leaf, inputs = (inputs[0], inputs[1]), []
             self.nodes.append(Node(operation, tuple(work[i] for i in inputs), leaf))
             work[outputs[0]] = len(self.nodes) - 1
-        self._numbers: set[int] = set()
         every = range(len(parts.prefixes))
         self._within = {mask: [i for i in every if mask >> i & 1] for mask in range(1 << len(every))}
-        # What one part has and the others have not (a leading corner's sign, the last term of a sum over corners)
-        # cannot stand in a vector. Taken as a number of its own it changes the shapes of all that is made of it: name
-        # anew.
-        while True:
-            self._name(labels)
-            alone = self._alone()
-            if not alone:
-                break
-            self._numbers |= alone
-
-    def _name(self, labels: Sequence[Sequence[tuple[str, int]]]) -> None:
-        """Find shape and parts of every node."""
-        self.shapes, self.masks = list[int](), list[int]()
-        self.members: dict[int, dict[int, int]] = {}
-        self._mixed: set[int] = set()
-        self._sums: set[int] = set()  # what is added up over parts
-        known: dict[Any, int] = {}
+        self._groups = [(group, sum(1 << part for part in group)) for group in parts.groups]
+        self.shapes, self.masks = [-1] * len(self.nodes), [SHARED] * len(self.nodes)
+        self._known: dict[Any, int] = {}
+        self._mixed = set[int]()
+        self._numbers, self._sums = set[int](), set[int]()  # what is taken as a number, what is added up over parts
         for i, node in enumerate(self.nodes):
-            shape: tuple[Any, ...]
             if node.operation == "OP_CONST":
-                shape, mask = ("constant", node.leaf), SHARED
+                self._call(i, ("constant", node.leaf), SHARED)
             elif node.operation == "OP_INPUT":
                 name, mask = labels[node.leaf[0]][node.leaf[1]]
-                shape = ("leaf", node.leaf[0], name)
+                self._call(i, ("leaf", node.leaf[0], name), mask)
             else:
-                shape, mask = self._combined(i, node)
-            self.shapes.append(known.setdefault(shape, len(known)))
-            self.masks.append(mask)
-            if shape[0] == "mixed":
-                self._mixed.add(self.shapes[i])
+                self._call(i, *self._combined(i, node))
+        self._gather()
+        # What one part has and the others have not (a leading corner's sign, the last term of a sum over corners)
+        # cannot stand in a vector. Taken as a number of its own it changes the shapes of all that is made of it: name
+        # that anew.
+        while alone := self._alone():
+            self._numbers |= alone
+            self._name_after(alone)
+            self._gather()
+
+    def _call(self, i: int, shape: tuple[Any, ...], mask: int) -> bool:
+        """Give a node its shape and parts; tell whether it had others."""
+        number = self._known.setdefault(shape, len(self._known))
+        if shape[0] == "mixed":
+            self._mixed.add(number)
+        if (number, mask) == (self.shapes[i], self.masks[i]):
+            return False
+        self.shapes[i], self.masks[i] = number, mask
+        return True
+
+    def _name_after(self, numbers: set[int]) -> None:
+        """Name anew what has become a number, and what is made of it."""
+        changed = set[int]()
+        for i, node in enumerate(self.nodes):
+            if i in numbers or not changed.isdisjoint(node.operands):
+                was_sum = i in self._sums
+                self._sums.discard(i)
+                if self._call(i, *self._combined(i, node)) or was_sum != (i in self._sums):
+                    changed.add(i)
+
+    def _gather(self) -> None:
+        """Find the nodes of each shape by their parts, and the groups of parts in which it is complete."""
+        self.members: dict[int, dict[int, int]] = {}
+        for i, (shape, mask) in enumerate(zip(self.shapes, self.masks, strict=True)):
             if mask != SHARED:
-                lanes = self.members.setdefault(self.shapes[i], {})
+                lanes = self.members.setdefault(shape, {})
                 for part in self._within[mask]:
                     lanes.setdefault(part, i)
-        groups = [(group, sum(1 << part for part in group)) for group in self.parts.groups]
         self._complete = {
-            shape: sum(mask for group, mask in groups if all(part in lanes for part in group))
+            shape: sum(mask for group, mask in self._groups if all(part in lanes for part in group))
             for shape, lanes in self.members.items()
         }
 

@@ -192,7 +192,7 @@ def form(collection: Collection, dropped: frozenset[str] = frozenset()) -> Model
         correction=solved.correction,
         constraint_rate=constraint.rate,
     )
-    rate, output = (ca.substitute(part, unknown, found) for part in (balance.rate, balance.output))
+    rate, output = ca.substitute([balance.rate, balance.output], [unknown], [found])
     accelerations = ca.vertcat(*(track.acceleration for track in collection.tracks.values()))
     order = 3 if collection.tracks and ca.depends_on(ca.vertcat(rate, output), accelerations) else 2
     projection = ca.SX(0, 1)  # nothing can drift
@@ -219,11 +219,11 @@ def form(collection: Collection, dropped: frozenset[str] = frozenset()) -> Model
         u=ca.vertcat(*inputs),
         p=ca.vertcat(*collection.parameters.values()),
         m=ca.vertcat(*(mode for mode, _ in collection.switches.values())),
-        rate=ca.cse(rate),
-        output=ca.cse(output),
+        rate=rate,
+        output=output,
         switch=ca.vertcat(*(expression for _, expression in collection.switches.values())),
-        constraint=ca.cse(constraint.value),
-        projection=ca.cse(projection),
+        constraint=constraint.value,
+        projection=projection,
         balance=balance,
         alike=collection.alike,
     )

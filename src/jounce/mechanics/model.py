@@ -187,28 +187,40 @@ def with_numbers(model: Model, constants: Mapping[str, tuple[ca.SX, float]]) -> 
     """Put numbers in place of the symbols that stand for them; the model keeps what it was as ``generic``."""
     symbols, values = ca.vertcat(*(made for made, _ in constants.values())), ca.SX([x for _, x in constants.values()])
 
-    def put(part: ca.SX) -> ca.SX:
-        return ca.substitute(part, symbols, values)
+    def put(*parts: ca.SX) -> list[ca.SX]:
+        return list(ca.substitute(list(parts), [symbols], [values]))  # together: what they share stays shared
 
     old = model.balance
+    found, residual, rate, output, constraint_rate, *own = put(
+        old.found,
+        old.residual,
+        old.rate,
+        old.output,
+        old.constraint_rate,
+        model.rate,
+        model.output,
+        model.switch,
+        model.constraint,
+        model.projection,
+    )
     balance = Balance(
         unknown=old.unknown,
-        found=put(old.found),
-        residual=put(old.residual),
-        answer=lambda change: put(old.answer(change)),
-        rate=put(old.rate),
-        output=put(old.output),
-        moved=lambda change: put(old.moved(change)),
-        correction=lambda change: put(old.correction(change)),
-        constraint_rate=put(old.constraint_rate),
+        found=found,
+        residual=residual,
+        answer=lambda change: put(old.answer(change))[0],
+        rate=rate,
+        output=output,
+        moved=lambda change: put(old.moved(change))[0],
+        correction=lambda change: put(old.correction(change))[0],
+        constraint_rate=constraint_rate,
     )
     return replace(
         model,
-        rate=put(model.rate),
-        output=put(model.output),
-        switch=put(model.switch),
-        constraint=put(model.constraint),
-        projection=put(model.projection),
+        rate=own[0],
+        output=own[1],
+        switch=own[2],
+        constraint=own[3],
+        projection=own[4],
         balance=balance,
         generic=Generic(model, tuple(constants), symbols, values),
     )

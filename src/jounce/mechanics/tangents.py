@@ -33,8 +33,9 @@ def tangent(model: Model, dx: ca.SX, du: ca.SX, dp: ca.SX) -> Tangent:
     known, along = ca.vertcat(model.x, model.u, model.p), ca.vertcat(dx, du, dp)
     answered = balance.answer(ca.jtimes(balance.residual, known, along))
     every, ways = ca.vertcat(known, balance.unknown), ca.vertcat(along, answered)
-    parts = (ca.jtimes(part, every, ways) for part in (balance.rate, balance.output))
-    rate, output = (ca.substitute(part, balance.unknown, balance.found) for part in parts)
+    change = ca.jtimes(ca.vertcat(balance.rate, balance.output), every, ways)
+    change, count = ca.substitute(change, balance.unknown, balance.found), balance.rate.shape[0]
+    rate, output = change[:count], change[count:]
     switch, constraint = (ca.jtimes(part, known, along) for part in (model.switch, model.constraint))
     return Tangent(rate, output, switch, constraint, _projection(model, dx, dp, known, along))
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import casadi as ca
 
@@ -180,7 +181,7 @@ class _Hoisted:
         """Name and parts of every extended parameter."""
         own = tuple(parts.label(path) for path in (*paths, *self._names))
         values = ca.densify(ca.vertcat(*(value for _, value in self._single)))
-        graph = Graph(ca.Function("derived", [ca.vertcat(self._p, self._constants)], [ca.cse(values)]), parts, [own])
+        graph = Graph(ca.Function("derived", [ca.vertcat(self._p, self._constants)], [values]), parts, [own])
         made = [graph.results[i] for i in range(len(self._single))]
         known = (("", SHARED) if graph.masks[i] == SHARED else (f"of {graph.shapes[i]}", graph.masks[i]) for i in made)
         return own[: len(paths)] + tuple((name or f"shared {k}", mask) for k, (name, mask) in enumerate(known))
@@ -190,11 +191,11 @@ class _Hoisted:
         self._copies += elements
         return self.scalars - len(elements)
 
-    @property
+    @cached_property
     def _numbers(self) -> ca.SX:
         return ca.vertcat(self._p, *(symbol for symbol, _ in self._single))
 
-    @property
+    @cached_property
     def _lanes(self) -> ca.SX:
         return ca.vertcat(self._dp, *(symbol for symbol, _ in self._wide))
 

@@ -89,7 +89,7 @@ def _prepared(
         return None
     if any(np.any(signal.kind != POLYNOMIAL) for signal in signals):
         return None
-    step = typical_step(times)
+    step = typical_step(times, np.diff(times))
     if np.max(np.abs(np.diff(times) - step)) > 1e-9 * step:
         return None
     order, count = facts.track_order, len(facts.tracks)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import stat
 from pathlib import Path
@@ -10,7 +11,7 @@ import pytest
 
 from jounce.core import ownership
 from jounce.core.ownership import ForeignError
-from jounce.kernel import native
+from jounce.kernel import cache, native
 
 
 def test_without_a_home_folder_models_are_compiled_all_the_same(monkeypatch):
@@ -19,11 +20,11 @@ def test_without_a_home_folder_models_are_compiled_all_the_same(monkeypatch):
 
     monkeypatch.delenv("JOUNCE_CACHE_DIR", raising=False)
     monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
-    monkeypatch.setattr(native.Path, "home", homeless)
+    monkeypatch.setattr(cache.Path, "home", homeless)
     with pytest.raises(RuntimeError):
-        native.cache_folder()
-    assert native.recall("key") is None
-    native.keep("key", b"code")
+        cache.cache_folder()
+    assert cache.recall("key") is None
+    cache.keep("key", b"code")
 
 
 def test_native_code_is_not_taken_from_another_kernel(monkeypatch, tmp_path):
@@ -35,13 +36,13 @@ def test_native_code_is_not_taken_from_another_kernel(monkeypatch, tmp_path):
         return native.Source({})
 
     for digest in ("one kernel", "one kernel", "another kernel"):
-        monkeypatch.setattr(native, "digest_of", lambda *_, digest=digest: digest)
+        monkeypatch.setattr(cache, "digest_of", lambda *_, digest=digest: digest)
         native.kept_code("nothing", make)
     assert len(made) == 2
 
 
 @pytest.fixture
-def cache(monkeypatch, tmp_path):
+def folder(monkeypatch, tmp_path):
     """A cache with an entry, which is read; jounce is its owner's alone."""
     module = tmp_path / "native.py"
     module.touch(0o644)
@@ -49,9 +50,9 @@ def cache(monkeypatch, tmp_path):
     monkeypatch.setattr(ownership, "_is_private", lambda *_: False)
     folder = tmp_path / "cache"
     monkeypatch.setenv("JOUNCE_CACHE_DIR", str(folder))
-    native._TOLD.clear()
-    native.keep("key", b"code")
-    assert native.recall("key") == b"code"
+    cache._TOLD.clear()
+    cache.keep("key", b"code")
+    assert cache.recall("key") == b"code"
     return folder
 
 
@@ -60,17 +61,17 @@ OPEN |= {"a file of a group": ("key.o", 0o664), "a folder of a group": (".", 0o7
 
 
 @pytest.mark.parametrize("what", OPEN)
-def test_code_that_others_could_have_written_is_not_run_and_that_is_said(cache, caplog, what) -> None:
+def test_code_that_others_could_have_written_is_not_run_and_that_is_said(folder, caplog, what) -> None:
     name, mode = OPEN[what]
-    (cache / name).chmod(mode)
-    assert native.recall("key") is native.recall("key") is None
+    (folder / name).chmod(mode)
+    assert cache.recall("key") is cache.recall("key") is None
     (said,) = caplog.messages
-    assert str(cache) in said
+    assert str(folder) in said
     assert "can be written by others" in said
-    native.keep("another", b"code")
-    assert (cache / "another.o").exists() == (name != ".")
-    (cache / name).chmod(0o644 if name != "." else 0o755)
-    assert native.recall("key") == b"code"
+    cache.keep("another", b"code")
+    assert (folder / "another.o").exists() == (name != ".")
+    (folder / name).chmod(0o644 if name != "." else 0o755)
+    assert cache.recall("key") == b"code"
 
 
 def is_ours(found: os.stat_result, where: Path) -> bool:
@@ -81,36 +82,53 @@ def is_ours(found: os.stat_result, where: Path) -> bool:
     return True
 
 
-def test_code_of_another_user_is_not_run_unless_jounce_is_theirs(cache, monkeypatch) -> None:
+def test_code_of_another_user_is_not_run_unless_jounce_is_theirs(folder, monkeypatch) -> None:
     own = Path(ownership.__file__).stat()
     for user, trusted in {0: True, own.st_uid: True, os.geteuid(): True, 54321: False}.items():
         found = os.stat_result((stat.S_IFREG | 0o644, 0, 0, 1, user, 54321, 0, 0, 0, 0))
-        assert is_ours(found, cache) == trusted
+        assert is_ours(found, folder) == trusted
     if os.geteuid() == 0:
-        os.chown(cache / "key.o", 54321, -1)
-        assert native.recall("key") is None
+        os.chown(folder / "key.o", 54321, -1)
+        assert cache.recall("key") is None
 
 
-def test_what_is_open_to_others_as_jounce_itself_is_is_run(cache, monkeypatch) -> None:
+def test_what_is_open_to_others_as_jounce_itself_is_is_run(folder, monkeypatch) -> None:
     """Where all files are made for their group (umask 002), or no modes are known, refusing wins nothing."""
-    (cache / "key.o").chmod(0o664)
-    own = (cache / "key.o").stat()
-    monkeypatch.setattr(ownership, "__file__", str(cache / "key.o"))
-    assert is_ours(own, cache)
+    (folder / "key.o").chmod(0o664)
+    own = (folder / "key.o").stat()
+    monkeypatch.setattr(ownership, "__file__", str(folder / "key.o"))
+    assert is_ours(own, folder)
     found = os.stat_result((own.st_mode, 0, 0, 1, own.st_uid, own.st_gid + 1, 0, 0, 0, 0))
-    assert not is_ours(found, cache)  # another group
+    assert not is_ours(found, folder)  # another group
 
 
-def test_what_is_no_file_is_not_waited_for(cache) -> None:
-    (cache / "key.o").unlink()
-    os.mkfifo(cache / "key.o")
-    assert native.recall("key") is None
-    (cache / "key.o").unlink()
-    (cache / "key.o").mkdir()
-    assert native.recall("key") is None
+def test_what_is_no_file_is_not_waited_for(folder) -> None:
+    (folder / "key.o").unlink()
+    os.mkfifo(folder / "key.o")
+    assert cache.recall("key") is None
+    (folder / "key.o").unlink()
+    (folder / "key.o").mkdir()
+    assert cache.recall("key") is None
 
 
-def test_code_of_modules_that_were_edited_meanwhile_is_not_kept(cache, monkeypatch) -> None:
-    monkeypatch.setattr(native, "edited_since", lambda *_: True)
-    native.keep("another", b"code")
-    assert native.recall("another") is None
+def test_code_of_modules_that_were_edited_meanwhile_is_not_kept(folder, monkeypatch) -> None:
+    monkeypatch.setattr(cache, "edited_since", lambda *_: True)
+    cache.keep("another", b"code")
+    assert cache.recall("another") is None
+
+
+@pytest.mark.parametrize("collects", [True, False])
+def test_garbage_is_collected_again_after_a_model_was_compiled(monkeypatch, folder, collects):
+    seen = []
+
+    def make() -> native.Source:
+        seen.append(gc.isenabled())
+        raise ValueError("no such model")
+
+    (gc.enable if collects else gc.disable)()
+    try:
+        with pytest.raises(ValueError, match="no such model"):
+            native.kept_code("nothing", make)
+        assert (seen, gc.isenabled()) == ([False], collects)
+    finally:
+        gc.enable()

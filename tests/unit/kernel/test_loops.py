@@ -14,7 +14,7 @@ import pytest
 
 from jounce.core.optional import MissingPackageError
 from jounce.core.sources import digest_of
-from jounce.kernel import call, loops, native
+from jounce.kernel import cache, call, loops
 from jounce.kernel.call import Loop
 from jounce.kernel.loops import BUILT, LOOPS, PLATFORMS, key_of, make, this_platform
 
@@ -66,12 +66,12 @@ def test_built_code_is_of_the_sources_as_they_are() -> None:
     """Or an edit would run old code, or a checkout compile at its first run."""
     digest, platform = digest_of(*loops.SOURCES), this_platform()
     for name in LOOPS:
-        assert native.read_sealed(BUILT / f"{name}.bc", key_of(name, digest)), name
+        assert cache.read_sealed(BUILT / f"{name}.bc", key_of(name, digest)), name
         if platform in PLATFORMS:
             file = BUILT / platform / f"{name}.o"
-            assert native.read_sealed(file, key_of(name, digest, platform)), name
-            assert native.read_sealed(file, key_of(name, "another", platform)) is None
-            assert native.read_sealed(file, key_of("another", digest, platform)) is None
+            assert cache.read_sealed(file, key_of(name, digest, platform)), name
+            assert cache.read_sealed(file, key_of(name, "another", platform)) is None
+            assert cache.read_sealed(file, key_of("another", digest, platform)) is None
 
 
 def test_a_printed_table_of_a_cached_run_imports_no_table_library(tmp_path) -> None:
@@ -186,7 +186,7 @@ def test_the_ways_after_each_other(elsewhere, steps, right) -> None:
 def test_bitcode_that_this_llvm_cannot_read_is_passed_over(elsewhere, steps) -> None:
     expected, digest = follow(), digest_of(*loops.SOURCES)
     (file,) = elsewhere.rglob("*.bc")
-    native.write_sealed(file, key_of("hysteresis", digest), native.joined({}, b"bitcode of a newer LLVM"))
+    cache.write_sealed(file, key_of("hysteresis", digest), cache.joined({}, b"bitcode of a newer LLVM"))
     for file in elsewhere.rglob("*.o"):
         file.unlink()
     steps.clear()
@@ -198,7 +198,7 @@ def test_edited_sources_never_run_old_code(elsewhere, steps, monkeypatch) -> Non
     follow()
     steps.clear()
     monkeypatch.setattr(call, "digest_of", lambda *_: "edited")
-    monkeypatch.setattr(native, "digest_of", lambda *_: "edited")
+    monkeypatch.setattr(cache, "digest_of", lambda *_: "edited")
     follow()
     assert steps == ["bitcode_from_sources", "object_for"]
 
@@ -256,11 +256,11 @@ def test_objects_for_all_platforms(elsewhere) -> None:
     digest = digest_of(*loops.SOURCES)
     starts = {"linux": b"\x7fELF", "windows": b"\x7fELF", "darwin": b"\xcf\xfa\xed\xfe"}
     for platform in PLATFORMS:
-        content = native.read_sealed(
+        content = cache.read_sealed(
             elsewhere / "built" / platform / "hysteresis.o", key_of("hysteresis", digest, platform)
         )
         assert content is not None
-        assert native.parted(content)[1].startswith(starts[platform.partition("-")[0]])
+        assert cache.parted(content)[1].startswith(starts[platform.partition("-")[0]])
 
 
 def test_the_digest_covers_all_that_loops_are_made_of() -> None:
@@ -277,4 +277,4 @@ print(*sorted(name for name in sys.modules if name.startswith("jounce.kernel."))
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
     covered = tuple(f"jounce.{source.replace('/', '.')}" for source in loops.SOURCES)
     others = {name for name in done.stdout.split() if not name.startswith(covered)}
-    assert others == {"jounce.kernel.call", "jounce.kernel.native"}
+    assert others == {f"jounce.kernel.{name}" for name in ("cache", "call", "machine", "native")}

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import casadi as ca
 import numpy as np
 import pytest
@@ -266,3 +268,24 @@ def test_whatever_numbers_are_given_are_read():
     read_only = np.array([1.0, 3.0])
     read_only.setflags(write=False)
     assert native.evaluate("rate", (6,), read_only, *empty).tolist() == [1.0, 3.0, 2.0, 6.0, 1.0, 9.0]
+
+
+@dataclass(frozen=True)
+class Sums:
+    """Sums of a function over so many of nine samples."""
+
+    count: int
+    names = ("sums",)
+
+    def add(self, lowering: Lowering) -> None:
+        x, u, p, m = (ca.SX.sym(name, size) for name, size in (("x", 2), ("u", 1), ("p", 2), ("m", 1)))
+        function = ca.Function("f", [x, u, p, m], [ca.vertcat(p[0] * x[0] * m + u, ca.sin(x[1]) - p[1])])
+        lowering.add_sum("sums", function, 9, self.count)
+
+
+@pytest.mark.parametrize("count", [1, 2, 7, 9])
+def test_a_sum_goes_over_the_first_samples_only(count):
+    x, m = np.arange(18.0).reshape(2, 9) / 7.0, np.linspace(2.0, -1.0, 9)
+    found = compile_functions({}, Sums(count)).evaluate("sums", (2,), x, 0.5 * ONE, np.array([3.0, 0.25]), m)
+    first = np.sum((3.0 * x[0] * m + 0.5)[:count]), np.sum((np.sin(x[1]) - 0.25)[:count])
+    np.testing.assert_allclose(found, first, rtol=1e-14, atol=1e-14)

@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 from jounce.kernel import native
-from jounce.kernel.native import cache_folder, compile_functions
+from jounce.kernel.cache import cache_folder
+from jounce.kernel.native import compile_functions
 
 X, U, P, M = (ca.SX.sym(name, 1) for name in "xupm")
 ONE = np.ones(1)

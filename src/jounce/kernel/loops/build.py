@@ -18,9 +18,10 @@ from numba import njit, types
 from numba.core import cgutils, codegen
 from numba.core.registry import cpu_target
 
-from jounce.kernel import native
 from jounce.kernel.arrays import Layout
+from jounce.kernel.cache import joined
 from jounce.kernel.loops import ENTRY, FAILED, LOOPS, UNLOCKED
+from jounce.kernel.machine import optimise, this_machine
 
 _BYTE, _SHORT, _INDEX = ir.IntType(8), ir.IntType(32), ir.IntType(64)
 _POINTER, _DOUBLE = _BYTE.as_pointer(), ir.DoubleType()
@@ -55,10 +56,10 @@ def bitcode_of(name: str) -> bytes:
             thing.linkage = "internal"
             thing.name = f"part_{number}"  # Numba's names hold whole signatures, and addresses of this process
     # What holds on every machine is done here: it shrinks the code to a quarter.
-    native.optimise(module, native.this_machine(), 1)
+    optimise(module, this_machine(), 1)
     module.name = name
     module.verify()
-    return native.joined({"leaves": entry.leaves}, module.as_bitcode())
+    return joined({"leaves": entry.leaves}, module.as_bitcode())
 
 
 def _part(name: str) -> Any:

@@ -13,7 +13,7 @@ from pathlib import Path
 from llvmlite import binding as llvm
 
 from jounce.core.sources import digest_of
-from jounce.kernel import native
+from jounce.kernel.cache import read_sealed, write_sealed
 from jounce.kernel.call import object_for
 from jounce.kernel.loops import BUILT, LOOPS, PLATFORMS, SOURCES, key_of, this_platform
 
@@ -22,7 +22,7 @@ def make(name: str, platforms: list[str]) -> float:
     """Write the bitcode of a loop and its objects; give the processor time that took (s), 0 where all is there."""
     digest, started = digest_of(*SOURCES), time.process_time()
     file, key = BUILT / f"{name}.bc", key_of(name, digest)
-    bitcode, made = native.read_sealed(file, key), False
+    bitcode, made = read_sealed(file, key), False
     if bitcode is None:
         from jounce.kernel.loops.build import bitcode_of
 
@@ -30,7 +30,7 @@ def make(name: str, platforms: list[str]) -> float:
         _write(file, key, bitcode)
     for platform in platforms:
         file, key = BUILT / platform / f"{name}.o", key_of(name, digest, platform)
-        if native.read_sealed(file, key) is None:
+        if read_sealed(file, key) is None:
             llvm.initialize_all_targets()
             llvm.initialize_all_asmprinters()
             _write(file, key, object_for(bitcode, PLATFORMS[platform]))
@@ -39,7 +39,7 @@ def make(name: str, platforms: list[str]) -> float:
 
 
 def _write(file: Path, key: str, content: bytes) -> None:
-    if not native.write_sealed(file, key, content):
+    if not write_sealed(file, key, content):
         raise SystemExit(f"{file} cannot be written, or the kernel was edited meanwhile: run it again")
 
 

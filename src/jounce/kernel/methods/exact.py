@@ -80,7 +80,8 @@ def plan(problem: Problem, control: Control, calls: Calls, slopes: int, times: A
     count = len(tracks.rate)
     sizes = (len(control.scale), count, problem.inputs // max(count, 1), signals_of(tracks, problem.inputs))
     props = propagators(calls, sizes, slopes, switches, frequency, control.scale)
-    typical = typical_step(times)
+    distances = np.diff(times)
+    typical = typical_step(times, distances)
     z = max(rate_bound_of(problem, props), float(frequency[-1])) * typical
     parts = parts_for(z, switches > 0)
     along_edges = z / parts * len(tracks.start) if z > parts else 0.0
@@ -89,7 +90,7 @@ def plan(problem: Problem, control: Control, calls: Calls, slopes: int, times: A
     wave = np.where(tracks.kind == 1, np.searchsorted(frequency, speed), 0).astype(np.int64)
     nodes, rows = BLOCK + 1, count * props.layout.signals
     slack = 1e-12 * max(1.0, abs(times[-1]))
-    odd = np.flatnonzero(np.abs(np.diff(times) - typical) > slack)
+    odd = np.flatnonzero(np.abs(distances - typical) > slack)
     blocks = Blocks(
         parts,
         slack,
@@ -110,14 +111,13 @@ def plan(problem: Problem, control: Control, calls: Calls, slopes: int, times: A
 
 def signals_of(tracks: Tracks, inputs: int) -> int:
     """Number of signals that each track needs: its inputs, and derivatives up to the last that does not vanish."""
-    bent = np.any(tracks.kind == 1) or np.any(tracks.coefficients[:, 2])
-    cubic = np.any((tracks.kind == 0) & (tracks.coefficients[:, 3] != 0.0))
+    bent = (tracks.kind == 1).any() or tracks.coefficients[:, 2].any()
+    cubic = ((tracks.kind == 0) & (tracks.coefficients[:, 3] != 0.0)).any()
     return max(4 if cubic else 3 if bent else 2, inputs // max(len(tracks.rate), 1))
 
 
-def typical_step(times: Array) -> float:
-    """Distance of the samples (s) that is met most."""
-    distances = np.diff(times)
+def typical_step(times: Array, distances: Array) -> float:
+    """The one of the distances between samples (s) that is met most."""
     whole = distances[:-1] if len(distances) > 1 else distances  # the last one may be shorter
     if np.max(np.abs(whole - whole[0])) <= 1e-12 * max(1.0, abs(times[-1])):
         return float((times[len(whole)] - times[0]) / len(whole))

@@ -163,23 +163,21 @@ def _element_functions() -> dict[str, ca.Function]:
     return functions
 
 
-def _error_function(size: int, controlled: int, *, short: bool = False) -> ca.Function:
-    """Squared fifth- and third-order errors of the first ``controlled`` states, relative to what is allowed.
+@cache
+def _error_function(*, short: bool = False) -> ca.Function:
+    """Squared fifth- and third-order errors of one state, relative to what is allowed.
 
-    Of the pair of lower order the fourth-order one, then zero. The inputs are the work matrix (see ``engine``), none,
-    (step, tolerance) and the widest motion so far.
+    Of the pair of lower order the fourth-order one, then zero. The inputs are the state's column of the work matrix
+    (see ``engine``), none, (step, tolerance) and the widest motion so far.
     """
     import casadi as ca
 
-    rows, none = ca.SX.sym("rows", size, ROWS), ca.SX.sym("none")
-    h, tolerance, widest = ca.SX.sym("h"), ca.SX.sym("tolerance"), ca.SX.sym("widest", controlled)
-    bound = tolerance * widest + 1e-15 * ca.fabs(rows[:controlled, 0])
-    rates = [rows[:controlled, RATES + j] for j in range(STAGES)]
+    column, none, steering = ca.SX.sym("column", ROWS), ca.SX.sym("none"), ca.SX.sym("steering", 2)
+    widest, rates = ca.SX.sym("widest"), column[RATES : RATES + STAGES]
+    bound = steering[1] * widest + 1e-15 * ca.fabs(column[STATE])
     errors = [ca.sumsqr(_sum(weights, rates) / bound) for weights in ((SHORT_E,) if short else (E5, E3))]
     errors += [ca.SX.zeros(1)] * short
-    return ca.Function(
-        "error", [ca.vec(rows), none, ca.vertcat(h, tolerance), widest], [ca.densify(ca.vertcat(*errors))]
-    )
+    return ca.Function("error", [column, none, steering, widest], [ca.densify(ca.vertcat(*errors))])
 
 
 def _sum(weights: Iterable[float], k: Any) -> ca.SX:
@@ -224,7 +222,7 @@ class Step:
         """
         for name, function in _element_functions().items():
             lowering.add_many(name, function, internal=True)
-        lowering.add("error", _error_function(self.size, self.controlled))
+        lowering.add_sum("error", _error_function(), self.size, self.controlled)
         driver = _Driver(lowering, self, "step")
         for i in range(1, LAST_STAGE + 1):
             driver.stage(i, END if i == LAST_STAGE else TRIAL)
@@ -234,7 +232,7 @@ class Step:
             driver.stage(i, TRIAL)
         driver.over_states("interpolant", RATES, driver.scalar, DENSE, self.size)
         driver.finish()
-        lowering.add("short_error", _error_function(self.size, self.controlled, short=True))
+        lowering.add_sum("short_error", _error_function(short=True), self.size, self.controlled)
         driver = _Driver(lowering, self, "short_step")
         for i in SHORT_A:
             driver.stage(i, END if i == LAST_STAGE else TRIAL, "short")

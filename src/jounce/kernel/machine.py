@@ -1,0 +1,70 @@
+"""The processor that this process runs on, and LLVM's way from a module to code in memory."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterable
+from functools import cache
+from typing import Any
+
+import llvmlite
+from llvmlite import binding as llvm
+
+
+class Code:
+    """Loaded machine code; ``address[name]`` is where the function of that name lives while this object does."""
+
+    def __init__(self, objects: Iterable[bytes], names: tuple[str, ...]) -> None:
+        self._engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), this_machine())
+        for code in objects:
+            self._engine.add_object_file(llvm.ObjectFileRef.from_data(code))
+        self._engine.finalize_object()
+        self.address = {name: int(self._engine.get_function_address(name)) for name in names}
+        if not all(self.address.values()):
+            raise ValueError("the object lacks a function")
+
+
+def machine_code(module: Any, machine: Any, level: int) -> bytes:
+    """Optimise a module, and give the object for a machine."""
+    optimise(module, machine, level)
+    return bytes(machine.emit_object(module))
+
+
+def optimise(module: Any, machine: Any, level: int) -> None:
+    """Run LLVM's passes over a module; from level 2 on loops are made vectors."""
+    tuning = llvm.create_pipeline_tuning_options(speed_level=level)
+    tuning.loop_vectorization, tuning.slp_vectorization = level > 1, False  # packing scalars costs more than it gains
+    tuning.loop_unrolling = level > 1  # unrolled loops would not become vectors any more
+    builder = llvm.create_pass_builder(machine, tuning)
+    builder.getModulePassManager().run(module, builder)
+
+
+@cache
+def _initialise() -> None:
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+
+
+def this_machine(level: int = 3) -> Any:
+    """Give the machine that this process runs on; at level 0 its code is made quickly rather than quick."""
+    _initialise()
+    return llvm.Target.from_default_triple().create_target_machine(
+        opt=level, cpu=llvm.get_host_cpu_name(), features=_features(), jit=True
+    )
+
+
+@cache
+def features() -> dict[str, bool]:
+    """Special instructions of this processor by name, whether it has them; none where LLVM does not know it."""
+    with contextlib.suppress(RuntimeError):
+        return dict(llvm.get_host_cpu_features())
+    return {}
+
+
+def _features() -> str:
+    return ",".join(f"{'+' if has else '-'}{name}" for name, has in sorted(features().items()))
+
+
+def compiled_for() -> str:
+    """Processor, and versions of the compiler: code for others is not taken."""
+    return f"{llvmlite.__version__} {llvm.get_host_cpu_name()} {_features()} {llvm.llvm_version_info}"
