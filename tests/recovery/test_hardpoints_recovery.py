@@ -125,3 +125,39 @@ def test_a_point_on_a_line_and_points_tied_together() -> None:
     )
     assert shift["hardpoints.lower_arm_front[2]"] == pytest.approx(shift["hardpoints.lower_arm_rear[2]"], abs=2e-9)
     assert abs(shift["hardpoints.lower_arm_front[2]"]) > 1e-4
+
+
+def test_rows_of_third_spring_rocker_handwheel_and_roll_caster_are_targets_too() -> None:
+    third = {"spring": {"rate": 30e3}, "on": "rocker"}
+    rig = jn.load("formula-student-front").with_changes(
+        {
+            "third_spring": third,
+            "hardpoints.third_spring_end": [0.02, 0.21, 0.42],
+            "steering": {"rack_ratio": 0.013},
+        }
+    )
+    before, moved = rig.parameters(), {
+        "hardpoints.third_spring_end[2]": 0.006,
+        "hardpoints.pushrod_inner[2]": -0.004,
+        "hardpoints.tie_rod_outer[0]": 0.005,
+        "hardpoints.upper_arm_rear[2]": 0.004,
+    }  # fmt: skip
+    truth = rig.with_changes({path: before[path] + shift for path, shift in moved.items()})
+    swept, roll = jn.sweep_travel(truth, TRAVEL), np.radians([-1.0, 0.0, 1.0])
+    rolled = jn.sweep_roll(truth, roll)["left.roll_caster"].to_numpy().tolist()
+    targets = [
+        {"quantity": name, "over": TRAVEL, "values": swept[name].to_numpy().tolist(), "tolerance": 1e-4}
+        for name in ("third_spring_motion_ratio", "rocker_spring_angle")
+    ]
+    ratio = float(jn.sweep_steering(truth, [0.01])["steering_ratio"][0])
+    targets.append({"quantity": "steering_ratio", "at": {"rack": "10 mm"}, "value": ratio, "tolerance": 1e-3})
+    targets.append(
+        {"quantity": "left.roll_caster", "over": roll.tolist(), "along": "roll", "values": rolled, "tolerance": 1e-4}
+    )
+    found = jn.design_kinematics(rig, dict.fromkeys(moved, "12 mm"), targets, starts=2)
+    assert found.met
+    for path in moved:
+        assert found.rig.parameters()[path] == pytest.approx(truth.parameters()[path], abs=2e-4), path
+    target = {"quantity": "roll_moment", "over": "-1 deg:1 deg:1 deg", "value": 0.0, "tolerance": 1.0}
+    with pytest.raises(jn.DescriptionError, match="roll_moment"):
+        jn.design_kinematics(rig, dict.fromkeys(moved, "12 mm"), [target])

@@ -152,6 +152,8 @@ def _is_of_axle(target: KinematicTarget, along: str) -> bool:
     return along == "roll" or target.quantity in _STEERED
 
 
+_HANDWHEEL = {"c_factor": "m", "steering_ratio": "1"}
+"""Rows of what turns the rack, where the corner says it."""
 _STEERED = {
     "ackermann": "1",
     "ideal_outer_steer": "rad",
@@ -161,10 +163,11 @@ _STEERED = {
     "turn_diameter_walls": "m",
     "mean_steer": "rad",
     "steer_difference": "rad",
+    **_HANDWHEEL,
 }
-_WITHOUT_VEHICLE = ("mean_steer", "steer_difference")
+_WITHOUT_VEHICLE = ("mean_steer", "steer_difference", *_HANDWHEEL)
 _ROLLED = {"track": "m", "roll_centre_height": "m", "roll_centre_y": "m", "roll_moment": "N*m"}
-_EACH = {"camber_to_ground": "rad", "roll_steer": "1", "roll_camber": "1"}
+_EACH = {"camber_to_ground": "rad", "roll_steer": "1", "roll_camber": "1", "roll_caster": "1"}
 
 
 def quantity_unit(rig: Corner, name: str, along: str, vehicle: AxleLayout | None, where: str) -> str:
@@ -180,12 +183,14 @@ def quantity_unit(rig: Corner, name: str, along: str, vehicle: AxleLayout | None
                 raise unknown(point, rig.hardpoints.given(), what="hardpoint", where=f"{where}.quantity")
         return "m"
     if along == "roll":
-        both = {f"{side}.{row}": unit for side in ("left", "right") for row, unit in {**rows, **_EACH}.items()}
+        each = {name: unit for name, unit in _EACH.items() if name != "roll_caster" or "caster" in rows}
+        both = {f"{side}.{row}": unit for side in ("left", "right") for row, unit in {**rows, **each}.items()}
         known = {**_ROLLED, **both}
         if reaches_over(rig):  # its forces need more than the rows of both wheels
             known.pop("roll_moment")
     elif has_rack(rig):
-        known |= _STEERED
+        ratio = getattr(getattr(rig, "steering", None), "rack_ratio", None)
+        known |= {row: unit for row, unit in _STEERED.items() if row not in _HANDWHEEL or ratio is not None}
         if vehicle is None and name in _STEERED and name not in _WITHOUT_VEHICLE:
             raise DescriptionError(
                 "needs the car around the axle",

@@ -20,9 +20,37 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+_GRADIENTS = ("roll_steer", "roll_camber", "roll_caster", "kingpin_inclination_gain", "camber_per_steer")
+_HANDWHEEL = ("steering_ratio", "c_factor", "handwheel_angle", "rack_force", "handwheel_torque")
+_ROCKER = ("rocker_angle", "pushrod_angle", "rocker_spring_angle")
+_FURTHER_SPRINGS = (
+    "torsion_bar_angle",
+    "torsion_bar_motion_ratio",
+    "torsion_bar_torque",
+    "third_spring_length",
+    "third_spring_motion_ratio",
+    "third_spring_force",
+    "third_wheel_rate",
+    "heave_rate",
+    "anti_roll_bar_angle",
+    "anti_roll_bar_arm_angle",
+    "anti_roll_bar_twist",
+    "anti_roll_bar_torque",
+    "anti_roll_bar_rate",
+    "roll_stiffness_total",
+    "axle_force",
+)
 SHEETS: dict[str, tuple[str, ...]] = {
     "wheel": ("camber", "toe", "camber_to_ground", "inclination", "steer", "half_track_change"),
-    "gradients": ("camber_gain", "bump_steer", "caster_gain", "half_track_gradient", "roll_steer", "roll_camber"),
+    "gradients": (
+        "camber_gain",
+        "bump_steer",
+        "caster_gain",
+        "half_track_gradient",
+        "roll_steer",
+        "roll_camber",
+        *_GRADIENTS,
+    ),
     "steering": (
         "caster",
         "kingpin_inclination",
@@ -36,6 +64,7 @@ SHEETS: dict[str, tuple[str, ...]] = {
         "ackermann",
         "ackermann_error",
         "turn_diameter_kerbs",
+        *_HANDWHEEL,
     ),
     "centres": (
         "roll_centre_height",
@@ -54,6 +83,9 @@ SHEETS: dict[str, tuple[str, ...]] = {
         "anti_dive",
         "anti_lift",
         "anti_squat",
+        "dive_per_g",
+        "lift_per_g",
+        "squat_per_g",
     ),
     "springs": (
         "spring_length",
@@ -69,6 +101,8 @@ SHEETS: dict[str, tuple[str, ...]] = {
         "ride_rate",
         "roll_moment",
         "roll_stiffness",
+        *_ROCKER,
+        *_FURTHER_SPRINGS,
     ),
 }
 """Quantities that belong together, sheet by sheet; what no sheet names comes on the last one."""
