@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import casadi as ca
 import numpy as np
 import pytest
@@ -15,11 +17,6 @@ from jounce.simulation.prepare import solve
 
 AGREEMENT = 1e-9
 BODY = ("sprung.distance", "attitude.angle", "attitude.second_angle")
-
-
-@pytest.fixture(scope="module")
-def in_ground():
-    return full_car_in_ground_axes
 
 
 def functions(model):
@@ -107,14 +104,20 @@ CARS = {
 }
 
 
+@cache
+def both(name):
+    """Shipped model and twin of a car, with their functions."""
+    models = build(CARS[name]), full_car_in_ground_axes(CARS[name])
+    return *models, *map(functions, models)
+
+
 @pytest.mark.parametrize("name", CARS)
 @pytest.mark.parametrize("seed", range(3))
-def test_accelerations_and_forces_agree_in_any_motion(in_ground, name, seed):
+def test_accelerations_and_forces_agree_in_any_motion(name, seed):
     vehicle = CARS[name]
-    shipped, twin = build(vehicle), in_ground(vehicle)
+    shipped, twin, one, other = both(name)
     assert shipped.coordinates == twin.coordinates
     assert shipped.speeds == twin.speeds
-    one, other = functions(shipped), functions(twin)
     modes, p, q = np.ones(shipped.m.shape[0]), *(values_of(model, vehicle.parameters()) for model in (shipped, twin))
     x, u = state(shipped, seed)
     for _ in range(6):
@@ -151,13 +154,13 @@ def test_code_with_corners_side_by_side_gives_what_the_graph_gives():
         assert np.max(np.abs(slopes["rate"][:, k] - difference)) < 1e-5 * np.max(np.abs(difference))
 
 
-def test_free_motion_without_dampers_keeps_its_energy(in_ground):
+def test_free_motion_without_dampers_keeps_its_energy():
     """Kinetic energy and height by the twin, springs and tyres by their forces; all of it is exchanged, none lost."""
     ways = [f"{end}.corner.strut.damper.{way}_coefficient" for end in ("front", "rear") for way in ("bump", "rebound")]
     loose = dict.fromkeys([*ways, *(f"{end}.corner.tyre.damping_coefficient" for end in ("front", "rear"))], 0.0)
     bars = {f"{end}.anti_roll_bar_rate": 0.0 for end in ("front", "rear")}
     vehicle = jn.load("formula-student-car").with_changes({**loose, **bars})
-    compiled, twin = compile_rig(vehicle), in_ground(vehicle)
+    compiled, twin = compile_rig(vehicle), full_car_in_ground_axes(vehicle)
     start = {"sprung.distance": 0.001, "attitude.angle": 0.001, "attitude.second_angle": 0.0015}
     offset = np.array([start.get(name, 0.0) for name in compiled.facts.states])
     p, times = compiled.parameter_values(vehicle.parameters()), np.linspace(0.0, 1.0, 101)

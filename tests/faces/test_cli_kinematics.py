@@ -90,7 +90,9 @@ def test_files_and_pictures(cli, tmp_path: Path) -> None:
     with xr.open_dataset(tmp_path / "sweep.nc", engine="h5netcdf") as read:
         assert read["camber"].shape == (41,)
         assert read["camber"].attrs["units"] == "rad"
-    assert sheet.read_bytes().startswith(b"\x89PNG")
+    sheets = [file.read_bytes() for file in (tmp_path / "curves").iterdir()]
+    assert len(sheets) > 5
+    assert all(drawn.startswith(b"\x89PNG") for drawn in sheets)
 
 
 def test_travel_beyond_reach_keeps_the_rest(cli, tmp_path: Path) -> None:
