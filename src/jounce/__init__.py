@@ -10,6 +10,9 @@ True
 
 from __future__ import annotations
 
+import sys
+from typing import Any
+
 import lazy_loader
 
 _loaded, _, __all__ = lazy_loader.attach_stub(__name__, __file__)
@@ -31,3 +34,23 @@ def __getattr__(name: str) -> object:
 
 def __dir__() -> list[str]:
     return sorted([*__all__, "__version__", "__doc__", "__name__"])
+
+
+def _recordings_in_notebooks() -> None:
+    """Let a notebook show recordings and sweeps by channel, with units; other datasets as their library does."""
+
+    def table(data: Any) -> str:
+        from jounce.core.shown import dataset_html
+
+        return dataset_html(data)
+
+    if "IPython" in sys.modules:
+        from IPython import get_ipython
+
+        shell = get_ipython()
+        if shell is not None and getattr(shell, "display_formatter", None) is not None:
+            formatter = shell.display_formatter.formatters["text/html"]
+            formatter.for_type_by_name("xarray.core.dataset", "Dataset", table)
+
+
+_recordings_in_notebooks()

@@ -14,6 +14,7 @@ from typing import Any, Literal
 from jounce.campaign.description import Bench, DecayBench, StiffnessBench
 from jounce.core.errors import RecordingError, unforeseen
 from jounce.core.findings import Finding
+from jounce.core.shown import Shown
 from jounce.core.units import to_si
 from jounce.design.lumping import lump
 from jounce.identify.decay import CombinedDecay, DecayResult, combine_decays, fit_decay, ratio_from_decrement
@@ -35,7 +36,7 @@ TYRE_PATHS = ("tyre.stiffness", "tyre.curve")
 
 
 @dataclass(frozen=True)
-class Knowledge:
+class Knowledge(Shown):
     """Rig values that hold for all trials, and the tyre's elastic law at each pressure (Pa) that has its own.
 
     ``between`` gives the tyre at a pressure that was not measured, or None where nothing is known about pressure.
@@ -123,7 +124,7 @@ class DampingChoice:
 
 
 @dataclass
-class Characterisation:
+class Characterisation(Shown):
     """What the bench says: results of each table, and which rig values they replaced.
 
     ``loaded`` holds the trials of the test machine as they were fitted, by their table: ``bench.tyre."0.31 MPa"``.

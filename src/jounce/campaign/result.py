@@ -13,6 +13,7 @@ from jounce.campaign.characterise import Characterisation, Knowledge
 from jounce.campaign.description import Campaign, TrialEntry
 from jounce.core.findings import Finding
 from jounce.core.serialise import to_plain
+from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.design.model_comparison import ModelComparison
 from jounce.identify.comparison import compare, iso18571
@@ -140,7 +141,7 @@ class StrategyTrial:
 
 
 @dataclass(frozen=True)
-class StrategyResult:
+class StrategyResult(Shown):
     """One update: what was known before (``start``) and after it, the trials it was fitted on, and all compared.
 
     ``rig_texts`` are its rig files, one for each tyre pressure by its name; the name is empty where there is only one.
@@ -180,7 +181,7 @@ class StrategyResult:
 
 
 @dataclass(frozen=True)
-class TrialResult:
+class TrialResult(Shown):
     """One trial: before (characterised model) and after (last update); None where a recording could not be used.
 
     ``obstacle_pitch`` is the distance of the obstacles of a train in m, None for a single one. ``motion`` is that of
@@ -197,7 +198,7 @@ class TrialResult:
 
 
 @dataclass(frozen=True)
-class CampaignResult:
+class CampaignResult(Shown):
     """Outcome of a campaign.
 
     Attributes

@@ -258,8 +258,8 @@ def _draw_updates(out: Console, updates: list[dict[str, Any]], unit_at: Callable
         for update in updates
         for path, fitted in update["parameters"].items()
     ]
-    header = ("update", "parameter", "unit", "initial", "value", "standard error, noise only", "at bound")
-    out.print(table("Parameters", header, rows, text=(0, 1, 2)))
+    columns = ("update", "parameter", "unit", "initial", "value", "standard error, noise only", "at bound")
+    out.print(table("Parameters", columns, rows, text=(0, 1, 2)))
     known = [
         (
             update["name"],
@@ -274,9 +274,9 @@ def _draw_updates(out: Console, updates: list[dict[str, Any]], unit_at: Callable
         for path, law in update["discrepancy"]["parameters"].items()
     ]
     if known:
-        header = ("update", "parameter", "unit", "value", "95 % from", "to", "verdict")
-        rows = [(*row[:6], row[6] or "identified") for row in known]
-        out.print(table("Parameters as the parts have them, model error counted", header, rows, text=(0, 1, 2, 6)))
+        columns = ("update", "parameter", "unit", "value", "95 % from", "to", "verdict")
+        told = [(*row[:6], row[6] or "identified") for row in known]
+        out.print(table("Parameters as the parts have them, model error counted", columns, told, text=(0, 1, 2, 6)))
 
 
 def _draw_trials(out: Console, trials: list[dict[str, Any]]) -> None:

@@ -13,13 +13,14 @@ import numpy as np
 from jounce.core.constants import GRAVITY
 from jounce.core.errors import SimulationError
 from jounce.core.optional import require
+from jounce.core.shown import Shown
 from jounce.core.types import Array
 
 _TYPICAL_RATIO = 0.3  # damping ratio of a body on a damper where the corner has none
 
 
 @dataclass(frozen=True)
-class CornerModel:
+class CornerModel(Shown):
     """Quarter car of one corner: what a decentralised controller knows of its plant.
 
     Attributes

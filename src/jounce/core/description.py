@@ -13,6 +13,7 @@ from pydantic_core import CoreSchema, PydanticCustomError
 from jounce.core.errors import DescriptionError, nearest, shown
 from jounce.core.files import existing_file
 from jounce.core.kinds import FILE_REF, Kinds
+from jounce.core.shown import Shown
 
 D = TypeVar("D", bound="Description")
 
@@ -33,7 +34,7 @@ class _DescriptionType(ModelMetaclass):
             raise description_error(error, cast("type[BaseModel]", cls)) from None
 
 
-class Description(BaseModel, metaclass=_DescriptionType):
+class Description(Shown, BaseModel, metaclass=_DescriptionType):
     """Base of all nouns: frozen, refuses unknown keys, reads physical values with units."""
 
     model_config = ConfigDict(

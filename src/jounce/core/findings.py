@@ -7,13 +7,14 @@ from dataclasses import dataclass
 from typing import Literal
 
 from jounce.core.errors import JounceError, OutputError
+from jounce.core.shown import Shown
 from jounce.core.text import shortened
 
 Severity = Literal["note", "warning", "problem"]
 
 
 @dataclass(frozen=True)
-class Finding:
+class Finding(Shown):
     """One thing the reader of a result must know.
 
     Attributes

@@ -10,8 +10,10 @@ from typing import Any, ClassVar, cast
 
 import numpy as np
 
+from jounce.core.shown import Shown
 
-class Plain:
+
+class Plain(Shown):
     """Mix-in of results (dataclasses): ``to_dict`` gives their fields as plain data.
 
     A class names the fields that stay out in ``left_out`` and the properties that are given beside the fields in

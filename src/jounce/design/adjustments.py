@@ -12,6 +12,7 @@ import numpy as np
 
 from jounce.core.errors import AssemblyError, DescriptionError, JounceError, unknown
 from jounce.core.findings import Finding
+from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.design.poses import moved_rig, rigid_motion, spin_axis
@@ -505,7 +506,7 @@ class OverTravel:
 
 
 @dataclass(frozen=True)
-class AdjustReport:
+class AdjustReport(Shown):
     """What adjustments do to a rig: settings that were made (SI), the wheel before and after, the rig with them.
 
     ``effects`` says what each setting would do to the rig as given, ``over_travel`` what the settings did away from
@@ -522,7 +523,7 @@ class AdjustReport:
 
 
 @dataclass(frozen=True)
-class Lengths:
+class Lengths(Shown):
     """Lengthenings that reach a camber and a toe, m, and what they reach, rad."""
 
     lower_arm_length: float

@@ -10,6 +10,7 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError
 from jounce.core.serialise import to_plain
+from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.design.lumping import Lumping, lump, lumped_from
 from jounce.kinematics import sweep_travel
@@ -57,7 +58,7 @@ class PeakDifference:
 
 
 @dataclass(frozen=True)
-class ModelComparison:
+class ModelComparison(Shown):
     """A corner and a lumped model of it, side by side.
 
     Attributes

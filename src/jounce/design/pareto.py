@@ -11,6 +11,7 @@ import numpy as np
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.findings import Finding
 from jounce.core.serialise import Plain
+from jounce.core.shown import Shown
 from jounce.core.text import aligned
 from jounce.core.types import Array
 from jounce.design.optimise import check_kept, driven_over, is_optimal, search
@@ -31,7 +32,7 @@ _FEWEST, _MOST = 3, 500
 
 
 @dataclass(frozen=True)
-class BestDamper:
+class BestDamper(Shown):
     """Dampers with the least of one metric, by the closed form of each wheel and by a search on the whole model, SI.
 
     Attributes

@@ -11,6 +11,7 @@ import numpy as np
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding
 from jounce.core.serialise import plain_table
+from jounce.core.shown import Shown
 from jounce.core.text import aligned
 from jounce.core.units import to_si
 from jounce.parts import QuarterCar, Rig
@@ -119,7 +120,7 @@ class WheelDesign:
 
 
 @dataclass(frozen=True)
-class SpringDesign:
+class SpringDesign(Shown):
     """Springs and dampers for the frequencies that were asked for: the rig with them, and one wheel of each axle.
 
     ``with_tyre`` says whether the frequency is that of spring and tyre in series.

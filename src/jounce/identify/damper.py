@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, Severity
+from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.identify.decay import zigzag
 from jounce.identify.estimate import Estimate, central_differences, r_squared, uncertainty
@@ -339,7 +340,7 @@ def _bouc_wen(motion: DamperMotion) -> DamperLaw:
 
 
 @dataclass(frozen=True)
-class DamperResult:
+class DamperResult(Shown):
     """A damper law found from a record.
 
     Attributes
@@ -396,7 +397,7 @@ class DamperResult:
 
 
 @dataclass(frozen=True)
-class DamperCurve:
+class DamperCurve(Shown):
     """Measured and fitted force side by side, for drawing.
 
     Attributes

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, Severity
+from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.identify.estimate import (
@@ -743,7 +744,7 @@ def _rest_gap(t: Array, signal: Array, values: Array, spread: Uncertainty) -> tu
 
 
 @dataclass(frozen=True)
-class DecayResult:
+class DecayResult(Shown):
     """Damping found from one free decay.
 
     Attributes

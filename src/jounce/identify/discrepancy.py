@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from jounce.core.errors import SimulationError
 from jounce.core.findings import Finding
 from jounce.core.segments import POLYNOMIAL, Segments
+from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.identify.doubt import Doubt
 from jounce.identify.estimate import Estimate, at_least_zero, correlation_of, estimate
@@ -110,7 +111,7 @@ class NuisanceEstimate:
 
 
 @dataclass(frozen=True)
-class Discrepancy:
+class Discrepancy(Shown):
     """Parameters of an update with intervals that count what the model lacks.
 
     Attributes

@@ -8,11 +8,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from jounce.core.shown import Shown
 from jounce.core.types import Array
 
 
 @dataclass(frozen=True)
-class Estimate:
+class Estimate(Shown):
     """A number found from measurements, and how well it is known.
 
     Attributes

@@ -14,6 +14,7 @@ import numpy as np
 import xarray as xr
 
 from jounce.core.errors import DescriptionError, FitError, SimulationError, unknown
+from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.identify.lags import Shifted, best_lag
@@ -33,7 +34,7 @@ _FREE_LAG = 1.0 - 1e-9
 
 
 @dataclass(frozen=True)
-class FitTrial:
+class FitTrial(Shown):
     """One trial to fit: how it was run and what was measured.
 
     Attributes

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding
+from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.identify.estimate import linear_least_squares
 from jounce.identify.signs import ForcePositive, StrokePositive, sign_of
@@ -23,7 +24,7 @@ _FORCE_THRESHOLD = 0.002  # of the largest force
 
 
 @dataclass(frozen=True)
-class ForceDeflectionTrial:
+class ForceDeflectionTrial(Shown):
     """One trial on a test machine, in the order it was measured.
 
     Attributes

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, Severity
+from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.identify.estimate import (
     Estimate,
@@ -250,7 +251,7 @@ class TrialStiffness:
 
 
 @dataclass(frozen=True)
-class StiffnessResult:
+class StiffnessResult(Shown):
     """Stiffness of a spring or a tyre.
 
     Attributes
@@ -591,7 +592,7 @@ def _coefficients(pooled: CurveFit, alone: list[CurveFit]) -> tuple[Estimate, ..
 
 
 @dataclass(frozen=True)
-class PressureStiffness:
+class PressureStiffness(Shown):
     """Radial stiffness of a tyre measured at several pressures.
 
     Attributes

@@ -10,6 +10,7 @@ import numpy as np
 
 from jounce.core.errors import FitError, SimulationError
 from jounce.core.findings import Finding
+from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.identify.datum import with_datums
@@ -247,7 +248,7 @@ def _correlation(residuals: Array) -> Array:
 
 
 @dataclass(frozen=True)
-class UpdatedParameter:
+class UpdatedParameter(Shown):
     """One fitted parameter, all values in the SI unit of its path.
 
     Attributes
@@ -276,7 +277,7 @@ class UpdatedParameter:
 
 
 @dataclass(frozen=True)
-class UpdateResult:
+class UpdateResult(Shown):
     """Outcome of one update.
 
     Attributes

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
 from jounce.core.serialise import plain_table
+from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.inspection.evaluation import evaluate
 from jounce.inspection.limits import Limits, load_limits
@@ -78,7 +79,7 @@ class Disagreement:
 
 
 @dataclass(frozen=True)
-class Equivalence:
+class Equivalence(Shown):
     """What the study found.
 
     Attributes

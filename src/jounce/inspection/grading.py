@@ -12,6 +12,7 @@ import numpy as np
 
 from jounce.core.errors import RecordingError, unknown
 from jounce.core.serialise import to_plain
+from jounce.core.shown import Shown
 from jounce.inspection.limits import VERDICTS, Band, Criterion, Limits, load_limits
 from jounce.inspection.methods import METHODS, QUANTITIES
 from jounce.inspection.quantities import Language
@@ -174,7 +175,7 @@ class WheelGrade:
 
 
 @dataclass(frozen=True)
-class GradedInspection:
+class GradedInspection(Shown):
     """An inspection of one axle with its grading.
 
     Attributes

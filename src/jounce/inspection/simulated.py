@@ -9,6 +9,7 @@ import numpy as np
 
 from jounce.core.errors import SimulationError, unknown
 from jounce.core.findings import Finding
+from jounce.core.shown import Shown
 from jounce.inspection.evaluation import evaluate
 from jounce.inspection.findings import warning
 from jounce.inspection.grading import GradedInspection, grade
@@ -38,7 +39,7 @@ _RESOLUTION = 0.005  # Hz
 
 
 @dataclass(frozen=True)
-class SimulatedInspection:
+class SimulatedInspection(Shown):
     """One wheel on a tester.
 
     Attributes

@@ -141,7 +141,7 @@ class CaseRun(jn.Plain):
 
 
 @dataclass(frozen=True)
-class AudiCase:
+class AudiCase(jn.Plain):
     """What a case of the paper comes to.
 
     Attributes

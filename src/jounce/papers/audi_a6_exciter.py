@@ -97,7 +97,7 @@ class Eusama:
 
 
 @dataclass(frozen=True)
-class EccentricExciter:
+class EccentricExciter(jn.Plain):
     """What the exciter study found.
 
     Attributes

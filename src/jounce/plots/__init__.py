@@ -55,3 +55,8 @@ __all__ = [
     "write_figure",
     "write_kinematics",
 ]
+
+
+def __dir__() -> list[str]:
+    """Functions only: what can be drawn and written."""
+    return [name for name in __all__ if name[0].islower()]

@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from jounce.core.display import display_unit
 from jounce.kinematics import sweep_travel
-from jounce.plots.display import display_unit, number
+from jounce.plots.display import number
 from jounce.plots.kinematic_design import sensitivity_bars, target_curves
 from jounce.report.page import Block, Bullets, Cell, Fact, Facts, Findings, Page, Picture, Section, Table
 from jounce.report.recordings import curve_blocks

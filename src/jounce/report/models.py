@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from jounce.plots.display import SMALLEST, display_unit, number, percent
+from jounce.core.display import display_unit
+from jounce.plots.display import SMALLEST, number, percent
 from jounce.plots.signals import modes as draw_modes
 from jounce.recordings.schema import channel_unit, quantity_of
 from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table, with_minus

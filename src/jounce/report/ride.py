@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from jounce.core.display import display_unit
 from jounce.plots.design import ride_spectra, trade_off
-from jounce.plots.display import display_unit, number, percent
+from jounce.plots.display import number, percent
 from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table
 from jounce.report.recordings import curve_blocks
 from jounce.ride.study import MERITS

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from jounce.core.constants import GRAVITY
 from jounce.core.errors import DescriptionError
+from jounce.core.shown import Shown
 from jounce.core.units import positive_si
 
 
@@ -208,7 +209,7 @@ def corner_masses(body_mass: float, front_distance: float, rear_distance: float)
 
 
 @dataclass(frozen=True)
-class SpringAndDamper:
+class SpringAndDamper(Shown):
     """Spring and damper of one wheel.
 
     Attributes

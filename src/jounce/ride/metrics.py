@@ -10,6 +10,7 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError, RecordingError, nearest, unknown
 from jounce.core.findings import Finding
+from jounce.core.shown import Shown
 from jounce.core.text import aligned
 from jounce.core.units import to_si
 from jounce.parts import Rig
@@ -120,7 +121,7 @@ class AbsentMetric:
 
 
 @dataclass(frozen=True)
-class RideMetrics:
+class RideMetrics(Shown):
     """Ride comfort, suspension travel and road holding of one recording.
 
     Attributes

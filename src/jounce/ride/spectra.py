@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import RecordingError, nearest, unknown
+from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.recordings.quality import check_time
@@ -28,7 +29,7 @@ _HALF_BAND = 10.0**0.05
 
 
 @dataclass(frozen=True)
-class Spectrum:
+class Spectrum(Shown):
     """One-sided power spectral density of a signal.
 
     Attributes
@@ -63,7 +64,7 @@ class Spectrum:
 
 
 @dataclass(frozen=True)
-class Transfer:
+class Transfer(Shown):
     """Complex response of an output to an input, by frequency.
 
     Attributes

@@ -12,6 +12,7 @@ import numpy as np
 from jounce.control import CONTROLS, Controller, as_controller
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
 from jounce.core.serialise import Plain, plain_table
+from jounce.core.shown import Shown
 from jounce.core.units import positive_si
 from jounce.parts import FullCar, FullCar3D, Rig, Vehicle
 from jounce.recordings.schema import channels_of
@@ -37,7 +38,7 @@ _RUN_IN = 10.0  # m over which a synthetic road fades in, and out behind the end
 
 
 @dataclass(frozen=True)
-class RideTrial:
+class RideTrial(Shown):
     """A trial and the part of it that counts.
 
     Attributes

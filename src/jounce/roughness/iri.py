@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
 from jounce.core.recursion import first_order
+from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.recordings.files import read_columns
@@ -52,7 +53,7 @@ class RoughnessSegment:
 
 
 @dataclass(frozen=True)
-class Roughness:
+class Roughness(Shown):
     """International roughness index of a profile and of its segments.
 
     Attributes

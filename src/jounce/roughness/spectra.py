@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.errors import DescriptionError, RecordingError
+from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.roads.rough import BAND, CLASSES, MEAN_A, REFERENCE, RoadClass, as_roughness
 
@@ -117,7 +118,7 @@ def filtered_noise(road: str | float, speed: float, *, cutoff: float = BAND[0]) 
 
 
 @dataclass(frozen=True)
-class RoadSpectrum:
+class RoadSpectrum(Shown):
     """Spectrum of a profile and the straight line through it, SI units.
 
     Attributes

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from jounce.core.errors import SimulationError, unknown
+from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.kernel.engine import Status
 from jounce.parts import Rig
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Gradient:
+class Gradient(Shown):
     """Value of an objective and its slope along each parameter.
 
     Attributes

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import SimulationError, unknown
+from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.mechanics.facts import moved_by
 from jounce.parts import Rig
@@ -19,7 +20,7 @@ _NOTHING_HOLDS = 1e-7  # share of the fastest eigenvalue below which one is zero
 
 
 @dataclass(frozen=True)
-class LinearModel:
+class LinearModel(Shown):
     """``dx/dt = A x + B u``, ``y = C x + D u`` for small motions about static equilibrium, SI.
 
     Attributes
@@ -77,7 +78,7 @@ class LinearModel:
 
 
 @dataclass(frozen=True)
-class Mode:
+class Mode(Shown):
     """One oscillating eigenmode of the linearised rig.
 
     Attributes

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from jounce.core.shown import Shown
 from jounce.core.types import Array, Complex
 
 _COARSE, _FINE = 0.1, 0.01  # Hz
@@ -17,7 +18,7 @@ RIGIDITY_FREQUENCY = 25.0
 
 
 @dataclass(frozen=True)
-class SteadyResponse:
+class SteadyResponse(Shown):
     """Steady answer of one wheel to its tester, small motions.
 
     Attributes

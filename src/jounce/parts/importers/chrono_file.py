@@ -18,6 +18,7 @@ import numpy as np
 
 from jounce.core.description import description_text, is_nested_deeply
 from jounce.core.errors import DescriptionError, nearest
+from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import LARGEST
 
@@ -251,7 +252,7 @@ class DamperMap:
 
 
 @dataclass(frozen=True)
-class ChronoCorner:
+class ChronoCorner(Shown):
     """A left corner as the file describes it, at design position.
 
     Attributes

@@ -11,6 +11,7 @@ from typing import Any
 from jounce.core.errors import DescriptionError, nearest
 from jounce.core.files import existing_file
 from jounce.core.findings import Finding
+from jounce.core.shown import Shown
 from jounce.core.units import conversion_factor
 
 _SECTION = re.compile(r"\[([A-Za-z0-9_ \t]+)\]")
@@ -31,7 +32,7 @@ _USUAL = {"stiffness": (5e3, 5e6, "N/m"), "radius": (0.05, 2.0, "m"), "damping_c
 
 
 @dataclass(frozen=True)
-class TyreProperties:
+class TyreProperties(Shown):
     """Vertical properties of a tyre from its property file, in SI units.
 
     Attributes
