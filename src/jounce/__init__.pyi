@@ -1,6 +1,7 @@
 # The public namespace: read by type checkers, by editors and, when a name is first used, by lazy_loader.
 
 from . import mechanics as mechanics
+from . import notebook as notebook
 from . import plots as plots
 from .campaign import BenchTruth as BenchTruth
 from .campaign import CampaignResult as CampaignResult

@@ -58,6 +58,9 @@ def html_table(title: str, subtitle: str, rows: Sequence[Row], more: str, header
 
 def _cells(row: Sequence[str], *, right: bool) -> Iterator[str]:
     for k, cell in enumerate(row):
+        if k == 1 and row[2:] == ("",):  # words have the room of the unit, too
+            yield f'<td colspan="2">{_text(cell)}</td>'
+            return
         is_number = right and k > 0 and re.match(r"−?\d", cell)
         yield f'<td class="n">{_text(cell)}</td>' if is_number else f"<td>{_text(cell)}</td>"
 
@@ -101,7 +104,8 @@ def _rows(value: Any) -> Iterator[Row]:
         for name, field in fields.items():
             yield from _described(name, getattr(value, name), field)
         return
-    words = _words(type(value))
+    kind: Any = type(value)
+    words = _words(kind)
     for one in dataclasses.fields(value):
         if not one.name.startswith("_"):
             yield one.name, _brief(getattr(value, one.name)), words.get(one.name, "")
@@ -143,7 +147,7 @@ def number(value: float) -> str:
     """Write a number with five significant digits and a true minus sign."""
     if not math.isfinite(value):
         return "–" if math.isnan(value) else "−∞" if value < 0.0 else "∞"
-    return f"{value:.5g}".replace("-", "−")
+    return f"{value + 0.0:.5g}".replace("-", "−")
 
 
 def _series(values: Sequence[float]) -> str:

@@ -12,7 +12,7 @@ from jounce.core.errors import JounceError
 from jounce.core.writing import lasting_folder
 from jounce.plots import audi_a6, campaign, design, fits, inspection, kinematics, signals
 from jounce.plots.mechanisms import mechanism
-from jounce.plots.style import rendered, write_figure
+from jounce.plots.style import write_figure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -67,9 +67,9 @@ def show(result: object, **options: Any) -> Figure:
     """
     figure = figure_of(result, **options)
     if "ipykernel" in sys.modules:
-        from IPython.display import SVG, display
+        from IPython.display import display
 
-        display(SVG(rendered(figure, [".svg"])[".svg"].decode()))
+        display(figure)  # what the cell ends with is not shown again
     elif sys.platform in ("win32", "darwin") or os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"):
         import webbrowser
 

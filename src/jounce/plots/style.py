@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager
-from functools import wraps
+from functools import cache, wraps
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec
 
@@ -98,9 +98,28 @@ def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
 
 def new_figure(height: float, width: float = WIDTH) -> Figure:
     """Give an empty figure with constrained layout; ``height`` in inches and ``width`` in inches."""
+    return figure_type()(figsize=(width, height), layout="constrained")
+
+
+@cache
+def figure_type() -> type[Figure]:
+    """Figures that a notebook shows as they are written, each once a cell, whatever its settings are."""
     from matplotlib.figure import Figure
 
-    return Figure(figsize=(width, height), layout="constrained")
+    class NotebookFigure(Figure):
+        _shown_in: int | None = None
+
+        def _ipython_display_(self) -> None:
+            from IPython import get_ipython
+            from IPython.display import SVG, display
+
+            cell = getattr(get_ipython(), "execution_count", None)
+            if cell is None or cell != self._shown_in:
+                self._shown_in = cell
+                display(SVG(rendered(self, [".svg"])[".svg"].decode()))
+
+    NotebookFigure.__name__ = NotebookFigure.__qualname__ = "Figure"
+    return NotebookFigure
 
 
 def log_axes(axes: Axes, which: str = "xy") -> None:

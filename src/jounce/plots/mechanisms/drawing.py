@@ -13,7 +13,7 @@ from jounce.core.display import display_unit
 from jounce.core.types import Array
 from jounce.plots.labels import column_width, write_names
 from jounce.plots.mechanisms.scene import Pose, Poses, Scene, poses_of, scene_of
-from jounce.plots.style import INK, MUTED, styled
+from jounce.plots.style import INK, MUTED, figure_type, styled
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -374,9 +374,7 @@ def _place(value: float, _: int | None = None, *, factor: float) -> str:
 
 def new_sheet(title: str, scene: Scene) -> Figure:
     """Give an empty sheet with its title."""
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=_PAPER)
+    figure = figure_type()(figsize=_PAPER)
     words = scene.title[0].upper() + scene.title[1:]
     figure.suptitle(
         f"{title}: {scene.title}" if title else words,

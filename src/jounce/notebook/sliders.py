@@ -1,0 +1,173 @@
+"""A rig with sliders for its numbers: its response is computed and drawn anew whenever one of them is moved."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+from importlib import resources
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from jounce.core.display import DisplayUnit, display_unit
+from jounce.core.errors import DescriptionError, JounceError, unknown
+from jounce.core.optional import require
+from jounce.core.units import to_si
+from jounce.parts.rig import unit_of
+from jounce.plots.comparison import common_axis, common_channels
+from jounce.plots.thinning import thinned
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from jounce.parts import Rig
+
+_SHARE = 0.5  # of a number, to both sides, where no range is given
+_COLUMNS = 400  # of a curve
+_MOST_CURVES = 6
+
+
+def live(
+    rig: Rig,
+    numbers: Sequence[str] | Mapping[str, tuple[float | str, float | str]],
+    run: Callable[[Any], xr.Dataset],
+    *,
+    channels: Sequence[str] | None = None,
+) -> Any:
+    """Give a rig sliders for some of its numbers; its curves follow them, beside those of the rig as it was.
+
+    Parameters
+    ----------
+    rig : Rig
+        Where it starts; it is not changed.
+    numbers : sequence of str, or mapping of str to (least, greatest)
+        Paths of numbers as in ``rig.parameters()``, with the ends of their sliders in SI or with units; without them
+        half of the value to both sides. A number that is 0 needs its ends.
+    run : callable
+        Computes a recording or a sweep of a rig: ``lambda rig: jn.simulate(rig, trial)``.
+    channels : sequence of str, optional
+        What is drawn, six at most; by default what a figure of it shows.
+
+    Returns
+    -------
+    anywidget.AnyWidget
+        A notebook shows it. ``widget.rig()`` is the rig as the sliders stand, ``widget.values`` their values (SI).
+
+    Raises
+    ------
+    DescriptionError
+        For an unknown path, ends that are no range, or a number without ends that is 0.
+    MissingPackageError
+        Without anywidget (extra ``notebook``).
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> rig = jn.load("kart-quarter-car")
+    >>> trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="1 s")
+    >>> widget = live(rig, ["strut.spring.rate"], lambda rig: jn.simulate(rig, trial))  # doctest: +SKIP
+    """
+    sliders = [_slider(rig, path, ends) for path, ends in _ranges(numbers).items()]
+    require("anywidget", "notebook")
+    first = run(rig)
+    axis = common_axis({"": first})
+    names = list(common_channels({"": first}, channels))[:_MOST_CURVES]
+    units = {name: _unit(first, name) for name in (axis, *names)}
+    return _widget_class()(rig, sliders, run, (axis, *names), units, first)
+
+
+def _ranges(
+    numbers: Sequence[str] | Mapping[str, tuple[float | str, float | str]],
+) -> dict[str, tuple[float | str, float | str] | None]:
+    if not numbers or isinstance(numbers, str):
+        example = '["strut.spring.rate"], or {"strut.spring.rate": ("15 N/mm", "40 N/mm")}'
+        raise DescriptionError("no numbers to move", where="numbers", found=numbers, allowed=example)
+    return dict(numbers) if isinstance(numbers, Mapping) else dict.fromkeys(numbers)
+
+
+def _slider(rig: Rig, path: str, ends: tuple[float | str, float | str] | None) -> dict[str, Any]:
+    """One number with its range, in the unit that it is shown in."""
+    known = rig.parameters()
+    if path not in known:
+        raise unknown(path, known, what="number", where="numbers")
+    value, si = known[path], unit_of(rig, path)
+    if ends is None:
+        if value == 0.0:
+            raise DescriptionError("half of nothing is no range", where=path, hint=f'Give its ends: ("0 {si}", ...).')
+        ends = ((1.0 - _SHARE) * value, (1.0 + _SHARE) * value)
+    low, high = sorted(to_si(end, si, where=path) for end in ends)
+    if not low < high:
+        raise DescriptionError("not a range", where=path, found=f"{low:g} to {high:g}", allowed="two different ends")
+    unit = display_unit(si, max(abs(low), abs(high)))
+    return {"path": path, "value": value, "low": low, "high": high, "unit": unit.name, "factor": unit.factor}
+
+
+def _unit(data: xr.Dataset, name: str) -> DisplayUnit:
+    values = data[name].to_numpy().astype(float)
+    return display_unit(str(data[name].attrs.get("units", "1")), float(np.nanmax(np.abs(values), initial=0.0)))
+
+
+def curves_of(data: xr.Dataset, names: Sequence[str], units: Mapping[str, DisplayUnit]) -> list[dict[str, Any]]:
+    """Curves over the first of the names, thinned to what can be seen, in the units given; gaps are None."""
+    axis, *channels = names
+    x = data[axis].to_numpy().astype(float) * units[axis].factor
+    found = []
+    for name in channels:
+        y = data[name].to_numpy().astype(float) * units[name].factor
+        few, seen = thinned(x, y, float(x[0]), float(x[-1]), _COLUMNS)
+        kept = [None if not np.isfinite(value) else float(f"{value:.5g}") for value in seen]
+        found.append({
+            "name": name, "unit": units[name].name, "across": f"{axis.replace('_', ' ')} [{units[axis].name or '–'}]",
+            "x": [float(f"{value:.6g}") for value in few], "y": kept,
+        })  # fmt: skip
+    return found
+
+
+@cache
+def _widget_class() -> Any:
+    """The class of the widget; its package is loaded on first use."""
+    import anywidget
+    import traitlets
+
+    folder = resources.files("jounce.notebook")
+
+    class LiveRig(anywidget.AnyWidget):  # type: ignore[misc]
+        """Sliders and curves; the page sends values, this sends curves."""
+
+        _esm = folder.joinpath("live.js").read_text(encoding="utf-8")
+        _css = folder.joinpath("live.css").read_text(encoding="utf-8")
+        sliders: Any = traitlets.List().tag(sync=True)
+        values: Any = traitlets.Dict().tag(sync=True)
+        before: Any = traitlets.List().tag(sync=True)
+        curves: Any = traitlets.List().tag(sync=True)
+        problem: Any = traitlets.Unicode().tag(sync=True)
+
+        def __init__(
+            self,
+            rig: Rig,
+            sliders: list[dict[str, Any]],
+            run: Callable[[Any], xr.Dataset],
+            names: Sequence[str],
+            units: Mapping[str, DisplayUnit],
+            first: xr.Dataset,
+        ) -> None:
+            self._rig, self._run, self._names, self._units = rig, run, names, units
+            drawn = curves_of(first, names, units)
+            values = {one["path"]: one["value"] for one in sliders}
+            super().__init__(sliders=sliders, values=values, before=drawn, curves=drawn)
+            self.observe(self._redraw, names="values")
+
+        def rig(self) -> Rig:
+            """The rig as the sliders stand."""
+            known = {one["path"] for one in self.sliders}
+            return self._rig.with_changes({path: float(value) for path, value in self.values.items() if path in known})
+
+        def _redraw(self, _change: object) -> None:
+            try:
+                found = curves_of(self._run(self.rig()), self._names, self._units)
+            except JounceError as error:  # the curves of before stay, and the reason is said
+                self.problem = str(error)
+            else:
+                self.curves, self.problem = found, ""
+
+    return LiveRig
