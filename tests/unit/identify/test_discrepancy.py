@@ -1,11 +1,13 @@
 """Intervals that count what the model lacks: richer rigs, exact slopes, what is claimed and when it is withheld."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 import jounce as jn
 from jounce.core.errors import DescriptionError, FitError
-from jounce.identify.discrepancy import _Calibration, _State, noise_variance
+from jounce.identify.discrepancy import _Calibration, _drawn_by, _State, _Stray, noise_variance
 from jounce.identify.estimate import Estimate
 from jounce.identify.fit_problem import free_parameters
 from jounce.identify.laws import Laws, States
@@ -265,6 +267,23 @@ def test_a_doubt_that_leaves_its_prior_is_named():
     assert found.discrepancy.would_reduce in ("values", "lumped")
     assert not any(law.identified for law in found.discrepancy.parameters.values())
     assert any(finding.place == "unsprung.mass" and "doubt.values" in finding.message for finding in found.findings)
+
+
+def test_a_doubt_that_leaves_its_prior_withholds_what_goes_with_it():
+    """A gain of one sensor moves no rate over a mass: what it leaves of the record is in the intervals."""
+    made = [
+        replace(one, measured=one.measured.assign({"sprung.az": 1.08 * one.measured["sprung.az"]}))
+        for one in trials({}, noise=0.02)
+    ]
+    found = jn.update_model(made, FREE, weights="normalised", align="lag", doubt=jn.Doubt(gain=0.002))
+    truth = RIG.parameters()
+    for path, law in found.discrepancy.parameters.items():
+        assert law.identified
+        assert law.interval[0] <= truth[path] <= law.interval[1]
+    (said,) = (finding.message for finding in found.findings if finding.place == "sprung.az gain")
+    assert said.endswith("(doubt.gain); no parameter depends on it")
+    strays = {"height": _Stray(-9.0, np.array([0.2, 0.99])), "strut.angle": _Stray(5.0, np.array([0.3, 1.01]))}
+    assert [_drawn_by(strays, i) for i in (0, 1)] == ["", "strut.angle"]
 
 
 def test_laws_that_are_not_doubted_are_named():
