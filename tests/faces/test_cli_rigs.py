@@ -8,7 +8,10 @@ from pathlib import Path
 
 import pytest
 
+from jounce.campaign import load_truth
+from jounce.inspection.limits import load_limits
 from jounce.parts import Vehicle, library, load
+from jounce.parts.testers import load_tester
 
 TRIAL = ("--road", "bump.toml", "--speed", "1.95 m/s", "--duration", "0.1 s")
 COMMANDS = {
@@ -60,3 +63,21 @@ def test_what_the_library_says_of_a_rig_is_what_the_rig_says(cli):
         rig = load(item["name"])
         assert (item["kind"] == "vehicle") == isinstance(rig, Vehicle)
         assert (item["what"], item["source"], item["estimated"]) == (rig.model, rig.source, list(rig.estimated))
+
+
+def test_what_the_library_says_of_testers_limits_and_truths_is_what_they_say(cli):
+    """They are listed from their tables, which nobody checks then."""
+    listed = cli("library", "--json").json
+    for item in listed["testers"]:
+        tester = load_tester(item["name"])
+        assert item["what"] == f"{tester.kind}, {tester.method}"
+        assert (item["source"], item["estimated"]) == (tester.source, list(tester.estimated))
+    (limits,), shipped = listed["limits"], load_limits()
+    assert limits["what"] == f"limits {shipped.version} of {', '.join(shipped.methods)}"
+    assert limits["source"] == shipped.source
+    for item in listed["truths"]:
+        truth = load_truth(item["name"])
+        assert item["what"] == f"of a virtual bench, {truth.true_rig().model}"
+        assert (item["source"], item["estimated"]) == (truth.source, list(truth.estimated))
+        assert item["name"] in cli("library").out
+    assert len(listed["truths"]) > 1

@@ -70,6 +70,15 @@ def test_a_run_loads_neither_symbols_nor_controllers(loaded):
     assert {name for name in found if name.startswith("jounce.mechanics.")} == {"jounce.mechanics.facts"}
 
 
+def test_a_listing_reads_files_and_loads_none_of_what_they_describe():
+    script = SCRIPT.format(heavy=HEAVY)
+    found = subprocess.run([sys.executable, "-c", script, "library"], capture_output=True, text=True, check=True).stdout
+    for package in ("campaign", "inspection"):
+        assert {name for name in found.split() if name.startswith(f"jounce.{package}.")} == {
+            f"jounce.{package}.shipped"
+        }
+
+
 def test_help_loads_no_numbers():
     script = "import sys\nfrom jounce.cli import main\nmain(['--help'])\nprint('numpy' in sys.modules, file=sys.stderr)"
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)

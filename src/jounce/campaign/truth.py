@@ -10,9 +10,10 @@ import numpy as np
 from pydantic import Field, field_validator, model_validator
 
 from jounce.campaign.description import TrialEntry
+from jounce.campaign.shipped import truth_library
 from jounce.core.description import Description, check_schema, read_toml
 from jounce.core.errors import DescriptionError
-from jounce.core.files import chosen_file, shipped_files
+from jounce.core.files import chosen_file
 from jounce.core.units import (
     NonNegativeLength,
     Number,
@@ -198,11 +199,6 @@ class BenchTruth(Description):
             if not any(path.startswith((f"{new}.", f"{new}[")) for new in of_rig)
         }
         return type(self).from_table({**table, "changes": {**kept, **of_rig}})
-
-
-def truth_library() -> dict[str, Path]:
-    """Truths that come with jounce: name to file."""
-    return shipped_files("jounce.campaign", "library")
 
 
 def load_truth(path: Path | str) -> BenchTruth:

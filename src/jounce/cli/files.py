@@ -316,8 +316,8 @@ def library(
 
     Example: jounce library kart-quarter-car > my-rig.toml
     """
-    from jounce.campaign.truth import truth_library
-    from jounce.inspection.limits import SHIPPED, shipped_limits
+    from jounce.campaign.shipped import truth_library
+    from jounce.inspection.shipped import SHIPPED, shipped_limits
     from jounce.parts import library as rigs
     from jounce.parts.testers import library as testers
     from jounce.roads import road_library as roads
@@ -347,37 +347,41 @@ def library(
     return Reply(road, lambda out: out.print(lines), as_json)
 
 
+# Files that are shipped are read and not loaded: they are known to be right, and checking them all takes longest.
 def _rig(name: str, file: Path) -> dict[str, Any]:
-    from jounce.core.description import read_toml
-
-    table = read_toml(file)[0]  # not loaded: what is shipped is known to be right, and checking it all takes longest
+    table = _shipped_table(file)
     kind = "vehicle" if table["schema"].startswith("jounce.vehicle/") else "rig"
-    about = {"name": name, "kind": kind, "what": table["model"]}
-    return {**about, "source": table.get("source", ""), "estimated": table.get("estimated", []), "file": str(file)}
+    return _described(name, kind, table["model"], table, file)
 
 
 def _tester(name: str, file: Path) -> dict[str, Any]:
-    from jounce.parts.testers import load_tester
-
-    tester = load_tester(file)
-    about = {"name": name, "kind": "tester", "what": f"{tester.kind}, {tester.method}"}
-    return {**about, "source": tester.source, "estimated": list(tester.estimated), "file": str(file)}
+    table = _shipped_table(file)
+    return _described(name, "tester", f"{table['kind']}, {table['method']}", table, file)
 
 
 def _limits(name: str, file: Path) -> dict[str, Any]:
-    from jounce.inspection.limits import load_limits
-
-    limits = load_limits(file)
-    what = f"limits {limits.version} of {', '.join(limits.methods)}"
-    return {"name": name, "kind": "limits", "what": what, "source": limits.source, "file": str(file)}
+    table = _shipped_table(file)
+    what = f"limits {table['version']} of {', '.join(table['methods'])}"
+    return {"name": name, "kind": "limits", "what": what, "source": table["source"], "file": str(file)}
 
 
 def _truth(name: str, file: Path) -> dict[str, Any]:
-    from jounce.campaign import load_truth
+    from jounce.parts.files import rig_path
 
-    truth = load_truth(file)
-    about = {"name": name, "kind": "truth", "what": f"of a virtual bench, {getattr(truth.true_rig(), 'model', '')}"}
-    return {**about, "source": truth.source, "estimated": list(truth.estimated), "file": str(file)}
+    table = _shipped_table(file)
+    model = _shipped_table(rig_path(table["rig"]))["model"]
+    return _described(name, "truth", f"of a virtual bench, {model}", table, file)
+
+
+def _shipped_table(file: Path) -> dict[str, Any]:
+    from jounce.core.description import read_toml
+
+    return read_toml(file)[0]
+
+
+def _described(name: str, kind: str, what: str, table: dict[str, Any], file: Path) -> dict[str, Any]:
+    about = {"name": name, "kind": kind, "what": what}
+    return {**about, "source": table.get("source", ""), "estimated": table.get("estimated", []), "file": str(file)}
 
 
 def _road(name: str, file: Path) -> dict[str, Any]:
@@ -407,7 +411,7 @@ def _printed(about: dict[str, Any], *, as_json: bool) -> Reply:
 
 
 def _draw_list(out: Console, plain: dict[str, Any]) -> None:
-    for title in ("Rigs", "Vehicles", "Roads", "Testers", "Limits"):
+    for title in ("Rigs", "Vehicles", "Roads", "Testers", "Limits", "Truths"):
         rows = [(item["name"], item["what"], item["source"]) for item in plain[title.lower()]]
         out.print(table(title, ("name", "what", "source"), rows, text=(0, 1, 2)))
     out.print("`jounce library NAME` prints one of them; the names are accepted wherever a file is.")

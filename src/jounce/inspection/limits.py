@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-from importlib import resources
 from pathlib import Path
 from typing import Any, Literal, Self
 
@@ -16,9 +15,9 @@ from jounce.core.errors import DescriptionError, nearest
 from jounce.core.units import Number, to_si
 from jounce.inspection.methods import METHODS, QUANTITIES
 from jounce.inspection.quantities import Language, Quantity
+from jounce.inspection.shipped import SHIPPED, shipped_limits
 
 SCHEMA = "jounce.limits/1"
-SHIPPED = "jounce"
 Verdict = Literal["pass", "advise", "fail"]
 Colour = Literal["green", "yellow", "orange", "red"]
 VERDICTS: tuple[Verdict, ...] = ("pass", "advise", "fail")
@@ -284,8 +283,3 @@ def load_limits(name: str | Path | None = None) -> Limits:
     path = shipped_limits() if name is None or (str(name) == SHIPPED and not Path(name).exists()) else Path(name)
     found, _ = read_description(Limits, path, SCHEMA)
     return found if found.name else found.model_copy(update={"name": path.stem})
-
-
-def shipped_limits() -> Path:
-    """Give the file of the limits that come with jounce, to be copied and changed."""
-    return Path(str(resources.files("jounce.inspection") / "limits.toml"))
