@@ -89,7 +89,7 @@ def compare(
             x, y = thinned(*line, low, high, MOST_COLUMNS)
             panels[step * i].plot(x * along_factor, y * unit.factor, label=label, **style)
             if shown_differences and k:
-                x, y = thinned(line[0], line[1] - through(reference, line[0]), low, high, MOST_COLUMNS)
+                x, y = thinned(line[0], apart(line[1], through(reference, line[0])), low, high, MOST_COLUMNS)
                 panels[step * i + 1].plot(x * along_factor, y * unit.factor, **style)
         panels[step * i].set_title(name)
         panels[step * i].set_ylabel(unit.label(f"{words_of(name)}\n").replace("\n ", "\n"))
@@ -153,6 +153,12 @@ def line_of(data: xr.Dataset, name: str, axis: str) -> tuple[Array, Array]:
         order = np.argsort(x, kind="stable")
         x, y = x[order], y[order]
     return x, y
+
+
+def apart(values: Array, reference: Array) -> Array:
+    """Subtract a reference, shapes (n,); NaN where either is not known or infinite."""
+    known = np.isfinite(values) & np.isfinite(reference)
+    return np.subtract(values, reference, where=known, out=np.full(len(values), np.nan))
 
 
 def through(line: tuple[Array, Array], x: Array) -> Array:

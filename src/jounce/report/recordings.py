@@ -12,7 +12,7 @@ from jounce.core.display import DisplayUnit, display_unit
 from jounce.core.errors import JounceError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
-from jounce.plots.comparison import common_axis, common_channels, line_of, named_runs, through
+from jounce.plots.comparison import apart, common_axis, common_channels, line_of, named_runs, through
 from jounce.plots.display import number, settled, words_of
 from jounce.report.chart import Chart
 from jounce.report.live import Curve, Mechanism, Motion, Pane, Scene, Viewer, scene_panels
@@ -224,7 +224,7 @@ def _scene(
     x = np.unique(np.concatenate(lengths))
     panes, differences = [], []
     for name in every:
-        curves, apart, reference = [], [], None
+        curves, gaps, reference = [], [], None
         for label, data in named.items():
             role = roles[label]
             if name not in data or data[name].dims != (axis,):
@@ -236,12 +236,12 @@ def _scene(
             if reference is None:
                 reference = read
             else:
-                apart.append(Curve(f"{label}", role, (read - reference) * units[name].factor))
+                gaps.append(Curve(label, role, apart(read, reference) * units[name].factor))
         words = str(next(data[name].attrs.get("long_name", "") for data in named.values() if name in data))
         panes.append(Pane(name, f"{name}, {words or words_of(name)}", units[name].name, tuple(curves), name in first))
-        if apart:
+        if gaps:
             words = f"{_DIFFERENCE}{name}, difference from {next(iter(named))}"
-            differences.append(Pane(f"{_DIFFERENCE}{name}", words, units[name].name, tuple(apart), shown=False))
+            differences.append(Pane(f"{_DIFFERENCE}{name}", words, units[name].name, tuple(gaps), shown=False))
     made = motion(x) if motion is not None else None
     return Scene("curves", "curves", x * unit.factor, (*panes, *differences), motion=made)
 
@@ -332,8 +332,8 @@ def _furthest(
 ) -> list[str]:
     if reference is None:
         return ["–", "–"]
-    apart = line[1] - through(reference, line[0])
-    if not np.isfinite(apart).any():
+    difference = apart(line[1], through(reference, line[0]))
+    if not np.isfinite(difference).any():
         return ["–", "–"]
-    at = int(np.nanargmax(np.abs(apart)))
-    return [number(apart[at] * unit.factor), number(line[0][at] * along.factor)]
+    at = int(np.nanargmax(np.abs(difference)))
+    return [number(difference[at] * unit.factor), number(line[0][at] * along.factor)]

@@ -1,0 +1,94 @@
+"""Pages of runs, rides and models: what is on them of odd inputs, and how much of it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import jounce as jn
+from jounce.report import REPORTS, modes_page, recordings_page, ride_page, roughness_page
+from jounce.report.live import live_data
+from jounce.report.page import Page, Paragraph, Table
+from jounce.report.render import parted
+from jounce.ride.study import RideStudy, iso_trial
+
+HOSTILE = '<img src=x onerror="document.title=1">$\\alpha$'
+LONG = "漢字" * 150
+
+
+def run(samples: int = 50, channels: int = 0) -> xr.Dataset:
+    time = np.arange(samples) / 1000.0
+    known = np.sin(40.0 * time)
+    gaps, infinite = known.copy(), known.copy()
+    gaps[:5], infinite[7] = np.nan, np.inf
+    named = {HOSTILE: known, LONG: gaps, "a.z": infinite, "b.z": np.full(samples, np.nan)}
+    named |= {f"more_{k}.z": known + k for k in range(channels)}
+    units = {"units": HOSTILE, "long_name": HOSTILE}
+    return xr.Dataset({name: ("time", y, units) for name, y in named.items()}, coords={"time": ("time", time)})
+
+
+def test_names_and_values_of_any_kind_are_shown_as_they_are(tmp_path: Path) -> None:
+    page = recordings_page({HOSTILE: run(), LONG: 2.0 * run()}, [HOSTILE, LONG, "a.z", "b.z"], title=HOSTILE)
+    html = REPORTS.write(page, tmp_path / "a.html").read_text(encoding="utf-8")
+    assert "<img" not in html
+    assert LONG in html.replace("<wbr>", "")
+    assert REPORTS.write(page, tmp_path / "a.pdf").read_bytes().startswith(b"%PDF")
+    table = next(block for block in page.blocks() if isinstance(block, Table))
+    rows = [[cell if isinstance(cell, str) else cell.text for cell in row] for row in table.rows]
+    assert rows[6][3:7] == ["–"] * 4  # nothing is known of b.z
+    assert "∞" not in "".join(rows[4]) + "".join(rows[5])  # an infinite value is no extreme
+
+
+def test_a_page_holds_as_many_channels_as_it_can_and_says_what_is_left_out() -> None:
+    page = recordings_page({"one": run(60_000, 40)}, ["a.z"], title="long")
+    (viewer,) = page.viewers()
+    assert "24 more channels do not fit" in viewer.caption
+    assert len(viewer.scenes[0].panes) == 20
+    assert len(live_data([viewer])["packed"]) < 4_000_000
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("front.strut.deflection", "front.<wbr>strut.<wbr>deflection"),
+        ("r.m.s. of m/s^1.75", "r.m.s. of m/s^1.75"),
+        ("<b>a_b", "&lt;b&gt;a_b"),
+    ],
+)
+def test_names_break_behind_their_dots_only(text: str, found: str) -> None:
+    assert str(parted(text)) == found
+
+
+def texts(page: Page) -> str:
+    return " ".join(block.text for block in page.blocks() if isinstance(block, Paragraph))
+
+
+def test_rides_that_all_failed_are_a_page_that_says_so(tmp_path: Path) -> None:
+    trial = iso_trial(jn.load("audi-a6-quarter-car"), "C", "20 m/s", duration="1 s")
+    page = ride_page(RideStudy(trial, (), {HOSTILE: "the simulation diverged"}), title=HOSTILE)
+    assert "No ride reached its end." in texts(page)
+    assert "was not run: the simulation diverged" in texts(page)
+    assert "<img" not in REPORTS.write(page, tmp_path / "a.html").read_text(encoding="utf-8")
+
+
+def test_a_model_without_modes_is_a_page_that_says_so() -> None:
+    page = modes_page((), {"sprung.z": -0.01, "joint.q": 0.2}, title="still")
+    assert "No oscillating mode" in texts(page)
+    (table,) = (block for block in page.blocks() if isinstance(block, Table))
+    assert table.rows == (("sprung.z", "mm", "−10.00"), ("joint.q", "SI", "0.2000"))
+
+
+def test_a_profile_is_shown_over_metres_with_its_segments() -> None:
+    x = np.arange(0.0, 60.0, 0.1)
+    z = 0.01 * np.sin(x)
+    found = jn.iri(x, z, segment="20 m")
+    (viewer,) = roughness_page(found, x, z, found.findings, title="waves").viewers()
+    (scene,) = viewer.scenes
+    assert (viewer.words, viewer.unit) == ("distance", "m")
+    assert scene.x == pytest.approx(x)
+    height, index = (pane.curves[0].values for pane in scene.panes)
+    assert height == pytest.approx(1e3 * z)
+    assert index[[100, 300, 500]] == pytest.approx([part.iri_m_per_km for part in found.segments])
