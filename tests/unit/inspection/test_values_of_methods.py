@@ -1,0 +1,220 @@
+"""Values of methods from known forces, poles and covariances, and where their findings begin."""
+
+from __future__ import annotations
+
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from jounce.inspection import methods, quarter_car
+from jounce.inspection.methods import WheelTest, find_adhesion, find_rigidity, rigidity_findings
+from jounce.inspection.quarter_car import Corner, ResponseFit, body_damping, road_poles, wheel_damping
+from jounce.inspection.signals import WheelSignals, find_turns
+from jounce.inspection.sweep import Sweep
+from jounce.inspection.turn_forces import Analysis, find_lift_off, stretches_between
+from jounce.parts.testers import load_tester
+
+EGEA, THETA = load_tester("egea-specsus2018"), load_tester("theta-msd3000")
+CAR = Corner(400.0, 40.0, 25e3, 1000.0, 200e3, 100.0)
+
+
+def held(hz: float, turns: float, *, noise: float = 0.0) -> tuple[WheelSignals, Sweep]:
+    """A plate held at one frequency, 3 mm, and a force of 600 N that leads by 0.4 rad."""
+    time = np.arange(round(1000.0 * turns / hz)) / 1000.0
+    angle = 2.0 * np.pi * hz * time
+    draw = np.random.default_rng(1).standard_normal(time.size)
+    force = 4e3 + 600.0 * np.sin(angle + 0.4) + noise * draw
+    one = WheelSignals("left", time, force, 3e-3 * np.sin(angle), None, 4e3, 20.0)
+    found = find_turns(time, one.height, 0.0, 3e-3)
+    count = found.top.size
+    return one, Sweep(found, count - 1, count - 1, slice(0, count), 0.0)
+
+
+def test_rigidity_of_a_hold() -> None:
+    """EGEA: 0.571 times force over motion, and 46 N/mm; its interval is that of the noise over 24 turns."""
+    signals, sweep = held(25.0, 60.0, noise=40.0)
+    found, findings = find_rigidity(signals, sweep, 4e3)
+    assert findings == []
+    assert found.force_amplitude == pytest.approx(600.0, abs=10.0)
+    assert found.rigidity == pytest.approx(0.571 * found.force_amplitude / 3e-3 + 46e3, rel=1e-3)
+    error = 40.0 * math.sqrt(2.0 / (24 * 40))
+    assert found.half_width == pytest.approx(1.96 * 0.571 * error / 3e-3, rel=0.1)
+
+
+@pytest.mark.parametrize(
+    ("hz", "turns", "known"), [(24.1, 30, True), (23.9, 30, False), (25.9, 30, True), (26.1, 30, False)]
+)
+def test_rigidity_needs_a_hold_at_25_hz(hz, turns, known) -> None:
+    signals, sweep = held(hz, turns)
+    found, findings = find_rigidity(signals, sweep, 4e3)
+    assert (found is not None) is known
+    assert [one.code for one in findings] == ([] if known else ["no_rigidity_hold"])
+    for one in findings:
+        assert one.words == {"count": 25, "frequency": pytest.approx(hz, rel=1e-3)}
+    for count, enough in ((6, True), (5, False)):
+        short = Sweep(sweep.turns, sweep.first, sweep.last, slice(0, count), 0.0)
+        assert (find_rigidity(signals, short, 4e3)[0] is not None) is (enough and known)
+
+
+def test_rigidity_without_a_height() -> None:
+    signals, sweep = held(25.0, 30)
+    blind = WheelSignals("left", signals.time, signals.force, None, None, 4e3, 20.0)
+    assert [one.code for one in find_rigidity(blind, sweep, 4e3)[1]] == ["no_rigidity_height"]
+
+
+@pytest.mark.parametrize(
+    ("rigidity", "code"), [(159.9e3, "tyre_soft"), (160e3, ""), (400e3, ""), (400.1e3, "tyre_stiff")]
+)
+def test_tyres_inflated_wrongly(rigidity: float, code: str) -> None:
+    found = rigidity_findings(rigidity, EGEA, "left.tyre")
+    assert [one.code for one in found] == ([code] if code else [])
+    for one in found:
+        assert one.words == pytest.approx(
+            {"rigidity": 1e-3 * rigidity, "limit": 160.0 if code == "tyre_soft" else 400.0}
+        )
+
+
+def pair(ratio: float, hz: float) -> list[complex]:
+    w = 2.0 * math.pi * hz
+    pole = complex(-ratio * w, w * math.sqrt(1.0 - ratio**2))
+    return [pole, pole.conjugate()]
+
+
+def test_which_pole_is_the_wheels_and_which_the_bodys() -> None:
+    both = np.array([*pair(0.2, 12.0), *pair(0.3, 1.2)])
+    assert wheel_damping(both) == pytest.approx((0.2, 12.0))
+    assert body_damping(both) == pytest.approx(0.3)
+    creeping = np.array([*pair(0.25, 11.0), -3.0, -9.0], dtype=complex)  # a body that does not oscillate
+    assert wheel_damping(creeping) == pytest.approx((0.25, 11.0))
+    assert body_damping(creeping) == 1.0
+    stuck = np.array([*pair(0.1, 1.5), -60.0, -250.0], dtype=complex)  # a wheel that does not
+    assert wheel_damping(stuck) == pytest.approx((1.0, 250.0 / (2.0 * math.pi)))
+    assert body_damping(stuck) == pytest.approx(0.1)
+    assert wheel_damping(np.array([-1.0, -4.0, -60.0, -250.0], dtype=complex))[0] == 1.0
+
+
+def fitted(corner: Corner, relative: float) -> ResponseFit:
+    """A fit whose parameters are all known to a share."""
+    here = quarter_car._parameters(corner)
+    return ResponseFit(corner, np.diag((relative * here) ** 2), 1.0, 0.995)
+
+
+def test_spreads_follow_from_the_covariance() -> None:
+    fit = fitted(CAR, 0.01)
+    assert fit.spread(lambda one: one.spring_rate) == pytest.approx(250.0, rel=1e-6)
+    assert fit.spread(lambda one: one.sprung_mass + one.unsprung_mass) == pytest.approx(math.hypot(4.0, 0.4), rel=1e-6)
+    expected = abs(quarter_car.force_response(CAR, [8.0])[0])
+
+    def response(**change: float) -> float:
+        return abs(quarter_car.force_response(Corner(**{**vars(CAR), **change}), [8.0])[0])
+
+    slopes = [
+        (response(**{name: value * 1.001}) - response(**{name: value * 0.999})) / 0.002
+        for name, value in vars(CAR).items()
+    ]
+    assert fit.spread_at(8.0, np.abs) == pytest.approx(0.01 * math.sqrt(sum(s**2 for s in slopes)), rel=1e-3)
+    assert expected > 0.0
+
+
+def test_what_is_expected_pulls_down_the_surprise() -> None:
+    """The pull is minus half of the surprise's slope, the normal matrix half of its curvature."""
+    here, mass, variance = np.array([45.0, 26e3, 900.0, 210e3, 130.0, 380.0]), 440.0, 7.0
+    known, pull = quarter_car._expected(here, mass, variance)
+
+    def surprise(at: np.ndarray) -> float:
+        return quarter_car._surprise(at, mass, variance)
+
+    steps = np.diag([1e-3 * value for value in here])
+    slope = [(surprise(here + step) - surprise(here - step)) / (2.0 * step.max()) for step in steps]
+    np.testing.assert_allclose(-2.0 * pull, slope, rtol=1e-6, atol=1e-9)
+    np.testing.assert_allclose(np.linalg.multi_dot([steps, known, steps]).diagonal() * 2.0,
+                               [surprise(here + s) + surprise(here - s) - 2.0 * surprise(here) for s in steps],
+                               rtol=1e-5, atol=1e-9)  # fmt: skip
+    assert surprise(np.array([40.0, 0.0, 0.0, 0.0, 50.0, 400.0])) == 0.0
+    assert surprise(np.array([40.0, 0.0, 0.0, 0.0, 110.0, 400.0])) == pytest.approx(7.0)
+    assert surprise(np.array([40.0, 0.0, 0.0, 0.0, 50.0, 488.0])) == pytest.approx(7.0)
+
+
+def test_the_way_to_what_no_car_has_is_halved() -> None:
+    before = np.array([40.0, 25e3, 1000.0, 200e3, 100.0, 400.0])
+    tried = np.array([-10.0, -5.0, -2.0, 500.0, -3e3, 50.0])
+    found = quarter_car._within(tried, before, 440.0)
+    np.testing.assert_allclose(found, 0.5 * np.add(before, [0.44, 0.0, 0.0, 1e3, -2e3, 88.0]))
+    high = quarter_car._within(np.array([300.0, 2e7, 2e6, 2e8, 3e4, 2e3]), before, 440.0)
+    np.testing.assert_allclose(high, 0.5 * np.add(before, [264.0, 1e7, 1e6, 1e8, 2e4, 1320.0]))
+    np.testing.assert_array_equal(quarter_car._within(before, before, 440.0), before)
+
+
+def theta_of(corner: Corner, relative: float, tester=None):
+    """What THETA finds in a test without a height, of which only the fit is known."""
+    signals = WheelSignals("left", np.arange(2.0), np.ones(2), None, None, 4e3, 20.0)
+    return methods._theta(WheelTest(signals, SimpleNamespace(turns=None), 4e3, tester, fitted(corner, relative)))
+
+
+def test_findings_of_damping_ratios() -> None:
+    sound = theta_of(CAR, 0.01)
+    ratio = wheel_damping(road_poles(CAR))[0]
+    assert sound.values["theta_road"] == sound.values["theta_rig"] == pytest.approx(ratio)
+    assert sound.values["explained_force"] == 0.995
+    assert sound.findings == []
+    slope = (wheel_damping(road_poles(Corner(400.0, 40.0, 25e3, 1001.0, 200e3, 100.0)))[0] - ratio) * 1000.0
+    only_damper = ResponseFit(CAR, np.diag([0.0, 0.0, 10.0**2, 0.0, 0.0, 0.0]), 1.0, 0.99)
+    assert methods.theta_by_fit(only_damper, None).road_half_width == pytest.approx(1.96 * 0.01 * slope, rel=1e-2)
+    dead = Corner(400.0, 40.0, 25e3, 0.0, 200e3, 0.0)
+    assert [one.code for one in theta_of(dead, 0.01).findings] == ["undamped"]
+    firm = Corner(400.0, 40.0, 25e3, 7000.0, 200e3, 0.0)
+    assert [one.code for one in theta_of(firm, 0.001).findings] == ["overdamped"]
+    on_rig = theta_of(CAR, 0.01, THETA).values["theta_rig"]
+    poles = quarter_car.rig_poles(
+        CAR, THETA.plate_mass, THETA.plate_spring_rate, THETA.plate_damping_coefficient or 0.0
+    )
+    assert on_rig == pytest.approx(wheel_damping(poles)[0])
+
+
+def test_a_vague_damping_of_the_body_is_not_told() -> None:
+    known = theta_of(CAR, 0.05)
+    assert known.half_widths["body_damping_ratio"] < 0.1
+    assert known.values["body_damping_ratio"] == pytest.approx(body_damping(road_poles(CAR)))
+    factor = 0.1 / known.half_widths["body_damping_ratio"]
+    assert "body_damping_ratio" in theta_of(CAR, 0.05 * 0.98 * factor).values
+    assert "body_damping_ratio" not in theta_of(CAR, 0.05 * 1.02 * factor).values
+
+
+def analysis(least, greatest, lifted=None, fit=None) -> Analysis:
+    count = len(least)
+    rows = np.full((count, 7), np.nan)
+    rows[:, 0], rows[:, 2] = least, greatest
+    frequency = np.linspace(24.0, 6.0, count)
+    off = np.zeros(count, dtype=bool) if lifted is None else np.asarray(lifted)
+    return Analysis(
+        4e3, fit, np.arange(float(count)), frequency, frequency, rows, np.full_like(rows, np.nan), off, 3e-3
+    )
+
+
+def test_adhesion_is_the_least_force_of_all_turns() -> None:
+    least = 3e3 + 10.0 * (np.linspace(24.0, 6.0, 40) - 13.0) ** 2
+    found = find_adhesion(analysis(least, np.full(40, 5e3)), 24.0)
+    assert (found.lift_off, found.half_width is None) == (False, False)
+    assert found.adhesion == pytest.approx(0.75, abs=1e-3)
+    assert found.relative_force_amplitude == pytest.approx(0.25, abs=1e-3)
+    assert found.frequency_hz == pytest.approx(13.0, abs=0.3)
+    assert find_adhesion(analysis(least, np.full(40, 5e3)), 12.0).frequency_hz == 12.0
+    few = np.where(np.arange(40) < 3, least, np.nan)
+    assert find_adhesion(analysis(few, np.full(40, 5e3)), 24.0) is None
+    hop = find_adhesion(analysis(least, np.full(40, 9e3), lifted=np.arange(40) == 20), 24.0)
+    assert (hop.adhesion, hop.lift_off, hop.half_width) == (0.0, True, None)
+    assert hop.relative_force_amplitude == pytest.approx(1.25)
+
+
+def test_lift_off_and_the_stretches_between() -> None:
+    force = np.full(5000, 4e3)
+    force[2000:2020] = 0.0
+    force[3000:3004] = 0.0  # 4 ms: the mean over 9 ms stays
+    found = find_lift_off(force, 4e3, 1000.0)
+    assert np.flatnonzero(found).tolist() == list(range(2004, 2016))
+    assert stretches_between(found, 0, 5000, 1000.0) == [(0, 1944), (2075, 5000)]
+    assert stretches_between(found, 1200, 2800, 1000.0) == []
+    assert stretches_between(found, 1144, 2875, 1000.0) == [(1144, 1944), (2075, 2875)]
+    assert stretches_between(np.zeros(5000, dtype=bool), 100, 300, 1000.0) == [(100, 300)]
