@@ -179,3 +179,29 @@ def test_bad_poses_of_an_axle_are_refused(cli, arguments, message: str) -> None:
     outcome = cli("kinematics", "formula-student-front", *arguments)
     assert outcome.exit_code == 2
     assert message in outcome.err
+
+
+def test_poses_of_a_log_are_swept_one_by_one(cli, tmp_path) -> None:
+    log = tmp_path / "log.csv"
+    log.write_text("# a lap\ntime [s], travel [mm], rack [mm]\n0, 0, 0\n0.1, 8, -3\n0.2, 5, -12\n", encoding="utf-8")
+    outcome = cli("kinematics", "formula-student-front", "--poses", str(log), "--json")
+    assert outcome.exit_code == 0, outcome.err
+    wanted = jn.sweep_path(jn.load("formula-student-front"), [0.0, 0.008, 0.005], [0.0, -0.003, -0.012])
+    for name in ("camber", "rack_travel", "wheel_travel"):
+        assert outcome.json[name]["values"] == wanted[name].to_numpy().tolist()
+    log.write_text("roll [deg], heave [mm]\n0, 0\n1, -4\n", encoding="utf-8")
+    axle = cli("kinematics", "formula-student-front", "--poses", str(log), "--json")
+    assert axle.json["roll_angle"]["values"] == pytest.approx([0.0, np.radians(1.0)])
+    for text, message in (
+        ("speed [m/s]\n1\n", "no poses of a wheel"),
+        ("travel [deg]\n1\n", "travel"),
+        ("travel\n1\n", "no unit"),
+        ("travel [mm], roll [deg]\n1, 1\n", "no poses of a wheel"),
+        ("travel [m]\n20\n", "Millimetres meant"),
+    ):
+        log.write_text(text, encoding="utf-8")
+        refused = cli("kinematics", "formula-student-front", "--poses", str(log))
+        assert refused.exit_code == 2
+        assert message in refused.err, text
+    both = cli("kinematics", "formula-student-front", "--poses", str(log), "--travel", "0 mm")
+    assert "poses one by one do not take it" in both.err

@@ -80,6 +80,7 @@ def test_forces_and_rates_are_slopes(sprung, side: str) -> None:
     assert "spring_force" not in found
 
 
+@pytest.mark.slow
 def test_a_car_stands_on_torsion_bar_and_third_spring_as_on_a_coil(plain, sprung) -> None:
     """Where the coil of the plain rig gives the same force at the wheel, both stand at the same height."""
     rest = equilibrium(sprung["left"])

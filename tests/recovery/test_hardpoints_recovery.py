@@ -127,6 +127,7 @@ def test_a_point_on_a_line_and_points_tied_together() -> None:
     assert abs(shift["hardpoints.lower_arm_front[2]"]) > 1e-4
 
 
+@pytest.mark.slow
 def test_rows_of_third_spring_rocker_handwheel_and_roll_caster_are_targets_too() -> None:
     third = {"spring": {"rate": 30e3}, "on": "rocker"}
     rig = jn.load("formula-student-front").with_changes(

@@ -73,6 +73,14 @@ def kinematics(
         str | None,
         typer.Option(help='Angle of the handwheel, to the left positive, in place of --rack: "-90 deg:90 deg:15 deg".'),
     ] = None,
+    poses: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE.csv",
+            help="Poses one by one, as a table or a log has them: columns travel and rack, or for an axle any of "
+            "left_travel, right_travel, heave, roll, pitch, rack, handwheel, each with its unit in the header.",
+        ),
+    ] = None,
     vehicle: Annotated[
         list[str] | None,
         typer.Option(
@@ -106,7 +114,13 @@ def kinematics(
         say("sweeping")
         both = {"left_travel": left_travel, "right_travel": right_travel, "heave": heave, "pitch": pitch}
         both |= {"handwheel": handwheel}
-        if right is not None or any(value is not None for value in both.values()):
+        if poses is not None:
+            beside = {"--travel": travel, "--rack": rack, "--roll": roll}
+            beside |= {f"--{name.replace('_', '-')}": value for name, value in both.items()}
+            _refuse_beside({"--axle": axle, **{option: value is not None for option, value in beside.items()}})
+            other = None if right is None else chosen_rig(right, {})
+            sweep = _sweep_poses(chosen, other, poses, _vehicle(vehicle), points=points)
+        elif right is not None or any(value is not None for value in both.values()):
             _refuse_beside({"--travel": travel is not None, "--axle": axle, "--points": points})
             other = None if right is None else chosen_rig(right, {})
             sweep = _sweep_both(chosen, other, {**both, "roll": roll, "rack": rack}, _vehicle(vehicle))
@@ -178,11 +192,45 @@ def _sweep(
 
 
 def _refuse_beside(given: dict[str, bool]) -> None:
-    """Refuse options that poses of an axle do not take."""
+    """Refuse options that poses one by one do not take."""
     for option, there in given.items():
         if there:
-            hint = "Use --left-travel and --right-travel." if option == "--travel" else "Leave it out."
-            raise DescriptionError("an axle pose by pose does not take it", where=option, hint=hint)
+            hint = "Of an axle use --left-travel and --right-travel." if option == "--travel" else "Leave it out."
+            raise DescriptionError("poses one by one do not take it", where=option, hint=hint)
+
+
+_OF_WHEEL = {"travel": "m", "rack": "m"}
+_OF_AXLE = {
+    "left_travel": "m",
+    "right_travel": "m",
+    "heave": "m",
+    "roll": "rad",
+    "pitch": "rad",
+    "rack": "m",
+    "handwheel": "rad",
+}
+
+
+def _sweep_poses(rig: Rig, right: Rig | None, file: Path, vehicle: AxleLayout | None, *, points: bool) -> xr.Dataset:
+    """Sweep the poses of a file, of a wheel or of an axle."""
+    from jounce.core.columns import read_columns_csv
+    from jounce.kinematics import sweep_axle, sweep_path
+
+    found = read_columns_csv(file)
+    names = set(found.names)
+    of_axle = right is not None or bool(names & (_OF_AXLE.keys() - _OF_WHEEL.keys()))
+    units = _OF_AXLE if of_axle else _OF_WHEEL
+    if not names & units.keys() or (of_axle and "travel" in names):
+        allowed = f"columns {', '.join(_OF_WHEEL)} of a wheel, or {', '.join(_OF_AXLE)} of an axle"
+        raise DescriptionError(
+            "no poses of a wheel or of an axle", where=str(file), found=", ".join(found.names), allowed=allowed
+        )
+    values = {name: found[name].in_si(unit) for name, unit in units.items() if name in names}
+    if of_axle:
+        _refuse_beside({"--points": points})
+        return sweep_axle(rig, right=right, vehicle=vehicle, **values)
+    lifted, steered = (values.get(name, 0.0) for name in _OF_WHEEL)
+    return sweep_path(rig, lifted, steered, vehicle=vehicle, points=points)
 
 
 def _sweep_both(rig: Rig, right: Rig | None, texts: dict[str, str | None], vehicle: AxleLayout | None) -> xr.Dataset:
@@ -248,7 +296,7 @@ def plain_sweep(sweep: xr.Dataset) -> dict[str, Any]:
         variable = sweep[name]
         values = variable.to_numpy()
         if name in sweep.coords and name not in sweep.dims:
-            values = np.full(shape, float(values))
+            values = np.broadcast_to(values, shape)
         found[name] = {"units": str(variable.attrs.get("units", "1")), "values": values.tolist()}
     return found
 
