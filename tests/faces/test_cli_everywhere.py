@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+import jounce as jn
 from jounce.cli import main
 from jounce.cli.entry import _command
 from jounce.cli.everywhere import VIEW, open_pages, word_of
@@ -33,7 +34,7 @@ def test_help_names_values_in_words_and_never_in_types(cli) -> None:
         for one in command.params:
             if one.param_type_name == "option":
                 seen.add(one.metavar)
-                assert one.metavar == "" if one.is_flag else re.fullmatch(r"[A-Za-z0-9:=@.\[\]|]+", one.metavar), (
+                assert one.metavar == "" if one.is_flag else re.fullmatch(r"[^<>]*[A-Z|][^<>]*", one.metavar), (
                     path,
                     one.opts,
                 )
@@ -248,3 +249,28 @@ def test_time_passed_and_time_left() -> None:
     assert line.text() == "testing: 50 % · 18 s, 50 %"
     line.waits = "compiling"
     assert line.text().startswith("compiling · 18 s")
+
+
+def test_sizes_of_files_that_cannot_be_meant_are_questioned(cli, tmp_path: Path, rig_text: str) -> None:
+    (tmp_path / "high.toml").write_text('kind = "half-sine"\nheight = 35\nlength = "60 mm"\n', encoding="utf-8")
+    (tmp_path / "soft.toml").write_text(rig_text.replace('"22.73 N/mm"', "22.73"), encoding="utf-8")
+    (tmp_path / "good.toml").write_text(rig_text, encoding="utf-8")
+    outcome = cli("check", "high.toml", "soft.toml", "good.toml", "--json").json
+    high, soft, good = (item["notes"] for item in outcome["files"])
+    assert high == ['warning: high.toml: height: 35 m: a bare number is in m; is "35 mm" meant?']
+    assert soft == ['warning: soft.toml: strut.spring.rate: 22.73 N/m: a bare number is in N/m; is "22.73 N/mm" meant?']
+    assert good == []
+    asked = cli("modes", "soft.toml").err
+    assert 'is "22.73 N/mm" meant?' in asked
+
+
+def test_speeds_that_cannot_be_meant_are_questioned() -> None:
+    from jounce.roads.trial import trial_findings
+
+    road = jn.HalfSine(height="10 mm", length="60 mm")
+    [found] = trial_findings(jn.Trial(road=road, speed=195.0, duration=1.0))
+    assert (found.place, found.value) == ("trial: speed", 195.0)
+    assert found.message == '195 m/s: a bare number is in m/s; is "195 km/h" meant?'
+    assert trial_findings(jn.Trial(road=road, speed=19.5, duration=1.0)) == []
+    lifted = jn.Trial(road=jn.Sine(amplitude=20.0, wavelength=1.0, length=5.0), speed=1.0, duration=1.0)
+    assert [one.place for one in trial_findings(lifted)] == ["trial: road: amplitude"]

@@ -149,9 +149,11 @@ def _parameters(description: Any) -> dict[str, dict[str, float | str]]:
 
 def _check_road(checked: Checked) -> None:
     from jounce.roads import load_road
+    from jounce.roads.trial import road_findings
 
     checked.kind = "road"
     road = load_road(checked.file)
+    checked.notes += map(str, road_findings(road, str(checked.file)))
     checked.what = f"{getattr(road, 'kind', 'road')}, ends at {road.end():g} m"
 
 

@@ -277,6 +277,19 @@ class Unit:
     above: float | None = None
     at_least: float | None = None
     at_most: float | None = None
+    meant: float | None = None  # larger ones are legal, and asked about
+
+    def question(self, value: float) -> str:
+        """What is to be asked about a size (SI) that nothing of a suspension has; empty where it may be meant.
+
+        >>> Unit("N/m").question(22.73), Unit("m", meant=1.0).question(0.01)
+        ('22.73 N/m: a bare number is in N/m; is "22.73 N/mm" meant?', '')
+        """
+        low, high, usual = _MEANT.get(self.si, (0.0, math.inf, self.si)) if self.si in _ASKED else (0.0, math.inf, "mm")
+        high = high if self.meant is None else self.meant
+        if value == 0.0 or low <= abs(value) <= high:
+            return ""
+        return f'{value:g} {self.si}: a bare number is in {self.si}; is "{value:g} {usual}" meant?'
 
     def _read(self, value: object) -> float:
         try:
@@ -316,7 +329,12 @@ class Unit:
         }
 
 
+_ASKED = ("kg", "m/s", "N/m", "Pa")
+"""Units whose bounds hold for all that descriptions hold, not only for what a command line asks for."""
+
 Length = Annotated[float, Unit("m")]
+Height = Annotated[float, Unit("m", meant=1.0)]
+PositiveHeight = Annotated[float, Unit("m", above=0.0, meant=1.0)]
 PositiveLength = Annotated[float, Unit("m", above=0.0)]
 NonNegativeLength = Annotated[float, Unit("m", at_least=0.0)]
 Mass = Annotated[float, Unit("kg", above=0.0)]

@@ -10,7 +10,7 @@ from jounce.core.findings import Finding, Severity
 from jounce.parts.corners import LARGE, Corner
 from jounce.parts.elements import MapDamper, VelocityTable
 from jounce.parts.leverage import motion_ratio, spring_force, static_spring_force, static_tyre_deflection
-from jounce.parts.rig import Rig
+from jounce.parts.rig import Rig, questions
 from jounce.parts.vehicles import Axle, FullAxle, FullCar, FullCar3D, HalfCar, HalfCar4DOF, WheeledAxle
 
 AnyVehicle = HalfCar | HalfCar4DOF | FullCar | FullCar3D
@@ -70,6 +70,8 @@ def rig_findings(rig: Rig, where: str = "") -> list[Finding]:
         found = list(_size(rig)) or [finding for check in checks for finding in check(rig)]
     else:
         found = [*_estimated(rig), *(_vehicle(rig) if isinstance(rig, AnyVehicle) else ())]
+    told = {item.place for item in found}
+    found += [_warn(path, asked, value) for path, asked, value in questions(rig) if path not in told]
     start = f"{where}: " if where else ""
     return [Finding(start + item.place, item.severity, item.message, item.value) for item in found]
 

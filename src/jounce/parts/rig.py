@@ -139,6 +139,16 @@ def unit_of(kind: BaseModel, path: str) -> str:
     return quantity_at(kind, path).si
 
 
+def questions(description: BaseModel) -> list[tuple[str, str, float]]:
+    """Numbers that nothing of a suspension has: path, what is to be asked, and the value (SI)."""
+    found = []
+    for path, value in parameters_of(description).items():
+        asked = quantity_at(description, path).question(value)
+        if asked:
+            found.append((path, asked, value))
+    return found
+
+
 def _units_in(annotation: Any) -> list[Unit]:
     own = [item for item in getattr(annotation, "__metadata__", ()) if isinstance(item, Unit)]
     return own or [unit for part in getattr(annotation, "__args__", ()) for unit in _units_in(part)]

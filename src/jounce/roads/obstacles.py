@@ -11,7 +11,7 @@ from typing import Literal
 from pydantic import Field
 
 from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE
-from jounce.core.units import Length, NonNegativeLength, PositiveLength
+from jounce.core.units import Height, NonNegativeLength, PositiveHeight, PositiveLength
 from jounce.roads.profile import Piece, Profile, profile, repeated
 from jounce.roads.road import Road, RoadOf
 
@@ -52,7 +52,7 @@ class HalfSine(Road):
     """
 
     kind: Literal["half-sine"] = "half-sine"
-    height: Length
+    height: Height
     length: PositiveLength
 
     def profile(self) -> Profile:
@@ -75,7 +75,7 @@ class Versine(Road):
     """
 
     kind: Literal["versine"] = "versine"
-    height: Length
+    height: Height
     length: PositiveLength
 
     def profile(self) -> Profile:
@@ -99,7 +99,7 @@ class Rectangle(Road):
     """
 
     kind: Literal["rectangle"] = "rectangle"
-    height: Length
+    height: Height
     length: PositiveLength
 
     def profile(self) -> Profile:
@@ -124,7 +124,7 @@ class Trapezoid(Road):
     """
 
     kind: Literal["trapezoid"] = "trapezoid"
-    height: Length
+    height: Height
     length: PositiveLength
     ramp: PositiveLength
     shape: Literal["linear", "cosine"] = "linear"
@@ -162,7 +162,7 @@ class Triangle(Road):
     """
 
     kind: Literal["triangle"] = "triangle"
-    height: Length
+    height: Height
     length: PositiveLength
 
     def profile(self) -> Profile:
@@ -210,7 +210,7 @@ class CircularSegment(Road):
     """
 
     kind: Literal["circular-segment"] = "circular-segment"
-    height: Length
+    height: Height
     length: PositiveLength
 
     def check(self) -> None:
@@ -246,7 +246,7 @@ class Step(Road):
     """
 
     kind: Literal["step"] = "step"
-    height: Length
+    height: Height
 
     def profile(self) -> Profile:
         """One jump, no piece."""
@@ -270,7 +270,7 @@ class Ramp(Road):
     """
 
     kind: Literal["ramp"] = "ramp"
-    height: Length
+    height: Height
     length: PositiveLength
     shape: Literal["linear", "cosine"] = "linear"
 
@@ -298,7 +298,7 @@ class Kerb(Road):
     """
 
     kind: Literal["kerb"] = "kerb"
-    height: Length
+    height: Height
     edge_radius: NonNegativeLength = 0.0
 
     def check(self) -> None:
@@ -328,7 +328,7 @@ class Pothole(Road):
     """
 
     kind: Literal["pothole"] = "pothole"
-    depth: PositiveLength
+    depth: PositiveHeight
     length: PositiveLength
     edge_radius: NonNegativeLength = 0.0
 

@@ -19,6 +19,7 @@ from jounce.core.remembered import remembered
 from jounce.core.segments import Segments, flat
 from jounce.core.units import Acceleration, Number, PositiveSpeed, Unit
 from jounce.parts import HalfCar, Rig, Vehicle
+from jounce.parts.rig import questions
 from jounce.recordings.formats import RecordingFormat
 from jounce.roads.measured import (
     Forces,
@@ -423,6 +424,8 @@ def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float |
     behind = rig.wheelbase if isinstance(rig, Vehicle) else 0.0
     found = [*_loads(trial), *(trial.excitation.findings() if trial.excitation is not None else ())]
     if trial.speed is not None:
+        asked = Unit("m/s").question(trial.speed)
+        found += [Finding("trial: speed", "warning", asked, trial.speed)] if asked else []
         for name, road in (("road", trial.road), ("right", trial.right)):
             if road is not None:
                 found += _road(road, trial.speed, trial.duration, f"trial: {name}", output_step)
@@ -442,7 +445,16 @@ def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float |
     return found
 
 
+def road_findings(road: Road, place: str = "") -> list[Finding]:
+    """Sizes of obstacles and waves that no road has; measured roads are what they are."""
+    if isinstance(road, SampledRoad):
+        return []
+    start = f"{place}: " if place else ""
+    return [Finding(f"{start}{path}", "warning", asked, value) for path, asked, value in questions(road)]
+
+
 def _road(road: Road, speed: float, duration: float, place: str, output_step: float | None) -> Iterator[Finding]:
+    yield from road_findings(road, place)
     driven = speed * duration
     if road.start >= driven:
         text = (

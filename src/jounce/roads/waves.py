@@ -11,7 +11,7 @@ import numpy as np
 from jounce.core.errors import DescriptionError
 from jounce.core.segments import SINE
 from jounce.core.types import Array
-from jounce.core.units import Angle, Length, PositiveLength, positive_si, to_si
+from jounce.core.units import Angle, Height, PositiveLength, positive_si, to_si
 from jounce.roads.profile import Profile, hermite_profile
 from jounce.roads.road import Road
 from jounce.roads.trial import Excitation
@@ -41,7 +41,7 @@ class Sine(Road):
     """
 
     kind: Literal["sine"] = "sine"
-    amplitude: Length
+    amplitude: Height
     wavelength: PositiveLength
     length: PositiveLength
     phase: Angle = 0.0
@@ -84,7 +84,7 @@ class SineSweep(Road):
     """
 
     kind: Literal["sine-sweep"] = "sine-sweep"
-    amplitude: Length
+    amplitude: Height
     first_wavelength: PositiveLength
     last_wavelength: PositiveLength
     length: PositiveLength
