@@ -158,7 +158,9 @@ def line_of(data: xr.Dataset, name: str, axis: str) -> tuple[Array, Array]:
 def apart(values: Array, reference: Array) -> Array:
     """Subtract a reference, shapes (n,); NaN where either is not known or infinite."""
     known = np.isfinite(values) & np.isfinite(reference)
-    return np.subtract(values, reference, where=known, out=np.full(len(values), np.nan))
+    difference = np.full(len(values), np.nan)
+    difference[known] = values[known] - reference[known]
+    return difference
 
 
 def through(line: tuple[Array, Array], x: Array) -> Array:
