@@ -27,11 +27,12 @@ from jounce.report.page import (
     grouped,
     slug,
 )
-from jounce.report.typeset import breakable, compiled
+from jounce.report.typeset import breakable, compiled, missing_letters
 
 if TYPE_CHECKING:
     from jounce.report.page import Fact
 
+_BOXES = "letters for which this computer had no font are boxes; a browser shows them"
 TABLES = ("csv", "xlsx")
 """Formats of a page's tables."""
 
@@ -48,6 +49,8 @@ def page_pdf(page: Page, figures: Mapping[str, Mapping[str, bytes]], template: b
         "foot": f"{page.title} · jounce {jounce.__version__}",
         "sections": [{"title": section.title, "blocks": _blocks(section.blocks, figures)} for section in page.sections],
     }
+    if missing_letters(json.dumps(content, ensure_ascii=False)):
+        content["foot"] = f"{content['foot']} · {_BOXES}"
     files = {name: svg for panels in figures.values() for name, svg in panels.items()}
     data = json.dumps(_kept_files(breakable(content)), ensure_ascii=False).encode("utf-8", "replace")
     made: bytes = compiled({"main.typ": template, "page.json": data, **files}, "pdf")

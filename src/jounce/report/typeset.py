@@ -1,8 +1,9 @@
-"""Documents set by typst: the same bytes for the same content, with the fonts of matplotlib and nothing else."""
+"""Documents set by typst: the same bytes for the same content, with the fonts of matplotlib, as long as they do."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -10,14 +11,45 @@ _LONGEST_WORD, _PIECE = 24, 12
 
 
 def compiled(files: Mapping[str, bytes], form: str, **options: Any) -> Any:
-    """Let typst set a document: PDF as bytes, pictures as a list of pages."""
-    import matplotlib as mpl
+    """Let typst set a document: PDF as bytes, pictures as a list of pages.
+
+    Fonts of the computer are used for nothing but letters that those of matplotlib do not have, such as Chinese ones.
+    """
     import typst
 
-    fonts = Path(mpl.get_data_path()) / "fonts" / "ttf"
+    texts = (content.decode(errors="replace") for name, content in files.items() if name.endswith((".json", ".svg")))
+    is_covered = not any(missing_letters(text) for text in texts)
     compile_files: Any = typst.compile  # its types do not know files by name
-    made = compile_files(dict(files), format=form, font_paths=[str(fonts)], ignore_system_fonts=True, **options)
+    fonts = {"font_paths": [str(_fonts())], "ignore_system_fonts": is_covered}
+    made = compile_files(dict(files), format=form, **fonts, **options)
     return [made] if form == "png" and isinstance(made, bytes) else made
+
+
+def missing_letters(text: str) -> str:
+    """Letters of a text that the fonts of matplotlib do not have, each once.
+
+    Examples
+    --------
+    >>> missing_letters("Größe ω² ≤ 漢字漢")
+    '字漢'
+    """
+    return "".join(sorted(letter for letter in set(text) - _letters() if letter.isprintable() and ord(letter) > _ASCII))
+
+
+_ASCII = 0x7F
+
+
+@cache
+def _letters() -> frozenset[str]:
+    from matplotlib.ft2font import FT2Font
+
+    return frozenset(map(chr, FT2Font(str(_fonts() / "DejaVuSans.ttf")).get_charmap()))
+
+
+def _fonts() -> Path:
+    import matplotlib as mpl
+
+    return Path(mpl.get_data_path()) / "fonts" / "ttf"
 
 
 def breakable(value: Any) -> Any:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import csv
 import io
+import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -13,6 +15,7 @@ from jounce.core.errors import JounceError
 from jounce.core.findings import Finding
 from jounce.plots import new_figure
 from jounce.report import (
+    REPORTS,
     Bullets,
     Cell,
     Details,
@@ -125,3 +128,23 @@ def test_on_paper_figures_stand_alone_where_a_page_has_them_below_what_moves() -
         ("Paragraph", "drawn"),
         ("Group", "More"),
     ]
+
+
+@pytest.mark.parametrize(("title", "is_covered"), [("Größe ω² ≤ 3 N·s/m", True), ("漢字", False)])
+def test_fonts_of_the_computer_serve_letters_that_no_other_has(
+    title: str, is_covered: bool, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    import typst
+
+    asked: list[dict[str, Any]] = []
+    files: list[dict[str, bytes]] = []
+
+    def compile_(content: dict[str, bytes], **options: Any) -> bytes:
+        files.append(content)
+        asked.append(options)
+        return b"%PDF"
+
+    monkeypatch.setattr(typst, "compile", compile_)
+    REPORTS.write(Page(title, (Section("s", (Paragraph("p"),)),)), tmp_path / "a.pdf")
+    assert asked[0]["ignore_system_fonts"] is is_covered
+    assert ("a browser shows them" in json.loads(files[0]["page.json"])["foot"]) is not is_covered
