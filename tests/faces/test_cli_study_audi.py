@@ -40,8 +40,14 @@ def test_text_of_a_case(cli, tmp_path: Path):
 
 
 def test_a_case_into_a_folder(cli, tmp_path: Path):
-    assert cli("study", "audi-a6-case-b", "--out", "b").exit_code == 0
     folder = tmp_path / "b"
+    folder.mkdir()
+    (folder / "report.html").write_text("mine")
+    refused = cli("study", "audi-a6-case-b", "--out", "b")
+    assert refused.exit_code == 2
+    assert "--force" in refused.err
+    assert (folder / "report.html").read_text() == "mine"
+    assert cli("study", "audi-a6-case-b", "--out", "b", "--force").exit_code == 0
     names = {str(file.relative_to(folder)) for file in folder.rglob("*") if file.is_file()}
     figures = ("figure-14-bounce", "figure-15-pitch", "figure-16-signals-100Nm", "figure-16-signals-2699Nm", "start-up")
     assert {f"figures/{name}{suffix}" for name in figures for suffix in (".svg", ".png")} <= names
@@ -56,10 +62,6 @@ def test_a_case_into_a_folder(cli, tmp_path: Path):
     page = (folder / "report.html").read_text(encoding="utf-8")
     for words in ("38 N/m", "4201.7", "33.728 N/mm", "130 mm", "+3.570 1/s", "43.9 mm"):
         assert words in page, words
-    again = cli("study", "audi-a6-case-b", "--out", "b")
-    assert again.exit_code == 2
-    assert "--force" in again.err
-    assert cli("study", "audi-a6-case-b", "--out", "b", "--force").exit_code == 0
 
 
 def test_exciter(cli, tmp_path: Path):

@@ -179,11 +179,8 @@ RIGS = {
 }
 
 
-ALIKE = (
-    "one side of an arm",
-    "tie rod",
-    "five links",
-)  # fewer and more rods on bushings as the others have them, seconds to compile
+# rods on bushings as the others have them, seconds to compile
+ALIKE = ("one side of an arm", "tie rod", "five links")
 
 
 @pytest.mark.parametrize("name", [pytest.param(n, marks=[pytest.mark.slow] if n in ALIKE else []) for n in RIGS])
