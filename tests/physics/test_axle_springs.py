@@ -139,6 +139,11 @@ def test_a_t_bar_stays_closed_and_its_forces_are_slopes_of_the_energy(stem) -> N
         one, other = found.arm_ends
         assert np.linalg.norm(one - other, axis=1) == pytest.approx(0.32, abs=1e-13)  # a rigid bar
     assert abs(twist[2]) > 0.01
+    alike = jn.sweep_travel(stem, 0.011, points=True)  # in heave the axle is two of the corner's bars
+    both = np.full(1, 0.011)
+    found, _ = at(both, both)
+    for name, place in (("arb_arm_end", found.arm_ends[0]), ("arb_axis", found.stem_end)):
+        assert place[0] == pytest.approx([float(alike[f"{name}.{axis}"][0]) for axis in "xyz"], abs=1e-12), name
 
 
 def test_a_t_bar_twists_in_roll_only(stem) -> None:

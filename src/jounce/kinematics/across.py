@@ -48,8 +48,9 @@ class Connection:
     turns: list[Array] = field(default_factory=list)
     """Torque that each end of a U- or Z-bar asks for, N m about its axis to the left."""
     links: list[Array] = field(default_factory=list)
-    """Tension of each link of a T-bar, N; its ends on the bar are ``arm_ends`` (m)."""
+    """Tension of each link of a T-bar, N; its ends on the bar are ``arm_ends``, that of its stem ``stem_end`` (m)."""
     arm_ends: list[Array] = field(default_factory=list)
+    stem_end: Array | None = None
     third: tuple[Array, Array] | None = None
     """Force of the third spring (N) and the direction in which it pushes the left wheel's side, (n, 3)."""
     rows: dict[str, tuple[Array, str, str, str]] = field(default_factory=dict)
@@ -121,7 +122,8 @@ def _t_bar(found: Connection, stiffness: Array, left: Wheel, right: Wheel) -> No
     """T-bar: hinged over by both ends alike, its stem twisted by what they differ."""
     pivot = left.point("arb_pivot")
     stem = left.point("arb_axis") - pivot
-    stem = stem / np.linalg.norm(stem)
+    size = np.linalg.norm(stem)
+    stem = stem / size
     arms = [wheel.point("arb_arm_end") - pivot for wheel in (left, right)]
     lengths = [
         float(np.linalg.norm(wheel.point("arb_link_end") - pivot - arm))
@@ -161,6 +163,7 @@ def _t_bar(found: Connection, stiffness: Array, left: Wheel, right: Wheel) -> No
         found.forces[i] = found.forces[i] + pulls[:, i] * _dot(way, rate)
         found.links.append(np.asarray(pulls[:, i], dtype=np.float64))
         found.arm_ends.append(pivot + tips[i])
+    found.stem_end = np.asarray(pivot + size * _turned(stem[None, :], _ACROSS, hinge))
     found.add("anti_roll_bar_hinge_angle", hinge, "rad", "turn of the T-bar about its hinge", "positive: about +y")
     _add_bar(found, twist, torque)
 

@@ -186,7 +186,7 @@ def wheel_loads(car: LoadedAxle, case: LoadCase, rig: Corner) -> tuple[ContactLo
 
 @dataclass(frozen=True)
 class FromAcross:
-    """What comes to a wheel from the other one: tension of the bar's link (N) and its end on the bar (m), third spring.
+    """What comes to a wheel from the other one: tension of the bar's link (N), ends on a T-bar (m), third spring.
 
     ``turn`` is the torque (N m about the bar's axis to the left) of a U- or Z-bar's end; ``tension`` that of a T-bar's
     link; ``third`` the force of the third spring and its vector on the suspension (N).
@@ -195,6 +195,7 @@ class FromAcross:
     turn: float | None = None
     tension: float | None = None
     arm_end: Array | None = None
+    stem_end: Array | None = None
     third: tuple[float, Array] | None = None
 
 
@@ -209,6 +210,7 @@ def from_across(left: Corner, travels: tuple[float, float]) -> list[FromAcross]:
             turn=float(connection.turns[i][0]) if connection.turns else None,
             tension=float(connection.links[i][0]) if connection.links else None,
             arm_end=connection.arm_ends[i][0] if connection.arm_ends else None,
+            stem_end=None if connection.stem_end is None else connection.stem_end[0],
             third=None if third is None else (third[0], sign * third[0] * third[1]),
         )
         for i, sign in enumerate((1.0, -1.0))

@@ -420,7 +420,11 @@ class CornerView:
         along = ca.dot(axis, arm) * axis
         turned = along + (arm - along) * ca.cos(angle) + ca.cross(axis, arm) * ca.sin(angle)
         link_end = self._bar_carrier.frame.point(hardpoint("arb_link_end")).value
-        return {"arb_arm_end": pivot + turned, "arb_link_end": link_end}
+        moved = {"arb_arm_end": pivot + turned, "arb_link_end": link_end}
+        if self._is_t_bar:
+            stem = hardpoint("arb_axis") - pivot
+            moved["arb_axis"] = pivot + self._stem * ca.sqrt(ca.dot(stem, stem))
+        return moved
 
     @property
     def _bar_axis(self) -> ca.SX:

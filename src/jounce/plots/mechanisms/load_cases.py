@@ -120,9 +120,9 @@ def _with_bar(left: Corner, wheels: list[_Drawn]) -> list[_Drawn]:
     travels = [float(one["wheel_travel"]) for _, _, one in wheels]
     ends = from_across(left, (travels[0], travels[1]))
     return [
-        (scene, replace(pose, points={**pose.points, "arb_arm_end": end.arm_end}), one)
+        (scene, replace(pose, points={**pose.points, "arb_arm_end": end.arm_end, "arb_axis": end.stem_end}), one)
         for (scene, pose, one), end in zip(wheels, ends, strict=True)
-        if end.arm_end is not None
+        if end.arm_end is not None and end.stem_end is not None
     ]
 
 

@@ -156,12 +156,15 @@ def scene_of(rig: Corner) -> Scene:
     linkage = suspension(rig, Mechanism())
     lines = {name: points for name, points in linkage.lines.items() if name != "strut"}
     names = rig.hardpoints.given()
+    stem = rig.anti_roll_bar is not None and rig.anti_roll_bar.kind == "t"
     if "arb_pivot" in names:
-        lines.setdefault("anti_roll_bar", BAR)
+        lines.setdefault("anti_roll_bar", (BAR[0], "arb_axis", *BAR[1:]) if stem else BAR)
     parts = tuple(Part(name, points, COLOURS.get(name, PALETTE[4])) for name, points in lines.items())
     holders = {linkage.chassis.name, linkage.rack.name}
     owners = {name: owner.name for name, owner in linkage.owners.items()}
-    on_body = {name for name, owner in owners.items() if owner in holders} | ({"arb_pivot", "arb_axis"} & set(names))
+    on_body = {name for name, owner in owners.items() if owner in holders} | (
+        {"arb_pivot", "" if stem else "arb_axis"} & set(names)
+    )
     model = str(getattr(rig, "model"))  # noqa: B009 - every subclass has it
     return Scene(
         f"{_WORDS.get(model, model)}, {rig.side} side",
@@ -371,7 +374,7 @@ def _tracks(rig: Corner, scene: Scene, data: xr.Dataset, dimension: str, *, in_t
             found[name] = np.stack([np.broadcast_to(data[one].to_numpy(), count) for one in names], axis=1)
         elif name in scene.on_body and (not in_time or rig.guide == "fixed"):
             found[name] = np.broadcast_to(np.array(design), (count, 3))
-        elif name not in BAR:
+        elif name not in (*BAR, "arb_axis"):  # a run does not know where its bar is
             missing.append(name)
     if missing:
         raise RecordingError(
