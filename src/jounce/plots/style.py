@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Callable, Sequence
-from contextlib import AbstractContextManager
+import logging
+import re
+import warnings
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager
 from functools import cache, wraps
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec
@@ -17,6 +20,7 @@ if TYPE_CHECKING:
 
 
 P = ParamSpec("P")
+_LOG = logging.getLogger("jounce")
 
 INK, MUTED, GRID = "#22262b", "#666d75", "#e3e6ea"
 MEASURED, BEFORE, AFTER = "#30353b", "#d98a1f", "#0067a8"
@@ -270,7 +274,7 @@ def rendered(figure: Figure, suffixes: Sequence[str] = (".svg", ".png"), salt: s
     import matplotlib as mpl
 
     found = {}
-    with style():
+    with style(), _glyphs_told():
         mpl.rcParams["svg.hashsalt"] = salt
         _shorten(figure)
         # where a layout is solved from is seen in it, so that the next time shall start from there, too
@@ -292,6 +296,26 @@ def rendered(figure: Figure, suffixes: Sequence[str] = (".svg", ".png"), salt: s
                 axes.set_position(place)
                 axes.set_in_layout(is_in_layout)
     return found
+
+
+_GLYPH = re.compile(r"Glyph (\d+) .*missing from")
+
+
+@contextmanager
+def _glyphs_told() -> Iterator[None]:
+    """Say once of all letters, not of each with every drawing, that the font of pictures does not have them."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        yield
+    missing = {}
+    for one in caught:
+        found = _GLYPH.match(str(one.message))
+        if found:
+            missing[chr(int(found[1]))] = None
+        else:
+            warnings.warn_explicit(one.message, one.category, one.filename, one.lineno)
+    if missing:
+        _LOG.warning("letters that the font of pictures does not have are boxes: %s", "".join(sorted(missing)))
 
 
 def lay_out(figure: Figure) -> None:

@@ -120,3 +120,12 @@ def test_logarithmic_ticks_are_written_without_markup(low: float, high: float, e
         ticks = [*axes.get_xticklabels(), *axes.get_xticklabels(minor=True)]
     shown = [tick.get_text() for tick in ticks if tick.get_text() and low <= tick.get_position()[0] <= high]
     assert shown == expected
+
+
+def test_letters_without_a_glyph_are_told_once(caplog: pytest.LogCaptureFixture) -> None:
+    figure = new_figure(2.0)
+    figure.subplots().set(title="漢字 über ω", xlabel="字")
+    rendered(figure, [".png", ".pdf"])
+    assert [record.getMessage() for record in caplog.records] == [
+        "letters that the font of pictures does not have are boxes: 字漢"
+    ]
