@@ -139,8 +139,11 @@ def test_refuses_excitation_files(tmp_path, content, says) -> None:
 
 
 def test_refuses_a_missing_excitation(tmp_path) -> None:
-    with pytest.raises(RecordingError, match="no such file"):
-        Trial(excitation=tmp_path / "base.csv")
+    for make in (lambda: Trial(excitation=tmp_path / "base.csv"), lambda: Excitation(file=tmp_path / "base.csv")):
+        with pytest.raises(RecordingError, match="no such file"):
+            make()
+    with pytest.raises(DescriptionError, match="sample_time: says how a file is read, and none is given; give file"):
+        Excitation(time=T, height=Z, sample_time="1 ms")
 
 
 def test_a_trial_is_equal_to_what_its_plain_form_gives_back() -> None:
