@@ -137,6 +137,8 @@ def test_every_number_of_a_table_follows_its_unit() -> None:
         assert "mass lb 1 3" in found
         assert "share 1 0.5 3" in found
         assert "force N 4.4 ± 0.1 3" in found  # what stands in words keeps its unit
+        reasons = text(("", "unit", "3-D", "reason"), ("rate", "N/m", 1000.0, "3-D: 2 links"))
+        assert "rate lbf/in 5.7101 3-D: 2 links" in reasons
     assert "spring N/mm" in text(("spring N/mm",), (1.0,))
 
 

@@ -27,6 +27,7 @@ from jounce.cli.options import (
     write_picture,
 )
 from jounce.cli.reply import DONE, FAILED, Reply, drawing, progress, show_findings, show_written, table
+from jounce.core.display import shown_as
 from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
@@ -400,7 +401,8 @@ def draw_optimisation(console: Console, plain: dict[str, Any], found: Optimisati
     """Print numbers, objective and limits of the best design."""
     rows: list[tuple[object, ...]] = []
     for item in found.numbers:
-        flat = None if item.flat is None else f"{item.flat[0]:.5g} … {item.flat[1]:.5g}"
+        other = shown_as(item.unit)
+        flat = item.flat and " … ".join(f"{end * other.factor:.5g}" for end in item.flat)
         rows.append((item.path, item.unit, item.start, item.value, item.lower, item.upper, flat))
     header = ("parameter", "unit", "start", "best", "lower bound", "upper bound", "objective within 1 %")
     console.print(table(f"Best parameters of {plain['rig']}: {found.driven}", header, rows, text=(0, 1, 6)))

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from jounce.cli.options import LENGTH, AsJson, Force, files, optional_positive
-from jounce.cli.reply import DONE, REFUSED, Reply, show_findings, table, tell
+from jounce.cli.reply import DONE, REFUSED, Reply, progress, show_findings, table, tell
 from jounce.core.errors import DescriptionError, JounceError, RecordingError, unknown
 
 if TYPE_CHECKING:
@@ -37,7 +37,11 @@ def check(
 
     Example: jounce check campaign.toml rig.toml roads/*.toml
     """
-    checked = [check_file(file) for file in files(given, "FILE")]
+    checked, every = [], files(given, "FILE")
+    with progress() as say:
+        for k, file in enumerate(every, 1):
+            say(f"checking {k} of {len(every)}: {file}")
+            checked.append(check_file(file))
     plain = {
         "ok": not any(item.problems for item in checked),
         "files": [

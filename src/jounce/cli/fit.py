@@ -25,7 +25,7 @@ from jounce.cli.options import (
     quantity,
     reading,
 )
-from jounce.cli.reply import Reply, estimates, show_findings, table
+from jounce.cli.reply import Reply, estimates, progress, show_findings, table
 from jounce.core.errors import RecordingError, nearest
 
 if TYPE_CHECKING:
@@ -149,24 +149,27 @@ def decay(
     window = optional_quantity(begin, "s", "--from"), optional_quantity(end, "s", "--to")
     results: list[DecayResult] = []
     notes: list[Finding] = []
-    for file in files(measured, "FILE"):
-        data, found = read_recording(file, **told)
-        notes += found
-        data = compression_positive(data, stroke_positive, None)  # type: ignore[arg-type]
-        record, kind = _decay_record(data, channel, str(file))
-        results.append(
-            fit_decay(
-                data["time"].to_numpy(),
-                record,
-                mass=moving,
-                stiffness=known,
-                quantity=kind,  # type: ignore[arg-type]
-                begin=window[0],
-                end=window[1],
-                quadratic_drag=drag,  # type: ignore[arg-type]
-                name=file.name,
+    every = files(measured, "FILE")
+    with progress() as say:
+        for k, file in enumerate(every, 1):
+            say(f"fitting {k} of {len(every)}: {file.name}")
+            data, found = read_recording(file, **told)
+            notes += found
+            data = compression_positive(data, stroke_positive, None)  # type: ignore[arg-type]
+            record, kind = _decay_record(data, channel, str(file))
+            results.append(
+                fit_decay(
+                    data["time"].to_numpy(),
+                    record,
+                    mass=moving,
+                    stiffness=known,
+                    quantity=kind,  # type: ignore[arg-type]
+                    begin=window[0],
+                    end=window[1],
+                    quadratic_drag=drag,  # type: ignore[arg-type]
+                    name=file.name,
+                )
             )
-        )
     result = results[0] if len(results) == 1 else combine_decays(results)
     findings = (*notes, *result.findings)
     return Reply(
@@ -301,14 +304,16 @@ def damper(
         "stroke_positive": stroke_positive,
         "force_positive": force_positive,
     }
-    result = fit_damper(
-        signals["displacement"],
-        signals.get("velocity"),
-        signals["force"],
-        data["time"].to_numpy(),
-        name=record.name,
-        **choice,
-    )
+    with progress() as say:
+        say("fitting")
+        result = fit_damper(
+            signals["displacement"],
+            signals.get("velocity"),
+            signals["force"],
+            data["time"].to_numpy(),
+            name=record.name,
+            **choice,
+        )
     findings = (*notes, *result.findings)
     plain = {"file": str(record), **to_plain(result), "findings": to_plain(findings)}
     return Reply(plain, lambda out: _draw_damper(out, result, findings), as_json)

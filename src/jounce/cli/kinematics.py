@@ -369,7 +369,9 @@ def adjust(
         given |= lengths.settings()
     if out is not None and not given:
         raise DescriptionError("nothing to adjust", where="--out", allowed="--set, --camber or --toe beside it")
-    report = adjust_report(chosen, given, effects=not given)
+    with progress() as say:
+        say("sweeping")
+        report = adjust_report(chosen, given, effects=not given)
     if out is not None:
         write_atomically(out, updated_text(rig_path(rig).read_text(encoding="utf-8"), report.rig), force=force)
     sources = {name: {"text": item.text, "source": item.source} for name, item in SETTINGS.items()}

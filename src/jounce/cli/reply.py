@@ -284,6 +284,7 @@ def _built(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]],
 _AT_END = re.compile(
     r"(?P<words>.*\s|)(?:\[(?P<inside>[^\[\]]+)\]|(?P<bare>mm|m|m/s|N|N/m|N/mm|N\*s/m|kg|W|deg/mm|m/km))"
 )
+_NUMBER_IN_WORDS = re.compile(r"[−-]?\d[\d.e+−-]*(?:\s|±|…|$)")
 _OWN = re.compile(r".*(?:%|\b(?:s|Hz|factor|gain|R2|by chance|active|full size / prototype))")
 """Names of columns that have a unit of their own beside a column ``unit``."""
 
@@ -299,7 +300,7 @@ def _in_chosen_units(
         at = names.index("unit")
         free = [i for i, name in enumerate(names) if i != at and not _OWN.fullmatch(name)]
         for row in cells:
-            if any(isinstance(row[i], str) and str(row[i])[:1].isdecimal() for i in free[1:]):
+            if any(isinstance(row[i], str) and _NUMBER_IN_WORDS.match(str(row[i])) for i in free[1:]):
                 continue  # a number with words around it
             sizes = [i for i in free if isinstance(row[i], float)]
             largest = max((abs(cast("float", row[i])) for i in sizes), default=0.0)

@@ -300,7 +300,9 @@ def iri(
     from jounce.roughness.iri import read_profile
 
     x, z, notes = read_profile(profile, columns=columns(columns_), lateral_offset=lateral)
-    found = roughness_of(x, z, segment=length, place=profile)
+    with progress() as say:
+        say("driving the quarter car of the index")
+        found = roughness_of(x, z, segment=length, place=profile)
     findings = [*notes, *found.findings]
     plain = {"profile": profile, "offset": lateral, **to_plain(found), "findings": to_plain(findings)}
     title = f"Roughness of {Path(profile).stem}"

@@ -149,7 +149,7 @@ def _draw_models(console: Console, plain: dict[str, Any]) -> None:
         (1e3 * travel, ratio, plain["lumped_motion_ratio"], rate, plain["lumped_wheel_rate"])
         for travel, ratio, rate in list(curve)[::3]
     ]
-    columns = ("travel mm", "motion ratio 3-D", "lumped", "wheel rate 3-D N/m", "lumped")
+    columns = ("travel mm", "motion ratio 3-D", "lumped", "wheel rate 3-D N/m", "lumped N/m")
     console.print(table("Over travel", columns, points, text=()))
     peaks = [
         (peak["trial"], peak["channel"], peak["unit"], peak["spatial"], peak["lumped"], 100.0 * peak["relative"])
@@ -295,7 +295,7 @@ def _draw_exciter(console: Console, plain: dict[str, Any]) -> None:
         )
         for run in plain["runs"]
     ]
-    header = ("model", "spring mm", "all springs mm", "length mm", "shortest", "longest", "modes, damping ratio")
+    header = ("model", "spring mm", "all springs mm", "length mm", "shortest mm", "longest mm", "modes, damping ratio")
     caption = (
         f"Static compression, and length of the spring (341 mm), static and at 5 Hz, {1e3 * plain['amplitude']:g} mm"
     )
