@@ -7,6 +7,7 @@ import pytest
 
 import jounce as jn
 from jounce.kinematics.axle import Axle
+from jounce.parts.advice import rig_findings
 from jounce.parts.files import rig_text
 from jounce.simulation import equilibrium
 
@@ -103,6 +104,7 @@ def test_files_keep_torsion_bars_and_third_springs(sprung, tmp_path) -> None:
     assert again.parameters() == pytest.approx(sprung["left"].parameters())
     assert "strut.spring.rate" not in again.parameters()
     assert again.mirrored() == sprung["right"]
+    assert not any("strut.spring" in item.place for item in rig_findings(again))  # nothing stands in for it there
 
 
 def test_what_counts_the_strut_alone_refuses_them(sprung) -> None:

@@ -70,8 +70,8 @@ def rig_findings(rig: Rig, where: str = "") -> list[Finding]:
         found = list(_size(rig)) or [finding for check in checks for finding in check(rig)]
     else:
         found = [*_estimated(rig), *(_vehicle(rig) if isinstance(rig, AnyVehicle) else ())]
-    told = {item.place for item in found}
-    found += [_warn(path, asked, value) for path, asked, value in questions(rig) if path not in told]
+    asked_of = rig.parameters().keys() - {item.place for item in found}  # not of what stands in for what is left out
+    found += [_warn(path, asked, value) for path, asked, value in questions(rig) if path in asked_of]
     start = f"{where}: " if where else ""
     return [Finding(start + item.place, item.severity, item.message, item.value) for item in found]
 
