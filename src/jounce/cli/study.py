@@ -337,6 +337,7 @@ def equivalence(
     set_: Changes = None,
     limits: Annotated[Path | None, typer.Option(help="A limits file in place of the shipped limits.")] = None,
     figure: FigureFile = None,
+    report: ReportFile = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -344,7 +345,7 @@ def equivalence(
 
     Example: jounce study inspection-equivalence audi-a6-quarter-car --figure tests.png
     """
-    check_outputs(figure=figure, force=force)
+    check_outputs(figure=figure, report=report, force=force)
     wanted = changes(set_)
     with progress() as say:
         say("loading")
@@ -358,9 +359,17 @@ def equivalence(
             workers=os.cpu_count() or 1,
             progress=lambda share: say(f"testing: {100.0 * share:.0f} %"),
         )
-        drawn, missing = write_picture(study, figure, f"{Path(rig).stem}, simulated tests", force=force)
-    plain = {"rig": rig, "changes": wanted, **study.to_dict(), "figure": drawn}
-    return Reply(plain, lambda console: _draw_equivalence(console, plain, study), as_json, missing=missing)
+        title = f"{Path(rig).stem}, simulated tests"
+        drawn, missing = write_picture(study, figure, title, force=force)
+        document, undrawn = write_report(lambda: _tests_page(study, title), report, force=force)
+    plain = {"rig": rig, "changes": wanted, **study.to_dict(), "figure": drawn, "report": document}
+    return Reply(plain, lambda console: _draw_equivalence(console, plain, study), as_json, missing=[*missing, *undrawn])
+
+
+def _tests_page(study: Equivalence, title: str) -> Page:
+    from jounce.report import equivalence_page
+
+    return equivalence_page(study, title=title)
 
 
 def _draw_equivalence(console: Console, plain: dict[str, Any], study: Equivalence) -> None:

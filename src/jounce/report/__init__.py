@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from jounce.plots.style import write_figure
 from jounce.report.campaign import campaign_page, write_campaign
+from jounce.report.equivalence import equivalence_page
 from jounce.report.kinematic_design import kinematic_design_page
 from jounce.report.models import model_comparison_page, modes_page, roughness_page
 from jounce.report.page import (
@@ -45,6 +46,7 @@ __all__ = [
     "Subsection",
     "Table",
     "campaign_page",
+    "equivalence_page",
     "kinematic_design_page",
     "model_comparison_page",
     "modes_page",

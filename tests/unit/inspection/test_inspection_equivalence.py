@@ -117,3 +117,19 @@ def test_real_processes_give_the_same(study: Equivalence, monkeypatch):
     monkeypatch.setattr(equivalence, "_TESTS_OF_A_PROCESS", 1)
     found = compare_tests(CAR, wear=[0.0, 0.4, 0.8], factors=usual_factors(3), workers=2)
     assert all(found.planes[name].identical(plane) for name, plane in study.planes.items())
+
+
+def test_a_page_says_where_the_tests_disagree(study: Equivalence) -> None:
+    from jounce.report import Table, equivalence_page
+
+    page = equivalence_page(study, title="tests")
+    (table,) = (block for block in page.blocks() if isinstance(block, Table))
+    assert len(table.rows) == len(study.disagreements)
+    for row, found in zip(table.rows, study.disagreements, strict=True):
+        passed = row[4]
+        assert not isinstance(passed, str)
+        assert (passed.text, passed.tone) == (
+            f"{found.passed_worn} of {found.worn}",
+            "fair" if found.passed_worn else "plain",
+        )
+    assert [picture.name for picture in page.pictures()] == ["equivalence"]
