@@ -11,6 +11,7 @@ import typer
 
 from jounce.cli.options import AsJson, Force, changes, check_outputs, positive_quantity
 from jounce.cli.reply import DONE, FAILED, Reply, drawing, progress, show_findings, table
+from jounce.core.optional import require
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -80,6 +81,7 @@ def run(
     Example: jounce campaign run campaign.toml --out results
     """
     check_outputs(folder=out, force=force)
+    _check_packages(figure or (), table_ or (), report or ())
     with progress() as say:
         from jounce.campaign import run_campaign
 
@@ -87,6 +89,16 @@ def run(
         say("writing the report")
         drawn, missing = _write(result, out, figure or (), table_ or (), report or (), force=force)
     return campaign_reply(result, out, missing, as_json=as_json, figures=drawn)
+
+
+def _check_packages(figure: Sequence[FigureKind], tables: Sequence[TableKind], reports: Sequence[ReportKind]) -> None:
+    """Refuse, before the work, what takes packages that are not installed."""
+    if ReportKind.PDF in reports or FigureKind.PNG in figure:
+        from jounce.report.typeset import TYPESETTER
+
+        require(*TYPESETTER)
+    if TableKind.XLSX in tables:
+        require("openpyxl", "io")
 
 
 def _write(
@@ -306,6 +318,7 @@ def demo(
     Example: jounce demo --out jounce-demo
     """
     check_outputs(folder=out, force=force)
+    _check_packages(figure or (), table_ or (), report or ())
     with progress() as say:
         from jounce.papers.demo import run_demo
 

@@ -294,7 +294,6 @@ def evaluate(
 
     Example: jounce inspect evaluate front.csv rear.csv --tester egea-specsus2018 --report car.pdf
     """
-    from jounce.inspection.archive.store import Store
     from jounce.inspection.grading import grade_vehicle
     from jounce.inspection.limits import load_limits
     from jounce.inspection.quantities import LANGUAGES
@@ -322,7 +321,7 @@ def evaluate(
     name = "" if vehicle is None else Path(vehicle).stem
     inspected: list[InspectedRecord] = []
     numbers: list[int] = []
-    with nullcontext() if store is None else closing(Store(store)) as opened, progress() as say:
+    with nullcontext() if store is None else closing(_store_at(store)) as opened, progress() as say:
         for file in record:
             say(f"evaluating {file.name}")
             inspected.append(_inspect(file, task, graded_by, {"vehicle": name, **given}, opened, numbers))
@@ -350,6 +349,12 @@ def evaluate(
         tell(f"{unfit}")
     code = DONE if unfit is None else REFUSED
     return Reply(plain, lambda console: _draw_vehicle(console, whole, plain), as_json, code, missing)
+
+
+def _store_at(place: str) -> Store:
+    from jounce.inspection.archive.store import Store
+
+    return Store(place)
 
 
 def _check_methods(methods: list[str] | None) -> None:

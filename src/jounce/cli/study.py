@@ -74,12 +74,12 @@ def _write(study: object, out: Path | None, name: str, say: Callable[[str], None
     if out is None:
         return ()
     from jounce.report import papers, write_page
-    from jounce.report.render import FIGURES
+    from jounce.report.render import figures_here
 
     files = getattr(papers, f"{name}_files")(study)
     with drawing() as missing:
         page = getattr(papers, f"{name}_page")
-        write_page(lambda: page(study), out, files=files, force=force, figures=FIGURES, progress=say)
+        write_page(lambda: page(study), out, files=files, force=force, figures=figures_here(), progress=say)
     return missing
 
 

@@ -12,12 +12,13 @@ import time
 import zlib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from jounce.core.errors import OutputError
+from jounce.core.optional import require
 
 
 def check_writable(path: Path | str, *, what: str = "files", suffixes: Sequence[str] = (), force: bool = False) -> Path:
@@ -51,14 +52,20 @@ class Formats:
         The kind of result, as messages name it, e.g. ``"recordings"``.
     writers : mapping of str to callable
         By suffix in small letters: takes the result and the path of a file to fill.
+    needs : mapping of str to tuple of str
+        By suffix, what a writer needs that may be missing: package and extra.
     """
 
     what: str
     writers: Mapping[str, Callable[[Any, Path], object]]
+    needs: Mapping[str, tuple[str, str]] = field(default_factory=dict)
 
     def check(self, path: Path | str, *, force: bool = False) -> Path:
         """Refuse, before the work, a file that could not be written after it; give the path."""
-        return check_writable(path, what=self.what, suffixes=tuple(self.writers), force=force)
+        file = check_writable(path, what=self.what, suffixes=tuple(self.writers), force=force)
+        if file.suffix.lower() in self.needs:
+            require(*self.needs[file.suffix.lower()])
+        return file
 
     def write(self, result: Any, path: Path | str, *, force: bool = False) -> Path:
         """Write a result in the format that the suffix names; give the path."""

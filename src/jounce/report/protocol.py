@@ -31,7 +31,7 @@ from jounce.report.live import Viewer
 from jounce.report.page import with_minus
 from jounce.report.recordings import curve_blocks
 from jounce.report.render import TEMPLATES, filled, inline_svg
-from jounce.report.typeset import breakable, compiled
+from jounce.report.typeset import TYPESETTER, breakable, compiled
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -132,7 +132,7 @@ def _write_html(page: _Page, file: Path) -> None:
     file.write_bytes(text.encode())
 
 
-PROTOCOLS = Formats("protocols", {".pdf": _write_pdf, ".html": _write_html})
+PROTOCOLS = Formats("protocols", {".pdf": _write_pdf, ".html": _write_html}, {".pdf": TYPESETTER})
 
 
 def facts_of(vehicle: VehicleGrade) -> dict[str, str]:

@@ -10,19 +10,21 @@ from dataclasses import replace
 from functools import cache
 from hashlib import sha256
 from html import escape
+from importlib.util import find_spec
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import OutputError, unknown
 from jounce.core.findings import DrawingError, Finding, not_drawn
+from jounce.core.optional import require
 from jounce.core.writing import Formats, is_empty, working_folder, write_files
 from jounce.recordings.files import write_recording
 from jounce.report.chart import CSS, SCALED_CSS, Chart, chart_svg, panel_svg
 from jounce.report.document import TABLES, page_pdf, table_csv, tables_of, tables_xlsx
 from jounce.report.live import Viewer, bundle, live_data
 from jounce.report.page import Page, Picture, alignments, grouped, slug, unique_slugs
-from jounce.report.typeset import compiled
+from jounce.report.typeset import TYPESETTER, compiled
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -90,6 +92,8 @@ def write_page(
         for name in asked:
             if name not in known:
                 raise unknown(name, known, what=f"format of {what}", where=what)
+    if pdf or "png" in figures:
+        require(*TYPESETTER)
     if computed:
         progress("write: results")
         first_name = page.name if isinstance(page, Page) else Page.name
@@ -164,6 +168,11 @@ FIGURES = ("svg", "png")
 """Formats of figures beside a page."""
 
 
+def figures_here() -> tuple[str, ...]:
+    """Formats of figures beside a page that can be written with what is installed."""
+    return FIGURES if find_spec(TYPESETTER[0]) else ("svg",)
+
+
 def _files(picture: Picture | Chart, note: str, formats: Sequence[str]) -> dict[str, bytes | str]:
     """Figure of a page as HTML (``page``) and in other formats."""
     identity = f"fig-{slug(picture.name)}"
@@ -207,7 +216,7 @@ def _write_pdf(page: Page, file: Path) -> None:
     file.write_bytes(page_pdf(page, panels, (TEMPLATES / "page.typ").read_bytes()))
 
 
-REPORTS = Formats("reports", {".html": _write_html, ".pdf": _write_pdf})
+REPORTS = Formats("reports", {".html": _write_html, ".pdf": _write_pdf}, {".pdf": TYPESETTER})
 """How a page is written as one file: one HTML file that needs nothing else, or PDF."""
 
 

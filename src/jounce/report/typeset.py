@@ -7,6 +7,10 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from jounce.core.optional import require
+
+TYPESETTER = ("typst", "pdf")
+"""The package that sets documents and draws SVG, and the extra that it comes with."""
 _LONGEST_WORD, _PIECE = 24, 12
 
 
@@ -15,8 +19,7 @@ def compiled(files: Mapping[str, bytes], form: str, **options: Any) -> Any:
 
     Fonts of the computer are used for nothing but letters that those of matplotlib do not have, such as Chinese ones.
     """
-    import typst
-
+    typst = require(*TYPESETTER)
     texts = (content.decode(errors="replace") for name, content in files.items() if name.endswith((".json", ".svg")))
     is_covered = not any(missing_letters(text) for text in texts)
     compile_files: Any = typst.compile  # its types do not know files by name

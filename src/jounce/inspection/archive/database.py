@@ -12,7 +12,12 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from sqlalchemy import (
+from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError
+from jounce.core.optional import require
+
+require("sqlalchemy", "store")
+
+from sqlalchemy import (  # noqa: E402 - said above, where it is missing
     BigInteger,
     Column,
     ForeignKey,
@@ -31,10 +36,8 @@ from sqlalchemy import (
     select,
     text,
 )
-from sqlalchemy.engine import Connection, Engine, make_url
-from sqlalchemy.exc import ArgumentError, DBAPIError, IntegrityError, NoSuchModuleError
-
-from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError
+from sqlalchemy.engine import Connection, Engine, make_url  # noqa: E402
+from sqlalchemy.exc import ArgumentError, DBAPIError, IntegrityError, NoSuchModuleError  # noqa: E402
 
 SCHEMA_VERSION = "jounce.store/1"
 _TABLES = MetaData()

@@ -15,11 +15,8 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, TypeVar
 
-from sqlalchemy import Column, Select, and_, delete, func, insert, select
-from sqlalchemy.engine import Connection
-from sqlalchemy.exc import IntegrityError
-
 from jounce.core.errors import OutputError, RecordingError
+from jounce.core.optional import require
 from jounce.core.serialise import to_json
 from jounce.inspection.archive.database import (
     CONTENTS,
@@ -36,6 +33,12 @@ from jounce.inspection.archive.database import (
     shown,
 )
 from jounce.inspection.archive.entries import Grading, RecordEntry, StoredRecord, digest_of, plate_key, storable
+
+require("sqlalchemy", "store")
+
+from sqlalchemy import Column, Select, and_, delete, func, insert, select  # noqa: E402
+from sqlalchemy.engine import Connection  # noqa: E402
+from sqlalchemy.exc import IntegrityError  # noqa: E402
 
 T = TypeVar("T")
 _RESULT_COLUMNS = (
