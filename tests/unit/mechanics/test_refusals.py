@@ -347,6 +347,16 @@ def test_forces_along_what_moves_nothing():
     mechanism.force(mechanism.switch("up", angle) * place[2], 100.0)
 
 
+@pytest.mark.parametrize(
+    ("name", "hint"), [(None, ""), (3.0, ""), ("", ""), (" a", ""), ("body", " Give the name, 'bob'.")]
+)
+def test_a_thing_in_the_place_of_its_name_is_told(name, hint):
+    mechanism, body = pendulum()
+    with pytest.raises(jn.AssemblyError) as caught:
+        mechanism.track(body if name == "body" else name)
+    assert str(caught.value).partition("text without blanks around it.")[2] == hint
+
+
 def test_what_a_finished_builder_cannot_give():
     given = loaded()
     with refused("n: a body without mass or joint has nothing to show"):
