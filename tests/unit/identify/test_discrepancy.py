@@ -8,7 +8,7 @@ import pytest
 import jounce as jn
 from jounce.core.errors import DescriptionError, FitError
 from jounce.identify.discrepancy import _Calibration, _drawn_by, _State, _Stray, noise_variance
-from jounce.identify.estimate import Estimate
+from jounce.identify.estimate import Estimate, student_factor
 from jounce.identify.fit_problem import free_parameters
 from jounce.identify.laws import Laws, States
 from jounce.identify.richer import Richer, Ridden
@@ -228,6 +228,14 @@ def test_what_is_counted_is_told(wrong):
     shares = told.parameters["strut.damper.coefficient"].shares
     assert {"damper_shape", "unexplained rest", "height"} <= set(shares)
     assert all(0.0 <= share <= 1.0 for share in shares.values())
+    for law in told.parameters.values():  # the rest alone is estimated from the trials, and only its share counts them
+        half = law.component.interval[1] - law.component.value
+        freedom = told.trials / max(law.shares["unexplained rest"], 1e-3) ** 2
+        assert half == pytest.approx(student_factor(freedom) * law.component.standard_error, rel=1e-9)
+        assert max(law.shares.values()) < 1.0
+    over = np.mean([share / (1.0 - share) for share in told.unexplained.values()])  # energy of the rest over the noise
+    best = told.reduced_to / (1.0 - told.reduced_to)
+    assert best <= 0.8 * over if told.would_reduce else best == pytest.approx(over)
 
 
 def test_without_model_error_the_price_is_small():

@@ -172,6 +172,21 @@ def test_hysteresis_of_a_known_loop():
     assert 8e4 < fit_stiffness([ForceDeflectionTrial(x, force)], branch="both").stiffness.value < 1e5
 
 
+def test_hysteresis_is_that_of_the_deflections_which_both_branches_cover():
+    back = np.linspace(0.010, 0.004, 61)
+    x = np.concatenate([STROKE[10:], back[1:]])
+    force = 1e5 * x * np.repeat([1.0, 0.8], [91, 60])
+    result = fit_stiffness([ForceDeflectionTrial(x, force)], zero="none")
+    work = 0.5 * 1e5 * (0.010**2 - 0.004**2)
+    assert result.hysteresis_energy == pytest.approx(
+        0.2 * work - 0.5 * 200.0 * 0.0001, rel=1e-3
+    )  # less a step at the turn
+    assert result.loss_factor == pytest.approx(result.hysteresis_energy / (2 * math.pi * work), rel=1e-6)
+    for end, is_one in ((0.0051, False), (0.0049, True)):  # back to less than half
+        part = np.concatenate([STROKE, [end]])
+        assert (fit_stiffness([ForceDeflectionTrial(part, 1e5 * part)]).loss_factor is not None) == is_one
+
+
 def test_without_unloading_there_is_no_loss_factor_but_a_finding():
     result = fit_stiffness([line(2e4)])
     assert result.loss_factor is None
