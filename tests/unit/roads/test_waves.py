@@ -113,6 +113,9 @@ def test_a_pothole_has_walls_and_a_bottom() -> None:
     np.testing.assert_allclose(road.height_at(2 + x), road.height_at(2.5 - x - 1e-15), rtol=0, atol=1e-9)  # symmetric
     assert road.height_at(2.01) == pytest.approx(math.sqrt(0.02**2 - 0.01**2) - 0.02, abs=1e-12)
     assert road.segments(3.0).kind.tolist().count(CIRCLE) == 2
+    round_ = Pothole(depth="80 mm", length="40 mm", edge_radius="20 mm")  # two edges and no bottom
+    assert round_.segments(1.0).kind.tolist().count(CIRCLE) == 2
+    assert round_.height_at(0.02) == pytest.approx(-0.02, abs=1e-9)
     sharp = Pothole(depth="80 mm", length="0.5 m", start="2 m")
     assert sharp.segments(3.0).edges.tolist() == [0.0, 2.0, 2.5, 3.0]
 
