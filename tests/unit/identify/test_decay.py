@@ -12,6 +12,7 @@ from jounce.identify.decay import (
     DecayParameters,
     _advice,
     _naive_decrement,
+    _next_start,
     combine_decays,
     decay_response,
     decay_slopes,
@@ -331,3 +332,14 @@ def test_time_windows_that_leave_nothing_are_refused():
     assert part.window[1] <= 1.5
     with pytest.raises(DescriptionError, match="unknown quadratic_drag"):
         fit_decay(TIME, record(), mass=MASS, quadratic_drag="maybe")
+
+
+def test_after_a_hit_the_search_goes_on_behind_the_next_turning_point(exact):
+    assert "was left out" not in messages(exact)
+    swing = np.concatenate(
+        [0.25 + 0.75 * np.cos(np.linspace(0.0, np.pi, 51)), -0.25 - 0.25 * np.cos(np.linspace(0.0, np.pi, 51))]
+    )
+    signal = np.concatenate([swing, np.zeros(200)])
+    assert 50 <= _next_start(signal, 0, 0.0) <= 58
+    assert _next_start(signal[:39], 0, 0.0) is None  # fewer than two decays' samples
+    assert _next_start(np.concatenate([swing[:51], np.full(200, -0.5)]), 5, 0.0) > 5

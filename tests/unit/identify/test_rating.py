@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from jounce.core.errors import FitError
-from jounce.identify.comparison import corridor_score, grade_of, iso18571, slope_score
+from jounce.identify.comparison import _rival, corridor_score, grade_of, iso18571, slope_score
 
 RATE = 10e3
 TIME = np.arange(3000) / RATE
@@ -137,3 +137,11 @@ def test_edges_of_the_corridors_and_of_the_slope_average() -> None:
 def test_bad_input(reference: np.ndarray, compared: np.ndarray, rate: float, message: str) -> None:
     with pytest.raises(FitError, match=message):
         iso18571(reference, compared, rate, place="trial 3")
+
+
+def test_a_rival_is_a_smaller_shift_behind_a_valley() -> None:
+    coefficients = np.array([0.0, 0.0, 0.0, 0.5, 0.995, 0.5, 0.6, 1.0, 0.0, 0.0])
+    assert _rival(coefficients, 7, 5) == -1
+    assert _rival(coefficients, 6, 5) is None  # between neighbours there is no room for one
+    for height, valley, found in ((0.991, 0.94, -1), (0.989, 0.94, None), (0.991, 0.96, None)):
+        assert _rival(np.where(coefficients == 0.995, height, np.maximum(coefficients, valley)), 7, 5) == found

@@ -11,7 +11,7 @@ import pytest
 
 import jounce as jn
 from jounce.identify import update
-from jounce.identify.datum import QuietStart, start_findings
+from jounce.identify.datum import QuietStart, _quiet_start, start_findings
 from jounce.identify.discrepancy import _moved, _scaled
 from jounce.identify.fit_problem import Free, _weight, check_free, free_parameters
 from jounce.identify.richer import Richer, Ridden, own_doubt
@@ -268,3 +268,17 @@ def test_a_doubted_curve_has_the_stiffness_of_the_rig_where_it_rests() -> None:
         assert coefficients[1:] == pytest.approx([first, second][: len(bends)])
         assert force[1] == pytest.approx(sum(one * x**k for k, one in enumerate(coefficients, 1)))
     assert richer._curved
+
+
+def test_the_quiet_start_is_what_lies_before_the_model_moves() -> None:
+    time = np.arange(1000) * 1e-3
+    simulated = -0.01 + 0.02 * np.where(time > 0.3, np.sin(40.0 * (time - 0.3)), 0.0)
+    measured = np.where(time < 0.29, 0.003 + 1e-4 * (-1.0) ** np.arange(1000), simulated)  # it may be early by 20 ms
+    start = _quiet_start(SimpleNamespace(measured=measured, bias=0.5), time, simulated, -0.01)
+    assert start.recorded == pytest.approx(0.003, abs=1e-6)
+    assert (start.static, start.zero, start.reach) == (-0.01, 0.5, pytest.approx(np.ptp(measured)))
+    assert start.doubt == pytest.approx(1e-4 / np.sqrt(281.0), rel=0.02)
+    early = _quiet_start(SimpleNamespace(measured=measured[295:], bias=0.0), time[295:], simulated[295:], -0.01)
+    assert early.recorded == pytest.approx(-0.01)  # less than 20 ms: all that there is
+    moving = _quiet_start(SimpleNamespace(measured=measured[400:], bias=0.0), time[400:], simulated[400:], -0.01)
+    assert (moving.recorded, moving.doubt) == (None, 0.0)
