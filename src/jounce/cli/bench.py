@@ -20,6 +20,7 @@ from jounce.cli.options import (
     quantity,
 )
 from jounce.cli.reply import Reply, estimates, show_findings, table
+from jounce.core.display import size
 from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
@@ -287,7 +288,7 @@ def _drive_reply(margin: DriveMargin | None, attainable: AttainableSpeed, *, as_
                 ("torque of the motor", margin.required_torque, margin.rated_torque, None, "N*m"),
                 ("margin", None, margin.margin, margin.continuous_margin, "1"),
             ]
-            title = f"Drive at {margin.speed:g} m/s, inverter at {margin.inverter_frequency:.4g} Hz"
+            title = f"Drive at {size(margin.speed, 'm/s', 'speed')}, inverter at {margin.inverter_frequency:.4g} Hz"
             out.print(table(title, header, sides, text=(0, 4)))
         rows: list[Row] = [
             (f"attainable speed, limited by {attainable.limited_by}", attainable.speed, "m/s"),

@@ -98,7 +98,8 @@ def simulate(
 
             write_recording(run.recording(), out, force=force)
         findings = trial_findings(trial, chosen, output_step=step)
-        on = Path(str(excitation or road)).stem + ("" if trial.speed is None else f" at {trial.speed:g} m/s")
+        at = "" if trial.speed is None else f" at {size(trial.speed, 'm/s', 'speed')}"
+        on = f"{Path(str(excitation or road)).stem}{at}"
         drawn, missing = write_picture(_picture(run), figure, f"{Path(rig).stem} on {on}", force=force)
         page, undrawn = write_report(lambda: _page(rig, chosen, run, trial, findings, on), report, force=force)
     setup: dict[str, Any] = {"rig": rig, "changes": wanted, "road": road, "right_road": right_road, "loads": loads}

@@ -358,15 +358,16 @@ def roughness(found: Roughness, distance: Array, height: Array) -> Figure:
     above, below = figure.subplots(2, 1, sharex=True)
     unit = display_unit("m", float(np.abs(height).max(initial=0.0)))
     few, shown = thinned(distance, height, float(distance[0]), float(distance[-1]), MOST_COLUMNS)
-    above.plot(few, shown * unit.factor, color=PALETTE[0], linewidth=0.9)
+    along, index = shown_as("m", largest=float(distance[-1])), display_unit("m/km")
+    above.plot(few * along.factor, shown * unit.factor, color=PALETTE[0], linewidth=0.9)
     above.set_ylabel(unit.label("height"))
-    starts = [part.start for part in found.segments]
-    widths = [part.end - part.start for part in found.segments]
-    values = [part.iri_m_per_km for part in found.segments]
+    starts = [along.factor * part.start for part in found.segments]
+    widths = [along.factor * (part.end - part.start) for part in found.segments]
+    values = [index.factor * part.iri_m_per_km for part in found.segments]
     below.bar(starts, values, widths, align="edge", color=AFTER, edgecolor="white", linewidth=0.8)
-    below.axhline(found.iri_m_per_km, color=MUTED, linewidth=1.0, linestyle="--")
-    below.set(ylabel="IRI [m/km]", xlabel="distance [m]")
-    limits(below, float(distance[0]), float(distance[-1]))
+    below.axhline(index.factor * found.iri_m_per_km, color=MUTED, linewidth=1.0, linestyle="--")
+    below.set(ylabel=index.label("IRI"), xlabel=along.label("distance"))
+    limits(below, along.factor * float(distance[0]), along.factor * float(distance[-1]))
     return figure
 
 

@@ -61,7 +61,8 @@ def kinematic_design_page(found: KinematicDesign, *, title: str) -> Page:
     if found.findings:
         answer.append(Findings(found.findings))
     wanted = "Every wanted curve before and after with its band; single values in tolerances from what is wanted."
-    matter = "What 1 mm of the coordinates that matter most changes of each target, in its tolerances."
+    one = f"1 {display_unit('m').name}"
+    matter = f"What {one} of the coordinates that matter most changes of each target, in its tolerances."
     sections = (
         Section("Answer", tuple(answer)),
         Section("Targets", (Picture(target_curves(found), "targets", wanted, wanted),)),

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from jounce.core.display import display_unit
+from jounce.core.display import display_unit, shown_as
 from jounce.plots.display import SMALLEST, number, percent
 from jounce.plots.signals import modes as draw_modes
 from jounce.recordings.schema import channel_unit, quantity_of
@@ -123,24 +123,28 @@ def roughness_page(
     """
     import xarray as xr
 
+    length, index = shown_as("m", largest=found.end), display_unit("m/km")
+
+    def along(metres: float) -> str:
+        return f"{length.factor * metres:g} {length.name}"
+
+    def iri(value: float) -> str:
+        return f"{number(index.factor * value)} {index.name}"
+
     worst = max(found.segments, key=lambda part: part.iri_m_per_km, default=None)
-    facts = [
-        Fact("IRI of the whole profile", f"{number(found.iri_m_per_km)} m/km", f"over {found.end - found.start:g} m")
-    ]
+    facts = [Fact("IRI of the whole profile", iri(found.iri_m_per_km), f"over {along(found.end - found.start)}")]
     if worst is not None and len(found.segments) > 1:
-        facts.append(
-            Fact("roughest segment", f"{number(worst.iri_m_per_km)} m/km", f"{worst.start:g} to {worst.end:g} m")
-        )
+        facts.append(Fact("roughest segment", iri(worst.iri_m_per_km), f"{along(worst.start)} to {along(worst.end)}"))
     rows = tuple(
         (
-            f"{part.start:g}",
-            f"{part.end:g}",
-            number(part.iri_m_per_km),
+            f"{length.factor * part.start:g}",
+            f"{length.factor * part.end:g}",
+            number(index.factor * part.iri_m_per_km),
             "shorter than the others" if part.partial else "",
         )
         for part in found.segments
     )
-    segments = Table("Segments", ("from [m]", "to [m]", "IRI [m/km]", ""), rows, "rrrl")
+    segments = Table("Segments", (length.label("from"), length.label("to"), index.label("IRI"), ""), rows, "rrrl")
     note = f"Samples every {found.spacing:g} m, slopes over {found.base:g} m."
     steps = np.full(len(distance), np.nan)
     for part in found.segments:
