@@ -148,6 +148,14 @@ def test_a_t_bar_stays_closed_and_its_forces_are_slopes_of_the_energy(stem) -> N
         assert place[0] == pytest.approx([float(alike[f"{name}.{axis}"][0]) for axis in "xyz"], abs=1e-12), name
 
 
+def test_a_t_bar_whose_links_hold_nothing_has_no_numbers(plain) -> None:
+    along = {"hardpoints.arb_arm_end": [-0.08, 0.16, 0.45], "hardpoints.arb_link_end": [-0.08, 0.20, 0.45]}
+    found = jn.sweep_axle(plain.with_changes({**T_BAR, **along}), left_travel=0.005, right_travel=-0.005)
+    for name in ("anti_roll_bar_twist", "anti_roll_bar_torque", "left.axle_force"):
+        assert np.isnan(found[name].to_numpy()).all(), name
+    assert np.isfinite(found["left.camber_to_ground"].to_numpy()).all()
+
+
 def test_a_t_bar_twists_in_roll_only(stem) -> None:
     """Rates of the corner's rows, those of opposite and equal travel, are those of the axle."""
     axle, small = Axle(stem), 1e-5

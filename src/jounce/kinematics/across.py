@@ -10,11 +10,13 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from jounce.core.errors import SimulationError
 from jounce.core.types import Array
 from jounce.kinematics.model import KinematicModel
 from jounce.parts import Corner
 
-_ITERATIONS, _LEVEL = 30, 1e-14  # m^2
+_ITERATIONS, _LEVEL, _CLOSED = 30, 1e-14, 1e-9  # m^2
+_LOOSE = 1e7  # how ill a bar may be held by its links
 _ACROSS = np.array([0.0, 1.0, 0.0])
 
 
@@ -147,8 +149,9 @@ def _t_bar(found: Connection, stiffness: Array, left: Wheel, right: Wheel) -> No
         )
         if np.nanmax(np.abs(off), initial=0.0) < _LEVEL:
             break
-        step = np.linalg.solve(slopes, -off[:, :, None])[:, :, 0]
+        step = _solved(slopes, -off)
         hinge, twist = hinge + step[:, 0], twist + step[:, 1]
+    twist = np.where(np.max(np.abs(off), axis=1) < _CLOSED, twist, np.nan)  # the links do not reach
     torque = stiffness * twist
     along = [link / length for link, length in zip(links, lengths, strict=True)]
     levers = np.stack(  # rows: about the hinge, about the stem; columns: left and right link
@@ -158,7 +161,7 @@ def _t_bar(found: Connection, stiffness: Array, left: Wheel, right: Wheel) -> No
         ],
         axis=1,
     )
-    pulls = np.linalg.solve(levers, np.stack([np.zeros_like(torque), torque], axis=1)[:, :, None])[:, :, 0]
+    pulls = _solved(levers, np.stack([np.zeros_like(torque), torque], axis=1))
     for i, (way, rate) in enumerate(zip(along, rates, strict=True)):
         found.forces[i] = found.forces[i] + pulls[:, i] * _dot(way, rate)
         found.links.append(np.asarray(pulls[:, i], dtype=np.float64))
@@ -166,6 +169,19 @@ def _t_bar(found: Connection, stiffness: Array, left: Wheel, right: Wheel) -> No
     found.stem_end = np.asarray(pivot + size * _turned(stem[None, :], _ACROSS, hinge))
     found.add("anti_roll_bar_hinge_angle", hinge, "rad", "turn of the T-bar about its hinge", "positive: about +y")
     _add_bar(found, twist, torque)
+
+
+def _solved(matrices: Array, right: Array) -> Array:
+    """Solve for the two motions of a T-bar at each pose; a bar that its links cannot hold is refused."""
+    known = np.isfinite(matrices).all(axis=(1, 2))
+    if np.any(np.linalg.cond(matrices[known]) > _LOOSE):
+        raise SimulationError(
+            "the links of the T-bar cannot hold it: they pass its hinge or its stem",
+            hint="Move hardpoints.arb_arm_end or arb_link_end.",
+        )
+    found = np.full_like(right, np.nan)
+    found[known] = np.linalg.solve(matrices[known], right[known][:, :, None])[:, :, 0]
+    return found
 
 
 def _third(found: Connection, rig: Corner, model: KinematicModel, numbers: Array, wheels: tuple[Wheel, Wheel]) -> None:

@@ -305,14 +305,17 @@ def _together(
         best, least, share = travel, worst, 1.0
         if worst <= _CLOSE * max(size, 1.0):
             return (float(travel[0]), float(travel[1])), []
-        step = np.linalg.solve((off[:, 1:] - off[:, :1]) / _DIFFERENCE, -off[:, 0])
-        step = step * min(1.0, _STEP / float(np.max(np.abs(step))))
+        slopes = (off[:, 1:] - off[:, :1]) / _DIFFERENCE
+        if not np.all(np.isfinite(slopes)):  # at the end of travel
+            break
+        step = np.linalg.lstsq(slopes, -off[:, 0], rcond=None)[0]
+        step = step * min(1.0, _STEP / max(float(np.max(np.abs(step))), _CLOSE))
         travel = np.clip(best + step, -_FARTHEST, _FARTHEST)
     text = (
         f"springs and bars cannot carry it within {1e3 * _FARTHEST:g} mm of travel: forces are those where they come "
         f"nearest, and the spring has what the load asks for."
     )
-    return (float(best[0]), float(best[1])), [Finding(name, "warning", text, least)]
+    return (float(best[0]), float(best[1])), [Finding(name, "warning", text, least if np.isfinite(least) else None)]
 
 
 def _pushed(load: ContactLoad, rows: dict[str, Array], side: float) -> Array:
