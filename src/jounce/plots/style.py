@@ -307,11 +307,11 @@ def _glyphs_told() -> Iterator[None]:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         yield
-    missing = {}
+    missing: set[str] = set()
     for one in caught:
         found = _GLYPH.match(str(one.message))
         if found:
-            missing[chr(int(found[1]))] = None
+            missing.add(chr(int(found[1])))
         else:
             warnings.warn_explicit(one.message, one.category, one.filename, one.lineno)
     if missing:
