@@ -46,7 +46,7 @@ def obstacle_rows() -> list[Row]:
         if error <= ERROR:
             break
     problem, own = "quarter car with lift-off, obstacle, 3 s at 1 kHz", median_time(case.run, repeats=101)
-    rows = [Row(problem, "jounce, compiled run", own, error, 1.0, "≤ 0.4 ms", f"states and {len(CHANNELS)} channels")]
+    rows = [Row(problem, "jounce, compiled run", own, error, 1.0, "≤ 0.08 ms", f"states and {len(CHANNELS)} channels")]
     trial = jn.Trial(
         road=jn.HalfSine(height=bump.height, length=bump.length, start=bump.start), speed=bump.speed, duration=DURATION
     )
