@@ -231,3 +231,20 @@ def test_blades_bend_as_cantilevers(plain) -> None:
 def test_bad_parts_are_refused(plain, change, message: str) -> None:
     with pytest.raises(jn.DescriptionError, match=message):
         plain.with_changes(change)
+
+
+@pytest.mark.slow
+def test_a_third_spring_of_a_whole_car_stiffens_heave_and_not_roll() -> None:
+    car = jn.load("formula-student-car")
+    third = {"third_spring": {"spring": {"rate": 60e3}}, "hardpoints.third_spring_end": [0.02, 0.21, 0.42]}
+    stiff = car.with_changes({f"front.corner.{path}": value for path, value in third.items()})
+    shares = []
+    for one in (car, stiff):
+        found = jn.modes(one)
+        rolls = [mode for mode in found if abs(complex(*mode.shape["body.roll"])) > 0.99]
+        shares.append((rolls[0].frequency_hz, found[0].frequency_hz + found[1].frequency_hz))
+    assert shares[1][0] == pytest.approx(shares[0][0], rel=1e-4)
+    assert shares[1][1] > 1.2 * shares[0][1]  # both motions of heave and pitch together
+    rest = equilibrium(stiff)
+    deflection, force = (float(rest[f"front.third_spring.{name}"]) for name in ("deflection", "force"))
+    assert force == pytest.approx(60e3 * deflection, rel=1e-9)
