@@ -10,6 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
+import xarray as xr
 from timing import Row
 
 import jounce as jn
@@ -58,7 +59,13 @@ def report_rows() -> list[Row]:
         long = recording(np.arange(10_000_000) / 1000.0, {"sprung.az": (signal, "m/s^2", "")})
         picture = _processor(lambda: write_figure(time_history(long), Path(folder) / "long.png", force=True), repeats=3)
         rows.append(Row("plot of a recording of 10 million samples", "jounce, PNG", picture, None, 1.0, "≤ 3 s"))
+        page = _processor(lambda: _long_page(long, Path(folder) / "long.html"), repeats=3)
+        rows.append(Row("page of a recording of 10 million samples", "jounce, HTML", page, None, 1.0, "≤ 3 s"))
         return rows + _browser_rows(Path(folder))
+
+
+def _long_page(long: xr.Dataset, file: Path) -> None:
+    REPORTS.write(recordings_page({"long": long}, ["sprung.az"], title="long"), file, force=True)
 
 
 def _processor(work: Callable[[], object], repeats: int = 5) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -167,12 +168,15 @@ def _shown(scene: Scene) -> str:
 
 _MOST_NUMBERS = 1_200_000
 """Of all curves of a scene: some 2 MB of a page."""
+_LEAST_SAMPLES = 2000
+"""That show the peaks of one curve of a long record, at whose instants all others are shown, too."""
 
 
 def _most_channels(named: Mapping[str, xr.Dataset], axis: str) -> int:
     """How many channels of these runs a page holds with ease, differences counted."""
-    curves = 2 * len(named) - 1
-    return int(_MOST_NUMBERS // (curves * max(data.sizes[axis] for data in named.values())))
+    samples = max(data.sizes[axis] for data in named.values())
+    thinned = math.isqrt(_MOST_NUMBERS // _LEAST_SAMPLES)  # of long records each curve keeps so many samples for all
+    return max(_MOST_NUMBERS // samples, thinned) // (2 * len(named) - 1)
 
 
 _DIFFERENCE = "Δ "

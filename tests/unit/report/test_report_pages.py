@@ -45,9 +45,11 @@ def test_names_and_values_of_any_kind_are_shown_as_they_are(tmp_path: Path) -> N
 def test_a_page_holds_as_many_channels_as_it_can_and_says_what_is_left_out() -> None:
     page = recordings_page({"one": run(60_000, 40)}, ["a.z"], title="long")
     (viewer,) = page.viewers()
-    assert "24 more channels do not fit" in viewer.caption
-    assert len(viewer.scenes[0].panes) == 20
+    assert "20 more channels do not fit" in viewer.caption
+    assert len(viewer.scenes[0].panes) == 24
     assert len(live_data([viewer])["packed"]) < 4_000_000
+    (longer,) = recordings_page({"one": run(200_000, 40)}, ["a.z"], title="longer").viewers()
+    assert len(longer.scenes[0].panes) == 24
 
 
 @pytest.mark.parametrize(
