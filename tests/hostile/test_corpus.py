@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import sys
 from collections import Counter
 from importlib import import_module
@@ -9,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from corpus import commands, descriptions, files, judging, models, recordings
+from corpus import commands, descriptions, files, judging, models, outputs, recordings
 from corpus.__main__ import PARTS, TITLES
 from corpus.judging import BAD, judge
 from corpus.mutations import KINDS
@@ -19,7 +20,7 @@ from jounce.recordings import READERS
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="limits of memory and time are a thing of POSIX")
 
-FAST = {"files": 3, "descriptions": 40, "commands": 12}
+FAST = {"files": 3, "descriptions": 40, "commands": 12, "outputs": 23}
 """Every so many-th case is tried by the fast tests; of files, so many of each."""
 
 
@@ -36,6 +37,17 @@ def judged(part: str, cases: list[Any]) -> None:
 @pytest.mark.parametrize("part", PARTS)
 def test_the_whole_corpus(part: str) -> None:
     judged(part, import_module(f"corpus.{part}").cases(*PARTS[part]))
+
+
+@pytest.mark.slow
+def test_right_uses_are_right(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    for name, base in commands.BASES.items():
+        if name not in commands.SLOW:
+            words = shlex.split(outputs.USES.get(name, base))
+            with outputs.folder_for(name):
+                code, _, said = commands.said_by(words)
+            assert code == 0 or name == "campaign run", (name, said)  # whose template's numbers are its user's
 
 
 def test_a_part_of_the_files() -> None:
@@ -55,6 +67,25 @@ def test_a_part_of_the_descriptions() -> None:
 def test_a_part_of_the_commands() -> None:
     quick = [case for case in commands.cases() if case[0] in ("check", "modes", "iri", "bench speed", "fit stiffness")]
     judged("commands", quick[:: FAST["commands"] // 4])
+
+
+def test_a_part_of_the_outputs() -> None:
+    quick = ("simulate", "import chrono", "campaign new", "inspect import", "inspect export")
+    chosen = [case for case in outputs.cases() if case[0] in quick and case[1] not in ("--report", "--figure")]
+    judged("outputs", chosen[:: FAST["outputs"]])
+
+
+def test_every_format_of_every_output_is_in_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a command says to a suffix that nobody knows are the suffixes that are tried."""
+    monkeypatch.chdir(tmp_path)
+    for name, option in {target[:2] for target in outputs.targets()}:
+        known = outputs.suffixes(name, option)
+        if known not in ((".sqlite",), ("",)):
+            with outputs.folder_for(name):
+                code, _, said = commands.said_by(outputs.words((name, option, ".unknown", ""), "x.unknown"))
+            assert code == 2, (name, option)
+            found = said.partition("allowed: ")[2].rstrip(".\n").split(", ")
+            assert {*found} - {".mp4"} == {*known}, (name, option, said)
 
 
 def test_every_reader_kind_and_command_is_in_it() -> None:

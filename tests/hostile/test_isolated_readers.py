@@ -36,6 +36,11 @@ def evil(path, options):
         time.sleep(60.0)
     if what == "memory":
         np.ones(300_000_000)
+    if what == "grow":
+        kept = []
+        while len(kept) < 40:
+            kept.append(np.ones(5_000_000))
+            time.sleep(0.05)
     if what == "unknown":
         raise KeyError("x")
     if what == "refused":
@@ -96,6 +101,19 @@ def test_memory_is_limited_by_the_size_of_the_file(evil) -> None:
         RecordingError, match=r"a\.evil: the file takes more memory than a file of its size may; found '"
     ):
         evil("memory")
+    assert evil("whole").left_out == ("z",)
+
+
+@pytest.mark.skipif(not Path("/bin/ps").exists(), reason="memory is looked at by ps")
+def test_memory_is_looked_at_where_the_system_does_not_limit_it(evil, monkeypatch: pytest.MonkeyPatch) -> None:
+    begin = "from jounce.recordings.isolated import serve"
+    unlimited = f"from jounce.recordings import isolated; isolated._limit = lambda *_: None; {begin}"
+    monkeypatch.setattr(isolated, "_CHILD", isolated._CHILD.replace(begin, unlimited))
+    monkeypatch.setattr(isolated, "TIME", 20.0)
+    monkeypatch.setattr(isolated, "_LIMITS_MEMORY", False)
+    monkeypatch.setattr(isolated, "_BETWEEN_LOOKS", 0.05)
+    with pytest.raises(RecordingError, match=r"a\.evil: the file takes more memory than a file of its size may"):
+        evil("grow")
     assert evil("whole").left_out == ("z",)
 
 

@@ -154,3 +154,36 @@ def test_working_folders_of_killed_processes_go(tmp_path: Path, monkeypatch: pyt
         assert folder.parent == tmp_path
         assert list(tmp_path.iterdir()) == [folder]
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.skipif(os.name != "posix", reason="elsewhere what still runs is not known, and left for a day")
+def test_what_a_process_left_beside_the_folder_that_it_had_just_made_goes(tmp_path: Path) -> None:
+    left = tmp_path / f".jounce-{writing._machine()}-{os.getpid()}-000000-x"
+    left.mkdir()
+    (tmp_path / "out").mkdir()
+    write_files(tmp_path / "out", {"a.txt": "new"})
+    assert [file.name for file in tmp_path.iterdir()] == ["out"]
+
+
+def test_a_full_disk_in_a_working_folder_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    with (
+        pytest.raises(OutputError, match=r"\.jounce-.*: a temporary file cannot be written; found 'No space left"),
+        writing.working_folder(),
+    ):
+        raise OSError(28, "No space left on device")
+    with pytest.raises(FileNotFoundError), writing.working_folder():
+        Path(tmp_path, "mine.csv").read_text()
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_folder_in_the_place_of_a_file_and_a_file_in_the_way_are_refused_before_the_work(tmp_path: Path) -> None:
+    (tmp_path / "run.nc").mkdir()
+    for force in (False, True):
+        with pytest.raises(OutputError, match="a folder stands where the file should be"):
+            writing.check_writable(tmp_path / "run.nc", force=force)
+    (tmp_path / "mine.txt").write_text("mine")
+    with pytest.raises(OutputError, match=r"below a file; found '.*mine\.txt'"):
+        writing.check_folder(tmp_path / "mine.txt" / "a" / "out")
+    with pytest.raises(OutputError, match="the folder cannot be written; found 'File name too long'"):
+        writing.check_folder(tmp_path / ("x" * 300))

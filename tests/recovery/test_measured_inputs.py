@@ -91,7 +91,7 @@ def test_a_campaign_with_a_measured_actuator_force(tmp_path, sign):
     [
         '"base.csv"',
         '{file = "mm.csv", columns = {"road.z" = "table [mm]", time = "t [ms]"}}',
-        '{file = "plain.csv", columns = {"road.z" = "lvdt [mm]"}, sample_time = "1 ms"}',
+        '{file = "plain.csv", columns = {"road.z" = "lvdt [mm]"}, sample_time = "1 ms", datum = "rest"}',
         '{file = "base.mat", variable = "rig", columns = {time = "rig(:,1) [s]", "road.z" = "rig(:,2) [mm]"}}',
     ],
 )
@@ -101,7 +101,7 @@ def test_base_motion_is_read_like_every_recording(tmp_path, table):
     write_recording(recording(TIME, {"road.z": (BASE, "m", "")}), tmp_path / "base.csv")
     rows = zip(TIME.tolist(), BASE.tolist(), strict=True)
     (tmp_path / "mm.csv").write_text("t; table\n" + "\n".join(f"{1e3 * t!r}; {1e3 * z!r}" for t, z in rows))
-    (tmp_path / "plain.csv").write_text("lvdt\n" + "\n".join(repr(1e3 * z) for z in BASE.tolist()))
+    (tmp_path / "plain.csv").write_text("lvdt\n" + "\n".join(repr(310.0 + 1e3 * z) for z in BASE.tolist()))
     savemat(tmp_path / "base.mat", {"rig": np.column_stack([TIME, 1e3 * BASE])})
     check(campaign(tmp_path, f"excitation = {table}", driven(**base_motion())))
 

@@ -13,6 +13,7 @@ from jounce.identify.doubt import Doubt
 from jounce.identify.signs import ForcePositive, StrokePositive
 from jounce.recordings import Sensor
 from jounce.recordings.formats import RecordingFormat, TableFormat
+from jounce.roads.trial import ExcitationDatum
 
 Angle = Annotated[float, Unit("rad")]
 Pressure = Annotated[float, Unit("Pa", above=0.0)]
@@ -75,7 +76,14 @@ class InputFile(RecordingFormat):
     file: str
 
 
+class ExcitationFile(InputFile):
+    """The measured height of the support; ``datum`` says where it counts from, as in `Excitation`."""
+
+    datum: ExcitationDatum = "undeformed"
+
+
 AnInput = Annotated[InputFile | None, BeforeValidator(_named)]
+AnExcitation = Annotated[ExcitationFile | None, BeforeValidator(_named)]
 
 
 class TrialEntry(RecordingFormat):
@@ -84,7 +92,7 @@ class TrialEntry(RecordingFormat):
     number: int
     speed: PositiveSpeed | None = None
     road: str | None = None
-    excitation: AnInput = None
+    excitation: AnExcitation = None
     actuator_force: AnInput = None
     strut_angle: Angle | None = None
     tyre_pressure: Pressure | None = None

@@ -282,7 +282,7 @@ def check_outputs(
     force: bool,
 ) -> None:
     """Refuse files of another suffix, in a missing folder, or (without ``force``) that exist; folders not empty."""
-    from jounce.core.writing import check_writable
+    from jounce.core.writing import check_folder, check_writable
 
     if rig is not None:
         check_writable(rig, what="rigs", suffixes=(".toml",), force=force)
@@ -291,8 +291,6 @@ def check_outputs(
 
         RECORDING_FILES.check(recording, force=force)
     if folder is not None:
-        from jounce.report.render import check_folder
-
         check_folder(folder, force=force)
     if report is not None:
         from jounce.report.render import REPORTS

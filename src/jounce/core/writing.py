@@ -27,6 +27,8 @@ def check_writable(path: Path | str, *, what: str = "files", suffixes: Sequence[
     if suffixes and file.suffix.lower() not in suffixes:
         problem, allowed = f"{what} are not written in this format", ", ".join(suffixes)
         raise OutputError(problem, where=str(file), found=file.suffix, allowed=allowed)
+    if file.is_dir():
+        raise OutputError("a folder stands where the file should be", where=str(file), hint="Choose another name.")
     if file.exists() and not force:
         raise OutputError("the output exists", where=str(file), hint="Choose another name or allow it with --force.")
     if not file.parent.is_dir():
@@ -79,11 +81,7 @@ class Formats:
 def replacing(file: Path) -> Iterator[Path]:
     """Give a temporary file beside ``file`` that takes its place when the block ends well, and is removed otherwise."""
     with _told(file, "the file cannot be written"):
-        _sweep(file.parent)
-        suffix = file.suffix if len(file.suffix) <= _LONGEST_SUFFIX else ""
-        handle, name = tempfile.mkstemp(dir=file.parent, prefix=_own_prefix(), suffix=suffix)
-        os.close(handle)
-        temporary = Path(name)
+        temporary = temporary_beside(file)
         try:
             yield temporary
             temporary.chmod(0o644)  # mkstemp made it private
@@ -91,6 +89,21 @@ def replacing(file: Path) -> Iterator[Path]:
         except BaseException:
             temporary.unlink(missing_ok=True)
             raise
+
+
+def temporary_beside(file: Path) -> Path:
+    """Make an empty temporary file of this process beside a file; those that killed processes left there go."""
+    with _told(file, "the file cannot be written"):
+        _sweep(file.parent)
+        suffix = file.suffix if len(file.suffix) <= _LONGEST_SUFFIX else ""
+        handle, name = tempfile.mkstemp(dir=file.parent, prefix=_own_prefix(), suffix=suffix)
+        os.close(handle)
+        return Path(name)
+
+
+def sweep_beside(file: Path) -> None:
+    """Remove what killed processes of this user left beside a file."""
+    _sweep(file.parent)
 
 
 def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, force: bool = False) -> list[Path]:
@@ -133,6 +146,7 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, forc
         # Beside what is to be moved: in a folder that is there, which may be a disk of its own.
         place = root if is_there else root.parent
         place.mkdir(parents=True, exist_ok=True)
+        _sweep(root.parent)  # where a process stood that was killed just after it had put the folder in its place
         _sweep(place)
         aside = Path(tempfile.mkdtemp(dir=place, prefix=_own_prefix()))
         try:
@@ -149,6 +163,21 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, forc
         finally:
             shutil.rmtree(aside, ignore_errors=True)
     return [Path(folder) / name for name in contents]
+
+
+def check_folder(out: Path | str, *, force: bool = False) -> Path:
+    """Refuse a folder that holds something (without ``force``), or that a file stands in the way of; give its path."""
+    folder = Path(out).expanduser().resolve()
+    with _told(folder, "the folder cannot be written"):
+        if folder.exists() and not folder.is_dir():
+            raise OutputError("the output is a file, not a folder", where=str(folder), hint="Choose another name.")
+        if folder.is_dir() and not force and not is_empty(folder):
+            hint = "Choose another name or allow it with --force."
+            raise OutputError("the output folder is not empty", where=str(folder), hint=hint)
+        there = next(parent for parent in folder.parents if parent.exists())
+        if not there.is_dir():
+            raise OutputError("a folder cannot be made below a file", where=str(folder), found=str(there))
+    return folder
 
 
 def _check_room(root: Path, files: Iterable[Path], *, force: bool) -> None:
@@ -235,6 +264,11 @@ def working_folder() -> Iterator[Path]:
     folder = lasting_folder()
     try:
         yield folder
+    except OSError as error:
+        if error.filename is None or Path(os.fsdecode(error.filename)).is_relative_to(folder):
+            with _told(folder, "a temporary file cannot be written"):
+                raise
+        raise
     finally:
         shutil.rmtree(folder, ignore_errors=True)
 

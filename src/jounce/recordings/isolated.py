@@ -15,6 +15,7 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import IO, Any
@@ -91,7 +92,7 @@ class _Child:
     def ask(self, reader: str, path: Path, options: ReaderOptions) -> tuple[dict[str, Any], list[Any]]:
         """Give what the child answers about a file."""
         size = path.stat().st_size
-        seconds = TIME + size * TIME_A_BYTE
+        seconds, memory = TIME + size * TIME_A_BYTE, MEMORY + size * MEMORY_A_BYTE
         told = {
             "reader": reader,
             "path": str(path),
@@ -99,23 +100,24 @@ class _Child:
             "variable": options.variable,
             "header": options.header,
             "database": None if options.database is None else str(options.database),
-            "memory": MEMORY + size * MEMORY_A_BYTE,
+            "memory": memory,
             "seconds": seconds,
         }
         stdin, stdout = self.process.stdin, self.process.stdout
         assert stdin is not None
         assert stdout is not None
-        watchdog = threading.Timer(3.0 * seconds, self.process.kill)
-        watchdog.daemon = True
-        watchdog.start()
+        watch = _Watch(self.process, 3.0 * seconds, memory)
+        watch.start()
         try:
             stdin.write(json.dumps(told).encode() + b"\n")
             stdin.flush()
             return _received(stdout)
         except (EOFError, BrokenPipeError, ConnectionError):
-            raise self._fate(path, seconds, late=not watchdog.is_alive()) from None
+            if watch.is_too_large:
+                raise too_much_memory(MemoryError(), str(path), memory) from None
+            raise self._fate(path, seconds, late=watch.is_late) from None
         finally:
-            watchdog.cancel()
+            watch.over.set()
 
     def _fate(self, path: Path, seconds: float, *, late: bool) -> RecordingError:
         """Why the child has ended, as the error about the file."""
@@ -147,6 +149,41 @@ class _Child:
             if pipe is not None:
                 with contextlib.suppress(OSError):
                     pipe.close()
+
+
+_LIMITS_MEMORY = sys.platform.startswith("linux")
+"""Whether the system holds a process to the memory that it may take; elsewhere it is looked at from here."""
+_BETWEEN_LOOKS = 0.25  # s
+
+
+class _Watch(threading.Thread):
+    """Ends a child that takes too long by the clock or, where the system limits no memory but tells it, too much."""
+
+    def __init__(self, process: subprocess.Popen[bytes], seconds: float, memory: float) -> None:
+        super().__init__(daemon=True)
+        self.process, self.end, self.memory = process, time.monotonic() + seconds, memory
+        self.over = threading.Event()
+        self.is_late = self.is_too_large = False
+
+    def run(self) -> None:
+        while (left := self.end - time.monotonic()) > 0.0:
+            if self.over.wait(left if _LIMITS_MEMORY else min(left, _BETWEEN_LOOKS)):
+                return
+            if not _LIMITS_MEMORY and _memory_of(self.process.pid) > self.memory:
+                self.is_too_large = True
+                self.process.kill()
+                return
+        self.is_late = True
+        self.process.kill()
+
+
+def _memory_of(process: int) -> float:
+    """Bytes that another process takes, as the system's ``ps`` says; 0 where there is none, as on Windows."""
+    try:
+        asked = ["/bin/ps", "-o", "rss=", "-p", str(process)]
+        return 1024.0 * float(subprocess.run(asked, capture_output=True, timeout=5.0, check=False).stdout)
+    except (OSError, ValueError, subprocess.TimeoutExpired):
+        return 0.0
 
 
 _IDLE: list[_Child] = []
@@ -228,7 +265,7 @@ def _limit(memory: float, seconds: float) -> None:
     """Bound memory and computing time from now on, where the system can."""
     try:
         import resource
-    except ImportError:  # Windows: the parent's clock alone
+    except ImportError:  # Windows: the clock of the parent alone
         return
     own = resource.getrusage(resource.RUSAGE_SELF)
     for kind, most in (

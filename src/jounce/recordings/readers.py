@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 import numpy as np
 
@@ -384,10 +384,10 @@ def _bytes_without_segment(stream: BinaryIO) -> tuple[int, int]:
     while at + 28 <= size:
         stream.seek(at)
         tag, _, _, length, before_data = struct.unpack("<4sIIQQ", stream.read(28))
-        if tag != b"TDSm":
+        if tag != b"TDSm" or at + 28 + before_data > size:  # what its channels are is not whole
             break
         if length == 2**64 - 1:  # the writer did not come to its end
-            at = size if before_data < size else at
+            at = size
             break
         at = min(at + 28 + length, size)
     stream.seek(0)
@@ -535,8 +535,9 @@ def _read_parquet(path: Path, options: ReaderOptions) -> SignalTable:
     """
     arrow, parquet = require("pyarrow", "io"), require("pyarrow.parquet", "io")
     columns, long_names = [], dict[str, str]()
-    with _understood(path, "a Parquet file"):
-        table = parquet.read_table(path)
+    with _understood(path, "a Parquet file"), parquet.ParquetFile(path) as file:
+        table = file.read()
+        findings = _gaps(file.metadata, path)
         attributes = attributes_in((table.schema.metadata or {}).get(ABOUT.encode(), b"").decode(errors="replace"))
         for field_, chunks in zip(table.schema, table.columns, strict=True):
             told = {key.decode(): value.decode() for key, value in (field_.metadata or {}).items()}
@@ -563,7 +564,22 @@ def _read_parquet(path: Path, options: ReaderOptions) -> SignalTable:
             columns.append(Column(name, unit, values, str(path), fault, "" if field_.name == name else field_.name))
     if not columns or not table.num_rows:
         raise RecordingError("no rows", where=str(path))
-    return SignalTable(_named(columns, path, options), long_names, attributes)
+    return SignalTable(_named(columns, path, options), long_names, attributes, findings=tuple(findings))
+
+
+_PARQUET_ENDS = 12  # bytes: its mark at both ends, and the length of what says where the columns are
+
+
+def _gaps(metadata: Any, path: Path) -> list[Finding]:
+    """A doubt about a Parquet file with other bytes than those of its columns, which has no indices beside them."""
+    groups = [metadata.row_group(i) for i in range(metadata.num_row_groups)]
+    parts = [group.column(i) for group in groups for i in range(group.num_columns)]
+    known = int(sum(part.total_compressed_size for part in parts))
+    there = path.stat().st_size - _PARQUET_ENDS - metadata.serialized_size
+    if known == there or any(part.has_offset_index or part.has_column_index for part in parts):
+        return []
+    text = f"its columns take {known} bytes and {there} are there: is it damaged? Compare it with the original."
+    return [Finding(str(path), "warning", text, float(there - known))]
 
 
 def _by_clock(

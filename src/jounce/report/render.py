@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 from jounce.core.errors import OutputError, unknown
 from jounce.core.findings import DrawingError, Finding, not_drawn
 from jounce.core.optional import require
-from jounce.core.writing import Formats, is_empty, working_folder, write_files
+from jounce.core.writing import Formats, check_folder, working_folder, write_files
 from jounce.recordings.files import write_recording
 from jounce.report.chart import CSS, SCALED_CSS, Chart, chart_svg, panel_svg
 from jounce.report.document import TABLES, page_pdf, table_csv, tables_of, tables_xlsx
@@ -355,18 +355,6 @@ def inline_svg(svg: bytes, name: str, alternative: str) -> str:
     head = re.sub(r' xmlns:xlink="[^"]+"', "", head)
     label = f'role="img" aria-labelledby="{name}-title"'
     return f'{head} {label}{limit}><title id="{name}-title">{escape(alternative)}</title>{body}'.strip()
-
-
-def check_folder(out: Path | str, *, force: bool = False) -> Path:
-    """Refuse a folder that holds something (without ``force``) or a file of that name; give its resolved path."""
-    folder = Path(out).expanduser().resolve()
-    if folder.exists() and not folder.is_dir():
-        raise OutputError("the output is a file, not a folder", where=str(folder), hint="Choose another name.")
-    if folder.is_dir() and not force and not is_empty(folder):
-        raise OutputError(
-            "the output folder is not empty", where=str(folder), hint="Choose another name or allow it with --force."
-        )
-    return folder
 
 
 def write_folder(out: Path | str, files: Mapping[str, bytes | str], *, force: bool = False) -> list[Path]:

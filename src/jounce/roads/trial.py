@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise
 from pathlib import Path
-from typing import Annotated, Any, Self
+from typing import Annotated, Any, Literal, Self
 
 import numpy as np
 from pydantic import BeforeValidator, model_validator
@@ -122,6 +123,8 @@ LOADS = ("pitch_moment", "deceleration", "lateral_acceleration")
 FEWEST_SAMPLES = 4
 _TEXTS = (".csv", ".txt", ".tsv")
 _KEYS = set(RecordingFormat.model_fields)
+ExcitationDatum = Literal["undeformed", "rest"]
+"""Where the heights of an excitation count from."""
 
 
 class Excitation(RecordingFormat):
@@ -143,18 +146,25 @@ class Excitation(RecordingFormat):
         How the file is read, as in `read_recording`.
     interpolation : {"cubic", "linear"}
         Not-a-knot cubic spline (a smooth velocity), or lines.
+    datum : {"undeformed", "rest"}
+        Where heights count from, as of a sensor: the level of the design (they stand as they are), or the first height,
+        for one that was not zeroed.
 
     Examples
     --------
     >>> shaker = Excitation(time=[0.0, 0.1, 0.2, 0.3], height=["0 mm", "1 mm", "0 mm", "-1 mm"])
     >>> shaker.end()
     0.3
+    >>> raw = Excitation(time=[0.0, 0.1, 0.2, 0.3], height=["310 mm", "311 mm", "310 mm", "309 mm"], datum="rest")
+    >>> raw.profile().before, round(raw.profile().after, 9)
+    (0.0, -0.001)
     """
 
     time: Times = ()
     height: Lengths = ()
     file: Path | None = None
     interpolation: Interpolation = "cubic"
+    datum: ExcitationDatum = "undeformed"
 
     @model_validator(mode="after")
     def _checked(self) -> Self:
@@ -168,7 +178,15 @@ class Excitation(RecordingFormat):
         return self
 
     def profile(self) -> Profile:
-        """Pieces through the samples: coordinate in s, heights in m."""
+        """Pieces through the samples: coordinate in s, heights in m from the datum."""
+        found = self._as_written()
+        if self.datum == "undeformed":
+            return found
+        begin, levels = found.before, found.coefficients.copy()
+        levels[:, 0] -= begin
+        return replace(found, coefficients=levels, before=0.0, after=found.after - begin)
+
+    def _as_written(self) -> Profile:
         if self.file is None:
             return point_profile(self.time, self.height, self.interpolation)
         if self._is_plain():
@@ -176,8 +194,19 @@ class Excitation(RecordingFormat):
         return self._recorded(self.file)[0]
 
     def findings(self) -> list[Finding]:
-        """What the reader of its file found; nothing of points and of plain text."""
-        return [] if self.file is None or self._is_plain() else list(self._recorded(self.file)[1])
+        """What the reader of its file found, and a start so far from zero that zero is likely elsewhere."""
+        if self.file is None:
+            return []
+        found = [] if self._is_plain() else list(self._recorded(self.file)[1])
+        profile = self.profile()
+        heights = np.array([*profile.coefficients[:, 0], profile.after])
+        if abs(profile.before) > np.ptp(heights):
+            text = (
+                f"heights start at {1e3 * profile.before:.4g} mm and move by {1e3 * np.ptp(heights):.4g} mm: "
+                'the whole rig starts there; datum = "rest" counts them from their start'
+            )
+            found.append(Finding(f"{self.file}: road.z", "warning", text, profile.before))
+        return found
 
     def _is_plain(self) -> bool:
         """Whether its file is text of which nothing but the name is said."""

@@ -1,6 +1,7 @@
 """``python -m corpus``: run the corpus, or a part of it (``files 300 mat5 -v``), and print its counts.
 
-``python -m corpus --page docs/robustness.md`` writes the counts of all parts to the end of the page.
+``python -m corpus --page docs/robustness.md`` writes the counts of all parts to the end of the page; ``commands`` or
+another part behind it, of that part alone.
 """
 
 from __future__ import annotations
@@ -11,10 +12,11 @@ from pathlib import Path
 
 from corpus.judging import BAD, counted, judge, table
 
-PARTS = {"commands": [], "descriptions": [120], "models": [2000], "files": [2000]}
+PARTS = {"commands": [], "outputs": [], "descriptions": [120], "models": [2000], "files": [2000]}
 """Parts of the corpus, and how many cases there are of each file; of each reader, for mutations of bytes."""
 TITLES = {
     "commands": "Commands: each option and argument with wrong values",
+    "outputs": "Outputs: each file and folder that is written, in places of every kind",
     "descriptions": "Descriptions: lines that are wrong, checked and used",
     "models": "Models and roads of other programs: mutations of bytes",
     "files": "Recordings: mutations of bytes",
@@ -34,17 +36,23 @@ def counts_of(part: str, numbers: list[int], only: list[str], *, verbose: bool) 
 
 
 def page_with(text: str, tables: dict[str, str]) -> str:
-    """The page with these tables at its end."""
-    told = "\n\n".join(f"### {TITLES[part]}\n\n{found}" for part, found in tables.items())
-    return f"{text.partition(MARK)[0].rstrip()}\n\n{MARK}\n\n{told}\n"
+    """The page with these tables at its end, in the place of those of the same parts."""
+    above, _, below = text.partition(MARK)
+    sections = dict(
+        section.split("\n\n", 1) for section in below.strip().removeprefix("### ").split("\n\n### ") if section
+    )
+    sections |= {TITLES[part]: found for part, found in tables.items()}
+    told = "\n\n".join(f"### {title}\n\n{sections[title].strip()}" for title in TITLES.values() if title in sections)
+    return f"{above.rstrip()}\n\n{MARK}\n\n{told}\n"
 
 
 if __name__ == "__main__":
     words = [word for word in sys.argv[1:] if word not in ("-v", "--page")]
     if "--page" in sys.argv:
         page = Path(words[0])
-        tables = {part: counts_of(part, numbers, [], verbose=False) for part, numbers in PARTS.items()}
-        page.write_text(page_with(page.read_text(encoding="utf-8"), tables), encoding="utf-8")
+        for part in words[1:] or PARTS:
+            made = counts_of(part, PARTS[part], [], verbose=False)
+            page.write_text(page_with(page.read_text(encoding="utf-8"), {part: made}), encoding="utf-8")
     for part in [] if "--page" in sys.argv else words[:1] or PARTS:
         given = [int(word) for word in words[1:] if word.isdigit()]
         only = [word for word in words[1:] if not word.isdigit()]

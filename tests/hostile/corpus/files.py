@@ -12,7 +12,7 @@ from corpus import recordings
 from corpus.judging import is_clear
 from corpus.mutations import STRUCTURAL, mutated
 
-SEED = 20261122
+SEED = 31415
 FEW = 3  # numbers in text that bytes put between them may change
 TIME = 3.0
 """Seconds of computing after which reading is taken to be endless: whole files of this size take some hundredths."""
@@ -52,8 +52,7 @@ def compared(data: Any, findings: Any, sample: recordings.Sample, kind: str) -> 
     """Whether what was read is what was recorded."""
     said = "; ".join(str(finding) for finding in findings if not str(finding.message).startswith("decimal commas"))
     if data.sizes["time"] != recordings.ROWS or set(data.data_vars) != set(recordings.TRUTH):
-        is_behind_a_row = kind == "cut" and sample.reader == "csv" and not said  # a text does not tell its rows
-        if is_behind_a_row:
+        if sample.reader == "csv" and not said and _is_part_of_the_text(data):
             return "undetectable", kind
         found = f"{kind}: {data.sizes['time']} samples of {', '.join(map(str, data.data_vars))}"
         return ("flagged" if said else "silently wrong"), f"{found}; {said}"
@@ -66,3 +65,17 @@ def compared(data: Any, findings: Any, sample: recordings.Sample, kind: str) -> 
         return "flagged", f"{kind}: {off} numbers differ; {said}"
     hidden = not sample.has_checksums and (kind not in STRUCTURAL or max(off) <= FEW)
     return ("undetectable" if hidden else "silently wrong"), f"{kind}: {off} numbers differ"
+
+
+def _is_part_of_the_text(data: Any) -> bool:
+    """Whether it is what another file would say: a text does not tell how many rows it has, nor what its names were."""
+    rows, begin = data.sizes["time"], round(float(data["time"][0]) / recordings.TIME[1])
+    found = [one.to_numpy() for one in (data["time"], *data.data_vars.values())]
+    wanted = [one[begin : begin + rows] for one in (recordings.TIME, *recordings.TRUTH.values())]
+    return len(found) == len(wanted) and all(
+        any(
+            one.shape == truth.shape and np.sum(np.abs(one - truth) > 1e-9 * np.abs(truth).max()) <= FEW
+            for one in found
+        )
+        for truth in wanted
+    )

@@ -70,9 +70,15 @@ import importlib, json, os, resource, sys
 answers = os.fdopen(os.dup(1), "w")
 os.dup2(2, 1)
 cases = importlib.import_module(sys.argv[1])
-resource.setrlimit(resource.RLIMIT_DATA, (int(sys.argv[2]),) * 2)
+def taken():  # bytes that are reserved already, 0 where the system does not tell
+    try:
+        with open("/proc/self/statm") as told:
+            return int(told.read().split()[5]) * resource.getpagesize()
+    except OSError:
+        return 0
 resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 for line in sys.stdin:
+    resource.setrlimit(resource.RLIMIT_DATA, (taken() + int(sys.argv[2]), resource.RLIM_INFINITY))
     used = resource.getrusage(resource.RUSAGE_SELF)
     soft = int(used.ru_utime + used.ru_stime) + 1 + int(sys.argv[3])
     resource.setrlimit(resource.RLIMIT_CPU, (soft, resource.RLIM_INFINITY))

@@ -14,7 +14,7 @@ import numpy as np
 from corpus.judging import is_clear
 from corpus.mutations import mutated
 
-SEED = 20261123
+SEED = 31415
 _FILES = Path(__file__).parents[2] / "files"
 SAMPLES = {
     "Chrono: double wishbone": "chrono/HMMWV_DoubleWishboneFront_mapShock.json",

@@ -52,7 +52,7 @@ def listing(folder: Path) -> Listing:
 
 
 def leftovers(*folders: Path) -> list[str]:
-    return [str(file) for folder in folders for file in folder.rglob(".jounce-*")]
+    return [str(file) for folder in folders for file in folder.rglob(".*")]
 
 
 class Steps:
@@ -159,7 +159,8 @@ def run(job: Job, folder: Path, kills: int, rng: random.Random) -> dict[str, int
         seen["unchanged" if found == before else "done" if found == after else "partly"] += 1
         undisturbed(here, job.work)
         assert job.state(here) == after, f"moment {k} of {steps}: the same work again gives something else"
-        assert leftovers(here, temporary) == [], f"moment {k} of {steps}"
+        left = leftovers(here, temporary)
+        assert not left, f"moment {k} of {steps}: {left}"
     return seen
 
 

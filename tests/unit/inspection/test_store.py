@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import random
 import shutil
 import sqlite3
@@ -14,6 +15,7 @@ from pathlib import Path
 
 import pytest
 
+from jounce.core import writing
 from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError
 from jounce.inspection.archive import database
 from jounce.inspection.archive.database import DamagedStoreError
@@ -33,6 +35,33 @@ def entry(i: int = 0, **known: object) -> RecordEntry:
 def location(request, tmp_path: Path) -> str:
     """A file, and the same through a database URL; the last takes the way of every other database."""
     return ("" if request.param == "file" else request.param) + str(tmp_path / "lane.sqlite")
+
+
+def test_a_store_that_cannot_be_made_is_one_message_and_leaves_nothing(tmp_path: Path, monkeypatch) -> None:
+    made = []
+
+    def fails(engine: object) -> None:
+        made.append([file.name for file in tmp_path.iterdir()])
+        raise sqlite3.OperationalError("disk I/O error")
+
+    monkeypatch.setattr(database, "create_tables", fails)
+    with pytest.raises(OutputError, match=r"lane\.sqlite: the store cannot be used: disk I/O error"):
+        Store(str(tmp_path / "lane.sqlite"))
+    assert made
+    assert all(name.startswith(".jounce-") for name in made[0])  # what the next process sweeps, were this one killed
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_a_process_left_that_was_killed_when_the_store_had_its_name_goes(tmp_path: Path) -> None:
+    Store(str(tmp_path / "lane.sqlite")).close()
+    left = tmp_path / f".jounce-{writing._machine()}-{os.getpid()}-000000-x.sqlite-wal"
+    left.write_bytes(b"")
+    writing._sweep.cache_clear()
+    Store(str(tmp_path / "lane.sqlite"), read_only=True).close()
+    assert left.exists()
+    Store(str(tmp_path / "lane.sqlite")).close()
+    assert left.exists() == (os.name != "posix")
+    writing._sweep.cache_clear()
 
 
 def test_record_comes_back_as_it_came_in(location) -> None:

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -191,6 +192,40 @@ def test_tdms_cut_off_says_how_much_is_there(tmp_path: Path) -> None:
     file.write_bytes(content[: round(0.3 * len(content))])
     run, findings = read_recording(file, columns={"sprung.az": "a"})
     assert len([one for one in findings if one.severity == "problem"]) == 2  # nothing of b is there
+
+
+def test_tdms_cut_off_where_a_segment_says_what_is_in_it(tmp_path: Path) -> None:
+    nptdms = pytest.importorskip("nptdms")
+    file = tmp_path / "a.tdms"
+    wave = np.sin(np.arange(400) * 0.01)
+    with nptdms.TdmsWriter(file) as writer:
+        for part in (wave[:150], wave[150:]):
+            writer.write_segment([nptdms.ChannelObject("Run", "a", part, properties={"wf_increment": 0.001})])
+    content = file.read_bytes()
+    first = content.index(b"TDSm", 4)
+    for more in (5, 40, 60):
+        file.write_bytes(content[: first + more])
+        run, findings = read_recording(file, columns={"body.speed": "a [m/s]"})
+        assert run.sizes["time"] == 150
+        assert f"{more} bytes from byte {first} on belong to no segment" in findings[0].message
+    file.write_bytes(content)
+    assert read_recording(file, columns={"body.speed": "a [m/s]"})[0].sizes["time"] == 400
+
+
+@pytest.mark.parametrize("options", [{}, {"row_group_size": 30}, {"write_page_index": True}, {"compression": "none"}])
+def test_parquet_with_bytes_between_its_columns(tmp_path: Path, options: dict[str, Any]) -> None:
+    pa, parquet = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
+    file, time = tmp_path / "a.parquet", np.arange(100) * 0.01
+    parquet.write_table(pa.table({"time [s]": time, "tyre.force [N]": np.sin(time) + 1.0}), file, **options)
+    assert [one for one in read_recording(file)[1] if "bytes" in one.message] == []
+    content = file.read_bytes()
+    at = len(content) - 8 - int.from_bytes(content[-8:-4], "little")
+    file.write_bytes(content[:at] + b"rest of another file" + content[at:])
+    said = [one for one in read_recording(file)[1] if "bytes" in one.message]
+    if "write_page_index" in options:  # whose bytes are not known
+        assert said == []
+    else:
+        assert (said[0].severity, said[0].value) == ("warning", 20.0)
 
 
 def test_tdms_and_mdf_signals_on_other_clocks_are_brought_onto_one(tmp_path: Path) -> None:

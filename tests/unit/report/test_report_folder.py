@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from jounce.core.errors import OutputError
-from jounce.report.render import check_folder, write_folder
+from jounce.core.writing import check_folder
+from jounce.report.render import write_folder
 
 FILES = {"report.html": "<p>new</p>", "figures/a.svg": b"<svg/>"}
 

@@ -74,6 +74,25 @@ def test_time_zero_is_the_start_of_the_trial() -> None:
         Trial(excitation=Excitation(time=np.array(T) - 1.0, height=Z))
 
 
+@pytest.mark.parametrize("interpolation", ["cubic", "linear"])
+def test_heights_that_count_from_the_first_one(tmp_path, interpolation) -> None:
+    raised = 0.31 + np.array([float(z) for z in Excitation(time=T, height=Z).height])
+    from_rest = Excitation(time=T, height=raised, interpolation=interpolation, datum="rest")
+    wanted = Excitation(time=T, height=raised - raised[0], interpolation=interpolation)
+    time = np.linspace(0.0, 1.2 * T[-1], 50)
+    mine, theirs = (Trial(excitation=one, duration="2 s").segments() for one in (from_rest, wanted))
+    np.testing.assert_allclose(mine.evaluate(time)[0], theirs.evaluate(time)[0], atol=1e-15)
+    as_written = Trial(excitation=Excitation(time=T, height=raised)).segments()
+    assert as_written.evaluate(np.array([0.0]))[0] == pytest.approx(raised[0])
+    file = tmp_path / "base.csv"
+    file.write_text("time [s], road.z [m]\n" + "".join(f"{t},{z}\n" for t, z in zip(T, raised, strict=True)))
+    (said,) = Excitation(file=file).findings()
+    assert (said.severity, said.value) == ("warning", pytest.approx(raised[0]))
+    assert 'datum = "rest" counts them from their start' in said.message
+    assert Excitation(file=file, datum="rest").findings() == []
+    assert Excitation(file=file, datum="rest").profile().before == 0.0
+
+
 def test_an_excitation_from_a_file(tmp_path) -> None:
     file = tmp_path / "base.csv"
     rows = [f"{t:.6f},{1e3 * z:.9f}" for t, z in zip(T, Z, strict=True)]

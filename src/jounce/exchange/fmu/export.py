@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import io
-import tempfile
 import uuid
 import zipfile
 from collections.abc import Sequence
@@ -21,7 +20,7 @@ from jounce.core.findings import Finding
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.core.units import Unit
-from jounce.core.writing import check_writable, write_atomically
+from jounce.core.writing import check_writable, working_folder, write_atomically
 from jounce.exchange.fmu import build as native
 from jounce.exchange.fmu.description import FILE, Head, build_description, description, page, terminals
 from jounce.exchange.fmu.graphs import graphs_of, header, source
@@ -121,6 +120,7 @@ def export_fmu(
 
     Examples
     --------
+    >>> import tempfile
     >>> import jounce as jn
     >>> made = jn.export_fmu(jn.load("kart-quarter-car"), tempfile.mkdtemp() + "/kart.fmu", platforms=())
     >>> made.inputs
@@ -160,8 +160,7 @@ def export_fmu(
     has_adjoint = "adjoint" in graphs.functions
     head = Head(model.name, f"Suspension model {model.name}", f"jounce {_version()}", token, has_adjoint, sources=True)
     files = {"modelDescription.xml": description(version, variables, head)}
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
+    with working_folder() as folder:
         (folder / "model.c").write_text(code, encoding="utf-8")
         (folder / "model.h").write_text(head_text, encoding="utf-8")
         for platform in wanted:

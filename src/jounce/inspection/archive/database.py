@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 import re
-import tempfile
+import sqlite3
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -14,6 +14,7 @@ from typing import Any
 
 from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError
 from jounce.core.optional import require
+from jounce.core.writing import sweep_beside, temporary_beside
 
 require("sqlalchemy", "store")
 
@@ -183,6 +184,7 @@ def open_database(location: str, *, read_only: bool, damaged: bool = False) -> E
     if read_only:
         return looking
     looking.dispose()
+    sweep_beside(file)
     return _sqlite(file, read_only=False)
 
 
@@ -202,8 +204,9 @@ def reported_errors(location: str) -> Iterator[None]:
         yield
     except (JounceError, IntegrityError):
         raise
-    except DBAPIError as error:
-        reason = (str(error.orig).strip() or type(error.orig).__name__).splitlines()[0]
+    except (DBAPIError, sqlite3.Error) as error:
+        told = error.orig if isinstance(error, DBAPIError) else error
+        reason = (str(told).strip() or type(told).__name__).splitlines()[0]
         if any(word in reason for word in _DAMAGES):
             raise DamagedStoreError(f"the store is damaged: {reason}", where=location, hint=_LEFT_ALONE) from None
         hint = "Check the rights and the space."
@@ -287,9 +290,7 @@ def _sqlite(file: Path, *, read_only: bool, damaged: bool = False) -> Engine:
 
 def _make(file: Path) -> None:
     """Make an empty store beside its place and give it its name at the end: nobody ever sees half of it."""
-    handle, name = tempfile.mkstemp(dir=file.parent, prefix=f".{file.name}.", suffix=".new")
-    os.close(handle)
-    temporary = Path(name)
+    temporary = temporary_beside(file)
     engine = _sqlite(temporary, read_only=False)
     try:
         with reported_errors(str(file)):

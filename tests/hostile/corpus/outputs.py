@@ -1,0 +1,218 @@
+"""Every file and folder that a command writes, in a place where it cannot be written, or one that is odd but right."""
+
+from __future__ import annotations
+
+import contextlib
+import resource
+import shlex
+import sys
+import tempfile
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+from corpus.commands import OUTPUTS, SLOW, commands, folder_of_files, said_by, words_of
+from corpus.descriptions import _DESIGN
+from corpus.judging import is_clear
+
+READ = ("inspect reevaluate", "inspect history", "inspect search", "inspect export", "inspect verify", "inspect watch")
+"""Commands whose store is there already, or whose folder is looked into."""
+NO_OUTPUTS = [(name, option) for name in ("demo", "campaign run") for option in ("--report", "--figure")]
+"""Options that choose among what is written into the folder."""
+LONG = (
+    *SLOW,
+    "load-cases",
+    "campaign run",
+    "design optimise",
+    "design pareto",
+    "campaign synthesise",
+    "compare",
+    "ride",
+)
+"""Commands that compute for long: only places that are refused before they begin."""
+USES = {
+    "design kinematics": "design kinematics study.toml --out designed",
+    "campaign run": "campaign run c/campaign.toml --out r",
+}
+"""Right uses that need a file of their own."""
+
+REFUSED = (
+    "there already",
+    "a folder or file there",
+    "no folder",
+    "below a file",
+    "a name of 300 bytes",
+)
+"""Places that are refused before anything is computed."""
+PLACES = (
+    *REFUSED,
+    "a system that refuses",
+    "a full disk",
+    "there already, --force",
+    "a folder or file there, --force",
+    "a link to nothing",
+    "a link to a file, --force",
+    "a name of 255 bytes",
+    "right to left",
+    "emoji, quotes, blanks and markup",
+    "two lines",
+    "a hyphen first",
+)
+
+
+def targets() -> Iterator[tuple[str, str, str]]:
+    """Command, option or argument, and suffix of all that is written; the suffix of folders is empty."""
+    for name, command in commands().items():
+        for parameter in command.params:
+            option = parameter.opts[0] if parameter.param_type_name == "option" else parameter.name.upper()
+            is_read = name in READ and option in ("--store", "FOLDER")
+            if option not in OUTPUTS or is_read or (name, option) in NO_OUTPUTS:
+                continue
+            for suffix in suffixes(name, option):
+                yield name, option, suffix
+
+
+def suffixes(name: str, option: str) -> tuple[str, ...]:
+    """Suffixes that an output may have, from the tables of formats."""
+    from jounce.inspection.archive.exporting import TABLES
+    from jounce.kinematics.sweeps import SWEEP_FILES
+    from jounce.plots.style import FIGURES
+    from jounce.recordings.writers import RECORDING_FILES
+    from jounce.report.protocol import PROTOCOLS
+    from jounce.report.render import REPORTS
+
+    special = {
+        ("animate", "--figure"): (".gif",),  # .mp4 needs another program
+        ("animate", "--report"): (".html",),
+        ("inspect evaluate", "--report"): tuple(PROTOCOLS.writers),
+        ("inspect export", "--out"): tuple(TABLES.writers),
+        ("kinematics", "--out"): tuple(SWEEP_FILES.writers),
+        ("export fmu", "--out"): (".fmu",),
+        **dict.fromkeys(
+            ((one, "--out") for one in ("simulate", "ride", "inspect simulate")), (*RECORDING_FILES.writers,)
+        ),
+        **dict.fromkeys(
+            ((one, "--out") for one in ("adjust", "import chrono", "design springs", "design optimise")), (".toml",)
+        ),
+        **dict.fromkeys(((one, "--out") for one in ("modes", "iri", "study lumped-vs-spatial")), (".csv", ".json")),
+        **dict.fromkeys(((one, "--figure") for one in ("kinematics", "load-cases")), ("",)),
+        ("load-cases", "--out"): (".csv",),
+    }
+    usual = {"--figure": tuple(FIGURES.writers), "--report": tuple(REPORTS.writers), "--store": (".sqlite",)}
+    return special.get((name, option), usual.get(option, ("",)))
+
+
+def cases() -> list[tuple[str, str, str, str]]:
+    """Command, option, suffix and kind of place."""
+    return [
+        (*target, place)
+        for target in targets()
+        for place in (REFUSED if target[0] in LONG else PLACES)
+        if not (target[2] == "" and place == "no folder")  # folders are made
+    ]
+
+
+def words(case: tuple[str, str, str, str], name: str) -> list[str]:
+    """The command line of a case that writes to this name."""
+    command, option, _, place = case
+    base = shlex.split(USES[command]) if command in USES else None
+    plain = [word for word in words_of((command, option, "a word"), base) if word != "--force"]
+    found = [word.replace("nonsense", name) for word in plain]
+    if option == "FOLDER" and name.startswith("-"):
+        at = found.index(name)
+        found = [*found[:at], *found[at + 1 :], "--", name]
+    return [
+        *found[: len(command.split())],
+        *(["--force"] if "--force" in place else []),
+        *found[len(command.split()) :],
+    ]
+
+
+@cache
+def _at(place: str, suffix: str) -> str:
+    """Name of the output in a place."""
+    names = {
+        "no folder": f"no/such/x{suffix}",
+        "below a file": f"base.csv/x{suffix}",
+        "a name of 300 bytes": "x" * (300 - len(suffix)) + suffix,
+        "a name of 255 bytes": "ä" * ((255 - len(suffix)) // 2) + "x" * ((255 - len(suffix)) % 2) + suffix,
+        "a system that refuses": f"/proc/x{suffix}",
+        "right to left": f"\u202eעגלה\u202c{suffix}",
+        "emoji, quotes, blanks and markup": f"🚗 'a' \"b\" $x^$ <b>&%{suffix}",
+        "two lines": f"a\nb{suffix}",
+        "a hyphen first": f"-x{suffix}",
+    }
+    return names.get(place, f"x{suffix}")
+
+
+@contextlib.contextmanager
+def folder_for(command: str) -> Iterator[None]:
+    """Stand in a new folder with what the right use of a command needs."""
+    from jounce.campaign import new_campaign
+
+    with folder_of_files():
+        Path("study.toml").write_text(_DESIGN, encoding="utf-8")
+        if command == "campaign run":
+            new_campaign("c")
+        yield
+
+
+@contextlib.contextmanager
+def _in_place(place: str, name: str, *, is_folder: bool) -> Iterator[None]:
+    """Make the place what its name says, while the command runs."""
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    mine = Path("mine.txt")
+    mine.write_text("mine", encoding="utf-8")
+    if place.startswith("there already"):
+        (Path(name) / "mine.txt" if is_folder else Path(name)).parent.mkdir(exist_ok=True)
+        (Path(name) / "campaign.toml" if is_folder else Path(name)).write_text("mine", encoding="utf-8")
+    elif place.startswith("a folder or file there"):
+        Path(name).write_text("mine", encoding="utf-8") if is_folder else Path(name).mkdir()
+    elif place.startswith("a link"):
+        Path(name).symlink_to(mine if "to a file" in place else "nothing")
+    elif place == "a full disk":
+        resource.setrlimit(resource.RLIMIT_FSIZE, (200, limits[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+
+
+def _listing() -> dict[str, bytes]:
+    return {
+        str(file): file.read_bytes() if file.is_file() else b"a link" if file.is_symlink() else b"a folder"
+        for file in sorted(Path().rglob("*"))
+    }
+
+
+def verdict(case: tuple[str, str, str, str]) -> tuple[str, str]:
+    """What a command does where its output cannot be written, or has an odd name."""
+    sys.dont_write_bytecode = True  # half a module would be kept where the disk is full
+    command, option, suffix, place = case
+    name, is_folder = _at(place, suffix), not suffix
+    with folder_for(command), _in_place(place, name, is_folder=is_folder):
+        before = _listing()
+        code, out, err = said_by(words(case, name))
+        after = _listing()
+    told = f"{code}: {err} {out if code == 1 else ''}"
+    if code not in (0, 1, 2) or "internal error" in err:
+        return "crashed", told
+    asked = [one for word in words(case, name) for one in (word, word.partition("=")[2]) if one]
+    owned = {*asked, name, str(Path(name).with_suffix(".json")), "lane.sqlite"}  # values stand beside a protocol
+    owned |= {f"{one}{end}" for one in owned for end in ("-wal", "-shm")}  # SQLite's own, while the store is open
+    if place.startswith("a link to nothing") and is_folder:
+        owned.add("nothing")  # which is made where the link leads to
+    lost = [file for file, content in before.items() if after.get(file) != content]
+    more = sorted({*after} - {*before})
+    foreign = [file for file in (*lost, *more) if not any(file == one or file.startswith(f"{one}/") for one in owned)]
+    told = f"{told}; changed {lost}, new {more}"
+    if foreign or any(Path(file).name.startswith(".") for file in after):
+        return "silently wrong", told
+    if code == 2:
+        is_said = is_clear(err, name[:20], name.partition("/")[0], option, "--force", *owned, tempfile.gettempdir())
+        return ("refused" if is_said and not lost else "unclear"), told
+    own = [file for file in (*lost, *more) if file in owned or file.startswith((f"{name}/", "nothing/"))]
+    if code == 1:  # what was computed is there, and a finding says what is not
+        said = "".join((err + out).split())  # which the console breaks into lines
+        return ("flagged" if is_clear(said, "".join(name[:20].split())) and place not in REFUSED else "unclear"), told
+    return ("right" if own and place not in REFUSED else "silently wrong"), told
