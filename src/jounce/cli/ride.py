@@ -102,7 +102,7 @@ def ride(
         return ride_spectra(study.rides, study.stationary, title)
 
     driven = f"{vehicle}, {names[0]}," if len(names) == 1 else vehicle  # several have a legend
-    title = f"{driven} on {road} at {size(study.trial.trial.speed, 'm/s', 'speed')}"
+    title = f"{driven} on {road} at {size(study.trial.trial.speed or 0.0, 'm/s', 'speed')}"
     drawn, missing = write_picture(spectra, figure, force=force)
     document, undrawn = write_report(lambda: _page(study, title, rig), report, force=force)
     plain = {**plain, "out": out and str(out), "figure": drawn, "report": document}
@@ -157,7 +157,7 @@ def compare(
     names = _names(control or ["all"])
     check_outputs(figure=figure, report=report, force=force)
     study, plain, rig = _study(vehicle, road, speed, length, seed, names, set_)
-    title = f"{vehicle} on {road} at {size(study.trial.trial.speed, 'm/s', 'speed')}"
+    title = f"{vehicle} on {road} at {size(study.trial.trial.speed or 0.0, 'm/s', 'speed')}"
     drawn, missing = write_picture(study, figure, title, force=force)
     document, undrawn = write_report(lambda: _page(study, title, rig), report, force=force)
     plain = {**plain, "figure": drawn, "report": document}
