@@ -13,7 +13,7 @@ from jounce.inspection.methods import WheelTest, find_adhesion, find_rigidity, r
 from jounce.inspection.quarter_car import Corner, ResponseFit, body_damping, road_poles, wheel_damping
 from jounce.inspection.signals import WheelSignals, find_turns
 from jounce.inspection.sweep import Sweep
-from jounce.inspection.turn_forces import Analysis, find_lift_off, stretches_between
+from jounce.inspection.turn_forces import Analysis, FrequencyCurve, find_lift_off, stretches_between
 from jounce.parts.testers import load_tester
 
 EGEA, THETA = load_tester("egea-specsus2018"), load_tester("theta-msd3000")
@@ -218,3 +218,16 @@ def test_lift_off_and_the_stretches_between() -> None:
     assert stretches_between(found, 1200, 2800, 1000.0) == []
     assert stretches_between(found, 1144, 2875, 1000.0) == [(1144, 1944), (2075, 2875)]
     assert stretches_between(np.zeros(5000, dtype=bool), 100, 300, 1000.0) == [(100, 300)]
+
+
+def test_curves_reach_over_both_of_their_ends() -> None:
+    frequency = np.linspace(6.0, 18.0, 13)
+    curve = FrequencyCurve(frequency, (frequency - 10.3) ** 2, np.full(13, 0.5))
+    at = np.array([5.9, 6.0, 9.5, 18.0, 18.1])
+    np.testing.assert_allclose(curve.at(at, np.full(5, -1.0)), [-1.0, 4.3**2, 0.8**2, 7.7**2, -1.0])
+    few = FrequencyCurve(frequency[:7], curve.value[:7], curve.error[:7])
+    assert few.at(at, np.full(5, -1.0)).tolist() == [-1.0] * 5
+    assert curve.lowest() == pytest.approx((10.0, 0.09, 0.5))
+    assert curve.least(6.0, 18.0) == pytest.approx((10.3, 0.0, 0.5), abs=0.02)
+    assert curve.least(12.0, 18.0) == pytest.approx((12.0, 1.7**2, 0.5))
+    assert curve.least(5.9, 18.0) is curve.least(6.0, 18.1) is None

@@ -20,7 +20,7 @@ from jounce.roads import (
     contact_length,
     read_roads,
 )
-from jounce.roads.enveloping import _cubic, _curvature
+from jounce.roads.enveloping import _crossing, _cubic, _curvature
 
 CLEAT = Rectangle(height="20 mm", length="40 mm", start="1 m")
 METHODS = [
@@ -129,3 +129,17 @@ def test_curvatures_and_cubics_are_those_of_their_definitions() -> None:
     for share in (0.3, 0.5, 0.8):
         expected = float(spline(2.0 + 0.5 * share))
         assert float(_cubic(np.array([0.5]), *ends, share)[0]) == pytest.approx(expected, rel=1e-12)
+
+
+def test_kinks_lie_where_tangents_meet() -> None:
+    """Rows x, height, slope and contact of three kinks: one within, one beyond the end, one that is none."""
+    begin = np.array([[1.0, 1.0, 3.0], [0.2, 0.2, 0.5], [0.3, 0.3, 0.1], [0.9, 0.9, 2.9]])
+    end = np.array([[1.1, 1.1, 3.2], [0.215, 0.24, 0.52], [-0.2, -0.2, 0.1], [1.2, 1.2, 3.3]])
+    before, after = _crossing(begin, end)
+    x = 1.0 + (0.215 + 0.2 * 0.1 - 0.2) / 0.5
+    np.testing.assert_allclose(before[0], [x, 1.1, 3.1])
+    np.testing.assert_array_equal(after[0], before[0])
+    np.testing.assert_allclose(before[1], [0.2 + 0.3 * (x - 1.0), 0.23, 0.51])
+    np.testing.assert_allclose(after[1], [before[1, 0], 0.24, 0.51])
+    np.testing.assert_array_equal(before[2:], begin[2:])
+    np.testing.assert_array_equal(after[2:], end[2:])

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import shutil
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from jounce.core.errors import RecordingError
 from jounce.roads import Crg, read_crg_profile, road_library
+from jounce.roads.measured import _overlong_rows
 
 FILES = Path(__file__).parents[2] / "files" / "road_crg"
 ONE_INCH = road_library()["detrended_rms_course_1in"]
@@ -187,3 +189,17 @@ def test_the_lateral_offset_chooses_the_track() -> None:
     assert left.height_at(6.0) == pytest.approx(1 / 90, abs=1e-6)  # section 6, row 7: 0.0111111
     assert right.height_at(15.0) == pytest.approx(1 / 90, abs=1e-6)  # section 2, row 16: 0.0111111
     assert left.height_at(15.0) == pytest.approx(-2 / 90, abs=1e-6)
+
+
+@pytest.mark.parametrize(("channels", "longest"), [(3, 30), (8, 80), (11, 80)])
+def test_rows_that_hold_more_than_the_header_says(tmp_path, monkeypatch, channels: int, longest: int) -> None:
+    """Ten columns a value, and eighty a row, over which the values of many channels go on."""
+    import pyopencrg.io
+
+    header = SimpleNamespace(fmt="LRFI", kd_def=["D:long section"] * channels, data_offset=0)
+    monkeypatch.setattr(pyopencrg.io, "read_ipl", lambda *_, **__: header)
+    file = tmp_path / "rows.crg"
+    file.write_text(f"{'1' * longest}\n{'2' * longest}   \n")
+    assert _overlong_rows(str(file)) == []
+    file.write_text(f"{'1' * longest}\n{'2' * (longest + 1)}\n")
+    assert _overlong_rows(str(file)) == [f"row 2 of the data holds more than the {channels} channels of the header"]
