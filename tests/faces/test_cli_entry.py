@@ -67,7 +67,7 @@ def test_three_options_write_files() -> None:
 
     every = options(get_command(entry.application()))
     files = {one.opts[0] for one in every if "Path" in str(getattr(one, "type_descriptor", ""))}
-    read = {"--limits", "--excitation", "--database"}
+    read = {"--limits", "--excitation", "--database", "--poses"}
     assert files == {"--out", "--figure", "--report"} | read
 
 
