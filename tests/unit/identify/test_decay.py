@@ -13,6 +13,7 @@ from jounce.identify.decay import (
     _advice,
     _naive_decrement,
     _next_start,
+    _part,
     combine_decays,
     decay_response,
     decay_slopes,
@@ -343,3 +344,11 @@ def test_after_a_hit_the_search_goes_on_behind_the_next_turning_point(exact):
     assert 50 <= _next_start(signal, 0, 0.0) <= 58
     assert _next_start(signal[:39], 0, 0.0) is None  # fewer than two decays' samples
     assert _next_start(np.concatenate([swing[:51], np.full(200, -0.5)]), 5, 0.0) > 5
+
+
+def test_a_misfit_of_the_first_half_swing_is_told_from_one_behind_it():
+    ripple = 5e-5 * np.sin(900.0 * TIME)
+    for disturbed, low, high in ((TIME < 0.28, 3.0, np.inf), (TIME > 0.31, 0.0, 0.5)):
+        part = _part(TIME, record() + ripple * disturbed, 201, 0.0, "displacement", "decay.csv")
+        assert low < part.early_misfit < high
+        assert part.r2 > 0.99

@@ -8,7 +8,17 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.identify.discrepancy import NuisanceEstimate, _contradictions, _findings, _law_estimate, _Stray
+from jounce.identify.discrepancy import (
+    NuisanceEstimate,
+    _Block,
+    _Calibration,
+    _contradictions,
+    _findings,
+    _law_estimate,
+    _length,
+    _State,
+    _Stray,
+)
 from jounce.identify.estimate import Estimate
 from jounce.identify.laws import Laws, States
 from jounce.identify.richer import Richer, Ridden
@@ -125,3 +135,28 @@ def test_what_may_be_curved_is_what_is_loaded(name: str, ridden: Ridden, curved:
         numbers = richer.numbers(rig.parameters(), {}, np.zeros(len(richer.nuisances)))
         coefficients = [path for path in numbers if path.startswith(f"{part}.curve.coefficients")]
         assert len(coefficients) == 1 + len(richer._curved[part])
+
+
+@pytest.mark.parametrize("share", [1.0, 0.5])
+def test_lags_follow_what_a_step_leaves(share: float) -> None:
+    """Residuals that are what the unknowns and a lag make of them: the lag is found; no parameter falls below zero."""
+    draw = np.random.default_rng(6).normal
+    free = [SimpleNamespace(lower=0.0, scaled=lambda value: value - 2.0), SimpleNamespace(lower=-1.0)]
+    one = SimpleNamespace(free=free, nuisances=["a"], align=True, runs=[None, None], own=[("speed", 0.1)])
+    state = _State(np.array([-1.9, 0.3]), np.array([0.2]), np.array([[0.1], [0.2]]), np.array([1e-3, -2e-3]))
+    step, late = np.array([-4.0, 0.5, -0.7, 0.4, -0.3]), (0.003, -0.001)  # parameters, doubt, a speed of each trial
+    blocks = []
+    for trial in (0, 1, 0):
+        common, own, lag = draw(size=(30, 3)), draw(size=(30, 1)), draw(size=30)
+        residual = share * (common @ step[:3] + own @ step[3 + trial : 4 + trial]) + late[trial] * lag
+        blocks.append(_Block("az", trial, residual, common, own, lag))
+    moved = _Calibration.moved(one, state, step, blocks, share)
+    np.testing.assert_allclose(moved.lags, state.lags + late, rtol=1e-9)
+    np.testing.assert_allclose(moved.theta, [-2.0, 0.3 + 0.5 * share])
+    np.testing.assert_allclose(moved.xi, [0.2 - 0.7 * share])
+    np.testing.assert_allclose(moved.own.ravel(), [0.1 + 0.4 * share, 0.2 - 0.3 * share])
+
+
+def test_the_length_of_a_channel_is_the_mean_of_its_own_blocks() -> None:
+    rows = [(name, None, np.zeros(count), None) for name, count in (("a", 10), ("b", 50), ("a", 20))]
+    assert [_length(SimpleNamespace(rows=rows), name) for name in "ab"] == [15.0, 50.0]
