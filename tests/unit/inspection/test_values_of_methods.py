@@ -231,3 +231,8 @@ def test_curves_reach_over_both_of_their_ends() -> None:
     assert curve.least(6.0, 18.0) == pytest.approx((10.3, 0.0, 0.5), abs=0.02)
     assert curve.least(12.0, 18.0) == pytest.approx((12.0, 1.7**2, 0.5))
     assert curve.least(5.9, 18.0) is curve.least(6.0, 18.1) is None
+    rising = FrequencyCurve(frequency, np.exp(0.5 * (frequency - 6.0)), curve.error)
+    assert rising.least(6.0, 18.0)[:2] == pytest.approx((6.0, 1.0), rel=1e-12)
+    assert FrequencyCurve(frequency, rising.value[::-1], curve.error).least(6.0, 18.0)[1] == pytest.approx(
+        1.0, rel=1e-12
+    )

@@ -114,6 +114,7 @@ def test_options_say_what_lies_beyond_the_ends(tmp_path) -> None:
 def test_a_course_that_ends_in_nothing(tmp_path) -> None:
     road = Crg(file=with_block(tmp_path, "handmade_sloped", "ROAD_CRG_OPTS", border_mode_u=0), start="-2 m")
     assert road.segments(20.0).edges[-1] == 20.0
+    assert road.segments(20.0, behind=2.0).edges[-1] == 20.0  # from where the course begins
     with pytest.raises(DescriptionError, match=r"BORDER_MODE_U = 0 says that there is no road; found '0 to 21 m'"):
         road.segments(21.0)
     with pytest.raises(DescriptionError, match="leaves the course"):

@@ -198,6 +198,13 @@ def test_the_benchmark_has_its_level_and_its_period() -> None:
     np.testing.assert_allclose(between, exact, rtol=0, atol=5e-7)
 
 
+def test_the_benchmark_has_the_level_that_is_asked_for() -> None:
+    x = np.linspace(0.0, 99.0, 50)
+    default = SineSum().height_at(x)
+    for fields, share in (({"class_": "C"}, 1.0), ({"class_": "A"}, 0.25), ({"roughness": 64e-6}, 0.5)):
+        np.testing.assert_allclose(SineSum(**fields).height_at(x), share * default, rtol=0, atol=1e-12)
+
+
 def test_the_waves_of_the_benchmark_meet_once_a_period() -> None:
     # frac(0.618 i) makes the phases proportional to i: a train of pulses with the spectrum of class C
     x = np.arange(10000) * 0.01
