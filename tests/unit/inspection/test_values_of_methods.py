@@ -11,7 +11,7 @@ import pytest
 from jounce.inspection import methods, quarter_car
 from jounce.inspection.methods import WheelTest, find_adhesion, find_rigidity, rigidity_findings
 from jounce.inspection.quarter_car import Corner, ResponseFit, body_damping, road_poles, wheel_damping
-from jounce.inspection.signals import WheelSignals, find_turns
+from jounce.inspection.signals import WheelSignals, _residual_per_hz, find_turns
 from jounce.inspection.sweep import Sweep
 from jounce.inspection.turn_forces import Analysis, FrequencyCurve, find_lift_off, stretches_between
 from jounce.parts.testers import load_tester
@@ -236,3 +236,26 @@ def test_curves_reach_over_both_of_their_ends() -> None:
     assert FrequencyCurve(frequency, rising.value[::-1], curve.error).least(6.0, 18.0)[1] == pytest.approx(
         1.0, rel=1e-12
     )
+
+
+def test_the_greatest_movement_and_what_noise_makes_of_it() -> None:
+    """Of a plate at 9 Hz; the noise is that of third differences, of which the motion has next to nothing."""
+    time = np.arange(4000) / 1000.0
+    height = 5e-3 * np.sin(2.0 * np.pi * 9.0 * time) * (1.0 + 0.2 * np.exp(-(((time - 2.0) / 0.2) ** 2)))
+    noisy = height + 2e-5 * np.random.default_rng(3).standard_normal(time.size)
+    turns = find_turns(time, noisy, 0.0, 5e-3)
+    signals = WheelSignals("left", time, np.full(time.size, 4e3), noisy, None, 4e3, 20.0)
+    found = methods.find_boge(WheelTest(signals, Sweep(turns, 0, 1, slice(0, 2), 0.0), 4e3, THETA, None))
+    assert found.amplitude == pytest.approx(12e-3, rel=0.02)
+    assert found.frequency_hz == pytest.approx(9.0, rel=1e-2)
+    assert found.half_width == pytest.approx(1.96 * 2e-5 * math.sqrt(2.0), rel=0.1)
+
+
+def test_what_a_calibration_leaves_for_each_hz() -> None:
+    time = np.arange(12_000) / 1000.0
+    frequency = np.linspace(25.0, 3.0, time.size)
+    angle = 2.0 * np.pi * np.concatenate([[0.0], np.cumsum(0.5 * (frequency[1:] + frequency[:-1]) / 1000.0)])
+    residual = 0.3 * frequency * np.sin(angle + 0.7)
+    found = _residual_per_hz(time, 3e-3 * np.sin(angle), residual, EGEA, "left.plate.z")
+    beside = 1.0 / (4.0 * np.pi * 6.0 * 0.5)  # half seconds hold no whole turns: at 6 Hz that is worth so much
+    assert 0.3 <= found <= 0.3 * (1.0 + beside)
