@@ -146,7 +146,8 @@ def test_a_value_just_below_a_limit_is_not_written_as_the_limit() -> None:
 
 def test_over_range_is_noted() -> None:
     graded = grade(axle(wheel(theta_road=0.395)))
-    assert any("the source says nothing about such values" in reason for reason in graded.wheels[0].reasons)
+    (said,) = (reason for reason in graded.wheels[0].reasons if "the source says nothing about such values" in reason)
+    assert "0.395 is above the optimal band, which ends at 0.3;" in said
     assert graded.wheels[0].verdict == "pass"
 
 

@@ -57,6 +57,13 @@ def test_a_sweep_is_found_as_it_was_made(tacho: bool) -> None:
     np.testing.assert_allclose(frequency[inner], np.interp(top[inner], [2.0, 11.4], [25.0, 1.5]), rtol=0.01)
 
 
+def test_a_plate_that_speeds_up_again_has_swept_all_the_same() -> None:
+    frequency = np.concatenate([down(2.5), course((0.0, 1.5), (2.0, 5.0), (3.0, 5.0))])
+    sweep, _ = find_sweep(plate(frequency), EGEA, rigid=True)
+    assert sweep.last < sweep.turns.frequency.size - 3
+    assert sweep.sweep_rate == pytest.approx(2.5, rel=0.02)
+
+
 def test_begin_is_not_before_the_hold() -> None:
     sweep, _ = find_sweep(plate(course((0.0, 25.0), (0.5, 25.0), (9.9, 1.5))), EGEA, rigid=True)
     assert sweep.begin == sweep.turns.top[sweep.hold][0] < 0.1

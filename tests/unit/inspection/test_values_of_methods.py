@@ -10,7 +10,7 @@ import pytest
 
 from jounce.inspection import methods, quarter_car
 from jounce.inspection.methods import WheelTest, find_adhesion, find_rigidity, rigidity_findings
-from jounce.inspection.quarter_car import Corner, ResponseFit, body_damping, road_poles, wheel_damping
+from jounce.inspection.quarter_car import Corner, ResponseFit, body_damping, road_poles, stretch_of, wheel_damping
 from jounce.inspection.signals import WheelSignals, _residual_per_hz, find_turns
 from jounce.inspection.sweep import Sweep
 from jounce.inspection.turn_forces import Analysis, FrequencyCurve, find_lift_off, stretches_between
@@ -210,7 +210,7 @@ def test_adhesion_is_the_least_force_of_all_turns() -> None:
 
 def test_lift_off_and_the_stretches_between() -> None:
     force = np.full(5000, 4e3)
-    force[2000:2020] = 0.0
+    force[2000:2020] = 30.0  # what noise and drift leave of nothing: below 1 % of the load
     force[3000:3004] = 0.0  # 4 ms: the mean over 9 ms stays
     found = find_lift_off(force, 4e3, 1000.0)
     assert np.flatnonzero(found).tolist() == list(range(2004, 2016))
@@ -259,3 +259,18 @@ def test_what_a_calibration_leaves_for_each_hz() -> None:
     found = _residual_per_hz(time, 3e-3 * np.sin(angle), residual, EGEA, "left.plate.z")
     beside = 1.0 / (4.0 * np.pi * 6.0 * 0.5)  # half seconds hold no whole turns: at 6 Hz that is worth so much
     assert 0.3 <= found <= 0.3 * (1.0 + beside)
+
+
+def test_stretches_begin_and_end_half() -> None:
+    """Trapezoidal sums: the first sample stands for the last one, too."""
+    time = np.arange(1001) / 1000.0
+    height, force = 1e-3 * time + 2e-3 * np.sin(9.0 * time), 50.0 * time**2
+    found = stretch_of(height, force, 1000.0, 2.0, 5.0)
+    assert found.samples == 1000
+    hz = np.arange(2.0, 6.0)
+    np.testing.assert_allclose(found.s, 2j * np.pi * hz)
+    for values, bins in ((height, found.height), (force, found.force)):
+        about, share = values - values.mean(), np.ones(1001)
+        share[[0, -1]] = 0.5
+        waves = np.exp(-2j * np.pi * np.outer(hz, time))
+        np.testing.assert_allclose(bins, waves @ (share * about), rtol=1e-9)
