@@ -52,6 +52,9 @@ def test_a_plate_at_rest_beside_one_that_runs_does_not_move() -> None:
     left, _ = _two_plates()
     assert moving_part(0.02 * left, RATE, LEAST, left) is None
     assert moving_part(0.0 * left, RATE, LEAST) is None
+    slow = 30.0 * LEAST * np.sin(2.0 * np.pi * 0.5 * np.arange(left.size) / RATE)  # counts where the other one stands
+    assert moving_part(slow, RATE, LEAST, 0.0 * left) == moving_part(slow, RATE, LEAST)
+    assert moving_part(slow, RATE, LEAST, left) != moving_part(slow, RATE, LEAST)
 
 
 @pytest.fixture(scope="module")
