@@ -30,7 +30,7 @@ INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --re
 LOOPS := $(wildcard src/jounce/kernel/*.py src/jounce/kernel/*/*.py)
 PINS := runtime build test lint docs bench mutants audit
 COMPILE := $(UV) pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header \
-           --no-emit-index-url --no-emit-find-links
+           --no-emit-index-url --no-emit-find-links --no-emit-package yattag  # it has no wheel, and only draws what we do not
 
 .PHONY: help setup loops demo quick test test-all lint check-style check-imports format bench docs mutants faces pins audit clean viewer check-viewer
 .DELETE_ON_ERROR:
